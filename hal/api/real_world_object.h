@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "hal/types/agent_id.h"
+#include "hal/types/channel.h"
+#include "hal/types/geometry.h"
+#include "hal/types/log.h"
+#include "hal/types/message.h"
+#include "hal/types/random.h"
+#include "hal/types/result.h"
+#include "hal/types/route.h"
+#include "hal/types/time.h"
+
+namespace hal {
+
+/// What an agent knows of its network: the part of the routing tables and the neighbours that its
+/// controller asked for (Wants in controller.h), as of the event being handled.
+class Network {
+ public:
+  virtual ~Network() = default;
+
+  /// Routes of one message class to one destination, by next hop; empty if there is none.
+  /// Classes the controller does not watch are always empty.
+  virtual std::vector<Route> routes(std::string_view topic, AgentId destination) const = 0;
+
+  /// Nodes heard directly, by address; empty unless the controller asked for neighbours.
+  virtual const std::vector<Neighbour>& neighbours() const = 0;
+
+  /// Forgets every route of the class to the destination, at this node only.
+  /// Errors: kInvalidArgument (topic empty or too long).
+  virtual Result<void> invalidate(std::string_view topic, AgentId destination) = 0;
+};
+
+/// A thing in the world with a radio: what motes and robots share.
+///
+/// Contract: every call is made from within a callback of the controller, on the thread that runs
+/// it; any other call throws std::logic_error. SI units, radians, x forward, y left, z up.
+class RealWorldObject {
+ public:
+  virtual ~RealWorldObject() = default;
+
+  virtual AgentId id() const = 0;
+  virtual std::string_view name() const = 0;
+  virtual Time now() const = 0;  ///< Time of the event being handled.
+  virtual Duration control_period() const = 0;
+
+  /// Sends `payload` to one agent over as many hops as it takes, or to kEveryone in a flood. What
+  /// became of it comes back in Controller::notice.
+  /// @param topic    message class, 1..kMaxTopic bytes.   @param payload  0..kMaxPayload bytes.
+  /// Errors: kInvalidArgument (sizes; destination is this agent itself).
+  virtual Result<MessageId> send(AgentId destination, std::string_view topic,
+                                 std::span<const std::uint8_t> payload) = 0;
+
+  virtual Network& network() = 0;
+  virtual const Network& network() const = 0;
+
+  /// Controller::timer(id) is called at `at`. Setting the same id again moves it.
+  /// Errors: kInvalidArgument (`at` is before now()).
+  virtual Result<void> set_timer(TimerId id, Time at) = 0;
+
+  /// Every channel this agent offers to this controller.
+  virtual std::span<const Channel> channels() const = 0;
+
+  /// Latest values of a channel, held until the next sample. Valid until the callback returns.
+  /// Errors: kNotAvailable (no such channel, not asked for, or not sampled yet).
+  virtual Result<std::span<const double>> reading(std::string_view channel) const = 0;
+
+  /// Position of another agent relative to this one, in this body's frame [m].
+  /// Errors: kNotAvailable (no localisation on this agent; the other is out of its range).
+  virtual Result<Vec2> relative_position(AgentId other) const = 0;
+
+  /// State of charge, 0..1. Errors: kNotAvailable (the agent has no battery gauge).
+  virtual Result<double> battery() const = 0;
+
+  /// Switches the radio. Off: frames in the air are cut, the queue is dropped.
+  virtual void set_radio(bool on) = 0;
+
+  /// This agent's own stream; equal seeds give equal numbers.
+  virtual RandomStream& random() = 0;
+
+  /// Names the state the controller is in, for the record and for end conditions.
+  /// @param name  1..64 bytes, longer names are cut.
+  virtual void state(std::string_view name) = 0;
+
+  virtual void log(log::Level level, std::string_view text) = 0;
+};
+
+class Mote : public RealWorldObject {};
+
+}  // namespace hal

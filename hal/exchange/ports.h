@@ -1,0 +1,57 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hal/exchange/session.h"
+#include "hal/exchange/step.h"
+#include "hal/types/result.h"
+
+namespace hal::exchange {
+
+/// Where a host finds the controllers of some of its agents: in this process, or at the other end
+/// of a DDS topic pair. At most one Step is under way per port. The two halves let a host hand
+/// Steps to several ports before it waits for any of them.
+class ControllerPort {
+ public:
+  virtual ~ControllerPort() = default;
+
+  /// For people, in messages: the process name.
+  virtual const std::string& name() const = 0;
+
+  /// Hands over a Step. @pre no Step is under way. Errors: kNotConnected.
+  virtual Result<void> begin(const Step& step) = 0;
+
+  /// Waits for the Reply to the Step of begin().
+  /// Errors: kNotConnected (the process died), kTimeout (no answer within the reply timeout).
+  virtual Result<Reply> finish() = 0;
+
+  /// Whether the process still lives, without waiting. Errors: kNotConnected.
+  virtual Result<void> check_alive() = 0;
+};
+
+/// One agent that a host offers, before any controller has asked for it.
+struct AgentOffer {
+  AgentSession session;  ///< With every channel the agent has.
+  std::string program;   ///< Controller the scenario names for it; empty: any.
+};
+
+/// What a gateway serves: a simulator, or a real robot or mote.
+class AgentHost {
+ public:
+  virtual ~AgentHost() = default;
+
+  /// The agents that need a controller, by address.
+  virtual std::vector<AgentOffer> offers() const = 0;
+
+  /// Connects a controller process to its agents. Each agent once. @pre the host has not started.
+  virtual void connect(std::shared_ptr<ControllerPort> port, const std::vector<AgentId>& agents,
+                       const Wants& wants) = 0;
+};
+
+/// The session a process gets for one agent: the offer, reduced to the channels it asked for.
+/// Errors: kNotAvailable naming a channel that was asked for and does not exist.
+Result<AgentSession> session_for(const AgentOffer& offer, const Wants& wants);
+
+}  // namespace hal::exchange

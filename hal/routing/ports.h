@@ -1,0 +1,93 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include "hal/types/agent_id.h"
+#include "hal/types/message.h"
+#include "hal/types/route.h"
+#include "hal/types/time.h"
+#include "hal/types/verdict.h"
+
+namespace hal::routing {
+
+/// What a link can tell about its frames. Routing also works over a link that has neither.
+struct LinkCapabilities {
+  bool tx_status = false;  ///< Calls Router::on_transmitted for every frame.
+  bool rssi = false;       ///< Gives Reception::rssi_dbm and snr_db.
+};
+
+/// How a frame came in.
+struct Reception {
+  AgentId from;  ///< The neighbour that transmitted it.
+  double rssi_dbm = 0;
+  double snr_db = 0;
+};
+
+/// Names a frame handed to the link in its on_transmitted.
+using LinkTag = std::uint64_t;
+
+/// What happened to a frame: kDelivered (acknowledged; a broadcast: transmitted), kRetryLimit,
+/// kQueueFull, kRadioOff.
+struct Transmission {
+  LinkTag tag = 0;
+  Verdict verdict = Verdict::kDelivered;
+};
+
+/// One hop. The simulator's MAC, or a UDP socket.
+class Link {
+ public:
+  virtual ~Link() = default;
+  virtual LinkCapabilities capabilities() const = 0;
+
+  /// Queues a frame for one neighbour, or for all of them (kEveryone). Never calls back before it
+  /// returns.
+  virtual void transmit(AgentId next_hop, Bytes frame, LinkTag tag) = 0;
+
+  /// Time the link needs for a frame queued now, for the delay statistics; and the energy [J].
+  virtual Duration expected_delay() const = 0;
+  virtual double transmit_energy(std::size_t bytes) const = 0;
+};
+
+/// Calls back at a later time of the node's clock.
+class Timers {
+ public:
+  virtual ~Timers() = default;
+  using Handle = std::uint64_t;  ///< Never 0.
+  virtual Time now() const = 0;
+  virtual Handle schedule(Time at, std::function<void()> handler) = 0;
+  virtual void cancel(Handle handle) = 0;  ///< Of a timer that has run: no effect.
+};
+
+/// The application above: the agent.
+class Application {
+ public:
+  virtual ~Application() = default;
+  virtual void on_message(Message message) = 0;
+  /// Exactly once per message this node sent.
+  virtual void on_fate(MessageId id, Fate fate) = 0;
+};
+
+/// What there is to see of a router, for records, fingerprints and the controllers' Network.
+class RoutingObserver {
+ public:
+  virtual ~RoutingObserver() = default;
+  virtual void on_route_change(const RouteChange& change) { (void)change; }
+  virtual void on_neighbour(const Neighbour& neighbour) { (void)neighbour; }
+  virtual void on_neighbour_lost(AgentId neighbour) { (void)neighbour; }
+  /// A discovery ended: found, or given up after the last retry. `took` includes the retries.
+  virtual void on_discovery(std::string_view topic, AgentId destination, Duration took,
+                            bool found) {
+    (void)topic, (void)destination, (void)took, (void)found;
+  }
+  /// A message ended here, at a node on its way or at its end. kDelivered: at its destination;
+  /// for a flood, once per node that it reached. `sent_by` and `id` name the message.
+  virtual void on_message_end(AgentId sent_by, MessageId id, std::string_view topic,
+                              Verdict verdict) {
+    (void)sent_by, (void)id, (void)topic, (void)verdict;
+  }
+};
+
+}  // namespace hal::routing

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "hal/routing/ports.h"
+#include "hal/routing/routing_config.h"
+#include "hal/types/message.h"
+#include "hal/types/random.h"
+#include "hal/types/route.h"
+
+namespace hal::routing {
+
+/// The surroundings of one router; all outlive it.
+struct RouterPorts {
+  Link& link;
+  Timers& timers;
+  Application& application;
+  RoutingObserver& observer;
+};
+
+/// Ant routing of one node: routes are found on demand by ants that flood out and walk back, kept
+/// per message class with every next hop that leads to the destination, and data picks among them
+/// at random (Labella, Dietrich, Dressler, "Hybrid simulation of Sensor and Actor Networks with
+/// BARAKA", 2009, section 6.1; after Di Caro, Ducatelle, Gambardella, "AntHocNet", 2005).
+///
+/// Portable node code: time, radio and randomness are handed in. One thread.
+class Router {
+ public:
+  Router(AgentId self, const RoutingConfig& config, RandomStream random, RouterPorts ports);
+  ~Router();
+  Router(const Router&) = delete;
+  Router& operator=(const Router&) = delete;
+
+  /// Sends a message of this node: `message.source` is self, `message.destination` another node or
+  /// kEveryone. Its fate is reported once through Application::on_fate, never from within send().
+  void send(const Message& message);
+
+  /// Forgets all routes of the class to the destination, here only. Discoveries go on.
+  void invalidate(std::string_view topic, AgentId destination);
+
+  /// Routes by next hop; empty if there is none.
+  std::vector<Route> routes(std::string_view topic, AgentId destination) const;
+
+  /// From the link.
+  void on_frame(const Reception& reception, std::span<const std::uint8_t> frame);
+  void on_transmitted(const Transmission& transmission);
+
+  /// Frames that could not be parsed, for the record.
+  std::uint64_t malformed_frames() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace hal::routing

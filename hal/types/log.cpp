@@ -1,0 +1,30 @@
+#include "hal/types/log.h"
+
+#include <cstdio>
+
+namespace hal::log {
+namespace {
+
+void to_standard_error(Level level, Time at, std::string_view where, std::string_view text) {
+  fmt::print(stderr, "[{:.9f}] {} {}: {}\n", to_seconds(at), name(level), where, text);
+}
+
+Sink current_sink = to_standard_error;
+Level lowest_level = Level::kInfo;
+
+}  // namespace
+
+void set_sink(Sink sink) { current_sink = sink; }
+void set_level(Level level) { lowest_level = level; }
+bool is_on(Level level) { return level >= lowest_level; }
+
+void write(Level level, Time at, std::string_view where, std::string_view text) {
+  if (is_on(level)) current_sink(level, at, where, text);
+}
+
+std::string_view name(Level level) {
+  constexpr std::string_view kNames[] = {"debug", "info", "warning", "error"};
+  return kNames[static_cast<int>(level)];
+}
+
+}  // namespace hal::log

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "hal/types/agent_id.h"
+#include "hal/types/time.h"
+
+namespace hal {
+
+using Bytes = std::vector<std::uint8_t>;
+
+/// Number of a message among those its sender sent: 1, 2, 3, …  0 is no message.
+using MessageId = std::uint32_t;
+
+/// Longest topic, in bytes. A topic names the message class; routing keeps a table per topic.
+inline constexpr std::size_t kMaxTopic = 32;
+/// Longest payload a controller may send, in bytes: one MSDU (2304 B, IEEE Std
+/// 802.11-2016, 9.2.4.7) less room for the routing header with the longest path.
+inline constexpr std::size_t kMaxPayload = 2048;
+
+/// What one agent says to another, end to end.
+struct Message {
+  AgentId source;
+  AgentId destination;  ///< kEveryone: flooded through the whole network.
+  MessageId id = 0;
+  std::string topic;
+  Bytes payload;
+  bool operator==(const Message&) const = default;
+};
+
+/// What became of a message at its sender.
+enum class Fate : std::uint8_t {
+  kHandedOver,  ///< The next hop acknowledged it, or, for a flood, it left the antenna.
+  kNoRoute,     ///< Discovery failed, or it waited too long for a route.
+  kQueueFull,   ///< A queue of the sender had no room.
+  kFailed,      ///< No next hop acknowledged it, or the radio was off.
+};
+
+}  // namespace hal

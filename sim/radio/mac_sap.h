@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "hal/types/agent_id.h"
+#include "hal/types/message.h"
+#include "hal/types/time.h"
+#include "hal/types/verdict.h"
+
+namespace sim::radio {
+
+/// Type of the payload, as in Ethernet II. Several clients share one radio, one per type.
+using Ethertype = std::uint16_t;
+inline constexpr Ethertype kEthertypeRouting = 0x88b5;  ///< IEEE Std 802-2014: local experimental.
+
+/// Largest payload of a frame, bytes (IEEE Std 802.11-2016, 9.2.4.7).
+inline constexpr std::size_t kMaxMsdu = 2304;
+
+using Payload = std::shared_ptr<const hal::Bytes>;
+
+struct MacRequest {
+  hal::AgentId destination;   ///< kEveryone: broadcast.
+  Ethertype ethertype = kEthertypeRouting;
+  std::uint8_t priority = 0;  ///< 0..7, IEEE Std 802.1D; kept, DCF does not use it.
+  Payload payload;
+  std::uint64_t tag = 0;      ///< Given back in on_transmitted.
+};
+
+struct MacIndication {
+  hal::AgentId source;
+  hal::AgentId destination;
+  Payload payload;
+  double rssi_dbm = 0;
+  double snr_db = 0;  ///< Lowest SINR over the frame.
+};
+
+/// Who uses a radio: routing, raw traffic.
+class MacClient {
+ public:
+  virtual ~MacClient() = default;
+  virtual void on_receive(const MacIndication& indication) = 0;
+  /// Exactly once per request: kDelivered (acknowledged; broadcast: sent), kRetryLimit, kQueueFull,
+  /// kRadioOff. Never from within transmit().
+  virtual void on_transmitted(std::uint64_t tag, hal::Verdict verdict) = 0;
+};
+
+struct MacCapabilities {
+  bool tx_status = false;
+  bool rssi = false;
+};
+
+/// Service access point of one station's MAC, whatever lies under it.
+class MacSap {
+ public:
+  virtual ~MacSap() = default;
+  virtual MacCapabilities capabilities() const = 0;
+  /// @pre no client of this type yet. The client outlives the station.
+  virtual void add_client(Ethertype ethertype, MacClient& client) = 0;
+  /// @pre payload <= kMaxMsdu and there is a client for the type.
+  virtual void transmit(const MacRequest& request) = 0;
+  /// Off: frames in the air are cut, the queue is dropped with kRadioOff, NAV and backoff reset.
+  virtual void set_radio(bool on) = 0;
+  virtual bool radio_on() const = 0;
+  /// Expected time from request to the end of the exchange for a frame queued now.
+  virtual hal::Duration expected_delay() const = 0;
+  /// Energy to transmit `bytes` of payload once [J].
+  virtual double transmit_energy(std::size_t bytes) const = 0;
+};
+
+}  // namespace sim::radio

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+
+#include "hal/types/agent_id.h"
+#include "hal/types/time.h"
+#include "hal/types/verdict.h"
+
+namespace sim::radio {
+
+struct Frame;  // frame.h
+
+/// What there is to see on the air, for records and fingerprints. Calls come in event order.
+class RadioObserver {
+ public:
+  virtual ~RadioObserver() = default;
+  virtual void on_frame_start(hal::Time at, const Frame& frame) { (void)at, (void)frame; }
+  /// How a frame ended at one radio that could notice it. Addressed to it or not.
+  virtual void on_reception(hal::Time at, const Frame& frame, hal::AgentId receiver,
+                            hal::Verdict verdict, double rssi_dbm) {
+    (void)at, (void)frame, (void)receiver, (void)verdict, (void)rssi_dbm;
+  }
+  /// A frame's payload was handed to the station's client: what Fig. 12 of the paper counts.
+  virtual void on_delivered(hal::Time at, const Frame& frame, hal::AgentId receiver) {
+    (void)at, (void)frame, (void)receiver;
+  }
+  /// A request ended at its sender.
+  virtual void on_request_end(hal::Time at, hal::AgentId sender, hal::AgentId destination,
+                              hal::Verdict verdict) {
+    (void)at, (void)sender, (void)destination, (void)verdict;
+  }
+};
+
+}  // namespace sim::radio

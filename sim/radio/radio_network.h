@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hal/types/agent_id.h"
+#include "sim/core/event_queue.h"
+#include "sim/radio/mac_sap.h"
+#include "sim/radio/observer.h"
+#include "sim/radio/ports.h"
+#include "sim/radio/radio_config.h"
+
+namespace sim::radio {
+
+/// One air with all its stations. Built once; stations are then used through their MacSap.
+class RadioNetwork {
+ public:
+  struct Surroundings {
+    EventQueue& events;
+    const Positions& positions;
+    const Obstacles& obstacles;
+    RadioObserver& observer;
+    std::uint64_t seed = 0;
+  };
+  struct Station {
+    hal::AgentId agent;
+    std::string name;  ///< Of the agent; names its random streams.
+  };
+
+  RadioNetwork(const RadioConfig& config, const std::vector<Station>& stations,
+               Surroundings surroundings);
+  ~RadioNetwork();
+  RadioNetwork(const RadioNetwork&) = delete;
+  RadioNetwork& operator=(const RadioNetwork&) = delete;
+
+  MacSap& sap(hal::AgentId agent);
+
+  /// Pairs that could receive each other's frames now, each once, lower address first: the arrows
+  /// of the paper's Fig. 2.
+  std::vector<std::pair<hal::AgentId, hal::AgentId>> links() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace sim::radio
