@@ -30,13 +30,14 @@ struct ControllerKind {
   using MakeForMote = std::unique_ptr<Controller> (*)(Mote&, const Parameters&);
   using MakeForRobot = std::unique_ptr<Controller> (*)(Robot&, const Parameters&);
 
+  /// Digest of the HAL's headers this was compiled with. A plug-in with another one is refused: so
+  /// this stays the first member, where it can be read however the rest has changed.
+  std::string build_id = BARAKA_HAL_DIGEST;
   std::string name;  ///< Of the program, e.g. "help_mote".
   Wants wants;
   std::vector<ParameterSpec> parameters;
   MakeForMote make_for_mote = nullptr;    ///< Null: does not run on motes.
   MakeForRobot make_for_robot = nullptr;  ///< Null: does not run on robots.
-  /// Digest of the HAL's headers this was compiled with. A plug-in with another one is refused.
-  std::string build_id = BARAKA_HAL_DIGEST;
 };
 
 template <class T>

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <map>
+#include <memory>
+
+#include "hal/api/controller.h"
+#include "hal/exchange/session.h"
+#include "hal/exchange/step.h"
+#include "hal/types/result.h"
+
+namespace hal::runtime {
+
+class Agent;
+
+/// The controllers of one process: Steps go in, their events become callbacks, and what the
+/// controllers do comes out as the actions of a Reply.
+///
+///   auto host = ControllerHost::create(*baraka_controller(), session);
+///   reply = (*host)->answer(step);
+///
+/// One thread at a time.
+class ControllerHost {
+ public:
+  /// Makes a controller for every agent of the session. `kind` outlives the host.
+  /// Errors, one line each: kInvalidArgument (parameters, as "file:line:column: name: what is
+  /// wrong"; an agent of a kind that the controller does not drive), kController (a constructor
+  /// threw).
+  static Result<std::unique_ptr<ControllerHost>> create(const ControllerKind& kind,
+                                                        const exchange::Session& session);
+  ~ControllerHost();
+  ControllerHost(const ControllerHost&) = delete;
+  ControllerHost& operator=(const ControllerHost&) = delete;
+
+  /// Works off the events in their order. Never fails: a controller that throws leaves an action
+  /// kError with its message, and gets no callback any more; an event for an agent that is not of
+  /// the session leaves a kError naming it. `Reply::process` is for the caller to fill in.
+  exchange::Reply answer(const exchange::Step& step);
+
+ private:
+  ControllerHost();
+
+  std::map<AgentId, std::unique_ptr<Agent>> agents_;
+};
+
+}  // namespace hal::runtime

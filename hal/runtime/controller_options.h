@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hal/api/controller.h"
+#include "hal/types/time.h"
+
+namespace hal::runtime {
+
+/// What the command line of a controller program says.
+struct ControllerOptions {
+  std::vector<std::string> agents;  ///< Patterns; `*` and `?` match as in a shell. At least one.
+  std::optional<int> domain;        ///< DDS domain, 0..232; empty: the environment decides.
+  std::string name;                 ///< Of the process; empty: program.pid.
+  bool stay = false;                ///< After a run, wait for the next one.
+  Duration wait = std::chrono::seconds{30};  ///< For a server; Duration::max(): for ever.
+};
+
+/// Options, or nothing: then help or the mistake has been printed and the program ends with
+/// `exit_status` (0 after --help, 2 after a mistake).
+struct ParsedOptions {
+  std::optional<ControllerOptions> options;
+  int exit_status = 0;
+};
+
+/// Reads the command line. --help lists the parameters of `kind` too, for writers of scenarios.
+ParsedOptions parse_controller_options(int argc, const char* const* argv,
+                                       const ControllerKind& kind);
+
+}  // namespace hal::runtime

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hal/api/controller.h"
+#include "hal/types/result.h"
+
+namespace hal::runtime {
+
+/// Where controllers are looked for: beside this executable, then the folders of the environment
+/// variable BARAKA_CONTROLLER_PATH (separated by colons).
+std::vector<std::filesystem::path> controller_folders();
+
+/// Loads `<name>.so` from the first of the folders that has it, and asks it for its controller. It
+/// stays loaded until the process ends, so the result is good for ever. Not thread safe.
+/// Errors: kNotAvailable (in none of the folders: names them), kInvalidArgument (`name` is not a
+/// plain file name), kProtocol (cannot be loaded, is no controller, was built with other headers).
+Result<const ControllerKind*> load_plugin(std::string_view name,
+                                          const std::vector<std::filesystem::path>& folders);
+
+}  // namespace hal::runtime
