@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <tuple>
 #include <vector>
 
 #include "hal/types/agent_id.h"
@@ -45,7 +46,7 @@ class Hash {
 /// apart to the agent and second. Not fed: wall time, process names, sequence numbers.
 class Fingerprint {
  public:
-  /// One value sequence belongs to one observable: open it, add its values, done.
+  /// Where the values of one observation at `time` go; the time itself is already in.
   Hash& at(Part part, hal::AgentId agent, hal::Time time);
 
   struct Row {
@@ -62,7 +63,13 @@ class Fingerprint {
   std::uint64_t total() const;
 
  private:
+  struct Current {
+    std::int64_t second = 0;
+    Hash* hash = nullptr;
+  };
+
   std::map<std::tuple<std::int64_t, Part, hal::AgentId>, Hash> hashes_;
+  std::array<std::map<std::uint16_t, Current>, kPartCount> current_;  ///< Saves the big look-up.
 };
 
 /// 16 hexadecimal digits.

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hal/exchange/ports.h"
+#include "hal/types/agent_id.h"
+#include "hal/types/time.h"
+#include "sim/agents/observer.h"
+#include "sim/agents/simulation_config.h"
+
+namespace sim::agents {
+
+struct Progress {
+  hal::Time now{};
+  std::uint64_t events = 0;
+  std::uint64_t exchanges = 0;
+};
+
+/// Decides how fast a run goes and when it is broken off. It may wait; it changes nothing else.
+class Pace {
+ public:
+  virtual ~Pace() = default;
+  /// Before the events of `next` run. @return false to end the run here.
+  virtual bool may_go_on(hal::Time next, const Progress& progress) = 0;
+};
+
+/// How a run ended.
+struct Outcome {
+  enum class Kind : std::uint8_t { kEnded, kUntil, kInterrupted, kFailed };
+  Kind kind = Kind::kEnded;
+  std::string result;  ///< Of the end condition that held; "until", "interrupted", "failed".
+  std::string error;   ///< kFailed: one line that names process, agents and simulated time.
+  hal::Time ended_at{};
+  std::uint64_t events = 0;
+  std::uint64_t exchanges = 0;
+  std::uint64_t refused_actions = 0;  ///< Malformed or out of limits, dropped.
+  std::uint64_t ode_messages = 0;     ///< Complaints of the physics engine.
+};
+
+/// One world of bodies, radio and controllers with one clock. One thread.
+///
+///   Simulation simulation(config, observers);
+///   simulation.connect(port, {id, …}, wants);   // until every agent has a controller
+///   const Outcome outcome = simulation.run(std::nullopt, pace);
+class Simulation final : public hal::exchange::AgentHost {
+ public:
+  /// @param observers  see everything, in this order; outlive the simulation.
+  Simulation(const SimulationConfig& config, std::vector<Observer*> observers);
+  ~Simulation() override;
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+
+  std::vector<hal::exchange::AgentOffer> offers() const override;
+  void connect(std::shared_ptr<hal::exchange::ControllerPort> port,
+               const std::vector<hal::AgentId>& agents, const hal::Wants& wants) override;
+
+  /// Runs once, to an end condition or `until`. @pre every agent is connected.
+  Outcome run(std::optional<hal::Time> until, Pace& pace);
+
+  /// True state, for expectations: m, world frame.
+  BodyState body(hal::AgentId agent) const;
+  ContactCounts contacts(hal::AgentId agent) const;
+  /// Last state the agent's controller named; empty: none.
+  const std::string& state(hal::AgentId agent) const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace sim::agents

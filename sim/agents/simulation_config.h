@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "hal/devices/robot_description.h"
+#include "hal/exchange/session.h"
+#include "hal/routing/routing_config.h"
+#include "hal/types/agent_id.h"
+#include "hal/types/geometry.h"
+#include "hal/types/quantity.h"
+#include "hal/types/time.h"
+#include "sim/physics/world.h"
+#include "sim/radio/radio_config.h"
+
+namespace sim::agents {
+
+enum class ControlPhase : std::uint8_t {
+  kAligned,  ///< All control cycles start together.
+  kUniform,  ///< Each agent's starts at a phase drawn from its stream "<name>/control".
+};
+
+/// What a controller process that died, or does not answer, does to the run.
+enum class OnDeath : std::uint8_t {
+  kFail,     ///< The run ends, failed.
+  kSilence,  ///< Its agents stop driving after the command timeout; their radios live on.
+};
+
+/// A static, upright box. Dimensions along its own x, y and z; it stands on the ground.
+struct Wall {
+  std::string name;
+  hal::Vec2 centre;  ///< m
+  hal::Vec3 size;    ///< m
+  double yaw = 0;    ///< rad
+};
+
+struct AgentConfig {
+  hal::AgentId id;  ///< 1 … 0xfffe
+  std::string name;
+  hal::Pose2 pose;  ///< At time 0, world frame.
+  std::variant<hal::MoteDescription, hal::RobotDescription> body;
+  std::string program;  ///< Controller.
+  std::vector<hal::exchange::ParameterText> parameters;
+};
+
+/// Reading of where the others are, by a method that is not modelled (camera, triangulation).
+struct LocalisationConfig {
+  hal::Metres range{300};
+};
+
+/// The run ends `after` an agent's controller enters a state, or at a time.
+struct EndCondition {
+  std::optional<hal::AgentId> agent;  ///< None: at time `after`.
+  std::string state;
+  hal::Duration after{};
+  std::string result;  ///< What the run is then called, e.g. "arrived".
+};
+
+/// Everything a run depends on. Equal values and seed give equal runs.
+struct SimulationConfig {
+  std::uint64_t seed = 1;
+  hal::Duration controller_latency{};
+  ControlPhase control_phase = ControlPhase::kUniform;
+  hal::Duration control_period{100'000'000};
+  hal::Duration command_timeout{500'000'000};
+  OnDeath on_death = OnDeath::kFail;
+  physics::WorldConfig world;
+  std::vector<Wall> walls;
+  radio::RadioConfig radio;
+  hal::routing::RoutingConfig routing;
+  LocalisationConfig localisation;
+  std::vector<AgentConfig> agents;  ///< By address.
+  std::vector<EndCondition> ends;
+};
+
+}  // namespace sim::agents

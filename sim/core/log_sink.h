@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+namespace sim {
+
+/// Sends the log lines of hal/types/log.h to a file, and warnings and errors to standard error too.
+/// The stamps are simulated time, so two runs of one scenario write the same bytes.
+///
+/// @param path  created or truncated. Throws std::runtime_error if it cannot be written.
+/// Not thread-safe: call at start-up.
+void log_to_file(const std::string& path);
+
+/// Writes out what is buffered.
+void flush_log();
+
+}  // namespace sim
