@@ -33,9 +33,9 @@ struct ControllerKind {
   /// Digest of the HAL's headers this was compiled with. A plug-in with another one is refused: so
   /// this stays the first member, where it can be read however the rest has changed.
   std::string build_id = BARAKA_HAL_DIGEST;
-  std::string name;  ///< Of the program, e.g. "help_mote".
-  Wants wants;
-  std::vector<ParameterSpec> parameters;
+  std::string name{};  ///< Of the program, e.g. "help_mote".
+  Wants wants{};
+  std::vector<ParameterSpec> parameters{};
   MakeForMote make_for_mote = nullptr;    ///< Null: does not run on motes.
   MakeForRobot make_for_robot = nullptr;  ///< Null: does not run on robots.
 };

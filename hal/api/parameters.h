@@ -10,11 +10,11 @@ namespace hal {
 /// One parameter a controller understands, so that `baraka check` can judge a scenario without
 /// running the controller.
 struct ParameterSpec {
-  std::string name;
-  std::string unit;          ///< "s", "m", "m/s", "1" for a plain number, …
+  std::string name{};
+  std::string unit{};        ///< "s", "m", "m/s", "1" for a plain number, …
   double default_value = 0;  ///< In SI units. Infinity is written "never" or "none" in a file.
   double low = 0, high = 0;  ///< Inclusive range, SI.
-  std::string meaning;       ///< One line for people.
+  std::string meaning{};     ///< One line for people.
 };
 
 /// The checked values of one agent's parameters, in SI units, defaults filled in.

@@ -11,6 +11,7 @@
 namespace hal::runtime {
 
 class Agent;
+class Outbox;
 
 /// The controllers of one process: Steps go in, their events become callbacks, and what the
 /// controllers do comes out as the actions of a Reply.
@@ -39,6 +40,7 @@ class ControllerHost {
  private:
   ControllerHost();
 
+  std::unique_ptr<Outbox> outbox_;  ///< Outlives the agents, which write into it.
   std::map<AgentId, std::unique_ptr<Agent>> agents_;
 };
 

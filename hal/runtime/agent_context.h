@@ -1,0 +1,47 @@
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "hal/exchange/session.h"
+#include "hal/runtime/call_guard.h"
+#include "hal/runtime/outbox.h"
+#include "hal/runtime/readings.h"
+#include "hal/runtime/route_view.h"
+#include "hal/types/random.h"
+#include "hal/types/result.h"
+#include "hal/types/time.h"
+#include "hal/types/wants.h"
+
+namespace hal::runtime {
+
+/// What one agent knows and keeps between events: all that its Mote or Robot answers from.
+struct AgentContext {
+  AgentContext(const exchange::AgentSession& agent_session, const Wants& wants, Outbox& out);
+
+  /// Updates the knowledge from what an event brings. What is against the rules is logged and left.
+  void take_in(const exchange::Event& event);
+
+  /// Logs that a call was refused, naming the agent and what was wrong, and gives the same as an
+  /// error to the caller.
+  tl::unexpected<Error> refuse(const char* call, std::string_view mistake);
+
+  /// A log line of this agent's controller process.
+  void log(log::Level level, std::string text);
+
+  /// A timer may have been moved while its old event was under way: whether it is really due. If
+  /// so, it is no longer set.
+  bool take_due_timer(TimerId id);
+
+  const exchange::AgentSession session;
+  CallGuard guard;
+  Outbox& outbox;
+  Time now{};
+  Readings readings;
+  RouteView routes;
+  RandomStream random;
+  MessageId last_message = 0;
+  std::map<TimerId, Time> timers;
+};
+
+}  // namespace hal::runtime

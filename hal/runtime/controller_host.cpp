@@ -1,0 +1,51 @@
+#include "hal/runtime/controller_host.h"
+
+#include <fmt/core.h>
+
+#include "hal/runtime/agent.h"
+#include "hal/runtime/outbox.h"
+
+namespace hal::runtime {
+
+ControllerHost::ControllerHost() : outbox_(std::make_unique<Outbox>()) {}
+ControllerHost::~ControllerHost() = default;
+
+Result<std::unique_ptr<ControllerHost>> ControllerHost::create(const ControllerKind& kind,
+                                                               const exchange::Session& session) {
+  std::unique_ptr<ControllerHost> host(new ControllerHost);
+  std::string mistakes;
+  Errc code = Errc::kInvalidArgument;
+  for (const exchange::AgentSession& one : session.agents) {
+    auto agent = Agent::create(kind, one, *host->outbox_);
+    if (agent) {
+      host->agents_[one.agent] = std::move(*agent);
+      continue;
+    }
+    code = agent.error().code;
+    mistakes += (mistakes.empty() ? "" : "\n") + agent.error().message;
+  }
+  if (!mistakes.empty()) return fail(code, std::move(mistakes));
+  return host;
+}
+
+exchange::Reply ControllerHost::answer(const exchange::Step& step) {
+  for (std::size_t i = 0; i < step.events.size(); ++i) {
+    const exchange::Event& event = step.events[i];
+    outbox_->answer(event.agent, static_cast<std::uint32_t>(i));
+    const auto agent = agents_.find(event.agent);
+    if (agent != agents_.end()) {
+      agent->second->handle(event);
+      continue;
+    }
+    outbox_->add(exchange::ActionKind::kError).text =
+        fmt::format("step {} has an event for agent {}, which is not of the session", step.sequence,
+                    event.agent.value);
+  }
+  exchange::Reply reply;
+  reply.run = step.run;
+  reply.sequence = step.sequence;
+  reply.actions = outbox_->take();
+  return reply;
+}
+
+}  // namespace hal::runtime

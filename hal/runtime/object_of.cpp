@@ -1,0 +1,162 @@
+#include "hal/runtime/object_of.h"
+
+#include <fmt/core.h>
+
+namespace hal::runtime {
+namespace {
+
+constexpr std::size_t kMaxState = 64;  // bytes
+
+std::string mistake_in_message(const AgentContext& context, AgentId destination,
+                               std::string_view topic, std::size_t payload) {
+  if (destination == context.session.agent) {
+    return fmt::format("destination {} is this agent itself", destination.value);
+  }
+  if (payload > kMaxPayload) {
+    return fmt::format("payload has {} bytes, at most {} are allowed", payload, kMaxPayload);
+  }
+  return mistake_in_topic(topic);
+}
+
+/// Cuts between characters, so that what is left of UTF-8 text is UTF-8.
+std::string_view cut(std::string_view text, std::size_t limit) {
+  if (text.size() <= limit) return text;
+  const auto is_inside_character = [&](std::size_t i) {
+    return (static_cast<unsigned char>(text[i]) & 0xC0U) == 0x80U;
+  };
+  while (limit > 0 && is_inside_character(limit)) --limit;
+  return text.substr(0, limit);
+}
+
+}  // namespace
+
+template <class Interface>
+AgentId ObjectOf<Interface>::id() const {
+  context_.guard.check("id");
+  return context_.session.agent;
+}
+
+template <class Interface>
+std::string_view ObjectOf<Interface>::name() const {
+  context_.guard.check("name");
+  return context_.session.name;
+}
+
+template <class Interface>
+Time ObjectOf<Interface>::now() const {
+  context_.guard.check("now");
+  return context_.now;
+}
+
+template <class Interface>
+Duration ObjectOf<Interface>::control_period() const {
+  context_.guard.check("control_period");
+  return context_.session.control_period;
+}
+
+template <class Interface>
+Result<MessageId> ObjectOf<Interface>::send(AgentId destination, std::string_view topic,
+                                            std::span<const std::uint8_t> payload) {
+  context_.guard.check("send");
+  const std::string mistake = mistake_in_message(context_, destination, topic, payload.size());
+  if (!mistake.empty()) return context_.refuse("send", mistake);
+  exchange::Action& action = context_.outbox.add(exchange::ActionKind::kSend);
+  action.message_id = ++context_.last_message;
+  action.destination = destination;
+  action.topic = topic;
+  action.payload.assign(payload.begin(), payload.end());
+  return context_.last_message;
+}
+
+template <class Interface>
+Network& ObjectOf<Interface>::network() {
+  context_.guard.check("network");
+  return network_;
+}
+
+template <class Interface>
+const Network& ObjectOf<Interface>::network() const {
+  context_.guard.check("network");
+  return network_;
+}
+
+template <class Interface>
+Result<void> ObjectOf<Interface>::set_timer(TimerId id, Time at) {
+  context_.guard.check("set_timer");
+  if (at < context_.now) {
+    return context_.refuse("set_timer", fmt::format("timer {}: at {} s is before now, {} s", id,
+                                                    to_seconds(at), to_seconds(context_.now)));
+  }
+  context_.timers[id] = at;
+  exchange::Action& action = context_.outbox.add(exchange::ActionKind::kTimer);
+  action.timer = id;
+  action.at = at;
+  return {};
+}
+
+template <class Interface>
+std::span<const Channel> ObjectOf<Interface>::channels() const {
+  context_.guard.check("channels");
+  return context_.readings.channels();
+}
+
+template <class Interface>
+Result<std::span<const double>> ObjectOf<Interface>::reading(std::string_view channel) const {
+  context_.guard.check("reading");
+  return context_.readings.values(channel);
+}
+
+template <class Interface>
+Result<Vec2> ObjectOf<Interface>::relative_position(AgentId other) const {
+  context_.guard.check("relative_position");
+  const auto triples = context_.readings.values("localisation");
+  if (!triples) return tl::unexpected<Error>(triples.error());
+  for (std::size_t i = 0; i + 2 < triples->size(); i += 3) {
+    if ((*triples)[i] == other.value) return Vec2{(*triples)[i + 1], (*triples)[i + 2]};
+  }
+  return fail(Errc::kNotAvailable, fmt::format("agent {} is not localised", other.value));
+}
+
+template <class Interface>
+Result<double> ObjectOf<Interface>::battery() const {
+  context_.guard.check("battery");
+  const auto charge = context_.readings.values("battery");
+  if (!charge) return tl::unexpected<Error>(charge.error());
+  if (charge->empty()) return fail(Errc::kNotAvailable, "the battery gauge gives no value");
+  return charge->front();
+}
+
+template <class Interface>
+void ObjectOf<Interface>::set_radio(bool on) {
+  context_.guard.check("set_radio");
+  context_.outbox.add(exchange::ActionKind::kRadio).radio_on = on;
+}
+
+template <class Interface>
+RandomStream& ObjectOf<Interface>::random() {
+  context_.guard.check("random");
+  return context_.random;
+}
+
+template <class Interface>
+void ObjectOf<Interface>::state(std::string_view name) {
+  context_.guard.check("state");
+  if (name.empty()) {
+    // Nothing to return an error in: the log has to do.
+    (void)context_.refuse("state",
+                          fmt::format("name is empty, 1 to {} bytes are allowed", kMaxState));
+    return;
+  }
+  context_.outbox.add(exchange::ActionKind::kState).text = cut(name, kMaxState);
+}
+
+template <class Interface>
+void ObjectOf<Interface>::log(log::Level level, std::string_view text) {
+  context_.guard.check("log");
+  context_.log(level, std::string(text));
+}
+
+template class ObjectOf<Mote>;
+template class ObjectOf<Robot>;
+
+}  // namespace hal::runtime

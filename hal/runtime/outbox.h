@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "hal/exchange/step.h"
+
+namespace hal::runtime {
+
+/// The actions of one Reply, as they gather in the order of the controllers' calls.
+class Outbox {
+ public:
+  /// From now on, actions answer this event of this agent.
+  void answer(AgentId agent, std::uint32_t event) {
+    agent_ = agent;
+    event_ = event;
+  }
+
+  /// Appends an action. The reference is good until the next call.
+  exchange::Action& add(exchange::ActionKind kind) {
+    exchange::Action action;
+    action.agent = agent_;
+    action.event = event_;
+    action.kind = kind;
+    return actions_.emplace_back(std::move(action));
+  }
+
+  std::vector<exchange::Action> take() { return std::exchange(actions_, {}); }
+
+ private:
+  AgentId agent_;
+  std::uint32_t event_ = 0;
+  std::vector<exchange::Action> actions_;
+};
+
+}  // namespace hal::runtime

@@ -1,0 +1,77 @@
+#include "hal/runtime/plugin.h"
+
+#include <dlfcn.h>
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <sstream>
+
+namespace hal::runtime {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string list_of(const std::vector<fs::path>& folders) {
+  std::string list;
+  for (const fs::path& folder : folders) list += (list.empty() ? "" : ", ") + folder.string();
+  return list.empty() ? "nowhere" : list;
+}
+
+/// The reason dlopen or dlsym failed.
+std::string loader_message() {
+  const char* const message = ::dlerror();
+  return message == nullptr ? "unknown reason" : message;
+}
+
+Result<const ControllerKind*> load(const fs::path& file) {
+  void* const library = ::dlopen(file.c_str(), RTLD_NOW | RTLD_LOCAL);
+  if (library == nullptr) {
+    return fail(Errc::kProtocol,
+                fmt::format("{} cannot be loaded: {}", file.string(), loader_message()));
+  }
+  void* const entry = ::dlsym(library, "baraka_controller");
+  if (entry == nullptr) {
+    return fail(Errc::kProtocol,
+                fmt::format("{} is no controller: {}", file.string(), loader_message()));
+  }
+  const auto describe = reinterpret_cast<const ControllerKind* (*)()>(entry);
+  const ControllerKind* const kind = describe();
+  if (kind->build_id != BARAKA_HAL_DIGEST) {
+    return fail(
+        Errc::kProtocol,
+        fmt::format("{} was built with other headers of the HAL; build it again", file.string()));
+  }
+  return kind;
+}
+
+}  // namespace
+
+std::vector<fs::path> controller_folders() {
+  std::vector<fs::path> folders;
+  std::error_code unreadable;
+  const fs::path self = fs::read_symlink("/proc/self/exe", unreadable);
+  if (!unreadable) folders.push_back(self.parent_path());
+  const char* const variable = std::getenv("BARAKA_CONTROLLER_PATH");
+  std::istringstream list(variable == nullptr ? "" : variable);
+  for (std::string folder; std::getline(list, folder, ':');) {
+    if (!folder.empty()) folders.emplace_back(folder);
+  }
+  return folders;
+}
+
+Result<const ControllerKind*> load_plugin(std::string_view name,
+                                          const std::vector<fs::path>& folders) {
+  if (name.empty() || name.find('/') != std::string_view::npos) {
+    return fail(Errc::kInvalidArgument, fmt::format("'{}' is no name of a controller", name));
+  }
+  for (const fs::path& folder : folders) {
+    const fs::path file = fs::absolute(folder / fmt::format("{}.so", name));
+    std::error_code ignored;
+    if (fs::is_regular_file(file, ignored)) return load(file);
+  }
+  return fail(Errc::kNotAvailable, fmt::format("no controller '{}': looked for {}.so in {}", name,
+                                               name, list_of(folders)));
+}
+
+}  // namespace hal::runtime

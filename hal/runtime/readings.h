@@ -1,0 +1,36 @@
+#pragma once
+
+#include <map>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "hal/exchange/step.h"
+#include "hal/types/channel.h"
+#include "hal/types/result.h"
+
+namespace hal::runtime {
+
+/// The latest values of an agent's channels, held until the next sample.
+class Readings {
+ public:
+  explicit Readings(const std::vector<Channel>& channels) : channels_(channels) {}
+
+  /// Errors: kProtocol (a channel the session does not have; another number of values than the
+  /// channel's). The old values stay.
+  Result<void> hold(const exchange::Reading& reading);
+
+  /// Null: the agent has no such channel, or the controller did not ask for it.
+  const Channel* find(std::string_view channel) const;
+
+  /// Errors: kNotAvailable (no such channel, not asked for, not sampled yet).
+  Result<std::span<const double>> values(std::string_view channel) const;
+
+  const std::vector<Channel>& channels() const { return channels_; }
+
+ private:
+  std::vector<Channel> channels_;
+  std::map<std::uint16_t, std::vector<double>> values_;
+};
+
+}  // namespace hal::runtime

@@ -1,0 +1,59 @@
+#include "hal/runtime/robot_object.h"
+
+#include <fmt/core.h>
+
+#include "hal/runtime/drive.h"
+
+namespace hal::runtime {
+
+Result<Drive> RobotObject::set_body_velocity(const Twist2& twist) {
+  context().guard.check("set_body_velocity");
+  if (context().session.limits.body_to_wheel.empty()) {
+    return fail(Errc::kNotAvailable, context().session.name + " has no wheels");
+  }
+  const std::string mistake = mistake_in(twist);
+  if (!mistake.empty()) return context().refuse("set_body_velocity", mistake);
+  const Drive drive = saturate(context().session.limits, twist);
+  context().outbox.add(exchange::ActionKind::kDriveBody).twist = drive.applied;
+  return drive;
+}
+
+Result<void> RobotObject::set_wheel_speeds(std::span<const double> speeds) {
+  context().guard.check("set_wheel_speeds");
+  const std::string mistake = mistake_in(context().session.limits, speeds);
+  if (!mistake.empty()) return context().refuse("set_wheel_speeds", mistake);
+  context()
+      .outbox.add(exchange::ActionKind::kDriveWheels)
+      .wheel_speeds.assign(speeds.begin(), speeds.end());
+  return {};
+}
+
+Result<std::vector<InfraredReading>> RobotObject::infrared() const {
+  context().guard.check("infrared");
+  const auto ranges = context().readings.values("infrared");
+  if (!ranges) return tl::unexpected<Error>(ranges.error());
+  const std::vector<double>& headings = context().readings.find("infrared")->headings;
+  if (headings.size() != ranges->size()) {
+    return fail(Errc::kNotAvailable, fmt::format("infrared gives {} ranges for {} headings",
+                                                 ranges->size(), headings.size()));
+  }
+  std::vector<InfraredReading> readings;
+  for (std::size_t i = 0; i < headings.size(); ++i) {
+    readings.push_back({.heading = headings[i], .range = (*ranges)[i]});
+  }
+  return readings;
+}
+
+Result<Odometry> RobotObject::odometry() const {
+  context().guard.check("odometry");
+  const auto values = context().readings.values("odometry");
+  if (!values) return tl::unexpected<Error>(values.error());
+  if (values->size() != 6) {
+    return fail(Errc::kNotAvailable,
+                fmt::format("odometry gives {} values instead of 6", values->size()));
+  }
+  const auto& v = *values;
+  return Odometry{.pose = {v[0], v[1], v[2]}, .twist = {v[3], v[4], v[5]}};
+}
+
+}  // namespace hal::runtime
