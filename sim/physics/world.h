@@ -1,0 +1,141 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "hal/devices/robot_description.h"
+#include "hal/devices/wheel_drive.h"
+#include "hal/types/agent_id.h"
+#include "hal/types/geometry.h"
+#include "hal/types/result.h"
+#include "hal/types/time.h"
+#include "sim/physics/shape.h"
+
+namespace sim::physics {
+
+using hal::AgentId;
+
+/// Defaults are the measured ones of physics.md sections 0-2.
+struct WorldConfig {
+  hal::Duration step = std::chrono::milliseconds(10);  ///< > 0, at most 20 ms.
+  double gravity = 9.81;                               ///< m/s^2, downward.
+  double erp = 0.4;                      ///< Share of a joint error corrected per step, 0 .. 1.
+  double cfm = 1e-8;                     ///< Softness of constraints.
+  double surface_layer = 1e-4;           ///< m; contacts may sink in this far.
+  double max_correcting_velocity = 0.1;  ///< m/s at which contacts push bodies apart.
+  double ground_friction = 0.6;          ///< For motes; wheels bring their own. >= 0
+  int jam_contacts = 8;    ///< Heaps with more contacts between objects get the iterative solver.
+  std::uint64_t seed = 1;  ///< Of the iterative solver's row order.
+};
+
+/// A wall or another box that never moves.
+struct StaticBox {
+  std::string name;
+  hal::Vec3 centre;  ///< m, world frame
+  hal::Vec3 size;    ///< m along its own axes, each > 0
+  double yaw = 0;    ///< rad
+  double friction = 0.6;
+};
+
+/// Where a body is. Its origin is the point that stood on the ground at the start: the middle of a
+/// robot's footprint, of a mote's lower face.
+struct BodyPose {
+  hal::Vec3 position;                            ///< m, of the origin, world frame
+  double heading = 0;                            ///< rad, of the body's x axis seen from above
+  double tilt = 0;                               ///< rad between the body's z axis and vertical
+  std::array<double, 4> quaternion{1, 0, 0, 0};  ///< w, x, y, z: body to world
+};
+
+struct BodyVelocity {
+  hal::Vec3 linear;   ///< m/s of the origin, world frame
+  hal::Vec3 angular;  ///< rad/s, world frame
+};
+
+/// How often a body touched one kind of thing.
+struct ContactRecord {
+  std::uint64_t steps = 0;         ///< Physics steps with at least one contact.
+  std::optional<hal::Time> first;  ///< Since the start of the world.
+};
+
+/// Contacts of an agent's body; wheels on the ground do not count.
+struct Contacts {
+  ContactRecord walls;
+  ContactRecord motes;
+  ContactRecord robots;
+};
+
+/// Rigid bodies on a plane: robots on driven, hinged wheels, motes that can be pushed, walls.
+/// Same calls, same bits: bodies are made and stepped in the order of the calls. A world is used by
+/// one thread at a time; worlds in other threads do not disturb it unless both hold a jam, because
+/// the iterative solver draws from a generator that the process shares.
+///
+///   World world(WorldConfig{});
+///   world.add_robot(r0, description, {8, 8, 0});
+///   world.set_body_velocity(r0, {0.5, 0, 0});
+///   world.step();
+///   world.pose(r0).position;
+class World {
+ public:
+  /// @throws std::invalid_argument naming the field that is out of range.
+  explicit World(const WorldConfig& config);
+  ~World();
+  World(const World&) = delete;
+  World& operator=(const World&) = delete;
+
+  /// Before the first step. @throws std::invalid_argument  a size, mass or wheel that is not
+  /// possible, or an agent that is there already or is 0.
+  void add_wall(const StaticBox& wall);
+  void add_mote(AgentId agent, const hal::devices::MoteDescription& mote, const hal::Pose2& pose);
+  void add_robot(AgentId agent, const hal::devices::RobotDescription& robot,
+                 const hal::Pose2& pose);
+
+  /// Drives with a velocity of the body until the next command: scaled to the motors' limit, then
+  /// approached within the acceleration limits. Errors: kInvalidArgument (NaN or infinite),
+  /// kNotAvailable (not a robot).
+  hal::Result<hal::devices::WheelDrive::Limited> set_body_velocity(AgentId agent,
+                                                                   const hal::Twist2& twist);
+
+  /// rad/s, one per wheel; approached within the acceleration limits. More than three speeds that
+  /// no motion of the body fits are fitted by least squares. Errors: kInvalidArgument (count, NaN,
+  /// beyond the limit), kNotAvailable (not a robot).
+  hal::Result<void> set_wheel_speeds(AgentId agent, std::span<const double> speeds);
+
+  /// Moves everything on by config().step.
+  void step();
+
+  const WorldConfig& config() const;
+  std::uint64_t steps() const;  ///< Taken so far.
+  hal::Time now() const;        ///< steps() times the step.
+
+  /// All of these: @pre the agent was added.
+  BodyPose pose(AgentId agent) const;
+  BodyVelocity velocity(AgentId agent) const;
+  const Contacts& contacts(AgentId agent) const;
+  bool asleep(AgentId agent) const;  ///< At rest and not computed until something touches it.
+
+  /// @pre the agent is a robot.
+  const hal::devices::WheelDrive& drive(AgentId agent) const;
+  std::span<const double> wheel_angles(AgentId agent) const;  ///< rad since the start, not wrapped.
+
+  bool has(AgentId agent) const;
+
+  /// Walls and bodies in the order they were added; poses as of the last step. Each add_… appends;
+  /// indices stay.
+  std::span<const Shape> shapes() const;
+
+  /// Complaints of the solver so far (a singular system, a failed collision test): 0 when healthy.
+  std::uint64_t solver_messages() const;
+
+  /// Steps in which a jam went to the iterative solver.
+  std::uint64_t jammed_steps() const;
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace sim::physics

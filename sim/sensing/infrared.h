@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "hal/devices/robot_description.h"
+#include "hal/types/agent_id.h"
+#include "hal/types/random.h"
+#include "hal/types/time.h"
+#include "sim/physics/world.h"
+#include "sim/sensing/proximity.h"
+
+namespace sim::sensing {
+
+/// What one infrared sensor shows.
+struct InfraredReading {
+  double volts = 0;   ///< As the converter saw it.
+  double metres = 0;  ///< From the inverse curve; NaN: nothing within reach.
+};
+
+/// The infrared sensors of one robot: exact distance, curve, noise, hold, converter.
+///
+/// Each sensor measures at its own instants phase + k * hold_period and holds the value in between.
+/// A reading at t is the measurement of the last instant u <= t; the robot's pose at u is its pose
+/// at t moved back with its velocity, other bodies are where they are at t (they move at most
+/// hold_period times their speed, 4 cm for a GP2D12 and 1 m/s).
+class InfraredArray {
+ public:
+  /// @param agent_name, run_seed  name the random stream "<agent>/infrared": phases and noise.
+  InfraredArray(hal::AgentId agent, std::vector<hal::devices::InfraredSensor> sensors,
+                std::uint64_t run_seed, std::string_view agent_name);
+
+  /// Brings the readings up to `now`. @pre proximity was updated at `now`; `now` never decreases.
+  void sample(hal::Time now, const physics::World& world, const Proximity& proximity);
+
+  /// One per sensor, in the order of the robot's file; empty before the first sample.
+  std::span<const InfraredReading> readings() const { return readings_; }
+
+  const std::vector<hal::devices::InfraredSensor>& sensors() const { return sensors_; }
+
+ private:
+  hal::Time last_instant(std::size_t sensor, hal::Time now) const;
+  InfraredReading measure(const hal::devices::InfraredSensor& sensor, hal::Duration age,
+                          const physics::World& world, const Proximity& proximity);
+
+  hal::AgentId agent_;
+  std::vector<hal::devices::InfraredSensor> sensors_;
+  hal::RandomStream random_;
+  std::vector<hal::Duration> phases_;
+  std::vector<hal::Time> measured_at_;
+  std::vector<InfraredReading> readings_;
+};
+
+}  // namespace sim::sensing
