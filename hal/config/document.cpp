@@ -1,0 +1,38 @@
+#include "hal/config/document.h"
+
+#include <utility>
+
+#include "hal/config/loader.h"
+#include "hal/config/overrides.h"
+#include "hal/config/problems.h"
+
+namespace hal::config {
+
+struct Document::State {
+  Node root;
+  Problems problems;
+};
+
+Document::Document(std::unique_ptr<State> state) : state_(std::move(state)) {}
+Document::~Document() = default;
+Document::Document(Document&&) noexcept = default;
+
+Document Document::load(const std::filesystem::path& file,
+                        const std::vector<std::string>& overrides) {
+  auto state = std::make_unique<State>();
+  Node top = read_overrides(overrides, state->problems);
+  const bool overrides_readable = state->problems.none();
+  Loader loader(file.parent_path(), state->problems);
+  state->root = merged(loader.load(file, Layer::kFile, ""), std::move(top));
+  loader.resolve(state->root, "");
+  if (!overrides_readable || !loader.complete()) throw ConfigErrors(state->problems.messages());
+  return Document(std::move(state));
+}
+
+Mapping Document::root() { return {state_->root, "", state_->problems}; }
+
+void Document::finish() const {
+  if (!state_->problems.none()) throw ConfigErrors(state_->problems.messages());
+}
+
+}  // namespace hal::config

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace hal::config {
+
+/// Every mistake in a set of files, in the order of their positions. what(): one per line.
+class ConfigErrors : public std::runtime_error {
+ public:
+  explicit ConfigErrors(std::vector<std::string> messages);
+
+  /// "file:line:column: key: what is wrong"; from the command line: "--set key: what is wrong".
+  const std::vector<std::string>& messages() const { return messages_; }
+
+ private:
+  std::vector<std::string> messages_;
+};
+
+}  // namespace hal::config

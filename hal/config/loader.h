@@ -1,0 +1,75 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "hal/config/node.h"
+#include "hal/config/problems.h"
+
+namespace hal::config {
+
+/// Which file includes which, to find circles.
+class IncludeGraph {
+ public:
+  /// Notes that `from` includes `to`. @return the files from `to` back to `to` if that closes a
+  /// circle, which is then not noted; else empty.
+  std::vector<std::string> add(const std::string& from, const std::string& to) {
+    std::vector<std::string> circle = way(to, from);
+    if (circle.empty()) {
+      edges_[from].insert(to);
+    } else {
+      circle.push_back(to);
+    }
+    return circle;
+  }
+
+ private:
+  std::vector<std::string> way(const std::string& from, const std::string& to) const {
+    if (from == to) return {to};
+    const auto targets = edges_.find(from);
+    if (targets == edges_.end()) return {};
+    for (const std::string& next : targets->second) {
+      std::vector<std::string> rest = way(next, to);
+      if (rest.empty()) continue;
+      rest.insert(rest.begin(), from);
+      return rest;
+    }
+    return {};
+  }
+
+  std::map<std::string, std::set<std::string>> edges_;
+};
+
+/// Reads files and puts what they include in place.
+class Loader {
+ public:
+  Loader(std::filesystem::path folder, Problems& problems)
+      : folder_(std::move(folder)), problems_(problems) {}
+
+  /// False as soon as a file could not be read: the keys in it would all seem to be missing.
+  bool complete() const { return complete_; }
+
+  /// The file's mapping, includes not yet resolved. @param path  where it goes, for messages.
+  Node load(const std::filesystem::path& file, Layer layer, const std::string& path);
+
+  /// Replaces each `include` in and under the node, outermost first: what an outer mapping says
+  /// about an inner one's `include` counts.
+  void resolve(Node& node, const std::string& path);
+
+ private:
+  void check_repeated(Node& node, const std::string& path);
+  void include(Node& mapping, Node target, const std::string& path);
+  void give_up(const Node& target, const std::string& path, std::string why);
+  std::filesystem::path located(const Node& target) const;
+
+  std::filesystem::path folder_;  ///< Of the first file.
+  Problems& problems_;
+  IncludeGraph graph_;
+  int files_ = 0;
+  bool complete_ = true;
+};
+
+}  // namespace hal::config

@@ -1,0 +1,150 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "hal/types/geometry.h"
+#include "hal/types/time.h"
+
+namespace hal::config {
+
+struct Node;
+struct Entry;
+struct Place;
+class Problems;
+
+/// Inclusive limits in the unit that is asked for. An infinite `high` admits "none" and "never".
+struct Range {
+  double low = 0;
+  double high = 0;
+};
+
+inline constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+
+/// Longest time a file may name, s: some 31 years, well within Duration.
+inline constexpr double kLongestDuration = 1e9;
+
+/// A scalar as it stands in the file.
+struct Scalar {
+  std::string key;  ///< Empty in a list.
+  std::string text;
+  std::string place;  ///< "file:line:column".
+};
+
+/// One name of an enumeration.
+template <class E>
+struct Option {
+  std::string_view name;
+  E value;
+};
+
+/// One mapping of a document, read key by key. Every call notes its key as known; a mistake is
+/// noted with its place and the call returns something harmless, so that reading goes on and all
+/// mistakes are found. A call without `otherwise` requires the key.
+class Mapping {
+ public:
+  Mapping(const Node& node, std::string path, Problems& problems);
+
+  /// A value with a unit (see value.h), in that unit.
+  double number(const std::string& key, std::string_view unit, Range range);
+  double number(const std::string& key, std::string_view unit, Range range, double otherwise);
+
+  /// A whole plain number.
+  std::int64_t integer(const std::string& key, std::int64_t low, std::int64_t high);
+  std::int64_t integer(const std::string& key, std::int64_t low, std::int64_t high,
+                       std::int64_t otherwise);
+
+  /// A time, to the nanosecond; limits in seconds.
+  Duration duration(const std::string& key, Range seconds);
+  Duration duration(const std::string& key, Range seconds, Duration otherwise);
+  /// The same without an upper limit: "none" and "never" give nothing.
+  std::optional<Duration> optional_duration(const std::string& key, double low,
+                                            std::optional<Duration> otherwise);
+
+  /// true or false, nothing else.
+  bool flag(const std::string& key, bool otherwise);
+
+  /// Text that is not empty.
+  std::string text(const std::string& key);
+  std::string text(const std::string& key, const std::string& otherwise);
+
+  /// Two, or three, values of one unit: [1 m, 2 m].
+  Vec2 vec2(const std::string& key, std::string_view unit, Range range);
+  Vec2 vec2(const std::string& key, std::string_view unit, Range range, Vec2 otherwise);
+  Vec3 vec3(const std::string& key, std::string_view unit, Range range);
+
+  /// A list of texts; absent: empty.
+  std::vector<Scalar> texts(const std::string& key);
+
+  /// One of several names.
+  template <class E>
+  E choice(const std::string& key, const std::vector<Option<E>>& options) {
+    return options[chosen(key, names(options)).value_or(0)].value;
+  }
+  template <class E>
+  E choice(const std::string& key, const std::vector<Option<E>>& options, E otherwise) {
+    if (!has(key)) return otherwise;
+    return choice(key, options);
+  }
+
+  /// A mapping inside; absent: an empty one, all of whose required keys are missing.
+  Mapping mapping(const std::string& key);
+  /// A list of mappings; absent: empty.
+  std::vector<Mapping> mappings(const std::string& key);
+
+  /// Whether the key is there. It counts as known from now on.
+  bool has(const std::string& key);
+
+  /// All keys in order, for mappings whose keys are names.
+  std::vector<std::string> keys() const;
+  /// All entries, for mappings whose keys are names and whose values are scalars.
+  std::vector<Scalar> scalars();
+
+  /// "file:line:column" of a key's value, or of the mapping if the key is not there.
+  std::string place(const std::string& key) const;
+  std::string place() const;
+  /// Dotted path of the mapping: "agents.motes"; empty for the top level.
+  const std::string& path() const { return path_; }
+
+  /// Notes a mistake of a key's value; at the mapping's place if the key is not there.
+  void mistake(const std::string& key, std::string what);
+  /// Notes that nobody reads `key` here, saying why, if it is there.
+  void refuse(const std::string& key, const std::string& why);
+
+  /// Notes every key that nobody asked for.
+  void finish();
+
+ private:
+  template <class E>
+  static std::vector<std::string> names(const std::vector<Option<E>>& options) {
+    std::vector<std::string> result;
+    for (const Option<E>& option : options) result.emplace_back(option.name);
+    return result;
+  }
+
+  Mapping inner(const Node& node, const std::string& path);
+  std::string path_of(const std::string& key) const;
+  const Entry* find(const std::string& key);
+  const Node* required(const std::string& key);
+  const std::string* scalar(const Node& node, const std::string& key, std::string_view expected);
+  std::optional<double> parsed(const Node& node, const std::string& key, std::string_view unit,
+                               Range range);
+  std::vector<double> vector(const std::string& key, std::string_view unit, Range range,
+                             std::size_t size);
+  std::optional<std::size_t> chosen(const std::string& key, const std::vector<std::string>& names);
+
+  const Node* node_;
+  std::string path_;
+  Problems* problems_;
+  std::set<std::string> known_;
+  bool broken_ = false;  ///< Stands in for something else, which was noted: nothing is missing.
+};
+
+}  // namespace hal::config

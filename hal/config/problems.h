@@ -1,0 +1,37 @@
+#pragma once
+
+#include <deque>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hal/config/node.h"
+#include "hal/config/yaml.h"
+
+namespace hal::config {
+
+/// The mistakes found so far in one document.
+class Problems {
+ public:
+  void add(const Place& place, std::string key, std::string what) {
+    found_.push_back({place, std::move(key), std::move(what)});
+  }
+  void add(std::vector<Problem> problems, const std::string& path);
+
+  bool none() const { return found_.empty(); }
+
+  /// One line each, sorted by position.
+  std::vector<std::string> messages() const;
+
+  /// A mapping without entries that lives as long as the problems do.
+  const Node& empty_mapping(const Place& place);
+
+ private:
+  std::vector<Problem> found_;
+  std::deque<Node> empty_;
+};
+
+/// "path.key", or just the one that is not empty.
+std::string joined(const std::string& path, const std::string& key);
+
+}  // namespace hal::config

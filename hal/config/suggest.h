@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace hal::config {
+
+/// "; did you mean 'cca_threshold'?" for the candidate that is nearest to `word`, or nothing when
+/// none is near: at most a third of the letters differ (Levenshtein, "Binary codes capable of
+/// correcting deletions, insertions, and reversals", 1966). Ties: the first candidate.
+std::string suggestion(std::string_view word, const std::vector<std::string>& candidates);
+
+}  // namespace hal::config

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "hal/types/result.h"
+
+namespace hal::config {
+
+/// Reads one value as it stands in a file: "15 s", "-45 deg", "11 Mb/s", "0.6". The number is
+/// decimal; the unit must be there, of the same dimension as `unit`, and is converted.
+///
+///   parse_value("250 ms", "s", 0, 10)  ->  0.25
+///
+/// @param unit  unit of the result and of the limits. "1": a plain number without unit. Powers
+///   convert between W, mW and dBm. See units.cpp for the list.
+/// @param low, high  inclusive limits in `unit`. If `high` is infinite, "never" and "none" are
+///   accepted and give infinity; otherwise the result is finite.
+/// @return the value in `unit`; kInvalidArgument with what is wrong, without place or key.
+/// @pre `unit` is one of the list.
+Result<double> parse_value(std::string_view text, std::string_view unit, double low, double high);
+
+/// The value as parse_value() reads it back to the same bits: "0.25 s", "never", "3".
+std::string format_value(double value, std::string_view unit);
+
+/// Whether parse_value() knows the unit.
+bool is_unit(std::string_view unit);
+
+}  // namespace hal::config

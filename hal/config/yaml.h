@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hal/config/node.h"
+
+namespace hal::config {
+
+/// Something wrong at a place; `key` is the dotted path or empty.
+struct Problem {
+  Place place;
+  std::string key;
+  std::string what;
+};
+
+/// Reads one YAML document. Repeated keys stay in the tree, for the caller to judge. Tags, anchors,
+/// aliases and further documents are problems: they hide where a value comes from.
+/// @param origin  file, order and layer of all places.
+/// @return the root; null if the text is not YAML, which is then the last problem.
+Node parse_yaml(const std::string& text, const Place& origin, std::vector<Problem>& problems);
+
+}  // namespace hal::config
