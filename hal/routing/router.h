@@ -35,7 +35,10 @@ class Router {
   Router& operator=(const Router&) = delete;
 
   /// Sends a message of this node: `message.source` is self, `message.destination` another node or
-  /// kEveryone. Its fate is reported once through Application::on_fate, never from within send().
+  /// kEveryone. Its fate is reported once through Application::on_fate, never from within send():
+  /// kHandedOver when the first hop acknowledged it (a flood: it was transmitted; a link without
+  /// tx_status: the link took it), else why it could not be.
+  /// @pre id > 0, topic and payload within kMaxTopic and kMaxPayload; aborts otherwise.
   void send(const Message& message);
 
   /// Forgets all routes of the class to the destination, here only. Discoveries go on.
@@ -48,7 +51,7 @@ class Router {
   void on_frame(const Reception& reception, std::span<const std::uint8_t> frame);
   void on_transmitted(const Transmission& transmission);
 
-  /// Frames that could not be parsed, for the record.
+  /// Frames that could not be parsed, or were ants that contradict how they came in.
   std::uint64_t malformed_frames() const;
 
  private:

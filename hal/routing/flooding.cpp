@@ -1,0 +1,37 @@
+#include "hal/routing/flooding.h"
+
+#include <utility>
+
+#include "hal/routing/message_end.h"
+
+namespace hal::routing {
+
+void Flooding::send(const Message& message) {
+  outbox_.send_message(kEveryone, to_transit(node_, message));
+}
+
+void Flooding::on_data(Data data) {
+  const Header& header = data.header;
+  if (header.source == node_.self) return;  // our own flood, come back from a neighbour
+  if (!seen_.note({header.source, header.sequence}, node_.now()).second) return;
+  relay(data);
+  deliver(node_, std::move(data));
+}
+
+void Flooding::relay(const Data& data) {
+  if (data.transmissions >= node_.config.hop_limit) return;
+  node_.after_jitter([this, data] {
+    outbox_.send_message(kEveryone, {.data = data, .came_from = std::nullopt, .owes_fate = false});
+  });
+}
+
+void Flooding::on_sent(const Transit& transit, Verdict verdict) {
+  if (verdict == Verdict::kDelivered) {
+    hand_over(node_, transit);
+  } else if (transit.owes_fate) {
+    // Only at the source does the message itself end with this; elsewhere neighbours have it.
+    end_message(node_, transit, verdict);
+  }
+}
+
+}  // namespace hal::routing

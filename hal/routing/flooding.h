@@ -1,0 +1,28 @@
+#pragma once
+
+#include "hal/routing/memory.h"
+#include "hal/routing/outbox.h"
+
+namespace hal::routing {
+
+/// Takes a message to every node: its source broadcasts it at once, every other node once more
+/// after a jitter.
+class Flooding {
+ public:
+  Flooding(Node& node, Outbox& outbox) : node_(node), outbox_(outbox) {}
+
+  void send(const Message& message);
+  void on_data(Data data);
+
+  /// How the link did with a message.
+  void on_sent(const Transit& transit, Verdict verdict);
+
+ private:
+  void relay(const Data& data);
+
+  Node& node_;
+  Outbox& outbox_;
+  Memory<std::pair<AgentId, Sequence>, Seen> seen_;
+};
+
+}  // namespace hal::routing

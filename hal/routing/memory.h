@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <deque>
+#include <map>
+#include <utility>
+
+#include "hal/types/time.h"
+
+namespace hal::routing {
+
+/// What a node has seen lately. Forgets each entry kSpan after it was first noted, and the oldest
+/// ones early if there are more than kMost.
+template <class Key, class Value>
+class Memory {
+ public:
+  /// Longer than a packet can be on its way through a few nodes that wait for a route.
+  static constexpr Duration kSpan = std::chrono::seconds{60};
+  static constexpr std::size_t kMost = 65536;
+
+  /// The entry, and whether it was made now.
+  std::pair<Value&, bool> note(const Key& key, Time now) {
+    forget(now);
+    const auto [entry, is_new] = entries_.try_emplace(key);
+    if (is_new) ages_.emplace_back(now, key);
+    return {entry->second, is_new};
+  }
+
+  /// Null if it was never noted, or is forgotten.
+  const Value* find(const Key& key) const {
+    const auto entry = entries_.find(key);
+    return entry == entries_.end() ? nullptr : &entry->second;
+  }
+
+  std::size_t size() const { return entries_.size(); }
+
+ private:
+  void forget(Time now) {
+    while (!ages_.empty() && (ages_.front().first + kSpan < now || ages_.size() >= kMost)) {
+      entries_.erase(ages_.front().second);
+      ages_.pop_front();
+    }
+  }
+
+  std::map<Key, Value> entries_;
+  std::deque<std::pair<Time, Key>> ages_;
+};
+
+/// For keys alone.
+struct Seen {};
+
+}  // namespace hal::routing

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <functional>
+#include <map>
+
+#include "hal/routing/packet.h"
+#include "hal/routing/router.h"
+
+namespace hal::routing {
+
+/// Timers of one router: those still to come are cancelled with it.
+class OwnTimers {
+ public:
+  explicit OwnTimers(Timers& timers) : timers_(timers) {}
+  ~OwnTimers();
+  OwnTimers(const OwnTimers&) = delete;
+  OwnTimers& operator=(const OwnTimers&) = delete;
+
+  using Handle = std::uint64_t;  ///< Never 0.
+  Handle schedule(Time at, std::function<void()> handler);
+  void cancel(Handle handle);
+
+ private:
+  Timers& timers_;
+  Handle last_ = 0;
+  std::map<Handle, Timers::Handle> pending_;
+};
+
+/// What all parts of one router share.
+struct Node {
+  AgentId self;
+  RoutingConfig config;
+  RandomStream random;
+  RouterPorts ports;
+  OwnTimers timers;
+  Sequence last_sequence = 0;
+
+  Time now() const { return ports.timers.now(); }
+  Sequence next_sequence() { return ++last_sequence; }
+
+  /// Runs the action after a random time of at most jitter_max; at once if that is 0. Neighbours
+  /// that answer one broadcast in the same instant would collide for certain.
+  void after_jitter(std::function<void()> action);
+
+  /// The way of an ant that came in with `frame_size` bytes, lengthened by the hop back to its
+  /// transmitter. Radio links are taken to be symmetric.
+  PathStatistics lengthened(const PathStatistics& way, const Reception& hop,
+                            std::size_t frame_size) const;
+};
+
+/// A frame as it came in.
+struct Arrival {
+  Reception reception;
+  std::size_t size = 0;  ///< Bytes of the frame.
+};
+
+}  // namespace hal::routing

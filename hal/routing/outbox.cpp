@@ -1,0 +1,37 @@
+#include "hal/routing/outbox.h"
+
+#include <utility>
+
+#include "hal/types/check.h"
+
+namespace hal::routing {
+
+void Outbox::send_message(AgentId next_hop, Transit transit) {
+  BARAKA_CHECK(transit.data.transmissions < 255);
+  ++transit.data.transmissions;
+  const Packet packet = transit.data;
+  transmit(next_hop, packet, std::move(transit));
+}
+
+void Outbox::transmit(AgentId next_hop, const Packet& packet, std::optional<Transit> transit) {
+  const LinkTag tag = ++last_tag_;
+  const bool has_status = node_.ports.link.capabilities().tx_status;
+  if (has_status) outgoing_.emplace(tag, Outgoing{next_hop, transit});
+  node_.ports.link.transmit(next_hop, encode(packet), tag);
+  if (!has_status && transit) {
+    listener_.on_sent(std::move(*transit), Verdict::kDelivered);
+  }
+}
+
+void Outbox::on_transmitted(const Transmission& transmission) {
+  auto entry = outgoing_.extract(transmission.tag);
+  if (entry.empty()) return;
+  Outgoing& outgoing = entry.mapped();
+  const bool no_answer = transmission.verdict == Verdict::kRetryLimit;
+  if (no_answer && outgoing.next_hop != kEveryone) listener_.on_no_answer(outgoing.next_hop);
+  if (outgoing.transit) {
+    listener_.on_sent(std::move(*outgoing.transit), transmission.verdict);
+  }
+}
+
+}  // namespace hal::routing

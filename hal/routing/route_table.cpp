@@ -1,0 +1,49 @@
+#include "hal/routing/route_table.h"
+
+namespace hal::routing {
+
+void RouteTable::install(const Route& route) {
+  Paths& paths = classes_[route.topic][route.destination];
+  const auto [entry, is_new] = paths.try_emplace(route.next_hop, route.path);
+  if (!is_new && entry->second == route.path) return;
+  entry->second = route.path;
+  observer_.on_route_change({.route = route, .removed = false});
+}
+
+void RouteTable::remove(std::string_view topic, AgentId destination) {
+  const auto destinations = classes_.find(topic);
+  if (destinations == classes_.end()) return;
+  const auto removed = destinations->second.extract(destination);
+  if (removed.empty()) return;
+  for (const auto& [next_hop, path] : removed.mapped()) {
+    report_removed(topic, destination, next_hop);
+  }
+}
+
+void RouteTable::remove_via(AgentId next_hop) {
+  for (auto& [topic, destinations] : classes_) {
+    for (auto& [destination, paths] : destinations) {
+      if (paths.erase(next_hop) > 0) report_removed(topic, destination, next_hop);
+    }
+  }
+}
+
+std::vector<Route> RouteTable::routes(std::string_view topic, AgentId destination) const {
+  std::vector<Route> found;
+  const auto destinations = classes_.find(topic);
+  if (destinations == classes_.end()) return found;
+  const auto paths = destinations->second.find(destination);
+  if (paths == destinations->second.end()) return found;
+  for (const auto& [next_hop, path] : paths->second) {
+    found.push_back({std::string(topic), destination, next_hop, path});
+  }
+  return found;
+}
+
+void RouteTable::report_removed(std::string_view topic, AgentId destination,
+                                AgentId next_hop) const {
+  observer_.on_route_change(
+      {.route = {std::string(topic), destination, next_hop, {}}, .removed = true});
+}
+
+}  // namespace hal::routing
