@@ -1,0 +1,90 @@
+#include "sim/physics/contact_pass.h"
+
+#include <algorithm>
+#include <span>
+
+namespace sim::physics {
+namespace {
+
+constexpr int kContactsPerPair = 4;
+
+/// Up to four contacts between two geometries, with friction, as joints.
+int join(const OdeWorld& world, dGeomID a, dGeomID b, double friction) {
+  std::array<dContact, kContactsPerPair> contacts{};
+  const int count = dCollide(a, b, kContactsPerPair, &contacts[0].geom, sizeof(dContact));
+  for (dContact& contact : std::span(contacts).first(static_cast<std::size_t>(count))) {
+    contact.surface.mode = dContactApprox1;
+    contact.surface.mu = friction;
+    const dJointID joint = dJointCreateContact(world.dynamics(), world.contacts(), &contact);
+    dJointAttach(joint, dGeomGetBody(a), dGeomGetBody(b));
+  }
+  return count;
+}
+
+const Solid& solid_of(dGeomID geometry) {
+  return *static_cast<const Solid*>(dGeomGetData(geometry));
+}
+
+bool is_awake(dBodyID body) { return body != nullptr && dBodyIsEnabled(body) != 0; }
+
+}  // namespace
+
+void ContactPass::run(hal::Time now) {
+  now_ = now;
+  islands_.reset(objects_.size());
+  touched_.assign(objects_.size(), {});
+  dSpaceCollide(world_.space(), this, [](void* self, dGeomID a, dGeomID b) {
+    static_cast<ContactPass*>(self)->touch(a, b);
+  });
+  for (const auto& object : objects_) {
+    if (object->drivetrain != nullptr)
+      object->drivetrain->touch_ground(world_);
+    else
+      stand_on_ground(*object);
+  }
+}
+
+void ContactPass::touch(dGeomID a, dGeomID b) {
+  const dBodyID body_a = dGeomGetBody(a);
+  const dBodyID body_b = dGeomGetBody(b);
+  // Two sleepers stay asleep; tested first, because the exact test is the expensive part.
+  if (body_a == body_b || (!is_awake(body_a) && !is_awake(body_b))) return;
+  const Solid& solid_a = solid_of(a);
+  const Solid& solid_b = solid_of(b);
+  const int contacts = join(world_, a, b, std::min(solid_a.friction, solid_b.friction));
+  if (contacts == 0) return;
+  record(solid_a, solid_b);
+  record(solid_b, solid_a);
+  count(solid_a, solid_b, contacts);
+}
+
+void ContactPass::record(const Solid& self, const Solid& other) {
+  if (self.kind == Solid::Kind::kWall) return;
+  Object& object = *objects_[self.object];
+  if (!object.awake()) object.wake();
+  bool& known = touched_[self.object][static_cast<std::size_t>(other.kind)];
+  if (known) return;
+  known = true;
+  ContactRecord& record = other.kind == Solid::Kind::kWall   ? object.contacts.walls
+                          : other.kind == Solid::Kind::kMote ? object.contacts.motes
+                                                             : object.contacts.robots;
+  ++record.steps;
+  if (!record.first) record.first = now_;
+}
+
+void ContactPass::count(const Solid& a, const Solid& b, int contacts) {
+  if (a.kind == Solid::Kind::kWall)
+    islands_.add(b.object, contacts);
+  else if (b.kind == Solid::Kind::kWall)
+    islands_.add(a.object, contacts);
+  else
+    islands_.join(a.object, b.object, contacts);
+}
+
+void ContactPass::stand_on_ground(const Object& mote) {
+  if (!mote.awake()) return;
+  for (const dGeomID geometry : mote.geometries)
+    join(world_, geometry, world_.ground(), std::min(mote.friction, ground_friction_));
+}
+
+}  // namespace sim::physics

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "sim/physics/contact_islands.h"
+#include "sim/physics/object.h"
+#include "sim/physics/ode_world.h"
+
+namespace sim::physics {
+
+/// Finds what touches what before a step, makes the contact joints and keeps the records.
+class ContactPass {
+ public:
+  ContactPass(const OdeWorld& world, Objects& objects, double ground_friction)
+      : world_(world), objects_(objects), ground_friction_(ground_friction) {}
+
+  /// @param now  start of the step. Objects first, then the ground: whoever is woken by a push must
+  /// stand on the ground in this very step.
+  void run(hal::Time now);
+
+  /// Who touches whom, from the last run().
+  ContactIslands& islands() { return islands_; }
+
+ private:
+  void touch(dGeomID a, dGeomID b);
+  void record(const Solid& self, const Solid& other);
+  void count(const Solid& a, const Solid& b, int contacts);
+  void stand_on_ground(const Object& mote);
+
+  const OdeWorld& world_;
+  Objects& objects_;
+  double ground_friction_;
+  ContactIslands islands_;
+  hal::Time now_{};
+  std::vector<std::array<bool, 3>> touched_;  ///< Per object and kind: recorded in this step.
+};
+
+}  // namespace sim::physics

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <ode/ode.h>
+
+#include <span>
+#include <vector>
+
+#include "hal/devices/motor_profile.h"
+#include "hal/devices/robot_description.h"
+#include "hal/devices/wheel_drive.h"
+#include "sim/physics/ode_world.h"
+#include "sim/physics/rigid_body.h"
+
+namespace sim::physics {
+
+/// Wheels of one robot: a sphere on a motorised hinge each, whose contact with the ground grips
+/// along the rolling direction and gives way along the axle, as rollers do.
+class Drivetrain {
+ public:
+  /// @throws std::invalid_argument  wheels that do not make a drive.
+  Drivetrain(const OdeWorld& world, const RigidBody& chassis,
+             const hal::devices::RobotDescription& robot);
+  ~Drivetrain();
+  Drivetrain(const Drivetrain&) = delete;
+  Drivetrain& operator=(const Drivetrain&) = delete;
+
+  const hal::devices::WheelDrive& drive() const { return drive_; }
+
+  /// Velocity to approach from now on, within the motors' limit.
+  void command(const hal::Twist2& target) { target_ = target; }
+
+  /// Before a step: sets the motors to the next velocity of the profile. A robot that is asked to
+  /// move is kept awake; one that is not may fall asleep.
+  void actuate(hal::Duration step);
+
+  /// Adds contact joints of the wheels with the ground.
+  void touch_ground(const OdeWorld& world);
+
+  /// After a step: follows the wheels' angles.
+  void follow(hal::Duration step);
+
+  std::span<const double> angles() const { return angles_; }      ///< rad
+  const std::vector<dBodyID>& bodies() const { return bodies_; }  ///< Chassis first.
+
+ private:
+  struct WheelJoint {
+    dJointID hinge;
+    dGeomID sphere;
+    hal::Vec3 axle;  ///< Body frame, unit length.
+    double mu;
+    double mu2;
+  };
+  WheelJoint mount(const OdeWorld& world, const hal::devices::Wheel& wheel);
+  void keep_awake(bool moving);
+
+  hal::devices::WheelDrive drive_;
+  hal::devices::MotorProfile profile_;
+  RigidBody chassis_;
+  std::vector<dBodyID> bodies_;
+  std::vector<WheelJoint> wheels_;
+  std::vector<double> angles_;
+  hal::Twist2 target_;
+  bool moving_ = false;
+};
+
+}  // namespace sim::physics

@@ -1,0 +1,57 @@
+#include "sim/physics/jam_guard.h"
+
+#include <fmt/core.h>
+
+#include <vector>
+
+#include "hal/types/random.h"
+
+namespace sim::physics {
+namespace {
+
+std::uint32_t solver_seed(const Solve& how) {
+  hal::RandomStream stream(how.seed, fmt::format("physics/solver/{}", how.step));
+  return static_cast<std::uint32_t>(stream.next());
+}
+
+/// Bodies that are awake, apart by whether their island is a jam.
+struct Parts {
+  std::vector<dBodyID> free;
+  std::vector<dBodyID> jammed;
+};
+
+Parts divide(const Objects& objects, ContactIslands& islands, int jam_contacts) {
+  Parts parts;
+  for (std::size_t i = 0; i < objects.size(); ++i) {
+    auto& part = islands.contacts(i) > jam_contacts ? parts.jammed : parts.free;
+    for (const dBodyID body : objects[i]->bodies)
+      if (dBodyIsEnabled(body) != 0) part.push_back(body);
+  }
+  return parts;
+}
+
+}  // namespace
+
+bool solve(OdeWorld& world, const Objects& objects, ContactIslands& islands, const Solve& how) {
+  const Parts parts = divide(objects, islands, how.jam_contacts);
+  if (parts.jammed.empty()) {
+    world.solve_exactly(how.seconds);
+    return false;
+  }
+  for (const dBodyID body : parts.jammed) dBodyDisable(body);
+  world.solve_exactly(how.seconds);
+  // Enabling restarts a body's countdown to sleep: while a jam lasts, no mote elsewhere falls
+  // asleep. That costs time, not correctness.
+  std::vector<dBodyID> still_awake;
+  for (const dBodyID body : parts.free) {
+    if (dBodyIsEnabled(body) == 0) continue;
+    still_awake.push_back(body);
+    dBodyDisable(body);
+  }
+  for (const dBodyID body : parts.jammed) dBodyEnable(body);
+  world.solve_iteratively(how.seconds, solver_seed(how));
+  for (const dBodyID body : still_awake) dBodyEnable(body);
+  return true;
+}
+
+}  // namespace sim::physics

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "sim/physics/drivetrain.h"
+#include "sim/physics/rigid_body.h"
+#include "sim/physics/world.h"
+
+namespace sim::physics {
+
+/// A mote or a robot in the world.
+struct Object {
+  AgentId agent;
+  RigidBody rigid;
+  std::unique_ptr<Drivetrain> drivetrain;  ///< Null: a mote.
+  std::vector<dBodyID> bodies;             ///< Main body first, then wheels.
+  std::vector<dGeomID> geometries;         ///< Of the main body.
+  std::size_t first_shape = 0;             ///< Their shapes follow one another.
+  double friction = 0;
+  Contacts contacts;
+
+  bool awake() const { return dBodyIsEnabled(rigid.body) != 0; }
+  void wake() const {
+    for (const dBodyID body : bodies) dBodyEnable(body);
+  }
+};
+
+using Objects = std::vector<std::unique_ptr<Object>>;
+
+}  // namespace sim::physics

@@ -1,0 +1,81 @@
+#include "sim/physics/ode_world.h"
+
+#include <cstdarg>
+
+namespace sim::physics {
+namespace {
+
+/// Where messages of the step under way are counted. ODE knows one handler per process; each thread
+/// steps one world at a time.
+thread_local std::uint64_t* message_count = nullptr;
+
+void count_message(int /*number*/, const char* /*text*/, va_list /*arguments*/) {
+  if (message_count != nullptr) ++*message_count;
+}
+
+/// ODE is initialised once per process and lives as long as it.
+void initialise_ode() {
+  static const bool kDone = [] {
+    dInitODE2(0);
+    dSetMessageHandler(count_message);
+    return true;
+  }();
+  static_cast<void>(kDone);
+  dAllocateODEDataForThread(dAllocateMaskAll);
+}
+
+void configure(dWorldID world, const WorldConfig& config) {
+  dWorldSetGravity(world, 0, 0, -config.gravity);
+  dWorldSetERP(world, config.erp);
+  dWorldSetCFM(world, config.cfm);
+  dWorldSetContactSurfaceLayer(world, config.surface_layer);
+  dWorldSetContactMaxCorrectingVel(world, config.max_correcting_velocity);
+  dWorldSetQuickStepNumIterations(world, 20);
+  // Thresholds at which motes at rest sleep within 0.6 s and none falls asleep while it is pushed
+  // (physics.md section 1).
+  dWorldSetAutoDisableFlag(world, 1);
+  dWorldSetAutoDisableLinearThreshold(world, 0.005);
+  dWorldSetAutoDisableAngularThreshold(world, 0.02);
+  dWorldSetAutoDisableSteps(world, 0);
+  dWorldSetAutoDisableTime(world, 0.5);
+  dWorldSetAutoDisableAverageSamplesCount(world, 1);
+}
+
+}  // namespace
+
+OdeWorld::OdeWorld(const WorldConfig& config) {
+  initialise_ode();
+  dynamics_ = dWorldCreate();
+  // ODE's default threading object is shared by all worlds and aborts when two threads step.
+  threading_ = dThreadingAllocateSelfThreadedImplementation();
+  dWorldSetStepThreadingImplementation(dynamics_, dThreadingImplementationGetFunctions(threading_),
+                                       threading_);
+  configure(dynamics_, config);
+  space_ = dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ);
+  contacts_ = dJointGroupCreate(0);
+  ground_ = dCreatePlane(nullptr, 0, 0, 1, 0);
+}
+
+OdeWorld::~OdeWorld() {
+  dJointGroupDestroy(contacts_);
+  dSpaceDestroy(space_);
+  dGeomDestroy(ground_);
+  dWorldSetStepThreadingImplementation(dynamics_, nullptr, nullptr);
+  dWorldDestroy(dynamics_);
+  dThreadingFreeImplementation(threading_);
+}
+
+void OdeWorld::solve_exactly(double seconds) {
+  message_count = &messages_;
+  dWorldStep(dynamics_, seconds);
+  message_count = nullptr;
+}
+
+void OdeWorld::solve_iteratively(double seconds, std::uint32_t seed) {
+  message_count = &messages_;
+  dRandSetSeed(seed);
+  dWorldQuickStep(dynamics_, seconds);
+  message_count = nullptr;
+}
+
+}  // namespace sim::physics

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <ode/ode.h>
+
+#include <cstdint>
+
+#include "sim/physics/world.h"
+
+namespace sim::physics {
+
+/// Which geometries are tested against each other. Wheels and the ground stay out of the space and
+/// are tested directly: wheels touch nothing but the ground, and the ground would pair with all.
+enum Category : unsigned {
+  kGroundBit = 1,
+  kWallBit = 2,
+  kBodyBit = 4,
+  kWheelBit = 8,
+  kMoteBit = 16
+};
+
+/// Owns ODE's objects of one world: dynamics, broad phase, contact joints, ground plane.
+class OdeWorld {
+ public:
+  explicit OdeWorld(const WorldConfig& config);
+  ~OdeWorld();
+  OdeWorld(const OdeWorld&) = delete;
+  OdeWorld& operator=(const OdeWorld&) = delete;
+
+  dWorldID dynamics() const { return dynamics_; }
+  dSpaceID space() const { return space_; }
+  dJointGroupID contacts() const { return contacts_; }
+  dGeomID ground() const { return ground_; }
+
+  /// One step by the exact solver, or by the iterative one seeded with `seed`. Counts messages.
+  void solve_exactly(double seconds);
+  void solve_iteratively(double seconds, std::uint32_t seed);
+
+  std::uint64_t messages() const { return messages_; }
+
+ private:
+  dThreadingImplementationID threading_;
+  dWorldID dynamics_;
+  dSpaceID space_;
+  dJointGroupID contacts_;
+  dGeomID ground_;
+  std::uint64_t messages_ = 0;
+};
+
+}  // namespace sim::physics

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <ode/ode.h>
+
+#include "hal/devices/robot_description.h"
+#include "hal/types/geometry.h"
+#include "sim/physics/ode_world.h"
+#include "sim/physics/world.h"
+
+namespace sim::physics {
+
+/// What a geometry belongs to, as contacts need to know it; hangs on the geometry.
+struct Solid {
+  enum class Kind : std::uint8_t { kWall, kRobot, kMote };
+  Kind kind = Kind::kWall;
+  std::size_t object = 0;  ///< Index among the world's moving objects; meaningless for walls.
+  double friction = 0;
+};
+
+/// A body of ODE whose centre of mass is not its origin.
+struct RigidBody {
+  dBodyID body = nullptr;
+  hal::Vec3 centre_of_mass;  ///< m, in the frame of the origin
+};
+
+/// Rotation about the vertical as ODE stores it, without libm's sine.
+void set_yaw(dMatrix3 rotation, double yaw);
+
+/// Takes a vector from the body frame to the world frame.
+hal::Vec3 rotate(dBodyID body, const hal::Vec3& vector);
+
+BodyPose pose_of(const RigidBody& body);
+BodyVelocity velocity_of(const RigidBody& body);
+
+/// Each makes ODE's body or geometry at a pose and names its geometries in creation order.
+/// Sizes and masses are checked. @throws std::invalid_argument
+struct Geometries {
+  std::vector<dGeomID> all;
+};
+dGeomID make_wall(const OdeWorld& world, const StaticBox& wall);
+RigidBody make_mote(const OdeWorld& world, const hal::devices::MoteDescription& mote,
+                    const hal::Pose2& pose, Geometries& geometries);
+RigidBody make_chassis(const OdeWorld& world, const hal::devices::RobotDescription& robot,
+                       const hal::Pose2& pose, Geometries& geometries);
+
+/// The upright shape nearest to a cylinder or box geometry. @param shape  kind and owner are kept.
+void refresh(Shape& shape, dGeomID geometry);
+
+}  // namespace sim::physics

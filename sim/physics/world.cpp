@@ -1,0 +1,238 @@
+#include "sim/physics/world.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <deque>
+#include <map>
+#include <stdexcept>
+#include <vector>
+
+#include "hal/types/check.h"
+#include "sim/physics/contact_pass.h"
+#include "sim/physics/jam_guard.h"
+#include "sim/physics/object.h"
+#include "sim/physics/ode_world.h"
+
+namespace sim::physics {
+
+using hal::Errc;
+using hal::Result;
+using hal::Twist2;
+using hal::devices::WheelDrive;
+
+namespace {
+
+void require(bool holds, const char* what, double value, const char* allowed) {
+  if (!holds) throw std::invalid_argument(fmt::format("{}: {}, allowed {}", what, value, allowed));
+}
+
+const WorldConfig& checked(const WorldConfig& config) {
+  using namespace std::chrono_literals;
+  require(config.step > 0ms && config.step <= 20ms, "physics step [s]",
+          hal::to_seconds(config.step), "above 0, at most 0.02");
+  require(config.gravity >= 0 && std::isfinite(config.gravity), "gravity [m/s^2]", config.gravity,
+          "0 or more");
+  require(config.erp > 0 && config.erp <= 1, "erp", config.erp, "above 0, at most 1");
+  require(config.cfm >= 0 && config.cfm < 1, "cfm", config.cfm, "0 or more, below 1");
+  require(config.surface_layer >= 0, "surface layer [m]", config.surface_layer, "0 or more");
+  require(config.max_correcting_velocity > 0, "max correcting velocity [m/s]",
+          config.max_correcting_velocity, "above 0");
+  require(config.ground_friction >= 0, "ground friction", config.ground_friction, "0 or more");
+  require(config.jam_contacts >= 0, "jam contacts", config.jam_contacts, "0 or more");
+  return config;
+}
+
+bool is_finite(const Twist2& twist) {
+  return std::isfinite(twist.vx) && std::isfinite(twist.vy) && std::isfinite(twist.omega);
+}
+
+Shape::Kind kind_of(dGeomID geometry) {
+  return dGeomGetClass(geometry) == dBoxClass ? Shape::Kind::kBox : Shape::Kind::kCylinder;
+}
+
+}  // namespace
+
+class World::Implementation {
+ public:
+  explicit Implementation(const WorldConfig& given)
+      : config(checked(given)), ode(config), pass(ode, objects, config.ground_friction) {}
+
+  Object& at(AgentId agent) {
+    const auto found = index.find(agent);
+    BARAKA_CHECK(found != index.end());
+    return *objects[found->second];
+  }
+
+  Object& insert(AgentId agent);
+  void adopt(dGeomID geometry, const Solid& solid, AgentId owner);
+  void furnish(Object& object, Solid::Kind kind, const Geometries& geometries);
+  void step();
+  void refresh_shapes();
+  Result<Drivetrain*> drivetrain(AgentId agent);
+
+  const WorldConfig config;
+  OdeWorld ode;
+  Objects objects;
+  std::map<AgentId, std::size_t> index;
+  std::deque<Solid> solids;  ///< Addresses stay: geometries point here.
+  std::vector<Shape> shapes;
+  ContactPass pass;
+  std::uint64_t steps = 0;
+  std::uint64_t jams = 0;
+};
+
+Object& World::Implementation::insert(AgentId agent) {
+  if (agent == AgentId{} || index.contains(agent))
+    throw std::invalid_argument(fmt::format("agent {} cannot be added: 0 or twice", agent.value));
+  index[agent] = objects.size();
+  objects.push_back(std::make_unique<Object>());
+  objects.back()->agent = agent;
+  return *objects.back();
+}
+
+void World::Implementation::adopt(dGeomID geometry, const Solid& solid, AgentId owner) {
+  dGeomSetData(geometry, &solids.emplace_back(solid));
+  Shape& shape = shapes.emplace_back();
+  shape.kind = kind_of(geometry);
+  shape.owner = owner;
+  refresh(shape, geometry);
+}
+
+void World::Implementation::furnish(Object& object, Solid::Kind kind,
+                                    const Geometries& geometries) {
+  object.geometries = geometries.all;
+  object.first_shape = shapes.size();
+  const Solid solid{kind, index.at(object.agent), object.friction};
+  for (const dGeomID geometry : geometries.all) adopt(geometry, solid, object.agent);
+}
+
+void World::Implementation::step() {
+  for (const auto& object : objects)
+    if (object->drivetrain != nullptr) object->drivetrain->actuate(config.step);
+  pass.run(config.step * static_cast<std::int64_t>(steps) + hal::Time{});
+  const Solve how{hal::to_seconds(config.step), config.jam_contacts, config.seed, steps};
+  if (solve(ode, objects, pass.islands(), how)) ++jams;
+  dJointGroupEmpty(ode.contacts());
+  for (const auto& object : objects)
+    if (object->drivetrain != nullptr) object->drivetrain->follow(config.step);
+  ++steps;
+  refresh_shapes();
+}
+
+void World::Implementation::refresh_shapes() {
+  for (const auto& object : objects) {
+    if (!object->awake()) continue;
+    for (std::size_t i = 0; i < object->geometries.size(); ++i)
+      refresh(shapes[object->first_shape + i], object->geometries[i]);
+  }
+}
+
+Result<Drivetrain*> World::Implementation::drivetrain(AgentId agent) {
+  Object& object = at(agent);
+  if (object.drivetrain == nullptr)
+    return hal::fail(Errc::kNotAvailable, fmt::format("agent {} has no wheels", agent.value));
+  return object.drivetrain.get();
+}
+
+World::World(const WorldConfig& config)
+    : implementation_(std::make_unique<Implementation>(config)) {}
+
+World::~World() = default;
+
+void World::add_wall(const StaticBox& wall) {
+  implementation_->adopt(make_wall(implementation_->ode, wall),
+                         {Solid::Kind::kWall, 0, wall.friction}, AgentId{});
+}
+
+void World::add_mote(AgentId agent, const hal::devices::MoteDescription& mote,
+                     const hal::Pose2& pose) {
+  Object& object = implementation_->insert(agent);
+  Geometries geometries;
+  object.rigid = make_mote(implementation_->ode, mote, pose, geometries);
+  object.bodies = {object.rigid.body};
+  object.friction = mote.friction;
+  implementation_->furnish(object, Solid::Kind::kMote, geometries);
+}
+
+void World::add_robot(AgentId agent, const hal::devices::RobotDescription& robot,
+                      const hal::Pose2& pose) {
+  Object& object = implementation_->insert(agent);
+  Geometries geometries;
+  object.rigid = make_chassis(implementation_->ode, robot, pose, geometries);
+  object.drivetrain = std::make_unique<Drivetrain>(implementation_->ode, object.rigid, robot);
+  object.bodies = object.drivetrain->bodies();
+  object.friction = robot.friction;
+  implementation_->furnish(object, Solid::Kind::kRobot, geometries);
+}
+
+Result<WheelDrive::Limited> World::set_body_velocity(AgentId agent, const Twist2& twist) {
+  auto drivetrain = implementation_->drivetrain(agent);
+  if (!drivetrain) return tl::unexpected(drivetrain.error());
+  if (!is_finite(twist))
+    return hal::fail(
+        Errc::kInvalidArgument,
+        fmt::format("body velocity ({}, {}, {}): must be finite", twist.vx, twist.vy, twist.omega));
+  const WheelDrive::Limited limited = (*drivetrain)->drive().saturate(twist);
+  (*drivetrain)->command(limited.twist);
+  return limited;
+}
+
+Result<void> World::set_wheel_speeds(AgentId agent, std::span<const double> speeds) {
+  auto drivetrain = implementation_->drivetrain(agent);
+  if (!drivetrain) return tl::unexpected(drivetrain.error());
+  const WheelDrive& drive = (*drivetrain)->drive();
+  if (speeds.size() != drive.wheel_count())
+    return hal::fail(Errc::kInvalidArgument, fmt::format("{} wheel speeds for {} wheels",
+                                                         speeds.size(), drive.wheel_count()));
+  for (const double speed : speeds)
+    if (!(std::abs(speed) <= drive.max_wheel_speed()))
+      return hal::fail(
+          Errc::kInvalidArgument,
+          fmt::format("wheel speed {} rad/s: at most {} allowed", speed, drive.max_wheel_speed()));
+  (*drivetrain)->command(drive.body_velocity(speeds));
+  return {};
+}
+
+void World::step() { implementation_->step(); }
+
+const WorldConfig& World::config() const { return implementation_->config; }
+
+std::uint64_t World::steps() const { return implementation_->steps; }
+
+hal::Time World::now() const {
+  return hal::Time{} + implementation_->config.step * static_cast<std::int64_t>(steps());
+}
+
+BodyPose World::pose(AgentId agent) const { return pose_of(implementation_->at(agent).rigid); }
+
+BodyVelocity World::velocity(AgentId agent) const {
+  return velocity_of(implementation_->at(agent).rigid);
+}
+
+const Contacts& World::contacts(AgentId agent) const { return implementation_->at(agent).contacts; }
+
+bool World::asleep(AgentId agent) const { return !implementation_->at(agent).awake(); }
+
+const WheelDrive& World::drive(AgentId agent) const {
+  const Object& object = implementation_->at(agent);
+  BARAKA_CHECK(object.drivetrain != nullptr);
+  return object.drivetrain->drive();
+}
+
+std::span<const double> World::wheel_angles(AgentId agent) const {
+  const Object& object = implementation_->at(agent);
+  BARAKA_CHECK(object.drivetrain != nullptr);
+  return object.drivetrain->angles();
+}
+
+bool World::has(AgentId agent) const { return implementation_->index.contains(agent); }
+
+std::span<const Shape> World::shapes() const { return implementation_->shapes; }
+
+std::uint64_t World::solver_messages() const { return implementation_->ode.messages(); }
+
+std::uint64_t World::jammed_steps() const { return implementation_->jams; }
+
+}  // namespace sim::physics
