@@ -1,0 +1,121 @@
+#include "sim/sensing/sector_query.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "hal/types/check.h"
+#include "hal/types/math.h"
+
+namespace sim::sensing {
+namespace {
+
+using hal::Vec2;
+using physics::Shape;
+
+double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
+double length(Vec2 a) { return std::sqrt(dot(a, a)); }
+
+/// A vector in the frame of a box's own axes, and back.
+Vec2 to_box(const Shape& box, Vec2 v) { return {dot(v, box.axis), cross(box.axis, v)}; }
+Vec2 from_box(const Shape& box, Vec2 v) {
+  return {v.x * box.axis.x - v.y * box.axis.y, v.x * box.axis.y + v.y * box.axis.x};
+}
+
+/// From `origin` to the nearest point of a shape's outline or inside; zero if origin is inside.
+Vec2 to_nearest(const Shape& shape, Vec2 origin) {
+  const Vec2 to_centre = shape.centre - origin;
+  if (shape.kind == Shape::Kind::kCylinder) {
+    const double distance = length(to_centre);
+    if (distance <= shape.radius) return {};
+    return (1 - shape.radius / distance) * to_centre;
+  }
+  const Vec2 seen = to_box(shape, Vec2{} - to_centre);
+  const Vec2 nearest{std::clamp(seen.x, -shape.half.x, shape.half.x),
+                     std::clamp(seen.y, -shape.half.y, shape.half.y)};
+  return from_box(shape, nearest - seen);
+}
+
+std::optional<Interval> inside_circle(const Shape& shape, Vec2 origin, Vec2 direction) {
+  const double size = length(direction);
+  const Vec2 to_centre = shape.centre - origin;
+  const double miss = cross(direction, to_centre) / size;
+  if (std::abs(miss) > shape.radius) return std::nullopt;
+  const double middle = dot(direction, to_centre) / size;
+  const double half_chord = std::sqrt(shape.radius * shape.radius - miss * miss);
+  return Interval{(middle - half_chord) / size, (middle + half_chord) / size};
+}
+
+/// Narrows an interval to where |start + t * slope| <= half. @return false if nothing is left.
+bool clip(Interval& interval, double start, double slope, double half) {
+  if (slope == 0) return std::abs(start) <= half;
+  const double a = (-half - start) / slope;
+  const double b = (half - start) / slope;
+  interval.from = std::max(interval.from, std::min(a, b));
+  interval.to = std::min(interval.to, std::max(a, b));
+  return interval.from <= interval.to;
+}
+
+std::optional<Interval> inside_box(const Shape& shape, Vec2 origin, Vec2 direction) {
+  const Vec2 start = to_box(shape, origin - shape.centre);
+  const Vec2 slope = to_box(shape, direction);
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  Interval interval{-kFar, kFar};
+  if (!clip(interval, start.x, slope.x, shape.half.x)) return std::nullopt;
+  if (!clip(interval, start.y, slope.y, shape.half.y)) return std::nullopt;
+  return interval;
+}
+
+Vec2 unit(double heading) { return {hal::math::cos(heading), hal::math::sin(heading)}; }
+
+}  // namespace
+
+std::optional<Interval> inside(const Shape& shape, Vec2 origin, Vec2 direction) {
+  return shape.kind == Shape::Kind::kCylinder ? inside_circle(shape, origin, direction)
+                                              : inside_box(shape, origin, direction);
+}
+
+SectorQuery::SectorQuery(const Sector& sector)
+    : origin_(sector.origin),
+      range_(sector.range),
+      cos_half_(hal::math::cos(sector.half_angle)),
+      sin_half_(hal::math::sin(sector.half_angle)),
+      middle_(unit(sector.heading)),
+      left_(unit(sector.heading + sector.half_angle)),
+      right_(unit(sector.heading - sector.half_angle)) {
+  BARAKA_CHECK(sector.range > 0 && sector.half_angle >= 0 && cos_half_ > 0);
+  const Vec2 origin{origin_.x, origin_.y};
+  bounds_ = {origin, origin};
+  const auto include = [&](Vec2 direction) {
+    const Vec2 tip = origin + range_ * direction;
+    bounds_.low = {std::min(bounds_.low.x, tip.x), std::min(bounds_.low.y, tip.y)};
+    bounds_.high = {std::max(bounds_.high.x, tip.x), std::max(bounds_.high.y, tip.y)};
+  };
+  include(left_);
+  include(right_);
+  for (const Vec2 axis : {Vec2{1, 0}, Vec2{0, 1}, Vec2{-1, 0}, Vec2{0, -1}})
+    if (contains_bearing(axis)) include(axis);
+}
+
+bool SectorQuery::contains_bearing(Vec2 point) const {
+  const double along = dot(middle_, point);
+  return along > 0 && std::abs(cross(middle_, point)) * cos_half_ <= along * sin_half_;
+}
+
+std::optional<double> SectorQuery::nearest(const Shape& shape) const {
+  if (origin_.z < shape.z_low || origin_.z > shape.z_high) return std::nullopt;
+  const Vec2 origin{origin_.x, origin_.y};
+  const Vec2 nearest_point = to_nearest(shape, origin);
+  const double distance = length(nearest_point);
+  if (distance > range_) return std::nullopt;
+  if (distance == 0 || contains_bearing(nearest_point)) return distance;
+  std::optional<double> hit;
+  for (const Vec2 edge : {left_, right_}) {
+    const auto chord = inside(shape, origin, edge);
+    if (!chord || chord->from < 0 || chord->from > range_) continue;
+    if (!hit || chord->from < *hit) hit = chord->from;
+  }
+  return hit;
+}
+
+}  // namespace sim::sensing

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+
+#include "hal/types/geometry.h"
+#include "sim/physics/shape.h"
+
+namespace sim::sensing {
+
+/// Horizontal sector: all points of a plane within a range and within an angle of a heading.
+struct Sector {
+  hal::Vec3 origin;       ///< m, world frame; z is the height of the plane
+  double heading = 0;     ///< rad, of the middle
+  double half_angle = 0;  ///< rad, 0 .. pi/2 exclusive
+  double range = 0;       ///< m, > 0
+};
+
+/// Axis-parallel rectangle. m
+struct Rectangle {
+  hal::Vec2 low, high;
+};
+
+/// Nearest point of convex, upright shapes in a sector, exactly and without iteration.
+///
+/// The points of a convex set within a distance rho of the origin form a convex set, so the
+/// bearings under which the set is seen within rho form nested intervals: the range as a function
+/// of bearing has one minimum. Over the sector it is therefore the nearest point of the shape if
+/// that lies inside, else the nearer hit of the two edge rays.
+class SectorQuery {
+ public:
+  /// @pre half_angle in 0 .. pi/2 exclusive, range > 0.
+  explicit SectorQuery(const Sector& sector);
+
+  /// Distance to the shape within the sector, 0 if the origin is inside; none if out of reach.
+  std::optional<double> nearest(const physics::Shape& shape) const;
+
+  /// Smallest rectangle around the sector.
+  const Rectangle& bounds() const { return bounds_; }
+  double height() const { return origin_.z; }
+
+ private:
+  bool contains_bearing(hal::Vec2 point) const;
+
+  hal::Vec3 origin_;
+  double range_;
+  double cos_half_, sin_half_;
+  hal::Vec2 middle_, left_, right_;  ///< Unit vectors.
+  Rectangle bounds_;
+};
+
+/// Where a line is inside a shape, in multiples of its direction.
+struct Interval {
+  double from = 0, to = 0;
+};
+
+/// The part of origin + t * direction, t real, inside a shape's outline seen from above; none if
+/// the line passes by. @param direction  any length > 0.
+std::optional<Interval> inside(const physics::Shape& shape, hal::Vec2 origin, hal::Vec2 direction);
+
+}  // namespace sim::sensing
