@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hal/dds/domains.h"
+#include "hal/exchange/ports.h"
+
+namespace gateway {
+
+struct ServerSettings {
+  std::uint64_t run = 0;                          ///< Number of the run, in every Step.
+  hal::Duration wait = std::chrono::seconds{30};  ///< For a controller for every agent.
+  std::optional<hal::Duration> reply_timeout = std::chrono::seconds{10};  ///< None: for ever.
+};
+
+/// What one controller process did that the run does not show.
+struct ProcessSummary {
+  std::string name;
+  std::int64_t pid = 0;
+  std::vector<std::string> agents;
+  std::uint64_t exchanges = 0;
+  std::uint64_t foreign_actions = 0;    ///< Dropped: for an agent the process was not granted.
+  std::uint64_t malformed_actions = 0;  ///< Dropped: not a number, too long, no such event.
+  std::uint64_t stale_replies = 0;      ///< Dropped: an old or unknown sequence number.
+  std::uint64_t malformed_replies = 0;  ///< Dropped: values outside their enumerations.
+};
+
+struct GatewaySummary {
+  std::vector<ProcessSummary> processes;  ///< By lowest address of their agents.
+  std::vector<std::string> refusals;      ///< "process 'x' (pid n): reason", in order of arrival.
+};
+
+/// One line per thing that was dropped or refused, naming who sent it; empty if nothing was.
+std::vector<std::string> complaints(const GatewaySummary& summary);
+
+/// Serves the agents of a host to controller processes over DDS.
+///
+///   AgentServer server(hal::dds::take_domain(std::nullopt), host, {});
+///   … start controllers with BARAKA_DOMAIN = server.domain() …
+///   server.gather([] { return hal::Result<void>{}; });
+///   … run the host: its ports are remote now …
+///   for (const std::string& line : complaints(server.summary())) …
+///
+/// The host keeps ports of this server: it must not exchange after the server is gone. One thread.
+class AgentServer {
+ public:
+  /// @throws std::runtime_error  if DDS cannot be opened.
+  AgentServer(hal::dds::DomainHold hold, hal::exchange::AgentHost& host,
+              const ServerSettings& settings);
+  ~AgentServer();
+  AgentServer(const AgentServer&) = delete;
+  AgentServer& operator=(const AgentServer&) = delete;
+
+  int domain() const;
+
+  /// Waits until every agent has a controller, refusing who has no right to one, then connects
+  /// them to the host in order of their agents. A process that dies meanwhile gives its agents
+  /// back. Afterwards nobody joins: latecomers are refused.
+  /// @param keep_waiting  asked ten times a second; an error ends the wait (Ctrl-C, a spawned
+  ///                      program that ended).
+  /// Errors: kTimeout (names the agents without a controller), or that of keep_waiting.
+  hal::Result<void> gather(const std::function<hal::Result<void>()>& keep_waiting);
+
+  GatewaySummary summary() const;
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace gateway

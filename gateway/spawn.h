@@ -1,0 +1,64 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hal/types/result.h"
+#include "hal/types/time.h"
+
+namespace gateway {
+
+/// A program to start.
+struct Command {
+  std::filesystem::path program;
+  std::vector<std::string> arguments;  ///< Without the program itself.
+  int domain = 1;                      ///< Becomes BARAKA_DOMAIN of the program.
+  std::filesystem::path log;           ///< Its standard output and error are appended here.
+};
+
+/// How a process ended, or nothing while it runs.
+struct Ending {
+  std::string name;  ///< File name of the program.
+  pid_t pid = 0;
+  int status = 0;     ///< Exit status; 128 + signal if a signal killed it.
+  std::string cause;  ///< "exited with status 2", "killed by signal 9".
+};
+
+/// Controller processes started by this one. Each has a process group of its own, so that Ctrl-C
+/// reaches only this process, and is killed by the kernel when the thread that started it ends.
+/// One thread.
+class Spawner {
+ public:
+  Spawner() = default;
+  ~Spawner();  ///< As stop_all().
+  Spawner(const Spawner&) = delete;
+  Spawner& operator=(const Spawner&) = delete;
+
+  /// @returns the pid. @throws std::runtime_error  if the program cannot be started.
+  pid_t start(const Command& command);
+
+  /// Whether all run. Errors: kNotConnected, naming the first that ended, how, and its log.
+  hal::Result<void> check() const;
+
+  /// Waits for all to end by themselves, up to `timeout`.
+  void wait_all(hal::Duration timeout);
+
+  /// Ends those that still run: SIGTERM, after 2 s SIGKILL.
+  /// @returns how each process ended, in order of start.
+  std::vector<Ending> stop_all();
+
+ private:
+  struct Child {
+    std::string name;
+    std::filesystem::path log;
+    pid_t pid = 0;
+    int descriptor = -1;
+  };
+  std::vector<Child> children_;
+};
+
+}  // namespace gateway

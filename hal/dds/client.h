@@ -1,0 +1,61 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <variant>
+
+#include "hal/exchange/session.h"
+#include "hal/exchange/step.h"
+#include "hal/types/result.h"
+#include "hal/types/time.h"
+
+namespace hal::dds {
+
+/// A server is gone: it left the domain, or its process died.
+struct ServerGone {
+  std::string server;
+};
+/// Nothing came in time.
+struct Silence {};
+/// Client::interrupt() was called.
+struct Interrupted {};
+
+using Arrival = std::variant<exchange::Session, exchange::Step, ServerGone, Silence, Interrupted>;
+
+/// The DDS end of a controller process: says Hello to every server of a domain, takes Sessions and
+/// Steps, sends Replies. What they mean is up to ControllerProcess. One thread at a time, except
+/// for interrupt().
+class Client {
+ public:
+  /// Completes `hello` with the identity of this process and an instance id, and sends it.
+  /// @throws std::runtime_error  if DDS cannot be opened.
+  Client(int domain, exchange::Hello hello);
+  ~Client();
+  Client(const Client&) = delete;
+  Client& operator=(const Client&) = delete;
+
+  const exchange::Hello& hello() const;
+  /// Servers in sight, whether they have answered or not.
+  int servers() const;
+
+  /// Waits for what comes next. After a Session that grants agents, Steps of that server and run
+  /// come; Steps of others are dropped. Sessions come before Steps.
+  /// @param timeout  Duration::max(): for ever.
+  Arrival next(Duration timeout);
+
+  /// @param server, reply.run, reply.sequence  those of the Step; reply.process is filled in.
+  /// Errors: kNotConnected (DDS refuses the sample).
+  Result<void> reply(const std::string& server, exchange::Reply reply);
+
+  /// Waits until every server has the last Reply, up to `timeout`.
+  void flush(Duration timeout);
+
+  /// Makes next() return Interrupted, now and for ever. Any thread, also from a signal handler.
+  void interrupt() noexcept;
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace hal::dds

@@ -1,0 +1,20 @@
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <exception>
+
+#include "hal/dds/controller_process.h"
+
+/// The program of every controller: controllers/<name> defines baraka_controller() and is linked
+/// with this.
+int main(int argc, char** argv) {
+  try {
+    const hal::ControllerKind& kind = *baraka_controller();
+    const auto parsed = hal::runtime::parse_controller_options(argc, argv, kind);
+    if (!parsed.options) return parsed.exit_status;
+    return static_cast<int>(hal::dds::run_controllers(kind, *parsed.options));
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}: {}\n", argv[0], error.what());
+    return 1;
+  }
+}

@@ -1,0 +1,239 @@
+#include "hal/dds/controller_process.h"
+
+#include <fmt/core.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <atomic>
+#include <csignal>
+#include <cstdio>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "hal/dds/domains.h"
+
+namespace hal::dds {
+namespace {
+
+/// How long the last Reply may take to reach the server before the process ends.
+constexpr Duration kFlushTimeout = std::chrono::seconds{2};
+
+/// What one server has given this process to do.
+struct Assignment {
+  std::unique_ptr<runtime::ControllerHost> host;  ///< Null: it could not be made …
+  std::string failure;                            ///< … and this is why.
+  std::set<AgentId> running;                      ///< Agents that were not stopped yet.
+  std::uint64_t sequence = 0;                     ///< Of the last Step that was answered …
+  exchange::Reply reply;                          ///< … and the answer.
+};
+
+///  waiting ──Session──▶ running ──STOP for every agent──▶ done, or waiting again with --stay
+///     │ refused by all,     │ server gone
+///     ▼ nobody answers      ▼
+///   ends                  ends, or waiting again with --stay
+class ControllerProcess {
+ public:
+  ControllerProcess(const ControllerKind& kind, const runtime::ControllerOptions& options,
+                    Client& client)
+      : kind_(kind), options_(options), client_(client), patience_(options.wait) {}
+
+  Outcome run() {
+    while (!outcome_) {
+      std::visit([this](auto&& arrival) { on(arrival); }, client_.next(patience_));
+    }
+    client_.flush(kFlushTimeout);
+    return *outcome_;
+  }
+
+ private:
+  void on(const exchange::Session& session);
+  void on(const exchange::Step& step);
+  void on(const ServerGone& departure);
+  void on(const Silence& silence);
+  void on(const Interrupted& interrupted);
+
+  void accept(const exchange::Session& session);
+  void refused(const exchange::Session& session);
+  exchange::Reply answer(Assignment& assignment, const exchange::Step& step);
+  void end_of_run();
+  bool is_running() const;
+
+  template <class... Args>
+  void say(fmt::format_string<Args...> format, Args&&... args) const {
+    fmt::print(stderr, "{}: {}\n", client_.hello().process,
+               fmt::format(format, std::forward<Args>(args)...));
+  }
+
+  const ControllerKind& kind_;
+  const runtime::ControllerOptions& options_;
+  Client& client_;
+  Duration patience_;
+  std::map<std::string, Assignment> assignments_;  ///< By server.
+  std::set<std::string> refusers_;
+  std::optional<Outcome> outcome_;
+};
+
+bool ControllerProcess::is_running() const {
+  return std::ranges::any_of(assignments_,
+                             [](const auto& entry) { return !entry.second.running.empty(); });
+}
+
+void ControllerProcess::on(const exchange::Session& session) {
+  if (session.refusal.empty() && session.version == exchange::kProtocolVersion) {
+    accept(session);
+  } else {
+    refused(session);
+  }
+}
+
+void ControllerProcess::accept(const exchange::Session& session) {
+  Assignment assignment;
+  for (const exchange::AgentSession& agent : session.agents) assignment.running.insert(agent.agent);
+  auto host = runtime::ControllerHost::create(kind_, session);
+  if (host) {
+    assignment.host = std::move(*host);
+  } else {
+    assignment.failure = host.error().message;
+    say("{}", assignment.failure);
+  }
+  assignments_[session.server] = std::move(assignment);
+  patience_ = Duration::max();
+}
+
+void ControllerProcess::refused(const exchange::Session& session) {
+  const std::string reason = session.refusal.empty()
+                                 ? fmt::format("the server speaks protocol version {}, this is {}",
+                                               session.version, exchange::kProtocolVersion)
+                                 : session.refusal;
+  say("refused: {}", reason);
+  refusers_.insert(session.server);
+  // Another server of the domain may still have the agents; wait for it, but not for ever.
+  const bool by_all = static_cast<int>(refusers_.size()) >= client_.servers();
+  if (by_all && !options_.stay && !is_running()) outcome_ = Outcome::kRefused;
+}
+
+void ControllerProcess::on(const exchange::Step& step) {
+  const auto found = assignments_.find(step.server);
+  if (found == assignments_.end()) return;
+  Assignment& assignment = found->second;
+  if (step.sequence < assignment.sequence) return;  // Delivered late; its answer was received.
+  if (step.sequence > assignment.sequence + 1) {
+    say("Step {} came after Step {}: events are lost", step.sequence, assignment.sequence);
+    outcome_ = Outcome::kFailed;
+    return;
+  }
+  if (step.sequence > assignment.sequence) assignment.reply = answer(assignment, step);
+  assignment.sequence = step.sequence;
+  const auto sent = client_.reply(step.server, assignment.reply);
+  if (!sent) say("{}", sent.error().message);
+  if (!assignment.host) outcome_ = Outcome::kRefused;
+  if (!is_running()) end_of_run();
+}
+
+exchange::Reply ControllerProcess::answer(Assignment& assignment, const exchange::Step& step) {
+  for (const exchange::Event& event : step.events) {
+    if (event.cause == exchange::Cause::kStop) assignment.running.erase(event.agent);
+  }
+  exchange::Reply reply;
+  if (assignment.host) {
+    reply = assignment.host->answer(step);
+  } else if (!step.events.empty()) {
+    exchange::Action error;
+    error.agent = step.events.front().agent;
+    error.kind = exchange::ActionKind::kError;
+    error.text = assignment.failure;
+    reply.actions.push_back(std::move(error));
+  }
+  reply.run = step.run;
+  reply.sequence = step.sequence;
+  return reply;
+}
+
+void ControllerProcess::on(const ServerGone& departure) {
+  const auto found = assignments_.find(departure.server);
+  if (found == assignments_.end()) return;
+  const bool was_running = !found->second.running.empty();
+  assignments_.erase(found);
+  if (!was_running) return;
+  say("the server is gone in the middle of a run");
+  if (!options_.stay) outcome_ = Outcome::kFailed;
+}
+
+void ControllerProcess::on(const Silence& silence) {
+  (void)silence;
+  say("no server in DDS domain {} has agents for it after {} s", options_.domain.value_or(0),
+      to_seconds(options_.wait));
+  outcome_ = refusers_.empty() ? Outcome::kFailed : Outcome::kRefused;
+}
+
+void ControllerProcess::on(const Interrupted& interrupted) {
+  (void)interrupted;
+  outcome_ = Outcome::kInterrupted;
+}
+
+void ControllerProcess::end_of_run() {
+  if (!outcome_ && !options_.stay) outcome_ = Outcome::kDone;
+}
+
+std::atomic<Client*> interrupted_client{nullptr};
+
+void interrupt_client(int signal) {
+  (void)signal;
+  if (Client* client = interrupted_client) client->interrupt();
+}
+
+/// SIGINT and SIGTERM interrupt a client while this exists; the second one is deadly.
+class Interruptible {
+ public:
+  explicit Interruptible(Client& client) {
+    interrupted_client = &client;
+    struct sigaction action {};
+    action.sa_handler = interrupt_client;
+    action.sa_flags = SA_RESETHAND | SA_RESTART;
+    sigaction(SIGINT, &action, &interrupt_);
+    sigaction(SIGTERM, &action, &terminate_);
+  }
+  ~Interruptible() {
+    sigaction(SIGINT, &interrupt_, nullptr);
+    sigaction(SIGTERM, &terminate_, nullptr);
+    interrupted_client = nullptr;
+  }
+  Interruptible(const Interruptible&) = delete;
+  Interruptible& operator=(const Interruptible&) = delete;
+
+ private:
+  struct sigaction interrupt_ {};
+  struct sigaction terminate_ {};
+};
+
+}  // namespace
+
+exchange::Hello hello_of(const ControllerKind& kind, const runtime::ControllerOptions& options) {
+  exchange::Hello hello;
+  hello.process = options.name.empty() ? fmt::format("{}.{}", kind.name, getpid()) : options.name;
+  hello.program = kind.name;
+  hello.patterns = options.agents;
+  hello.kind = kind.make_for_robot != nullptr ? AgentKind::kRobot : AgentKind::kMote;
+  hello.both_kinds = kind.make_for_robot != nullptr && kind.make_for_mote != nullptr;
+  hello.wants = kind.wants;
+  return hello;
+}
+
+Outcome run_controllers(const ControllerKind& kind, const runtime::ControllerOptions& options,
+                        Client& client) {
+  return ControllerProcess(kind, options, client).run();
+}
+
+Outcome run_controllers(const ControllerKind& kind, const runtime::ControllerOptions& options) {
+  runtime::ControllerOptions resolved = options;
+  resolved.domain = options.domain ? *options.domain : default_domain();
+  Client client(*resolved.domain, hello_of(kind, resolved));
+  const Interruptible interruptible(client);
+  return run_controllers(kind, resolved, client);
+}
+
+}  // namespace hal::dds

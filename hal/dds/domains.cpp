@@ -1,0 +1,143 @@
+#include "hal/dds/domains.h"
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <charconv>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <utility>
+
+namespace hal::dds {
+namespace {
+
+std::string lock_path(int domain, int place) {
+  const auto folder = std::filesystem::temp_directory_path();
+  return folder / fmt::format("baraka-domain-{}-{}.lock", domain, place);
+}
+
+/// @throws std::runtime_error  if the file can be neither opened nor made.
+int open_lock(const std::string& path) {
+  // An existing file must be opened without O_CREAT: in a sticky folder Linux refuses that for
+  // files of other users (proc(5), fs.protected_regular).
+  int file = open(path.c_str(), O_RDWR | O_CLOEXEC);
+  if (file < 0 && errno == ENOENT) {
+    file = open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (file >= 0) fchmod(file, 0666);  // Past the umask: every user may hold a domain.
+  }
+  if (file < 0 && errno == EEXIST) file = open(path.c_str(), O_RDWR | O_CLOEXEC);
+  if (file < 0) throw std::runtime_error(fmt::format("{}: {}", path, std::strerror(errno)));
+  return file;
+}
+
+std::string this_program() {
+  std::error_code error;
+  const auto path = std::filesystem::read_symlink("/proc/self/exe", error);
+  return error ? "unknown" : path.filename().string();
+}
+
+/// "pid 12 (baraka)".
+std::string holder_of(int domain, int place) {
+  std::ifstream file(lock_path(domain, place));
+  std::string holder;
+  return std::getline(file, holder) ? holder : "another process";
+}
+
+void require_domain(int domain) {
+  if (domain >= 0 && domain <= kLastDomain) return;
+  throw std::runtime_error(
+      fmt::format("there is no DDS domain {}: it is 0 to {}", domain, kLastDomain));
+}
+
+/// The first place of a domain that cannot be had, for the message.
+std::string first_holder(int domain) {
+  for (int place = 0; place < kPlaces; ++place) {
+    const int file = open_lock(lock_path(domain, place));
+    const bool is_free = flock(file, LOCK_EX | LOCK_NB) == 0;
+    close(file);
+    if (!is_free) return holder_of(domain, place);
+  }
+  return "another process";
+}
+
+}  // namespace
+
+DomainHold::DomainHold(int domain) : domain_(domain) { locks_.fill(-1); }
+
+DomainHold::DomainHold(DomainHold&& other) noexcept
+    : domain_(other.domain_), place_(other.place_), locks_(other.locks_) {
+  other.locks_.fill(-1);
+}
+
+DomainHold::~DomainHold() {
+  // The files stay: deleting one that another process is about to lock would make two of it.
+  for (const int file : locks_) {
+    if (file >= 0) close(file);
+  }
+}
+
+bool DomainHold::lock(int place) {
+  const int file = open_lock(lock_path(domain_, place));
+  if (flock(file, LOCK_EX | LOCK_NB) != 0) {
+    close(file);
+    return false;
+  }
+  const std::string holder = fmt::format("pid {} ({})\n", getpid(), this_program());
+  if (ftruncate(file, 0) != 0 || write(file, holder.data(), holder.size()) < 0) {
+    close(file);
+    return false;
+  }
+  locks_.at(static_cast<std::size_t>(place)) = file;
+  return true;
+}
+
+DomainHold take_domain(std::optional<int> domain) {
+  if (domain) require_domain(*domain);
+  const int first = domain.value_or(kFirstFreeDomain);
+  const int last = domain.value_or(kLastFreeDomain);
+  for (int candidate = first; candidate <= last; ++candidate) {
+    DomainHold hold(candidate);
+    int place = 0;
+    while (place < kPlaces && hold.lock(place)) ++place;
+    if (place == kPlaces) return hold;
+  }
+  if (!domain)
+    throw std::runtime_error(fmt::format("DDS domains {} to {} are all busy", first, last));
+  throw std::runtime_error(
+      fmt::format("DDS domain {} is busy: {} holds it", *domain, first_holder(*domain)));
+}
+
+DomainHold join_domain(int domain) {
+  require_domain(domain);
+  DomainHold hold(domain);
+  for (int place = 0; place < kPlaces; ++place) {
+    if (!hold.lock(place)) continue;
+    hold.place_ = place;
+    return hold;
+  }
+  throw std::runtime_error(fmt::format("all {} places of DDS domain {} are taken, the first by {}",
+                                       kPlaces, domain, holder_of(domain, 0)));
+}
+
+int default_domain() {
+  const char* text = std::getenv("BARAKA_DOMAIN");
+  if (text == nullptr || *text == '\0') return 1;
+  const std::string_view view = text;
+  int domain = -1;
+  const auto [end, error] = std::from_chars(view.data(), view.data() + view.size(), domain);
+  if (error == std::errc{} && end == view.data() + view.size() && domain >= 0 &&
+      domain <= kLastDomain) {
+    return domain;
+  }
+  throw std::runtime_error(
+      fmt::format("BARAKA_DOMAIN is '{}', not a DDS domain from 0 to {}", view, kLastDomain));
+}
+
+}  // namespace hal::dds

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+
+namespace hal::dds {
+
+/// Servers of agents that fit into one DDS domain of one machine.
+inline constexpr int kPlaces = 8;
+/// Domains that take_domain() picks from without being told; told, it takes 0..kLastDomain too.
+inline constexpr int kFirstFreeDomain = 1, kLastFreeDomain = 100;
+/// The highest domain whose ports exist: they begin at 7400 + 250 * domain (OMG DDSI-RTPS 2.3,
+/// 9.6.1.1).
+inline constexpr int kLastDomain = 232;
+
+/// Places of a server in a DDS domain, held until destruction or the death of the process. Each
+/// place is a locked file in the folder for temporary files that names its holder.
+class DomainHold {
+ public:
+  ~DomainHold();
+  DomainHold(DomainHold&& other) noexcept;
+  DomainHold(const DomainHold&) = delete;
+  DomainHold& operator=(const DomainHold&) = delete;
+  DomainHold& operator=(DomainHold&&) = delete;
+
+  int domain() const { return domain_; }
+  int place() const { return place_; }  ///< 0..kPlaces-1: the participant id of the server.
+
+ private:
+  friend DomainHold take_domain(std::optional<int> domain);
+  friend DomainHold join_domain(int domain);
+  explicit DomainHold(int domain);
+  bool lock(int place);
+
+  int domain_;
+  int place_ = 0;
+  std::array<int, kPlaces> locks_;
+};
+
+/// Takes a whole domain for one simulator: the given one, or the first free one.
+/// @throws std::runtime_error  if it is busy, naming who holds it; if none is free.
+DomainHold take_domain(std::optional<int> domain);
+
+/// Takes the first free place in a domain that others may share.
+/// @throws std::runtime_error  if all places are taken, naming who holds the first.
+DomainHold join_domain(int domain);
+
+/// The environment's BARAKA_DOMAIN, else 1.
+/// @throws std::runtime_error  if BARAKA_DOMAIN is no domain.
+int default_domain();
+
+}  // namespace hal::dds

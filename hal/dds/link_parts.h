@@ -1,0 +1,62 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hal/dds/endpoints.h"
+#include "hal/dds/process_link.h"
+#include "hal/dds/process_watch.h"
+#include "hal/exchange/session.h"
+#include "hal/types/time.h"
+
+namespace hal::dds {
+
+/// "baraka/<process>/step" and "baraka/<process>/reply".
+std::string step_topic(const std::string& process);
+std::string reply_topic(const std::string& process);
+inline constexpr const char* kHelloTopic = "baraka/hello";
+inline constexpr const char* kSessionTopic = "baraka/session";
+
+/// What a link is made from.
+struct LinkSettings {
+  std::string server;
+  exchange::Hello hello;
+  std::uint64_t run = 0;
+  std::optional<Duration> reply_timeout;
+};
+
+class ProcessLink::Implementation {
+ public:
+  Implementation(Participant& participant, LinkSettings settings);
+
+  Result<void> begin(const exchange::Step& step);
+  Result<exchange::Reply> finish();
+  Result<void> check_alive();
+
+  const std::string& name() const { return settings_.hello.process; }
+  const DroppedReplies& dropped() const { return dropped_; }
+  int death_descriptor() const { return watch_.descriptor(); }
+
+ private:
+  /// The Reply that is waited for, if it is there. Drops others.
+  std::optional<exchange::Reply> take_reply();
+  bool answers_step(const wire::Reply& reply) const;
+  Result<void> write();
+  bool is_dead();
+  tl::unexpected<Error> death() const;
+
+  LinkSettings settings_;
+  ProcessWatch watch_;
+  Signal signal_;
+  Writer<wire::Step> steps_;
+  Reader<wire::Reply> replies_;
+  wire::Step step_;  ///< The Step under way, as it was written.
+  std::uint64_t sequence_ = 0;
+  std::uint64_t callers_sequence_ = 0;
+  bool silent_ = false;  ///< A process on another host was not heard for the liveliness lease.
+  DroppedReplies dropped_;
+};
+
+}  // namespace hal::dds

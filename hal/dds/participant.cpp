@@ -1,0 +1,176 @@
+#include "hal/dds/participant.h"
+
+#include <fmt/core.h>
+
+#include <atomic>
+#include <cstdio>
+#include <memory>
+#include <mutex>
+#include <stdexcept>
+#include <utility>
+
+#include "hal/dds/domains.h"
+
+namespace hal::dds {
+namespace {
+
+constexpr const char* kLoopback = "127.0.0.1";
+/// A controller that starts first looks for servers this often.
+constexpr Duration kAnnouncementPeriod = std::chrono::milliseconds{200};
+/// Only after this does DDS forget a peer that fell silent. Long, so that a process that a debugger
+/// holds is still known when it goes on.
+constexpr Duration kParticipantLease = std::chrono::hours{1};
+constexpr Duration kHeartbeatPeriod = std::chrono::milliseconds{20};
+constexpr std::int32_t kMaxInstances = 4096;
+constexpr std::uint32_t kSocketBuffer = 4U << 20U;
+
+/// What Fast DDS has to say, as plain lines.
+class PlainLog : public api::LogConsumer {
+  void Consume(const api::Log::Entry& entry) override {
+    fmt::print(stderr, "Fast DDS: {} ({})\n", entry.message, entry.context.category);
+  }
+};
+
+/// Once per process, before the first participant.
+void configure_library() {
+  api::Log::ClearConsumers();
+  api::Log::RegisterConsumer(std::make_unique<PlainLog>());
+  api::Log::SetVerbosity(api::Log::Kind::Error);
+  // Two participants in one process talk like those in two: tests then test the real path.
+  eprosima::fastrtps::LibrarySettingsAttributes settings;
+  settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
+  eprosima::fastrtps::xmlparser::XMLProfileManager::library_settings(settings);
+  // Without this, profiles that the user names (security) would be ignored.
+  api::DomainParticipantFactory::get_instance()->load_profiles();
+}
+
+rtps::Locator_t discovery_locator(int domain, int participant_id) {
+  // OMG DDSI-RTPS 2.3, 9.6.1.1: PB + DG * domain + d1 + PG * participant.
+  const int port = 7400 + 250 * domain + 10 + 2 * participant_id;
+  rtps::Locator_t locator;
+  rtps::IPLocator::createLocator(LOCATOR_KIND_UDPv4, kLoopback, static_cast<std::uint32_t>(port),
+                                 locator);
+  return locator;
+}
+
+api::DomainParticipantQos common_qos(int domain, int participant_id) {
+  static std::once_flag configured;
+  std::call_once(configured, configure_library);
+
+  api::DomainParticipantQos qos;
+  api::DomainParticipantFactory::get_instance()->get_default_participant_qos(qos);
+  const auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
+  udp->interfaceWhiteList.emplace_back(kLoopback);
+  udp->sendBufferSize = kSocketBuffer;
+  udp->receiveBufferSize = kSocketBuffer;
+  qos.transport().use_builtin_transports = false;
+  qos.transport().user_transports.assign(1, udp);
+  qos.wire_protocol().participant_id = participant_id;
+  auto& builtin = qos.wire_protocol().builtin;
+  builtin.metatrafficUnicastLocatorList.push_back(discovery_locator(domain, participant_id));
+  builtin.avoid_builtin_multicast = true;
+  builtin.discovery_config.leaseDuration = to_dds(kParticipantLease);
+  builtin.discovery_config.leaseDuration_announcementperiod = to_dds(kAnnouncementPeriod);
+  return qos;
+}
+
+template <class Qos>
+void set_common_qos(Qos& qos) {
+  qos.reliability().kind = api::RELIABLE_RELIABILITY_QOS;
+  qos.durability().kind = api::TRANSIENT_LOCAL_DURABILITY_QOS;
+  qos.history().kind = api::KEEP_LAST_HISTORY_QOS;
+  qos.history().depth = 1;
+  qos.resource_limits().max_instances = kMaxInstances;
+  qos.resource_limits().max_samples_per_instance = 1;
+  qos.resource_limits().max_samples = kMaxInstances;
+  qos.resource_limits().allocated_samples = 4;
+  qos.liveliness().kind = api::AUTOMATIC_LIVELINESS_QOS;
+  qos.liveliness().lease_duration = to_dds(kLivelinessLease);
+  qos.liveliness().announcement_period = to_dds(kLivelinessPeriod);
+  qos.endpoint().history_memory_policy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+  qos.data_sharing().off();
+}
+
+}  // namespace
+
+Participant Participant::server(int domain, int place) {
+  api::DomainParticipantQos qos = common_qos(domain, place);
+  qos.name("baraka server");
+  return {domain, qos};
+}
+
+Participant Participant::controller(int domain) {
+  // Fast DDS looks for a free port from this id upwards. Two participants in one process must not
+  // begin with the same id, because it is part of their GUIDs.
+  static std::atomic<int> next_id{kPlaces};
+  api::DomainParticipantQos qos = common_qos(domain, next_id++);
+  qos.name("baraka controller");
+  auto& builtin = qos.wire_protocol().builtin;
+  for (int place = 0; place < kPlaces; ++place) {
+    builtin.initialPeersList.push_back(discovery_locator(domain, place));
+  }
+  builtin.discovery_config.initial_announcements.count = 20;
+  builtin.discovery_config.initial_announcements.period = to_dds(std::chrono::milliseconds{20});
+  return {domain, qos};
+}
+
+Participant::Participant(int domain, const api::DomainParticipantQos& qos)
+    : participant_(api::DomainParticipantFactory::get_instance()->create_participant(
+          static_cast<std::uint32_t>(domain), qos)) {
+  if (participant_ == nullptr) {
+    throw std::runtime_error(
+        fmt::format("Fast DDS cannot join domain {} on {}: is another program on its ports?",
+                    domain, kLoopback));
+  }
+  publisher_ = participant_->create_publisher(api::PUBLISHER_QOS_DEFAULT);
+  subscriber_ = participant_->create_subscriber(api::SUBSCRIBER_QOS_DEFAULT);
+  if (publisher_ == nullptr || subscriber_ == nullptr) {
+    throw std::runtime_error("Fast DDS makes no publisher or subscriber");
+  }
+}
+
+Participant::Participant(Participant&& other) noexcept
+    : participant_(std::exchange(other.participant_, nullptr)),
+      publisher_(other.publisher_),
+      subscriber_(other.subscriber_) {}
+
+Participant::~Participant() {
+  if (participant_ == nullptr) return;
+  participant_->delete_contained_entities();
+  api::DomainParticipantFactory::get_instance()->delete_participant(participant_);
+}
+
+api::Topic* Participant::add_topic(const std::string& name, const api::TypeSupport& type) {
+  api::TypeSupport support = type;
+  // A peer of this version crashes when it is told a type with a sequence of structures.
+  support->auto_fill_type_object(false);
+  support->auto_fill_type_information(false);
+  api::Topic* topic = nullptr;
+  if (is_ok(support.register_type(participant_))) {
+    topic = participant_->create_topic(name, support.get_type_name(), api::TOPIC_QOS_DEFAULT);
+  }
+  if (topic == nullptr) throw std::runtime_error("Fast DDS makes no topic " + name);
+  return topic;
+}
+
+void Participant::remove_topic(api::Topic* topic) { participant_->delete_topic(topic); }
+
+api::DataWriterQos writer_qos() {
+  api::DataWriterQos qos = api::DATAWRITER_QOS_DEFAULT;
+  set_common_qos(qos);
+  qos.publish_mode().kind = api::SYNCHRONOUS_PUBLISH_MODE;
+  qos.reliable_writer_qos().times.initialHeartbeatDelay = to_dds(Duration::zero());
+  qos.reliable_writer_qos().times.heartbeatPeriod = to_dds(kHeartbeatPeriod);
+  qos.reliable_writer_qos().times.nackResponseDelay = to_dds(Duration::zero());
+  return qos;
+}
+
+api::DataReaderQos reader_qos() {
+  api::DataReaderQos qos = api::DATAREADER_QOS_DEFAULT;
+  set_common_qos(qos);
+  qos.reliable_reader_qos().times.initialAcknackDelay = to_dds(Duration::zero());
+  qos.reliable_reader_qos().times.heartbeatResponseDelay = to_dds(Duration::zero());
+  return qos;
+}
+
+}  // namespace hal::dds

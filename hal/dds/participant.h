@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string>
+
+#include "hal/dds/fastdds.h"
+#include "hal/types/time.h"
+
+namespace hal::dds {
+
+/// This process's place in a DDS domain: UDP on 127.0.0.1, no multicast, discovery in the form of
+/// a star. Servers sit on the ports of the participant ids 0..7; controllers sit on any others and
+/// announce themselves to those eight. So controllers never meet each other, which keeps the
+/// effort of discovery linear in their number.
+class Participant {
+ public:
+  /// @param place  0..7.
+  /// @throws std::runtime_error  if DDS cannot be opened, e.g. because the port is taken.
+  static Participant server(int domain, int place);
+  static Participant controller(int domain);
+  ~Participant();
+  Participant(Participant&& other) noexcept;
+  Participant(const Participant&) = delete;
+  Participant& operator=(const Participant&) = delete;
+  Participant& operator=(Participant&&) = delete;
+
+  /// A topic of a type; no two endpoints of a participant share one.
+  /// @throws std::runtime_error
+  api::Topic* add_topic(const std::string& name, const api::TypeSupport& type);
+  void remove_topic(api::Topic* topic);
+
+  api::Publisher& publisher() { return *publisher_; }
+  api::Subscriber& subscriber() { return *subscriber_; }
+
+ private:
+  Participant(int domain, const api::DomainParticipantQos& qos);
+
+  api::DomainParticipant* participant_;
+  api::Publisher* publisher_;
+  api::Subscriber* subscriber_;
+};
+
+/// Longest silence of a process on another host before it counts as dead, and how often it is
+/// heard. On the same host ProcessWatch decides.
+inline constexpr Duration kLivelinessLease = std::chrono::milliseconds{1500};
+inline constexpr Duration kLivelinessPeriod = std::chrono::milliseconds{300};
+
+/// The settings of every endpoint; fastdds.md measured each of them to matter.
+api::DataWriterQos writer_qos();
+api::DataReaderQos reader_qos();
+
+}  // namespace hal::dds

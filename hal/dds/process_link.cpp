@@ -1,0 +1,118 @@
+#include "hal/dds/process_link.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "hal/dds/link_parts.h"
+
+namespace hal::dds {
+namespace {
+
+/// A Step without an answer is written again this often. RELIABLE delivers it the first time; this
+/// is for a process that lost its place in the domain meanwhile, e.g. while a debugger held it.
+constexpr Duration kResendAfter = std::chrono::seconds{1};
+
+}  // namespace
+
+std::string step_topic(const std::string& process) { return "baraka/" + process + "/step"; }
+std::string reply_topic(const std::string& process) { return "baraka/" + process + "/reply"; }
+
+ProcessLink::Implementation::Implementation(Participant& participant, LinkSettings settings)
+    : settings_(std::move(settings)),
+      watch_({settings_.hello.host, settings_.hello.pid, settings_.hello.pid_start_time}),
+      steps_(participant, step_topic(settings_.hello.process)),
+      replies_(participant, reply_topic(settings_.hello.process), signal_) {}
+
+Result<void> ProcessLink::Implementation::begin(const exchange::Step& step) {
+  if (is_dead()) return death();
+  callers_sequence_ = step.sequence;
+  step_ = to_wire(step);
+  step_.server(settings_.server);
+  step_.run(settings_.run);
+  step_.sequence_number(++sequence_);
+  return write();
+}
+
+Result<exchange::Reply> ProcessLink::Implementation::finish() {
+  const Deadline deadline(settings_.reply_timeout.value_or(Duration::max()));
+  while (true) {
+    signal_.lower();
+    // The Reply first: a process may end right after its last one.
+    if (auto reply = take_reply()) return std::move(*reply);
+    if (is_dead()) return death();
+    if (deadline.has_passed()) {
+      return fail(Errc::kTimeout,
+                  fmt::format("process '{}' (pid {}) did not answer within {} s", name(),
+                              settings_.hello.pid, to_seconds(*settings_.reply_timeout)));
+    }
+    const std::array awaited{signal_.descriptor(), watch_.descriptor()};
+    if (wait_readable(awaited, std::min(deadline.left(), kResendAfter))) continue;
+    if (auto written = write(); !written) return tl::unexpected(written.error());
+  }
+}
+
+std::optional<exchange::Reply> ProcessLink::Implementation::take_reply() {
+  while (const wire::Reply* sample = replies_.take()) {
+    if (!answers_step(*sample)) {
+      // The second answer to a Step that was written twice is in order.
+      const bool is_echo =
+          sample->run() == settings_.run && sample->sequence_number() == sequence_ - 1;
+      dropped_.stale += is_echo ? 0 : 1;
+      continue;
+    }
+    Result<exchange::Reply> reply = from_wire(*sample);
+    if (!reply) {
+      ++dropped_.malformed;
+      continue;
+    }
+    reply->sequence = callers_sequence_;
+    return std::move(*reply);
+  }
+  return std::nullopt;
+}
+
+bool ProcessLink::Implementation::answers_step(const wire::Reply& reply) const {
+  return reply.server() == settings_.server && reply.process() == settings_.hello.process &&
+         reply.run() == settings_.run && reply.sequence_number() == sequence_;
+}
+
+Result<void> ProcessLink::Implementation::write() {
+  if (steps_.write(step_)) return {};
+  return fail(Errc::kNotConnected, fmt::format("Fast DDS refuses a Step for process '{}'", name()));
+}
+
+Result<void> ProcessLink::Implementation::check_alive() {
+  if (is_dead()) return death();
+  return {};
+}
+
+bool ProcessLink::Implementation::is_dead() {
+  if (watch_.is_local()) return watch_.is_dead();
+  ReaderListener& listener = replies_.listener();
+  silent_ = silent_ || !listener.take_left().empty() || !listener.take_silent().empty();
+  return silent_;
+}
+
+tl::unexpected<Error> ProcessLink::Implementation::death() const {
+  const std::string cause = watch_.is_local()
+                                ? watch_.cause()
+                                : fmt::format("on host {} is silent", settings_.hello.host);
+  return fail(Errc::kNotConnected,
+              fmt::format("process '{}' (pid {}) died: {}", name(), settings_.hello.pid, cause));
+}
+
+ProcessLink::ProcessLink(std::unique_ptr<Implementation> implementation)
+    : implementation_(std::move(implementation)) {}
+ProcessLink::~ProcessLink() = default;
+
+const std::string& ProcessLink::name() const { return implementation_->name(); }
+Result<void> ProcessLink::begin(const exchange::Step& step) { return implementation_->begin(step); }
+Result<exchange::Reply> ProcessLink::finish() { return implementation_->finish(); }
+Result<void> ProcessLink::check_alive() { return implementation_->check_alive(); }
+const DroppedReplies& ProcessLink::dropped() const { return implementation_->dropped(); }
+int ProcessLink::death_descriptor() const { return implementation_->death_descriptor(); }
+
+}  // namespace hal::dds

@@ -1,0 +1,59 @@
+#include "hal/dds/waiting.h"
+
+#include <poll.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <stdexcept>
+#include <vector>
+
+namespace hal::dds {
+namespace {
+
+Duration steady_now() {
+  return std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now().time_since_epoch());
+}
+
+}  // namespace
+
+Signal::Signal() : descriptor_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
+  if (descriptor_ < 0) throw std::runtime_error("no eventfd: too many open files");
+}
+
+Signal::~Signal() { close(descriptor_); }
+
+void Signal::raise() noexcept {
+  // It can only fail when the counter is full, and then the signal is raised.
+  [[maybe_unused]] const int result = eventfd_write(descriptor_, 1);
+}
+
+void Signal::lower() noexcept {
+  eventfd_t count = 0;
+  [[maybe_unused]] const int result = eventfd_read(descriptor_, &count);
+}
+
+bool Signal::is_raised() const { return wait_readable(std::array{descriptor_}, Duration::zero()); }
+
+bool wait_readable(std::span<const int> descriptors, Duration timeout) {
+  std::vector<pollfd> polled;
+  polled.reserve(descriptors.size());
+  for (const int descriptor : descriptors) polled.push_back({descriptor, POLLIN, 0});
+  timespec left{};
+  left.tv_sec = timeout.count() / 1'000'000'000;
+  left.tv_nsec = timeout.count() % 1'000'000'000;
+  const bool for_ever = timeout == Duration::max();
+  return ppoll(polled.data(), polled.size(), for_ever ? nullptr : &left, nullptr) > 0;
+}
+
+Deadline::Deadline(Duration from_now)
+    : end_(from_now == Duration::max() ? from_now : steady_now() + from_now) {}
+
+Duration Deadline::left() const {
+  if (end_ == Duration::max()) return end_;
+  return std::max(end_ - steady_now(), Duration::zero());
+}
+
+}  // namespace hal::dds

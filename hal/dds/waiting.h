@@ -1,0 +1,42 @@
+#pragma once
+
+#include <span>
+
+#include "hal/types/time.h"
+
+namespace hal::dds {
+
+/// A flag that other threads and signal handlers raise and that poll() can wait for.
+class Signal {
+ public:
+  Signal();  ///< @throws std::runtime_error  if the process has too many open files.
+  ~Signal();
+  Signal(const Signal&) = delete;
+  Signal& operator=(const Signal&) = delete;
+
+  void raise() noexcept;  ///< Any thread, also from a signal handler.
+  void lower() noexcept;
+  bool is_raised() const;
+  int descriptor() const { return descriptor_; }
+
+ private:
+  int descriptor_;
+};
+
+/// Waits until one of the descriptors is readable. -1 is skipped.
+/// @param timeout  of the wall clock; Duration::max(): for ever.
+/// @returns whether one is. An interrupting signal handler counts as time that has passed.
+bool wait_readable(std::span<const int> descriptors, Duration timeout);
+
+/// Wall clock for timeouts, never for simulated time.
+class Deadline {
+ public:
+  explicit Deadline(Duration from_now);  ///< Duration::max(): never.
+  Duration left() const;                 ///< 0 once it has passed.
+  bool has_passed() const { return left() <= Duration::zero(); }
+
+ private:
+  Duration end_;  ///< Since the epoch of the steady clock.
+};
+
+}  // namespace hal::dds
