@@ -27,8 +27,7 @@ void Outbox::on_transmitted(const Transmission& transmission) {
   auto entry = outgoing_.extract(transmission.tag);
   if (entry.empty()) return;
   Outgoing& outgoing = entry.mapped();
-  const bool no_answer = transmission.verdict == Verdict::kRetryLimit;
-  if (no_answer && outgoing.next_hop != kEveryone) listener_.on_no_answer(outgoing.next_hop);
+  if (transmission.verdict == Verdict::kRetryLimit) listener_.on_no_answer(outgoing.next_hop);
   if (outgoing.transit) {
     listener_.on_sent(std::move(*outgoing.transit), transmission.verdict);
   }

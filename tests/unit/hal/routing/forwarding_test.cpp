@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "hal/routing/packet.h"
 #include "tests/unit/hal/routing/test_network.h"
 
 namespace hal::routing::test {
@@ -262,6 +263,35 @@ TEST(Forwarding, FramesThatTheLinkRepeatsAreTakenOnce) {
   network.run(1s);
   EXPECT_EQ(network.node(3).messages.size(), 2u);
   EXPECT_EQ(network.sent.size(), 2u);  // the relay did not send it again
+}
+
+// Node 2 knows two ways to 5: over 3 (2 hops) and over 1 and 4 (3 hops).
+TEST(Forwarding, ARelayDoesNotSendBackWhatItGotIfThereIsAnotherWay) {
+  Network network(5, kNoJitter);
+  for (const auto& [a, b] : {std::pair{2, 3}, {3, 5}, {2, 1}, {1, 4}, {4, 5}}) {
+    network.connect(a, b);
+  }
+  network.send(2, 5);
+  network.run(1s);
+  ASSERT_EQ(network.node(2).router->routes("help", id(5)).size(), 2u);
+  network.sent.clear();
+  Data data{.header = {"help", AgentId{99}, id(5), 0}, .id = 1, .transmissions = 1, .payload = {}};
+  for (Sequence i = 1; i <= 100; ++i) {
+    data.header.sequence = i;
+    network.node(2).router->on_frame({.from = id(3)}, encode(data));
+  }
+  ASSERT_EQ(network.sent.size(), 100u);
+  for (const SentFrame& frame : network.sent) EXPECT_EQ(frame.to, id(1));
+}
+
+TEST(Forwarding, NothingRunsAfterTheRouterIsGone) {
+  Network network(1);
+  network.capabilities.tx_status = false;  // or the link itself would report to the router
+  network.send(1, 2);                      // a search with its retries
+  network.node(1).router.reset();
+  network.run(60s);
+  EXPECT_EQ(network.sent.size(), 1u);
+  EXPECT_TRUE(network.node(1).fates.empty());
 }
 
 TEST(Forwarding, EveryReceptionNamesANeighbour) {
