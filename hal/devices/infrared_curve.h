@@ -58,6 +58,9 @@ class InfraredCurve {
   /// output at max_range() (nothing within reach). @return m
   double metres(double volts) const;
 
+  /// The points of a table(); empty: a formula.
+  const std::vector<CurvePoint>& points() const { return points_; }
+
   bool operator==(const InfraredCurve&) const = default;
 
  private:

@@ -1,0 +1,152 @@
+#include "sim/scenario/agents_section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <span>
+
+#include "hal/types/check.h"
+#include "sim/scenario/body_section.h"
+#include "sim/scenario/controller_section.h"
+#include "sim/scenario/fields.h"
+#include "sim/scenario/placement.h"
+
+namespace sim::scenario {
+namespace {
+
+using agents::AgentConfig;
+using hal::AgentId;
+using hal::devices::MoteDescription;
+using hal::devices::RobotDescription;
+
+constexpr std::int64_t kLastAddress = 0xfffe;  // 0xffff is everyone
+
+/// Addresses and names given away so far.
+struct Taken {
+  std::int64_t next = 1;
+  std::set<AgentId> addresses;
+  std::set<std::string> names;
+};
+
+auto read_body(Mapping& in) -> decltype(AgentConfig::body) {
+  const bool robot = in.has("robot");
+  if (robot == in.has("mote")) {
+    in.mistake("", "must have either robot or mote");
+    if (robot) in.mapping("robot");
+    return MoteDescription{};
+  }
+  if (robot) return read_robot(in.mapping("robot"));
+  return read_mote(in.mapping("mote"));
+}
+
+void take_names(Mapping& in, const std::vector<std::string>& names, Taken& taken) {
+  for (const std::string& name : names) {
+    if (taken.names.insert(name).second) continue;
+    in.mistake("name", fmt::format("the name '{}' is taken by another group", name));
+    return;
+  }
+}
+
+/// Addresses for `count` agents, from `address` or the first free one.
+std::vector<AgentId> take_addresses(Mapping& in, std::size_t count, Taken& taken) {
+  const std::int64_t first = in.integer("address", 1, kLastAddress, taken.next);
+  taken.next = first + static_cast<std::int64_t>(count);
+  if (taken.next - 1 > kLastAddress) {
+    in.mistake("address", fmt::format("{} is above the limit of {} for the last of {} agents",
+                                      taken.next - 1, kLastAddress, count));
+    taken.next = 1;
+    return {};
+  }
+  std::vector<AgentId> addresses;
+  bool clash = false;
+  for (std::int64_t address = first; address < taken.next; ++address) {
+    addresses.push_back(AgentId{static_cast<std::uint16_t>(address)});
+    if (taken.addresses.insert(addresses.back()).second || clash) continue;
+    clash = true;
+    in.mistake("address", fmt::format("the address {} is taken by another group", address));
+  }
+  return addresses;
+}
+
+void read_group(const std::string& name, Mapping in, Scenario& scenario, Taken& taken) {
+  Group group{.name = name, .agents = {}, .program = {}, .program_place = {}};
+  const auto body = read_body(in);
+  const std::vector<hal::Pose2> poses = read_poses(in);
+  const std::vector<std::string> names = read_names(in, name, poses.size());
+  take_names(in, names, taken);
+  group.agents = take_addresses(in, poses.size(), taken);
+  std::vector<AgentConfig> agents;
+  for (std::size_t i = 0; i < group.agents.size(); ++i) {
+    agents.push_back({group.agents[i], names[i], poses[i], body, {}, {}});
+  }
+  read_controller(in.mapping("controller"), group, agents);
+  in.finish();
+  auto& all = scenario.simulation.agents;
+  all.insert(all.end(), agents.begin(), agents.end());
+  scenario.groups.push_back(std::move(group));
+}
+
+/// "m{}" if the names are "m0", "m1", …
+std::string name_pattern(std::span<const AgentConfig> agents) {
+  const std::string& first = agents.front().name;
+  if (agents.size() == 1) return first;
+  for (std::size_t hole = first.find('0'); hole != std::string::npos;
+       hole = first.find('0', hole + 1)) {
+    std::string second = first;
+    second[hole] = '1';
+    if (second != agents[1].name) continue;
+    std::string pattern = first;
+    return pattern.replace(hole, 1, "{}");
+  }
+  return first;
+}
+
+void write_group(Writer& out, const Group& group, std::span<const AgentConfig> agents) {
+  out.open(group.name);
+  out.text("name", name_pattern(agents));
+  out.integer("address", agents.front().id.value);
+  if (const auto* robot = std::get_if<RobotDescription>(&agents.front().body)) {
+    write_robot(out, *robot);
+  } else {
+    write_mote(out, std::get<MoteDescription>(agents.front().body));
+  }
+  out.open_list("poses");
+  for (const AgentConfig& agent : agents) {
+    out.open_item();
+    out.number("x", agent.pose.x, "m");
+    out.number("y", agent.pose.y, "m");
+    out.number("yaw", agent.pose.theta, "rad");
+    out.close();
+  }
+  out.close();
+  write_controller(out, group, agents);
+  out.close();
+}
+
+}  // namespace
+
+void read_agents(Mapping in, Scenario& scenario) {
+  Taken taken;
+  const std::vector<std::string> names = in.keys();
+  if (names.empty()) in.mistake("", "there must be at least one group of agents");
+  for (const std::string& name : names) read_group(name, in.mapping(name), scenario, taken);
+  in.finish();
+  std::sort(scenario.simulation.agents.begin(), scenario.simulation.agents.end(),
+            [](const AgentConfig& a, const AgentConfig& b) { return a.id < b.id; });
+}
+
+void write_agents(Writer& out, const Scenario& scenario) {
+  const std::vector<AgentConfig>& all = scenario.simulation.agents;
+  out.open("agents");
+  for (const Group& group : scenario.groups) {
+    const auto first = std::find_if(all.begin(), all.end(), [&](const AgentConfig& agent) {
+      return agent.id == group.agents.front();
+    });
+    BARAKA_CHECK(first != all.end());
+    write_group(out, group, {&*first, group.agents.size()});
+  }
+  out.close();
+}
+
+}  // namespace sim::scenario

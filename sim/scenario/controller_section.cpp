@@ -1,0 +1,123 @@
+#include "sim/scenario/controller_section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "sim/scenario/fields.h"
+#include "sim/scenario/pattern.h"
+
+namespace sim::scenario {
+namespace {
+
+using agents::AgentConfig;
+using hal::exchange::ParameterText;
+
+std::vector<ParameterText> read_parameters(Mapping in) {
+  std::vector<ParameterText> parameters;
+  for (const hal::config::Scalar& scalar : in.scalars()) {
+    parameters.push_back({scalar.key, scalar.text, scalar.place});
+  }
+  return parameters;
+}
+
+void set(std::vector<ParameterText>& parameters, const ParameterText& parameter) {
+  const auto same = std::find_if(parameters.begin(), parameters.end(),
+                                 [&](const auto& other) { return other.name == parameter.name; });
+  if (same == parameters.end()) {
+    parameters.push_back(parameter);
+  } else {
+    *same = parameter;
+  }
+}
+
+/// Patterns of a group that have been applied, to find two for one agent.
+using Overridden = std::map<std::string, std::string>;  // name of an agent -> pattern
+
+void apply_override(Mapping& in, std::span<AgentConfig> agents, Overridden& overridden) {
+  const std::string pattern = in.text("agents");
+  const std::vector<ParameterText> parameters = read_parameters(in.mapping("parameters"));
+  in.finish();
+  bool matched = false;
+  std::string clash;
+  for (AgentConfig& agent : agents) {
+    if (!matches(pattern, agent.name)) continue;
+    matched = true;
+    const auto [first, is_new] = overridden.emplace(agent.name, pattern);
+    if (!is_new && clash.empty()) {
+      clash =
+          fmt::format("'{}' and '{}' overlap: both match {}", first->second, pattern, agent.name);
+    }
+    for (const ParameterText& parameter : parameters) set(agent.parameters, parameter);
+  }
+  if (!clash.empty()) in.mistake("agents", clash);
+  if (!matched && !pattern.empty() && !agents.empty()) {
+    in.mistake("agents", fmt::format("unknown agent: '{}' matches none of this group, {} .. {}",
+                                     pattern, agents.front().name, agents.back().name));
+  }
+}
+
+bool same_value(const AgentConfig& agent, const ParameterText& parameter) {
+  return std::any_of(agent.parameters.begin(), agent.parameters.end(), [&](const auto& other) {
+    return other.name == parameter.name && other.value == parameter.value;
+  });
+}
+
+bool is_common(std::span<const AgentConfig> agents, const ParameterText& parameter) {
+  return std::all_of(agents.begin(), agents.end(),
+                     [&](const AgentConfig& agent) { return same_value(agent, parameter); });
+}
+
+/// The agent's parameters that all agents share, or those that not all share.
+std::vector<ParameterText> selected(std::span<const AgentConfig> agents, const AgentConfig& agent,
+                                    bool common) {
+  std::vector<ParameterText> result;
+  for (const ParameterText& parameter : agent.parameters) {
+    if (is_common(agents, parameter) == common) result.push_back(parameter);
+  }
+  return result;
+}
+
+void write_parameters(Writer& out, const std::vector<ParameterText>& parameters) {
+  out.open("parameters");
+  for (const ParameterText& parameter : parameters) out.text(parameter.name, parameter.value);
+  out.close();
+}
+
+}  // namespace
+
+void read_controller(Mapping in, Group& group, std::span<AgentConfig> agents) {
+  group.program = in.text("program");
+  group.program_place = in.place("program");
+  const auto most = std::max<std::int64_t>(1, static_cast<std::int64_t>(agents.size()));
+  group.processes = static_cast<int>(in.integer("processes", 1, most, 1));
+  const std::vector<ParameterText> parameters = read_parameters(in.mapping("parameters"));
+  for (AgentConfig& agent : agents) {
+    agent.program = group.program;
+    agent.parameters = parameters;
+  }
+  Overridden overridden;
+  for (Mapping& one : in.mappings("overrides")) apply_override(one, agents, overridden);
+  in.finish();
+}
+
+void write_controller(Writer& out, const Group& group, std::span<const AgentConfig> agents) {
+  out.open("controller");
+  out.text("program", group.program);
+  out.integer("processes", group.processes);
+  write_parameters(out, selected(agents, agents.front(), true));
+  out.open_list("overrides");
+  for (const AgentConfig& agent : agents) {
+    const std::vector<ParameterText> own = selected(agents, agent, false);
+    if (own.empty()) continue;
+    out.open_item();
+    out.text("agents", agent.name);
+    write_parameters(out, own);
+    out.close();
+  }
+  out.close();
+  out.close();
+}
+
+}  // namespace sim::scenario

@@ -1,0 +1,149 @@
+#include "sim/scenario/infrared_section.h"
+
+#include <stdexcept>
+
+#include "hal/types/math.h"
+#include "sim/scenario/fields.h"
+
+namespace sim::scenario {
+namespace {
+
+using hal::devices::Converter;
+using hal::devices::CurvePoint;
+using hal::devices::InfraredCurve;
+using hal::devices::InfraredSensor;
+
+constexpr Range kOffset{-10, 10};  // m, from the body's origin
+constexpr Range kAngle{-10, 10};   // rad, more than a full turn either way
+
+template <class Io>
+void sensor_keys(Io& io, InfraredSensor& c) {
+  io.number("height", "m", {0, 10}, c.position.z);
+  io.number("half_angle", "rad", {0, 1.57}, c.half_angle);
+  io.number("noise_sigma", "V", {0, 5}, c.noise_sigma);
+  io.duration("hold_period", {0, 10}, c.hold_period);
+}
+
+template <class Io>
+void converter_keys(Io& io, Converter& c) {
+  io.count("bits", 0, 24, c.bits);
+  io.number("full_scale", "V", {0.1, 100}, c.full_scale);
+}
+
+enum class CurveName { kGp2d12, kGp2d120, kTable };
+const std::vector<Option<CurveName>> kCurves = {
+    {"gp2d12", CurveName::kGp2d12}, {"gp2d120", CurveName::kGp2d120}, {"table", CurveName::kTable}};
+
+InfraredCurve read_table(Mapping& in, const InfraredCurve& otherwise) {
+  std::vector<CurvePoint> points;
+  for (Mapping& point : in.mappings("table")) {
+    points.push_back(
+        {point.number("distance", "m", {1e-3, 100}), point.number("output", "V", {0, 100})});
+    point.finish();
+  }
+  try {
+    return InfraredCurve::table(std::move(points));
+  } catch (const std::invalid_argument& error) {
+    in.mistake("table", error.what());
+    return otherwise;
+  }
+}
+
+InfraredCurve read_curve(Mapping& in, const InfraredCurve& otherwise) {
+  if (!in.has("curve")) return otherwise;
+  switch (in.choice("curve", kCurves)) {
+    case CurveName::kGp2d12:
+      return InfraredCurve::gp2d12();
+    case CurveName::kGp2d120:
+      return InfraredCurve::gp2d120();
+    case CurveName::kTable:
+      break;
+  }
+  return read_table(in, otherwise);
+}
+
+void read_sensor(Mapping& in, InfraredSensor& sensor) {
+  FieldReader reader(in);
+  sensor_keys(reader, sensor);
+  sensor.curve = read_curve(in, sensor.curve);
+  Mapping converter = in.mapping("converter");
+  FieldReader converter_reader(converter);
+  converter_keys(converter_reader, sensor.converter);
+  converter.finish();
+}
+
+void write_curve(Writer& out, const InfraredCurve& curve) {
+  if (curve == InfraredCurve::gp2d12()) return out.text("curve", "gp2d12");
+  if (curve == InfraredCurve::gp2d120()) return out.text("curve", "gp2d120");
+  out.text("curve", "table");
+  out.open_list("table");
+  for (const CurvePoint& point : curve.points()) {
+    out.open_item();
+    out.number("distance", point.metres, "m");
+    out.number("output", point.volts, "V");
+    out.close();
+  }
+  out.close();
+}
+
+void write_sensor(Writer& out, InfraredSensor sensor) {
+  FieldWriter writer(out);
+  out.open_item();
+  out.numbers("position", {sensor.position.x, sensor.position.y}, "m");
+  out.number("heading", sensor.heading, "rad");
+  sensor_keys(writer, sensor);
+  write_curve(out, sensor.curve);
+  out.open("converter");
+  converter_keys(writer, sensor.converter);
+  out.close();
+  out.close();
+}
+
+}  // namespace
+
+Mounting read_mounting(Mapping& in, const std::string& heading_key) {
+  Mounting mounting;
+  const bool polar = in.has("distance") || in.has("bearing");
+  double bearing = 0;
+  if (polar) {
+    const double distance = in.number("distance", "m", {0, kOffset.high});
+    bearing = in.number("bearing", "rad", kAngle);
+    mounting.position = {distance * hal::math::cos(bearing), distance * hal::math::sin(bearing)};
+    in.refuse("position", "is given twice: also by distance and bearing");
+  } else {
+    mounting.position = in.vec2("position", "m", kOffset);
+    bearing = hal::math::atan2(mounting.position.y, mounting.position.x);
+  }
+  mounting.heading = in.number(heading_key, "rad", kAngle, bearing);
+  return mounting;
+}
+
+std::vector<InfraredSensor> read_infrared(Mapping in) {
+  InfraredSensor common;
+  Mapping all = in.mapping("sensor");
+  read_sensor(all, common);
+  all.finish();
+  std::vector<InfraredSensor> sensors;
+  for (Mapping& mount : in.mappings("mounts")) {
+    InfraredSensor sensor = common;
+    read_sensor(mount, sensor);
+    const Mounting mounting = read_mounting(mount, "heading");
+    sensor.position.x = mounting.position.x;
+    sensor.position.y = mounting.position.y;
+    sensor.heading = mounting.heading;
+    sensors.push_back(sensor);
+    mount.finish();
+  }
+  in.finish();
+  return sensors;
+}
+
+void write_infrared(Writer& out, const std::vector<InfraredSensor>& sensors) {
+  out.open("infrared");
+  out.open_list("mounts");
+  for (const InfraredSensor& sensor : sensors) write_sensor(out, sensor);
+  out.close();
+  out.close();
+}
+
+}  // namespace sim::scenario

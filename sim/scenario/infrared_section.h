@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "hal/config/mapping.h"
+#include "hal/config/writer.h"
+#include "hal/devices/robot_description.h"
+
+namespace sim::scenario {
+
+/// Where a part sits on the body and which way it points.
+struct Mounting {
+  hal::Vec2 position;  ///< m, body frame
+  double heading = 0;  ///< rad, body frame
+};
+
+/// `position: [x, y]`, or `distance` and `bearing` from the body's origin.
+/// @param heading_key  key of the heading; absent: the bearing of the position.
+Mounting read_mounting(hal::config::Mapping& in, const std::string& heading_key);
+
+/// `infrared:` of a robot: `sensor`, what all have in common, and `mounts`, one per sensor, which
+/// may deviate.
+std::vector<hal::devices::InfraredSensor> read_infrared(hal::config::Mapping in);
+void write_infrared(hal::config::Writer& out,
+                    const std::vector<hal::devices::InfraredSensor>& sensors);
+
+}  // namespace sim::scenario

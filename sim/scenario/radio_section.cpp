@@ -1,0 +1,208 @@
+#include "sim/scenario/radio_section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+
+#include "sim/scenario/fields.h"
+
+namespace sim::scenario {
+namespace {
+
+using radio::Profile;
+using radio::RadioConfig;
+
+const std::vector<Option<Profile>> kProfiles = {
+    {"mobility_framework", Profile::kMobilityFramework},
+    {"ieee80211b", Profile::kIeee80211b},
+    {"disk", Profile::kDisk},
+    {"ideal", Profile::kIdeal},
+};
+const std::vector<Option<radio::Preamble>> kPreambles = {{"long", radio::Preamble::kLong},
+                                                         {"short", radio::Preamble::kShort}};
+const std::vector<Option<radio::Rounding>> kRoundings = {
+    {"exact", radio::Rounding::kExact}, {"microsecond", radio::Rounding::kMicrosecond}};
+const std::vector<Option<radio::Lengths>> kLengths = {{"bytes", radio::Lengths::kBytes},
+                                                      {"fixed", radio::Lengths::kFixed}};
+const std::vector<Option<radio::ErrorModel>> kErrorModels = {
+    {"mobility_framework", radio::ErrorModel::kMobilityFramework},
+    {"dsss", radio::ErrorModel::kDsss}};
+
+constexpr Range kPowerLevel{-200, 50};      // dBm; thermal noise in 1 Hz is -174
+constexpr Range kTxPower{1e-6, 1e5};        // mW
+constexpr Range kBitRate{1e3, 1e9};         // b/s
+constexpr Range kShortTime{1e-6, 1e-2};     // s
+constexpr std::int64_t kMaxBits = 100'000;  // five times the longest MPDU
+constexpr std::int64_t kMaxWindow = 32'767;
+
+std::string_view name(Profile profile) {
+  return std::find_if(kProfiles.begin(), kProfiles.end(),
+                      [profile](const auto& option) { return option.value == profile; })
+      ->name;
+}
+
+/// Passes on the keys of the profiles for which they mean something.
+template <class Io>
+class Keys {
+ public:
+  using Mask = unsigned;
+  static constexpr Mask kMf = 1, kB = 2, kDisk = 4, kIdeal = 8;
+  static constexpr Mask kWaves = kMf | kB, kRange = kDisk | kIdeal;
+
+  Keys(Io& io, Profile profile) : io_(io), profile_(profile) {}
+
+  bool uses(const std::string& key, Mask mask) {
+    if ((mask & (1U << static_cast<unsigned>(profile_))) != 0) return true;
+    io_.unused(key, fmt::format("is not used by the profile '{}'", name(profile_)));
+    return false;
+  }
+
+ private:
+  Io& io_;
+  Profile profile_;
+};
+
+template <class Io>
+void propagation_keys(Io& io, RadioConfig& c) {
+  using K = Keys<Io>;
+  K keys(io, c.profile);
+  if (keys.uses("tx_power", K::kWaves | K::kDisk)) {
+    io.quantity("tx_power", "mW", kTxPower, c.tx_power);
+  }
+  if (keys.uses("wavelength", K::kWaves)) io.quantity("wavelength", "m", {1e-3, 10}, c.wavelength);
+  if (keys.uses("path_loss_exponent", K::kWaves)) {
+    io.number("path_loss_exponent", "1", {1, 8}, c.path_loss_exponent);
+  }
+  if (keys.uses("propagation_delay", K::kWaves)) io.flag("propagation_delay", c.propagation_delay);
+  if (keys.uses("obstacles", K::kWaves)) io.flag("obstacles", c.obstacles);
+  const auto level = [&](const char* key, hal::Dbm& value) {
+    if (keys.uses(key, K::kWaves)) io.quantity(key, "dBm", kPowerLevel, value);
+  };
+  level("sensitivity", c.sensitivity);
+  level("interference_floor", c.interference_floor);
+  level("noise_floor", c.noise_floor);
+  level("cca_threshold", c.cca_threshold);
+  level("energy_detection", c.energy_detection);
+  if (keys.uses("range", K::kRange)) io.quantity("range", "m", {1e-3, kUnlimited}, c.range);
+}
+
+template <class Io>
+void phy_keys(Io& io, RadioConfig& c) {
+  using K = Keys<Io>;
+  K keys(io, c.profile);
+  const auto rate = [&](const char* key, auto mask, hal::BitsPerSecond& value) {
+    if (keys.uses(key, mask)) io.quantity(key, "b/s", kBitRate, value);
+  };
+  rate("data_rate", K::kWaves | K::kDisk, c.data_rate);
+  rate("control_rate", K::kWaves, c.control_rate);
+  rate("broadcast_rate", K::kWaves, c.broadcast_rate);
+  if (keys.uses("preamble", K::kWaves)) io.choice("preamble", kPreambles, c.preamble);
+  if (keys.uses("rounding", K::kWaves)) io.choice("rounding", kRoundings, c.rounding);
+  io.choice("lengths", kLengths, c.lengths);
+  io.count("fixed_header_bits", 0, kMaxBits, c.fixed_header_bits);
+  io.count("fixed_payload_bits", 0, kMaxBits, c.fixed_payload_bits);
+  if (keys.uses("error_model", K::kWaves)) io.choice("error_model", kErrorModels, c.error_model);
+  if (keys.uses("min_sinr", K::kWaves)) io.quantity("min_sinr", "dB", {-50, 50}, c.min_sinr);
+  if (keys.uses("preamble_window", K::kWaves)) {
+    io.duration("preamble_window", {0, 1e-3}, c.preamble_window);
+  }
+  if (keys.uses("capture_margin", K::kWaves)) {
+    io.optional("capture_margin", "dB", 0, c.capture_margin);
+  }
+}
+
+template <class Io>
+void mac_keys(Io& io, RadioConfig& c) {
+  using K = Keys<Io>;
+  K keys(io, c.profile);
+  const auto time = [&](const char* key, hal::Duration& value) {
+    if (keys.uses(key, K::kWaves)) io.duration(key, kShortTime, value);
+  };
+  const auto count = [&](const char* key, auto mask, Range range, std::uint32_t& value) {
+    const auto low = static_cast<std::int64_t>(range.low);
+    const auto high = static_cast<std::int64_t>(range.high);
+    if (keys.uses(key, mask)) io.count(key, low, high, value);
+  };
+  time("slot", c.slot);
+  time("sifs", c.sifs);
+  count("cw_min", K::kWaves, {0, kMaxWindow}, c.cw_min);
+  count("cw_max", K::kWaves, {0, kMaxWindow}, c.cw_max);
+  count("cw_broadcast", K::kMf, {0, kMaxWindow}, c.cw_broadcast);
+  count("rts_threshold", K::kWaves, {0, 1e6}, c.rts_threshold);
+  count("short_retry_limit", K::kWaves, {1, 255}, c.short_retry_limit);
+  count("long_retry_limit", K::kB, {1, 255}, c.long_retry_limit);
+  count("queue_limit", K::kWaves | K::kDisk, {1, 1e6}, c.queue_limit);
+}
+
+template <class Io>
+void all_keys(Io& io, RadioConfig& c) {
+  propagation_keys(io, c);
+  phy_keys(io, c);
+  mac_keys(io, c);
+}
+
+/// IEEE Std 802.11-2016, 16.2.3.3 and 16.3.2: the rates of DSSS and HR/DSSS.
+bool is_dsss_rate(hal::BitsPerSecond rate) {
+  return rate.value == 1e6 || rate.value == 2e6 || rate.value == 5.5e6 || rate.value == 11e6;
+}
+
+void check_rates(Mapping& in, const RadioConfig& c) {
+  const auto check = [&](const char* key, hal::BitsPerSecond rate) {
+    if (!is_dsss_rate(rate)) in.mistake(key, "must be 1, 2, 5.5 or 11 Mb/s");
+    // IEEE Std 802.11-2016, 16.2.2.3: the short PLCP format starts at 2 Mb/s.
+    if (c.preamble == radio::Preamble::kShort && rate.value == 1e6) {
+      in.mistake(key, "must be above 1 Mb/s with a short preamble");
+    }
+  };
+  check("data_rate", c.data_rate);
+  check("control_rate", c.control_rate);
+  check("broadcast_rate", c.broadcast_rate);
+}
+
+void check_windows(Mapping& in, const RadioConfig& c) {
+  if (c.cw_max < c.cw_min) {
+    in.mistake("cw_max", fmt::format("{} is below cw_min, {}", c.cw_max, c.cw_min));
+  }
+  const auto check = [&](const char* key, std::uint32_t window) {
+    if (!std::has_single_bit(window + 1)) {
+      in.mistake(key, fmt::format("{} is not one less than a power of two", window));
+    }
+  };
+  check("cw_min", c.cw_min);
+  check("cw_max", c.cw_max);
+}
+
+void check(Mapping& in, const RadioConfig& c) {
+  check_rates(in, c);
+  check_windows(in, c);
+  if (c.interference_floor > c.sensitivity) {
+    in.mistake("interference_floor", fmt::format("{} dBm is above the sensitivity, {} dBm",
+                                                 c.interference_floor.value, c.sensitivity.value));
+  }
+}
+
+}  // namespace
+
+RadioConfig read_radio(Mapping in) {
+  in.integer("version", 1, 1, 1);
+  RadioConfig config = radio::profile_defaults(in.choice("profile", kProfiles));
+  FieldReader reader(in);
+  all_keys(reader, config);
+  const bool waves =
+      config.profile == Profile::kMobilityFramework || config.profile == Profile::kIeee80211b;
+  if (waves) check(in, config);
+  in.finish();
+  return config;
+}
+
+void write_radio(Writer& out, const RadioConfig& config) {
+  RadioConfig copy = config;
+  out.open("radio");
+  out.text("profile", name(config.profile));
+  FieldWriter writer(out);
+  all_keys(writer, copy);
+  out.close();
+}
+
+}  // namespace sim::scenario

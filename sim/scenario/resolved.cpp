@@ -1,0 +1,27 @@
+#include "sim/scenario/resolved.h"
+
+#include "hal/config/writer.h"
+#include "sim/scenario/agents_section.h"
+#include "sim/scenario/outcome_section.h"
+#include "sim/scenario/radio_section.h"
+#include "sim/scenario/run_section.h"
+#include "sim/scenario/world_section.h"
+
+namespace sim::scenario {
+
+std::string resolved_yaml(const Scenario& scenario) {
+  hal::config::Writer out;
+  out.integer("version", 1);
+  out.text("name", scenario.name);
+  write_run(out, scenario);
+  write_world(out, scenario.simulation);
+  write_radio(out, scenario.simulation.radio);
+  write_routing(out, scenario.simulation.routing);
+  write_localisation(out, scenario.simulation.localisation);
+  write_agents(out, scenario);
+  write_ends(out, scenario);
+  write_expectations(out, scenario);
+  return out.take();
+}
+
+}  // namespace sim::scenario

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "sim/scenario/scenario.h"
+
+namespace sim::scenario {
+
+/// The scenario as one YAML file without includes, every key written out: what is stored with the
+/// results. load_scenario() reads it back to the same values; only the places differ.
+std::string resolved_yaml(const Scenario& scenario);
+
+}  // namespace sim::scenario

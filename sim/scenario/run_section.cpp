@@ -1,0 +1,64 @@
+#include "sim/scenario/run_section.h"
+
+#include <limits>
+
+#include "sim/scenario/fields.h"
+
+namespace sim::scenario {
+namespace {
+
+using agents::ControlPhase;
+using agents::OnDeath;
+
+const std::vector<Option<ControlPhase>> kPhases = {{"aligned", ControlPhase::kAligned},
+                                                   {"uniform", ControlPhase::kUniform}};
+const std::vector<Option<OnDeath>> kDeaths = {{"fail", OnDeath::kFail},
+                                              {"silence", OnDeath::kSilence}};
+const std::vector<Option<FrameRecord>> kFrames = {{"counts", FrameRecord::kCounts},
+                                                  {"all", FrameRecord::kAll}};
+
+/// What a file that says nothing gets: a controller 10 ms away.
+constexpr hal::Duration kDefaultLatency = 10ms;
+
+template <class Io>
+void run_keys(Io& io, Scenario& scenario) {
+  agents::SimulationConfig& c = scenario.simulation;
+  io.count("seed", 0, std::numeric_limits<std::int64_t>::max(), c.seed);
+  io.duration("controller_latency", {0, 10}, c.controller_latency);
+  io.choice("control_phase", kPhases, c.control_phase);
+  io.duration("control_period", {1e-3, 10}, c.control_period);
+  io.duration("command_timeout", {1e-3, 3600}, c.command_timeout);
+  io.choice("on_death", kDeaths, c.on_death);
+  io.optional_duration("reply_timeout", 1e-3, scenario.reply_timeout);
+  io.duration("wait", {0, 3600}, scenario.wait);
+}
+
+template <class Io>
+void record_keys(Io& io, RecordOptions& c) {
+  io.choice("frames", kFrames, c.frames);
+  io.duration("pose_period", {1e-3, 3600}, c.pose_period);
+}
+
+}  // namespace
+
+void read_run(Mapping& in, Scenario& scenario) {
+  scenario.simulation.controller_latency = kDefaultLatency;
+  FieldReader reader(in);
+  run_keys(reader, scenario);
+  scenario.simulation.world.seed = scenario.simulation.seed;
+  Mapping record = in.mapping("record");
+  FieldReader record_reader(record);
+  record_keys(record_reader, scenario.record);
+  record.finish();
+}
+
+void write_run(Writer& out, const Scenario& scenario) {
+  Scenario copy = scenario;
+  FieldWriter writer(out);
+  run_keys(writer, copy);
+  out.open("record");
+  record_keys(writer, copy.record);
+  out.close();
+}
+
+}  // namespace sim::scenario

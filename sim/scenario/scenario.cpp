@@ -1,0 +1,53 @@
+#include "sim/scenario/scenario.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "hal/config/document.h"
+#include "sim/scenario/agents_section.h"
+#include "sim/scenario/fields.h"
+#include "sim/scenario/outcome_section.h"
+#include "sim/scenario/radio_section.h"
+#include "sim/scenario/run_section.h"
+#include "sim/scenario/world_section.h"
+
+namespace sim::scenario {
+namespace {
+
+/// The name becomes that of the results' folder.
+std::string read_name(Mapping& in, const std::string& otherwise) {
+  const std::string name = in.text("name", otherwise);
+  const bool allowed = std::all_of(name.begin(), name.end(), [](char c) {
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    return letter || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  });
+  if (!allowed) {
+    in.mistake("name", fmt::format("'{}' must be letters, digits, '_' and '-'", name));
+  }
+  return name;
+}
+
+}  // namespace
+
+Scenario load_scenario(const std::filesystem::path& file,
+                       const std::vector<std::string>& overrides) {
+  auto document = hal::config::Document::load(file, overrides);
+  Mapping in = document.root();
+  Scenario scenario;
+  in.integer("version", 1, 1);
+  scenario.name = read_name(in, file.stem().string());
+  read_run(in, scenario);
+  read_world(in.mapping("world"), scenario.simulation);
+  scenario.simulation.radio = read_radio(in.mapping("radio"));
+  scenario.simulation.routing = read_routing(in.mapping("routing"));
+  scenario.simulation.localisation = read_localisation(in.mapping("localisation"));
+  read_agents(in.mapping("agents"), scenario);
+  read_ends(in, scenario);
+  read_expectations(in, scenario);
+  in.finish();
+  document.finish();
+  return scenario;
+}
+
+}  // namespace sim::scenario

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "hal/types/agent_id.h"
+#include "hal/types/quantity.h"
+#include "hal/types/time.h"
+#include "sim/agents/simulation_config.h"
+
+namespace sim::scenario {
+
+using namespace std::chrono_literals;
+
+/// Agents that were declared together: one key under `agents:`.
+struct Group {
+  std::string name;
+  std::vector<hal::AgentId> agents;  ///< In order of declaration, at least one.
+  std::string program;               ///< Controller.
+  std::string program_place;         ///< "file:line:column" of `program`, for error messages.
+  int processes = 1;                 ///< Controller processes that share the agents.
+};
+
+/// The run must end with this result.
+struct ExpectedResult {
+  std::string result;
+};
+
+/// The true distance between two agents at the end of the run must be below a limit.
+struct ExpectedDistance {
+  hal::AgentId from, to;
+  hal::Metres below;
+};
+
+/// One entry of `expect:`.
+struct Expectation {
+  std::variant<ExpectedResult, ExpectedDistance> condition;
+  std::string place;  ///< "file:line:column".
+};
+
+enum class FrameRecord : std::uint8_t {
+  kCounts,  ///< Counts per agent, peer, class and verdict.
+  kAll,     ///< A row for each frame as well.
+};
+
+/// What goes into the results.
+struct RecordOptions {
+  FrameRecord frames = FrameRecord::kCounts;
+  hal::Duration pose_period = 1s;
+};
+
+/// A scenario file with everything that it includes and the overrides of the command line: checked,
+/// in SI units, defaults filled in.
+struct Scenario {
+  std::string name;  ///< `name:`, or the file's without extension.
+  agents::SimulationConfig simulation;
+  std::vector<Group> groups;  ///< In order of declaration.
+  std::vector<Expectation> expectations;
+  std::optional<hal::Duration> reply_timeout = 10s;  ///< None: wait for ever.
+  hal::Duration wait = 30s;                          ///< For the controllers before the start.
+  RecordOptions record;
+};
+
+/// Reads a scenario.
+/// @param overrides  "dotted.path=value" in the file's value syntax; they win over the file, later
+///   ones over earlier ones. A mapping on the right replaces the file's. `include` paths are
+///   relative to the scenario's folder or, failing that, to the working directory.
+/// @throws hal::config::ConfigErrors with every mistake in all files.
+Scenario load_scenario(const std::filesystem::path& file,
+                       const std::vector<std::string>& overrides = {});
+
+}  // namespace sim::scenario
