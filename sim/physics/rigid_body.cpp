@@ -138,6 +138,11 @@ Vec3 rotate(dBodyID body, const Vec3& vector) {
           r[8] * vector.x + r[9] * vector.y + r[10] * vector.z};
 }
 
+void lift(const RigidBody& body, double height) {
+  const dReal* p = dBodyGetPosition(body.body);
+  dBodySetPosition(body.body, p[0], p[1], p[2] + height);
+}
+
 BodyPose pose_of(const RigidBody& body) {
   const dReal* r = dBodyGetRotation(body.body);
   const dReal* q = dBodyGetQuaternion(body.body);

@@ -29,6 +29,9 @@ void set_yaw(dMatrix3 rotation, double yaw);
 /// Takes a vector from the body frame to the world frame.
 hal::Vec3 rotate(dBodyID body, const hal::Vec3& vector);
 
+/// Moves a body straight up. m
+void lift(const RigidBody& body, double height);
+
 BodyPose pose_of(const RigidBody& body);
 BodyVelocity velocity_of(const RigidBody& body);
 

@@ -147,10 +147,12 @@ void World::add_wall(const StaticBox& wall) {
 }
 
 void World::add_mote(AgentId agent, const hal::devices::MoteDescription& mote,
-                     const hal::Pose2& pose) {
+                     const hal::Pose2& pose, double height) {
+  require(height >= 0 && std::isfinite(height), "mote height [m]", height, "0 or more");
   Object& object = implementation_->insert(agent);
   Geometries geometries;
   object.rigid = make_mote(implementation_->ode, mote, pose, geometries);
+  lift(object.rigid, height);
   object.bodies = {object.rigid.body};
   object.friction = mote.friction;
   implementation_->furnish(object, Solid::Kind::kMote, geometries);

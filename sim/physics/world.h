@@ -41,8 +41,8 @@ struct StaticBox {
   double friction = 0.6;
 };
 
-/// Where a body is. Its origin is the point that stood on the ground at the start: the middle of a
-/// robot's footprint, of a mote's lower face.
+/// Where a body is. Its origin is the middle of a robot's footprint, of the face on which a mote
+/// stood at the start.
 struct BodyPose {
   hal::Vec3 position;                            ///< m, of the origin, world frame
   double heading = 0;                            ///< rad, of the body's x axis seen from above
@@ -89,7 +89,9 @@ class World {
   /// Before the first step. @throws std::invalid_argument  a size, mass or wheel that is not
   /// possible, or an agent that is there already or is 0.
   void add_wall(const StaticBox& wall);
-  void add_mote(AgentId agent, const hal::devices::MoteDescription& mote, const hal::Pose2& pose);
+  /// @param height  m, of the mote's lower face at the start; above 0 it stands on a box or falls.
+  void add_mote(AgentId agent, const hal::devices::MoteDescription& mote, const hal::Pose2& pose,
+                double height = 0);
   void add_robot(AgentId agent, const hal::devices::RobotDescription& robot,
                  const hal::Pose2& pose);
 
