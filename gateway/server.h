@@ -24,10 +24,11 @@ struct ProcessSummary {
   std::int64_t pid = 0;
   std::vector<std::string> agents;
   std::uint64_t exchanges = 0;
-  std::uint64_t foreign_actions = 0;    ///< Dropped: for an agent the process was not granted.
-  std::uint64_t malformed_actions = 0;  ///< Dropped: not a number, too long, no such event.
-  std::uint64_t stale_replies = 0;      ///< Dropped: an old or unknown sequence number.
-  std::uint64_t malformed_replies = 0;  ///< Dropped: values outside their enumerations.
+  std::uint64_t foreign_actions = 0;  ///< Dropped: for an agent the process was not granted …
+  std::vector<hal::AgentId> foreign_agents;  ///< … these, in order of appearance.
+  std::uint64_t malformed_actions = 0;       ///< Dropped: not a number, too long, no such event.
+  std::uint64_t stale_replies = 0;           ///< Dropped: an old or unknown sequence number.
+  std::uint64_t malformed_replies = 0;       ///< Dropped: values outside their enumerations.
 };
 
 struct GatewaySummary {
@@ -46,7 +47,7 @@ std::vector<std::string> complaints(const GatewaySummary& summary);
 ///   … run the host: its ports are remote now …
 ///   for (const std::string& line : complaints(server.summary())) …
 ///
-/// The host keeps ports of this server: it must not exchange after the server is gone. One thread.
+/// The host keeps ports of this server; their exchanges fail once the server is gone. One thread.
 class AgentServer {
  public:
   /// @throws std::runtime_error  if DDS cannot be opened.

@@ -1,0 +1,144 @@
+#include "gateway/admission.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace gateway {
+namespace {
+
+using hal::exchange::AgentOffer;
+using hal::exchange::Hello;
+using hal::exchange::Session;
+
+const char* name_of(hal::AgentKind kind) {
+  return kind == hal::AgentKind::kRobot ? "robot" : "mote";
+}
+
+bool asks_for(const Hello& hello, const std::string& name) {
+  return std::ranges::any_of(hello.patterns, [&](const auto& p) { return matches(p, name); });
+}
+
+}  // namespace
+
+bool matches(std::string_view pattern, std::string_view name) {
+  std::size_t p = 0, n = 0;
+  std::size_t star = std::string_view::npos, resume = 0;
+  while (n < name.size()) {
+    if (p < pattern.size() && pattern[p] == '*') {
+      star = p++;
+      resume = n;
+    } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n])) {
+      ++p, ++n;
+    } else if (star != std::string_view::npos) {
+      // The last star takes one character more; earlier ones never need to.
+      p = star + 1;
+      n = ++resume;
+    } else {
+      return false;
+    }
+  }
+  return pattern.find_first_not_of('*', p) == std::string_view::npos;
+}
+
+Admission::Admission(std::vector<AgentOffer> offers, std::uint64_t run) : run_(run) {
+  std::ranges::sort(offers, {}, [](const AgentOffer& offer) { return offer.session.agent; });
+  for (AgentOffer& offer : offers) places_.push_back({std::move(offer), {}});
+}
+
+Session Admission::decide(const Hello& hello) {
+  const auto known = granted_.find(hello.instance);
+  if (known != granted_.end()) return known->second;
+  const std::string refusal = refusal_of(hello);
+  if (refusal.empty()) return grant(hello);
+  Session session;
+  session.instance = hello.instance;
+  session.run = run_;
+  session.refusal = refusal;
+  return session;
+}
+
+std::string Admission::refusal_of(const Hello& hello) const {
+  if (hello.version != hal::exchange::kProtocolVersion) {
+    return fmt::format("protocol version {}; this server speaks {}", hello.version,
+                       hal::exchange::kProtocolVersion);
+  }
+  if (closed_) return "the run has begun; nobody joins it";
+  if (hello.process.empty()) return "the process has no name";
+  for (const auto& [instance, name] : process_names_) {
+    if (name == hello.process) return fmt::format("another process is called '{}'", name);
+  }
+  if (std::string unknown = unknown_in(hello); !unknown.empty()) return unknown;
+  for (const Place& place : places_) {
+    if (!asks_for(hello, place.offer.session.name)) continue;
+    if (std::string reason = objection(place, hello); !reason.empty()) return reason;
+  }
+  return {};
+}
+
+std::string Admission::unknown_in(const Hello& hello) const {
+  if (hello.patterns.empty()) return "it asks for no agent";
+  for (const std::string& pattern : hello.patterns) {
+    const bool fits_one = std::ranges::any_of(
+        places_, [&](const Place& place) { return matches(pattern, place.offer.session.name); });
+    if (!fits_one) return fmt::format("unknown agent '{}'", pattern);
+  }
+  return {};
+}
+
+std::string Admission::objection(const Place& place, const Hello& hello) const {
+  const auto& [session, program] = place.offer;
+  if (!place.holder.empty()) {
+    return fmt::format("agent '{}' is taken by process '{}'", session.name,
+                       process_names_.at(place.holder));
+  }
+  if (!program.empty() && program != hello.program) {
+    return fmt::format("agent '{}' is for program '{}', not '{}'", session.name, program,
+                       hello.program);
+  }
+  if (!hello.both_kinds && hello.kind != session.kind) {
+    return fmt::format("agent '{}' is a {}; '{}' drives a {}", session.name, name_of(session.kind),
+                       hello.program, name_of(hello.kind));
+  }
+  const auto granted = hal::exchange::session_for(place.offer, hello.wants);
+  return granted ? std::string() : granted.error().message;
+}
+
+Session Admission::grant(const Hello& hello) {
+  Session session;
+  session.instance = hello.instance;
+  session.run = run_;
+  for (Place& place : places_) {
+    if (!asks_for(hello, place.offer.session.name)) continue;
+    place.holder = hello.instance;
+    session.agents.push_back(*hal::exchange::session_for(place.offer, hello.wants));
+  }
+  process_names_[hello.instance] = hello.process;
+  granted_[hello.instance] = session;
+  return session;
+}
+
+void Admission::release(const std::string& instance) {
+  for (Place& place : places_) {
+    if (place.holder == instance) place.holder.clear();
+  }
+  granted_.erase(instance);
+  process_names_.erase(instance);
+}
+
+bool Admission::is_complete() const {
+  return std::ranges::none_of(places_, [](const Place& place) { return place.holder.empty(); });
+}
+
+std::vector<std::string> Admission::missing() const {
+  std::vector<std::string> names;
+  for (const Place& place : places_) {
+    if (!place.holder.empty()) continue;
+    const auto& [session, program] = place.offer;
+    names.push_back(program.empty() ? session.name : fmt::format("{} ({})", session.name, program));
+  }
+  return names;
+}
+
+}  // namespace gateway

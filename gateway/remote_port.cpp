@@ -1,0 +1,84 @@
+#include "gateway/remote_port.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+namespace gateway {
+namespace {
+
+tl::unexpected<hal::Error> disconnected() {
+  return hal::fail(hal::Errc::kNotConnected, "the server of the controllers has ended");
+}
+
+}  // namespace
+
+using hal::exchange::Action;
+using hal::exchange::Event;
+using hal::exchange::Reply;
+using hal::exchange::Step;
+
+RemotePort::RemotePort(std::unique_ptr<hal::dds::ProcessLink> link,
+                       const hal::exchange::Hello& hello, const hal::exchange::Session& session,
+                       std::function<void(hal::Time)> before_begin)
+    : link_(std::move(link)), granted_(session.agents), before_begin_(std::move(before_begin)) {
+  summary_.name = hello.process;
+  summary_.pid = hello.pid;
+  for (const auto& agent : granted_) summary_.agents.push_back(agent.name);
+}
+
+hal::Result<void> RemotePort::begin(const Step& step) {
+  if (!link_) return disconnected();
+  before_begin_(step.events.empty() ? step.until : step.events.front().time);
+  asked_.clear();
+  for (const Event& event : step.events) asked_.push_back({event.agent, event.time});
+  if (auto begun = link_->begin(step); !begun) return with_agents(begun.error());
+  return {};
+}
+
+hal::Result<Reply> RemotePort::finish() {
+  if (!link_) return disconnected();
+  hal::Result<Reply> reply = link_->finish();
+  if (!reply) return with_agents(reply.error());
+  ++summary_.exchanges;
+  std::erase_if(reply->actions, [this](const Action& action) { return !is_good(action); });
+  return reply;
+}
+
+hal::Result<void> RemotePort::check_alive() {
+  if (!link_) return disconnected();
+  if (auto alive = link_->check_alive(); !alive) return with_agents(alive.error());
+  return {};
+}
+
+bool RemotePort::is_good(const Action& action) {
+  const ActionVerdict verdict = judge(action, granted_, asked_);
+  if (verdict == ActionVerdict::kMalformed) ++summary_.malformed_actions;
+  if (verdict == ActionVerdict::kForeign) {
+    ++summary_.foreign_actions;
+    auto& agents = summary_.foreign_agents;
+    if (std::ranges::find(agents, action.agent) == agents.end()) agents.push_back(action.agent);
+  }
+  return verdict == ActionVerdict::kGood;
+}
+
+tl::unexpected<hal::Error> RemotePort::with_agents(const hal::Error& error) const {
+  return hal::fail(
+      error.code, fmt::format("{}; it drives {}", error.message, fmt::join(summary_.agents, ", ")));
+}
+
+void RemotePort::disconnect() {
+  summary_ = summary();
+  link_.reset();
+}
+
+ProcessSummary RemotePort::summary() const {
+  ProcessSummary summary = summary_;
+  if (!link_) return summary;
+  summary.stale_replies = link_->dropped().stale;
+  summary.malformed_replies = link_->dropped().malformed;
+  return summary;
+}
+
+}  // namespace gateway

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gateway/action_check.h"
+#include "gateway/server.h"
+#include "hal/dds/process_link.h"
+
+namespace gateway {
+
+/// The port of a host to one controller process: a link whose Replies are judged action by action.
+class RemotePort : public hal::exchange::ControllerPort {
+ public:
+  /// @param before_begin  called with the time of each Step before it is sent.
+  RemotePort(std::unique_ptr<hal::dds::ProcessLink> link, const hal::exchange::Hello& hello,
+             const hal::exchange::Session& session, std::function<void(hal::Time)> before_begin);
+
+  const std::string& name() const override { return summary_.name; }
+  hal::Result<void> begin(const hal::exchange::Step& step) override;
+  hal::Result<hal::exchange::Reply> finish() override;
+  hal::Result<void> check_alive() override;
+
+  ProcessSummary summary() const;
+
+  /// Lets go of the server, which may end before the host that holds this port. Every exchange
+  /// fails from now on.
+  void disconnect();
+
+ private:
+  bool is_good(const hal::exchange::Action& action);
+  tl::unexpected<hal::Error> with_agents(const hal::Error& error) const;
+
+  std::unique_ptr<hal::dds::ProcessLink> link_;  ///< Null once disconnected.
+  std::vector<hal::exchange::AgentSession> granted_;
+  std::function<void(hal::Time)> before_begin_;
+  std::vector<Asked> asked_;  ///< The events of the Step under way.
+  ProcessSummary summary_;
+};
+
+}  // namespace gateway

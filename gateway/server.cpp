@@ -1,0 +1,174 @@
+#include "gateway/server.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "gateway/admission.h"
+#include "gateway/remote_port.h"
+#include "hal/dds/server.h"
+#include "hal/dds/waiting.h"
+#include "hal/types/log.h"
+
+namespace gateway {
+namespace {
+
+using hal::exchange::Hello;
+using hal::exchange::Session;
+
+/// How often gather() asks whether to go on.
+constexpr hal::Duration kAskEvery = std::chrono::milliseconds{100};
+
+void log(hal::log::Level level, hal::Time at, const std::string& text) {
+  hal::log::write(level, at, "gateway", text);
+}
+
+}  // namespace
+
+class AgentServer::Implementation {
+ public:
+  Implementation(hal::dds::DomainHold hold, hal::exchange::AgentHost& host,
+                 const ServerSettings& settings)
+      : host_(host),
+        settings_(settings),
+        server_(std::move(hold)),
+        admission_(host.offers(), settings.run) {}
+  ~Implementation() {
+    for (const auto& port : ports_) port->disconnect();
+  }
+  Implementation(const Implementation&) = delete;
+  Implementation& operator=(const Implementation&) = delete;
+
+  int domain() const { return server_.domain(); }
+  hal::Result<void> gather(const std::function<hal::Result<void>()>& keep_waiting);
+  GatewaySummary summary() const;
+
+ private:
+  /// A process that was granted agents, until the run begins.
+  struct Candidate {
+    Hello hello;
+    Session session;
+    std::unique_ptr<hal::dds::ProcessLink> link;
+  };
+
+  void attend(hal::Duration timeout, hal::Time now);
+  void answer(const Hello& hello, hal::Time now);
+  void note_refusal(const Hello& hello, const std::string& reason, hal::Time now);
+  void release_dead();
+  void connect_all();
+  std::vector<int> death_descriptors() const;
+
+  hal::exchange::AgentHost& host_;
+  ServerSettings settings_;
+  hal::dds::Server server_;
+  Admission admission_;
+  std::map<std::string, Candidate> candidates_;  ///< By instance.
+  std::vector<std::shared_ptr<RemotePort>> ports_;
+  std::vector<std::string> refusals_;
+};
+
+hal::Result<void> AgentServer::Implementation::gather(
+    const std::function<hal::Result<void>()>& keep_waiting) {
+  const hal::dds::Deadline deadline(settings_.wait);
+  while (!admission_.is_complete()) {
+    attend(std::min(deadline.left(), kAskEvery), hal::Time{});
+    release_dead();
+    if (admission_.is_complete()) break;
+    if (auto allowed = keep_waiting(); !allowed) return allowed;
+    if (!deadline.has_passed()) continue;
+    return hal::fail(hal::Errc::kTimeout, fmt::format("no controller within {} s for {}",
+                                                      hal::to_seconds(settings_.wait),
+                                                      fmt::join(admission_.missing(), ", ")));
+  }
+  connect_all();
+  return {};
+}
+
+void AgentServer::Implementation::attend(hal::Duration timeout, hal::Time now) {
+  for (const Hello& hello : server_.hellos(timeout, death_descriptors())) answer(hello, now);
+}
+
+void AgentServer::Implementation::answer(const Hello& hello, hal::Time now) {
+  const Session session = admission_.decide(hello);
+  if (!session.refusal.empty()) {
+    note_refusal(hello, session.refusal, now);
+  } else if (ports_.empty() && !candidates_.contains(hello.instance)) {
+    auto link = server_.link(hello, settings_.run, settings_.reply_timeout);
+    candidates_[hello.instance] = {hello, session, std::move(link)};
+  }
+  if (auto sent = server_.answer(session); !sent) {
+    log(hal::log::Level::kWarning, now, sent.error().message);
+  }
+}
+
+void AgentServer::Implementation::note_refusal(const Hello& hello, const std::string& reason,
+                                               hal::Time now) {
+  refusals_.push_back(fmt::format("process '{}' (pid {}): {}", hello.process, hello.pid, reason));
+  log(hal::log::Level::kWarning, now, "refused " + refusals_.back());
+}
+
+void AgentServer::Implementation::release_dead() {
+  std::erase_if(candidates_, [this](const auto& entry) {
+    const auto alive = entry.second.link->check_alive();
+    if (alive) return false;
+    log(hal::log::Level::kWarning, hal::Time{},
+        alive.error().message + "; its agents are free again");
+    admission_.release(entry.first);
+    return true;
+  });
+}
+
+std::vector<int> AgentServer::Implementation::death_descriptors() const {
+  std::vector<int> descriptors;
+  for (const auto& [instance, candidate] : candidates_) {
+    descriptors.push_back(candidate.link->death_descriptor());
+  }
+  return descriptors;
+}
+
+void AgentServer::Implementation::connect_all() {
+  admission_.close();
+  std::vector<Candidate> candidates;
+  for (auto& [instance, candidate] : candidates_) candidates.push_back(std::move(candidate));
+  candidates_.clear();
+  // Not by arrival: the run must not depend on which process was first.
+  std::ranges::sort(candidates, {},
+                    [](const Candidate& c) { return c.session.agents.front().agent; });
+  for (Candidate& candidate : candidates) {
+    std::vector<hal::AgentId> agents;
+    for (const auto& agent : candidate.session.agents) agents.push_back(agent.agent);
+    // Latecomers are refused between exchanges, on this thread: no locks, and no process waits
+    // longer for its answer than one exchange takes.
+    auto port = std::make_shared<RemotePort>(std::move(candidate.link), candidate.hello,
+                                             candidate.session, [this](hal::Time now) {
+                                               if (server_.has_hellos())
+                                                 attend(hal::Duration::zero(), now);
+                                             });
+    ports_.push_back(port);
+    host_.connect(std::move(port), agents, candidate.hello.wants);
+  }
+}
+
+GatewaySummary AgentServer::Implementation::summary() const {
+  GatewaySummary summary;
+  for (const auto& port : ports_) summary.processes.push_back(port->summary());
+  summary.refusals = refusals_;
+  return summary;
+}
+
+AgentServer::AgentServer(hal::dds::DomainHold hold, hal::exchange::AgentHost& host,
+                         const ServerSettings& settings)
+    : implementation_(std::make_unique<Implementation>(std::move(hold), host, settings)) {}
+AgentServer::~AgentServer() = default;
+
+int AgentServer::domain() const { return implementation_->domain(); }
+
+hal::Result<void> AgentServer::gather(const std::function<hal::Result<void>()>& keep_waiting) {
+  return implementation_->gather(keep_waiting);
+}
+
+GatewaySummary AgentServer::summary() const { return implementation_->summary(); }
+
+}  // namespace gateway

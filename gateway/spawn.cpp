@@ -1,0 +1,180 @@
+#include "gateway/spawn.h"
+
+#include <fcntl.h>
+#include <fmt/core.h>
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/syscall.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <stdexcept>
+
+namespace gateway {
+namespace {
+
+constexpr std::chrono::seconds kGrace{2};
+
+/// Everything a child needs, made before the fork: between fork and exec only calls that are safe
+/// in a signal handler are allowed, because other threads may have held locks.
+struct Prepared {
+  std::string program;
+  std::vector<std::string> strings;
+  std::vector<char*> arguments;
+  std::vector<std::string> variables;
+  std::vector<char*> environment;
+  int log = -1;
+  pid_t parent = 0;
+};
+
+std::vector<char*> pointers_to(std::vector<std::string>& strings) {
+  std::vector<char*> pointers;
+  pointers.reserve(strings.size() + 1);
+  for (std::string& text : strings) pointers.push_back(text.data());
+  pointers.push_back(nullptr);
+  return pointers;
+}
+
+std::vector<std::string> environment_for(int domain) {
+  constexpr std::string_view kVariable = "BARAKA_DOMAIN=";
+  std::vector<std::string> variables;
+  for (char** entry = environ; *entry != nullptr; ++entry) {
+    if (!std::string_view(*entry).starts_with(kVariable)) variables.emplace_back(*entry);
+  }
+  variables.push_back(std::string(kVariable) + std::to_string(domain));
+  return variables;
+}
+
+void prepare(const Command& command, Prepared& prepared) {
+  prepared.program = command.program.string();
+  prepared.strings = command.arguments;
+  prepared.strings.insert(prepared.strings.begin(), prepared.program);
+  prepared.arguments = pointers_to(prepared.strings);
+  prepared.variables = environment_for(command.domain);
+  prepared.environment = pointers_to(prepared.variables);
+  prepared.parent = getpid();
+  prepared.log = open(command.log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
+  if (prepared.log < 0) {
+    throw std::runtime_error(fmt::format("{}: {}", command.log.string(), std::strerror(errno)));
+  }
+}
+
+/// In the child. Writes errno to `report` if the program cannot be started.
+[[noreturn]] void become(const Prepared& prepared, int report) {
+  setpgid(0, 0);
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != prepared.parent) _exit(127);  // The parent died before the line above.
+  sigset_t none;
+  sigemptyset(&none);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+  const int input = open("/dev/null", O_RDONLY);
+  dup2(input, STDIN_FILENO);
+  dup2(prepared.log, STDOUT_FILENO);
+  dup2(prepared.log, STDERR_FILENO);
+  execve(prepared.program.c_str(), prepared.arguments.data(), prepared.environment.data());
+  const int error = errno;
+  [[maybe_unused]] const ssize_t written = write(report, &error, sizeof error);
+  _exit(127);
+}
+
+/// The child's errno, or 0 once exec has closed its end.
+int exec_error(int report) {
+  int error = 0;
+  while (read(report, &error, sizeof error) < 0 && errno == EINTR) continue;
+  return error;
+}
+
+pid_t fork_and_exec(const Prepared& prepared) {
+  int report[2];
+  if (pipe2(report, O_CLOEXEC) != 0) throw std::runtime_error("no pipe: too many open files");
+  const pid_t pid = fork();
+  if (pid == 0) become(prepared, report[1]);
+  const int fork_error = pid < 0 ? errno : 0;
+  close(report[1]);
+  const int error = fork_error != 0 ? fork_error : exec_error(report[0]);
+  close(report[0]);
+  if (error == 0) return pid;
+  if (pid > 0) waitpid(pid, nullptr, 0);
+  throw std::runtime_error(
+      fmt::format("cannot start {}: {}", prepared.program, std::strerror(error)));
+}
+
+bool has_ended(int descriptor, int timeout_ms) {
+  pollfd polled{descriptor, POLLIN, 0};
+  return poll(&polled, 1, timeout_ms) > 0;
+}
+
+/// Leaves the process to be reaped later. @pre it has ended.
+Ending ending_of(const std::string& name, pid_t pid) {
+  siginfo_t info{};
+  while (waitid(P_PID, static_cast<id_t>(pid), &info, WEXITED | WNOWAIT) != 0 && errno == EINTR) {
+    continue;
+  }
+  if (info.si_code == CLD_EXITED) {
+    return {name, pid, info.si_status, fmt::format("exited with status {}", info.si_status)};
+  }
+  return {name, pid, 128 + info.si_status, fmt::format("killed by signal {}", info.si_status)};
+}
+
+}  // namespace
+
+Spawner::~Spawner() { stop_all(); }
+
+pid_t Spawner::start(const Command& command) {
+  Prepared prepared;
+  prepare(command, prepared);
+  pid_t pid = -1;
+  try {
+    pid = fork_and_exec(prepared);
+  } catch (...) {
+    close(prepared.log);
+    throw;
+  }
+  close(prepared.log);
+  setpgid(pid, pid);  // Also here: the child may not have come to it. Fails once it has.
+  const int descriptor = static_cast<int>(syscall(SYS_pidfd_open, pid, 0));
+  children_.push_back({command.program.filename().string(), command.log, pid, descriptor});
+  return pid;
+}
+
+hal::Result<void> Spawner::check() const {
+  for (const Child& child : children_) {
+    if (!has_ended(child.descriptor, 0)) continue;
+    return hal::fail(hal::Errc::kNotConnected,
+                     fmt::format("{} (pid {}) {}; see {}", child.name, child.pid,
+                                 ending_of(child.name, child.pid).cause, child.log.string()));
+  }
+  return {};
+}
+
+void Spawner::wait_all(hal::Duration timeout) {
+  const auto end = std::chrono::steady_clock::now() + timeout;
+  for (const Child& child : children_) {
+    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
+        end - std::chrono::steady_clock::now());
+    has_ended(child.descriptor, static_cast<int>(std::max<std::int64_t>(left.count(), 0)));
+  }
+}
+
+std::vector<Ending> Spawner::stop_all() {
+  for (const Child& child : children_) {
+    if (!has_ended(child.descriptor, 0)) kill(child.pid, SIGTERM);
+  }
+  wait_all(kGrace);
+  std::vector<Ending> endings;
+  for (const Child& child : children_) {
+    if (!has_ended(child.descriptor, 0)) kill(child.pid, SIGKILL);
+    endings.push_back(ending_of(child.name, child.pid));  // Waits until it has ended.
+    waitpid(child.pid, nullptr, 0);
+    close(child.descriptor);
+  }
+  children_.clear();
+  return endings;
+}
+
+}  // namespace gateway
