@@ -24,8 +24,13 @@ struct Progress {
 class Pace {
  public:
   virtual ~Pace() = default;
-  /// Before the events of `next` run. @return false to end the run here.
-  virtual bool may_go_on(hal::Time next, const Progress& progress) = 0;
+  enum class Verdict : std::uint8_t {
+    kGoOn,
+    kAskAgain,  ///< It has waited a while; the simulation looks whether the controllers live.
+    kBreakOff,
+  };
+  /// Before the events of `next` run.
+  virtual Verdict may_go_on(hal::Time next, const Progress& progress) = 0;
 };
 
 /// How a run ended.

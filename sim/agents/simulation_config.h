@@ -29,19 +29,11 @@ enum class OnDeath : std::uint8_t {
   kSilence,  ///< Its agents stop driving after the command timeout; their radios live on.
 };
 
-/// A static, upright box. Dimensions along its own x, y and z; it stands on the ground.
-struct Wall {
-  std::string name;
-  hal::Vec2 centre;  ///< m
-  hal::Vec3 size;    ///< m
-  double yaw = 0;    ///< rad
-};
-
 struct AgentConfig {
   hal::AgentId id;  ///< 1 … 0xfffe
   std::string name;
   hal::Pose2 pose;  ///< At time 0, world frame.
-  std::variant<hal::MoteDescription, hal::RobotDescription> body;
+  std::variant<hal::devices::MoteDescription, hal::devices::RobotDescription> body;
   std::string program;  ///< Controller.
   std::vector<hal::exchange::ParameterText> parameters;
 };
@@ -68,7 +60,7 @@ struct SimulationConfig {
   hal::Duration command_timeout{500'000'000};
   OnDeath on_death = OnDeath::kFail;
   physics::WorldConfig world;
-  std::vector<Wall> walls;
+  std::vector<physics::StaticBox> walls;
   radio::RadioConfig radio;
   hal::routing::RoutingConfig routing;
   LocalisationConfig localisation;

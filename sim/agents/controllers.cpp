@@ -1,0 +1,92 @@
+#include "sim/agents/controllers.h"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "hal/types/check.h"
+
+namespace sim::agents {
+namespace {
+
+constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+
+}  // namespace
+
+void Controllers::connect(std::shared_ptr<hal::exchange::ControllerPort> port,
+                          const std::vector<hal::AgentId>& agents) {
+  for (const hal::AgentId agent : agents) {
+    BARAKA_CHECK(!is_connected(agent));
+    if (agent.value >= port_of_.size()) port_of_.resize(agent.value + 1u, kNone);
+    port_of_[agent.value] = ports_.size();
+  }
+  ports_.push_back({.port = std::move(port), .agents = agents, .step = {}});
+}
+
+bool Controllers::is_connected(hal::AgentId agent) const {
+  return agent.value < port_of_.size() && port_of_[agent.value] != kNone;
+}
+
+const std::string& Controllers::process_of(hal::AgentId agent) const {
+  BARAKA_CHECK(is_connected(agent));
+  return port_name(port_of_[agent.value]);
+}
+
+Controllers::Round Controllers::exchange(std::vector<hal::exchange::Event> events,
+                                         hal::Time until) {
+  for (hal::exchange::Event& event : events) {
+    Connection& connection = ports_[port_of_[event.agent.value]];
+    if (!connection.dropped) connection.step.events.push_back(std::move(event));
+  }
+  Round round;
+  std::vector<std::size_t> waiting;
+  for (std::size_t i = 0; i < ports_.size(); ++i) {
+    Connection& connection = ports_[i];
+    if (connection.step.events.empty()) continue;
+    connection.step.sequence = ++connection.sequence;
+    connection.step.until = until;
+    if (auto begun = connection.port->begin(connection.step)) {
+      waiting.push_back(i);
+    } else {
+      round.failures.push_back({i, begun.error()});
+    }
+  }
+  for (const std::size_t i : waiting) {
+    auto reply = ports_[i].port->finish();
+    if (reply) {
+      ++exchanges_;
+      sort_out(ports_[i], std::move(*reply), round);
+    } else {
+      round.failures.push_back({i, reply.error()});
+    }
+  }
+  for (Connection& connection : ports_) connection.step.events.clear();
+  std::stable_sort(round.answers.begin(), round.answers.end(),
+                   [](const auto& a, const auto& b) { return a.action.agent < b.action.agent; });
+  return round;
+}
+
+void Controllers::sort_out(Connection& connection, hal::exchange::Reply reply, Round& round) {
+  const auto& events = connection.step.events;
+  for (hal::exchange::Action& action : reply.actions) {
+    if (action.event >= events.size() || events[action.event].agent != action.agent) {
+      ++round.refused;
+      continue;
+    }
+    const hal::Time event_time = events[action.event].time;
+    round.answers.push_back({std::move(action), event_time});
+  }
+}
+
+void Controllers::drop(std::size_t port) { ports_[port].dropped = true; }
+
+std::vector<Controllers::Failure> Controllers::find_dead() {
+  std::vector<Failure> dead;
+  for (std::size_t i = 0; i < ports_.size(); ++i) {
+    if (ports_[i].dropped) continue;
+    if (auto alive = ports_[i].port->check_alive(); !alive) dead.push_back({i, alive.error()});
+  }
+  return dead;
+}
+
+}  // namespace sim::agents

@@ -1,0 +1,116 @@
+#include "sim/agents/fingerprint_feed.h"
+
+#include "sim/radio/frame.h"
+
+namespace sim::agents {
+namespace {
+
+template <class Enum>
+std::uint64_t number(Enum value) {
+  return static_cast<std::uint64_t>(value);
+}
+
+void add(Hash& hash, const hal::Bytes& bytes) { hash.add_bytes(bytes.data(), bytes.size()); }
+
+void add(Hash& hash, const std::vector<double>& values) {
+  hash.add(std::uint64_t{values.size()});
+  for (const double value : values) hash.add(value);
+}
+
+void add(Hash& hash, const hal::Route& route) {
+  hash.add(std::string_view{route.topic});
+  hash.add(std::uint64_t{route.destination.value});
+  hash.add(std::uint64_t{route.next_hop.value});
+  hash.add(std::uint64_t{route.path.hops});
+  hash.add(std::int64_t{route.path.delay.count()});
+  hash.add(route.path.min_snr_db);
+  hash.add(route.path.energy);
+}
+
+void add(Hash& hash, const hal::Message& message) {
+  hash.add(std::uint64_t{message.source.value});
+  hash.add(std::uint64_t{message.destination.value});
+  hash.add(std::uint64_t{message.id});
+  hash.add(std::string_view{message.topic});
+  add(hash, message.payload);
+}
+
+void add_network(Hash& hash, const hal::exchange::Event& event) {
+  for (const hal::RouteChange& change : event.routes) {
+    hash.add(std::uint64_t{change.removed});
+    add(hash, change.route);
+  }
+  for (const hal::Neighbour& neighbour : event.neighbours) {
+    hash.add(std::uint64_t{neighbour.id.value});
+    hash.add(hal::to_ns(neighbour.last_heard));
+    hash.add(neighbour.rssi_dbm);
+  }
+  for (const hal::AgentId lost : event.lost_neighbours) hash.add(std::uint64_t{lost.value});
+}
+
+}  // namespace
+
+void FingerprintFeed::on_frame_start(hal::Time at, const radio::Frame& frame) {
+  Hash& hash = fingerprint_.at(Part::kAir, frame.transmitter, at);
+  hash.add(number(frame.type));
+  hash.add(std::uint64_t{frame.receiver.value});
+  hash.add(std::int64_t{frame.duration.count()});
+  hash.add(std::uint64_t{frame.sequence});
+  hash.add(std::uint64_t{frame.retry});
+  hash.add(frame.rate.value);
+  hash.add(std::uint64_t{frame.air_length});
+  hash.add(std::uint64_t{frame.ethertype});
+  if (frame.payload) add(hash, *frame.payload);
+}
+
+void FingerprintFeed::on_reception(hal::Time at, const radio::Frame& frame, hal::AgentId receiver,
+                                   hal::Verdict verdict, double rssi_dbm) {
+  Hash& hash = fingerprint_.at(Part::kAir, receiver, at);
+  hash.add(frame.id);
+  hash.add(number(verdict));
+  hash.add(rssi_dbm);
+}
+
+void FingerprintFeed::on_body(hal::Time at, hal::AgentId agent, const BodyState& body) {
+  Hash& hash = fingerprint_.at(Part::kBodies, agent, at);
+  for (const double value : {body.x, body.y, body.theta, body.tilt}) hash.add(value);
+}
+
+void FingerprintFeed::on_event(const hal::exchange::Event& event) {
+  Hash& hash = fingerprint_.at(Part::kExchange, event.agent, event.time);
+  hash.add(number(event.cause));
+  for (const hal::exchange::Reading& reading : event.readings) {
+    hash.add(std::uint64_t{reading.channel});
+    add(hash, reading.values);
+  }
+  if (event.message) add(hash, *event.message);
+  hash.add(std::uint64_t{event.timer});
+  hash.add(std::uint64_t{event.noticed});
+  hash.add(number(event.fate));
+  add_network(hash, event);
+}
+
+void FingerprintFeed::on_action(hal::Time at, const hal::exchange::Action& action) {
+  Hash& hash = fingerprint_.at(Part::kExchange, action.agent, at);
+  hash.add(number(action.kind));
+  for (const double value : {action.twist.vx, action.twist.vy, action.twist.omega}) hash.add(value);
+  add(hash, action.wheel_speeds);
+  hash.add(std::uint64_t{action.message_id});
+  hash.add(std::uint64_t{action.destination.value});
+  hash.add(std::string_view{action.topic});
+  add(hash, action.payload);
+  hash.add(std::uint64_t{action.timer});
+  hash.add(hal::to_ns(action.at));
+  hash.add(std::uint64_t{action.radio_on});
+  hash.add(number(action.level));
+  hash.add(std::string_view{action.text});
+}
+
+void FingerprintFeed::on_route_change(hal::Time at, hal::AgentId agent,
+                                      const hal::RouteChange& change) {
+  Hash& hash = fingerprint_.at(Part::kRouting, agent, at);
+  hash.add(std::uint64_t{change.removed});
+  add(hash, change.route);
+}
+
+}  // namespace sim::agents

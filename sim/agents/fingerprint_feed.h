@@ -1,0 +1,26 @@
+#pragma once
+
+#include "sim/agents/observer.h"
+#include "sim/core/fingerprint.h"
+
+namespace sim::agents {
+
+/// Feeds what is observed to a fingerprint: all of it, bit by bit, and nothing that depends on how
+/// the run was computed (wall time, processes, sequence numbers).
+class FingerprintFeed final : public Observer {
+ public:
+  const Fingerprint& fingerprint() const { return fingerprint_; }
+
+  void on_frame_start(hal::Time at, const radio::Frame& frame) override;
+  void on_reception(hal::Time at, const radio::Frame& frame, hal::AgentId receiver,
+                    hal::Verdict verdict, double rssi_dbm) override;
+  void on_body(hal::Time at, hal::AgentId agent, const BodyState& body) override;
+  void on_event(const hal::exchange::Event& event) override;
+  void on_action(hal::Time at, const hal::exchange::Action& action) override;
+  void on_route_change(hal::Time at, hal::AgentId agent, const hal::RouteChange& change) override;
+
+ private:
+  Fingerprint fingerprint_;
+};
+
+}  // namespace sim::agents

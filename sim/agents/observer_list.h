@@ -1,0 +1,70 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "sim/agents/observer.h"
+
+namespace sim::agents {
+
+/// Hands every observation to several observers, in their order.
+class ObserverList final : public Observer {
+ public:
+  explicit ObserverList(std::vector<Observer*> observers) : observers_(std::move(observers)) {}
+
+  void on_frame_start(hal::Time at, const radio::Frame& frame) override {
+    for (Observer* o : observers_) o->on_frame_start(at, frame);
+  }
+  void on_reception(hal::Time at, const radio::Frame& frame, hal::AgentId receiver,
+                    hal::Verdict verdict, double rssi_dbm) override {
+    for (Observer* o : observers_) o->on_reception(at, frame, receiver, verdict, rssi_dbm);
+  }
+  void on_delivered(hal::Time at, const radio::Frame& frame, hal::AgentId receiver) override {
+    for (Observer* o : observers_) o->on_delivered(at, frame, receiver);
+  }
+  void on_request_end(hal::Time at, hal::AgentId sender, hal::AgentId destination,
+                      hal::Verdict verdict) override {
+    for (Observer* o : observers_) o->on_request_end(at, sender, destination, verdict);
+  }
+  void on_start(const std::vector<std::pair<hal::AgentId, hal::AgentId>>& links) override {
+    for (Observer* o : observers_) o->on_start(links);
+  }
+  void on_body(hal::Time at, hal::AgentId agent, const BodyState& body) override {
+    for (Observer* o : observers_) o->on_body(at, agent, body);
+  }
+  void on_event(const hal::exchange::Event& event) override {
+    for (Observer* o : observers_) o->on_event(event);
+  }
+  void on_action(hal::Time at, const hal::exchange::Action& action) override {
+    for (Observer* o : observers_) o->on_action(at, action);
+  }
+  void on_message_sent(hal::Time at, const hal::Message& message) override {
+    for (Observer* o : observers_) o->on_message_sent(at, message);
+  }
+  void on_message_delivered(hal::Time at, hal::AgentId receiver,
+                            const hal::Message& message) override {
+    for (Observer* o : observers_) o->on_message_delivered(at, receiver, message);
+  }
+  void on_fate(hal::Time at, hal::AgentId sender, hal::MessageId id, hal::Fate fate) override {
+    for (Observer* o : observers_) o->on_fate(at, sender, id, fate);
+  }
+  void on_message_end(hal::Time at, hal::AgentId at_node, hal::AgentId sender, hal::MessageId id,
+                      hal::Verdict verdict) override {
+    for (Observer* o : observers_) o->on_message_end(at, at_node, sender, id, verdict);
+  }
+  void on_discovery(hal::Time at, hal::AgentId agent, std::string_view topic,
+                    hal::AgentId destination, hal::Duration took, bool found) override {
+    for (Observer* o : observers_) o->on_discovery(at, agent, topic, destination, took, found);
+  }
+  void on_route_change(hal::Time at, hal::AgentId agent, const hal::RouteChange& change) override {
+    for (Observer* o : observers_) o->on_route_change(at, agent, change);
+  }
+  void on_state(hal::Time at, hal::AgentId agent, std::string_view state) override {
+    for (Observer* o : observers_) o->on_state(at, agent, state);
+  }
+
+ private:
+  std::vector<Observer*> observers_;
+};
+
+}  // namespace sim::agents

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "hal/routing/ports.h"
+#include "hal/routing/router.h"
+#include "sim/radio/mac_sap.h"
+
+namespace sim::agents {
+
+/// Routing's link over a simulated MAC.
+class RadioLink final : public hal::routing::Link, public radio::MacClient {
+ public:
+  /// Becomes the MAC's client for routing frames. The MAC outlives the link.
+  explicit RadioLink(radio::MacSap& mac);
+
+  /// @pre before the first frame arrives.
+  void attach(hal::routing::Router& router) { router_ = &router; }
+
+  hal::routing::LinkCapabilities capabilities() const override;
+  void transmit(hal::AgentId next_hop, hal::Bytes frame, hal::routing::LinkTag tag) override;
+  hal::Duration expected_delay() const override { return mac_.expected_delay(); }
+  double transmit_energy(std::size_t bytes) const override { return mac_.transmit_energy(bytes); }
+
+  void on_receive(const radio::MacIndication& indication) override;
+  void on_transmitted(std::uint64_t tag, hal::Verdict verdict) override;
+
+ private:
+  radio::MacSap& mac_;
+  hal::routing::Router* router_ = nullptr;
+};
+
+}  // namespace sim::agents

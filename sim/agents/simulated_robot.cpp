@@ -1,0 +1,103 @@
+#include "sim/agents/simulated_robot.h"
+
+#include <algorithm>
+#include <utility>
+#include <variant>
+
+#include "hal/types/check.h"
+
+namespace sim::agents {
+
+using hal::exchange::Action;
+using hal::exchange::ActionKind;
+using hal::exchange::Event;
+using hal::exchange::Reading;
+
+SimulatedRobot::SimulatedRobot(const AgentConfig& config, radio::MacSap& mac,
+                               Surroundings surroundings, AgentListener& listener)
+    : SimulatedAgent(config, mac, surroundings, listener),
+      description_(std::get<hal::devices::RobotDescription>(config.body)),
+      drive_(surroundings.world.drive(config.id)),
+      odometry_(drive_, description_.encoder_steps),
+      infrared_(config.id, description_.infrared, surroundings.config.seed, config.name) {}
+
+hal::exchange::AgentOffer SimulatedRobot::offer() const {
+  hal::exchange::AgentOffer offer = SimulatedAgent::offer();
+  hal::exchange::AgentSession& session = offer.session;
+  session.kind = hal::AgentKind::kRobot;
+  session.limits = {.body_to_wheel = drive_.body_to_wheel(),
+                    .wheel_speed = drive_.max_wheel_speed()};
+  session.channels.push_back({.id = kOdometry,
+                              .name = "odometry",
+                              .kind = "odometry",
+                              .unit = "m, rad, m/s",
+                              .length = 6,
+                              .period = {},
+                              .frame = "base",
+                              .headings = {}});
+  if (description_.infrared.empty()) return offer;
+  hal::Channel infrared{.id = kInfrared,
+                        .name = "infrared",
+                        .kind = "range",
+                        .unit = "m",
+                        .length = static_cast<std::uint32_t>(description_.infrared.size()),
+                        .period = description_.infrared.front().hold_period,
+                        .frame = "base",
+                        .headings = {}};
+  for (const auto& sensor : description_.infrared) infrared.headings.push_back(sensor.heading);
+  hal::Channel volts = infrared;
+  volts.id = kInfraredVolts;
+  volts.name = "infrared_volts";
+  volts.kind = "voltage";
+  volts.unit = "V";
+  session.channels.push_back(std::move(infrared));
+  session.channels.push_back(std::move(volts));
+  return offer;
+}
+
+void SimulatedRobot::sample(Event& event) {
+  SimulatedAgent::sample(event);
+  if (wants_channel("odometry")) sample_odometry(event);
+  if (wants_channel("infrared") || wants_channel("infrared_volts")) sample_infrared(event);
+}
+
+void SimulatedRobot::sample_odometry(Event& event) {
+  if (event.time > odometry_at_) {
+    odometry_.update(surroundings().world.wheel_angles(id()), event.time - odometry_at_);
+  }
+  odometry_at_ = event.time;
+  const hal::Pose2& pose = odometry_.pose();
+  const hal::Twist2& twist = odometry_.twist();
+  event.readings.push_back(
+      {kOdometry, {pose.x, pose.y, pose.theta, twist.vx, twist.vy, twist.omega}});
+}
+
+void SimulatedRobot::sample_infrared(Event& event) {
+  Scene& scene = surroundings().scene;
+  infrared_.sample(event.time, scene.world(), scene.proximity());
+  Reading metres{.channel = kInfrared, .values = {}},
+      volts{.channel = kInfraredVolts, .values = {}};
+  for (const sensing::InfraredReading& reading : infrared_.readings()) {
+    metres.values.push_back(reading.metres);
+    volts.values.push_back(reading.volts);
+  }
+  if (wants_channel("infrared")) event.readings.push_back(std::move(metres));
+  if (wants_channel("infrared_volts")) event.readings.push_back(std::move(volts));
+}
+
+hal::Result<void> SimulatedRobot::drive(const Action& action) {
+  physics::World& world = surroundings().world;
+  if (action.kind == ActionKind::kDriveWheels) {
+    return world.set_wheel_speeds(id(), action.wheel_speeds);
+  }
+  const auto driven = world.set_body_velocity(id(), action.twist);
+  if (!driven) return hal::fail(driven.error().code, driven.error().message);
+  return {};
+}
+
+void SimulatedRobot::halt() {
+  // Zero is within every limit.
+  BARAKA_CHECK(surroundings().world.set_body_velocity(id(), {}).has_value());
+}
+
+}  // namespace sim::agents

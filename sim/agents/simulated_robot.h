@@ -1,0 +1,37 @@
+#pragma once
+
+#include "hal/devices/odometry.h"
+#include "hal/devices/robot_description.h"
+#include "sim/agents/simulated_agent.h"
+#include "sim/sensing/infrared.h"
+
+namespace sim::agents {
+
+/// A robot: an agent with wheels, odometry and infrared sensors. Its body is in the world already.
+class SimulatedRobot final : public SimulatedAgent {
+ public:
+  SimulatedRobot(const AgentConfig& config, radio::MacSap& mac, Surroundings surroundings,
+                 AgentListener& listener);
+
+  hal::exchange::AgentOffer offer() const override;
+
+ private:
+  static constexpr std::uint16_t kOdometry = kFirstDeviceChannel;
+  static constexpr std::uint16_t kInfrared = kFirstDeviceChannel + 1;
+  static constexpr std::uint16_t kInfraredVolts = kFirstDeviceChannel + 2;
+
+  void sample(hal::exchange::Event& event) override;
+  hal::Result<void> drive(const hal::exchange::Action& action) override;
+  void halt() override;
+
+  void sample_odometry(hal::exchange::Event& event);
+  void sample_infrared(hal::exchange::Event& event);
+
+  const hal::devices::RobotDescription& description_;
+  const hal::devices::WheelDrive& drive_;
+  hal::devices::WheelOdometry odometry_;
+  hal::Time odometry_at_{};
+  sensing::InfraredArray infrared_;
+};
+
+}  // namespace sim::agents

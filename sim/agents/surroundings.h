@@ -1,0 +1,67 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "sim/agents/observer.h"
+#include "sim/agents/simulation_config.h"
+#include "sim/core/event_queue.h"
+#include "sim/physics/world.h"
+#include "sim/radio/ports.h"
+#include "sim/sensing/line_of_sight.h"
+#include "sim/sensing/proximity.h"
+#include "sim/sensing/relative_localisation.h"
+
+namespace sim::agents {
+
+/// The world as sensors see it: brought up to date once per physics step, and only when a sensor
+/// looks.
+class Scene {
+ public:
+  /// @param world  outlives this; everything was added to it.
+  Scene(const physics::World& world, std::vector<hal::AgentId> agents);
+
+  const physics::World& world() const { return world_; }
+  const sensing::Proximity& proximity();
+  std::span<const sensing::AgentPosition> positions();
+
+  /// State of a body, with the distance to the nearest wall's surface (0 inside a wall).
+  BodyState body(hal::AgentId agent) const;
+
+ private:
+  const physics::World& world_;
+  sensing::Proximity proximity_;
+  std::vector<sensing::AgentPosition> positions_;
+  std::optional<std::uint64_t> proximity_at_, positions_at_;  ///< Physics steps.
+};
+
+/// The antennas: one in the origin of every body, as of the last physics step.
+class BodyPositions final : public radio::Positions {
+ public:
+  BodyPositions(const physics::World& world, double max_speed)
+      : world_(world), max_speed_(max_speed) {}
+
+  hal::Vec3 position(hal::AgentId agent, hal::Time at) const override;
+  hal::Vec3 velocity(hal::AgentId agent, hal::Time at) const override;
+  hal::Time valid_until(hal::AgentId agent, hal::Time at) const override;
+  double max_speed(hal::AgentId agent) const override;
+
+ private:
+  const physics::World& world_;
+  double max_speed_;  ///< m/s; bounds every body, pushed ones included.
+};
+
+/// Walls between antennas: C. Sommer, D. Eckhoff, R. German, F. Dressler, "A Computationally
+/// Inexpensive Empirical Model of IEEE 802.11p Radio Shadowing in Urban Environments", WONS 2011:
+/// a loss per wall and a loss per metre inside.
+class WallObstacles final : public radio::Obstacles {
+ public:
+  explicit WallObstacles(const physics::World& world) : line_of_sight_(world) {}
+  hal::Decibels loss(const hal::Vec3& from, const hal::Vec3& to) const override;
+
+ private:
+  sensing::LineOfSight line_of_sight_;
+};
+
+}  // namespace sim::agents

@@ -1,0 +1,73 @@
+#include "sim/agents/inbox.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/support/printers.h"
+
+namespace {
+
+using namespace std::chrono_literals;
+using hal::AgentId;
+using hal::Time;
+using hal::exchange::Cause;
+using hal::exchange::Event;
+using sim::agents::Inbox;
+
+Event event(Time at, Cause cause, hal::TimerId mark = 0) {
+  Event e;
+  e.time = at;
+  e.cause = cause;
+  e.timer = mark;
+  return e;
+}
+
+hal::RouteChange route(std::uint16_t next_hop) {
+  return {{"help", AgentId{9}, AgentId{next_hop}, {}}, false};
+}
+
+TEST(Inbox, OrdersByTimeThenCauseThenArrival) {
+  Inbox inbox;
+  inbox.add(event(Time{2s}, Cause::kStart, 5));
+  inbox.add(event(Time{1s}, Cause::kControl, 4));
+  inbox.add(event(Time{1s}, Cause::kNotice, 3));
+  inbox.add(event(Time{1s}, Cause::kMessage, 1));
+  inbox.add(event(Time{1s}, Cause::kMessage, 2));
+  const auto events = inbox.take();
+  ASSERT_EQ(events.size(), 5u);
+  for (hal::TimerId i = 0; i < 5; ++i) EXPECT_EQ(events[i].timer, i + 1);
+  EXPECT_TRUE(inbox.empty());
+}
+
+TEST(Inbox, ChangesTravelWithTheFirstEventThatIsNotBeforeThem) {
+  Inbox inbox;
+  inbox.add(Time{1s}, route(1));
+  inbox.add(event(Time{1s}, Cause::kControl));
+  inbox.add(Time{1500ms}, route(2));
+  inbox.add(event(Time{2s}, Cause::kControl));
+  inbox.add(Time{3s}, route(3));
+  auto events = inbox.take();
+  ASSERT_EQ(events.size(), 2u);
+  ASSERT_EQ(events[0].routes.size(), 1u);
+  EXPECT_EQ(events[0].routes[0], route(1));
+  ASSERT_EQ(events[1].routes.size(), 1u);
+  EXPECT_EQ(events[1].routes[0], route(2));
+
+  inbox.add(event(Time{4s}, Cause::kControl));
+  events = inbox.take();
+  ASSERT_EQ(events[0].routes.size(), 1u) << "a change after the last event waits for the next";
+  EXPECT_EQ(events[0].routes[0], route(3));
+}
+
+TEST(Inbox, ANeighbourHeardOftenIsReportedOnceAsHeardLast) {
+  Inbox inbox;
+  inbox.add(Time{1ms}, hal::Neighbour{AgentId{4}, Time{1ms}, -50});
+  inbox.add(Time{2ms}, hal::Neighbour{AgentId{3}, Time{2ms}, -60});
+  inbox.add(Time{3ms}, hal::Neighbour{AgentId{4}, Time{3ms}, -55});
+  inbox.add(event(Time{1s}, Cause::kControl));
+  const auto events = inbox.take();
+  const std::vector<hal::Neighbour> expected{{AgentId{3}, Time{2ms}, -60},
+                                             {AgentId{4}, Time{3ms}, -55}};
+  EXPECT_EQ(events[0].neighbours, expected);
+}
+
+}  // namespace
