@@ -1,0 +1,91 @@
+#!/usr/bin/env python3
+"""The lint rules find what they are for: each is run on a small tree with one mistake in it."""
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+HERE = pathlib.Path(__file__).parent
+FOLDERS = ["hal/types", "sim/core", "gateway", "controllers", "tests", "idl"]
+
+
+def lint(rule, files):
+    with tempfile.TemporaryDirectory() as folder:
+        root = pathlib.Path(folder)
+        for name in FOLDERS:
+            (root / name).mkdir(parents=True)
+        for name, text in files.items():
+            path = root / name
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(text)
+        run = subprocess.run([sys.executable, HERE / rule, str(root)], capture_output=True,
+                             text=True, check=False)
+        return run.returncode, run.stdout
+
+
+class IncludeRules(unittest.TestCase):
+    def check(self, name, line, message):
+        status, out = lint("include_rules.py", {name: f"#pragma once\n{line}\n"})
+        self.assertEqual(status, 1 if message else 0, out)
+        self.assertIn(message or "ok", out)
+
+    def test_a_controller_may_not_see_the_simulator(self):
+        self.check("controllers/x/x.cpp", '#include "sim/core/event_queue.h"',
+                   "controllers/x/x.cpp:2: controllers may not include sim/core/event_queue.h")
+
+    def test_the_gateway_may_not_see_its_programs(self):
+        self.check("gateway/server.cpp", '#include "gateway/app/x.h"', "gateway may not include")
+
+    def test_third_party_headers_have_a_home(self):
+        self.check("sim/agents/x.cpp", "#include <ode/ode.h>", "belongs in sim/physics only")
+
+    def test_a_folder_without_a_rule_is_named(self):
+        self.check("sim/magic/x.cpp", "", "the folder has no rule")
+
+    def test_allowed_includes_pass(self):
+        self.check("sim/agents/x.cpp", '#include "sim/radio/mac_sap.h"', "")
+
+
+class DeterminismRules(unittest.TestCase):
+    def check(self, line, message):
+        status, out = lint("determinism_rules.py", {"sim/core/x.cpp": line + "\n"})
+        self.assertEqual(status, 1 if message else 0, out)
+        self.assertIn(message or "ok", out)
+
+    def test_each_forbidden_thing_is_found(self):
+        for line, message in {
+            "double y = std::sin(x);": "hal::math",
+            "std::random_device d;": "RandomStream",
+            "std::normal_distribution<> n;": "standard libraries",
+            "int i = rand();": "RandomStream",
+            "std::unordered_map<int, int> m;": "no fixed order",
+            "auto t = std::chrono::steady_clock::now();": "wall clock",
+            "std::set<Node*> nodes;": "orders by address",
+        }.items():
+            with self.subTest(line):
+                self.check(line, message)
+
+    def test_comments_and_exact_functions_pass(self):
+        self.check("double y = std::sqrt(x);  // not std::sin(x)", "")
+
+
+class FunctionSizes(unittest.TestCase):
+    def check(self, lines, status):
+        body = "\n".join("  x += 1;" for _ in range(lines - 3))
+        text = f"void f(int x) {{\n  x = 0;\n{body}\n}}\n"
+        # many short ones, so that one function above 40 lines stays below 2 %
+        text += "\n".join(f"void g{i}() {{}}" for i in range(100))
+        code, out = lint("function_sizes.py", {"sim/core/x.cpp": text})
+        self.assertEqual(code, status, out)
+
+    def test_fifty_lines_pass_and_fifty_one_do_not(self):
+        self.check(50, 0)
+        self.check(51, 1)
+
+    def test_a_tree_without_functions_is_suspicious(self):
+        self.assertEqual(lint("function_sizes.py", {})[0], 1)
+
+
+if __name__ == "__main__":
+    unittest.main()
