@@ -1,0 +1,178 @@
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <limits>
+
+#include "hal/runtime/check_parameters.h"
+#include "hal/runtime/controller_host.h"
+#include "hal/runtime/controller_options.h"
+#include "hal/runtime/plugin.h"
+#include "tests/unit/hal/runtime/one_agent.h"
+
+namespace {
+
+using namespace std::chrono_literals;
+using hal::runtime::check_parameters;
+
+constexpr double kNever = std::numeric_limits<double>::infinity();
+
+class Idle : public hal::Controller {
+ public:
+  Idle(hal::Mote&, const hal::Parameters& parameters) { last_speed = parameters["speed"]; }
+  inline static double last_speed = 0;
+};
+
+hal::ControllerKind idle() {
+  return {.name = "idle",
+          .parameters = {{"speed", "m/s", 0.5, 0, 2, "How fast."},
+                         {"help_at", "s", kNever, 0, kNever, "When."}},
+          .make_for_mote = hal::make_for_mote<Idle>};
+}
+
+TEST(CheckParameters, FindsNothingWrongWithGoodOnes) {
+  EXPECT_TRUE(check_parameters(
+                  idle(), {{"speed", "0.9 km/h", "a.yaml:1:2"}, {"help_at", "never", "a.yaml:2:2"}})
+                  .empty());
+}
+
+TEST(CheckParameters, NamesPlaceParameterAndMistakeOfEach) {
+  const auto mistakes = check_parameters(idle(), {{"sped", "1 m/s", "a.yaml:1:2"},
+                                                  {"speed", "3 m/s", "a.yaml:2:2"},
+                                                  {"help_at", "5", "a.yaml:3:2"},
+                                                  {"speed", "1 m/s", "a.yaml:4:2"}});
+  ASSERT_EQ(mistakes.size(), 4U);
+  EXPECT_EQ(mistakes[0], "a.yaml:1:2: sped: is not a parameter of idle; did you mean 'speed'?");
+  EXPECT_EQ(mistakes[1].find("a.yaml:2:2: speed: "), 0U);
+  EXPECT_NE(mistakes[1].find("2 m/s"), std::string::npos) << "names the limit: " << mistakes[1];
+  EXPECT_EQ(mistakes[2].find("a.yaml:3:2: help_at: "), 0U);
+  EXPECT_EQ(mistakes[3], "a.yaml:4:2: speed: already given at a.yaml:2:2");
+}
+
+TEST(ControllerHost, HandsParametersOverInSiUnitsWithDefaultsFilledIn) {
+  auto session = tests::mote_session();
+  ASSERT_TRUE(hal::runtime::ControllerHost::create(idle(), tests::session_of(session)).has_value());
+  EXPECT_EQ(Idle::last_speed, 0.5);
+  session.parameters = {{"speed", "0.9 km/h", "a.yaml:1:2"}};
+  ASSERT_TRUE(hal::runtime::ControllerHost::create(idle(), tests::session_of(session)).has_value());
+  EXPECT_EQ(Idle::last_speed, 0.25);
+}
+
+TEST(ControllerHost, RefusesToStartWithWrongParameters) {
+  auto session = tests::mote_session();
+  session.parameters = {{"sped", "1 m/s", "a.yaml:1:2"}, {"hlp", "1 m/s", "a.yaml:2:2"}};
+  const auto host = hal::runtime::ControllerHost::create(idle(), tests::session_of(session));
+  ASSERT_FALSE(host.has_value());
+  EXPECT_EQ(host.error().code, hal::Errc::kInvalidArgument);
+  EXPECT_EQ(host.error().message,
+            "a.yaml:1:2: sped: is not a parameter of idle; did you mean 'speed'?\n"
+            "a.yaml:2:2: hlp: is not a parameter of idle");
+}
+
+hal::runtime::ParsedOptions parse(std::vector<const char*> arguments) {
+  arguments.insert(arguments.begin(), "idle");
+  return hal::runtime::parse_controller_options(static_cast<int>(arguments.size()),
+                                                arguments.data(), idle());
+}
+
+TEST(ControllerOptions, AreReadFromTheCommandLine) {
+  const auto parsed = parse({"--agents", "m*", "--agents", "r0", "--domain", "7", "--name", "p",
+                             "--stay", "--wait", "500 ms"});
+  ASSERT_TRUE(parsed.options.has_value());
+  EXPECT_EQ(parsed.options->agents, (std::vector<std::string>{"m*", "r0"}));
+  EXPECT_EQ(parsed.options->domain, 7);
+  EXPECT_EQ(parsed.options->name, "p");
+  EXPECT_TRUE(parsed.options->stay);
+  EXPECT_EQ(parsed.options->wait, 500ms);
+}
+
+TEST(ControllerOptions, DefaultToTheEnvironmentsDomainAndThirtySeconds) {
+  const auto parsed = parse({"--agents", "r0"});
+  ASSERT_TRUE(parsed.options.has_value());
+  EXPECT_FALSE(parsed.options->domain.has_value());
+  EXPECT_TRUE(parsed.options->name.empty());
+  EXPECT_FALSE(parsed.options->stay);
+  EXPECT_EQ(parsed.options->wait, 30s);
+}
+
+TEST(ControllerOptions, TakePlainSecondsAndForEverAsWait) {
+  EXPECT_EQ(parse({"--agents", "r0", "--wait", "5"}).options.value().wait, 5s);
+  EXPECT_EQ(parse({"--agents", "r0", "--wait", "none"}).options.value().wait, hal::Duration::max());
+}
+
+TEST(ControllerOptions, EndTheProgramWithStatusTwoAfterAMistake) {
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(parse({}).exit_status, 2) << "no agents";
+  EXPECT_EQ(parse({"--agents", "r0", "--domain", "233"}).exit_status, 2);
+  EXPECT_EQ(parse({"--agents", "r0", "--wait", "soon"}).exit_status, 2);
+  EXPECT_EQ(parse({"--agents", "r0", "--agnets", "r1"}).exit_status, 2);
+  EXPECT_FALSE(parse({}).options.has_value());
+  EXPECT_NE(testing::internal::GetCapturedStderr().find("--wait"), std::string::npos);
+}
+
+TEST(ControllerOptions, HelpListsTheParametersAndIsNoMistake) {
+  testing::internal::CaptureStdout();
+  const auto parsed = parse({"--help"});
+  const std::string help = testing::internal::GetCapturedStdout();
+  EXPECT_FALSE(parsed.options.has_value());
+  EXPECT_EQ(parsed.exit_status, 0);
+  EXPECT_NE(help.find("How fast. (0 m/s to 2 m/s; default 0.5 m/s)"), std::string::npos) << help;
+  EXPECT_NE(help.find("default never"), std::string::npos) << help;
+}
+
+TEST(LoadPlugin, NamesTheFoldersItLookedIn) {
+  const auto kind = hal::runtime::load_plugin("nobody", {"/nowhere", "/elsewhere"});
+  ASSERT_FALSE(kind.has_value());
+  EXPECT_EQ(kind.error().code, hal::Errc::kNotAvailable);
+  EXPECT_EQ(kind.error().message,
+            "no controller 'nobody': looked for nobody.so in /nowhere, /elsewhere");
+}
+
+TEST(LoadPlugin, TakesNoPathForAName) {
+  const auto kind = hal::runtime::load_plugin("../evil", {"/tmp"});
+  ASSERT_FALSE(kind.has_value());
+  EXPECT_EQ(kind.error().code, hal::Errc::kInvalidArgument);
+}
+
+TEST(LoadPlugin, SaysSoWhenTheFileIsNoLibrary) {
+  const std::string folder = testing::TempDir();
+  std::ofstream(folder + "text.so") << "no library";
+  const auto kind = hal::runtime::load_plugin("text", {folder});
+  ASSERT_FALSE(kind.has_value());
+  EXPECT_EQ(kind.error().code, hal::Errc::kProtocol);
+  EXPECT_NE(kind.error().message.find("text.so cannot be loaded: "), std::string::npos);
+}
+
+TEST(LoadPlugin, GivesTheControllerAndTheSameOneAgain) {
+  const auto kind = hal::runtime::load_plugin("wanderer", {"/nowhere", BIN_DIR});
+  ASSERT_TRUE(kind.has_value()) << kind.error().message;
+  EXPECT_EQ((*kind)->name, "wanderer");
+  EXPECT_EQ(hal::runtime::load_plugin("wanderer", {BIN_DIR}).value(), *kind);
+  auto host =
+      hal::runtime::ControllerHost::create(**kind, tests::session_of(tests::robot_session()));
+  EXPECT_TRUE(host.has_value()) << "its controllers can be made";
+}
+
+TEST(LoadPlugin, RefusesOtherHeadersAndLibrariesThatAreNoController) {
+  const auto folders = hal::runtime::controller_folders();  // beside this test
+  const auto foreign = hal::runtime::load_plugin("foreign", folders);
+  ASSERT_FALSE(foreign.has_value());
+  EXPECT_EQ(foreign.error().code, hal::Errc::kProtocol);
+  EXPECT_NE(foreign.error().message.find("was built with other headers"), std::string::npos);
+  const auto mute = hal::runtime::load_plugin("mute", folders);
+  ASSERT_FALSE(mute.has_value());
+  EXPECT_EQ(mute.error().code, hal::Errc::kProtocol);
+  EXPECT_NE(mute.error().message.find("mute.so is no controller"), std::string::npos);
+}
+
+TEST(ControllerFolders, AreTheExecutablesThenThoseOfTheEnvironment) {
+  ASSERT_EQ(setenv("BARAKA_CONTROLLER_PATH", "/a::/b", 1), 0);
+  const auto folders = hal::runtime::controller_folders();
+  unsetenv("BARAKA_CONTROLLER_PATH");
+  ASSERT_EQ(folders.size(), 3U);
+  EXPECT_TRUE(std::filesystem::exists(folders[0] / "unit_hal_runtime_test"));
+  EXPECT_EQ(folders[1], "/a");
+  EXPECT_EQ(folders[2], "/b");
+}
+
+}  // namespace
