@@ -40,7 +40,7 @@ std::string kind_name(const Node& node) {
     case Node::Kind::kMapping:
       return "a mapping";
     case Node::Kind::kList:
-      return "a list";
+      return fmt::format("a list of {}", node.items.size());
     case Node::Kind::kScalar:
       return fmt::format("'{}'", node.text);
     case Node::Kind::kNull:

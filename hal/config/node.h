@@ -50,7 +50,7 @@ struct Entry {
   Node value;
 };
 
-/// "a mapping", "a list", "text", "nothing".
+/// "a mapping", "a list of 2", "'text'", "nothing".
 std::string kind_name(const Node& node);
 
 /// The union of two mappings, key by key and level by level. Where both set a value, the higher

@@ -19,8 +19,8 @@ bool is_plain(char c) {
 }
 
 bool may_stay_plain(std::string_view text) {
-  if (text.empty() || text == "~" || !is_plain(text.front()) || !is_plain(text.back()))
-    return false;
+  if (text == "null" || text == "Null" || text == "NULL") return false;  // these mean nothing
+  if (text.empty() || !is_plain(text.front()) || !is_plain(text.back())) return false;
   return std::all_of(text.begin(), text.end(),
                      [](char c) { return is_plain(c) || c == ' ' || c == '-' || c == '^'; });
 }

@@ -96,6 +96,8 @@ class Builder final : public YAML::EventHandler {
     if (parent.node.kind == Node::Kind::kList) {
       parent.node.items.push_back(std::move(value));
     } else if (parent.has_key) {
+      // Nothing has no position of its own: the parser only notices it at the next key.
+      if (value.kind == Node::Kind::kNull) value.place = parent.key_place;
       parent.node.entries.push_back({parent.key, parent.key_place, std::move(value)});
       parent.has_key = false;
     } else {

@@ -1,0 +1,169 @@
+#include "hal/config/document.h"
+
+#include "tests/unit/hal/config/files.h"
+
+namespace hal::config {
+namespace {
+
+class DocumentTest : public Files {
+ protected:
+  Lines loading(const std::filesystem::path& file, const std::vector<std::string>& set = {}) {
+    return messages([&] { Document::load(file, set).finish(); });
+  }
+
+  /// The plain number at a dotted path of two keys.
+  static double number(Document& document, const std::string& outer, const std::string& inner) {
+    Mapping root = document.root();
+    return root.mapping(outer).number(inner, "1", {-1e9, 1e9}, -1);
+  }
+};
+
+TEST_F(DocumentTest, NamesAMissingFile) {
+  EXPECT_EQ(loading(folder_ / "no.yaml"), (Lines{"no.yaml: there is no such file"}));
+}
+
+TEST_F(DocumentTest, GivesThePositionOfASyntaxError) {
+  const auto found = loading(write("a.yaml", "a: 1\nb: [1, 2\nc: 3\n"));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].rfind("a.yaml:3:2: is not YAML: ", 0), 0u) << found[0];
+}
+
+TEST_F(DocumentTest, FindsRepeatedKeysAtEveryLevel) {
+  EXPECT_EQ(
+      loading(write("a.yaml", "a: 1\nb: {c: 1, c: 2}\na: 3\nl: [{d: 1, d: 2}]\n")),
+      (Lines{"a.yaml:2:11: b.c: already set on line 2", "a.yaml:3:1: a: already set on line 1",
+             "a.yaml:4:12: l.d: already set on line 4"}));
+}
+
+TEST_F(DocumentTest, RefusesWhatHidesWhereAValueComesFrom) {
+  EXPECT_EQ(loading(write("a.yaml", "a: &x 1\nb: *x\nc: !!int 3\n")),
+            (Lines{"a.yaml:1:4: anchors (&) are not supported",
+                   "a.yaml:2:4: aliases (*) are not supported",
+                   "a.yaml:3:4: tags (!) are not supported"}));
+  EXPECT_EQ(loading(write("b.yaml", "a: 1\n---\nb: 2\n")).size(), 1u);
+  EXPECT_EQ(loading(write("c.yaml", "[1, 2]: 3\n")),
+            (Lines{"c.yaml:1:1: a key must be text, not a list of 2"}));
+  EXPECT_EQ(loading(write("d.yaml", "- 1\n")),
+            (Lines{"d.yaml:1:1: must be a mapping, not a list of 1"}));
+}
+
+TEST_F(DocumentTest, TakesAnEmptyFileAsAnEmptyMapping) {
+  EXPECT_EQ(loading(write("a.yaml", "# nothing\n")), Lines{});
+}
+
+TEST_F(DocumentTest, PutsIncludedKeysUnderTheMappingsOwn) {
+  write("sub/base.yaml", "a: 1\nb: 2\n");
+  auto document = Document::load(write("a.yaml", "x: {include: sub/base.yaml, b: 20, c: 30}\n"));
+  EXPECT_EQ(number(document, "x", "a"), 1);
+  EXPECT_EQ(number(document, "x", "b"), 20);
+  EXPECT_EQ(number(document, "x", "c"), 30);
+}
+
+TEST_F(DocumentTest, UnitesIncludedMappingsLevelByLevel) {
+  write("base.yaml", "x: {a: 1, b: 2}\n");
+  auto document = Document::load(write("a.yaml", "include: base.yaml\nx: {b: 20}\n"));
+  EXPECT_EQ(number(document, "x", "a"), 1);
+  EXPECT_EQ(number(document, "x", "b"), 20);
+}
+
+TEST_F(DocumentTest, FindsIncludedFilesRelativeToTheFileThatNamesThem) {
+  write("one/two/leaf.yaml", "x: {a: 5}\n");
+  write("one/middle.yaml", "include: two/leaf.yaml\n");
+  auto document = Document::load(write("a.yaml", "include: one/middle.yaml\n"));
+  EXPECT_EQ(number(document, "x", "a"), 5);
+}
+
+TEST_F(DocumentTest, PlacesMistakesInTheIncludedFile) {
+  write("base.yaml", "a: 1\n\nb: far\n");
+  const auto found = messages([&] {
+    auto document = Document::load(write("a.yaml", "x: {include: base.yaml}\n"));
+    Mapping root = document.root();
+    root.mapping("x").number("b", "1", {0, 1});
+    document.finish();
+  });
+  EXPECT_EQ(found, (Lines{"base.yaml:3:4: x.b: 'far' is not a number"}));
+}
+
+TEST_F(DocumentTest, FindsCirclesOfIncludes) {
+  write("b.yaml", "y: {include: c.yaml}\n");
+  write("c.yaml", "\ninclude: a.yaml\n");
+  EXPECT_EQ(loading(write("a.yaml", "x: {include: b.yaml}\n")),
+            (Lines{"c.yaml:2:10: x.y.include: goes in a circle: a.yaml -> b.yaml -> c.yaml -> "
+                   "a.yaml"}));
+  EXPECT_EQ(loading(write("self.yaml", "include: self.yaml\n")),
+            (Lines{"self.yaml:1:10: include: goes in a circle: self.yaml -> self.yaml"}));
+}
+
+TEST_F(DocumentTest, MayIncludeOneFileTwice) {
+  write("leaf.yaml", "a: 1\n");
+  auto document =
+      Document::load(write("a.yaml", "x: {include: leaf.yaml}\ny: {include: leaf.yaml}\n"));
+  EXPECT_EQ(number(document, "y", "a"), 1);
+}
+
+TEST_F(DocumentTest, NamesTheIncludeThatLeadsNowhere) {
+  EXPECT_EQ(loading(write("a.yaml", "x:\n  include: no.yaml\ny: {include: [1]}\n")),
+            (Lines{"a.yaml:2:12: x.include: there is no file 'no.yaml'",
+                   "a.yaml:3:14: y.include: must be the path of a file, not a list of 1"}));
+}
+
+TEST_F(DocumentTest, LetsTheCommandLineWinOverFileAndIncludes) {
+  write("base.yaml", "a: 1\nb: 2\n");
+  auto document = Document::load(write("a.yaml", "x: {include: base.yaml, b: 20}\n"),
+                                 {"x.a=100", "x.b=200", "x.c=300", "x.c=301"});
+  EXPECT_EQ(number(document, "x", "a"), 100);
+  EXPECT_EQ(number(document, "x", "b"), 200);
+  EXPECT_EQ(number(document, "x", "c"), 301);
+}
+
+TEST_F(DocumentTest, LetsAnIncludeOfTheCommandLineReplaceAndOverride) {
+  write("old.yaml", "a: 1\nold_only: 1\n");
+  write("new.yaml", "a: 2\nb: 2\n");
+  auto document =
+      Document::load(write("a.yaml", "x: {include: old.yaml, b: 20}\n"), {"x.include=new.yaml"});
+  EXPECT_EQ(number(document, "x", "a"), 2);
+  EXPECT_EQ(number(document, "x", "b"), 2);
+  EXPECT_EQ(number(document, "x", "old_only"), -1);
+}
+
+TEST_F(DocumentTest, LetsTheCommandLineReachIntoAnIncludedInclude) {
+  write("old.yaml", "a: 1\n");
+  write("new.yaml", "a: 2\n");
+  write("base.yaml", "x: {include: old.yaml}\n");
+  auto document = Document::load(write("a.yaml", "include: base.yaml\n"), {"x.include=new.yaml"});
+  EXPECT_EQ(number(document, "x", "a"), 2);
+}
+
+TEST_F(DocumentTest, ReplacesAMappingThatTheCommandLineGivesWhole) {
+  auto document = Document::load(write("a.yaml", "x: {a: 1, b: 2}\n"), {"x={b: 3}"});
+  EXPECT_EQ(number(document, "x", "a"), -1);
+  EXPECT_EQ(number(document, "x", "b"), 3);
+}
+
+TEST_F(DocumentTest, NamesOverridesThatCannotBeRead) {
+  const auto file = write("a.yaml", "a: 1\n");
+  const std::string usage = "must be KEY=VALUE, e.g. --set radio.tx_power='2 mW'";
+  EXPECT_EQ(loading(file, {"a"}), (Lines{"--set a: " + usage}));
+  EXPECT_EQ(loading(file, {"=1"}), (Lines{"--set =1: " + usage}));
+  EXPECT_EQ(loading(file, {"a..b=1"}), (Lines{"--set a..b=1: " + usage}));
+  const auto found = loading(file, {"a=[1"});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].rfind("--set a: is not YAML: ", 0), 0u) << found[0];
+}
+
+TEST_F(DocumentTest, NamesTheOverrideWhoseValueIsWrong) {
+  const auto found = messages([&] {
+    auto document = Document::load(write("a.yaml", "x: {a: 1}\n"), {"x.a=1 m", "x.aa=2"});
+    Mapping root = document.root();
+    Mapping x = root.mapping("x");
+    x.number("a", "1", {0, 1});
+    x.finish();
+    root.finish();
+    document.finish();
+  });
+  EXPECT_EQ(found, (Lines{"--set x.a: '1 m' must be a plain number, without a unit",
+                          "--set x.aa: is not a known key"}));
+}
+
+}  // namespace
+}  // namespace hal::config

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "hal/config/document.h"
+
+namespace hal::config {
+
+/// Files in a folder of their own that ends with the test.
+class Files : public testing::Test {
+ protected:
+  Files() {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = std::filesystem::path(testing::TempDir()) /
+              (std::string("baraka_") + test->test_suite_name() + "_" + test->name() + "_" +
+               std::to_string(::getpid()));
+    std::filesystem::remove_all(folder_);
+    std::filesystem::create_directories(folder_);
+  }
+  ~Files() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path write(const std::string& name, const std::string& text) const {
+    const auto path = folder_ / name;
+    std::filesystem::create_directories(path.parent_path());
+    std::ofstream(path) << text;
+    return path;
+  }
+
+  /// Runs `read` and gives the messages of the errors it throws, without the folder's name.
+  template <class Read>
+  std::vector<std::string> messages(Read read) const {
+    try {
+      read();
+    } catch (const ConfigErrors& errors) {
+      std::vector<std::string> result;
+      for (std::string message : errors.messages()) {
+        const std::string prefix = folder_.string() + "/";
+        for (auto at = message.find(prefix); at != std::string::npos; at = message.find(prefix)) {
+          message.erase(at, prefix.size());
+        }
+        result.push_back(message);
+      }
+      return result;
+    }
+    return {};
+  }
+
+  std::filesystem::path folder_;
+};
+
+using Lines = std::vector<std::string>;
+
+}  // namespace hal::config

@@ -1,0 +1,35 @@
+#include "hal/config/suggest.h"
+
+#include <gtest/gtest.h>
+
+namespace hal::config {
+namespace {
+
+const std::vector<std::string> kKeys = {"cca_threshold", "sensitivity", "slot", "sifs"};
+
+TEST(Suggestion, NamesTheKeyThatWasProbablyMeant) {
+  EXPECT_EQ(suggestion("cca_treshold", kKeys), "; did you mean 'cca_threshold'?");
+  EXPECT_EQ(suggestion("sensitivitty", kKeys), "; did you mean 'sensitivity'?");
+  EXPECT_EQ(suggestion("slots", kKeys), "; did you mean 'slot'?");
+}
+
+TEST(Suggestion, IsSilentWhenNothingIsNear) {
+  EXPECT_EQ(suggestion("colour", kKeys), "");
+  EXPECT_EQ(suggestion("slot", {}), "");
+  EXPECT_EQ(suggestion("", kKeys), "");
+}
+
+// "ab" -> "ba" takes two letters of two: too far. One letter of three is just near enough.
+TEST(Suggestion, AllowsAThirdOfTheLettersToDiffer) {
+  EXPECT_EQ(suggestion("ba", {"ab"}), "");
+  EXPECT_EQ(suggestion("abd", {"abc"}), "; did you mean 'abc'?");
+  EXPECT_EQ(suggestion("abde", {"abcf"}), "");
+}
+
+TEST(Suggestion, PrefersTheNearestThenTheFirst) {
+  EXPECT_EQ(suggestion("wall", {"walks", "walls"}), "; did you mean 'walls'?");
+  EXPECT_EQ(suggestion("cat", {"car", "cab"}), "; did you mean 'car'?");
+}
+
+}  // namespace
+}  // namespace hal::config
