@@ -7,20 +7,23 @@ namespace sim::physics {
 void ContactIslands::reset(std::size_t count) {
   parents_.resize(count);
   for (std::size_t i = 0; i < count; ++i) parents_[i] = i;
-  contacts_.assign(count, 0);
+  totals_.assign(count, {});
 }
 
-void ContactIslands::add(std::size_t object, int contacts) { contacts_[root(object)] += contacts; }
+void ContactIslands::add(std::size_t object, int contacts) {
+  totals_[root(object)].contacts += contacts;
+}
 
 void ContactIslands::join(std::size_t a, std::size_t b, int contacts) {
   const auto [low, high] = std::minmax({root(a), root(b)});
-  contacts_[low] += contacts;
+  totals_[low].contacts += contacts;
   if (low == high) return;
   parents_[high] = low;
-  contacts_[low] += contacts_[high];
+  totals_[low].contacts += totals_[high].contacts;
+  totals_[low].robots += totals_[high].robots;
 }
 
-int ContactIslands::contacts(std::size_t object) { return contacts_[root(object)]; }
+ContactIslands::Total ContactIslands::total(std::size_t object) { return totals_[root(object)]; }
 
 std::size_t ContactIslands::root(std::size_t object) {
   while (parents_[object] != object) {

@@ -10,8 +10,16 @@ namespace sim::physics {
 /// roots are the smallest members, so that the result does not depend on the order of contacts.
 class ContactIslands {
  public:
-  /// Forgets everything; objects are 0 .. count-1, each on its own.
+  struct Total {
+    int contacts = 0;
+    int robots = 0;
+  };
+
+  /// Forgets everything; objects are 0 .. count-1, each on its own and none a robot.
   void reset(std::size_t count);
+
+  /// @pre once per object, before its first contact.
+  void mark_robot(std::size_t object) { totals_[object].robots = 1; }
 
   /// Contacts of an object with something that does not move.
   void add(std::size_t object, int contacts);
@@ -19,14 +27,14 @@ class ContactIslands {
   /// Contacts between two objects.
   void join(std::size_t a, std::size_t b, int contacts);
 
-  /// Contacts of the group that an object belongs to.
-  int contacts(std::size_t object);
+  /// Of the group that an object belongs to.
+  Total total(std::size_t object);
 
  private:
   std::size_t root(std::size_t object);
 
   std::vector<std::size_t> parents_;
-  std::vector<int> contacts_;  ///< Valid at roots.
+  std::vector<Total> totals_;  ///< Valid at roots.
 };
 
 }  // namespace sim::physics

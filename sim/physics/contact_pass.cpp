@@ -32,6 +32,8 @@ bool is_awake(dBodyID body) { return body != nullptr && dBodyIsEnabled(body) != 
 void ContactPass::run(hal::Time now) {
   now_ = now;
   islands_.reset(objects_.size());
+  for (std::size_t i = 0; i < objects_.size(); ++i)
+    if (objects_[i]->drivetrain != nullptr) islands_.mark_robot(i);
   touched_.assign(objects_.size(), {});
   dSpaceCollide(world_.space(), this, [](void* self, dGeomID a, dGeomID b) {
     static_cast<ContactPass*>(self)->touch(a, b);

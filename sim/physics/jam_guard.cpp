@@ -20,10 +20,12 @@ struct Parts {
   std::vector<dBodyID> jammed;
 };
 
-Parts divide(const Objects& objects, ContactIslands& islands, int jam_contacts) {
+Parts divide(const Objects& objects, ContactIslands& islands, const Solve& how) {
   Parts parts;
   for (std::size_t i = 0; i < objects.size(); ++i) {
-    auto& part = islands.contacts(i) > jam_contacts ? parts.jammed : parts.free;
+    const ContactIslands::Total total = islands.total(i);
+    const bool is_jam = total.contacts > how.jam_contacts || total.robots > how.jam_robots;
+    auto& part = is_jam ? parts.jammed : parts.free;
     for (const dBodyID body : objects[i]->bodies)
       if (dBodyIsEnabled(body) != 0) part.push_back(body);
   }
@@ -33,7 +35,7 @@ Parts divide(const Objects& objects, ContactIslands& islands, int jam_contacts) 
 }  // namespace
 
 bool solve(OdeWorld& world, const Objects& objects, ContactIslands& islands, const Solve& how) {
-  const Parts parts = divide(objects, islands, how.jam_contacts);
+  const Parts parts = divide(objects, islands, how);
   if (parts.jammed.empty()) {
     world.solve_exactly(how.seconds);
     return false;

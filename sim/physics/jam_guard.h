@@ -11,7 +11,8 @@ namespace sim::physics {
 /// How one step is solved.
 struct Solve {
   double seconds = 0;
-  int jam_contacts = 0;    ///< Islands with more contacts are a jam.
+  int jam_contacts = 0;    ///< Islands with more contacts …
+  int jam_robots = 0;      ///< … or more robots are a jam.
   std::uint64_t seed = 0;  ///< Of the run; with
   std::uint64_t step = 0;  ///< … it seeds the iterative solver.
 };

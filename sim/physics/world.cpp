@@ -41,6 +41,7 @@ const WorldConfig& checked(const WorldConfig& config) {
           config.max_correcting_velocity, "above 0");
   require(config.ground_friction >= 0, "ground friction", config.ground_friction, "0 or more");
   require(config.jam_contacts >= 0, "jam contacts", config.jam_contacts, "0 or more");
+  require(config.jam_robots >= 1, "jam robots", config.jam_robots, "1 or more");
   return config;
 }
 
@@ -112,7 +113,8 @@ void World::Implementation::step() {
   for (const auto& object : objects)
     if (object->drivetrain != nullptr) object->drivetrain->actuate(config.step);
   pass.run(config.step * static_cast<std::int64_t>(steps) + hal::Time{});
-  const Solve how{hal::to_seconds(config.step), config.jam_contacts, config.seed, steps};
+  const Solve how{hal::to_seconds(config.step), config.jam_contacts, config.jam_robots, config.seed,
+                  steps};
   if (solve(ode, objects, pass.islands(), how)) ++jams;
   dJointGroupEmpty(ode.contacts());
   for (const auto& object : objects)

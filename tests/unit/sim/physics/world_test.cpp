@@ -1,0 +1,232 @@
+#include "sim/physics/world.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "hal/types/math.h"
+#include "tests/unit/sim/physics/robertino.h"
+
+namespace sim::physics::test {
+namespace {
+
+using hal::Errc;
+using hal::Twist2;
+using hal::devices::MoteDescription;
+using hal::devices::RobotDescription;
+using hal::math::kPi;
+
+constexpr AgentId kRobot{1};
+constexpr AgentId kMote{2};
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+void run(World& world, double seconds) {
+  const auto steps = static_cast<int>(seconds / hal::to_seconds(world.config().step) + 0.5);
+  for (int i = 0; i < steps; ++i) world.step();
+}
+
+TEST(World, BodiesStandWhereTheyWerePut) {
+  World world(WorldConfig{});
+  world.add_robot(kRobot, robertino(), {3, -2, 2.5});
+  world.add_mote(kMote, MoteDescription{}, {5, 1, -1});
+  run(world, 1);
+  for (const auto& [agent, x, y, heading] :
+       {std::tuple{kRobot, 3.0, -2.0, 2.5}, std::tuple{kMote, 5.0, 1.0, -1.0}}) {
+    const BodyPose pose = world.pose(agent);
+    EXPECT_NEAR(pose.position.x, x, 1e-6);  // m: bodies settle within the contact's surface layer
+    EXPECT_NEAR(pose.position.y, y, 1e-6);
+    EXPECT_NEAR(pose.position.z, 0, 2e-4);  // m: surface layer 1e-4
+    EXPECT_NEAR(pose.heading, heading, 1e-6);
+    EXPECT_NEAR(pose.tilt, 0, 1e-4);
+  }
+  EXPECT_EQ(world.solver_messages(), 0U);
+  EXPECT_EQ(world.now(), hal::Time{std::chrono::seconds(1)});
+}
+
+TEST(World, MotesAtRestFallAsleepWithinSixTenthsOfASecond) {
+  World world(WorldConfig{});
+  for (std::uint16_t i = 1; i <= 25; ++i)
+    world.add_mote(AgentId{i}, MoteDescription{}, {2.0 * i, 0, 0.1 * i});
+  EXPECT_FALSE(world.asleep(AgentId{1}));
+  run(world, 0.6);
+  for (std::uint16_t i = 1; i <= 25; ++i) EXPECT_TRUE(world.asleep(AgentId{i})) << i;
+}
+
+TEST(World, ParkedRobotSleepsAndWakesOnACommand) {
+  World world(WorldConfig{});
+  world.add_robot(kRobot, robertino(), {});
+  run(world, 1);
+  EXPECT_TRUE(world.asleep(kRobot));
+  ASSERT_TRUE(world.set_body_velocity(kRobot, {0.5, 0, 0}));
+  run(world, 2);
+  EXPECT_FALSE(world.asleep(kRobot));
+  // 0.5^2/(2*0.8) m while speeding up for 0.625 s, then 0.5 m/s; one step of lag: 5 mm.
+  EXPECT_NEAR(world.pose(kRobot).position.x, 0.15625 + 0.5 * 1.375, 0.01);
+  ASSERT_TRUE(world.set_body_velocity(kRobot, {}));
+  run(world, 2);
+  EXPECT_TRUE(world.asleep(kRobot));
+}
+
+TEST(World, CreepingRobotDoesNotFallAsleep) {
+  World world(WorldConfig{});
+  world.add_robot(kRobot, robertino(), {});
+  ASSERT_TRUE(world.set_body_velocity(kRobot, {0.002, 0, 0}));  // below the sleep threshold
+  run(world, 5);
+  EXPECT_NEAR(world.pose(kRobot).position.x, 0.01, 2e-4);  // m; 2 %
+}
+
+TEST(World, RobotPushesAMoteAndBothRecordIt) {
+  World world(WorldConfig{});
+  world.add_robot(kRobot, robertino(), {});
+  world.add_mote(kMote, MoteDescription{}, {0.5, 0, 0});
+  run(world, 1);  // the mote sleeps
+  ASSERT_TRUE(world.set_body_velocity(kRobot, {0.3, 0, 0}));
+  run(world, 3);
+  const ContactRecord& record = world.contacts(kRobot).motes;
+  EXPECT_GT(record.steps, 10U);
+  ASSERT_TRUE(record.first);
+  // Gap 0.5 - 0.025 - 0.185 = 0.29 m: 0.375 s to speed up over 0.05625 m, then 0.779 s at 0.3 m/s.
+  EXPECT_NEAR(hal::to_seconds(*record.first), 1 + 0.375 + 0.779, 0.03);
+  EXPECT_EQ(world.contacts(kMote).robots.first, record.first);
+  EXPECT_GT(world.pose(kMote).position.x, 0.6);
+  EXPECT_NEAR(world.pose(kMote).position.z, 0, 1e-3);  // m: it slides and does not climb
+}
+
+TEST(World, WallStopsARobot) {
+  World world(WorldConfig{});
+  world.add_wall({"wall", {1, 0, 0.5}, {0.2, 4, 1}, 0});
+  world.add_robot(kRobot, robertino(), {});
+  ASSERT_TRUE(world.set_body_velocity(kRobot, {0.6, 0, 0}));
+  run(world, 5);
+  // 0.5 mm of penetration was measured at 10 ms; 3 mm would be another contact model.
+  EXPECT_LT(world.pose(kRobot).position.x, 0.9 - 0.185 + 0.003);
+  EXPECT_GT(world.contacts(kRobot).walls.steps, 0U);
+  EXPECT_EQ(world.contacts(kRobot).motes.steps, 0U);
+  EXPECT_LT(world.pose(kRobot).tilt, 0.01);
+}
+
+TEST(World, PassingAWallIsNoContact) {
+  World world(WorldConfig{});
+  world.add_wall({"wall", {1, 0.3, 0.5}, {2, 0.2, 1}, 0});  // 0.015 m beside the body
+  world.add_robot(kRobot, robertino(), {});
+  ASSERT_TRUE(world.set_body_velocity(kRobot, {0.6, 0, 0}));
+  run(world, 3);
+  EXPECT_GT(world.pose(kRobot).position.x, 1.5);
+  EXPECT_EQ(world.contacts(kRobot).walls.steps, 0U);
+  EXPECT_FALSE(world.contacts(kRobot).walls.first);
+}
+
+TEST(World, WheelSpeedsDriveLikeTheVelocityTheyBelongTo) {
+  World by_wheels(WorldConfig{});
+  World by_body(WorldConfig{});
+  by_wheels.add_robot(kRobot, robertino(), {});
+  by_body.add_robot(kRobot, robertino(), {});
+  const Twist2 twist{0.3, 0.2, 0.4};
+  ASSERT_TRUE(by_body.set_body_velocity(kRobot, twist));
+  ASSERT_TRUE(by_wheels.set_wheel_speeds(kRobot, by_body.drive(kRobot).wheel_speeds(twist)));
+  run(by_body, 2);
+  run(by_wheels, 2);
+  const auto a = by_body.pose(kRobot).position;
+  const auto b = by_wheels.pose(kRobot).position;
+  EXPECT_NEAR(a.x, b.x, 1e-9);  // m: the commands differ in the last bit
+  EXPECT_NEAR(a.y, b.y, 1e-9);
+  EXPECT_GT(a.x, 0.2);
+}
+
+TEST(World, CommandsThatCannotBeExecutedAreRefusedWithTheirReason) {
+  World world(WorldConfig{});
+  world.add_robot(kRobot, robertino(), {});
+  world.add_mote(kMote, MoteDescription{}, {5, 0, 0});
+  const std::vector<double> two{1, 2};
+  const std::vector<double> fast{1, 2, 23.6};
+  const std::vector<double> bad{1, 2, kNaN};
+  EXPECT_EQ(world.set_body_velocity(kRobot, {kNaN, 0, 0}).error().code, Errc::kInvalidArgument);
+  EXPECT_EQ(world.set_wheel_speeds(kRobot, two).error().code, Errc::kInvalidArgument);
+  EXPECT_EQ(world.set_wheel_speeds(kRobot, fast).error().code, Errc::kInvalidArgument);
+  EXPECT_EQ(world.set_wheel_speeds(kRobot, bad).error().code, Errc::kInvalidArgument);
+  EXPECT_EQ(world.set_body_velocity(kMote, {}).error().code, Errc::kNotAvailable);
+  run(world, 0.5);
+  EXPECT_NEAR(world.pose(kRobot).position.x, 0, 1e-6);
+}
+
+TEST(World, VelocityBeyondTheMotorsIsScaledAndReported) {
+  World world(WorldConfig{});
+  world.add_robot(kRobot, robertino(), {});
+  const auto drive = world.set_body_velocity(kRobot, {0, 1.5, 0});
+  ASSERT_TRUE(drive);
+  EXPECT_TRUE(drive->saturated);
+  run(world, 3);
+  EXPECT_NEAR(world.velocity(kRobot).linear.y, 0.9424, 0.001);  // 23.56 rad/s * 0.04 m
+}
+
+TEST(World, PartsThatAreNotPossibleAreRefused) {
+  World world(WorldConfig{});
+  world.add_robot(kRobot, robertino(), {});
+  EXPECT_THROW(world.add_robot(kRobot, robertino(), {5, 0, 0}), std::invalid_argument);
+  EXPECT_THROW(world.add_mote(AgentId{}, MoteDescription{}, {}), std::invalid_argument);
+  EXPECT_THROW(world.add_wall({"w", {0, 0, 0}, {1, 0, 1}, 0}), std::invalid_argument);
+  RobotDescription hollow = robertino();
+  hollow.cylinders.clear();
+  EXPECT_THROW(world.add_robot(kMote, hollow, {}), std::invalid_argument);
+  WorldConfig slow;
+  slow.step = std::chrono::milliseconds(50);
+  EXPECT_THROW(World{slow}, std::invalid_argument);
+}
+
+TEST(World, ShapesFollowTheBodies) {
+  World world(WorldConfig{});
+  world.add_wall({"wall", {5, 5, 0.5}, {2, 0.2, 1}, kPi / 2});
+  world.add_robot(kRobot, robertino(), {});
+  ASSERT_EQ(world.shapes().size(), 3U);
+  const Shape& wall = world.shapes()[0];
+  EXPECT_TRUE(wall.is_static());
+  EXPECT_NEAR(wall.axis.y, 1, 1e-15);
+  EXPECT_EQ(wall.half, (hal::Vec2{1, 0.1}));
+  EXPECT_EQ(wall.z_high, 1);
+  ASSERT_TRUE(world.set_body_velocity(kRobot, {0.5, 0, 0}));
+  run(world, 1);
+  const Shape& base = world.shapes()[1];
+  EXPECT_EQ(base.owner, kRobot);
+  EXPECT_EQ(base.kind, Shape::Kind::kCylinder);
+  EXPECT_EQ(base.radius, 0.185);
+  // m: the cylinder's middle is 0.115 m up and leans with a tilt below 1e-4 rad
+  EXPECT_NEAR(base.centre.x, world.pose(kRobot).position.x, 2e-5);
+  EXPECT_NEAR(base.z_high, 0.21, 2e-4);
+  EXPECT_NEAR(world.shapes()[2].z_low, 0.21, 2e-4);
+}
+
+TEST(World, MoteThatFellOverIsSeenInItsNewPose) {
+  // A tall box set down half on the edge of a step falls on its side.
+  World world(WorldConfig{});
+  world.add_wall({"step", {0, 0, 0.05}, {0.2, 1, 0.1}, 0});
+  MoteDescription tall;
+  tall.size = {0.05, 0.05, 0.2};
+  world.add_mote(kMote, tall, {0.115, 0, 0}, 0.1);
+  run(world, 4);
+  const Shape& shape = world.shapes()[1];
+  EXPECT_GT(world.pose(kMote).tilt, 1.4);
+  EXPECT_NEAR(shape.z_high, 0.05, 0.003);  // m: it lies on its long side
+  EXPECT_NEAR(std::max(shape.half.x, shape.half.y), 0.1, 1e-12);
+}
+
+TEST(World, AnotherRobotNeedsOnlyAnotherDescription) {
+  RobotDescription cart;
+  cart.boxes = {{{0.4, 0.3, 0.15}, {0.02, 0, 0.12}, 0.1, 6}};
+  for (const auto& [x, y] : {std::pair{0.18, 0.13}, {-0.18, 0.13}, {-0.18, -0.13}, {0.18, -0.13}}) {
+    const double outward = hal::math::atan2(y, x);
+    cart.wheels.push_back({{x, y}, outward, 0.05, 0.3, 0.6, 0.02, 1.0, 20});
+  }
+  World world(WorldConfig{});
+  world.add_robot(kRobot, cart, {});
+  ASSERT_TRUE(world.set_body_velocity(kRobot, {0.3, -0.2, 0}));
+  run(world, 4);
+  const auto velocity = world.velocity(kRobot);
+  EXPECT_NEAR(velocity.linear.x, 0.3, 0.003);  // m/s: 1 %
+  EXPECT_NEAR(velocity.linear.y, -0.2, 0.003);
+  EXPECT_LT(world.pose(kRobot).tilt, 1e-3);
+}
+
+}  // namespace
+}  // namespace sim::physics::test
