@@ -20,11 +20,11 @@ inline constexpr std::size_t kMaxMsdu = 2304;
 using Payload = std::shared_ptr<const hal::Bytes>;
 
 struct MacRequest {
-  hal::AgentId destination;   ///< kEveryone: broadcast.
+  hal::AgentId destination;  ///< kEveryone: broadcast.
   Ethertype ethertype = kEthertypeRouting;
   std::uint8_t priority = 0;  ///< 0..7, IEEE Std 802.1D; kept, DCF does not use it.
   Payload payload;
-  std::uint64_t tag = 0;      ///< Given back in on_transmitted.
+  std::uint64_t tag = 0;  ///< Given back in on_transmitted.
 };
 
 struct MacIndication {

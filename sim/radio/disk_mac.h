@@ -1,0 +1,54 @@
+#pragma once
+
+#include <deque>
+#include <vector>
+
+#include "sim/radio/frame_factory.h"
+#include "sim/radio/mac_base.h"
+#include "sim/radio/neighbourhood.h"
+
+namespace sim::radio {
+
+class DiskMac;
+
+/// Air of the profiles disk and ideal: everybody within the range receives everything.
+struct DiskAir {
+  Neighbourhood& neighbourhood;
+  const Propagation& propagation;
+  std::vector<DiskMac*> stations;  ///< By StationIndex.
+};
+
+/// Link without physics. `disk`: the frames of a station take length over bit rate each, go out one
+/// after the other, and never collide. `ideal`: the same with no time at all. A unicast frame whose
+/// destination is out of range or off when it ends, ends in kRetryLimit. Receivers are those within
+/// range when the frame starts, and on when it ends.
+class DiskMac final : public MacBase {
+ public:
+  /// Adds itself to `air`.
+  DiskMac(const Context& context, DiskAir& air);
+
+  MacCapabilities capabilities() const override { return {.tx_status = true, .rssi = false}; }
+  void transmit(const MacRequest& request) override;
+  void set_radio(bool on) override;
+  bool radio_on() const override { return on_; }
+
+ private:
+  std::size_t queued() const override { return queue_.size(); }
+  void start_head();
+  void finish_head();
+  /// @return whether the frame was delivered to its destination.
+  bool end_at_receivers(bool cut);
+  void receive(const Frame& frame);
+
+  DiskAir& air_;
+  FrameFactory frames_;
+  StationIndex index_;
+  bool on_ = true;
+  std::uint16_t next_sequence_ = 0;
+  std::deque<MacRequest> queue_;
+  FramePtr sending_;  ///< The head's; null: nothing is on the air.
+  std::vector<StationIndex> receivers_;
+  EventQueue::EventId end_;
+};
+
+}  // namespace sim::radio

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "hal/types/agent_id.h"
+#include "sim/radio/airtime.h"
+#include "sim/radio/frame.h"
+#include "sim/radio/radio_config.h"
+
+namespace sim::radio {
+
+/// Makes the frames of one station, with the Duration fields of IEEE Std 802.11-2016, 9.2.5.
+class FrameFactory {
+ public:
+  FrameFactory(const RadioConfig& config, hal::AgentId agent);
+
+  struct DataOptions {
+    std::uint16_t sequence = 0;
+    bool retry = false;
+    hal::Duration duration{};
+  };
+  FramePtr data(const MacRequest& request, const DataOptions& options);
+
+  /// @param duration  what follows the RTS.
+  FramePtr rts(hal::AgentId to, hal::Duration duration);
+  /// @param duration  of the RTS; the CTS and the SIFS before it are taken off.
+  FramePtr cts(hal::AgentId to, hal::Duration duration);
+  FramePtr ack(hal::AgentId to);
+
+  hal::BitsPerSecond data_rate(const MacRequest& request) const;
+  hal::Duration data_airtime(const MacRequest& request) const;
+  hal::Duration control_airtime(FrameType type) const;
+
+ private:
+  std::shared_ptr<Frame> blank(FrameType type, hal::AgentId to);
+  FramePtr control(FrameType type, hal::AgentId to, hal::Duration duration);
+
+  const RadioConfig& config_;
+  Airtime airtime_;
+  hal::AgentId agent_;
+  std::uint64_t made_ = 0;
+};
+
+}  // namespace sim::radio

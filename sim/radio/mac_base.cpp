@@ -1,0 +1,72 @@
+#include "sim/radio/mac_base.h"
+
+#include <algorithm>
+#include <memory>
+
+#include "hal/types/check.h"
+
+namespace sim::radio {
+
+MacBase::MacBase(const Context& context)
+    : events_(context.events),
+      observer_(context.observer),
+      config_(context.config),
+      airtime_(context.config),
+      agent_(context.agent),
+      service_time_(airtime_.of(airtime_.mpdu_bits(FrameType::kData), config_.data_rate)) {}
+
+void MacBase::add_client(Ethertype ethertype, MacClient& client) {
+  BARAKA_CHECK(client_of(ethertype) == nullptr);
+  clients_.emplace_back(ethertype, &client);
+}
+
+MacClient* MacBase::client_of(Ethertype ethertype) const {
+  const auto found = std::find_if(clients_.begin(), clients_.end(), [ethertype](const auto& entry) {
+    return entry.first == ethertype;
+  });
+  return found == clients_.end() ? nullptr : found->second;
+}
+
+void MacBase::check(const MacRequest& request) const {
+  BARAKA_CHECK(request.payload != nullptr && request.payload->size() <= kMaxMsdu);
+  BARAKA_CHECK(request.destination != agent_);
+  BARAKA_CHECK(client_of(request.ethertype) != nullptr);
+}
+
+void MacBase::hand_up(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
+  MacClient* const client = client_of(frame.ethertype);
+  if (client == nullptr) return;
+  observer_.on_delivered(now(), frame, agent_);
+  client->on_receive({.source = frame.transmitter,
+                      .destination = frame.receiver,
+                      .payload = frame.payload,
+                      .rssi_dbm = rssi.value,
+                      .snr_db = snr.value});
+}
+
+void MacBase::report(const MacRequest& request, hal::Verdict verdict) {
+  observer_.on_request_end(now(), agent_, request.destination, verdict);
+  client_of(request.ethertype)->on_transmitted(request.tag, verdict);
+}
+
+void MacBase::report_later(MacRequest request, hal::Verdict verdict) {
+  auto shared = std::make_shared<const MacRequest>(std::move(request));
+  events_.schedule(now(), Rank::kRadio, agent_,
+                   [this, shared, verdict] { report(*shared, verdict); });
+}
+
+void MacBase::learn_service_time(hal::Duration took) {
+  service_time_ = (7 * service_time_ + 3 * took) / 10;
+}
+
+hal::Duration MacBase::expected_delay() const {
+  return (static_cast<std::int64_t>(queued()) + 1) * service_time_;
+}
+
+double MacBase::transmit_energy(std::size_t bytes) const {
+  const hal::Duration time =
+      airtime_.of(airtime_.mpdu_bits(FrameType::kData, bytes), config_.data_rate);
+  return config_.tx_power.value * 1e-3 * hal::to_seconds(time);
+}
+
+}  // namespace sim::radio

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "sim/core/event_queue.h"
+#include "sim/radio/airtime.h"
+#include "sim/radio/frame.h"
+#include "sim/radio/mac_sap.h"
+#include "sim/radio/observer.h"
+#include "sim/radio/radio_config.h"
+
+namespace sim::radio {
+
+/// What every MAC does for its clients in the same way: hand frames up, report how requests ended,
+/// estimate delay and energy.
+class MacBase : public MacSap {
+ public:
+  struct Context {
+    EventQueue& events;
+    RadioObserver& observer;
+    const RadioConfig& config;
+    hal::AgentId agent;
+  };
+
+  explicit MacBase(const Context& context);
+
+  void add_client(Ethertype ethertype, MacClient& client) final;
+  hal::Duration expected_delay() const final;
+  double transmit_energy(std::size_t bytes) const final;
+
+ protected:
+  /// Checks the preconditions of transmit().
+  void check(const MacRequest& request) const;
+
+  /// Gives the payload to the client of its type, if there is one.
+  void hand_up(const Frame& frame, hal::Dbm rssi, hal::Decibels snr);
+
+  /// The request ended. Calls the client: state must be up to date. Never from within a client's
+  /// call; there, use report_later().
+  void report(const MacRequest& request, hal::Verdict verdict);
+
+  /// The same in an event of its own, at this time.
+  void report_later(MacRequest request, hal::Verdict verdict);
+
+  /// A unicast exchange took this long from the head of the queue to its end: running mean with
+  /// weight 0.7 on the past (G. Di Caro, F. Ducatelle, L. M. Gambardella, "AntHocNet", PPSN VIII,
+  /// 2004).
+  void learn_service_time(hal::Duration took);
+
+  /// Requests waiting or in service.
+  virtual std::size_t queued() const = 0;
+
+  EventQueue& events() const { return events_; }
+  const RadioConfig& config() const { return config_; }
+  const Airtime& airtime() const { return airtime_; }
+  RadioObserver& observer() const { return observer_; }
+  hal::AgentId agent() const { return agent_; }
+  hal::Time now() const { return events_.now(); }
+
+ private:
+  MacClient* client_of(Ethertype ethertype) const;
+
+  EventQueue& events_;
+  RadioObserver& observer_;
+  const RadioConfig& config_;
+  Airtime airtime_;
+  hal::AgentId agent_;
+  hal::Duration service_time_;
+  std::vector<std::pair<Ethertype, MacClient*>> clients_;
+};
+
+}  // namespace sim::radio

@@ -1,0 +1,261 @@
+#include "sim/radio/mobility_framework_mac.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace sim::radio {
+namespace {
+
+/// The framework ends its timeouts and its own acknowledgements a little after the frame, so that
+/// events at the frame's end come first.
+constexpr hal::Duration kDelta{1};
+
+/// More would leave 64 bits; every contention window is at its limit long before.
+constexpr std::uint32_t kMostDoublings = 20;
+
+}  // namespace
+
+MobilityFrameworkMac::MobilityFrameworkMac(const Context& context, Radio& radio,
+                                           hal::RandomStream backoff)
+    : MacBase(context),
+      radio_(radio),
+      frames_(context.config, context.agent),
+      random_(backoff),
+      difs_(context.config.sifs + 2 * context.config.slot),
+      eifs_(context.config.sifs + difs_ + airtime_of(FrameType::kAck)) {
+  radio_.attach(*this);
+}
+
+template <class F>
+void MobilityFrameworkMac::start(Timer& timer, hal::Duration delay, F&& handler) {
+  stop(timer);
+  timer.due = now() + delay;
+  timer.event = events().schedule(timer.due, Rank::kRadio, agent(), std::forward<F>(handler));
+}
+
+void MobilityFrameworkMac::transmit(const MacRequest& request) {
+  check(request);
+  if (!radio_on()) return report_later(request, hal::Verdict::kRadioOff);
+  if (queue_.size() >= config().queue_limit) return report_later(request, hal::Verdict::kQueueFull);
+  if (queue_.empty()) head_since_ = now();
+  queue_.push_back({request, static_cast<std::uint16_t>(next_sequence_++ % 4096)});
+  // A packet that finds the station idle waits for DIFS only.
+  if (state_ == State::kIdle && !is_running(sifs_)) contend(true);
+}
+
+void MobilityFrameworkMac::set_radio(bool on) {
+  if (on == radio_on()) return;
+  radio_.set_on(on);
+  if (on) return;
+  for (Timer* timer : {&contention_, &sifs_, &timeout_, &nav_, &busy_}) stop(*timer);
+  answer_.reset();
+  state_ = State::kIdle;
+  attempt_ = 1;
+  backoff_left_ = {};
+  for (Outgoing& outgoing : std::exchange(queue_, {})) {
+    report_later(std::move(outgoing.request), hal::Verdict::kRadioOff);
+  }
+}
+
+void MobilityFrameworkMac::next_cycle() {
+  const bool give_up = attempt_ > config().short_retry_limit;
+  MacRequest dropped;
+  if (give_up) dropped = pop();
+  if (queue_.empty()) {
+    state_ = State::kIdle;
+  } else {
+    contend(false);
+  }
+  if (give_up) report(dropped, hal::Verdict::kRetryLimit);
+}
+
+void MobilityFrameworkMac::contend(bool without_backoff) {
+  state_ = State::kContend;
+  if (radio_.state() != Radio::State::kIdle) return;  // on_medium_idle() goes on
+  contending_since_ = now();
+  start(contention_, difs_ + (without_backoff ? hal::Duration{} : backoff()),
+        [this] { on_contention_won(); });
+}
+
+/// What is left of an interrupted backoff, or a new one.
+hal::Duration MobilityFrameworkMac::backoff() {
+  if (backoff_left_ > hal::Duration{}) return backoff_left_;
+  const std::uint32_t doublings = std::min(attempt_ - 1, kMostDoublings);
+  const std::uint64_t grown = ((config().cw_min + std::uint64_t{1}) << doublings) - 1;
+  const bool broadcast = queue_.front().request.destination == hal::kEveryone;
+  const auto window = static_cast<std::uint32_t>(
+      broadcast ? config().cw_broadcast : std::min<std::uint64_t>(grown, config().cw_max));
+  backoff_left_ = random_.below(window + 1) * config().slot;
+  return backoff_left_;
+}
+
+void MobilityFrameworkMac::on_contention_won() {
+  backoff_left_ = {};
+  const MacRequest& request = queue_.front().request;
+  if (request.destination == hal::kEveryone) {
+    state_ = State::kBusy;
+    radio_.transmit(make_data());
+    return;
+  }
+  const FrameType reply = uses_rts(request) ? FrameType::kCts : FrameType::kAck;
+  const FramePtr frame = uses_rts(request) ? make_rts() : make_data();
+  ++attempt_;
+  send_and_wait(frame, uses_rts(request) ? State::kWaitCts : State::kWaitAck, airtime_of(reply));
+}
+
+/// @param reply  airtime of the frame that must be in by the timeout.
+void MobilityFrameworkMac::send_and_wait(const FramePtr& frame, State next, hal::Duration reply) {
+  state_ = next;
+  radio_.transmit(frame);
+  start(timeout_, frame->airtime + config().sifs + reply + kDelta, [this] { on_timeout(); });
+}
+
+void MobilityFrameworkMac::on_timeout() {
+  if (state_ != State::kQuiet) next_cycle();
+}
+
+void MobilityFrameworkMac::on_medium_busy() {
+  if (can_stop(contention_)) {
+    if (now() - contending_since_ >= difs_) backoff_left_ = contention_.due - now();
+    stop(contention_);
+  }
+  if (can_stop(sifs_)) {
+    stop(sifs_);
+    state_ = queue_.empty() ? State::kIdle : State::kContend;
+  }
+}
+
+void MobilityFrameworkMac::on_medium_idle() {
+  if (state_ == State::kContend && !is_running(contention_) && !is_running(sifs_)) next_cycle();
+}
+
+void MobilityFrameworkMac::on_receive(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
+  if (frame.is_broadcast()) {
+    if (state_ == State::kContend) next_cycle();
+    return hand_up(frame, rssi, snr);
+  }
+  if (frame.receiver != agent()) return on_overheard(frame);
+  switch (frame.type) {
+    case FrameType::kRts:
+      return on_rts(frame);
+    case FrameType::kCts:
+      return on_cts(frame);
+    case FrameType::kData:
+      return on_data(frame, rssi, snr);
+    case FrameType::kAck:
+      return on_ack();
+  }
+}
+
+void MobilityFrameworkMac::on_rts(const Frame& frame) {
+  if (state_ != State::kIdle && state_ != State::kContend) return;
+  stop(contention_);
+  data_due_ = frame.duration - airtime_of(FrameType::kAck) - 2 * config().sifs + kDelta;
+  answer(frames_.cts(frame.transmitter, frame.duration));
+}
+
+void MobilityFrameworkMac::on_cts(const Frame&) {
+  if (state_ != State::kWaitCts) return;
+  stop(timeout_);
+  answer(make_data());
+}
+
+void MobilityFrameworkMac::on_data(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
+  const bool expected =
+      state_ == State::kIdle || state_ == State::kContend || state_ == State::kWaitData;
+  if (!expected) return;
+  stop(timeout_);
+  stop(contention_);
+  answer(frames_.ack(frame.transmitter));
+  hand_up(frame, rssi, snr);
+}
+
+void MobilityFrameworkMac::on_ack() {
+  if (state_ != State::kWaitAck) return;
+  stop(timeout_);
+  learn_service_time(now() - head_since_);
+  const MacRequest done = pop();
+  next_cycle();
+  report(done, hal::Verdict::kDelivered);
+}
+
+void MobilityFrameworkMac::on_overheard(const Frame& frame) {
+  if (frame.duration > hal::Duration{}) {
+    keep_quiet(frame.duration);
+  } else if (frame.type != FrameType::kRts && state_ == State::kContend) {
+    next_cycle();
+  }
+}
+
+void MobilityFrameworkMac::on_receive_error(ReceiveError error) {
+  if (error == ReceiveError::kBitError) {
+    keep_quiet(eifs_);
+  } else if (state_ == State::kContend) {
+    next_cycle();
+  }
+}
+
+void MobilityFrameworkMac::keep_quiet(hal::Duration duration) {
+  for (Timer* timer : {&contention_, &sifs_, &timeout_}) stop(*timer);
+  state_ = State::kQuiet;
+  if (is_running(nav_) && nav_.due >= now() + duration) return;
+  start(nav_, duration, [this] { next_cycle(); });
+}
+
+void MobilityFrameworkMac::answer(FramePtr frame) {
+  answer_ = std::move(frame);
+  start(sifs_, config().sifs, [this] { send_answer(); });
+}
+
+void MobilityFrameworkMac::send_answer() {
+  const FramePtr frame = std::exchange(answer_, nullptr);
+  if (frame->type == FrameType::kData) {
+    return send_and_wait(frame, State::kWaitAck, airtime_of(FrameType::kAck));
+  }
+  const bool is_cts = frame->type == FrameType::kCts;
+  state_ = is_cts ? State::kWaitData : State::kBusy;
+  radio_.transmit(frame);
+  if (is_cts) start(timeout_, data_due_, [this] { on_timeout(); });
+}
+
+void MobilityFrameworkMac::on_transmit_end(const Frame& frame) {
+  if (frame.type == FrameType::kAck) {
+    start(busy_, kDelta, [this] { next_cycle(); });
+  } else if (frame.is_broadcast()) {
+    const MacRequest done = pop();
+    next_cycle();
+    report(done, hal::Verdict::kDelivered);
+  }
+}
+
+MacRequest MobilityFrameworkMac::pop() {
+  MacRequest head = std::move(queue_.front().request);
+  queue_.pop_front();
+  attempt_ = 1;
+  head_since_ = now();
+  return head;
+}
+
+bool MobilityFrameworkMac::uses_rts(const MacRequest& request) const {
+  const std::uint32_t bits = airtime().mpdu_bits(FrameType::kData, request.payload->size());
+  return bits > 8 * config().rts_threshold;
+}
+
+FramePtr MobilityFrameworkMac::make_rts() {
+  const MacRequest& request = queue_.front().request;
+  return frames_.rts(request.destination, 3 * config().sifs + airtime_of(FrameType::kCts) +
+                                              frames_.data_airtime(request) +
+                                              airtime_of(FrameType::kAck));
+}
+
+FramePtr MobilityFrameworkMac::make_data() {
+  Outgoing& head = queue_.front();
+  const bool after_rts = head.request.destination != hal::kEveryone && uses_rts(head.request);
+  const hal::Duration follows =
+      after_rts ? config().sifs + airtime_of(FrameType::kAck) : hal::Duration{};
+  const bool retry = std::exchange(head.sent, true);
+  return frames_.data(head.request,
+                      {.sequence = head.sequence, .retry = retry, .duration = follows});
+}
+
+}  // namespace sim::radio

@@ -1,0 +1,116 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+
+#include "hal/types/random.h"
+#include "sim/radio/frame_factory.h"
+#include "sim/radio/mac_base.h"
+#include "sim/radio/radio.h"
+
+namespace sim::radio {
+
+/// MAC of the Mobility Framework 1.0a5, which the paper used: CSMA/CA with RTS/CTS that differs
+/// from the standard's DCF in ways that its figures show, e.g. no backoff for a packet that finds
+/// the station idle, and no post-backoff. Written from its description in replica.md 5.4; source as
+/// imported into INET in 2005: MF80211/Mac80211.
+///
+///            packet, radio idle              RTS sent             CTS
+///   kIdle --------------------> kContend -------------> kWaitCts -----> (SIFS, DATA)
+///     ^ ^                        | |  ^ ^                   |                |
+///     | |   broadcast sent       | |  | +-- timeout --------+                v
+///     | +------------ kBusy <----+ |  +---- timeout -------------------- kWaitAck
+///     |                 ^          | no RTS: DATA sent                    ^  |
+///     |                 |          +--------------------------------------+  |
+///     +--- queue empty -|----------------------------------- ACK ------------+
+///                       | (SIFS, ACK)
+///   kIdle, kContend --RTS for us, (SIFS, CTS)--> kWaitData --DATA--> kBusy --> next cycle
+///   any --frame for others with a duration, or bit error--> kQuiet --NAV over--> next cycle
+///
+/// "Next cycle": contend for the head of the queue, or kIdle. A carrier cancels a running
+/// contention, which keeps its remaining time, and a pending SIFS answer.
+class MobilityFrameworkMac final : public MacBase, public RadioListener {
+ public:
+  MobilityFrameworkMac(const Context& context, Radio& radio, hal::RandomStream backoff);
+
+  MacCapabilities capabilities() const override { return {.tx_status = true, .rssi = true}; }
+  void transmit(const MacRequest& request) override;
+  void set_radio(bool on) override;
+  bool radio_on() const override { return radio_.state() != Radio::State::kOff; }
+
+ private:
+  enum class State : std::uint8_t { kIdle, kContend, kWaitCts, kWaitData, kWaitAck, kBusy, kQuiet };
+
+  struct Outgoing {
+    MacRequest request;
+    std::uint16_t sequence = 0;
+    bool sent = false;  ///< The data frame has been on the air.
+  };
+  /// An event and when it is due.
+  struct Timer {
+    EventQueue::EventId event;
+    hal::Time due{};
+  };
+
+  std::size_t queued() const override { return queue_.size(); }
+
+  void on_medium_busy() override;
+  void on_medium_idle() override;
+  void on_receive_start() override {}
+  void on_receive(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) override;
+  void on_receive_error(ReceiveError error) override;
+  void on_transmit_end(const Frame& frame) override;
+
+  void on_rts(const Frame& frame);
+  void on_cts(const Frame& frame);
+  void on_data(const Frame& frame, hal::Dbm rssi, hal::Decibels snr);
+  void on_ack();
+  void on_overheard(const Frame& frame);
+
+  void next_cycle();
+  void contend(bool without_backoff);
+  hal::Duration backoff();
+  void on_contention_won();
+  void send_and_wait(const FramePtr& frame, State next, hal::Duration timeout);
+  void answer(FramePtr frame);
+  void send_answer();
+  void on_timeout();
+  void keep_quiet(hal::Duration duration);
+  MacRequest pop();
+
+  FramePtr make_rts();
+  FramePtr make_data();
+  bool uses_rts(const MacRequest& request) const;
+  hal::Duration airtime_of(FrameType type) const { return frames_.control_airtime(type); }
+
+  template <class F>
+  void start(Timer& timer, hal::Duration delay, F&& handler);
+  void stop(Timer& timer) { events().cancel(timer.event); }
+  bool is_running(const Timer& timer) const { return events().is_pending(timer.event); }
+  /// Running, and not due at this very instant, where nothing sensed now can stop it any more.
+  bool can_stop(const Timer& timer) const { return is_running(timer) && timer.due != now(); }
+
+  Radio& radio_;
+  FrameFactory frames_;
+  hal::RandomStream random_;
+  hal::Duration difs_;
+  hal::Duration eifs_;
+
+  State state_ = State::kIdle;
+  std::deque<Outgoing> queue_;
+  hal::Time head_since_{};
+  std::uint16_t next_sequence_ = 0;
+  std::uint32_t attempt_ = 1;
+  hal::Duration backoff_left_{};
+
+  Timer contention_;
+  hal::Time contending_since_{};
+  Timer sifs_;  ///< Until answer_ goes out.
+  FramePtr answer_;
+  hal::Duration data_due_{};  ///< How long to wait for data from the start of our CTS.
+  Timer timeout_;
+  Timer nav_;
+  Timer busy_;
+};
+
+}  // namespace sim::radio

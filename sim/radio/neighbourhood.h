@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "hal/types/agent_id.h"
+#include "hal/types/time.h"
+#include "sim/core/event_queue.h"
+#include "sim/radio/cell_grid.h"
+#include "sim/radio/ports.h"
+#include "sim/radio/propagation.h"
+
+namespace sim::radio {
+
+/// What a station's frames are at one other station, as long as neither of the two moves.
+struct Link {
+  StationIndex receiver = 0;
+  std::uint32_t from_move = 0;  ///< Count of moves of the transmitter when this was computed …
+  std::uint32_t to_move = 0;    ///< … and of the receiver. 0: never computed.
+  Propagation::Arrival arrival;
+
+  /// Anything at all arrives, or would but for a wall.
+  bool matters(const Propagation& propagation) const {
+    return arrival.blocked || propagation.is_noticeable(arrival.power);
+  }
+};
+
+/// Who can notice whose frames, and how strongly. Positions are pulled when a frame starts; what
+/// has not moved since is not computed again. Stations that move are put into their new cell by an
+/// event of their own: the cells are larger than the reach by twice a margin, and a station is
+/// looked at again before it can have left its cell by more than the margin.
+class Neighbourhood {
+ public:
+  /// @param agents  in ascending order; the index into it is the StationIndex.
+  Neighbourhood(EventQueue& events, const Positions& positions, const Propagation& propagation,
+                std::vector<hal::AgentId> agents);
+
+  /// Up-to-date links from this station to all that could notice it, and maybe to some more; check
+  /// matters(). By receiver. Valid until the next call for this station.
+  const std::vector<Link>& links_from(StationIndex transmitter);
+
+ private:
+  struct Station {
+    hal::AgentId agent;
+    double max_speed = 0;  ///< m/s
+    hal::Vec3 position;
+    hal::Time valid_until{};
+    std::uint32_t moves = 1;
+    std::uint64_t cells_seen = 0;  ///< cell_changes_ when the links were collected.
+    std::vector<Link> links;
+  };
+
+  void refresh(Station& station);
+  void collect(StationIndex transmitter);
+  void watch_cell(StationIndex station);
+
+  EventQueue& events_;
+  const Positions& positions_;
+  const Propagation& propagation_;
+  double margin_;  ///< m
+  CellGrid grid_;
+  std::uint64_t cell_changes_ = 1;
+  std::vector<Station> stations_;
+};
+
+}  // namespace sim::radio

@@ -1,0 +1,232 @@
+#include "sim/radio/radio.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "hal/types/check.h"
+#include "hal/types/math.h"
+#include "sim/radio/channel.h"
+
+namespace sim::radio {
+
+Radio::Radio(Air air, StationIndex index, hal::AgentId agent, hal::RandomStream errors)
+    : events_(air.events),
+      channel_(air.channel),
+      observer_(air.observer),
+      rules_(air.rules),
+      index_(index),
+      agent_(agent),
+      errors_(errors),
+      cca_threshold_(to_milliwatts(air.config.cca_threshold).value),
+      energy_detection_(to_milliwatts(air.config.energy_detection).value),
+      preamble_window_(air.config.preamble_window) {
+  if (air.config.capture_margin) {
+    capture_margin_ = hal::math::pow(10, air.config.capture_margin->value / 10);
+  }
+}
+
+void Radio::transmit(FramePtr frame) {
+  settle();
+  BARAKA_CHECK(state_ == State::kIdle || state_ == State::kReceive);
+  lose_all(hal::Verdict::kReceiverTransmitting);
+  state_ = State::kTransmit;
+  sending_ = std::move(frame);
+  sending_until_ = events_.now() + sending_->airtime;
+  channel_.transmit(*this, sending_);
+}
+
+void Radio::end_transmit(const Frame& frame) {
+  if (sending_.get() != &frame) return;
+  const FramePtr sent = std::move(sending_);
+  state_ = State::kIdle;
+  sense();
+  listener_->on_transmit_end(*sent);
+  announce();
+}
+
+void Radio::set_on(bool on) {
+  if (on == (state_ != State::kOff)) return;
+  if (on) {
+    state_ = State::kIdle;
+    sense();
+    said_busy_ = state_ == State::kReceive;
+    return;
+  }
+  settle();
+  lose_all(hal::Verdict::kRadioOff);
+  state_ = State::kOff;
+  said_busy_ = false;
+  if (sending_) channel_.cut(*this);
+  sending_.reset();
+}
+
+void Radio::settle() {
+  if (state_ == State::kTransmit && sending_until_ == events_.now()) end_transmit(*sending_);
+  while (true) {
+    const auto over = std::find_if(signals_.begin(), signals_.end(), [this](const Signal& signal) {
+      return signal.end == events_.now();
+    });
+    if (over == signals_.end()) return;
+    end_signal(*over->frame, false);
+  }
+}
+
+bool Radio::begin_signal(const FramePtr& frame, const Propagation::Arrival& arrival) {
+  settle();
+  hear();
+  const hal::Time now = events_.now();
+  signals_.push_back({.frame = frame,
+                      .arrival = arrival,
+                      .start = now,
+                      .end = now + frame->airtime,
+                      .verdict = refuse(arrival)});
+  const bool had_window = window_.has_value();
+  const bool holds_it = !signals_.back().verdict && synchronise(signals_.back());
+  sense();
+  if (holds_it) listener_->on_receive_start();
+  announce();
+  return window_.has_value() && !had_window;
+}
+
+std::optional<hal::Verdict> Radio::refuse(const Propagation::Arrival& arrival) const {
+  if (state_ == State::kOff) return hal::Verdict::kRadioOff;
+  if (state_ == State::kTransmit) return hal::Verdict::kReceiverTransmitting;
+  if (arrival.blocked) return hal::Verdict::kObstacle;
+  if (arrival.power.value < rules_.sensitivity) return hal::Verdict::kBelowSensitivity;
+  return std::nullopt;
+}
+
+bool Radio::synchronise(Signal& signal) {
+  if (held_) {
+    if (!can_capture(signal)) {
+      signal.verdict = hal::Verdict::kPreambleMissed;
+      return false;
+    }
+    find(held_->frame())->verdict = hal::Verdict::kCollision;
+  } else if (preamble_window_ > hal::Duration{}) {
+    if (!window_) window_ = signal.start;
+    return false;
+  }
+  hold(signal);
+  return true;
+}
+
+bool Radio::can_capture(const Signal& signal) const {
+  return capture_margin_ && held_->in_plcp(rules_, events_.now()) &&
+         signal.arrival.power.value >= *capture_margin_ * held_->power();
+}
+
+void Radio::close_preamble_window() {
+  settle();
+  // The window this call was meant for may have been dropped and another one opened.
+  if (!window_ || events_.now() - *window_ < preamble_window_) return;
+  Signal* const best = strongest_in_window();
+  window_.reset();
+  if (best == nullptr) return;
+  const Interference others = interference(*best->frame);
+  if (best->arrival.power.value < rules_.min_sinr * (rules_.noise + others.sum)) {
+    best->verdict = cause_of_loss(rules_, others);
+    return;
+  }
+  hold(*best);
+  sense();
+  listener_->on_receive_start();
+  announce();
+}
+
+Radio::Signal* Radio::strongest_in_window() {
+  Signal* best = nullptr;
+  for (Signal& signal : signals_) {
+    if (signal.verdict) continue;
+    if (best == nullptr || signal.arrival.power > best->arrival.power) best = &signal;
+  }
+  for (Signal& signal : signals_) {
+    if (!signal.verdict && &signal != best) signal.verdict = hal::Verdict::kCollision;
+  }
+  return best;
+}
+
+void Radio::hold(const Signal& signal) {
+  held_.emplace(*signal.frame, signal.arrival.power.value, signal.start, events_.now());
+}
+
+void Radio::lose_all(hal::Verdict verdict) {
+  for (Signal& signal : signals_) {
+    if (!signal.verdict) signal.verdict = verdict;
+  }
+  held_.reset();
+  window_.reset();
+}
+
+void Radio::end_signal(const Frame& frame, bool cut) {
+  const Signal* const found = find(frame);
+  if (found == nullptr) return;
+  hear();
+  const Signal signal = *found;
+  signals_.erase(signals_.begin() + (found - signals_.data()));
+  const bool was_held = held_ && &held_->frame() == &frame;
+  Reception::Outcome outcome{signal.verdict.value_or(hal::Verdict::kPreambleMissed)};
+  hal::Decibels snr;
+  if (was_held) {
+    outcome = held_->judge(rules_, errors_);
+    snr = hal::Decibels{10 * hal::math::log10(held_->min_sinr())};
+    held_.reset();
+  }
+  if (cut && !signal.verdict) outcome = {hal::Verdict::kRadioOff};
+  sense();
+  observer_.on_reception(events_.now(), frame, agent_, outcome.verdict, signal.arrival.level.value);
+  if (was_held && outcome.verdict == hal::Verdict::kDelivered) {
+    listener_->on_receive(frame, signal.arrival.level, snr);
+  } else if (was_held) {
+    listener_->on_receive_error(outcome.error);
+  }
+  announce();
+}
+
+Interference Radio::interference(const Frame& wanted) const {
+  Interference others;
+  for (const Signal& signal : signals_) {
+    if (signal.frame.get() == &wanted) continue;
+    others.sum += signal.arrival.power.value;
+    others.strongest = std::max(others.strongest, signal.arrival.power.value);
+  }
+  return others;
+}
+
+void Radio::hear() {
+  if (held_) held_->hear(rules_, interference(held_->frame()), events_.now());
+}
+
+Radio::Signal* Radio::find(const Frame& frame) {
+  const auto found = std::find_if(signals_.begin(), signals_.end(), [&frame](const Signal& signal) {
+    return signal.frame.get() == &frame;
+  });
+  return found == signals_.end() ? nullptr : &*found;
+}
+
+void Radio::sense() {
+  if (state_ == State::kOff || state_ == State::kTransmit) return;
+  state_ = is_medium_busy() ? State::kReceive : State::kIdle;
+}
+
+bool Radio::is_medium_busy() const {
+  double sum = 0;
+  for (const Signal& signal : signals_) {
+    if (signal.arrival.power.value >= cca_threshold_) return true;
+    sum += signal.arrival.power.value;
+  }
+  return held_.has_value() || (!signals_.empty() && sum >= energy_detection_);
+}
+
+void Radio::announce() {
+  if (state_ == State::kOff || state_ == State::kTransmit) return;
+  const bool busy = state_ == State::kReceive;
+  if (busy == std::exchange(said_busy_, busy)) return;
+  if (busy) {
+    listener_->on_medium_busy();
+  } else {
+    listener_->on_medium_idle();
+  }
+}
+
+}  // namespace sim::radio

@@ -1,0 +1,135 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "hal/types/agent_id.h"
+#include "hal/types/random.h"
+#include "hal/types/time.h"
+#include "sim/core/event_queue.h"
+#include "sim/radio/cell_grid.h"
+#include "sim/radio/frame.h"
+#include "sim/radio/observer.h"
+#include "sim/radio/propagation.h"
+#include "sim/radio/reception.h"
+
+namespace sim::radio {
+
+class Channel;
+
+/// What a radio tells its MAC. State and signals of the radio are up to date when it is called. A
+/// handler must not transmit at once, only schedule.
+class RadioListener {
+ public:
+  virtual ~RadioListener() = default;
+  /// Carrier sense, while the radio is on and not transmitting.
+  virtual void on_medium_busy() = 0;
+  virtual void on_medium_idle() = 0;
+  /// The receiver synchronised to a frame.
+  virtual void on_receive_start() = 0;
+  /// A frame came in without error, addressed to this station or not. Before on_medium_idle().
+  virtual void on_receive(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) = 0;
+  virtual void on_receive_error(ReceiveError error) = 0;
+  /// The radio's own frame has left the antenna.
+  virtual void on_transmit_end(const Frame& frame) = 0;
+};
+
+/// Half-duplex receiver and transmitter of one station.
+///
+///        own frame starts             own frame ends, medium busy
+///   kIdle ------------> kTransmit --------------------> kReceive
+///     ^  <------------- medium idle                    |   ^  |
+///     |                     ^--- own frame starts -----+   |  |
+///     +---------------- last frame gone -------------------|--+
+///     +---------------- frame or energy sensed ------------+
+///   kOff <---> any: set_on()
+///
+/// Every frame that the radio can notice ends in exactly one verdict, at the frame's end. What ends
+/// now is over, whichever of several events at one time comes first.
+class Radio {
+ public:
+  enum class State : std::uint8_t { kOff, kIdle, kReceive, kTransmit };
+
+  struct Air {
+    EventQueue& events;
+    Channel& channel;
+    RadioObserver& observer;
+    const RadioConfig& config;
+    const ReceptionRules& rules;
+  };
+
+  Radio(Air air, StationIndex index, hal::AgentId agent, hal::RandomStream errors);
+
+  /// @pre called once, before anything else. The listener outlives the radio.
+  void attach(RadioListener& listener) { listener_ = &listener; }
+
+  hal::AgentId agent() const { return agent_; }
+  StationIndex index() const { return index_; }
+  State state() const { return state_; }
+  /// Synchronised to a frame.
+  bool is_receiving() const { return held_.has_value(); }
+
+  /// @pre on, and not transmitting. A frame that is coming in is lost.
+  void transmit(FramePtr frame);
+
+  /// Off cuts the own frame. No callbacks.
+  void set_on(bool on);
+
+  // For the channel.
+  /// @return whether a preamble window opened, which must be closed after its time.
+  bool begin_signal(const FramePtr& frame, const Propagation::Arrival& arrival);
+  void close_preamble_window();
+  /// Does nothing if the signal is not there any more. @param cut  before its end.
+  void end_signal(const Frame& frame, bool cut);
+  /// Does nothing if the radio is not transmitting this frame any more.
+  void end_transmit(const Frame& frame);
+
+ private:
+  struct Signal {
+    FramePtr frame;
+    Propagation::Arrival arrival;
+    hal::Time start{};
+    hal::Time end{};
+    /// Fixed as soon as it cannot be received any more.
+    std::optional<hal::Verdict> verdict;
+  };
+
+  void settle();
+  std::optional<hal::Verdict> refuse(const Propagation::Arrival& arrival) const;
+  bool synchronise(Signal& signal);
+  bool can_capture(const Signal& signal) const;
+  Signal* strongest_in_window();
+  void hold(const Signal& signal);
+  void lose_all(hal::Verdict verdict);
+  Interference interference(const Frame& wanted) const;
+  void hear();
+  Signal* find(const Frame& frame);
+  void sense();
+  bool is_medium_busy() const;
+  void announce();
+
+  EventQueue& events_;
+  Channel& channel_;
+  RadioObserver& observer_;
+  const ReceptionRules& rules_;
+  StationIndex index_;
+  hal::AgentId agent_;
+  hal::RandomStream errors_;
+  RadioListener* listener_ = nullptr;
+
+  double cca_threshold_;     ///< mW
+  double energy_detection_;  ///< mW
+  std::optional<double> capture_margin_;
+  hal::Duration preamble_window_;
+
+  State state_ = State::kIdle;
+  bool said_busy_ = false;  ///< What the listener was told last.
+  FramePtr sending_;        ///< While transmitting.
+  hal::Time sending_until_{};
+  std::vector<Signal> signals_;  ///< By arrival.
+  std::optional<Reception> held_;
+  std::optional<hal::Time> window_;  ///< Start of the open preamble window.
+};
+
+}  // namespace sim::radio
