@@ -1,0 +1,166 @@
+#include "sim/sensing/infrared.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "hal/types/math.h"
+#include "sim/sensing/relative_localisation.h"
+#include "tests/unit/sim/physics/robertino.h"
+
+namespace sim::sensing::test {
+namespace {
+
+using hal::AgentId;
+using hal::math::kPi;
+using physics::World;
+using physics::test::robertino;
+using namespace std::chrono_literals;
+
+constexpr AgentId kRobot{1};
+constexpr double kCount = 5.0 / 1023;  // V per count of the converter
+
+std::vector<hal::devices::InfraredSensor> quiet_sensors() {
+  auto sensors = robertino().infrared;
+  for (auto& sensor : sensors) sensor.noise_sigma = 0;
+  return sensors;
+}
+
+/// A robot whose front sensor is `gap` metres from a wall.
+void face_wall(World& world, double gap) {
+  world.add_wall({"wall", {0.185 + gap + 0.1, 0, 0.5}, {0.2, 10, 1}, 0});
+  world.add_robot(kRobot, robertino(), {});
+}
+
+TEST(Infrared, FrontSensorReadsTheWallAndTheRearOneNothing) {
+  World world(physics::WorldConfig{});
+  face_wall(world, 0.4);
+  const Proximity proximity(world);
+  InfraredArray array(kRobot, quiet_sensors(), 1, "r0");
+  EXPECT_TRUE(array.readings().empty());
+  array.sample(hal::Time{}, world, proximity);
+  ASSERT_EQ(array.readings().size(), 6U);
+  const InfraredReading& front = array.readings()[0];
+  // 6787 / 44 + 3 = 157.25 counts: the nearest is 157.
+  EXPECT_NEAR(front.volts, 157 * kCount, 1e-12);
+  EXPECT_NEAR(front.metres, 67.87 / 154 - 0.04, 1e-12);
+  EXPECT_TRUE(std::isnan(array.readings()[3].metres));
+  EXPECT_NEAR(array.readings()[3].volts, 0.2, kCount);
+}
+
+TEST(Infrared, ObliqueSensorsReadTheEdgeOfTheirSector) {
+  World world(physics::WorldConfig{});
+  face_wall(world, 0.2);
+  const Proximity proximity(world);
+  InfraredArray array(kRobot, quiet_sensors(), 1, "r0");
+  array.sample(hal::Time{}, world, proximity);
+  // Sensor at 60 degrees, x = 0.0925 m; wall at x = 0.385: the edge ray at 57.5 degrees is nearer.
+  const double expected = (0.385 - 0.0925) / hal::math::cos(57.5 * kPi / 180);
+  // One count there is 67.87 / 120^2 = 5 mm.
+  EXPECT_NEAR(array.readings()[1].metres, expected, 0.005);
+  EXPECT_NEAR(array.readings()[5].metres, expected, 0.005);
+}
+
+TEST(Infrared, NoiseHasTheSigmaOfTheFile) {
+  World world(physics::WorldConfig{});
+  face_wall(world, 0.3);
+  const Proximity proximity(world);
+  auto sensors = robertino().infrared;
+  for (auto& sensor : sensors) {
+    sensor.hold_period = {};
+    sensor.converter.bits = 0;
+  }
+  InfraredArray array(kRobot, sensors, 1, "r0");
+  double sum = 0;
+  double squares = 0;
+  constexpr int kSamples = 4000;
+  const double exact = hal::devices::InfraredCurve::gp2d12().volts(0.3);
+  for (int i = 0; i < kSamples; ++i) {
+    array.sample(hal::Time{i * 1ms}, world, proximity);
+    const double error = array.readings()[0].volts - exact;
+    sum += error / kSamples;
+    squares += error * error / kSamples;
+  }
+  // Mean within 4 sigma/sqrt(n) = 0.95 mV; sigma's own deviation is sigma/sqrt(2n) = 0.17 mV.
+  EXPECT_NEAR(sum, 0, 0.00095);
+  EXPECT_NEAR(std::sqrt(squares), 0.015, 0.0007);
+}
+
+TEST(Infrared, ValueIsHeldBetweenTheInstantsOfASensor) {
+  World world(physics::WorldConfig{});
+  face_wall(world, 0.3);
+  const Proximity proximity(world);
+  InfraredArray array(kRobot, robertino().infrared, 1, "r0");
+  int changes = 0;
+  double previous = -1;
+  for (hal::Time t{}; t < hal::Time{3830ms}; t += 1ms) {
+    array.sample(t, world, proximity);
+    changes += array.readings()[0].volts != previous;
+    previous = array.readings()[0].volts;
+  }
+  // 100 periods of 38.3 ms: the first value and 100 new ones, of which some fall on the same count
+  // (sigma is 3 counts: about one in ten).
+  EXPECT_LE(changes, 101);
+  EXPECT_GE(changes, 80);
+}
+
+TEST(Infrared, ReadingOfAMovingRobotIsAsOldAsItsInstant) {
+  World world(physics::WorldConfig{});
+  face_wall(world, 1.5);
+  Proximity proximity(world);
+  InfraredArray array(kRobot, quiet_sensors(), 7, "r0");
+  ASSERT_TRUE(world.set_body_velocity(kRobot, {0.5, 0, 0}));
+  double oldest = 0;
+  double youngest = 1;
+  for (int k = 0; k < 210; ++k) world.step();
+  for (int k = 0; k < 50; ++k) {
+    world.step();
+    proximity.update();
+    array.sample(world.now(), world, proximity);
+    const double distance = 1.5 - world.pose(kRobot).position.x;
+    const double lag = (array.readings()[0].metres - distance) / 0.5;  // s
+    oldest = std::max(oldest, lag);
+    youngest = std::min(youngest, lag);
+  }
+  // Ages lie in 0 .. 38.3 ms; one count at 0.5 m is 4 mm, rounded to half: 4 ms at 0.5 m/s.
+  EXPECT_LT(oldest, 0.0383 + 0.005);
+  EXPECT_GT(oldest, 0.020);
+  EXPECT_GT(youngest, -0.005);
+  EXPECT_LT(youngest, 0.015);
+}
+
+TEST(Infrared, SameSeedAndNameGiveTheSameBitsAndOthersDoNot) {
+  World world(physics::WorldConfig{});
+  face_wall(world, 0.3);
+  const Proximity proximity(world);
+  const auto volts = [&](std::uint64_t seed, const char* name) {
+    InfraredArray array(kRobot, robertino().infrared, seed, name);
+    double sum = 0;
+    for (hal::Time t{}; t < hal::Time{2s}; t += 100ms) {
+      array.sample(t, world, proximity);
+      sum += array.readings()[0].volts;
+    }
+    return sum;
+  };
+  EXPECT_EQ(volts(1, "r0"), volts(1, "r0"));
+  EXPECT_NE(volts(1, "r0"), volts(2, "r0"));
+  EXPECT_NE(volts(1, "r0"), volts(1, "r1"));
+}
+
+TEST(Localisation, OthersWithinRangeAppearInTheBodyFrame) {
+  const std::vector<AgentPosition> agents{
+      {AgentId{1}, {1, 1}}, {AgentId{2}, {1, 4}}, {AgentId{3}, {6, 1}}, {AgentId{4}, {1, 4.001}}};
+  const auto found = localise({1, 1, kPi / 2}, AgentId{1}, agents, 3);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].agent, AgentId{2});
+  EXPECT_NEAR(found[0].position.x, 3, 1e-15);  // ahead: the body looks along y
+  EXPECT_NEAR(found[0].position.y, 0, 1e-15);
+  const auto left = localise({1, 1, 0}, AgentId{1}, agents, 5);
+  ASSERT_EQ(left.size(), 3U);
+  EXPECT_NEAR(left[0].position.y, 3, 1e-15);
+  EXPECT_NEAR(left[1].position.x, 5, 1e-15);
+}
+
+}  // namespace
+}  // namespace sim::sensing::test
