@@ -1,0 +1,46 @@
+#pragma once
+
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "sim/agents/observer.h"
+#include "sim/record/database.h"
+
+namespace sim::record {
+
+/// The tables poses and bodies.
+class BodyLog {
+ public:
+  /// @param period  of the rows in poses, > 0.
+  BodyLog(Database& database, hal::Duration period);
+
+  /// @return whether a row was written.
+  bool on_body(hal::Time at, hal::AgentId agent, const agents::BodyState& body);
+  void on_contacts(hal::AgentId agent, const agents::ContactCounts& contacts);
+
+  void write();
+
+ private:
+  struct Pose {
+    double x = 0, y = 0, theta = 0;
+    bool operator==(const Pose&) const = default;
+  };
+  struct Track {
+    std::optional<Pose> last;     ///< At the latest control instant.
+    std::optional<Pose> written;  ///< Latest row in poses.
+    hal::Time next_row{};
+    double path = 0;
+    double clearance = std::numeric_limits<double>::infinity();
+    double tilt = 0;
+    std::optional<agents::ContactCounts> contacts;
+  };
+
+  bool write_pose(hal::Time at, hal::AgentId agent, Track& track);
+
+  hal::Duration period_;
+  Statement insert_pose_, put_body_;
+  std::map<hal::AgentId, Track> tracks_;
+};
+
+}  // namespace sim::record

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+
+struct sqlite3;
+struct sqlite3_stmt;
+
+namespace sim::record {
+
+/// One SQLite file. Everything throws std::runtime_error with the file and SQLite's reason.
+class Database {
+ public:
+  enum class Mode : std::uint8_t { kCreate, kRead };
+
+  /// kCreate replaces the file; kRead needs it.
+  Database(const std::filesystem::path& file, Mode mode);
+  ~Database();
+  Database(const Database&) = delete;
+  Database& operator=(const Database&) = delete;
+
+  void execute(const std::string& sql);
+
+ private:
+  friend class Statement;
+  [[noreturn]] void fail(std::string_view doing) const;
+
+  std::string name_;
+  sqlite3* handle_ = nullptr;
+};
+
+/// One prepared statement.
+///
+///   Statement insert(db, "INSERT INTO links VALUES (?, ?)");
+///   insert.run(1, 2);
+///   Statement query(db, "SELECT a, b FROM links");
+///   while (query.next()) use(query.integer(0), query.integer(1));
+class Statement {
+ public:
+  Statement(Database& database, std::string_view sql);
+  ~Statement();
+  Statement(const Statement&) = delete;
+  Statement& operator=(const Statement&) = delete;
+
+  /// Binds the values to the question marks and runs the statement to its end.
+  template <class... Values>
+  void run(const Values&... values) {
+    bind_all(values...);
+    while (next()) {
+    }
+  }
+
+  template <class... Values>
+  void bind_all(const Values&... values) {
+    int place = 0;
+    (bind(++place, values), ...);
+  }
+
+  /// To the next row; false after the last one, and then it can be used again.
+  bool next();
+
+  /// Columns of the current row, from 0. Null reads as 0 or "".
+  std::int64_t integer(int column) const;
+  double real(int column) const;
+  std::string text(int column) const;
+  bool is_null(int column) const;
+
+ private:
+  void bind(int place, std::int64_t value);
+  void bind(int place, std::uint64_t value) { bind(place, static_cast<std::int64_t>(value)); }
+  void bind(int place, int value) { bind(place, std::int64_t{value}); }
+  void bind(int place, bool value) { bind(place, std::int64_t{value}); }
+  void bind(int place, double value);
+  void bind(int place, std::string_view value);
+  void bind(int place, const std::string& value) { bind(place, std::string_view(value)); }
+  void bind(int place, const char* value) { bind(place, std::string_view(value)); }
+  void bind(int place, std::nullopt_t);
+  template <class T>
+  void bind(int place, const std::optional<T>& value) {
+    value ? bind(place, *value) : bind(place, std::nullopt);
+  }
+
+  Database& database_;
+  sqlite3_stmt* handle_ = nullptr;
+};
+
+}  // namespace sim::record

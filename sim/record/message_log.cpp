@@ -1,0 +1,68 @@
+#include "sim/record/message_log.h"
+
+#include "hal/routing/packet.h"
+
+namespace sim::record {
+namespace {
+
+std::string_view name(hal::Fate fate) {
+  constexpr std::string_view kNames[] = {"handed over", "no route", "queue full", "failed"};
+  return kNames[static_cast<int>(fate)];
+}
+
+}  // namespace
+
+MessageLog::MessageLog(Database& database)
+    : insert_(database,
+              "REPLACE INTO messages (sender, id, destination, topic, bytes, sent_ns)"
+              " VALUES (?, ?, ?, ?, ?, ?)"),
+      insert_delivery_(database,
+                       "REPLACE INTO deliveries SELECT sender, id, ?3, ?4, ?4 - sent_ns, ?5"
+                       " FROM messages WHERE sender = ?1 AND id = ?2"),
+      set_fate_(database, "UPDATE messages SET fate = ?, fate_ns = ? WHERE sender = ? AND id = ?"),
+      set_delivered_(database,
+                     "UPDATE messages SET verdict = 'delivered' WHERE sender = ? AND id = ?"),
+      set_verdict_(database,
+                   "UPDATE messages SET verdict = ? WHERE sender = ? AND id = ?"
+                   " AND verdict IS NOT 'delivered'") {}
+
+void MessageLog::on_sent(hal::Time at, const hal::Message& message) {
+  insert_.run(message.source.value, std::int64_t{message.id}, message.destination.value,
+              message.topic, std::uint64_t{message.payload.size()}, hal::to_ns(at));
+}
+
+void MessageLog::on_frame_delivered(const radio::Frame& frame, hal::AgentId receiver) {
+  arriving_.reset();
+  if (frame.ethertype != radio::kEthertypeRouting || frame.payload == nullptr) return;
+  const auto packet = hal::routing::parse(*frame.payload);
+  if (!packet) return;
+  const auto* data = std::get_if<hal::routing::Data>(&*packet);
+  if (data == nullptr) return;
+  arriving_ = {receiver, data->header.source, data->id, data->transmissions};
+}
+
+std::optional<int> MessageLog::transmissions_of(hal::AgentId receiver,
+                                                const hal::Message& message) const {
+  if (!arriving_ || arriving_->receiver != receiver || arriving_->sender != message.source ||
+      arriving_->id != message.id) {
+    return std::nullopt;
+  }
+  return arriving_->transmissions;
+}
+
+void MessageLog::on_message_delivered(hal::Time at, hal::AgentId receiver,
+                                      const hal::Message& message) {
+  insert_delivery_.run(message.source.value, std::int64_t{message.id}, receiver.value,
+                       hal::to_ns(at), transmissions_of(receiver, message));
+  set_delivered_.run(message.source.value, std::int64_t{message.id});
+}
+
+void MessageLog::on_fate(hal::Time at, hal::AgentId sender, hal::MessageId id, hal::Fate fate) {
+  set_fate_.run(name(fate), hal::to_ns(at), sender.value, std::int64_t{id});
+}
+
+void MessageLog::on_end(hal::AgentId sender, hal::MessageId id, hal::Verdict verdict) {
+  set_verdict_.run(hal::name(verdict), sender.value, std::int64_t{id});
+}
+
+}  // namespace sim::record

@@ -1,0 +1,197 @@
+#include "sim/record/recorder.h"
+
+#include <fmt/format.h>
+
+#include <exception>
+#include <string>
+#include <variant>
+
+#include "hal/types/log.h"
+#include "sim/record/frame_class.h"
+#include "sim/record/schema.h"
+
+namespace sim::record {
+namespace {
+
+std::string_view name(radio::Profile profile) {
+  constexpr std::string_view kNames[] = {"mobility_framework", "ieee80211b", "disk", "ideal"};
+  return kNames[static_cast<int>(profile)];
+}
+
+/// Creates the tables and returns the path, so that members can prepare their statements.
+const std::filesystem::path& with_tables(const std::filesystem::path& file) {
+  Database database(file, Database::Mode::kCreate);
+  database.execute(kSchema);
+  database.execute(fmt::format("PRAGMA user_version = {}", kSchemaVersion));
+  return file;
+}
+
+}  // namespace
+
+Recorder::Recorder(const std::filesystem::path& file, const agents::SimulationConfig& config,
+                   RecorderOptions options)
+    : database_(with_tables(file), Database::Mode::kRead),
+      options_(options),
+      frames_(database_),
+      messages_(database_),
+      bodies_(database_, options.pose_period),
+      set_(database_, "REPLACE INTO run VALUES (?, ?)"),
+      insert_discovery_(database_, "INSERT INTO discoveries VALUES (?, ?, ?, ?, ?, ?)"),
+      insert_state_(database_, "INSERT INTO states VALUES (?, ?, ?)"),
+      insert_frame_(database_, "INSERT INTO frames VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+      insert_frame_end_(database_, "INSERT INTO frame_ends VALUES (?, ?, ?, ?, ?)") {
+  // A write-ahead log lets others read while the run goes on. Without waiting for the disk the last
+  // seconds are lost if the machine dies, but not if the process does.
+  database_.execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = OFF; BEGIN");
+  describe(config);
+  commit();
+}
+
+Recorder::~Recorder() {
+  try {
+    commit();
+    // One plain file stays, readable also where nothing can be written.
+    database_.execute("COMMIT; PRAGMA journal_mode = DELETE");
+  } catch (const std::exception& e) {
+    hal::log::warning(hal::Time{}, "record", "{}", e.what());
+  }
+}
+
+template <class Value>
+void Recorder::set_value(std::string_view key, const Value& value) {
+  set_.run(key, value);
+  if (is_finished_) commit();
+}
+
+void Recorder::describe(const agents::SimulationConfig& config) {
+  set("result", std::string_view("running"));
+  set("seed", config.seed);
+  set("profile", name(config.radio.profile));
+  set("controller_latency_s", hal::to_seconds(config.controller_latency));
+  set("control_phase",
+      std::string_view(config.control_phase == agents::ControlPhase::kAligned ? "aligned"
+                                                                              : "uniform"));
+  set("control_period_s", hal::to_seconds(config.control_period));
+  Statement insert(database_, "INSERT INTO agents VALUES (?, ?, ?, ?, ?, ?, ?)");
+  for (const agents::AgentConfig& agent : config.agents) {
+    const bool is_mote = std::holds_alternative<hal::devices::MoteDescription>(agent.body);
+    insert.run(agent.id.value, agent.name, is_mote ? "mote" : "robot", agent.program, agent.pose.x,
+               agent.pose.y, agent.pose.theta);
+  }
+  Statement insert_end(database_, "INSERT INTO ends VALUES (?, ?, ?, ?)");
+  for (const agents::EndCondition& end : config.ends) {
+    std::optional<int> agent;
+    std::optional<std::string> state;
+    if (end.agent) agent = end.agent->value;
+    if (end.agent) state = end.state;
+    insert_end.run(agent, state, end.after.count(), end.result);
+  }
+}
+
+void Recorder::commit() {
+  frames_.write();
+  bodies_.write();
+  database_.execute("COMMIT; BEGIN");
+  rows_ = 0;
+}
+
+void Recorder::on_rows(hal::Time at, int rows) {
+  rows_ += rows;
+  if (rows_ < kCommitRows && at < next_commit_) return;
+  next_commit_ = at + kCommitPeriod;
+  commit();
+}
+
+void Recorder::finish(const agents::Outcome& outcome, const Fingerprint& fingerprint) {
+  set("result", outcome.result);
+  if (!outcome.error.empty()) set("error", outcome.error);
+  set("simulated_s", hal::to_seconds(outcome.ended_at));
+  set("events", outcome.events);
+  set("exchanges", outcome.exchanges);
+  set("refused_actions", outcome.refused_actions);
+  set("ode_messages", outcome.ode_messages);
+  write_fingerprint(fingerprint);
+  is_finished_ = true;
+  commit();
+}
+
+void Recorder::write_fingerprint(const Fingerprint& fingerprint) {
+  set("fingerprint", to_hex(fingerprint.total()));
+  for (int i = 0; i < kPartCount; ++i) {
+    const auto part = static_cast<Part>(i);
+    set(fmt::format("fingerprint_{}", sim::name(part)), to_hex(fingerprint.part(part)));
+  }
+  Statement insert(database_, "INSERT INTO fingerprints VALUES (?, ?, ?, ?)");
+  for (const Fingerprint::Row& row : fingerprint.rows()) {
+    insert.run(row.second, sim::name(row.part), row.agent.value, to_hex(row.hash));
+  }
+}
+
+void Recorder::on_start(const std::vector<std::pair<hal::AgentId, hal::AgentId>>& links) {
+  Statement insert(database_, "INSERT INTO links VALUES (?, ?)");
+  for (const auto& [a, b] : links) insert.run(a.value, b.value);
+}
+
+void Recorder::on_frame_start(hal::Time at, const radio::Frame& frame) {
+  frames_.on_frame_start(frame);
+  if (!options_.all_frames) return;
+  insert_frame_.run(frame.id, hal::to_ns(at), class_of(frame), frame.transmitter.value,
+                    frame.receiver.value, frame.sequence, frame.retry,
+                    std::uint64_t{frame.air_length}, frame.airtime.count());
+  on_rows(at, 1);
+}
+
+void Recorder::on_reception(hal::Time at, const radio::Frame& frame, hal::AgentId receiver,
+                            hal::Verdict verdict, double rssi_dbm) {
+  frames_.on_reception(frame, receiver, verdict);
+  if (!options_.all_frames) return;
+  insert_frame_end_.run(frame.id, receiver.value, hal::to_ns(at), hal::name(verdict), rssi_dbm);
+  on_rows(at, 1);
+}
+
+void Recorder::on_delivered(hal::Time, const radio::Frame& frame, hal::AgentId receiver) {
+  frames_.on_delivered(frame, receiver);
+  messages_.on_frame_delivered(frame, receiver);
+}
+
+void Recorder::on_request_end(hal::Time, hal::AgentId sender, hal::AgentId destination,
+                              hal::Verdict verdict) {
+  frames_.on_request_end(sender, destination, verdict);
+}
+
+void Recorder::on_body(hal::Time at, hal::AgentId agent, const agents::BodyState& body) {
+  on_rows(at, bodies_.on_body(at, agent, body) ? 1 : 0);
+}
+
+void Recorder::on_message_sent(hal::Time at, const hal::Message& message) {
+  messages_.on_sent(at, message);
+  on_rows(at, 1);
+}
+
+void Recorder::on_message_delivered(hal::Time at, hal::AgentId receiver,
+                                    const hal::Message& message) {
+  messages_.on_message_delivered(at, receiver, message);
+  on_rows(at, 1);
+}
+
+void Recorder::on_fate(hal::Time at, hal::AgentId sender, hal::MessageId id, hal::Fate fate) {
+  messages_.on_fate(at, sender, id, fate);
+}
+
+void Recorder::on_message_end(hal::Time, hal::AgentId, hal::AgentId sender, hal::MessageId id,
+                              hal::Verdict verdict) {
+  messages_.on_end(sender, id, verdict);
+}
+
+void Recorder::on_discovery(hal::Time at, hal::AgentId agent, std::string_view topic,
+                            hal::AgentId destination, hal::Duration took, bool found) {
+  insert_discovery_.run(agent.value, topic, destination.value, hal::to_ns(at), took.count(), found);
+  on_rows(at, 1);
+}
+
+void Recorder::on_state(hal::Time at, hal::AgentId agent, std::string_view state) {
+  insert_state_.run(agent.value, hal::to_ns(at), state);
+  on_rows(at, 1);
+}
+
+}  // namespace sim::record

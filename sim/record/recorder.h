@@ -1,0 +1,94 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "sim/agents/observer.h"
+#include "sim/agents/simulation.h"
+#include "sim/agents/simulation_config.h"
+#include "sim/core/fingerprint.h"
+#include "sim/record/body_log.h"
+#include "sim/record/database.h"
+#include "sim/record/frame_counts.h"
+#include "sim/record/message_log.h"
+
+namespace sim::record {
+
+struct RecorderOptions {
+  hal::Duration pose_period = std::chrono::seconds{1};
+  bool all_frames = false;  ///< A row for each frame and reception as well, about 1 us each.
+};
+
+/// Writes what is observed of a run to an SQLite file with the tables of schema.h.
+///
+///   Recorder recorder(folder / "run.sqlite", config);
+///   recorder.set("scenario", "case_study");
+///   Simulation simulation(config, {&recorder, …});
+///   …run…
+///   recorder.add_contacts(agent, simulation.contacts(agent));   // of each agent
+///   recorder.finish(outcome, feed.fingerprint());
+///
+/// If the process dies, the file holds everything up to the last commit: one every
+/// kCommitPeriod of simulated time, every kCommitRows rows, and at each commit().
+/// Every member throws std::runtime_error if the file cannot be written.
+class Recorder final : public agents::Observer {
+ public:
+  static constexpr hal::Duration kCommitPeriod = std::chrono::seconds{10};
+  static constexpr int kCommitRows = 2000;
+
+  Recorder(const std::filesystem::path& file, const agents::SimulationConfig& config,
+           RecorderOptions options = {});
+  ~Recorder() override;
+
+  /// A row of the table run; replaces an earlier one of that key.
+  void set(std::string_view key, std::string_view value) { set_value(key, value); }
+  void set(std::string_view key, double value) { set_value(key, value); }
+  void set(std::string_view key, std::uint64_t value) { set_value(key, value); }
+
+  void add_contacts(hal::AgentId agent, const agents::ContactCounts& contacts) {
+    bodies_.on_contacts(agent, contacts);
+  }
+
+  /// Writes how the run ended. set() still works, and takes effect, afterwards.
+  void finish(const agents::Outcome& outcome, const Fingerprint& fingerprint);
+
+  /// Makes everything so far readable for others.
+  void commit();
+
+  void on_start(const std::vector<std::pair<hal::AgentId, hal::AgentId>>& links) override;
+  void on_frame_start(hal::Time at, const radio::Frame& frame) override;
+  void on_reception(hal::Time at, const radio::Frame& frame, hal::AgentId receiver,
+                    hal::Verdict verdict, double rssi_dbm) override;
+  void on_delivered(hal::Time at, const radio::Frame& frame, hal::AgentId receiver) override;
+  void on_request_end(hal::Time at, hal::AgentId sender, hal::AgentId destination,
+                      hal::Verdict verdict) override;
+  void on_body(hal::Time at, hal::AgentId agent, const agents::BodyState& body) override;
+  void on_message_sent(hal::Time at, const hal::Message& message) override;
+  void on_message_delivered(hal::Time at, hal::AgentId receiver,
+                            const hal::Message& message) override;
+  void on_fate(hal::Time at, hal::AgentId sender, hal::MessageId id, hal::Fate fate) override;
+  void on_message_end(hal::Time at, hal::AgentId at_node, hal::AgentId sender, hal::MessageId id,
+                      hal::Verdict verdict) override;
+  void on_discovery(hal::Time at, hal::AgentId agent, std::string_view topic,
+                    hal::AgentId destination, hal::Duration took, bool found) override;
+  void on_state(hal::Time at, hal::AgentId agent, std::string_view state) override;
+
+ private:
+  template <class Value>
+  void set_value(std::string_view key, const Value& value);
+  void describe(const agents::SimulationConfig& config);
+  void write_fingerprint(const Fingerprint& fingerprint);
+  void on_rows(hal::Time at, int rows);
+
+  Database database_;
+  RecorderOptions options_;
+  FrameCounts frames_;
+  MessageLog messages_;
+  BodyLog bodies_;
+  Statement set_, insert_discovery_, insert_state_, insert_frame_, insert_frame_end_;
+  int rows_ = 0;  ///< Since the last commit.
+  hal::Time next_commit_{kCommitPeriod};
+  bool is_finished_ = false;
+};
+
+}  // namespace sim::record

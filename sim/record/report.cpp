@@ -1,0 +1,22 @@
+#include "sim/record/report.h"
+
+#include "sim/record/report_sections.h"
+
+namespace sim::record {
+
+std::string report(const std::vector<std::filesystem::path>& folders) {
+  std::vector<RunResult> runs;
+  for (const std::filesystem::path& folder : find_results(folders)) {
+    runs.push_back(read_run(folder));
+  }
+  const std::vector<Group> groups = group_runs(runs);
+  std::string text = runs_section(runs) + "\n" + comparison_section(groups);
+  for (const Group& group : groups) {
+    if (group.runs.empty()) continue;
+    text +=
+        "\n" + links_section(group) + "\n" + packets_section(group) + "\n" + hops_section(group);
+  }
+  return text;
+}
+
+}  // namespace sim::record

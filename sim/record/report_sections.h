@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/record/group.h"
+#include "sim/record/run_result.h"
+
+namespace sim::record {
+
+/// The tables that make up a report.
+
+/// One line per run and robot.
+std::string runs_section(const std::vector<RunResult>& runs);
+
+/// One line per figure, a column for the paper and for each group.
+std::string comparison_section(const std::vector<Group>& groups);
+
+/// Links between motes and how many each has, at the start: Fig. 2 of the paper.
+std::string links_section(const Group& group);
+
+/// Packets received by each node: Fig. 12.
+std::string packets_section(const Group& group);
+
+/// Least end-to-end delay by number of transmissions, beside what the MAC allows.
+std::string hops_section(const Group& group);
+
+}  // namespace sim::record

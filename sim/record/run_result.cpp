@@ -1,0 +1,173 @@
+#include "sim/record/run_result.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <stdexcept>
+
+#include "sim/record/database.h"
+#include "sim/record/schema.h"
+
+namespace sim::record {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kFile = "run.sqlite";
+
+void check_version(Database& database, const fs::path& folder) {
+  Statement query(database, "PRAGMA user_version");
+  query.next();
+  if (query.integer(0) == kSchemaVersion) return;
+  throw std::runtime_error(fmt::format("{}: {} has version {}; this program reads version {}",
+                                       folder.string(), kFile, query.integer(0), kSchemaVersion));
+}
+
+void read_values(Database& database, RunResult& run) {
+  Statement query(database, "SELECT key, value FROM run");
+  while (query.next()) run.values[query.text(0)] = query.text(1);
+}
+
+void read_agents(Database& database, RunResult& run) {
+  Statement query(database, "SELECT agent, name, kind, x, y FROM agents ORDER BY agent");
+  while (query.next()) {
+    run.agents.push_back({.agent = static_cast<int>(query.integer(0)),
+                          .name = query.text(1),
+                          .is_robot = query.text(2) == "robot",
+                          .x = query.real(3),
+                          .y = query.real(4)});
+  }
+}
+
+std::optional<std::uint64_t> count(const Statement& query, int column) {
+  if (query.is_null(column)) return std::nullopt;
+  return static_cast<std::uint64_t>(query.integer(column));
+}
+
+void read_bodies(Database& database, RunResult& run) {
+  Statement query(database,
+                  "SELECT agent, path, clearance, x, y, wall_steps, object_steps FROM bodies");
+  while (query.next()) {
+    RunResult::Body& body = run.bodies[static_cast<int>(query.integer(0))];
+    body.path = query.real(1);
+    if (!query.is_null(2)) body.clearance = query.real(2);
+    body.x = query.real(3);
+    body.y = query.real(4);
+    body.wall_steps = count(query, 5);
+    body.object_steps = count(query, 6);
+  }
+}
+
+void read_network(Database& database, RunResult& run) {
+  Statement links(database, "SELECT a, b FROM links ORDER BY a, b");
+  while (links.next()) {
+    run.links.emplace_back(static_cast<int>(links.integer(0)), static_cast<int>(links.integer(1)));
+  }
+  Statement packets(database, "SELECT agent, SUM(count) FROM packets GROUP BY agent");
+  while (packets.next()) {
+    run.packets[static_cast<int>(packets.integer(0))] =
+        static_cast<std::uint64_t>(packets.integer(1));
+  }
+}
+
+void read_messages(Database& database, RunResult& run) {
+  Statement ends(database,
+                 "SELECT destination = 65535, IFNULL(verdict, 'under way'), COUNT(*) FROM messages"
+                 " GROUP BY 1, 2");
+  while (ends.next()) {
+    const auto number = static_cast<std::uint64_t>(ends.integer(2));
+    if (ends.integer(0) != 0) {
+      run.floods += number;
+    } else {
+      run.messages += number;
+      run.verdicts[ends.text(1)] += number;
+    }
+  }
+  Statement deliveries(database,
+                       "SELECT m.destination = 65535, d.delay_ns, d.transmissions"
+                       " FROM deliveries d JOIN messages m USING (sender, id)"
+                       " ORDER BY d.at_ns, d.sender, d.id");
+  while (deliveries.next()) {
+    if (deliveries.integer(0) != 0) {
+      ++run.flood_deliveries;
+      continue;
+    }
+    RunResult::Delivery& delivery = run.deliveries.emplace_back();
+    delivery.delay_ns = deliveries.integer(1);
+    delivery.delay = static_cast<double>(delivery.delay_ns) * 1e-9;
+    if (!deliveries.is_null(2)) delivery.transmissions = static_cast<int>(deliveries.integer(2));
+  }
+}
+
+void read_discoveries(Database& database, RunResult& run) {
+  Statement query(database, "SELECT found, took_ns FROM discoveries ORDER BY rowid");
+  while (query.next()) {
+    if (query.integer(0) != 0) {
+      run.discoveries_ns.push_back(query.integer(1));
+    } else {
+      ++run.discoveries_failed;
+    }
+  }
+}
+
+void read_goal(Database& database, RunResult& run) {
+  Statement query(database, "SELECT agent FROM ends WHERE agent IS NOT NULL AND result = ?");
+  query.bind_all(run.value("result"));
+  if (query.next()) run.goal = static_cast<int>(query.integer(0));
+}
+
+}  // namespace
+
+std::string RunResult::value(const std::string& key) const {
+  const auto found = values.find(key);
+  return found == values.end() ? std::string() : found->second;
+}
+
+double RunResult::number(const std::string& key) const {
+  return std::strtod(value(key).c_str(), nullptr);
+}
+
+bool RunResult::is_complete() const {
+  const std::string result = value("result");
+  return result != "running" && result != "failed" && result != "interrupted";
+}
+
+RunResult read_run(const fs::path& folder) {
+  Database database(folder / kFile, Database::Mode::kRead);
+  check_version(database, folder);
+  RunResult run;
+  run.folder = folder.string();
+  read_values(database, run);
+  read_agents(database, run);
+  read_bodies(database, run);
+  read_network(database, run);
+  read_messages(database, run);
+  read_discoveries(database, run);
+  read_goal(database, run);
+  return run;
+}
+
+std::vector<fs::path> find_results(const std::vector<fs::path>& folders) {
+  std::vector<fs::path> results;
+  for (const fs::path& folder : folders) {
+    if (fs::exists(folder / kFile)) {
+      results.push_back(folder);
+      continue;
+    }
+    std::vector<fs::path> inside;
+    if (fs::is_directory(folder)) {
+      for (const auto& entry : fs::directory_iterator(folder)) {
+        if (fs::exists(entry.path() / kFile)) inside.push_back(entry.path());
+      }
+    }
+    if (inside.empty()) {
+      throw std::runtime_error(fmt::format("{}: holds no result (no {})", folder.string(), kFile));
+    }
+    std::sort(inside.begin(), inside.end());
+    results.insert(results.end(), inside.begin(), inside.end());
+  }
+  return results;
+}
+
+}  // namespace sim::record

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace sim::record {
+
+/// A table in plain text: the first column left-aligned, the others right-aligned.
+class TextTable {
+ public:
+  explicit TextTable(std::vector<std::string> head) { add_row(std::move(head)); }
+  TextTable() = default;
+
+  void add_row(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+
+  /// One line per row, each ending with a line feed and without blanks before it.
+  std::string text() const;
+
+ private:
+  std::vector<std::vector<std::string>> rows_;
+};
+
+}  // namespace sim::record
