@@ -1,6 +1,7 @@
 #pragma once
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <stdexcept>
@@ -8,9 +9,13 @@
 
 #include "hal/api/controller.h"
 #include "hal/dds/server.h"
-#include "hal/runtime/controller_options.h"
 #include "hal/exchange/session.h"
 #include "hal/exchange/step.h"
+#include "hal/runtime/controller_options.h"
+
+/// A domain that take_domain() gives to nobody, for tests that must get the same one twice. Tests
+/// run side by side, each in a process of its own.
+inline int private_domain() { return hal::dds::kLastFreeDomain + 1 + getpid() % 100; }
 
 /// A mote's controller that names each of its callbacks as a state.
 class EchoMote : public hal::Controller {

@@ -1,6 +1,38 @@
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
+#include <string>
+
+#include "hal/dds/controller_process.h"
+#include "hal/dds/server.h"
+#include "tests/unit/hal/dds/echo_controller.h"
+
+namespace {
+
+/// A controller process for mote m1.
+int be_controller(int domain, const std::string& name) {
+  const hal::ControllerKind kind = echo_kind();
+  return static_cast<int>(hal::dds::run_controllers(kind, options_for(domain, "m1", name)));
+}
+
+/// A server that starts a run and never goes on.
+int be_server(int domain) {
+  hal::dds::Server server(hal::dds::take_domain(domain));
+  const hal::exchange::Hello hello = first_hello(server);
+  const auto link = server.link(hello, 1, std::nullopt);
+  if (!server.answer(session_for(hello, 1))) return 1;
+  if (!exchange_step(*link, step_with(hal::exchange::Cause::kStart, 1))) return 1;
+  while (true) pause();
+}
+
+}  // namespace
+
+/// Tests, or one of the roles of a Child: "controller DOMAIN NAME", "server DOMAIN".
 int main(int argc, char** argv) {
+  const std::string role = argc > 2 ? argv[1] : "";
+  if (role == "controller") return be_controller(std::stoi(argv[2]), argv[3]);
+  if (role == "server") return be_server(std::stoi(argv[2]));
   testing::InitGoogleTest(&argc, argv);
   return RUN_ALL_TESTS();
 }

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hal/exchange/ports.h"
+
+/// Agents as a host offers them: motes m1, m2, m3 for help_mote, a robot r0 with infrared for any.
+inline std::vector<hal::exchange::AgentOffer> sample_offers() {
+  std::vector<hal::exchange::AgentOffer> offers;
+  for (std::uint16_t address = 1; address <= 3; ++address) {
+    hal::exchange::AgentOffer offer;
+    offer.session.agent = hal::AgentId{address};
+    offer.session.name = "m" + std::to_string(address);
+    offer.program = "help_mote";
+    offers.push_back(offer);
+  }
+  hal::exchange::AgentOffer robot;
+  robot.session.agent = hal::AgentId{4};
+  robot.session.name = "r0";
+  robot.session.kind = hal::AgentKind::kRobot;
+  robot.session.channels.resize(2);
+  robot.session.channels[0].name = "infrared";
+  robot.session.channels[1].name = "odometry";
+  robot.session.limits.body_to_wheel.resize(3);
+  offers.push_back(robot);
+  return offers;
+}
+
+/// A Hello of help_mote that asks for motes.
+inline hal::exchange::Hello hello_for(const std::string& process,
+                                      std::vector<std::string> patterns) {
+  hal::exchange::Hello hello;
+  hello.process = process;
+  hello.instance = process + "/1";
+  hello.program = "help_mote";
+  hello.patterns = std::move(patterns);
+  return hello;
+}

@@ -1,0 +1,84 @@
+#include "hal/dds/domains.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <stdexcept>
+#include <vector>
+
+#include "tests/unit/hal/dds/echo_controller.h"
+
+namespace hal::dds {
+namespace {
+
+/// What the call throws; empty if it does not.
+template <class F>
+std::string message_of(F&& call) {
+  try {
+    call();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+TEST(Domains, EveryoneGetsAnother) {
+  const DomainHold first = take_domain(std::nullopt);
+  const DomainHold second = take_domain(std::nullopt);
+  EXPECT_NE(first.domain(), second.domain());
+  EXPECT_GE(first.domain(), 1);
+  EXPECT_LE(second.domain(), 100);
+}
+
+TEST(Domains, BusyOneNamesItsHolder) {
+  const DomainHold hold = take_domain(std::nullopt);
+  const std::string message = message_of([&] { take_domain(hold.domain()); });
+  EXPECT_EQ(message, "DDS domain " + std::to_string(hold.domain()) + " is busy: pid " +
+                         std::to_string(getpid()) + " (unit_hal_dds_test) holds it");
+}
+
+TEST(Domains, FreeAgainWhenItsHolderIsGone) {
+  const int domain = private_domain();
+  {
+    const DomainHold hold = take_domain(domain);
+    EXPECT_NE(message_of([&] { take_domain(domain); }), "");
+  }
+  EXPECT_EQ(take_domain(domain).domain(), domain);
+}
+
+TEST(Domains, EightServersShareOneAndTheNinthIsRefused) {
+  const int domain = private_domain();
+  std::vector<DomainHold> places;
+  for (int place = 0; place < kPlaces; ++place) {
+    places.push_back(join_domain(domain));
+    EXPECT_EQ(places.back().place(), place);
+  }
+  EXPECT_NE(message_of([&] { join_domain(domain); }), "");
+  EXPECT_NE(message_of([&] { take_domain(domain); }), "");
+}
+
+TEST(Domains, SimulatorSharesItsDomainWithNobody) {
+  const DomainHold hold = take_domain(std::nullopt);
+  EXPECT_NE(message_of([&] { join_domain(hold.domain()); }), "");
+}
+
+TEST(Domains, NumbersWithoutPortsAreRefused) {
+  EXPECT_EQ(message_of([] { take_domain(233); }), "there is no DDS domain 233: it is 0 to 232");
+  EXPECT_NE(message_of([] { join_domain(-1); }), "");
+}
+
+TEST(DefaultDomain, ComesFromTheEnvironmentOrIsOne) {
+  unsetenv("BARAKA_DOMAIN");
+  EXPECT_EQ(default_domain(), 1);
+  setenv("BARAKA_DOMAIN", "42", 1);
+  EXPECT_EQ(default_domain(), 42);
+  for (const char* wrong : {"x", "4x", "-1", "233", " 4"}) {
+    setenv("BARAKA_DOMAIN", wrong, 1);
+    EXPECT_NE(message_of([] { default_domain(); }), "") << wrong;
+  }
+  unsetenv("BARAKA_DOMAIN");
+}
+
+}  // namespace
+}  // namespace hal::dds

@@ -1,0 +1,140 @@
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "hal/dds/client.h"
+#include "hal/dds/controller_process.h"
+#include "hal/dds/endpoints.h"
+#include "hal/dds/link_parts.h"
+#include "tests/unit/hal/dds/echo_controller.h"
+
+// What happens when the other end does not keep to the rules.
+
+namespace hal::dds {
+namespace {
+
+using exchange::Cause;
+constexpr Duration kPatience = std::chrono::seconds{10};
+constexpr Duration kReplyTimeout = std::chrono::milliseconds{300};
+
+/// A server and a client of this process, linked up.
+class LinkedClient : public testing::Test {
+ protected:
+  void SetUp() override {
+    hello_ = first_hello(server_);
+    link_ = server_.link(hello_, 7, kReplyTimeout);
+    ASSERT_TRUE(server_.answer(session_for(hello_, 7)));
+    ASSERT_TRUE(std::holds_alternative<exchange::Session>(client_.next(kPatience)));
+  }
+
+  exchange::Step next_step() { return std::get<exchange::Step>(client_.next(kPatience)); }
+
+  static exchange::Reply reply_to(const exchange::Step& step) {
+    exchange::Reply reply;
+    reply.run = step.run;
+    reply.sequence = step.sequence;
+    return reply;
+  }
+
+  Server server_{take_domain(std::nullopt)};
+  Client client_{server_.domain(), hello_of(echo_kind(), options_for(0, "m1", "rogue"))};
+  exchange::Hello hello_;
+  std::unique_ptr<ProcessLink> link_;
+};
+
+TEST_F(LinkedClient, SilenceEndsWithATimeoutThatNamesTheProcess) {
+  ASSERT_TRUE(link_->begin(step_with(Cause::kStart, 1)));
+  const auto reply = link_->finish();
+  ASSERT_FALSE(reply);
+  EXPECT_EQ(reply.error().code, Errc::kTimeout);
+  EXPECT_NE(reply.error().message.find("process 'rogue'"), std::string::npos);
+  EXPECT_NE(reply.error().message.find("0.3 s"), std::string::npos);
+}
+
+TEST_F(LinkedClient, RepliesOfAnotherSequenceOrRunAreDroppedAndCounted) {
+  ASSERT_TRUE(link_->begin(step_with(Cause::kStart, 1)));
+  const exchange::Step step = next_step();
+  exchange::Reply other_sequence = reply_to(step);
+  other_sequence.sequence = 99;
+  ASSERT_TRUE(client_.reply(step.server, other_sequence));
+  EXPECT_EQ(link_->finish().error().code, Errc::kTimeout);
+  EXPECT_EQ(link_->dropped().stale, 1);
+
+  ASSERT_TRUE(link_->begin(step_with(Cause::kControl, 2)));
+  exchange::Reply other_run = reply_to(next_step());
+  other_run.run = 6;
+  ASSERT_TRUE(client_.reply(step.server, other_run));
+  EXPECT_EQ(link_->finish().error().code, Errc::kTimeout);
+  EXPECT_EQ(link_->dropped().stale, 2);
+}
+
+TEST_F(LinkedClient, ReplyWithAnUnknownActionIsDroppedAndCounted) {
+  ASSERT_TRUE(link_->begin(step_with(Cause::kStart, 1)));
+  const exchange::Step step = next_step();
+  exchange::Reply reply = reply_to(step);
+  reply.actions.resize(1);
+  reply.actions[0].kind = static_cast<exchange::ActionKind>(200);
+  ASSERT_TRUE(client_.reply(step.server, reply));
+  EXPECT_EQ(link_->finish().error().code, Errc::kTimeout);
+  EXPECT_EQ(link_->dropped().malformed, 1);
+}
+
+TEST_F(LinkedClient, StepsAreNumberedFromOneAndRepliesCarryTheCallersNumber) {
+  ASSERT_TRUE(link_->begin(step_with(Cause::kStart, 41)));
+  const exchange::Step step = next_step();
+  EXPECT_EQ(step.sequence, 1);
+  EXPECT_EQ(step.server, server_.name());
+  EXPECT_EQ(step.run, 7);
+  ASSERT_TRUE(client_.reply(step.server, reply_to(step)));
+  const auto reply = link_->finish();
+  ASSERT_TRUE(reply);
+  EXPECT_EQ(reply->sequence, 41);
+}
+
+TEST_F(LinkedClient, AStepOfAThousandEventsArrivesWhole) {
+  exchange::Step big = step_with(Cause::kControl, 1);
+  big.events[0].readings = {{3, std::vector<double>(40, 0.5)}};
+  big.events.resize(1000, big.events[0]);  // About 400 kB: several UDP datagrams.
+  ASSERT_TRUE(link_->begin(big));
+  EXPECT_EQ(next_step().events, big.events);
+}
+
+TEST(RepeatedStep, IsAnsweredFromMemoryWithoutASecondCallback) {
+  const DomainHold hold = take_domain(std::nullopt);
+  Participant participant = Participant::server(hold.domain(), 0);
+  Signal signal;
+  Reader<wire::Hello> hellos(participant, kHelloTopic, signal);
+  Writer<wire::Session> sessions(participant, kSessionTopic);
+  Writer<wire::Step> steps(participant, step_topic("echo"));
+  Reader<wire::Reply> replies(participant, reply_topic("echo"), signal);
+  const auto wait_for = [&signal](auto& reader) {
+    const Deadline deadline(kPatience);
+    while (true) {
+      signal.lower();
+      if (const auto* sample = reader.take()) return *sample;
+      if (deadline.has_passed()) throw std::runtime_error("nothing came");
+      wait_readable(std::array{signal.descriptor()}, deadline.left());
+    }
+  };
+  const ControllerKind kind = echo_kind();
+  std::thread controllers([&] { run_controllers(kind, options_for(hold.domain(), "m1", "echo")); });
+
+  exchange::Session session = session_for(*from_wire(wait_for(hellos)), 1);
+  session.server = "s";
+  wire::Session session_sample = to_wire(session, this_process());
+  EXPECT_TRUE(sessions.write(session_sample));
+  std::vector<std::string> states;
+  for (const std::uint64_t sequence : {1U, 2U, 2U, 3U}) {
+    exchange::Step step = step_with(sequence == 3 ? Cause::kStop : Cause::kControl, sequence);
+    step.server = "s";
+    step.run = 1;
+    wire::Step sample = to_wire(step);
+    EXPECT_TRUE(steps.write(sample));
+    states.push_back(wait_for(replies).actions().at(0).text());
+  }
+  controllers.join();
+  EXPECT_EQ(states, (std::vector<std::string>{"stepped 1", "stepped 2", "stepped 2", "stopped"}));
+}
+
+}  // namespace
+}  // namespace hal::dds
