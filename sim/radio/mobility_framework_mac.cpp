@@ -22,7 +22,8 @@ MobilityFrameworkMac::MobilityFrameworkMac(const Context& context, Radio& radio,
       frames_(context.config, context.agent),
       random_(backoff),
       difs_(context.config.sifs + 2 * context.config.slot),
-      eifs_(context.config.sifs + difs_ + airtime_of(FrameType::kAck)) {
+      eifs_(context.config.sifs + difs_ + airtime_of(FrameType::kAck)),
+      queue_(context.config.queue_limit) {
   radio_.attach(*this);
 }
 
@@ -36,9 +37,8 @@ void MobilityFrameworkMac::start(Timer& timer, hal::Duration delay, F&& handler)
 void MobilityFrameworkMac::transmit(const MacRequest& request) {
   check(request);
   if (!radio_on()) return report_later(request, hal::Verdict::kRadioOff);
-  if (queue_.size() >= config().queue_limit) return report_later(request, hal::Verdict::kQueueFull);
-  if (queue_.empty()) head_since_ = now();
-  queue_.push_back({request, static_cast<std::uint16_t>(next_sequence_++ % 4096)});
+  if (queue_.is_full()) return report_later(request, hal::Verdict::kQueueFull);
+  queue_.push(request, now());
   // A packet that finds the station idle waits for DIFS only.
   if (state_ == State::kIdle && !is_running(sifs_)) contend(true);
 }
@@ -52,7 +52,7 @@ void MobilityFrameworkMac::set_radio(bool on) {
   state_ = State::kIdle;
   attempt_ = 1;
   backoff_left_ = {};
-  for (Outgoing& outgoing : std::exchange(queue_, {})) {
+  for (Outgoing& outgoing : queue_.take_all()) {
     report_later(std::move(outgoing.request), hal::Verdict::kRadioOff);
   }
 }
@@ -61,7 +61,7 @@ void MobilityFrameworkMac::next_cycle() {
   const bool give_up = attempt_ > config().short_retry_limit;
   MacRequest dropped;
   if (give_up) dropped = pop();
-  if (queue_.empty()) {
+  if (queue_.is_empty()) {
     state_ = State::kIdle;
   } else {
     contend(false);
@@ -82,7 +82,7 @@ hal::Duration MobilityFrameworkMac::backoff() {
   if (backoff_left_ > hal::Duration{}) return backoff_left_;
   const std::uint32_t doublings = std::min(attempt_ - 1, kMostDoublings);
   const std::uint64_t grown = ((config().cw_min + std::uint64_t{1}) << doublings) - 1;
-  const bool broadcast = queue_.front().request.destination == hal::kEveryone;
+  const bool broadcast = queue_.head().is_broadcast();
   const auto window = static_cast<std::uint32_t>(
       broadcast ? config().cw_broadcast : std::min<std::uint64_t>(grown, config().cw_max));
   backoff_left_ = random_.below(window + 1) * config().slot;
@@ -91,8 +91,8 @@ hal::Duration MobilityFrameworkMac::backoff() {
 
 void MobilityFrameworkMac::on_contention_won() {
   backoff_left_ = {};
-  const MacRequest& request = queue_.front().request;
-  if (request.destination == hal::kEveryone) {
+  const MacRequest& request = queue_.head().request;
+  if (queue_.head().is_broadcast()) {
     state_ = State::kBusy;
     radio_.transmit(make_data());
     return;
@@ -121,7 +121,7 @@ void MobilityFrameworkMac::on_medium_busy() {
   }
   if (can_stop(sifs_)) {
     stop(sifs_);
-    state_ = queue_.empty() ? State::kIdle : State::kContend;
+    state_ = queue_.is_empty() ? State::kIdle : State::kContend;
   }
 }
 
@@ -173,7 +173,7 @@ void MobilityFrameworkMac::on_data(const Frame& frame, hal::Dbm rssi, hal::Decib
 void MobilityFrameworkMac::on_ack() {
   if (state_ != State::kWaitAck) return;
   stop(timeout_);
-  learn_service_time(now() - head_since_);
+  learn_service_time(now() - queue_.head_since());
   const MacRequest done = pop();
   next_cycle();
   report(done, hal::Verdict::kDelivered);
@@ -229,11 +229,8 @@ void MobilityFrameworkMac::on_transmit_end(const Frame& frame) {
 }
 
 MacRequest MobilityFrameworkMac::pop() {
-  MacRequest head = std::move(queue_.front().request);
-  queue_.pop_front();
   attempt_ = 1;
-  head_since_ = now();
-  return head;
+  return queue_.pop(now());
 }
 
 bool MobilityFrameworkMac::uses_rts(const MacRequest& request) const {
@@ -242,15 +239,15 @@ bool MobilityFrameworkMac::uses_rts(const MacRequest& request) const {
 }
 
 FramePtr MobilityFrameworkMac::make_rts() {
-  const MacRequest& request = queue_.front().request;
+  const MacRequest& request = queue_.head().request;
   return frames_.rts(request.destination, 3 * config().sifs + airtime_of(FrameType::kCts) +
                                               frames_.data_airtime(request) +
                                               airtime_of(FrameType::kAck));
 }
 
 FramePtr MobilityFrameworkMac::make_data() {
-  Outgoing& head = queue_.front();
-  const bool after_rts = head.request.destination != hal::kEveryone && uses_rts(head.request);
+  Outgoing& head = queue_.head();
+  const bool after_rts = !head.is_broadcast() && uses_rts(head.request);
   const hal::Duration follows =
       after_rts ? config().sifs + airtime_of(FrameType::kAck) : hal::Duration{};
   const bool retry = std::exchange(head.sent, true);

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
 
 #include "hal/types/random.h"
 #include "sim/radio/frame_factory.h"
 #include "sim/radio/mac_base.h"
 #include "sim/radio/radio.h"
+#include "sim/radio/tx_queue.h"
 
 namespace sim::radio {
 
@@ -41,11 +41,6 @@ class MobilityFrameworkMac final : public MacBase, public RadioListener {
  private:
   enum class State : std::uint8_t { kIdle, kContend, kWaitCts, kWaitData, kWaitAck, kBusy, kQuiet };
 
-  struct Outgoing {
-    MacRequest request;
-    std::uint16_t sequence = 0;
-    bool sent = false;  ///< The data frame has been on the air.
-  };
   /// An event and when it is due.
   struct Timer {
     EventQueue::EventId event;
@@ -97,9 +92,7 @@ class MobilityFrameworkMac final : public MacBase, public RadioListener {
   hal::Duration eifs_;
 
   State state_ = State::kIdle;
-  std::deque<Outgoing> queue_;
-  hal::Time head_since_{};
-  std::uint16_t next_sequence_ = 0;
+  TxQueue queue_;
   std::uint32_t attempt_ = 1;
   hal::Duration backoff_left_{};
 

@@ -6,6 +6,7 @@
 
 #include "hal/types/check.h"
 #include "sim/radio/channel.h"
+#include "sim/radio/dcf_mac.h"
 #include "sim/radio/disk_mac.h"
 #include "sim/radio/mobility_framework_mac.h"
 #include "sim/radio/neighbourhood.h"
@@ -107,7 +108,7 @@ struct RadioNetwork::State {
     if (config.profile == Profile::kMobilityFramework) {
       macs.push_back(std::make_unique<MobilityFrameworkMac>(context, *radios.back(), backoff));
     } else {
-      throw std::invalid_argument("radio: ieee80211b is not built yet");
+      macs.push_back(std::make_unique<DcfMac>(context, *radios.back(), backoff));
     }
   }
 

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <cstdint>
+
+#include "hal/types/agent_id.h"
+#include "hal/types/random.h"
+#include "hal/types/time.h"
+#include "sim/core/event_queue.h"
+#include "sim/radio/dcf_timing.h"
+
+namespace sim::radio {
+
+/// Who asks for the medium.
+class AccessListener {
+ public:
+  virtual ~AccessListener() = default;
+  virtual void on_access() = 0;
+};
+
+/// Contention window (IEEE Std 802.11-2016, 10.3.3): 2^n - 1 between two limits.
+class ContentionWindow {
+ public:
+  ContentionWindow(std::uint32_t min, std::uint32_t max) : min_(min), max_(max), value_(min) {}
+  std::uint32_t value() const { return value_; }
+  void reset() { value_ = min_; }
+  void grow() { value_ = value_ >= max_ ? max_ : 2 * value_ + 1; }
+
+ private:
+  std::uint32_t min_, max_, value_;
+};
+
+/// DCF access and backoff of one station (IEEE Std 802.11-2016, 10.3.4.2 and 10.3.4.3).
+///
+///               draw()                 medium idle for DIFS or EIFS
+///   no backoff ------------> frozen <-------------------------> counting
+///      ^                             medium busy                   |
+///      +--------------- all slots counted: on_access(), if wanted -+
+///
+/// A station that wants the medium and finds it idle for long enough gets it at once; if it finds
+/// it busy, it draws a backoff. Slots are counted lazily: there is one event, at the end, and only
+/// while somebody wants the medium.
+class Backoff {
+ public:
+  Backoff(EventQueue& events, hal::AgentId agent, const DcfTiming& timing, hal::RandomStream random,
+          AccessListener& listener);
+
+  /// Calls on_access() once, as soon as the rules allow, never from within. No effect if asked
+  /// already.
+  void request(std::uint32_t contention_window);
+
+  /// Starts a new backoff of 0 .. contention_window slots, wanted or not.
+  void draw(std::uint32_t contention_window);
+
+  /// The medium, physically and virtually.
+  void on_busy(std::uint32_t contention_window);
+  void on_idle();
+
+  /// The station treats the time until now as busy: its own response timeout.
+  void restart_idle();
+
+  /// No slot counts before this: EIFS.
+  void hold_until(hal::Time until) { not_before_ = until; }
+
+  /// Forgets everything: the radio was switched off. @param busy  the medium.
+  void reset(bool busy);
+
+ private:
+  hal::Time counting_from() const;
+  void count_slots();
+  void schedule();
+
+  EventQueue& events_;
+  hal::AgentId agent_;
+  DcfTiming timing_;
+  hal::RandomStream random_;
+  AccessListener& listener_;
+
+  bool busy_ = false;
+  bool wanted_ = false;
+  bool backing_off_ = false;
+  std::int64_t slots_ = 0;  ///< Left to count.
+  hal::Time idle_since_{};
+  hal::Time not_before_{};
+  EventQueue::EventId access_;
+  hal::Time access_at_{};
+};
+
+}  // namespace sim::radio

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstdint>
+
+#include "hal/types/random.h"
+#include "sim/radio/backoff.h"
+#include "sim/radio/dcf_timing.h"
+#include "sim/radio/duplicate_filter.h"
+#include "sim/radio/frame_factory.h"
+#include "sim/radio/mac_base.h"
+#include "sim/radio/nav.h"
+#include "sim/radio/radio.h"
+#include "sim/radio/retry.h"
+#include "sim/radio/tx_queue.h"
+
+namespace sim::radio {
+
+/// Distributed coordination function (IEEE Std 802.11-2016, 10.3): the sender's frame exchange, and
+/// the answers to the frames of others.
+///
+///              on_access(): RTS              CTS came: SIFS, DATA
+///   kIdle ----------------------> kWaitCts ----------------------> kWaitAck
+///     ^ |                             |                              ^  |
+///     | +-- on_access(): short DATA --|------------------------------+  |
+///     | +-- on_access(): broadcast ---|--> kBroadcasting                |
+///     +-- frame sent, ACK came, or no answer: backoff, maybe again -----+
+///
+/// Backoff decides when to start; radio and NAV tell it what the medium does. RTS and DATA of
+/// others are answered after SIFS whatever the state.
+class DcfMac final : public MacBase, public RadioListener, private AccessListener {
+ public:
+  DcfMac(const Context& context, Radio& radio, hal::RandomStream backoff);
+
+  MacCapabilities capabilities() const override { return {.tx_status = true, .rssi = true}; }
+  void transmit(const MacRequest& request) override;
+  void set_radio(bool on) override;
+  bool radio_on() const override { return radio_.state() != Radio::State::kOff; }
+
+ private:
+  enum class State : std::uint8_t { kIdle, kBroadcasting, kWaitCts, kWaitAck };
+
+  std::size_t queued() const override { return queue_.size(); }
+
+  void on_medium_busy() override { update_medium(); }
+  void on_medium_idle() override;
+  void on_receive_start() override { events().cancel(nav_reset_); }
+  void on_receive(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) override;
+  void on_receive_error(ReceiveError error) override;
+  void on_transmit_end(const Frame& frame) override;
+  void on_access() override;
+
+  // The medium.
+  void update_medium();
+  void set_nav(const Frame& frame);
+
+  // As sender.
+  void ask_for_medium();
+  void send(const FramePtr& frame);
+  void on_no_answer();
+  void fail();
+  void succeed();
+  MacRequest end_service(bool count_time);
+  FramePtr make_rts();
+  FramePtr make_data();
+  bool uses_rts();
+
+  // As receiver.
+  void on_unicast(const Frame& frame, hal::Dbm rssi, hal::Decibels snr);
+  void on_data(const Frame& frame, hal::Dbm rssi, hal::Decibels snr);
+  void answer(FramePtr frame);
+
+  Radio& radio_;
+  FrameFactory frames_;
+  DcfTiming timing_;
+  Backoff backoff_;
+  ContentionWindow window_;
+  RetryCounters retries_;
+  TxQueue queue_;
+  Nav nav_;
+  DuplicateFilter duplicates_;
+
+  State state_ = State::kIdle;
+  bool last_was_wrong_ = false;  ///< The last frame came in with an error: EIFS.
+  FramePtr answer_;              ///< Goes out at the end of the SIFS.
+  EventQueue::EventId sifs_;
+  EventQueue::EventId no_answer_;
+  EventQueue::EventId nav_end_;
+  EventQueue::EventId nav_reset_;
+};
+
+}  // namespace sim::radio
