@@ -2,6 +2,8 @@
 
 #include <cstdarg>
 
+#include "hal/types/check.h"
+
 namespace sim::physics {
 namespace {
 
@@ -13,15 +15,17 @@ void count_message(int /*number*/, const char* /*text*/, va_list /*arguments*/) 
   if (message_count != nullptr) ++*message_count;
 }
 
+bool start_ode() {
+  dInitODE2(0);
+  dSetMessageHandler(count_message);
+  return true;
+}
+
 /// ODE is initialised once per process and lives as long as it.
 void initialise_ode() {
-  static const bool kDone = [] {
-    dInitODE2(0);
-    dSetMessageHandler(count_message);
-    return true;
-  }();
-  static_cast<void>(kDone);
-  dAllocateODEDataForThread(dAllocateMaskAll);
+  static const bool started = start_ode();
+  BARAKA_CHECK(started);
+  dAllocateODEDataForThread(static_cast<unsigned>(dAllocateMaskAll));
 }
 
 void configure(dWorldID world, const WorldConfig& config) {

@@ -102,7 +102,7 @@ class ShapeTree::Implementation {
   int updates = 0;
 };
 
-ShapeTree::ShapeTree(std::span<const Shape> shapes, std::vector<std::size_t> members)
+ShapeTree::ShapeTree(std::span<const Shape> shapes, const std::vector<std::size_t>& members)
     : implementation_(std::make_unique<Implementation>()) {
   auto& entries = implementation_->members;
   entries.reserve(members.size());

@@ -16,7 +16,7 @@ namespace sim::sensing {
 class ShapeTree {
  public:
   /// @param members  indices into `shapes` of those that the tree holds.
-  ShapeTree(std::span<const physics::Shape> shapes, std::vector<std::size_t> members);
+  ShapeTree(std::span<const physics::Shape> shapes, const std::vector<std::size_t>& members);
   ~ShapeTree();
   ShapeTree(ShapeTree&&) noexcept;
   ShapeTree& operator=(ShapeTree&&) noexcept;

@@ -23,8 +23,16 @@ constexpr AgentId kMote{2};
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 void run(World& world, double seconds) {
-  const auto steps = static_cast<int>(seconds / hal::to_seconds(world.config().step) + 0.5);
-  for (int i = 0; i < steps; ++i) world.step();
+  const hal::Time end = world.now() + hal::from_seconds(seconds);
+  while (world.now() < end) world.step();
+}
+
+void expect_standing(const BodyPose& pose, const hal::Pose2& put) {
+  EXPECT_NEAR(pose.position.x, put.x, 1e-6);  // m: bodies settle within the surface layer
+  EXPECT_NEAR(pose.position.y, put.y, 1e-6);
+  EXPECT_NEAR(pose.position.z, 0, 2e-4);  // m: surface layer 1e-4
+  EXPECT_NEAR(pose.heading, put.theta, 1e-6);
+  EXPECT_NEAR(pose.tilt, 0, 1e-4);
 }
 
 TEST(World, BodiesStandWhereTheyWerePut) {
@@ -32,15 +40,8 @@ TEST(World, BodiesStandWhereTheyWerePut) {
   world.add_robot(kRobot, robertino(), {3, -2, 2.5});
   world.add_mote(kMote, MoteDescription{}, {5, 1, -1});
   run(world, 1);
-  for (const auto& [agent, x, y, heading] :
-       {std::tuple{kRobot, 3.0, -2.0, 2.5}, std::tuple{kMote, 5.0, 1.0, -1.0}}) {
-    const BodyPose pose = world.pose(agent);
-    EXPECT_NEAR(pose.position.x, x, 1e-6);  // m: bodies settle within the contact's surface layer
-    EXPECT_NEAR(pose.position.y, y, 1e-6);
-    EXPECT_NEAR(pose.position.z, 0, 2e-4);  // m: surface layer 1e-4
-    EXPECT_NEAR(pose.heading, heading, 1e-6);
-    EXPECT_NEAR(pose.tilt, 0, 1e-4);
-  }
+  expect_standing(world.pose(kRobot), {3, -2, 2.5});
+  expect_standing(world.pose(kMote), {5, 1, -1});
   EXPECT_EQ(world.solver_messages(), 0U);
   EXPECT_EQ(world.now(), hal::Time{std::chrono::seconds(1)});
 }

@@ -39,6 +39,28 @@ void furnish(World& world, hal::RandomStream& random) {
   for (std::uint16_t i = 7; i <= 16; ++i) world.add_mote(AgentId{i}, {}, {place(), place(), 0});
 }
 
+void wander(World& world, hal::RandomStream& random) {
+  for (std::uint16_t i = 1; i <= 6; ++i) {
+    const hal::Twist2 twist{random.uniform() - 0.5, -random.uniform(), random.uniform()};
+    EXPECT_TRUE(world.set_body_velocity(AgentId{i}, twist));
+  }
+  for (int k = 0; k < 10; ++k) world.step();
+}
+
+/// @return beams of one robot that met something.
+int compare_beams(const World& world, const Proximity& proximity, AgentId robot) {
+  const auto pose = world.pose(robot);
+  int hits = 0;
+  for (int beam = 0; beam < 6; ++beam) {
+    const hal::Vec3 origin{pose.position.x, pose.position.y, 0.04};
+    const Sector sector{origin, pose.heading + beam * kPi / 3, 0.05, 1.5};
+    const auto found = proximity.nearest(sector, robot);
+    EXPECT_EQ(found, over_all(world, sector, robot));
+    hits += found ? 1 : 0;
+  }
+  return hits;
+}
+
 TEST(Proximity, TreeFindsWhatASearchOverAllShapesFindsWhileBodiesMove) {
   World world(physics::WorldConfig{});
   hal::RandomStream random(3, "scene");
@@ -46,22 +68,9 @@ TEST(Proximity, TreeFindsWhatASearchOverAllShapesFindsWhileBodiesMove) {
   Proximity proximity(world);
   int hits = 0;
   for (int tick = 0; tick < 120; ++tick) {  // beyond two rebuilds of the tree
-    for (std::uint16_t i = 1; i <= 6; ++i) {
-      const hal::Twist2 twist{random.uniform() - 0.5, -random.uniform(), random.uniform()};
-      ASSERT_TRUE(world.set_body_velocity(AgentId{i}, twist));
-    }
-    for (int k = 0; k < 10; ++k) world.step();
+    wander(world, random);
     proximity.update();
-    for (std::uint16_t i = 1; i <= 6; ++i) {
-      const auto pose = world.pose(AgentId{i});
-      for (int beam = 0; beam < 6; ++beam) {
-        const Sector sector{
-            {pose.position.x, pose.position.y, 0.04}, pose.heading + beam * kPi / 3, 0.05, 1.5};
-        const auto found = proximity.nearest(sector, AgentId{i});
-        ASSERT_EQ(found, over_all(world, sector, AgentId{i})) << tick;
-        hits += found ? 1 : 0;
-      }
-    }
+    for (std::uint16_t i = 1; i <= 6; ++i) hits += compare_beams(world, proximity, AgentId{i});
   }
   EXPECT_GT(hits, 400);
 }
