@@ -18,19 +18,11 @@ std::string_view name(radio::Profile profile) {
   return kNames[static_cast<int>(profile)];
 }
 
-/// Creates the tables and returns the path, so that members can prepare their statements.
-const std::filesystem::path& with_tables(const std::filesystem::path& file) {
-  Database database(file, Database::Mode::kCreate);
-  database.execute(kSchema);
-  database.execute(fmt::format("PRAGMA user_version = {}", kSchemaVersion));
-  return file;
-}
-
 }  // namespace
 
 Recorder::Recorder(const std::filesystem::path& file, const agents::SimulationConfig& config,
                    RecorderOptions options)
-    : database_(with_tables(file), Database::Mode::kRead),
+    : database_(file),
       options_(options),
       frames_(database_),
       messages_(database_),
@@ -40,11 +32,15 @@ Recorder::Recorder(const std::filesystem::path& file, const agents::SimulationCo
       insert_state_(database_, "INSERT INTO states VALUES (?, ?, ?)"),
       insert_frame_(database_, "INSERT INTO frames VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"),
       insert_frame_end_(database_, "INSERT INTO frame_ends VALUES (?, ?, ?, ?, ?)") {
-  // A write-ahead log lets others read while the run goes on. Without waiting for the disk the last
-  // seconds are lost if the machine dies, but not if the process does.
-  database_.execute("PRAGMA journal_mode = WAL; PRAGMA synchronous = OFF; BEGIN");
+  database_.execute("BEGIN");
   describe(config);
   commit();
+}
+
+NewDatabase::NewDatabase(const std::filesystem::path& file) : Database(file, Mode::kCreate) {
+  create_tables(*this);
+  // A write-ahead log lets others read while the run goes on.
+  execute("PRAGMA journal_mode = WAL");
 }
 
 Recorder::~Recorder() {
@@ -62,6 +58,10 @@ void Recorder::set_value(std::string_view key, const Value& value) {
   set_.run(key, value);
   if (is_finished_) commit();
 }
+
+void Recorder::set(std::string_view key, std::string_view value) { set_value(key, value); }
+void Recorder::set(std::string_view key, double value) { set_value(key, value); }
+void Recorder::set(std::string_view key, std::uint64_t value) { set_value(key, value); }
 
 void Recorder::describe(const agents::SimulationConfig& config) {
   set("result", std::string_view("running"));

@@ -19,6 +19,12 @@ struct RecorderOptions {
   bool all_frames = false;  ///< A row for each frame and reception as well, about 1 us each.
 };
 
+/// A file with empty tables, ready for statements.
+class NewDatabase : public Database {
+ public:
+  explicit NewDatabase(const std::filesystem::path& file);
+};
+
 /// Writes what is observed of a run to an SQLite file with the tables of schema.h.
 ///
 ///   Recorder recorder(folder / "run.sqlite", config);
@@ -41,9 +47,9 @@ class Recorder final : public agents::Observer {
   ~Recorder() override;
 
   /// A row of the table run; replaces an earlier one of that key.
-  void set(std::string_view key, std::string_view value) { set_value(key, value); }
-  void set(std::string_view key, double value) { set_value(key, value); }
-  void set(std::string_view key, std::uint64_t value) { set_value(key, value); }
+  void set(std::string_view key, std::string_view value);
+  void set(std::string_view key, double value);
+  void set(std::string_view key, std::uint64_t value);
 
   void add_contacts(hal::AgentId agent, const agents::ContactCounts& contacts) {
     bodies_.on_contacts(agent, contacts);
@@ -80,7 +86,7 @@ class Recorder final : public agents::Observer {
   void write_fingerprint(const Fingerprint& fingerprint);
   void on_rows(hal::Time at, int rows);
 
-  Database database_;
+  NewDatabase database_;
   RecorderOptions options_;
   FrameCounts frames_;
   MessageLog messages_;

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <fmt/format.h>
+
+#include "sim/record/database.h"
+
 namespace sim::record {
 
 /// Version of the tables below, as `PRAGMA user_version` of the file.
@@ -118,5 +122,13 @@ CREATE TABLE frame_ends (    -- likewise
   frame INTEGER, agent INTEGER, at_ns INTEGER, verdict TEXT, rssi_dbm REAL
 );
 )sql";
+
+/// Makes the tables in a new file. It does not wait for the disk, then or later: if the machine
+/// dies, the last seconds are lost, but not if the process does.
+inline void create_tables(Database& database) {
+  database.execute("PRAGMA synchronous = OFF; BEGIN");
+  database.execute(kSchema);
+  database.execute(fmt::format("PRAGMA user_version = {}; COMMIT", kSchemaVersion));
+}
 
 }  // namespace sim::record

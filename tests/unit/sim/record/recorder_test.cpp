@@ -1,0 +1,215 @@
+#include "sim/record/recorder.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <memory>
+
+#include "hal/routing/packet.h"
+#include "tests/unit/sim/record/test_run.h"
+
+namespace sim::record::test {
+namespace {
+
+using namespace std::chrono_literals;
+using hal::AgentId;
+using hal::Time;
+using hal::Verdict;
+
+hal::Message message(hal::MessageId id, AgentId to = AgentId{2}) {
+  return {.source = AgentId{1}, .destination = to, .id = id, .topic = "help", .payload = {1, 2}};
+}
+
+radio::Frame data_frame(AgentId from, AgentId to) {
+  radio::Frame frame;
+  frame.id = 1;
+  frame.transmitter = from;
+  frame.receiver = to;
+  return frame;
+}
+
+class RecorderTest : public testing::Test {
+ protected:
+  RecorderTest()
+      : folder(testing::UnitTest::GetInstance()->current_test_info()->name()),
+        recorder(std::make_unique<Recorder>(folder.file(), small_config())) {}
+
+  std::string asked(const std::string& sql) {
+    recorder->commit();
+    return ask(folder.file(), sql);
+  }
+
+  Folder folder;
+  std::unique_ptr<Recorder> recorder;
+};
+
+TEST_F(RecorderTest, DescribesTheRun) {
+  recorder->set("scenario", "tiny");
+  EXPECT_EQ(asked("SELECT value FROM run WHERE key = 'seed'"), "7");
+  EXPECT_EQ(asked("SELECT value FROM run WHERE key = 'scenario'"), "tiny");
+  EXPECT_EQ(asked("SELECT value FROM run WHERE key = 'profile'"), "mobility_framework");
+  EXPECT_EQ(asked("SELECT value FROM run WHERE key = 'result'"), "running");
+  EXPECT_EQ(asked("SELECT group_concat(name || kind, ',') FROM agents"), "m0mote,m1mote,r0robot");
+  EXPECT_EQ(asked("SELECT agent || state || after_ns FROM ends WHERE result = 'arrived'"),
+            "2DONE1000000000");
+  EXPECT_EQ(asked("SELECT agent FROM ends WHERE result = 'timeout'"), "null");
+}
+
+TEST_F(RecorderTest, SaysHowTheRunEnded) {
+  Fingerprint fingerprint;
+  fingerprint.at(Part::kAir, AgentId{1}, Time{1s}).add(std::uint64_t{5});
+  recorder->add_contacts(AgentId{3}, {.wall_steps = 4, .object_steps = 5});
+  recorder->on_body(Time{}, AgentId{3}, {});
+  recorder->finish({.kind = agents::Outcome::Kind::kEnded,
+                    .result = "arrived",
+                    .error = "",
+                    .ended_at = Time{2500ms},
+                    .events = 10,
+                    .exchanges = 4},
+                   fingerprint);
+  recorder->set("wall_s", 0.5);  // known only now, and readable without another commit
+  const auto value = [this](const std::string& key) {
+    return ask(folder.file(), "SELECT value FROM run WHERE key = '" + key + "'");
+  };
+  EXPECT_EQ(value("result"), "arrived");
+  EXPECT_EQ(value("simulated_s"), "2.5");
+  EXPECT_EQ(value("wall_s"), "0.5");
+  EXPECT_EQ(value("exchanges"), "4");
+  EXPECT_EQ(value("error"), "none");
+  EXPECT_EQ(value("fingerprint"), to_hex(fingerprint.total()));
+  EXPECT_EQ(value("fingerprint_air"), to_hex(fingerprint.part(Part::kAir)));
+  EXPECT_EQ(asked("SELECT second || part || agent || hash FROM fingerprints"),
+            "1air1" + to_hex(fingerprint.rows().at(0).hash));
+  EXPECT_EQ(asked("SELECT wall_steps || '/' || object_steps FROM bodies"), "4/5");
+}
+
+TEST_F(RecorderTest, LeavesOnePlainFileBehind) {
+  recorder.reset();
+  int files = 0;
+  for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder.path())) {
+    ++files;
+  }
+  EXPECT_EQ(files, 1);
+  EXPECT_EQ(ask(folder.file(), "PRAGMA journal_mode"), "delete");
+}
+
+TEST_F(RecorderTest, WhatWasCommittedIsThereIfTheRunIsCutShort) {
+  recorder->on_state(Time{1s}, AgentId{1}, "EARLY");
+  recorder->on_state(Time{10s}, AgentId{1}, "AT_COMMIT");  // kCommitPeriod has passed
+  recorder->on_state(Time{11s}, AgentId{1}, "LATE");
+  EXPECT_EQ(ask(folder.file(), "SELECT group_concat(state) FROM states"), "EARLY,AT_COMMIT");
+}
+
+TEST_F(RecorderTest, CommitsAfterManyRows) {
+  for (int i = 0; i < Recorder::kCommitRows - 1; ++i) recorder->on_state(Time{}, AgentId{1}, "X");
+  EXPECT_EQ(ask(folder.file(), "SELECT COUNT(*) FROM states"), "0");
+  recorder->on_state(Time{}, AgentId{1}, "X");
+  EXPECT_EQ(ask(folder.file(), "SELECT COUNT(*) FROM states"),
+            std::to_string(Recorder::kCommitRows));
+}
+
+TEST_F(RecorderTest, FollowsAMessageToItsDelivery) {
+  recorder->on_message_sent(Time{1ms}, message(1));
+  recorder->on_fate(Time{2ms}, AgentId{1}, 1, hal::Fate::kHandedOver);
+  radio::Frame frame = data_frame(AgentId{3}, AgentId{2});
+  frame.ethertype = radio::kEthertypeRouting;
+  frame.payload = std::make_shared<const hal::Bytes>(
+      hal::routing::encode(hal::routing::Data{.header = {"help", AgentId{1}, AgentId{2}, 1},
+                                              .id = 1,
+                                              .transmissions = 2,
+                                              .payload = {1, 2}}));
+  recorder->on_delivered(Time{4ms}, frame, AgentId{2});
+  recorder->on_message_end(Time{4ms}, AgentId{2}, AgentId{1}, 1, Verdict::kDelivered);
+  recorder->on_message_delivered(Time{4ms}, AgentId{2}, message(1));
+  EXPECT_EQ(asked("SELECT destination || topic || bytes || '/' || sent_ns FROM messages"),
+            "2help2/1000000");
+  EXPECT_EQ(asked("SELECT fate || fate_ns FROM messages"), "handed over2000000");
+  EXPECT_EQ(asked("SELECT verdict FROM messages"), "delivered");
+  EXPECT_EQ(asked("SELECT at_ns || '/' || delay_ns || '/' || transmissions FROM deliveries"),
+            "4000000/3000000/2");
+}
+
+TEST_F(RecorderTest, DeliveryWinsOverTheEndOfAnotherCopy) {
+  recorder->on_message_sent(Time{}, message(1));
+  recorder->on_message_delivered(Time{1ms}, AgentId{2}, message(1));
+  recorder->on_message_end(Time{2ms}, AgentId{3}, AgentId{1}, 1, Verdict::kRetryLimit);
+  EXPECT_EQ(asked("SELECT verdict FROM messages"), "delivered");
+  EXPECT_EQ(asked("SELECT transmissions FROM deliveries"), "null");
+}
+
+TEST_F(RecorderTest, AMessageUnderWayHasNoVerdict) {
+  recorder->on_message_sent(Time{}, message(1));
+  recorder->on_message_sent(Time{}, message(2));
+  recorder->on_message_end(Time{1s}, AgentId{1}, AgentId{1}, 2, Verdict::kNoRoute);
+  EXPECT_EQ(asked("SELECT verdict FROM messages WHERE id = 1"), "null");
+  EXPECT_EQ(asked("SELECT fate FROM messages WHERE id = 1"), "null");
+  EXPECT_EQ(asked("SELECT verdict FROM messages WHERE id = 2"), "no route");
+}
+
+TEST_F(RecorderTest, CountsFramesByPeerClassAndVerdict) {
+  const radio::Frame broadcast = data_frame(AgentId{1}, hal::kEveryone);
+  radio::Frame rts = data_frame(AgentId{1}, AgentId{2});
+  rts.type = radio::FrameType::kRts;
+  for (int i = 0; i < 3; ++i) recorder->on_frame_start(Time{}, broadcast);
+  recorder->on_frame_start(Time{}, rts);
+  recorder->on_reception(Time{}, broadcast, AgentId{2}, Verdict::kDelivered, -60);
+  recorder->on_reception(Time{}, rts, AgentId{3}, Verdict::kCollision, -60);
+  recorder->on_delivered(Time{}, broadcast, AgentId{2});
+  recorder->on_request_end(Time{}, AgentId{1}, AgentId{2}, Verdict::kRetryLimit);
+  EXPECT_EQ(asked("SELECT count FROM frames_sent WHERE class = 'broadcast' AND peer = 65535"), "3");
+  EXPECT_EQ(asked("SELECT count FROM frames_sent WHERE class = 'rts'"), "1");
+  EXPECT_EQ(asked("SELECT agent || peer || addressed || verdict FROM receptions"
+                  " WHERE class = 'broadcast'"),
+            "211delivered");
+  EXPECT_EQ(asked("SELECT agent || peer || addressed || verdict FROM receptions"
+                  " WHERE class = 'rts'"),
+            "310collision");
+  EXPECT_EQ(asked("SELECT agent || peer || class || count FROM packets"), "21broadcast1");
+  EXPECT_EQ(asked("SELECT agent || peer || verdict || count FROM requests"), "12retry limit1");
+  recorder->on_frame_start(Time{}, broadcast);  // counts go on after they were written
+  EXPECT_EQ(asked("SELECT count FROM frames_sent WHERE class = 'broadcast'"), "4");
+  EXPECT_EQ(asked("SELECT COUNT(*) FROM frames"), "0");
+}
+
+TEST_F(RecorderTest, WritesEachFrameOnlyOnRequest) {
+  recorder = nullptr;
+  recorder = std::make_unique<Recorder>(folder.file(), small_config(),
+                                        RecorderOptions{.all_frames = true});
+  const radio::Frame frame = data_frame(AgentId{1}, AgentId{2});
+  recorder->on_frame_start(Time{5ns}, frame);
+  recorder->on_reception(Time{6ns}, frame, AgentId{2}, Verdict::kNoise, -90.5);
+  EXPECT_EQ(asked("SELECT at_ns || class FROM frames"), "5unicast");
+  EXPECT_EQ(asked("SELECT at_ns || verdict || rssi_dbm FROM frame_ends"), "6noise-90.5");
+}
+
+// 3 m, then 4 m at a right angle; half a second apart.
+TEST_F(RecorderTest, AddsUpThePathAtEveryControlInstantAndWritesPosesOncePerSecond) {
+  const AgentId robot{3};
+  recorder->on_body(Time{}, robot, {.x = 0, .y = 0, .clearance = 5});
+  recorder->on_body(Time{500ms}, robot, {.x = 3, .y = 0, .tilt = 0.1, .clearance = 0.5});
+  recorder->on_body(Time{1s}, robot, {.x = 3, .y = 4, .clearance = 2});
+  recorder->on_body(Time{2s}, robot, {.x = 3, .y = 4, .clearance = 2});
+  EXPECT_EQ(asked("SELECT path || '/' || clearance || '/' || tilt FROM bodies"), "7.0/0.5/0.1");
+  EXPECT_EQ(asked("SELECT x || '/' || y FROM bodies"), "3.0/4.0");
+  EXPECT_EQ(asked("SELECT group_concat(at_ns) FROM poses"), "0,1000000000");  // no news at 2 s
+  EXPECT_EQ(asked("SELECT wall_steps FROM bodies"), "null");
+}
+
+TEST_F(RecorderTest, AWorldWithoutWallsHasNoClearance) {
+  recorder->on_body(Time{}, AgentId{3}, {.clearance = std::numeric_limits<double>::infinity()});
+  EXPECT_EQ(asked("SELECT clearance FROM bodies"), "null");
+}
+
+TEST_F(RecorderTest, KeepsLinksDiscoveriesAndStates) {
+  recorder->on_start({{AgentId{1}, AgentId{2}}});
+  recorder->on_discovery(Time{2s}, AgentId{1}, "help", AgentId{2}, 962181ns, true);
+  recorder->on_state(Time{3s}, AgentId{2}, "WAIT");
+  EXPECT_EQ(asked("SELECT a || '-' || b FROM links"), "1-2");
+  EXPECT_EQ(asked("SELECT agent || topic || destination || '/' || ended_ns || '/' || took_ns"
+                  " || '/' || found FROM discoveries"),
+            "1help2/2000000000/962181/1");
+  EXPECT_EQ(asked("SELECT agent || state || at_ns FROM states"), "2WAIT3000000000");
+}
+
+}  // namespace
+}  // namespace sim::record::test
