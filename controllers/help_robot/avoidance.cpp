@@ -112,7 +112,7 @@ void Avoidance::start_following(Vec2 way, const Points& seen, hal::Time now) {
   const bool same_wall = last_following_ && now - *last_following_ < kSameWall;
   last_following_ = now;
   if (same_wall) return;
-  // The side that leads on towards the point; to the left if neither does.
+  // The side that leads on towards the point; with the wall to the left if neither does.
   side_ = left_of(normal_).x >= 0 ? 1 : -1;
   side_since_ = now;
   patience_ = hal::from_seconds(kPatience / limits_.speed);

@@ -59,7 +59,7 @@ class Avoidance {
   bool following_ = false;
   /// Points from the wall to the robot; in the frame whose x axis is the way.
   hal::Vec2 normal_{};
-  double side_ = 1;  ///< 1: the wall is to the right of the drive; -1: left.
+  double side_ = 1;  ///< 1: the wall is to the left of the drive; -1: right.
   std::optional<hal::Time> last_following_;  ///< Nothing: no wall yet.
   hal::Time following_since_{};
   hal::Time last_blocked_{};

@@ -194,6 +194,18 @@ TEST(RoundTheWall, LosesLittleTimeOverTheShortestWay) {
   EXPECT_LT(*took, (5.5 + 10 + 20.7 - 4) / 0.94 + 6);
 }
 
+// The wall ends 45 m to the left, where the hop's bearing leads, and 5 m to the right. After 30 m
+// without an end the robot turns and finds the other one: 30 m there and 35 m back, 14 m besides.
+TEST(RoundTheWall, TurnsBackWhenTheEndIsTooFar) {
+  const Passage passage{"", {-3, 0}, {10, 3}, {.centre = {0, 20}, .half_x = 0.15, .half_y = 25}};
+  World world(passage, kRealisms[1], 0.2);
+  const auto took = drive_to_hop(world);
+  ASSERT_TRUE(took.has_value());
+  EXPECT_GT(*took, 65 / 0.94) << "it did not try the left side";
+  EXPECT_LT(*took, (65 + 14) / 0.94 + 15);
+  EXPECT_GT(world.clearance(), kBodyRadius + 0.05);
+}
+
 // Between two sensors a mote of 5 cm would not be seen; so a sensor has to look ahead.
 TEST(RoundAMote, PassesWithoutTouching) {
   const Passage passage{"", {0, 0}, {12, 0}, {.centre = {5, 0}, .half_x = 0.025, .half_y = 0.025}};
