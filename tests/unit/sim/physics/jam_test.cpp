@@ -125,6 +125,17 @@ TEST(Jam, RingWithFewContactsButManyRobotsIsAJam) {
   }
 }
 
+TEST(Jam, BodiesOfAJamMoveOncePerStep) {
+  // Four motes that fall face to face: twelve contacts, and nothing but gravity acts on them.
+  World world(WorldConfig{});
+  for (std::uint16_t i = 0; i < 4; ++i)
+    world.add_mote(AgentId{static_cast<std::uint16_t>(i + 1)}, {}, {}, 2 + 0.04995 * i);
+  for (int i = 0; i < 10; ++i) world.step();
+  EXPECT_EQ(world.jammed_steps(), 10U);
+  // m: g dt^2 n (n + 1) / 2; contacts give at most 0.1 m/s for 0.1 s. Stepped twice: 0.2 m.
+  EXPECT_NEAR(2 - world.pose(AgentId{1}).position.z, 9.81 * 1e-4 * 55, 0.01);
+}
+
 TEST(ContactIslands, CountOfAGroupIsTheSumOverItsMembers) {
   ContactIslands islands;
   islands.reset(6);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -73,9 +74,10 @@ TEST(World, ParkedRobotSleepsAndWakesOnACommand) {
 TEST(World, CreepingRobotDoesNotFallAsleep) {
   World world(WorldConfig{});
   world.add_robot(kRobot, robertino(), {});
-  ASSERT_TRUE(world.set_body_velocity(kRobot, {0.002, 0, 0}));  // below the sleep threshold
+  // Body 0.6 mm/s, wheels 0.015 rad/s: both below the sleep thresholds.
+  ASSERT_TRUE(world.set_body_velocity(kRobot, {0.0006, 0, 0}));
   run(world, 5);
-  EXPECT_NEAR(world.pose(kRobot).position.x, 0.01, 2e-4);  // m; 2 %
+  EXPECT_NEAR(world.pose(kRobot).position.x, 0.003, 6e-5);  // m; 2 %
 }
 
 TEST(World, RobotPushesAMoteAndBothRecordIt) {
@@ -93,6 +95,22 @@ TEST(World, RobotPushesAMoteAndBothRecordIt) {
   EXPECT_EQ(world.contacts(kMote).robots.first, record.first);
   EXPECT_GT(world.pose(kMote).position.x, 0.6);
   EXPECT_NEAR(world.pose(kMote).position.z, 0, 1e-3);  // m: it slides and does not climb
+}
+
+TEST(World, SleeperThatIsPushedAwakeDoesNotSinkIntoTheGround) {
+  World world(WorldConfig{});
+  world.add_robot(kRobot, robertino(), {});
+  world.add_robot(AgentId{3}, robertino(), {0.6, 0, 0});
+  run(world, 1);
+  ASSERT_TRUE(world.asleep(AgentId{3}));
+  ASSERT_TRUE(world.set_body_velocity(kRobot, {0.3, 0, 0}));
+  double lowest = 0;
+  for (int i = 0; i < 200; ++i) {
+    world.step();
+    lowest = std::min(lowest, world.pose(AgentId{3}).position.z);
+  }
+  EXPECT_FALSE(world.asleep(AgentId{3}));
+  EXPECT_GT(lowest, -5e-4);  // m; one step of free fall would be 1 mm
 }
 
 TEST(World, WallStopsARobot) {
@@ -227,6 +245,22 @@ TEST(World, AnotherRobotNeedsOnlyAnotherDescription) {
   EXPECT_NEAR(velocity.linear.x, 0.3, 0.003);  // m/s: 1 %
   EXPECT_NEAR(velocity.linear.y, -0.2, 0.003);
   EXPECT_LT(world.pose(kRobot).tilt, 1e-3);
+}
+
+TEST(World, VelocityIsThatOfTheOriginNotOfTheCentreOfMass) {
+  RobotDescription lopsided = robertino();
+  lopsided.boxes = {{{0.1, 0.1, 0.1}, {0.06, 0, 0.1}, 0, 9}};  // centre of mass 0.027 m ahead
+  World world(WorldConfig{});
+  world.add_robot(kRobot, lopsided, {});
+  ASSERT_TRUE(world.set_body_velocity(kRobot, {0, 0, 1}));
+  run(world, 3);
+  const hal::Vec3 before = world.pose(kRobot).position;
+  world.step();
+  const hal::Vec3 moved = 100 * (world.pose(kRobot).position - before);
+  // m/s: the arc within one step is off by omega^2 * 0.027 * dt / 2 = 1.4e-4.
+  EXPECT_NEAR(world.velocity(kRobot).linear.x, moved.x, 3e-4);
+  EXPECT_NEAR(world.velocity(kRobot).linear.y, moved.y, 3e-4);
+  EXPECT_NEAR(world.velocity(kRobot).angular.z, 1, 0.01);
 }
 
 }  // namespace
