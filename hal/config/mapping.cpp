@@ -61,32 +61,40 @@ double Mapping::number(const std::string& key, std::string_view unit, Range rang
 
 double Mapping::number(const std::string& key, std::string_view unit, Range range,
                        double otherwise) {
-  return has(key) ? number(key, unit, range) : otherwise;
+  const Entry* entry = find(key);
+  return entry == nullptr ? otherwise : parsed(entry->value, key, unit, range).value_or(otherwise);
+}
+
+std::optional<std::int64_t> Mapping::whole(const Node& node, const std::string& key,
+                                           std::int64_t low, std::int64_t high) {
+  const std::string* text = scalar(node, key, "a whole number");
+  if (text == nullptr) return std::nullopt;
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), value);
+  const bool is_whole = end == text->data() + text->size();
+  if (!is_whole || error == std::errc::invalid_argument) {
+    problems_->add(node.place, path_of(key), fmt::format("'{}' is not a whole number", *text));
+    return std::nullopt;
+  }
+  const bool too_long = error != std::errc{};
+  const bool above = too_long ? !text->starts_with('-') : value > high;
+  const bool below = too_long ? text->starts_with('-') : value < low;
+  if (!above && !below) return value;
+  problems_->add(node.place, path_of(key),
+                 fmt::format("{} is {} the limit of {}", *text, above ? "above" : "below",
+                             above ? high : low));
+  return std::nullopt;
 }
 
 std::int64_t Mapping::integer(const std::string& key, std::int64_t low, std::int64_t high) {
   const Node* node = required(key);
-  const std::string* text = node == nullptr ? nullptr : scalar(*node, key, "a whole number");
-  if (text == nullptr) return low;
-  std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), value);
-  const bool whole = end == text->data() + text->size();
-  if (!whole || error == std::errc::invalid_argument) {
-    problems_->add(node->place, path_of(key), fmt::format("'{}' is not a whole number", *text));
-    return low;
-  }
-  const bool above = error != std::errc{} ? !text->starts_with('-') : value > high;
-  const bool below = error != std::errc{} ? text->starts_with('-') : value < low;
-  if (!above && !below) return value;
-  problems_->add(node->place, path_of(key),
-                 fmt::format("{} is {} the limit of {}", *text, above ? "above" : "below",
-                             above ? high : low));
-  return low;
+  return node == nullptr ? low : whole(*node, key, low, high).value_or(low);
 }
 
 std::int64_t Mapping::integer(const std::string& key, std::int64_t low, std::int64_t high,
                               std::int64_t otherwise) {
-  return has(key) ? integer(key, low, high) : otherwise;
+  const Entry* entry = find(key);
+  return entry == nullptr ? otherwise : whole(entry->value, key, low, high).value_or(otherwise);
 }
 
 Duration Mapping::duration(const std::string& key, Range seconds) {
@@ -94,7 +102,10 @@ Duration Mapping::duration(const std::string& key, Range seconds) {
 }
 
 Duration Mapping::duration(const std::string& key, Range seconds, Duration otherwise) {
-  return has(key) ? duration(key, seconds) : otherwise;
+  const Entry* entry = find(key);
+  if (entry == nullptr) return otherwise;
+  const auto value = parsed(entry->value, key, "s", seconds);
+  return value ? from_seconds(*value) : otherwise;
 }
 
 std::optional<Duration> Mapping::optional_duration(const std::string& key, double low,

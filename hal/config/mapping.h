@@ -47,7 +47,8 @@ struct Option {
 
 /// One mapping of a document, read key by key. Every call notes its key as known; a mistake is
 /// noted with its place and the call returns something harmless, so that reading goes on and all
-/// mistakes are found. A call without `otherwise` requires the key.
+/// mistakes are found. A call without `otherwise` requires the key; one with it returns that for a
+/// wrong value, so that a mistake does not make others that are none.
 class Mapping {
  public:
   Mapping(const Node& node, std::string path, Problems& problems);
@@ -83,15 +84,15 @@ class Mapping {
   /// A list of texts; absent: empty.
   std::vector<Scalar> texts(const std::string& key);
 
-  /// One of several names.
+  /// One of several names; nothing if it is missing or none of them.
   template <class E>
-  E choice(const std::string& key, const std::vector<Option<E>>& options) {
-    return options[chosen(key, names(options)).value_or(0)].value;
+  std::optional<E> choice(const std::string& key, const std::vector<Option<E>>& options) {
+    const auto index = chosen(key, names(options));
+    return index ? std::optional<E>{options[*index].value} : std::nullopt;
   }
   template <class E>
   E choice(const std::string& key, const std::vector<Option<E>>& options, E otherwise) {
-    if (!has(key)) return otherwise;
-    return choice(key, options);
+    return has(key) ? choice(key, options).value_or(otherwise) : otherwise;
   }
 
   /// A mapping inside; absent: an empty one, all of whose required keys are missing.
@@ -136,6 +137,8 @@ class Mapping {
   const std::string* scalar(const Node& node, const std::string& key, std::string_view expected);
   std::optional<double> parsed(const Node& node, const std::string& key, std::string_view unit,
                                Range range);
+  std::optional<std::int64_t> whole(const Node& node, const std::string& key, std::int64_t low,
+                                    std::int64_t high);
   std::vector<double> vector(const std::string& key, std::string_view unit, Range range,
                              std::size_t size);
   std::optional<std::size_t> chosen(const std::string& key, const std::vector<std::string>& names);

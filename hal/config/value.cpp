@@ -55,8 +55,10 @@ Result<double> in_unit(std::string_view text, const Parts& parts, const Unit& wa
   }
   const Unit* given = find_unit(parts.unit);
   if (given == nullptr || given->dimension != wanted.dimension) {
-    return wrong(fmt::format("'{}' must be written in {}, e.g. '{} {}'", text, wanted.name,
-                             parts.number, wanted.name));
+    // People think of angles in degrees.
+    const bool angle = wanted.dimension == Dimension::kAngle;
+    return wrong(fmt::format("'{}' must be written in {}{}, e.g. '{} {}'", text, wanted.name,
+                             angle ? " or deg" : "", parts.number, angle ? "deg" : wanted.name));
   }
   return converted(parts.number, *given, wanted);
 }

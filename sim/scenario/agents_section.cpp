@@ -6,6 +6,7 @@
 #include <set>
 #include <span>
 
+#include "hal/config/suggest.h"
 #include "hal/types/check.h"
 #include "sim/scenario/body_section.h"
 #include "sim/scenario/controller_section.h"
@@ -87,6 +88,11 @@ void read_group(const std::string& name, Mapping in, Scenario& scenario, Taken& 
   scenario.groups.push_back(std::move(group));
 }
 
+/// A group that only the command line names: it meant to change one of the file's.
+bool is_reached_for(Mapping& in) {
+  return in.place().starts_with("--set") && !in.has("robot") && !in.has("mote");
+}
+
 /// "m{}" if the names are "m0", "m1", …
 std::string name_pattern(std::span<const AgentConfig> agents) {
   const std::string& first = agents.front().name;
@@ -130,7 +136,16 @@ void read_agents(Mapping in, Scenario& scenario) {
   Taken taken;
   const std::vector<std::string> names = in.keys();
   if (names.empty()) in.mistake("", "there must be at least one group of agents");
-  for (const std::string& name : names) read_group(name, in.mapping(name), scenario, taken);
+  for (const std::string& name : names) {
+    Mapping group = in.mapping(name);
+    if (is_reached_for(group)) {
+      std::vector<std::string> others = names;
+      std::erase(others, name);
+      in.mistake(name, "is not the name of a group" + hal::config::suggestion(name, others));
+    } else {
+      read_group(name, group, scenario, taken);
+    }
+  }
   in.finish();
   std::sort(scenario.simulation.agents.begin(), scenario.simulation.agents.end(),
             [](const AgentConfig& a, const AgentConfig& b) { return a.id < b.id; });

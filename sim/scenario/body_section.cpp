@@ -59,6 +59,7 @@ void read_link(Mapping in, RobotDescription& robot) {
     const bool cylinder = shape.has("cylinder");
     if (cylinder == shape.has("box")) {
       shape.mistake("", "must have either cylinder or box");
+      shape.has("mass");
     } else if (cylinder) {
       robot.cylinders.push_back(read_cylinder(shape, shape.mapping("cylinder")));
     } else {
@@ -125,11 +126,15 @@ void read_wheel(Mapping& in, Wheel& wheel) {
   limit.finish();
 }
 
-void check_complete(Mapping& in, const Wheel& wheel) {
-  if (wheel.radius == 0) in.mistake("radius", "is missing");
-  if (wheel.mass == 0) in.mistake("mass", "is missing");
-  if (wheel.max_torque == 0) in.mistake("limit.effort", "is missing");
-  if (wheel.max_speed == 0) in.mistake("limit.velocity", "is missing");
+/// Every key is given for all wheels or for this one.
+void check_complete(Mapping& all, Mapping& joint) {
+  const auto check = [](Mapping common, Mapping own, const std::string& key) {
+    if (!common.has(key) && !own.has(key)) own.mistake(key, "is missing");
+  };
+  check(all, joint, "radius");
+  check(all, joint, "mass");
+  check(all.mapping("limit"), joint.mapping("limit"), "effort");
+  check(all.mapping("limit"), joint.mapping("limit"), "velocity");
 }
 
 void read_wheels(Mapping in, RobotDescription& robot) {
@@ -140,7 +145,7 @@ void read_wheels(Mapping in, RobotDescription& robot) {
   for (Mapping& joint : in.mappings("joints")) {
     Wheel wheel = common;
     read_wheel(joint, wheel);
-    check_complete(joint, wheel);
+    check_complete(all, joint);
     const Mounting mounting = read_mounting(joint, "axis");
     wheel.position = mounting.position;
     wheel.axle_heading = mounting.heading;

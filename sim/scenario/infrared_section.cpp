@@ -51,15 +51,10 @@ InfraredCurve read_table(Mapping& in, const InfraredCurve& otherwise) {
 
 InfraredCurve read_curve(Mapping& in, const InfraredCurve& otherwise) {
   if (!in.has("curve")) return otherwise;
-  switch (in.choice("curve", kCurves)) {
-    case CurveName::kGp2d12:
-      return InfraredCurve::gp2d12();
-    case CurveName::kGp2d120:
-      return InfraredCurve::gp2d120();
-    case CurveName::kTable:
-      break;
-  }
-  return read_table(in, otherwise);
+  const std::optional<CurveName> name = in.choice("curve", kCurves);
+  if (name == CurveName::kGp2d12) return InfraredCurve::gp2d12();
+  if (name == CurveName::kGp2d120) return InfraredCurve::gp2d120();
+  return name ? read_table(in, otherwise) : otherwise;
 }
 
 void read_sensor(Mapping& in, InfraredSensor& sensor) {

@@ -186,7 +186,9 @@ void check(Mapping& in, const RadioConfig& c) {
 
 RadioConfig read_radio(Mapping in) {
   in.integer("version", 1, 1, 1);
-  RadioConfig config = radio::profile_defaults(in.choice("profile", kProfiles));
+  const std::optional<Profile> profile = in.choice("profile", kProfiles);
+  if (!profile) return {};  // which of the other keys are right depends on it
+  RadioConfig config = radio::profile_defaults(*profile);
   FieldReader reader(in);
   all_keys(reader, config);
   const bool waves =

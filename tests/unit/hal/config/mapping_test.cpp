@@ -117,7 +117,7 @@ TEST_F(MappingTest, NamesTheKindThatWasExpected) {
     in.mappings("c");
     in.number("d", "1", {0, 1});
     in.vec2("e", "m", {0, 1});
-    in.choice<int>("f", {{"y", 1}, {"z", 2}});
+    EXPECT_EQ(in.choice<int>("f", {{"y", 1}, {"z", 2}}), std::nullopt);
   });
   EXPECT_EQ(found, (Lines{"a.yaml:1:4: a: must be a number with its unit (m), not a list of 1",
                           "a.yaml:2:4: b: must be a mapping, not '3'",

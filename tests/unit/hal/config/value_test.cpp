@@ -80,6 +80,7 @@ TEST(Value, InsistsOnAUnitOfTheRightDimension) {
   EXPECT_EQ(refused("15 dbm", "dBm"), "'15 dbm' must be written in dBm, e.g. '15 dBm'");
   EXPECT_EQ(refused("0x10 m", "m"), "'0x10 m' must be written in m, e.g. '0 m'");
   EXPECT_EQ(refused("15 dB", "dBm"), "'15 dB' must be written in dBm, e.g. '15 dBm'");
+  EXPECT_EQ(refused("60", "rad"), "'60' must be written in rad or deg, e.g. '60 deg'");
   EXPECT_EQ(refused("3 s", "1"), "'3 s' must be a plain number, without a unit");
   EXPECT_EQ(refused("0x10", "1"), "'0x10' must be a plain number, without a unit");
 }

@@ -1,0 +1,295 @@
+#include "sim/scenario/resolved.h"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+namespace sim::scenario {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Every key that a reader knows, with a value that is not its default.
+constexpr const char* kEverything = R"(
+version: 1
+name: everything
+seed: 9223372036854775807
+controller_latency: 1234567 ns
+control_phase: aligned
+control_period: 50 ms
+command_timeout: 400 ms
+on_death: silence
+reply_timeout: none
+wait: 12 s
+record: {frames: all, pose_period: 250 ms}
+world:
+  physics:
+    {step: 5 ms, gravity: 1.62 m/s^2, erp: 0.3, cfm: 1e-7, surface_layer: 0.2 mm,
+     max_correcting_velocity: 0.2 m/s, ground_friction: 0.4, jam_contacts: 9}
+  walls: [{name: w, size: [1 m, 2 m, 3 m], position: [4 m, 5 m], yaw: 10 deg, friction: 0.7}]
+  boxes: [{size: [1 m, 1 m, 0.1 m], position: [-4 m, -5 m]}]
+radio:
+  profile: mobility_framework
+  tx_power: 3 dBm
+  wavelength: 12.4 cm
+  path_loss_exponent: 2.5
+  propagation_delay: true
+  obstacles: true
+  sensitivity: -84 dBm
+  interference_floor: -100 dBm
+  noise_floor: -109.5 dBm
+  cca_threshold: -83 dBm
+  energy_detection: -82 dBm
+  data_rate: 2 Mb/s
+  control_rate: 5.5 Mb/s
+  broadcast_rate: 2 Mb/s
+  preamble: short
+  rounding: microsecond
+  lengths: bytes
+  fixed_header_bits: 271
+  fixed_payload_bits: 8
+  error_model: dsss
+  min_sinr: 3 dB
+  preamble_window: 4 us
+  capture_margin: 5 dB
+  slot: 9 us
+  sifs: 16 us
+  cw_min: 15
+  cw_max: 511
+  cw_broadcast: 63
+  rts_threshold: 400
+  short_retry_limit: 6
+  queue_limit: 13
+routing:
+  {beta: 3, direct_weight: 1e5, jitter_max: 90 ms, retry_period: 4 s, retries: 2, acceptance: 1.4,
+   accept_anywhere: true, hop_limit: 29, buffer_limit: 63, buffer_age: 9 s}
+localisation: {range: none}
+agents:
+  odd:
+    name: x0{}
+    address: 300
+    mote: {model: brick, size: [1 cm, 2 cm, 3 cm], mass: 7 g, friction: 0.1}
+    grid: {columns: 2, rows: 2, spacing: [1 m, 2 m], origin: [-1 m, -1 m], yaw: 5 deg}
+    controller:
+      program: help_mote
+      processes: 2
+      parameters: {help_at: never, repeat_after: 20 s}
+      overrides:
+        - {agents: "x0?", parameters: {help_at: 3 s}}
+  cart:
+    address: 7
+    robot:
+      model: cart
+      link:
+        friction: 0.31
+        collision:
+          - {cylinder: {radius: 0.3 m, bottom: 0.1 m, top: 0.2 m, centre: [1 cm, 2 cm]}, mass: 3 kg}
+          - {box: {size: [0.1 m, 0.2 m, 0.3 m], centre: [0 m, 1 cm, 0.4 m], yaw: 1 rad}, mass: 1 kg}
+      wheels:
+        wheel: {radius: 3 cm, mass: 100 g, mu: 0.5, mu2: 0.01, limit: {effort: 2 N m, velocity: 9 rad/s}}
+        joints:
+          - {position: [0.2 m, 0 m], axis: 1 deg}
+          - {distance: 0.2 m, bearing: 120 deg, mu: 0.55}
+          - {distance: 0.2 m, bearing: 240 deg, limit: {effort: 3 N m}}
+      acceleration:
+        {linear_up: 1 m/s^2, linear_down: 2 m/s^2, angular_up: 3 rad/s^2, angular_down: 4 rad/s^2}
+      encoder_steps: 2048
+      infrared:
+        sensor:
+          height: 5 cm
+          half_angle: 3 deg
+          noise_sigma: 1 mV
+          hold_period: 20 ms
+          curve: table
+          table: [{distance: 10 cm, output: 2 V}, {distance: 50 cm, output: 1 V}]
+          converter: {bits: 12, full_scale: 3.3 V}
+        mounts: [{position: [0.1 m, 0.1 m]}, {distance: 0.1 m, bearing: 90 deg, curve: gp2d120}]
+    poses: [{x: 1 m, y: 2 m, yaw: -30 deg}]
+    controller: {program: help_robot}
+end:
+  - {agent: x03, state: DONE, after: 20 ms, result: good}
+  - {at: 99 s, result: bad}
+expect:
+  - {result: good}
+  - {distance: [x00, cart0], below: 3.5 m}
+)";
+
+class Resolved : public testing::Test {
+ protected:
+  Resolved() : file_(fs::path(testing::TempDir()) / ("resolved_" + std::to_string(::getpid()))) {}
+  ~Resolved() override { fs::remove(file_); }
+
+  Scenario load(const std::string& text) const {
+    std::ofstream(file_) << text;
+    return load_scenario(file_);
+  }
+
+  fs::path file_;
+};
+
+// Once read and written, nothing may change any more; and what is read the second time must be what
+// the user wrote, which the next tests look at field by field.
+TEST_F(Resolved, ReadsBackToTheSameText) {
+  const std::string once = resolved_yaml(load(kEverything));
+  EXPECT_EQ(resolved_yaml(load(once)), once);
+}
+
+TEST_F(Resolved, KeepsTheRun) {
+  const Scenario scenario = load(resolved_yaml(load(kEverything)));
+  const auto& c = scenario.simulation;
+  EXPECT_EQ(scenario.name, "everything");
+  EXPECT_EQ(c.seed, 9223372036854775807u);
+  EXPECT_EQ(c.controller_latency, 1234567ns);
+  EXPECT_EQ(c.control_phase, agents::ControlPhase::kAligned);
+  EXPECT_EQ(c.control_period, 50ms);
+  EXPECT_EQ(c.command_timeout, 400ms);
+  EXPECT_EQ(c.on_death, agents::OnDeath::kSilence);
+  EXPECT_EQ(scenario.reply_timeout, std::nullopt);
+  EXPECT_EQ(scenario.wait, 12s);
+  EXPECT_EQ(scenario.record.frames, FrameRecord::kAll);
+  EXPECT_EQ(scenario.record.pose_period, 250ms);
+  EXPECT_TRUE(std::isinf(c.localisation.range.value));
+}
+
+TEST_F(Resolved, KeepsTheWorld) {
+  const auto c = load(resolved_yaml(load(kEverything))).simulation;
+  EXPECT_EQ(c.world.step, 5ms);
+  EXPECT_EQ(c.world.gravity, 1.62);
+  EXPECT_EQ(c.world.erp, 0.3);
+  EXPECT_EQ(c.world.cfm, 1e-7);
+  EXPECT_EQ(c.world.surface_layer, 2e-4);
+  EXPECT_EQ(c.world.max_correcting_velocity, 0.2);
+  EXPECT_EQ(c.world.ground_friction, 0.4);
+  EXPECT_EQ(c.world.jam_contacts, 9);
+  ASSERT_EQ(c.walls.size(), 2u);
+  EXPECT_EQ(c.walls[0].name, "w");
+  EXPECT_EQ(c.walls[0].centre, (hal::Vec3{4, 5, 1.5}));
+  EXPECT_EQ(c.walls[0].friction, 0.7);
+  EXPECT_DOUBLE_EQ(c.walls[0].yaw, 3.14159265358979323846 / 18);
+  EXPECT_EQ(c.walls[1].name, "box0");
+}
+
+TEST_F(Resolved, KeepsTheRadiosAir) {
+  const auto c = load(resolved_yaml(load(kEverything))).simulation.radio;
+  EXPECT_DOUBLE_EQ(c.tx_power.value, 1.9952623149688795);  // mW: 10^0.3, computed with bc
+  EXPECT_DOUBLE_EQ(c.wavelength.value, 0.124);
+  EXPECT_EQ(c.path_loss_exponent, 2.5);
+  EXPECT_TRUE(c.propagation_delay && c.obstacles);
+  EXPECT_EQ(c.sensitivity.value, -84);
+  EXPECT_EQ(c.interference_floor.value, -100);
+  EXPECT_EQ(c.noise_floor.value, -109.5);
+  EXPECT_EQ(c.cca_threshold.value, -83);
+  EXPECT_EQ(c.energy_detection.value, -82);
+  EXPECT_EQ(c.data_rate.value, 2e6);
+  EXPECT_EQ(c.control_rate.value, 5.5e6);
+  EXPECT_EQ(c.broadcast_rate.value, 2e6);
+  EXPECT_EQ(c.preamble, radio::Preamble::kShort);
+  EXPECT_EQ(c.rounding, radio::Rounding::kMicrosecond);
+  EXPECT_EQ(c.error_model, radio::ErrorModel::kDsss);
+  EXPECT_EQ(c.min_sinr.value, 3);
+  EXPECT_EQ(c.preamble_window, 4us);
+  EXPECT_EQ(c.capture_margin->value, 5);
+}
+
+TEST_F(Resolved, KeepsTheRadiosMac) {
+  const auto c = load(resolved_yaml(load(kEverything))).simulation.radio;
+  EXPECT_EQ(c.lengths, radio::Lengths::kBytes);
+  EXPECT_EQ(c.fixed_header_bits, 271u);
+  EXPECT_EQ(c.fixed_payload_bits, 8u);
+  EXPECT_EQ(c.slot, 9us);
+  EXPECT_EQ(c.sifs, 16us);
+  EXPECT_EQ(c.cw_min, 15u);
+  EXPECT_EQ(c.cw_max, 511u);
+  EXPECT_EQ(c.cw_broadcast, 63u);
+  EXPECT_EQ(c.rts_threshold, 400u);
+  EXPECT_EQ(c.short_retry_limit, 6u);
+  EXPECT_EQ(c.queue_limit, 13u);
+}
+
+TEST_F(Resolved, KeepsTheRouting) {
+  const auto c = load(resolved_yaml(load(kEverything))).simulation.routing;
+  EXPECT_EQ(c.beta, 3);
+  EXPECT_EQ(c.direct_weight, 1e5);
+  EXPECT_EQ(c.jitter_max, 90ms);
+  EXPECT_EQ(c.retry_period, 4s);
+  EXPECT_EQ(c.retries, 2);
+  EXPECT_EQ(c.acceptance, 1.4);
+  EXPECT_TRUE(c.accept_anywhere);
+  EXPECT_EQ(c.hop_limit, 29);
+  EXPECT_EQ(c.buffer_limit, 63u);
+  EXPECT_EQ(c.buffer_age, 9s);
+}
+
+TEST_F(Resolved, KeepsEveryBody) {
+  const auto first = load(kEverything).simulation.agents;
+  const auto again = load(resolved_yaml(load(kEverything))).simulation.agents;
+  ASSERT_EQ(again.size(), 5u);
+  for (std::size_t i = 0; i < again.size(); ++i) EXPECT_EQ(again[i].body, first[i].body) << i;
+  const auto& robot = std::get<hal::devices::RobotDescription>(again[0].body);
+  EXPECT_EQ(robot.boxes.at(0).size, (hal::Vec3{0.1, 0.2, 0.3}));
+  EXPECT_EQ(robot.wheels.at(1).mu, 0.55);
+  EXPECT_EQ(robot.wheels.at(2).max_torque, 3);
+  EXPECT_EQ(robot.wheels.at(2).max_speed, 9);
+  EXPECT_EQ(robot.encoder_steps, 2048);
+  EXPECT_EQ(robot.infrared.at(0).curve.points().size(), 2u);
+  EXPECT_EQ(robot.infrared.at(1).curve, hal::devices::InfraredCurve::gp2d120());
+  EXPECT_EQ(robot.infrared.at(0).converter, (hal::devices::Converter{12, 3.3}));
+}
+
+TEST_F(Resolved, KeepsAgentsAndTheirParameters) {
+  const Scenario scenario = load(resolved_yaml(load(kEverything)));
+  const auto& all = scenario.simulation.agents;
+  ASSERT_EQ(all.size(), 5u);
+  EXPECT_EQ(all[0].name, "cart0");
+  EXPECT_EQ(all[0].id.value, 7);
+  EXPECT_EQ(all[4].name, "x03");
+  EXPECT_EQ(all[4].id.value, 303);
+  EXPECT_EQ(all[4].pose.x, 0);
+  EXPECT_EQ(all[4].pose.y, 1);
+  ASSERT_EQ(scenario.groups.size(), 2u);
+  EXPECT_EQ(scenario.groups[0].name, "odd");
+  EXPECT_EQ(scenario.groups[0].processes, 2);
+  ASSERT_EQ(all[1].parameters.size(), 2u);
+  EXPECT_EQ(all[1].parameters[0].value, "3 s");
+  EXPECT_EQ(all[1].parameters[1].value, "20 s");
+  EXPECT_TRUE(all[0].parameters.empty());
+}
+
+TEST_F(Resolved, KeepsParametersThatOnlySomeAgentsHave) {
+  const Scenario first = load_scenario(std::string(CONFIG_DIR) + "/scenarios/case_study.yaml");
+  const Scenario again = load(resolved_yaml(first));
+  for (std::size_t i = 0; i < first.simulation.agents.size(); ++i) {
+    EXPECT_EQ(again.simulation.agents[i].parameters.size(),
+              first.simulation.agents[i].parameters.size());
+  }
+  EXPECT_EQ(again.simulation.agents[17].parameters.at(0).value, "1 s");
+}
+
+TEST_F(Resolved, KeepsEndsAndExpectations) {
+  const Scenario scenario = load(resolved_yaml(load(kEverything)));
+  ASSERT_EQ(scenario.simulation.ends.size(), 2u);
+  EXPECT_EQ(scenario.simulation.ends[0].agent->value, 303);
+  EXPECT_EQ(scenario.simulation.ends[0].state, "DONE");
+  EXPECT_EQ(scenario.simulation.ends[0].after, 20ms);
+  EXPECT_EQ(scenario.simulation.ends[1].after, 99s);
+  ASSERT_EQ(scenario.expectations.size(), 2u);
+  EXPECT_EQ(std::get<ExpectedResult>(scenario.expectations[0].condition).result, "good");
+  const auto& distance = std::get<ExpectedDistance>(scenario.expectations[1].condition);
+  EXPECT_EQ(distance.from.value, 300);
+  EXPECT_EQ(distance.to.value, 7);
+  EXPECT_EQ(distance.below.value, 3.5);
+}
+
+TEST_F(Resolved, HoldsForEveryRadioProfile) {
+  for (const std::string profile : {"mobility_framework", "ieee80211b", "disk", "ideal"}) {
+    const auto file = std::string(CONFIG_DIR) + "/scenarios/two_motes.yaml";
+    const std::string once = resolved_yaml(load_scenario(file, {"radio.profile=" + profile}));
+    EXPECT_EQ(resolved_yaml(load(once)), once) << profile;
+  }
+}
+
+}  // namespace
+}  // namespace sim::scenario
