@@ -164,7 +164,11 @@ std::vector<fs::path> find_results(const std::vector<fs::path>& folders) {
     if (inside.empty()) {
       throw std::runtime_error(fmt::format("{}: holds no result (no {})", folder.string(), kFile));
     }
-    std::sort(inside.begin(), inside.end());
+    std::sort(inside.begin(), inside.end(), [](const fs::path& a, const fs::path& b) {
+      const std::string x = a.string();
+      const std::string y = b.string();
+      return x.size() != y.size() ? x.size() < y.size() : x < y;  // seed_2 before seed_10
+    });
     results.insert(results.end(), inside.begin(), inside.end());
   }
   return results;

@@ -57,7 +57,8 @@ struct RunResult {
 /// @throws std::runtime_error if it is missing, damaged or of another version.
 RunResult read_run(const std::filesystem::path& folder);
 
-/// The folders that hold a result: each one given, or else the ones in it, by name.
+/// The folders that hold a result: each one given, or else the ones in it, by name, short names
+/// first.
 /// @throws std::runtime_error if one holds none.
 std::vector<std::filesystem::path> find_results(const std::vector<std::filesystem::path>& folders);
 

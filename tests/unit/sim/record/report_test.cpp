@@ -176,11 +176,13 @@ TEST_F(ReportTest, LaysAGridOfMotesOutAsItStands) {
 }
 
 TEST_F(ReportTest, ReadsAFolderOfFoldersByName) {
-  add("b", run_sql("ideal", 2));
-  add("a", run_sql("ideal", 1));
+  for (const int seed : {10, 2, 1}) add(std::to_string(seed), run_sql("ideal", seed));
   const std::string printed = text();
-  EXPECT_LT(printed.find((folder.path() / "a").string()),
-            printed.find((folder.path() / "b").string()));
+  const auto place = [&](const char* run) {
+    return printed.find("\n" + (folder.path() / run).string() + "  ");
+  };
+  EXPECT_LT(place("1"), place("2"));
+  EXPECT_LT(place("2"), place("10"));
 }
 
 TEST_F(ReportTest, SaysWhichFolderHoldsNoResult) {
