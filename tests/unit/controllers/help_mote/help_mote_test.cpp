@@ -126,6 +126,15 @@ TEST_F(HelpMote, CallsAnewWhenItsOwnerGivesUp) {
   EXPECT_EQ(said(hear(kOther, HelpWord::kAsk)), (Said{{27, HelpWord::kGrant}}));
 }
 
+TEST_F(HelpMote, HasAllItsRepeatsAgainWhenItCallsAnew) {
+  run_until(61s);  // two repeats used up
+  hear(kRobot, HelpWord::kAsk);
+  hear(kRobot, HelpWord::kGiveUp);
+  const Actions actions = run_until(61s + 120s);
+  EXPECT_EQ(said(actions).size(), 3U);
+  EXPECT_EQ(tests::states(actions), States{"GAVE_UP"});
+}
+
 TEST_F(HelpMote, WaitsAsLongAsTheOwnerSaidSinceItsLastWord) {
   run_until(1s);
   hear(kRobot, HelpWord::kAsk, 50s);

@@ -110,6 +110,12 @@ TEST_F(HelpRobot, GivesUpWhenNoRouteAppears) {
                                        {kMote, HelpWord::kGiveUp}}));
 }
 
+TEST_F(HelpRobot, HasAllItsRepeatsAgainForTheNextQuestion) {
+  bench.run_until(61s);  // two repeats used up
+  bench.hear(kMote, HelpWord::kGrant);
+  EXPECT_EQ(bench.said(bench.run_until(61s + 120s)).size(), 4U) << "three times, then it gives up";
+}
+
 TEST_F(HelpRobot, KeepsInTouchEveryFifteenSecondsAndRenewsTheRouteOnTheWay) {
   grant(kHop, 3);
   const auto granted = bench.agent->now.time_since_epoch();
@@ -149,6 +155,43 @@ TEST_F(HelpRobot, LooksForTheNextHopFourMetresBeforeThisOneAndDoesNotTurnBack) {
   bench.positions[kHop] = {3.9, 0};
   EXPECT_EQ(tests::states(bench.control()), (States{"FIND_NEXT_HOP", "GO_TO_NEXT_HOP"}));
   EXPECT_GT(last_drive(bench.control()).vy, 0.85) << "to 12, and turning a sensor that way";
+}
+
+TEST_F(HelpRobot, AsksAgainTenMetresBeforeTheNextHop) {
+  grant(kHop, 3);
+  bench.positions = {{kHop, {9.9, 0}}, {12, {100, 0}}};
+  EXPECT_EQ(bench.said(bench.control()).size(), 1U);
+  bench.learn(kMote, 12, 2);
+  bench.positions[kHop] = {3.9, 0};
+  EXPECT_EQ(tests::states(bench.control()), (States{"FIND_NEXT_HOP", "GO_TO_NEXT_HOP"}));
+  bench.positions[12] = {9.9, 0};
+  EXPECT_EQ(bench.said(bench.control()), (Said{{kMote, HelpWord::kAsk}}));
+}
+
+TEST_F(HelpRobot, LeavesAWallForTheNextHop) {
+  grant(kHop, 3);
+  bench.ranges[0] = 0.3;
+  EXPECT_LT(last_drive(bench.control()).vx, 0.1);
+  bench.ranges[0] = std::numeric_limits<double>::quiet_NaN();
+  bench.learn(kMote, kHop, 3, true);
+  bench.learn(kMote, 12, 2);
+  bench.positions = {{kHop, {3.9, 0}}, {12, {100, 0}}};
+  EXPECT_EQ(tests::states(bench.control()), (States{"FIND_NEXT_HOP", "GO_TO_NEXT_HOP"}));
+  EXPECT_NEAR(last_drive(bench.control()).vx, 0.94, 1e-12);
+}
+
+TEST_F(HelpRobot, MayTurnBackForAnotherMote) {
+  grant(kHop, 3);
+  bench.positions[kHop] = {3.9, 0};
+  bench.control();  // leaves the hop
+  bench.hear(kMote, HelpWord::kRefuse);
+  bench.hear(9, HelpWord::kHelp);
+  bench.control();
+  bench.learn(9, kHop, 3);
+  bench.learn(9, kMote, 2000);  // 1 / h^2: drawn once in 450000 if there is a choice
+  bench.hear(9, HelpWord::kGrant);
+  bench.positions = {{kHop, {0, 100}}, {kMote, {0, -100}}};
+  EXPECT_GT(last_drive(bench.control()).vy, 0) << "to the hop it left for the other mote";
 }
 
 TEST_F(HelpRobot, ArrivesTenMetresBeforeTheMote) {
