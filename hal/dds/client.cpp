@@ -44,7 +44,7 @@ class Client::Implementation {
 
   exchange::Hello hello_;
   Signal signal_;
-  Signal interruption_;
+  std::atomic<bool> interrupted_{false};
   Participant participant_;
   Reader<wire::Session> sessions_;
   Writer<wire::Hello> hellos_;
@@ -74,7 +74,7 @@ class Client::Implementation {
 Arrival Client::Implementation::next(Duration timeout) {
   const Deadline deadline(timeout);
   while (true) {
-    if (interruption_.is_raised()) return Interrupted{};
+    if (interrupted_) return Interrupted{};
     signal_.lower();
     if (auto arrival = arrived()) return std::move(*arrival);
     if (deadline.has_passed()) return Silence{};
@@ -90,7 +90,7 @@ std::optional<Arrival> Client::Implementation::arrived() {
 }
 
 bool Client::Implementation::wait(Duration timeout) {
-  std::vector<int> descriptors{signal_.descriptor(), interruption_.descriptor()};
+  std::vector<int> descriptors{signal_.descriptor()};
   for (const auto& [name, server] : granted_) descriptors.push_back(server.watch->descriptor());
   return wait_readable(descriptors, timeout);
 }
@@ -125,8 +125,8 @@ std::optional<exchange::Step> Client::Implementation::take_step() {
 }
 
 std::optional<ServerGone> Client::Implementation::take_departure() {
-  const std::vector<Origin> left = sessions_.listener().take_left();
-  const std::vector<Origin> silent = sessions_.listener().take_silent();
+  const std::vector<Origin> left = sessions_.presence().take_left();
+  const std::vector<Origin> silent = sessions_.presence().take_silent();
   for (auto& [name, server] : granted_) server.gone = server.gone || is_gone(server, left, silent);
   const auto first =
       std::ranges::find_if(granted_, [](const auto& entry) { return entry.second.gone; });
@@ -155,7 +155,7 @@ Client::Client(int domain, exchange::Hello hello)
 Client::~Client() = default;
 
 const exchange::Hello& Client::hello() const { return implementation_->hello_; }
-int Client::servers() const { return implementation_->sessions_.listener().writers_; }
+int Client::servers() const { return implementation_->sessions_.presence().writers(); }
 Arrival Client::next(Duration timeout) { return implementation_->next(timeout); }
 
 Result<void> Client::reply(const std::string& server, exchange::Reply reply) {
@@ -166,6 +166,9 @@ void Client::flush(Duration timeout) {
   if (implementation_->replies_) implementation_->replies_->flush(timeout);
 }
 
-void Client::interrupt() noexcept { implementation_->interruption_.raise(); }
+void Client::interrupt() noexcept {
+  implementation_->interrupted_ = true;
+  implementation_->signal_.raise();
+}
 
 }  // namespace hal::dds

@@ -1,11 +1,12 @@
 #pragma once
 
 #include <atomic>
-#include <functional>
+#include <deque>
 #include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "exchangePubSubTypes.h"
@@ -20,18 +21,22 @@ struct PubSubTypeOf;
 template <>
 struct PubSubTypeOf<wire::Hello> {
   using Type = wire::HelloPubSubType;
+  static constexpr Presence kPresence = Presence::kWatched;
 };
 template <>
 struct PubSubTypeOf<wire::Session> {
   using Type = wire::SessionPubSubType;
+  static constexpr Presence kPresence = Presence::kWatched;
 };
 template <>
 struct PubSubTypeOf<wire::Step> {
   using Type = wire::StepPubSubType;
+  static constexpr Presence kPresence = Presence::kIgnored;
 };
 template <>
 struct PubSubTypeOf<wire::Reply> {
   using Type = wire::ReplyPubSubType;
+  static constexpr Presence kPresence = Presence::kIgnored;
 };
 
 /// The writer of a topic, and the topic.
@@ -43,7 +48,8 @@ class Writer {
       : participant_(participant),
         topic_(participant.add_topic(topic,
                                      api::TypeSupport(new typename PubSubTypeOf<Wire>::Type()))),
-        writer_(participant.publisher().create_datawriter(topic_, writer_qos())) {
+        writer_(participant.publisher().create_datawriter(
+            topic_, writer_qos(PubSubTypeOf<Wire>::kPresence))) {
     if (writer_ == nullptr) throw std::runtime_error("Fast DDS makes no writer of " + topic);
   }
   ~Writer() {
@@ -67,16 +73,11 @@ class Writer {
 /// Whom a sample came from.
 using Origin = rtps::InstanceHandle_t;
 
-/// Tells a waiting thread that a reader has something new: a sample, or a writer less.
-class ReaderListener : public api::DataReaderListener {
+/// Notes that writers come and go, and tells a waiting thread.
+class PresenceListener : public api::DataReaderListener {
  public:
-  explicit ReaderListener(Signal& signal) : signal_(signal) {}
+  explicit PresenceListener(Signal& signal) : signal_(signal) {}
 
-  void on_data_available(api::DataReader* reader) override {
-    (void)reader;
-    has_samples_ = true;
-    signal_.raise();
-  }
   void on_subscription_matched(api::DataReader* reader,
                                const api::SubscriptionMatchedStatus& status) override {
     (void)reader;
@@ -89,13 +90,15 @@ class ReaderListener : public api::DataReaderListener {
     if (status.not_alive_count_change > 0) note(silent_, status.last_publication_handle);
   }
 
-  std::atomic<bool> has_samples_{false};
-  std::atomic<int> writers_{0};
-
+  int writers() const { return writers_; }  ///< In sight now.
   /// Writers that left the domain, and writers that were not heard for kLivelinessLease, since the
   /// last call.
   std::vector<Origin> take_left() { return take(left_); }
   std::vector<Origin> take_silent() { return take(silent_); }
+
+ protected:
+  Signal& signal_;
+  std::mutex mutex_;
 
  private:
   void note(std::vector<Origin>& list, const Origin& origin) {
@@ -110,9 +113,50 @@ class ReaderListener : public api::DataReaderListener {
     return std::exchange(list, {});
   }
 
-  Signal& signal_;
-  std::mutex mutex_;
+  std::atomic<int> writers_{0};
   std::vector<Origin> left_, silent_;
+};
+
+/// Takes samples out of DDS on the thread that receives them. A waiting thread that took them
+/// itself would, just woken, run into the lock that the receiving thread still holds: measured 13
+/// instead of 9 context switches per exchange.
+template <class Wire>
+class Inbox : public PresenceListener {
+ public:
+  struct Sample {
+    Wire value;
+    Origin origin;
+  };
+  using PresenceListener::PresenceListener;
+
+  void on_data_available(api::DataReader* reader) override {
+    Sample sample;
+    api::SampleInfo info;
+    while (is_ok(reader->take_next_sample(&sample.value, &info))) {
+      if (!info.valid_data) continue;
+      sample.origin = Origin(info.publication_handle);
+      const std::lock_guard lock(mutex_);
+      // As in DDS itself, the newest win over a reader that cannot keep up.
+      if (samples_.size() == kMaxInstances) samples_.pop_front();
+      samples_.push_back(std::move(sample));
+    }
+    signal_.raise();
+  }
+
+  std::optional<Sample> take() {
+    const std::lock_guard lock(mutex_);
+    if (samples_.empty()) return std::nullopt;
+    std::optional<Sample> sample(std::move(samples_.front()));
+    samples_.pop_front();
+    return sample;
+  }
+  bool is_empty() {
+    const std::lock_guard lock(mutex_);
+    return samples_.empty();
+  }
+
+ private:
+  std::deque<Sample> samples_;
 };
 
 /// The reader of a topic, and the topic. Raises a signal when there is something to do.
@@ -124,8 +168,9 @@ class Reader {
       : participant_(participant),
         topic_(participant.add_topic(topic,
                                      api::TypeSupport(new typename PubSubTypeOf<Wire>::Type()))),
-        listener_(signal),
-        reader_(participant.subscriber().create_datareader(topic_, reader_qos(), &listener_)) {
+        inbox_(signal),
+        reader_(participant.subscriber().create_datareader(
+            topic_, reader_qos(PubSubTypeOf<Wire>::kPresence), &inbox_)) {
     if (reader_ == nullptr) throw std::runtime_error("Fast DDS makes no reader of " + topic);
   }
   ~Reader() {
@@ -137,29 +182,21 @@ class Reader {
 
   /// The next sample, good until the next call; null if there is none.
   const Wire* take() {
-    if (!listener_.has_samples_) return nullptr;
-    listener_.has_samples_ = false;
-    api::SampleInfo info;
-    while (is_ok(reader_->take_next_sample(&sample_, &info))) {
-      if (!info.valid_data) continue;
-      listener_.has_samples_ = true;  // There may be more.
-      origin_ = Origin(info.publication_handle);
-      return &sample_;
-    }
-    return nullptr;
+    current_ = inbox_.take();
+    return current_ ? &current_->value : nullptr;
   }
-  const Origin& origin() const { return origin_; }  ///< Of the sample that take() gave.
+  const Origin& origin() const { return current_->origin; }  ///< @pre take() gave a sample.
+  bool is_empty() { return inbox_.is_empty(); }
 
-  ReaderListener& listener() { return listener_; }
-  const ReaderListener& listener() const { return listener_; }
+  PresenceListener& presence() { return inbox_; }
+  const PresenceListener& presence() const { return inbox_; }
 
  private:
   Participant& participant_;
   api::Topic* topic_;
-  ReaderListener listener_;
+  Inbox<Wire> inbox_;
   api::DataReader* reader_;
-  Wire sample_;
-  Origin origin_;
+  std::optional<typename Inbox<Wire>::Sample> current_;
 };
 
 }  // namespace hal::dds

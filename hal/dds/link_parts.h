@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -25,6 +26,8 @@ struct LinkSettings {
   exchange::Hello hello;
   std::uint64_t run = 0;
   std::optional<Duration> reply_timeout;
+  /// Whether the process was not heard for the liveliness lease. Asked if it is on another host.
+  std::function<bool()> is_silent;
 };
 
 class ProcessLink::Implementation {
@@ -44,7 +47,8 @@ class ProcessLink::Implementation {
   std::optional<exchange::Reply> take_reply();
   bool answers_step(const wire::Reply& reply) const;
   Result<void> write();
-  bool is_dead();
+  void wait(const Deadline& deadline, const Deadline& resend) const;
+  bool is_dead() const;
   tl::unexpected<Error> death() const;
 
   LinkSettings settings_;
@@ -55,7 +59,6 @@ class ProcessLink::Implementation {
   wire::Step step_;  ///< The Step under way, as it was written.
   std::uint64_t sequence_ = 0;
   std::uint64_t callers_sequence_ = 0;
-  bool silent_ = false;  ///< A process on another host was not heard for the liveliness lease.
   DroppedReplies dropped_;
 };
 

@@ -21,7 +21,8 @@ constexpr Duration kAnnouncementPeriod = std::chrono::milliseconds{200};
 /// holds is still known when it goes on.
 constexpr Duration kParticipantLease = std::chrono::hours{1};
 constexpr Duration kHeartbeatPeriod = std::chrono::milliseconds{20};
-constexpr std::int32_t kMaxInstances = 4096;
+/// How long a writer ignores requests for a sample that it has just sent. Longer than an exchange.
+constexpr Duration kNackSuppression = std::chrono::milliseconds{10};
 constexpr std::uint32_t kSocketBuffer = 4U << 20U;
 
 /// What Fast DDS has to say, as plain lines.
@@ -57,8 +58,8 @@ api::DomainParticipantQos common_qos(int domain, int participant_id) {
   static std::once_flag configured;
   std::call_once(configured, configure_library);
 
-  api::DomainParticipantQos qos;
-  api::DomainParticipantFactory::get_instance()->get_default_participant_qos(qos);
+  api::DomainParticipantQos qos =
+      api::DomainParticipantFactory::get_instance()->get_default_participant_qos();
   const auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
   udp->interfaceWhiteList.emplace_back(kLoopback);
   udp->sendBufferSize = kSocketBuffer;
@@ -75,7 +76,7 @@ api::DomainParticipantQos common_qos(int domain, int participant_id) {
 }
 
 template <class Qos>
-void set_common_qos(Qos& qos) {
+void set_common_qos(Qos& qos, Presence presence) {
   qos.reliability().kind = api::RELIABLE_RELIABILITY_QOS;
   qos.durability().kind = api::TRANSIENT_LOCAL_DURABILITY_QOS;
   qos.history().kind = api::KEEP_LAST_HISTORY_QOS;
@@ -84,11 +85,12 @@ void set_common_qos(Qos& qos) {
   qos.resource_limits().max_samples_per_instance = 1;
   qos.resource_limits().max_samples = kMaxInstances;
   qos.resource_limits().allocated_samples = 4;
+  qos.endpoint().history_memory_policy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+  qos.data_sharing().off();
+  if (presence == Presence::kIgnored) return;
   qos.liveliness().kind = api::AUTOMATIC_LIVELINESS_QOS;
   qos.liveliness().lease_duration = to_dds(kLivelinessLease);
   qos.liveliness().announcement_period = to_dds(kLivelinessPeriod);
-  qos.endpoint().history_memory_policy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
-  qos.data_sharing().off();
 }
 
 }  // namespace
@@ -155,19 +157,24 @@ api::Topic* Participant::add_topic(const std::string& name, const api::TypeSuppo
 
 void Participant::remove_topic(api::Topic* topic) { participant_->delete_topic(topic); }
 
-api::DataWriterQos writer_qos() {
+api::DataWriterQos writer_qos(Presence presence) {
   api::DataWriterQos qos = api::DATAWRITER_QOS_DEFAULT;
-  set_common_qos(qos);
+  set_common_qos(qos, presence);
   qos.publish_mode().kind = api::SYNCHRONOUS_PUBLISH_MODE;
+  // With every sample, a heartbeat and the end of NACK suppression (0 by default) would each wake
+  // up the timer threads: measured 13 context switches and 120 us per exchange, without 6 and 72
+  // us.
+  qos.reliable_writer_qos().disable_heartbeat_piggyback = true;
+  qos.reliable_writer_qos().times.nackSupressionDuration = to_dds(kNackSuppression);
   qos.reliable_writer_qos().times.initialHeartbeatDelay = to_dds(Duration::zero());
   qos.reliable_writer_qos().times.heartbeatPeriod = to_dds(kHeartbeatPeriod);
   qos.reliable_writer_qos().times.nackResponseDelay = to_dds(Duration::zero());
   return qos;
 }
 
-api::DataReaderQos reader_qos() {
+api::DataReaderQos reader_qos(Presence presence) {
   api::DataReaderQos qos = api::DATAREADER_QOS_DEFAULT;
-  set_common_qos(qos);
+  set_common_qos(qos, presence);
   qos.reliable_reader_qos().times.initialAcknackDelay = to_dds(Duration::zero());
   qos.reliable_reader_qos().times.heartbeatResponseDelay = to_dds(Duration::zero());
   return qos;

@@ -15,6 +15,9 @@ namespace {
 /// is for a process that lost its place in the domain meanwhile, e.g. while a debugger held it.
 constexpr Duration kResendAfter = std::chrono::seconds{1};
 
+/// How often a process on another host is checked for being silent.
+constexpr Duration kCheckSilenceEvery = std::chrono::milliseconds{100};
+
 }  // namespace
 
 std::string step_topic(const std::string& process) { return "baraka/" + process + "/step"; }
@@ -38,6 +41,7 @@ Result<void> ProcessLink::Implementation::begin(const exchange::Step& step) {
 
 Result<exchange::Reply> ProcessLink::Implementation::finish() {
   const Deadline deadline(settings_.reply_timeout.value_or(Duration::max()));
+  Deadline resend(kResendAfter);
   while (true) {
     signal_.lower();
     // The Reply first: a process may end right after its last one.
@@ -48,10 +52,18 @@ Result<exchange::Reply> ProcessLink::Implementation::finish() {
                   fmt::format("process '{}' (pid {}) did not answer within {} s", name(),
                               settings_.hello.pid, to_seconds(*settings_.reply_timeout)));
     }
-    const std::array awaited{signal_.descriptor(), watch_.descriptor()};
-    if (wait_readable(awaited, std::min(deadline.left(), kResendAfter))) continue;
-    if (auto written = write(); !written) return tl::unexpected(written.error());
+    if (resend.has_passed()) {
+      if (auto written = write(); !written) return tl::unexpected(written.error());
+      resend = Deadline(kResendAfter);
+    }
+    wait(deadline, resend);
   }
+}
+
+void ProcessLink::Implementation::wait(const Deadline& deadline, const Deadline& resend) const {
+  const std::array awaited{signal_.descriptor(), watch_.descriptor()};
+  const Duration most = watch_.is_local() ? Duration::max() : kCheckSilenceEvery;
+  wait_readable(awaited, std::min({deadline.left(), resend.left(), most}));
 }
 
 std::optional<exchange::Reply> ProcessLink::Implementation::take_reply() {
@@ -89,11 +101,8 @@ Result<void> ProcessLink::Implementation::check_alive() {
   return {};
 }
 
-bool ProcessLink::Implementation::is_dead() {
-  if (watch_.is_local()) return watch_.is_dead();
-  ReaderListener& listener = replies_.listener();
-  silent_ = silent_ || !listener.take_left().empty() || !listener.take_silent().empty();
-  return silent_;
+bool ProcessLink::Implementation::is_dead() const {
+  return watch_.is_local() ? watch_.is_dead() : settings_.is_silent();
 }
 
 tl::unexpected<Error> ProcessLink::Implementation::death() const {

@@ -2,7 +2,9 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <atomic>
+#include <map>
 #include <utility>
 
 #include "hal/dds/link_parts.h"
@@ -33,9 +35,18 @@ class Server::Implementation {
     while (const wire::Hello* sample = hellos_.take()) {
       // What cannot be understood cannot be refused by name either; its sender runs out of
       // patience.
-      if (auto hello = from_wire(*sample)) hellos.push_back(std::move(*hello));
+      auto hello = from_wire(*sample);
+      if (!hello) continue;
+      origins_[hello->instance] = hellos_.origin();
+      hellos.push_back(std::move(*hello));
     }
     return hellos;
+  }
+
+  bool is_silent(const std::string& instance) {
+    for (const Origin& origin : hellos_.presence().take_left()) silent_.push_back(origin);
+    for (const Origin& origin : hellos_.presence().take_silent()) silent_.push_back(origin);
+    return std::ranges::find(silent_, origins_[instance]) != silent_.end();
   }
 
   DomainHold hold_;
@@ -45,6 +56,8 @@ class Server::Implementation {
   Participant participant_;
   Reader<wire::Hello> hellos_;
   Writer<wire::Session> sessions_;
+  std::map<std::string, Origin> origins_;  ///< Of Hellos, by instance.
+  std::vector<Origin> silent_;             ///< Everyone who ever was.
 };
 
 Server::Server(DomainHold hold)
@@ -64,7 +77,7 @@ std::vector<exchange::Hello> Server::hellos(Duration timeout, const std::vector<
   return implementation_->take_hellos();
 }
 
-bool Server::has_hellos() const { return implementation_->hellos_.listener().has_samples_; }
+bool Server::has_hellos() const { return !implementation_->hellos_.is_empty(); }
 
 Result<void> Server::answer(exchange::Session session) {
   session.server = implementation_->name_;
@@ -76,7 +89,10 @@ Result<void> Server::answer(exchange::Session session) {
 
 std::unique_ptr<ProcessLink> Server::link(const exchange::Hello& hello, std::uint64_t run,
                                           std::optional<Duration> reply_timeout) {
-  LinkSettings settings{implementation_->name_, hello, run, reply_timeout};
+  const auto is_silent = [parts = implementation_.get(), instance = hello.instance] {
+    return parts->is_silent(instance);
+  };
+  LinkSettings settings{implementation_->name_, hello, run, reply_timeout, is_silent};
   auto parts = std::make_unique<ProcessLink::Implementation>(implementation_->participant_,
                                                              std::move(settings));
   return std::unique_ptr<ProcessLink>(new ProcessLink(std::move(parts)));

@@ -35,8 +35,6 @@ void Signal::lower() noexcept {
   [[maybe_unused]] const int result = eventfd_read(descriptor_, &count);
 }
 
-bool Signal::is_raised() const { return wait_readable(std::array{descriptor_}, Duration::zero()); }
-
 bool wait_readable(std::span<const int> descriptors, Duration timeout) {
   std::vector<pollfd> polled;
   polled.reserve(descriptors.size());

@@ -16,7 +16,6 @@ class Signal {
 
   void raise() noexcept;  ///< Any thread, also from a signal handler.
   void lower() noexcept;
-  bool is_raised() const;
   int descriptor() const { return descriptor_; }
 
  private:

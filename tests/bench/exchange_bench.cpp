@@ -1,0 +1,105 @@
+// How long one exchange with controller processes takes, in wall time: a Step to each of them, then
+// the Replies of all.
+//
+//   exchange_bench [EXCHANGES [PROCESSES AGENTS]]
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hal/dds/controller_process.h"
+#include "hal/dds/server.h"
+#include "tests/unit/hal/dds/child.h"
+#include "tests/unit/hal/dds/echo_controller.h"
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Controller processes with `agents` motes each, linked up.
+struct Processes {
+  hal::dds::Server server{hal::dds::take_domain(std::nullopt)};
+  std::vector<std::unique_ptr<Child>> children;
+  std::vector<std::unique_ptr<hal::dds::ProcessLink>> links;
+};
+
+hal::exchange::Session session_of(const hal::exchange::Hello& hello, int agents) {
+  hal::exchange::Session session = session_for(hello, 1);
+  session.agents.resize(static_cast<std::size_t>(agents), session.agents[0]);
+  for (std::size_t i = 0; i < session.agents.size(); ++i) {
+    session.agents[i].agent.value = static_cast<std::uint16_t>(i + 1);
+  }
+  return session;
+}
+
+void start(Processes& processes, int count, int agents) {
+  for (int i = 0; i < count; ++i) {
+    const std::string domain = std::to_string(processes.server.domain());
+    processes.children.push_back(std::make_unique<Child>(
+        std::vector<std::string>{"controller", domain, fmt::format("p{}", i)}));
+  }
+  while (static_cast<int>(processes.links.size()) < count) {
+    for (const auto& hello : processes.server.hellos(std::chrono::seconds{10})) {
+      processes.links.push_back(processes.server.link(hello, 1, std::chrono::seconds{10}));
+      if (!processes.server.answer(session_of(hello, agents)))
+        throw std::runtime_error("no answer");
+    }
+  }
+}
+
+void exchange_once(Processes& processes, const hal::exchange::Step& step) {
+  for (const auto& link : processes.links) {
+    if (!link->begin(step)) throw std::runtime_error("a process died");
+  }
+  for (const auto& link : processes.links) {
+    if (!link->finish()) throw std::runtime_error("a process died");
+  }
+}
+
+void measure(int count, int agents, int exchanges) {
+  Processes processes;
+  start(processes, count, agents);
+  hal::exchange::Step step = step_with(hal::exchange::Cause::kControl, 1);
+  step.events.resize(static_cast<std::size_t>(agents), step.events[0]);
+  for (std::size_t i = 0; i < step.events.size(); ++i) {
+    step.events[i].agent.value = static_cast<std::uint16_t>(i + 1);
+    step.events[i].readings = {{1, {0.1, 0.2, 0.3, 0.4, 0.5, 0.6}}};
+  }
+  std::vector<double> microseconds;
+  for (int i = 0; i < exchanges; ++i) {
+    const auto begin = Clock::now();
+    exchange_once(processes, step);
+    microseconds.push_back(std::chrono::duration<double, std::micro>(Clock::now() - begin).count());
+  }
+  std::ranges::sort(microseconds);
+  const auto quantile = [&](double q) {
+    return microseconds[static_cast<std::size_t>(q * static_cast<double>(exchanges - 1))];
+  };
+  fmt::print("{:2} processes, {:4} agents each: median {:.0f} us, 99 % {:.0f} us\n", count, agents,
+             quantile(0.5), quantile(0.99));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc == 4 && argv[1] == std::string("controller")) {  // The role of a Child.
+    const hal::ControllerKind kind = echo_kind();
+    const auto outcome =
+        hal::dds::run_controllers(kind, options_for(std::stoi(argv[2]), "m1", argv[3]));
+    return static_cast<int>(outcome);
+  }
+  const int exchanges = argc > 1 ? std::stoi(argv[1]) : 5000;
+  if (argc == 4) {
+    measure(std::stoi(argv[2]), std::stoi(argv[3]), exchanges);
+    return 0;
+  }
+  measure(1, 1, exchanges);
+  measure(1, 37, exchanges);
+  measure(1, 1000, exchanges / 10);
+  measure(2, 1, exchanges);
+  measure(26, 1, exchanges / 10);
+}
