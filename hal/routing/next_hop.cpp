@@ -15,6 +15,7 @@ double quality(const Route& route, const RoutingConfig& config) {
 /// Unnormalised probabilities. Relative to the best, so that no power overflows.
 std::vector<double> weights(const std::vector<Route>& routes, const RoutingConfig& config) {
   std::vector<double> result;
+  result.reserve(routes.size());
   for (const Route& route : routes) result.push_back(quality(route, config));
   const double best = *std::max_element(result.begin(), result.end());
   for (double& weight : result) weight = math::pow(weight / best, config.beta);

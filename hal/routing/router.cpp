@@ -10,12 +10,12 @@
 namespace hal::routing {
 namespace {
 
-void check(const RoutingConfig& config) {
-  BARAKA_CHECK(config.beta >= 1 && config.direct_weight > 0);
-  BARAKA_CHECK(config.jitter_max >= Duration::zero() && config.retry_period > Duration::zero());
-  BARAKA_CHECK(config.retries >= 1 && config.acceptance >= 1);
-  BARAKA_CHECK(config.hop_limit >= 1 && config.hop_limit <= static_cast<int>(kMaxPath));
-  BARAKA_CHECK(config.buffer_age > Duration::zero());
+/// Whether every value is in the range its comment gives.
+bool is_valid(const RoutingConfig& config) {
+  return config.beta >= 1 && config.direct_weight > 0 && config.jitter_max >= Duration::zero() &&
+         config.retry_period > Duration::zero() && config.retries >= 1 && config.acceptance >= 1 &&
+         config.hop_limit >= 1 && config.hop_limit <= static_cast<int>(kMaxPath) &&
+         config.buffer_age > Duration::zero();
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ struct Router::State final : OutboxListener {
 };
 
 Router::Router(AgentId self, const RoutingConfig& config, RandomStream random, RouterPorts ports) {
-  check(config);
+  BARAKA_CHECK(is_valid(config));
   state_ = std::make_unique<State>(self, config, random, ports);
 }
 

@@ -98,6 +98,7 @@ std::vector<Group> group_runs(const std::vector<RunResult>& runs) {
     }
   }
   std::vector<Group> groups;
+  groups.reserve(keyed.size());
   for (auto& [key, group] : keyed) groups.push_back(std::move(group));
   return groups;
 }

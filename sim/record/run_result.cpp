@@ -117,6 +117,20 @@ void read_goal(Database& database, RunResult& run) {
   if (query.next()) run.goal = static_cast<int>(query.integer(0));
 }
 
+std::vector<fs::path> results_inside(const fs::path& folder) {
+  std::vector<fs::path> inside;
+  if (!fs::is_directory(folder)) return inside;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (fs::exists(entry.path() / kFile)) inside.push_back(entry.path());
+  }
+  std::sort(inside.begin(), inside.end(), [](const fs::path& a, const fs::path& b) {
+    const std::string x = a.string();
+    const std::string y = b.string();
+    return x.size() != y.size() ? x.size() < y.size() : x < y;  // seed_2 before seed_10
+  });
+  return inside;
+}
+
 }  // namespace
 
 std::string RunResult::value(const std::string& key) const {
@@ -151,25 +165,12 @@ RunResult read_run(const fs::path& folder) {
 std::vector<fs::path> find_results(const std::vector<fs::path>& folders) {
   std::vector<fs::path> results;
   for (const fs::path& folder : folders) {
-    if (fs::exists(folder / kFile)) {
-      results.push_back(folder);
-      continue;
-    }
-    std::vector<fs::path> inside;
-    if (fs::is_directory(folder)) {
-      for (const auto& entry : fs::directory_iterator(folder)) {
-        if (fs::exists(entry.path() / kFile)) inside.push_back(entry.path());
-      }
-    }
-    if (inside.empty()) {
+    const std::vector<fs::path> found =
+        fs::exists(folder / kFile) ? std::vector{folder} : results_inside(folder);
+    if (found.empty()) {
       throw std::runtime_error(fmt::format("{}: holds no result (no {})", folder.string(), kFile));
     }
-    std::sort(inside.begin(), inside.end(), [](const fs::path& a, const fs::path& b) {
-      const std::string x = a.string();
-      const std::string y = b.string();
-      return x.size() != y.size() ? x.size() < y.size() : x < y;  // seed_2 before seed_10
-    });
-    results.insert(results.end(), inside.begin(), inside.end());
+    results.insert(results.end(), found.begin(), found.end());
   }
   return results;
 }
