@@ -13,6 +13,9 @@
 namespace hal::dds {
 namespace {
 
+/// Longer than this is never: the sum with the time of day could overflow.
+constexpr Duration kForEver = std::chrono::years{100};
+
 Duration steady_now() {
   return std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now().time_since_epoch());
 }
@@ -47,7 +50,7 @@ bool wait_readable(std::span<const int> descriptors, Duration timeout) {
 }
 
 Deadline::Deadline(Duration from_now)
-    : end_(from_now == Duration::max() ? from_now : steady_now() + from_now) {}
+    : end_(from_now > kForEver ? Duration::max() : steady_now() + from_now) {}
 
 Duration Deadline::left() const {
   if (end_ == Duration::max()) return end_;
