@@ -18,8 +18,8 @@ struct Frame {
   /// Transmitter in the upper 16 bits, below it the number among the frames of that transmitter.
   std::uint64_t id = 0;
   FrameType type = FrameType::kData;
-  hal::AgentId transmitter;
-  hal::AgentId receiver;         ///< kEveryone: broadcast.
+  hal::AgentId transmitter{};
+  hal::AgentId receiver{};       ///< kEveryone: broadcast.
   hal::Duration duration{};      ///< Duration field: how long the exchange goes on after it.
   std::uint16_t sequence = 0;    ///< Data: 0..4095.
   bool retry = false;            ///< Data: sent before under this sequence number.
@@ -28,7 +28,7 @@ struct Frame {
   hal::Duration airtime{};       ///< Preamble, PLCP header and MPDU.
   std::uint8_t priority = 0;     ///< Data.
   Ethertype ethertype = 0;       ///< Data.
-  Payload payload;               ///< Data.
+  Payload payload{};             ///< Data.
   std::uint64_t tag = 0;         ///< Data: the client's.
 
   bool is_broadcast() const { return receiver == hal::kEveryone; }

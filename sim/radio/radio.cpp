@@ -29,6 +29,10 @@ void Radio::transmit(FramePtr frame) {
   settle();
   BARAKA_CHECK(state_ == State::kIdle || state_ == State::kReceive);
   lose_all(hal::Verdict::kReceiverTransmitting);
+  for (Signal& signal : signals_) {
+    // It makes no difference which of two that start at one instant is told first.
+    if (signal.start == events_.now()) signal.verdict = hal::Verdict::kReceiverTransmitting;
+  }
   state_ = State::kTransmit;
   sending_ = std::move(frame);
   sending_until_ = events_.now() + sending_->airtime;
@@ -66,9 +70,10 @@ void Radio::settle() {
     const auto over = std::find_if(signals_.begin(), signals_.end(), [this](const Signal& signal) {
       return signal.end == events_.now();
     });
-    if (over == signals_.end()) return;
+    if (over == signals_.end()) break;
     end_signal(*over->frame, false);
   }
+  if (window_ && events_.now() - *window_ >= preamble_window_) take_strongest();
 }
 
 bool Radio::begin_signal(const FramePtr& frame, const Propagation::Arrival& arrival) {
@@ -102,7 +107,9 @@ bool Radio::synchronise(Signal& signal) {
       signal.verdict = hal::Verdict::kPreambleMissed;
       return false;
     }
-    find(held_->frame())->verdict = hal::Verdict::kCollision;
+    Signal& held = *find(held_->frame());
+    held.verdict =
+        held.start == signal.start ? hal::Verdict::kPreambleMissed : hal::Verdict::kCollision;
   } else if (preamble_window_ > hal::Duration{}) {
     if (!window_) window_ = signal.start;
     return false;
@@ -112,14 +119,16 @@ bool Radio::synchronise(Signal& signal) {
 }
 
 bool Radio::can_capture(const Signal& signal) const {
+  // Of frames that start at one instant neither is the first: the stronger one is taken, not the
+  // one whose transmitter has the lower address.
+  if (held_->start() == signal.start) {
+    return signal.arrival.power.value > held_->power();
+  }
   return capture_margin_ && held_->in_plcp(rules_, events_.now()) &&
          signal.arrival.power.value >= *capture_margin_ * held_->power();
 }
 
-void Radio::close_preamble_window() {
-  settle();
-  // The window this call was meant for may have been dropped and another one opened.
-  if (!window_ || events_.now() - *window_ < preamble_window_) return;
+void Radio::take_strongest() {
   Signal* const best = strongest_in_window();
   window_.reset();
   if (best == nullptr) return;

@@ -79,7 +79,7 @@ class Radio {
   // For the channel.
   /// @return whether a preamble window opened, which must be closed after its time.
   bool begin_signal(const FramePtr& frame, const Propagation::Arrival& arrival);
-  void close_preamble_window();
+  void close_preamble_window() { settle(); }
   /// Does nothing if the signal is not there any more. @param cut  before its end.
   void end_signal(const Frame& frame, bool cut);
   /// Does nothing if the radio is not transmitting this frame any more.
@@ -96,6 +96,7 @@ class Radio {
   };
 
   void settle();
+  void take_strongest();
   std::optional<hal::Verdict> refuse(const Propagation::Arrival& arrival) const;
   bool synchronise(Signal& signal);
   bool can_capture(const Signal& signal) const;

@@ -47,7 +47,8 @@ class Reception {
   Reception(const Frame& frame, double power, hal::Time start, hal::Time locked);
 
   const Frame& frame() const { return *frame_; }
-  double power() const { return power_; }
+  double power() const { return power_; }  ///< mW
+  hal::Time start() const { return start_; }
 
   /// The interference was this from the last call (or from synchronising) until now.
   void hear(const ReceptionRules& rules, const Interference& interference, hal::Time now);

@@ -140,11 +140,12 @@ class Air {
   explicit Air(const RadioConfig& radio) : config(radio) {}
   explicit Air(Profile profile) : config(profile_defaults(profile)) {}
 
-  std::uint16_t add(const hal::Vec3& at, const hal::Vec3& velocity = {}) {
-    const auto address = static_cast<std::uint16_t>(stations_.size() + 1);
-    antennas.place(hal::AgentId{address}, {at, velocity});
-    stations_.push_back({hal::AgentId{address}, "s" + std::to_string(address)});
-    return address;
+  /// @param name  names the random streams; empty: by address.
+  void add(const hal::Vec3& at, const hal::Vec3& velocity = {}, std::string name = {}) {
+    const hal::AgentId address{static_cast<std::uint16_t>(stations_.size() + 1)};
+    if (name.empty()) name = "s" + std::to_string(address.value);
+    antennas.place(address, {at, velocity});
+    stations_.push_back({address, name});
   }
   /// On the x axis, the first at the origin.
   void add_line(int stations, double spacing) {

@@ -1,0 +1,94 @@
+#include <gtest/gtest.h>
+
+#include "tests/unit/sim/radio/bench.h"
+
+namespace sim::radio::test {
+namespace {
+
+using namespace std::chrono_literals;
+using hal::Verdict;
+using Said = std::vector<std::string>;
+
+/// ieee80211b at 40 mW; station 2 in the middle listens. Broadcasts at 1 Mb/s.
+class PreambleTest : public testing::Test {
+ protected:
+  PreambleTest() : bench(Profile::kIeee80211b) { bench.config.propagation_delay = false; }
+  /// Stations 1 and 3 at these distances from station 2, which is at the origin.
+  void place(double first, double third) {
+    bench.add({-first, 0, 0});
+    bench.add({0, 0, 0});
+    bench.add({third, 0, 0});
+    bench.build();
+  }
+  Verdict at_2(std::size_t frame) { return bench.log.verdicts(frame, 2).at(0); }
+
+  Bench bench;
+};
+
+TEST_F(PreambleTest, SynchronisesAtTheEndOfTheWindow) {
+  place(100, 100);
+  bench.send_at(0us, 1);
+  bench.run();
+  EXPECT_EQ(bench.said(2), (Said{"busy", "start", "frame", "idle"}));
+  EXPECT_EQ(at_2(0), Verdict::kDelivered);
+}
+
+TEST_F(PreambleTest, StrongerFrameOfTheWindowIsTaken) {
+  place(200, 100);  // 6 dB apart
+  bench.send_at(0us, 1);
+  bench.send_at(3us, 3);
+  bench.run();
+  EXPECT_EQ(at_2(0), Verdict::kCollision);
+  EXPECT_EQ(at_2(1), Verdict::kDelivered);
+}
+
+TEST_F(PreambleTest, EqualFramesOfTheWindowAreBothLostWithoutSynchronising) {
+  place(130, 100);  // 2.3 dB apart, 4 dB needed
+  bench.send_at(0us, 1);
+  bench.send_at(3us, 3);
+  bench.run();
+  EXPECT_EQ(at_2(0), Verdict::kCollision);
+  EXPECT_EQ(at_2(1), Verdict::kCollision);
+  EXPECT_EQ(bench.said(2), (Said{"busy", "idle"})) << "no error: no EIFS";
+}
+
+TEST_F(PreambleTest, StrongerFrameAfterTheWindowIsMissed) {
+  place(200, 100);
+  bench.send_at(0us, 1);
+  bench.send_at(10us, 3);
+  bench.run();
+  EXPECT_EQ(at_2(1), Verdict::kPreambleMissed);
+}
+
+TEST_F(PreambleTest, SingleFrameNearTheNoiseIsLostToNoise) {
+  bench.config.sensitivity = hal::Dbm{-95};
+  place(100, 2000);  // 2000 m: -90.1 dBm, 3.9 dB over the noise
+  bench.send_at(0us, 3);
+  bench.run();
+  EXPECT_EQ(at_2(0), Verdict::kNoise);
+}
+
+// Below sensitivity by itself, but with 4.9 dB less than the wanted frame it breaks CCK at 11 Mb/s.
+TEST_F(PreambleTest, FrameLostToUnreceivableOnesIsInterference) {
+  bench.config.broadcast_rate = hal::BitsPerSecond{11e6};
+  place(700, 1230);  // -80.98 dBm, -85.88 dBm
+  bench.send_at(0us, 1, 1000);
+  bench.send_at(10us, 3, 1000);
+  bench.run();
+  EXPECT_EQ(at_2(0), Verdict::kInterference);
+  EXPECT_EQ(at_2(1), Verdict::kBelowSensitivity);
+}
+
+// 5 dB of SINR: the interferer is gone before the PLCP header begins, so no bit is at risk.
+TEST_F(PreambleTest, InterferenceCountsForTheBitsItCovers) {
+  bench.config.broadcast_rate = hal::BitsPerSecond{11e6};
+  bench.config.interference_floor = hal::Dbm{-101};
+  place(700, 1230);
+  bench.send_at(0us, 3, 0);      // 192 + 27 us
+  bench.send_at(80us, 1, 1000);  // its preamble lasts until 224 us
+  bench.run();
+  EXPECT_EQ(at_2(1), Verdict::kDelivered);
+}
+
+}  // namespace
+}  // namespace sim::radio::test
