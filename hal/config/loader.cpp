@@ -22,6 +22,7 @@ std::string real_name(const fs::path& file) {
 
 std::vector<std::string> names(const std::vector<std::string>& files) {
   std::vector<std::string> result;
+  result.reserve(files.size());
   for (const std::string& file : files) result.push_back(fs::path(file).filename().string());
   return result;
 }
@@ -81,9 +82,9 @@ void Loader::check_repeated(Node& node, const std::string& path) {
 
 void Loader::resolve(Node& node, const std::string& path) {
   for (auto at = node.find("include"); at != nullptr; at = node.find("include")) {
-    Node target = std::move(at->value);
+    const Node target = std::move(at->value);
     node.entries.erase(node.entries.begin() + (at - node.entries.data()));
-    include(node, std::move(target), path);
+    include(node, target, path);
   }
   for (Node& item : node.items) resolve(item, path);
   for (Entry& entry : node.entries) resolve(entry.value, joined(path, entry.key));
@@ -94,7 +95,7 @@ void Loader::give_up(const Node& target, const std::string& path, std::string wh
   complete_ = false;
 }
 
-void Loader::include(Node& mapping, Node target, const std::string& path) {
+void Loader::include(Node& mapping, const Node& target, const std::string& path) {
   if (target.kind != Node::Kind::kScalar) {
     return give_up(target, path, "must be the path of a file, not " + kind_name(target));
   }

@@ -85,13 +85,13 @@ class Mapping {
   std::vector<Scalar> texts(const std::string& key);
 
   /// One of several names; nothing if it is missing or none of them.
-  template <class E>
-  std::optional<E> choice(const std::string& key, const std::vector<Option<E>>& options) {
+  template <class E, std::size_t kSize>
+  std::optional<E> choice(const std::string& key, const std::array<Option<E>, kSize>& options) {
     const auto index = chosen(key, names(options));
     return index ? std::optional<E>{options[*index].value} : std::nullopt;
   }
-  template <class E>
-  E choice(const std::string& key, const std::vector<Option<E>>& options, E otherwise) {
+  template <class E, std::size_t kSize>
+  E choice(const std::string& key, const std::array<Option<E>, kSize>& options, E otherwise) {
     return has(key) ? choice(key, options).value_or(otherwise) : otherwise;
   }
 
@@ -123,9 +123,10 @@ class Mapping {
   void finish();
 
  private:
-  template <class E>
-  static std::vector<std::string> names(const std::vector<Option<E>>& options) {
+  template <class E, std::size_t kSize>
+  static std::vector<std::string> names(const std::array<Option<E>, kSize>& options) {
     std::vector<std::string> result;
+    result.reserve(kSize);
     for (const Option<E>& option : options) result.emplace_back(option.name);
     return result;
   }

@@ -34,6 +34,7 @@ std::vector<std::string> Problems::messages() const {
   std::sort(sorted.begin(), sorted.end(),
             [](const Problem& a, const Problem& b) { return position(a) < position(b); });
   std::vector<std::string> lines;
+  lines.reserve(sorted.size());
   for (const Problem& problem : sorted) lines.push_back(line(problem));
   lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
   return lines;

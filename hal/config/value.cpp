@@ -78,7 +78,7 @@ Result<double> parse_value(std::string_view text, std::string_view unit, double 
   if (means_infinity(text) && std::isinf(high)) return std::numeric_limits<double>::infinity();
   const auto parts = split(text);
   if (!parts) return wrong(fmt::format("'{}' is not a number", text));
-  const auto value = in_unit(text, *parts, *wanted);
+  auto value = in_unit(text, *parts, *wanted);
   if (!value) return value;
   // NaN would pass both comparisons below.
   if (!std::isfinite(*value)) return wrong(fmt::format("'{}' is not a finite number", text));

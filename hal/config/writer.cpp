@@ -93,12 +93,14 @@ void Writer::text(std::string_view key, std::string_view value) { line(key, scal
 void Writer::numbers(std::string_view key, const std::vector<double>& values,
                      std::string_view unit) {
   std::vector<std::string> texts;
+  texts.reserve(values.size());
   for (const double value : values) texts.push_back(format_value(value, unit));
   line(key, fmt::format("[{}]", fmt::join(texts, ", ")));
 }
 
 void Writer::texts(std::string_view key, const std::vector<std::string>& values) {
   std::vector<std::string> scalars;
+  scalars.reserve(values.size());
   for (const std::string& value : values) scalars.push_back(scalar(value));
   line(key, fmt::format("[{}]", fmt::join(scalars, ", ")));
 }

@@ -58,8 +58,8 @@ class FieldReader {
     value = in_.optional_duration(key, low, value);
   }
   void flag(const std::string& key, bool& value) { value = in_.flag(key, value); }
-  template <class E>
-  void choice(const std::string& key, const std::vector<Option<E>>& options, E& value) {
+  template <class E, std::size_t kSize>
+  void choice(const std::string& key, const std::array<Option<E>, kSize>& options, E& value) {
     value = in_.choice(key, options, value);
   }
   /// A key that has no meaning here.
@@ -103,8 +103,8 @@ class FieldWriter {
     }
   }
   void flag(const std::string& key, bool value) { out_.flag(key, value); }
-  template <class E>
-  void choice(const std::string& key, const std::vector<Option<E>>& options, E value) {
+  template <class E, std::size_t kSize>
+  void choice(const std::string& key, const std::array<Option<E>, kSize>& options, E value) {
     for (const Option<E>& option : options) {
       if (option.value == value) out_.text(key, option.name);
     }

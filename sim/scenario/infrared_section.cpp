@@ -31,8 +31,9 @@ void converter_keys(Io& io, Converter& c) {
 }
 
 enum class CurveName { kGp2d12, kGp2d120, kTable };
-const std::vector<Option<CurveName>> kCurves = {
-    {"gp2d12", CurveName::kGp2d12}, {"gp2d120", CurveName::kGp2d120}, {"table", CurveName::kTable}};
+constexpr std::array kCurves = {Option<CurveName>{"gp2d12", CurveName::kGp2d12},
+                                Option<CurveName>{"gp2d120", CurveName::kGp2d120},
+                                Option<CurveName>{"table", CurveName::kTable}};
 
 InfraredCurve read_table(Mapping& in, const InfraredCurve& otherwise) {
   std::vector<CurvePoint> points;

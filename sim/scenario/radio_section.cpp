@@ -13,21 +13,20 @@ namespace {
 using radio::Profile;
 using radio::RadioConfig;
 
-const std::vector<Option<Profile>> kProfiles = {
-    {"mobility_framework", Profile::kMobilityFramework},
-    {"ieee80211b", Profile::kIeee80211b},
-    {"disk", Profile::kDisk},
-    {"ideal", Profile::kIdeal},
-};
-const std::vector<Option<radio::Preamble>> kPreambles = {{"long", radio::Preamble::kLong},
-                                                         {"short", radio::Preamble::kShort}};
-const std::vector<Option<radio::Rounding>> kRoundings = {
-    {"exact", radio::Rounding::kExact}, {"microsecond", radio::Rounding::kMicrosecond}};
-const std::vector<Option<radio::Lengths>> kLengths = {{"bytes", radio::Lengths::kBytes},
-                                                      {"fixed", radio::Lengths::kFixed}};
-const std::vector<Option<radio::ErrorModel>> kErrorModels = {
-    {"mobility_framework", radio::ErrorModel::kMobilityFramework},
-    {"dsss", radio::ErrorModel::kDsss}};
+constexpr std::array kProfiles = {
+    Option<Profile>{"mobility_framework", Profile::kMobilityFramework},
+    Option<Profile>{"ieee80211b", Profile::kIeee80211b}, Option<Profile>{"disk", Profile::kDisk},
+    Option<Profile>{"ideal", Profile::kIdeal}};
+constexpr std::array kPreambles = {Option<radio::Preamble>{"long", radio::Preamble::kLong},
+                                   Option<radio::Preamble>{"short", radio::Preamble::kShort}};
+constexpr std::array kRoundings = {
+    Option<radio::Rounding>{"exact", radio::Rounding::kExact},
+    Option<radio::Rounding>{"microsecond", radio::Rounding::kMicrosecond}};
+constexpr std::array kLengths = {Option<radio::Lengths>{"bytes", radio::Lengths::kBytes},
+                                 Option<radio::Lengths>{"fixed", radio::Lengths::kFixed}};
+constexpr std::array kErrorModels = {
+    Option<radio::ErrorModel>{"mobility_framework", radio::ErrorModel::kMobilityFramework},
+    Option<radio::ErrorModel>{"dsss", radio::ErrorModel::kDsss}};
 
 constexpr Range kPowerLevel{-200, 50};      // dBm; thermal noise in 1 Hz is -174
 constexpr Range kTxPower{1e-6, 1e5};        // mW

@@ -10,12 +10,12 @@ namespace {
 using agents::ControlPhase;
 using agents::OnDeath;
 
-const std::vector<Option<ControlPhase>> kPhases = {{"aligned", ControlPhase::kAligned},
-                                                   {"uniform", ControlPhase::kUniform}};
-const std::vector<Option<OnDeath>> kDeaths = {{"fail", OnDeath::kFail},
-                                              {"silence", OnDeath::kSilence}};
-const std::vector<Option<FrameRecord>> kFrames = {{"counts", FrameRecord::kCounts},
-                                                  {"all", FrameRecord::kAll}};
+constexpr std::array kPhases = {Option<ControlPhase>{"aligned", ControlPhase::kAligned},
+                                Option<ControlPhase>{"uniform", ControlPhase::kUniform}};
+constexpr std::array kDeaths = {Option<OnDeath>{"fail", OnDeath::kFail},
+                                Option<OnDeath>{"silence", OnDeath::kSilence}};
+constexpr std::array kFrames = {Option<FrameRecord>{"counts", FrameRecord::kCounts},
+                                Option<FrameRecord>{"all", FrameRecord::kAll}};
 
 /// What a file that says nothing gets: a controller 10 ms away.
 constexpr hal::Duration kDefaultLatency = 10ms;

@@ -17,7 +17,7 @@ namespace {
 
 /// The name becomes that of the results' folder.
 std::string read_name(Mapping& in, const std::string& otherwise) {
-  const std::string name = in.text("name", otherwise);
+  std::string name = in.text("name", otherwise);
   const bool allowed = std::all_of(name.begin(), name.end(), [](char c) {
     const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
     return letter || (c >= '0' && c <= '9') || c == '_' || c == '-';

@@ -7,6 +7,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
+constexpr std::array kPhases = {Option<int>{"aligned", 1}, Option<int>{"uniform", 2}};
+
 class MappingTest : public Files {
  protected:
   /// Reads a file with `text` by `read` and gives all mistakes.
@@ -36,7 +38,7 @@ TEST_F(MappingTest, ReadsEveryKindOfValue) {
         EXPECT_EQ(in.text("name"), "m{}");
         EXPECT_EQ(in.vec2("at", "m", {-5, 5}), (Vec2{1, -0.02}));
         EXPECT_EQ(in.vec3("size", "m", {0, 5}), (Vec3{1, 2, 3}));
-        EXPECT_EQ(in.choice<int>("phase", {{"aligned", 1}, {"uniform", 2}}), 2);
+        EXPECT_EQ(in.choice("phase", kPhases), 2);
         EXPECT_EQ(in.texts("list").at(1).text, "b");
         Mapping inner = in.mapping("inner");
         EXPECT_EQ(inner.number("x", "1", {0, 1}), 1);
@@ -54,7 +56,7 @@ TEST_F(MappingTest, KeepsWhatIsOtherwiseTrueForAbsentKeys) {
     EXPECT_TRUE(in.flag("on", true));
     EXPECT_EQ(in.text("name", "x"), "x");
     EXPECT_EQ(in.optional_duration("timeout", 0, 1s), 1s);
-    EXPECT_EQ(in.choice<int>("phase", {{"aligned", 1}}, 9), 9);
+    EXPECT_EQ(in.choice("phase", kPhases, 9), 9);
     EXPECT_TRUE(in.mappings("items").empty());
     EXPECT_TRUE(in.texts("list").empty());
   });
@@ -117,14 +119,14 @@ TEST_F(MappingTest, NamesTheKindThatWasExpected) {
     in.mappings("c");
     in.number("d", "1", {0, 1});
     in.vec2("e", "m", {0, 1});
-    EXPECT_EQ(in.choice<int>("f", {{"y", 1}, {"z", 2}}), std::nullopt);
+    EXPECT_EQ(in.choice("f", kPhases), std::nullopt);
   });
   EXPECT_EQ(found, (Lines{"a.yaml:1:4: a: must be a number with its unit (m), not a list of 1",
                           "a.yaml:2:4: b: must be a mapping, not '3'",
                           "a.yaml:3:4: c: must be a list, not a mapping",
                           "a.yaml:4:1: d: must be a plain number, not nothing",
                           "a.yaml:5:4: e: must be a list of 2 values, not a list of 1",
-                          "a.yaml:6:4: f: 'x' is not one of y, z"}));
+                          "a.yaml:6:4: f: 'x' is not one of aligned, uniform"}));
 }
 
 TEST_F(MappingTest, RefusesAKeyWithItsReason) {

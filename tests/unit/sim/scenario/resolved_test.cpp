@@ -291,5 +291,17 @@ TEST_F(Resolved, HoldsForEveryRadioProfile) {
   }
 }
 
+// A radio file spells out what its profile is; whoever copies it to change one key must not change
+// others unknowingly.
+TEST(RadioFiles, SpellOutTheDefaultsOfTheirProfiles) {
+  const std::string config = CONFIG_DIR;
+  for (const std::string profile : {"mobility_framework", "ieee80211b", "disk", "ideal"}) {
+    const std::string scenario = config + "/scenarios/two_motes.yaml";
+    const std::string file = config + "/radios/" + profile + ".yaml";
+    EXPECT_EQ(resolved_yaml(load_scenario(scenario, {"radio.include=" + file})),
+              resolved_yaml(load_scenario(scenario, {"radio.profile=" + profile})));
+  }
+}
+
 }  // namespace
 }  // namespace sim::scenario
