@@ -1,10 +1,17 @@
 #include "controllers/help_robot/help_robot.h"
 
 #include <cmath>
+#include <utility>
 
+#include "controllers/help_robot/way_past.h"
 #include "hal/types/math.h"
 
 namespace controllers {
+namespace {
+
+constexpr double kRoomToPass = 0.15;  // m between the body's rim and the centre of a mote
+
+}  // namespace
 
 HelpRobot::HelpRobot(hal::Robot& robot, const hal::Parameters& parameters)
     : robot_(robot),
@@ -63,12 +70,12 @@ void HelpRobot::request(State state) {
 }
 
 void HelpRobot::wait_for_answer() {
-  const bool has_route = !robot_.network().routes(kHelpTopic, destination_).empty();
-  if (state_ == State::kRequestNextHop && has_route) return find_next_hop();
+  if (state_ == State::kRequestNextHop && !routes_ahead().empty()) return find_next_hop();
   if (robot_.now() < deadline_) return;
   if (repeats_ == static_cast<int>(parameters_["max_repeats"])) return give_up();
   ++repeats_;
   deadline_ = robot_.now() + reply_timeout_;
+  if (state_ == State::kRequestNextHop) (void)robot_.network().invalidate(kHelpTopic, destination_);
   say(HelpWord::kAsk);
 }
 
@@ -77,17 +84,30 @@ void HelpRobot::on_answer(bool granted) {
     halt();
     return enter(State::kIdle);
   }
-  const bool has_route = !robot_.network().routes(kHelpTopic, destination_).empty();
-  if (state_ == State::kRequestAssignment || (state_ == State::kRequestNextHop && has_route)) {
+  if (state_ == State::kRequestAssignment ||
+      (state_ == State::kRequestNextHop && !routes_ahead().empty())) {
     find_next_hop();
   }
 }
 
+/// Routes to the destination that do not lead back to the hop the robot stands at.
+std::vector<hal::Route> HelpRobot::routes_ahead() const {
+  auto routes = std::as_const(robot_).network().routes(kHelpTopic, destination_);
+  std::erase_if(routes, [this](const hal::Route& route) {
+    return route.next_hop == left_ && route.next_hop != destination_;
+  });
+  return routes;
+}
+
 void HelpRobot::find_next_hop() {
   enter(State::kFindNextHop);
-  auto routes = robot_.network().routes(kHelpTopic, destination_);
-  if (routes.empty()) return request(State::kRequestNextHop);
-  next_hop_ = draw_next_hop(std::move(routes));
+  const auto routes = routes_ahead();
+  if (routes.empty()) {
+    // What is left leads back here, if anything: it must not spare the network a new search.
+    (void)robot_.network().invalidate(kHelpTopic, destination_);
+    return request(State::kRequestNextHop);
+  }
+  next_hop_ = draw_next_hop(routes);
   deadline_ = robot_.now() + hop_timeout_;
   keep_alive_at_ = robot_.now() + keep_alive_;
   asked_near_ = false;
@@ -97,10 +117,7 @@ void HelpRobot::find_next_hop() {
 
 /// Draws a hop with P ~ r^beta, r = direct_weight for the destination itself, else 1 / hops, as
 /// routing does for packets.
-hal::AgentId HelpRobot::draw_next_hop(std::vector<hal::Route> routes) {
-  if (routes.size() > 1) {
-    std::erase_if(routes, [this](const hal::Route& route) { return route.next_hop == left_; });
-  }
+hal::AgentId HelpRobot::draw_next_hop(const std::vector<hal::Route>& routes) {
   std::vector<double> weights;
   double total = 0;
   for (const hal::Route& route : routes) {
@@ -146,8 +163,11 @@ void HelpRobot::keep_in_touch(double distance) {
 void HelpRobot::drive(hal::Vec2 to, double distance) {
   const auto infrared = robot_.infrared();
   // Blind, before the sensors' first sample: stay.
-  if (!infrared) return halt();
-  (void)robot_.set_body_velocity(avoidance_.steer(1 / distance * to, *infrared, robot_.now()));
+  const auto localised = robot_.reading("localisation");
+  if (!infrared || !localised) return halt();
+  const hal::Vec2 way =
+      way_past(1 / distance * to, *localised, parameters_["body_radius"] + kRoomToPass);
+  (void)robot_.set_body_velocity(avoidance_.steer(way, *infrared, robot_.now()));
 }
 
 void HelpRobot::halt() { (void)robot_.set_body_velocity({}); }

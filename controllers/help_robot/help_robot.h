@@ -59,7 +59,8 @@ class HelpRobot : public hal::Controller {
   void wait_for_answer();
   void on_answer(bool granted);
   void find_next_hop();
-  hal::AgentId draw_next_hop(std::vector<hal::Route> routes);
+  std::vector<hal::Route> routes_ahead() const;
+  hal::AgentId draw_next_hop(const std::vector<hal::Route>& routes);
   void go();
   void keep_in_touch(double distance);
   void drive(hal::Vec2 to, double distance);
@@ -78,7 +79,7 @@ class HelpRobot : public hal::Controller {
   std::set<hal::AgentId> calls_;      ///< Motes that asked for help, without the destination.
   hal::AgentId destination_;          ///< Of every state but IDLE.
   hal::AgentId next_hop_;             ///< Of both GO_TO states.
-  std::optional<hal::AgentId> left_;  ///< The hop before, which is not gone back to.
+  std::optional<hal::AgentId> left_;  ///< The hop reached last: the robot stands at it.
   int repeats_ = 0;
   hal::Time deadline_{};       ///< Of the states that wait or go.
   hal::Time keep_alive_at_{};  ///< Of the states that go.

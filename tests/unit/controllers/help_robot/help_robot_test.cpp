@@ -157,6 +157,22 @@ TEST_F(HelpRobot, LooksForTheNextHopFourMetresBeforeThisOneAndDoesNotTurnBack) {
   EXPECT_GT(last_drive(bench.control()).vy, 0.85) << "to 12, and turning a sensor that way";
 }
 
+TEST_F(HelpRobot, StopsAndAsksWhenTheOnlyRouteLeadsBackToWhereItStands) {
+  grant(kHop, 3);
+  bench.run_until(2s);
+  bench.positions[kHop] = {3.9, 0};
+  const Actions asked = bench.control();
+  EXPECT_EQ(tests::states(asked), (States{"FIND_NEXT_HOP", "REQUEST_NEXT_HOP"}));
+  EXPECT_EQ(bench.said(asked), (Said{{kMote, HelpWord::kAsk}}));
+  EXPECT_EQ(count(asked, ActionKind::kInvalidate), 1) << "so that the network searches anew";
+  EXPECT_EQ(last_drive(asked), hal::Twist2{});
+
+  bench.learn(kMote, kHop, 3);  // the same route again is no use
+  EXPECT_TRUE(tests::states(bench.hear(kMote, HelpWord::kGrant)).empty());
+  bench.learn(kMote, 7, 4);
+  EXPECT_EQ(tests::states(bench.control()), (States{"FIND_NEXT_HOP", "GO_TO_NEXT_HOP"}));
+}
+
 TEST_F(HelpRobot, AsksAgainTenMetresBeforeTheNextHop) {
   grant(kHop, 3);
   bench.positions = {{kHop, {9.9, 0}}, {12, {100, 0}}};
