@@ -305,9 +305,9 @@ Outcome Simulation::run(std::optional<hal::Time> until, Pace& pace) {
       case Pace::Verdict::kBreakOff:
         broken_off = true;
         continue;
-      case Pace::Verdict::kGoOnAfterWaiting:
+      case Pace::Verdict::kAskAgain:
         s.on_failures(s.controllers.find_dead());
-        break;
+        continue;
       case Pace::Verdict::kGoOn:
         break;
     }

@@ -1,0 +1,127 @@
+#include "gateway/app/controllers_of_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "gateway/app/wall_pace.h"
+#include "gateway/search_path.h"
+#include "hal/runtime/controller_host.h"
+#include "hal/runtime/in_process_port.h"
+#include "hal/runtime/plugin.h"
+
+namespace gateway::app {
+namespace {
+
+using sim::scenario::ProcessPlan;
+using sim::scenario::Scenario;
+
+constexpr std::uint64_t kOnlyRun = 1;  // a server of `baraka run` serves one run
+
+const hal::exchange::AgentOffer& offer_of(const std::vector<hal::exchange::AgentOffer>& offers,
+                                          hal::AgentId agent) {
+  return *std::find_if(offers.begin(), offers.end(),
+                       [&](const auto& offer) { return offer.session.agent == agent; });
+}
+
+template <class T>
+T value_or_throw(hal::Result<T> result) {
+  if (!result) throw std::runtime_error(result.error().message);
+  return std::move(*result);
+}
+
+}  // namespace
+
+ControllersOfRun::ControllersOfRun(const Scenario& scenario, sim::agents::Simulation& simulation,
+                                   const Settings& settings) {
+  const std::vector<ProcessPlan> plans = sim::scenario::plan_processes(scenario);
+  if (settings.from == ControllersFrom::kInProcess) {
+    connect_in_process(plans, simulation);
+  } else {
+    serve(plans, scenario, simulation, settings);
+  }
+}
+
+ControllersOfRun::~ControllersOfRun() = default;
+
+void ControllersOfRun::connect_in_process(const std::vector<ProcessPlan>& plans,
+                                          sim::agents::Simulation& simulation) {
+  const auto offers = simulation.offers();
+  for (const ProcessPlan& plan : plans) {
+    const hal::ControllerKind& kind = *value_or_throw(
+        hal::runtime::load_plugin(plan.program, hal::runtime::controller_folders()));
+    hal::exchange::Session session;
+    session.server = "in process";
+    session.run = kOnlyRun;
+    for (const hal::AgentId agent : plan.agents) {
+      session.agents.push_back(
+          value_or_throw(hal::exchange::session_for(offer_of(offers, agent), kind.wants)));
+    }
+    auto host = value_or_throw(hal::runtime::ControllerHost::create(kind, session));
+    simulation.connect(std::make_shared<hal::runtime::InProcessPort>(plan.process, std::move(host)),
+                       plan.agents, kind.wants);
+  }
+}
+
+void ControllersOfRun::serve(const std::vector<ProcessPlan>& plans, const Scenario& scenario,
+                             sim::agents::Simulation& simulation, const Settings& settings) {
+  const bool external = settings.from == ControllersFrom::kExternal;
+  const std::optional<int> domain = settings.domain ? settings.domain
+                                    : external      ? std::optional(hal::dds::default_domain())
+                                                    : std::nullopt;
+  server_ = std::make_unique<AgentServer>(
+      hal::dds::take_domain(domain), simulation,
+      ServerSettings{kOnlyRun, scenario.wait, scenario.reply_timeout});
+  fmt::print(stderr, "domain: {}\n", server_->domain());
+  if (!external) spawn(plans, scenario, settings);
+  const auto keep_waiting = [this]() -> hal::Result<void> {
+    if (interrupted()) return hal::fail(hal::Errc::kNotConnected, "interrupted");
+    return spawner_.check();
+  };
+  if (const auto gathered = server_->gather(keep_waiting); !gathered) {
+    std::string lines = gathered.error().message;
+    for (const std::string& refusal : server_->summary().refusals) lines += "\n" + refusal;
+    throw std::runtime_error(lines);
+  }
+  processes_ = server_->summary().processes.size();
+}
+
+void ControllersOfRun::spawn(const std::vector<ProcessPlan>& plans, const Scenario& scenario,
+                             const Settings& settings) {
+  for (const ProcessPlan& plan : plans) {
+    const auto program = find_program(plan.program, controller_folders());
+    if (!program) {
+      throw std::runtime_error(fmt::format("{}: program: '{}' is not there to be started",
+                                           plan.program_place, plan.program));
+    }
+    Command command{.program = *program,
+                    .arguments = {"--name", plan.process},
+                    .domain = server_->domain(),
+                    .log = settings.logs / (plan.process + ".log")};
+    for (const hal::AgentId agent : plan.agents) {
+      const auto& agents = scenario.simulation.agents;
+      const auto config =
+          std::find_if(agents.begin(), agents.end(), [&](const auto& a) { return a.id == agent; });
+      command.arguments.insert(command.arguments.end(), {"--agents", config->name});
+    }
+    spawner_.start(command);
+  }
+}
+
+std::vector<std::string> ControllersOfRun::finish(bool stopped) {
+  using namespace std::chrono_literals;
+  std::vector<std::string> lines;
+  if (!server_) return lines;
+  lines = complaints(server_->summary());
+  if (stopped) spawner_.wait_all(2s);
+  for (const Ending& ending : spawner_.stop_all()) {
+    if (stopped && ending.status != 0) {
+      lines.push_back(fmt::format("{} (pid {}) {}", ending.name, ending.pid, ending.cause));
+    }
+  }
+  return lines;
+}
+
+}  // namespace gateway::app

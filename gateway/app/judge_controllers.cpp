@@ -1,0 +1,66 @@
+#include "gateway/app/judge_controllers.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <utility>
+#include <variant>
+
+#include "gateway/search_path.h"
+#include "hal/runtime/check_parameters.h"
+#include "hal/runtime/plugin.h"
+
+namespace gateway::app {
+namespace {
+
+const sim::agents::AgentConfig& config_of(const sim::scenario::Scenario& scenario,
+                                          hal::AgentId id) {
+  const auto& agents = scenario.simulation.agents;
+  return *std::find_if(agents.begin(), agents.end(), [&](const auto& a) { return a.id == id; });
+}
+
+bool drives(const hal::ControllerKind& kind, const sim::agents::AgentConfig& agent) {
+  return std::holds_alternative<hal::devices::MoteDescription>(agent.body)
+             ? kind.make_for_mote != nullptr
+             : kind.make_for_robot != nullptr;
+}
+
+void judge_group(const sim::scenario::Scenario& scenario, const sim::scenario::Group& group,
+                 const hal::ControllerKind& kind, std::vector<std::string>& mistakes) {
+  std::set<std::string> said;  // agents of a group share their parameters: say each mistake once
+  for (const hal::AgentId id : group.agents) {
+    const sim::agents::AgentConfig& agent = config_of(scenario, id);
+    if (!drives(kind, agent) && said.insert(group.program_place).second) {
+      mistakes.push_back(fmt::format("{}: program: '{}' does not drive agents like {}",
+                                     group.program_place, group.program, agent.name));
+    }
+    for (std::string& mistake : hal::runtime::check_parameters(kind, agent.parameters)) {
+      if (said.insert(mistake).second) mistakes.push_back(std::move(mistake));
+    }
+  }
+}
+
+}  // namespace
+
+ControllerJudgement judge_controllers(const sim::scenario::Scenario& scenario) {
+  ControllerJudgement judgement;
+  for (const sim::scenario::Group& group : scenario.groups) {
+    const auto kind = hal::runtime::load_plugin(group.program, hal::runtime::controller_folders());
+    if (kind) {
+      judge_group(scenario, group, **kind, judgement.mistakes);
+    } else if (kind.error().code != hal::Errc::kNotAvailable) {
+      judgement.mistakes.push_back(
+          fmt::format("{}: program: {}", group.program_place, kind.error().message));
+    } else if (find_program(group.program, controller_folders())) {
+      judgement.not_checked.push_back(group.program);
+    } else {
+      judgement.mistakes.push_back(fmt::format("{}: program: '{}' is no known controller: {}",
+                                               group.program_place, group.program,
+                                               kind.error().message));
+    }
+  }
+  return judgement;
+}
+
+}  // namespace gateway::app

@@ -1,0 +1,80 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <map>
+
+#include "gateway/app/exit_status.h"
+#include "gateway/app/report_command.h"
+#include "gateway/app/run_command.h"
+#include "hal/config/errors.h"
+
+namespace {
+
+using gateway::app::ControllersFrom;
+using gateway::app::RunOptions;
+
+void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
+  CLI::App* run = app.add_subcommand("run", "Run a scenario");
+  run->add_option("SCENARIO", options.scenario, "Scenario file")->required();
+  run->add_option("--seed", seed, "Seed, instead of the scenario's");
+  run->add_option("--until", options.until, "End at this simulated time [s]")
+      ->check(CLI::NonNegativeNumber);
+  const std::map<std::string, ControllersFrom> from{{"spawn", ControllersFrom::kSpawn},
+                                                    {"external", ControllersFrom::kExternal},
+                                                    {"in-process", ControllersFrom::kInProcess}};
+  run->add_option("--controllers", options.controllers,
+                  "spawn: start them; external: wait for them; in-process: load them")
+      ->transform(CLI::CheckedTransformer(from));
+  run->add_option("--max-speed", options.max_speed,
+                  "At most this many simulated seconds per second; changes nothing else")
+      ->check(CLI::PositiveNumber);
+  run->add_option("--domain", options.domain, "DDS domain; default: the first free one")
+      ->check(CLI::Range(0, 232));
+  run->add_option("--out", options.out, "Folder for the results; default: results/<name>");
+  run->add_option("--set", options.overrides, "KEY=VALUE, the key as a dotted path")
+      ->allow_extra_args(false);
+}
+
+int print_mistakes(const std::exception& e) {
+  fmt::print(stderr, "{}\n", e.what());
+  return gateway::app::kUsage;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("BARAKA: robots and motes that talk IEEE 802.11, with controllers over DDS");
+  app.require_subcommand(1);
+  RunOptions run_options;
+  std::string seed;
+  add_run(app, run_options, seed);
+  std::string checked;
+  std::vector<std::string> check_overrides;
+  CLI::App* check = app.add_subcommand("check", "Find every mistake in a scenario");
+  check->add_option("SCENARIO", checked, "Scenario file")->required();
+  check->add_option("--set", check_overrides, "KEY=VALUE")->allow_extra_args(false);
+  std::vector<std::string> folders;
+  CLI::App* report = app.add_subcommand("report", "Print the tables of one or many results");
+  report->add_option("DIR", folders, "Folders of results")->required();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    const int status = app.exit(e);
+    return status == 0 ? gateway::app::kDone : gateway::app::kUsage;
+  }
+  if (!seed.empty()) run_options.overrides.push_back("seed=" + seed);
+  try {
+    if (*check) return gateway::app::check(checked, check_overrides);
+    if (*report) return gateway::app::report(folders);
+    return gateway::app::run(run_options);
+  } catch (const hal::config::ConfigErrors& e) {
+    return print_mistakes(e);
+  } catch (const gateway::app::UsageError& e) {
+    return print_mistakes(e);
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "error: {}\n", e.what());
+    return gateway::app::kRunFailed;
+  }
+}

@@ -1,0 +1,150 @@
+#include "gateway/app/run_command.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <utility>
+
+#include "gateway/app/exit_status.h"
+#include "gateway/app/judge_controllers.h"
+#include "gateway/app/results_folder.h"
+#include "gateway/app/wall_pace.h"
+#include "hal/config/errors.h"
+#include "hal/types/log.h"
+#include "sim/agents/fingerprint_feed.h"
+#include "sim/agents/simulation.h"
+#include "sim/core/log_sink.h"
+#include "sim/record/recorder.h"
+#include "sim/scenario/judge.h"
+#include "sim/scenario/resolved.h"
+#include "sim/scenario/scenario.h"
+
+namespace gateway::app {
+namespace {
+
+using sim::agents::Outcome;
+using sim::agents::Simulation;
+using sim::scenario::Scenario;
+
+Scenario load_judged(const std::string& path, const std::vector<std::string>& overrides) {
+  Scenario scenario = sim::scenario::load_scenario(path, overrides);
+  ControllerJudgement judgement = judge_controllers(scenario);
+  if (!judgement.mistakes.empty()) {
+    throw hal::config::ConfigErrors(std::move(judgement.mistakes));
+  }
+  for (const std::string& program : judgement.not_checked) {
+    fmt::print(stderr, "parameters of {}: not checked, its plug-in is not there\n", program);
+  }
+  return scenario;
+}
+
+/// The results that are written, and the observers that write them.
+struct Results {
+  Results(const Scenario& scenario, const std::filesystem::path& out)
+      : folder(out),
+        recorder(folder.path() / "run.sqlite", scenario.simulation,
+                 {.pose_period = scenario.record.pose_period,
+                  .all_frames = scenario.record.frames == sim::scenario::FrameRecord::kAll}) {
+    recorder.set("scenario", scenario.name);
+    recorder.set("version", BARAKA_VERSION);
+    sim::log_to_file((folder.path() / "run.log").string());
+    std::ofstream(folder.path() / "scenario.resolved.yaml")
+        << sim::scenario::resolved_yaml(scenario);
+  }
+
+  void finish(const Scenario& scenario, const Simulation& simulation, const Outcome& outcome,
+              double wall_seconds) {
+    for (const auto& agent : scenario.simulation.agents) {
+      recorder.add_contacts(agent.id, simulation.contacts(agent.id));
+    }
+    recorder.finish(outcome, fingerprint.fingerprint());
+    recorder.set("wall_s", wall_seconds);
+    recorder.commit();
+    sim::flush_log();
+  }
+
+  ResultsFolder folder;
+  sim::record::Recorder recorder;
+  sim::agents::FingerprintFeed fingerprint;
+};
+
+std::vector<std::string> unmet(const Scenario& scenario, const Outcome& outcome,
+                               const Simulation& simulation) {
+  if (outcome.kind != Outcome::Kind::kEnded) return {};
+  return sim::scenario::unmet_expectations(scenario, outcome.result, [&](hal::AgentId agent) {
+    const sim::agents::BodyState body = simulation.body(agent);
+    return hal::Vec2{body.x, body.y};
+  });
+}
+
+void print_outcome(const Outcome& outcome, std::uint64_t fingerprint, double wall_seconds) {
+  const double simulated = hal::to_seconds(outcome.ended_at);
+  fmt::print("result: {}\nfingerprint: {}\n", outcome.result, sim::to_hex(fingerprint));
+  fmt::print("simulated_s: {:.9f}\nwall_s: {:.3f}\n", simulated, wall_seconds);
+  fmt::print("real_time_factor: {:.1f}\n", wall_seconds > 0 ? simulated / wall_seconds : 0.0);
+  fmt::print("events: {}\nexchanges: {}\n", outcome.events, outcome.exchanges);
+}
+
+/// What went wrong without ending the run, for people.
+void print_complaints(const Outcome& outcome, const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) fmt::print(stderr, "warning: {}\n", line);
+  if (outcome.refused_actions > 0) {
+    fmt::print(stderr, "warning: {} actions refused; run.log names them\n",
+               outcome.refused_actions);
+  }
+  if (outcome.ode_messages > 0) {
+    fmt::print(stderr, "warning: the physics engine complained {} times\n", outcome.ode_messages);
+  }
+  if (!outcome.error.empty()) fmt::print(stderr, "error: {}\n", outcome.error);
+}
+
+int exit_status(const Outcome& outcome, const std::vector<std::string>& unmet_expectations) {
+  switch (outcome.kind) {
+    case Outcome::Kind::kFailed: return kRunFailed;
+    case Outcome::Kind::kInterrupted: return kInterrupted;
+    case Outcome::Kind::kUntil:
+    case Outcome::Kind::kEnded: break;
+  }
+  return unmet_expectations.empty() ? kDone : kExpectationNotMet;
+}
+
+}  // namespace
+
+int run(const RunOptions& options) {
+  const Scenario scenario = load_judged(options.scenario, options.overrides);
+  catch_interrupts();
+  Results results(scenario, options.out.empty()
+                                ? std::filesystem::path("results") / scenario.name
+                                : std::filesystem::path(options.out));
+  Simulation simulation(scenario.simulation, {&results.recorder, &results.fingerprint});
+  ControllersOfRun controllers(
+      scenario, simulation,
+      {.from = options.controllers, .domain = options.domain, .logs = results.folder.path()});
+  WallPace pace({.max_speed = options.max_speed,
+                 .terminal = ::isatty(STDERR_FILENO) != 0,
+                 .processes = controllers.processes()});
+  std::optional<hal::Time> until;
+  if (options.until) until = hal::Time{hal::from_seconds(*options.until)};
+
+  const Outcome outcome = simulation.run(until, pace);
+  pace.end();
+  const auto complaints = controllers.finish(outcome.kind != Outcome::Kind::kFailed);
+  results.finish(scenario, simulation, outcome, pace.wall_seconds());
+
+  const auto expectations = unmet(scenario, outcome, simulation);
+  print_complaints(outcome, complaints);
+  for (const std::string& line : expectations) fmt::print(stderr, "not met: {}\n", line);
+  print_outcome(outcome, results.fingerprint.fingerprint().total(), pace.wall_seconds());
+  return exit_status(outcome, expectations);
+}
+
+int check(const std::string& path, const std::vector<std::string>& overrides) {
+  load_judged(path, overrides);
+  fmt::print("{}: ok\n", path);
+  return kDone;
+}
+
+}  // namespace gateway::app

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gateway/app/controllers_of_run.h"
+
+namespace gateway::app {
+
+/// What the command line of `baraka run` says.
+struct RunOptions {
+  std::string scenario;
+  std::vector<std::string> overrides;  ///< --set, and --seed as one.
+  std::optional<double> until;         ///< s
+  ControllersFrom controllers = ControllersFrom::kSpawn;
+  double max_speed = std::numeric_limits<double>::infinity();
+  std::optional<int> domain;
+  std::string out;  ///< Empty: results/<scenario name>.
+};
+
+/// Runs a scenario and prints how it ended, as "key: value" lines on standard output.
+/// @return exit status. @throws hal::config::ConfigErrors, std::runtime_error
+int run(const RunOptions& options);
+
+/// Prints every mistake in a scenario; "ok" if there is none. @return exit status.
+int check(const std::string& scenario, const std::vector<std::string>& overrides);
+
+}  // namespace gateway::app

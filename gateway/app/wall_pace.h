@@ -1,0 +1,47 @@
+#pragma once
+
+#include <chrono>
+#include <csignal>
+#include <limits>
+
+#include "sim/agents/simulation.h"
+
+namespace gateway::app {
+
+/// Runs a simulation no faster than a factor times the wall clock, shows progress on standard
+/// error, and breaks off when interrupted.
+class WallPace final : public sim::agents::Pace {
+ public:
+  struct Settings {
+    double max_speed = std::numeric_limits<double>::infinity();  ///< Simulated per wall second.
+    bool terminal = false;      ///< Progress in place, twice a second; else a line every 10 s.
+    std::size_t processes = 0;  ///< Of controllers, to show.
+  };
+
+  explicit WallPace(const Settings& settings) : settings_(settings) {}
+
+  Verdict may_go_on(hal::Time next, const sim::agents::Progress& progress) override;
+
+  /// Leaves the line of the progress.
+  void end();
+
+  /// Wall seconds from the first call to the last.
+  double wall_seconds() const { return std::chrono::duration<double>(last_ - start_).count(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool throttle(hal::Time next);
+  void show(const sim::agents::Progress& progress);
+
+  Settings settings_;
+  Clock::time_point start_{}, last_{}, shown_{};
+  hal::Time shown_time_{};
+  bool started_ = false, line_open_ = false;
+};
+
+/// From now on SIGINT and SIGTERM only set a flag, once; the next one ends the process.
+void catch_interrupts();
+bool interrupted();
+
+}  // namespace gateway::app
