@@ -1,0 +1,50 @@
+#include <chrono>
+#include <limits>
+#include <stdexcept>
+#include <thread>
+
+#include "hal/api/controller.h"
+
+/// A robot's controller that goes wrong at given times, for the end-to-end tests.
+class Faulty : public hal::Controller {
+ public:
+  Faulty(hal::Robot& robot, const hal::Parameters& parameters)
+      : robot_(robot), parameters_(parameters) {}
+
+  void step() override {
+    if (is_due("throw_at")) throw std::runtime_error("the wheels have come off");
+    if (is_due("hang_at")) std::this_thread::sleep_for(std::chrono::hours(1));
+    if (is_due("nan_at")) {
+      const auto refused =
+          robot_.set_body_velocity({.vx = std::numeric_limits<double>::quiet_NaN()});
+      robot_.state(refused ? "ACCEPTED" : refused.error().message);
+    }
+    if (is_due("beyond_at")) {
+      const double speeds[] = {0, 1000, 0};
+      const auto refused = robot_.set_wheel_speeds(speeds);
+      robot_.state(refused ? "ACCEPTED" : refused.error().message);
+    }
+  }
+
+ private:
+  /// Whether the time of a fault falls into this control cycle.
+  bool is_due(const char* fault) const {
+    const double now = hal::to_seconds(robot_.now());
+    const double at = parameters_[fault];
+    return now >= at && now - hal::to_seconds(robot_.control_period()) < at;
+  }
+
+  hal::Robot& robot_;
+  const hal::Parameters parameters_;
+};
+
+BARAKA_CONTROLLER {
+  const double never = std::numeric_limits<double>::infinity();
+  return {.name = "faulty",
+          .wants = {},
+          .parameters = {{"throw_at", "s", never, 0, never, "Throws."},
+                         {"hang_at", "s", never, 0, never, "Does not return."},
+                         {"nan_at", "s", never, 0, never, "Drives with NaN."},
+                         {"beyond_at", "s", never, 0, never, "Turns a wheel too fast."}},
+          .make_for_robot = hal::make_for_robot<Faulty>};
+}

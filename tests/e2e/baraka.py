@@ -1,0 +1,108 @@
+"""Runs the programs as a user would. The folder of the programs comes from the environment."""
+import os
+import pathlib
+import signal
+import sqlite3
+import subprocess
+import tempfile
+import time
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+BIN = pathlib.Path(os.environ["BARAKA_BIN"])
+CASE_STUDY = ROOT / "config/scenarios/case_study.yaml"
+
+
+class Finished:
+    """How a program ended, and what it printed."""
+
+    def __init__(self, status, out, err):
+        self.status, self.out, self.err = status, out, err
+
+    def __getitem__(self, key):
+        for line in self.out.splitlines():
+            if line.startswith(key + ": "):
+                return line.split(": ", 1)[1]
+        raise AssertionError(f"no '{key}:' in\n{self.out}\n{self.err}")
+
+    def __str__(self):
+        return f"status {self.status}\n--- stdout\n{self.out}\n--- stderr\n{self.err}"
+
+
+class Program:
+    """A program under way. It has no terminal."""
+
+    def __init__(self, name, *arguments, env=None):
+        self.process = subprocess.Popen(
+            [BIN / name, *map(str, arguments)], stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE, text=True, env={**os.environ, **(env or {})})
+
+    def finish(self, timeout=120):
+        try:
+            out, err = self.process.communicate(timeout=timeout)
+        except subprocess.TimeoutExpired:
+            self.process.kill()
+            out, err = self.process.communicate()
+            raise AssertionError(f"did not end within {timeout} s\n{out}\n{err}") from None
+        return Finished(self.process.returncode, out, err)
+
+    def clean_up(self):
+        if self.process.returncode is None:
+            self.process.kill()
+            self.process.communicate()
+
+
+class Case(unittest.TestCase):
+    """A test with a folder of its own."""
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory(prefix="baraka-e2e-")
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.runs = 0
+
+    def start(self, scenario, *arguments, env=None, out=None):
+        """Starts `baraka run`; the results go to a new folder, kept in self.out."""
+        self.runs += 1
+        self.out = out or self.folder / f"run{self.runs}"
+        program = Program("baraka", "run", scenario, "--out", self.out, *arguments, env=env)
+        self.addCleanup(program.clean_up)
+        return program
+
+    def run_baraka(self, scenario, *arguments, env=None, status=0, timeout=120):
+        finished = self.start(scenario, *arguments, env=env).finish(timeout)
+        self.assertEqual(finished.status, status, str(finished))
+        return finished
+
+    def query(self, sql, out=None):
+        with sqlite3.connect((out or self.out) / "run.sqlite") as database:
+            return database.execute(sql).fetchall()
+
+
+def children(pid, name):
+    """Processes of a program started by another one, by pid."""
+    found = []
+    for stat in pathlib.Path("/proc").glob("[0-9]*/stat"):
+        try:
+            text = stat.read_text()
+        except OSError:
+            continue  # it has ended meanwhile
+        parent = int(text.rpartition(")")[2].split()[1])
+        if parent == pid and text.split("(", 1)[1].startswith(name):
+            found.append(int(stat.parent.name))
+    return sorted(found)
+
+
+def wait_for(condition, timeout=20):
+    """Waits until condition() is true and returns what it gave."""
+    end = time.monotonic() + timeout
+    while time.monotonic() < end:
+        value = condition()
+        if value:
+            return value
+        time.sleep(0.02)
+    raise AssertionError("waited in vain")
+
+
+def send(pid, what):
+    os.kill(pid, getattr(signal, what))

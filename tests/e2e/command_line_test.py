@@ -1,0 +1,100 @@
+#!/usr/bin/env python3
+"""What `baraka` says to those who use it wrongly, and what it does with folders of results."""
+import unittest
+
+from baraka import CASE_STUDY, ROOT, Case, Program
+
+TWO_MOTES = ROOT / "config/scenarios/two_motes.yaml"
+IN_PROCESS = ["--controllers", "in-process"]
+
+
+class CommandLine(Case):
+    def test_no_command_or_an_unknown_option_is_a_usage_error(self):
+        for arguments in ([], ["run"], ["run", TWO_MOTES, "--sed", "1"], ["fly"],
+                          ["run", TWO_MOTES, "--max-speed", "0"], ["run", TWO_MOTES, "--until", "-1"]):
+            with self.subTest(arguments=arguments):
+                finished = Program("baraka", *arguments).finish()
+                self.assertEqual(finished.status, 2, str(finished))
+                self.assertTrue(finished.err)
+
+    def test_help_is_no_error(self):
+        finished = Program("baraka", "run", "--help").finish()
+        self.assertEqual(finished.status, 0)
+        self.assertIn("--max-speed", finished.out)
+
+    def test_check_finds_every_mistake_and_places_it(self):
+        self.assertEqual(Program("baraka", "check", CASE_STUDY).finish().status, 0)
+        finished = Program("baraka", "check", CASE_STUDY,
+                           "--set", "agents.robots.controller.parameters.speed=9 m/s",
+                           "--set", "agents.motes.controller.parameters.repeat_aftr=1 s").finish()
+        self.assertEqual(finished.status, 2, str(finished))
+        self.assertRegex(finished.err, r"speed: 9 m/s is above the limit")
+        self.assertRegex(finished.err, r"repeat_aftr: .*did you mean 'repeat_after'")
+
+    def test_an_unknown_controller_is_a_mistake_in_the_scenario(self):
+        finished = Program("baraka", "check", TWO_MOTES, "--set",
+                           "agents.motes.controller.program=helpmote").finish()
+        self.assertEqual(finished.status, 2, str(finished))
+        self.assertRegex(finished.err, r"program: 'helpmote' is no known controller")
+
+    def test_a_controller_on_the_wrong_kind_of_agent_is_a_mistake(self):
+        finished = Program("baraka", "check", TWO_MOTES, "--set",
+                           "agents.motes.controller.program=wanderer").finish()
+        self.assertEqual(finished.status, 2, str(finished))
+        self.assertRegex(finished.err, r"'wanderer' does not drive agents like m0")
+
+    def test_a_missing_file_is_named(self):
+        finished = Program("baraka", "run", "nowhere.yaml").finish()
+        self.assertEqual(finished.status, 2, str(finished))
+        self.assertIn("nowhere.yaml", finished.err)
+
+
+class Results(Case):
+    def test_an_earlier_result_is_replaced_and_anything_else_is_left_alone(self):
+        self.run_baraka(TWO_MOTES, *IN_PROCESS)
+        again = self.start(TWO_MOTES, *IN_PROCESS, "--seed", "2", out=self.out).finish()
+        self.assertEqual(again.status, 0, str(again))
+        self.assertEqual(self.query("SELECT value FROM run WHERE key = 'seed'")[0][0], 2)
+
+        (self.out / "thesis.tex").write_text("precious")
+        refused = self.start(TWO_MOTES, *IN_PROCESS, out=self.out).finish()
+        self.assertEqual(refused.status, 1, str(refused))
+        self.assertIn("thesis.tex", refused.err)
+        self.assertTrue((self.out / "run.sqlite").exists())
+
+    def test_the_resolved_scenario_repeats_the_run(self):
+        first = self.run_baraka(CASE_STUDY, *IN_PROCESS, "--until", "20", "--seed", "5")
+        resolved = self.out / "scenario.resolved.yaml"
+        second = self.run_baraka(resolved, *IN_PROCESS, "--until", "20")
+        self.assertEqual(first["fingerprint"], second["fingerprint"])
+
+    def test_an_expectation_that_is_not_met_has_its_own_exit_status(self):
+        finished = self.run_baraka(
+            CASE_STUDY, *IN_PROCESS, "--set", "end=[{at: 5 s, result: gave up}]", status=3)
+        self.assertEqual(finished["result"], "gave up")
+        self.assertRegex(finished.err, r"not met: .*case_study.yaml:\d+:\d+: ")
+
+    def test_until_before_the_end_is_no_failed_expectation(self):
+        finished = self.run_baraka(CASE_STUDY, *IN_PROCESS, "--until", "3")
+        self.assertEqual((finished["result"], finished["simulated_s"]), ("until", "3.000000000"))
+
+    def test_a_report_of_what_is_no_result_says_so(self):
+        finished = Program("baraka", "report", self.folder).finish()
+        self.assertEqual(finished.status, 1, str(finished))
+        self.assertIn(str(self.folder), finished.err)
+
+
+class Wanderer(Case):
+    def test_the_controller_of_the_readme_stays_off_the_walls(self):
+        self.run_baraka(ROOT / "config/scenarios/wanderer.yaml")
+        (path, contacts), = self.query("SELECT path, wall_steps FROM bodies")
+        self.assertGreater(path, 5)
+        self.assertEqual(contacts, 0)
+
+    def test_the_readme_shows_it_as_it_is(self):
+        source = (ROOT / "controllers/wanderer/wanderer.cpp").read_text()
+        self.assertIn(source.strip(), (ROOT / "README.md").read_text())
+
+
+if __name__ == "__main__":
+    unittest.main()
