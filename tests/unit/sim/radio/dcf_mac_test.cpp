@@ -107,6 +107,47 @@ TEST_F(DcfMacTest, PostBackoffCountsWithoutAFrame) {
   EXPECT_EQ(start_of(2), done);
 }
 
+TEST_F(DcfMacTest, RequestInAPostBackoffDoesNotShiftItsSlots) {
+  const auto second_start = [](hal::Duration requested_at) {
+    Air world(Profile::kIeee80211b);
+    world.config.propagation_delay = false;
+    world.seed = 2;
+    world.add_line(2, 600);
+    world.build();
+    world.broadcast(1);  // 36 bytes at 1 Mb/s: 480 us
+    world.at(requested_at, [&world] { world.broadcast(1); });
+    world.run();
+    return world.log.starts.back().at.time_since_epoch();
+  };
+  const hal::Duration first = second_start(0us);
+  ASSERT_GE(first, 480us + kDifs + 2 * kSlot) << "choose a seed with a longer backoff";
+  EXPECT_EQ(second_start(480us + kDifs + 27us), first);
+}
+
+// Station 2 asks while the medium has been idle for less than DIFS, which needs no backoff; then a
+// frame of station 3, which has not heard station 1, comes in between.
+TEST_F(DcfMacTest, BacksOffWhenTheDifsIsInterrupted) {
+  hal::Duration most{};
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    Air world(Profile::kIeee80211b);
+    world.config.propagation_delay = false;
+    world.config.interference_floor = world.config.sensitivity;
+    world.seed = seed;
+    world.add_line(3, 600);
+    world.build();
+    world.broadcast(1);  // until 480 us
+    world.at(490us, [&world] { world.broadcast(2); });
+    world.at(500us, [&world] { world.broadcast(3); });
+    world.run();
+    ASSERT_EQ(world.log.story(), "DATA1 DATA3 DATA2");
+    const hal::Duration backoff =
+        world.log.starts[2].at.time_since_epoch() - (500us + 480us) - kDifs;
+    expect_slots(backoff, 31);
+    most = std::max(most, backoff);
+  }
+  EXPECT_GT(most, 0us) << "five backoffs of no slot at all: no backoff";
+}
+
 TEST_F(DcfMacTest, BacksOffWhenTheMediumIsBusy) {
   build_line(2);
   air.broadcast(1, kPayload);
@@ -198,13 +239,16 @@ TEST_F(DcfMacTest, NavOfAnUnansweredRtsIsReset) {
   expect_slots(start_of(1) - reset - kDifs, 31);
 }
 
+// The exchange is so short that the reset would fall into its ACK, which station 1 does not hear.
 TEST_F(DcfMacTest, NavOfAnAnsweredRtsIsKept) {
   with_rts();
   build_line(3);
-  air.send(2, 3, 2000);  // DATA outlasts the reset time
+  air.send(2, 3);  // DATA: 192 + 27 us
   air.at(400us, [this] { air.broadcast(1, kPayload); });
   air.run();
-  EXPECT_EQ(air.log.story(), "RTS2 CTS3 DATA2 ACK3 DATA1");
+  ASSERT_EQ(air.log.story(), "RTS2 CTS3 DATA2 ACK3 DATA1");
+  const hal::Duration end = kRts + kSifs + kCts + kSifs + 219us + kSifs + kAck;
+  expect_slots(start_of(4) - end - kDifs, 31);
 }
 
 TEST_F(DcfMacTest, DoesNotAnswerAnRtsWhileItsNavIsSet) {
@@ -229,6 +273,22 @@ TEST_F(DcfMacTest, WaitsForEifsAfterAWrongFrame) {
   ASSERT_EQ(air.log.story(), "DATA1 DATA2");
   EXPECT_EQ(air.log.verdicts(0, 2), std::vector{Verdict::kNoise});
   expect_slots(start_of(1) - 1673us - kEifs, 31);
+}
+
+// Station 3 has not heard the wrong frame and sends a short one at 5.5 Mb/s, 192 + 53 us, 10 us
+// after it. It comes in well, so DIFS counts again, before the EIFS would have been over.
+TEST_F(DcfMacTest, GoodFrameEndsTheEifs) {
+  air.config.noise_floor = hal::Dbm{-84.65};
+  air.config.short_retry_limit = 1;
+  air.config.broadcast_rate = hal::BitsPerSecond{5.5e6};
+  build_line(3);
+  air.send(1, 2, 2000);  // until 1673 us
+  air.at(100us, [this] { air.broadcast(2); });
+  air.at(1683us, [this] { air.broadcast(3); });
+  air.run();
+  ASSERT_EQ(air.log.story(), "DATA1 DATA3 DATA2");
+  ASSERT_EQ(air.log.verdicts(1, 2), std::vector{Verdict::kDelivered});
+  expect_slots(start_of(2) - 1928us - kDifs, 31);
 }
 
 // Two stations take the idle medium at the same instant, equally strong at the third: nobody

@@ -155,6 +155,15 @@ TEST_F(MobilityFrameworkMacTest, FrozenBackoffKeepsItsRestInContinuousTime) {
   EXPECT_EQ(second_start(cut_in), undisturbed + kData + kDifs);
 }
 
+// Station 3 does not hear the RTS of station 1 and starts 5 us after it.
+TEST_F(MobilityFrameworkMacTest, CarrierCancelsAPendingAnswer) {
+  build_line(3);
+  air.send(1, 2);
+  air.at(kRts + 5us, [this] { air.broadcast(3); });  // DIFS later it is on the air
+  air.run();
+  EXPECT_EQ(air.log.story(), "RTS1 DATA3 RTS1 CTS2 DATA1 ACK2");
+}
+
 TEST_F(MobilityFrameworkMacTest, BitErrorSilencesForEifs) {
   air.config.noise_floor = hal::Dbm{-90};  // 200 m: -83.06 dBm, 6.9 dB: no frame survives
   build_line(2);
@@ -183,10 +192,8 @@ TEST_F(MobilityFrameworkMacTest, CollisionBringsNoEifs) {
 
 TEST_F(MobilityFrameworkMacTest, DeliversAgainWhenAnAcknowledgementWasLost) {
   air.config.rts_threshold = 34;
-  air.add_line(3, 200);
-  air.build();
-  // Station 3 starts a frame that station 1 cannot hear; it covers the ACK of station 2 … at
-  // station 1 nothing is lost, so the radio of station 1 is switched off for the ACK instead.
+  build_line(2);
+  // The radio of station 1 is off when the ACK comes; the packet is then sent again.
   air.send(1, 2);
   air.at(kDifs + kData + kSifs + 1us, [this] {
     air.sap(1).set_radio(false);
