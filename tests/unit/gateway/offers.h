@@ -1,5 +1,7 @@
 #pragma once
 
+#include <fmt/core.h>
+
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,7 +14,7 @@ inline std::vector<hal::exchange::AgentOffer> sample_offers() {
   for (std::uint16_t address = 1; address <= 3; ++address) {
     hal::exchange::AgentOffer offer;
     offer.session.agent = hal::AgentId{address};
-    offer.session.name = "m" + std::to_string(address);
+    offer.session.name = fmt::format("m{}", address);
     offer.program = "help_mote";
     offers.push_back(offer);
   }
