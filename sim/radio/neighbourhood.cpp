@@ -15,24 +15,26 @@ constexpr double kMarginShare = 0.1;
 }  // namespace
 
 Neighbourhood::Neighbourhood(EventQueue& events, const Positions& positions,
-                             const Propagation& propagation, std::vector<hal::AgentId> agents)
+                             const Propagation& propagation,
+                             const std::vector<hal::AgentId>& agents)
     : events_(events),
       positions_(positions),
       propagation_(propagation),
       margin_(kMarginShare * propagation.reach().value),
       grid_(propagation.reach().value + 2 * margin_) {
-  for (const hal::AgentId agent : agents) {
-    BARAKA_CHECK(stations_.empty() || stations_.back().agent < agent);
-    const auto index = static_cast<StationIndex>(stations_.size());
-    const double max_speed = positions.max_speed(agent);
-    BARAKA_CHECK(std::isfinite(max_speed) && max_speed >= 0);
-    Station& station = stations_.emplace_back();
-    station.agent = agent;
-    station.max_speed = max_speed;
-    station.position = positions.position(agent, events.now());
-    grid_.add(index, station.position);
-    if (max_speed > 0 && std::isfinite(margin_)) watch_cell(index);
-  }
+  for (const hal::AgentId agent : agents) add(agent);
+}
+
+void Neighbourhood::add(hal::AgentId agent) {
+  BARAKA_CHECK(stations_.empty() || stations_.back().agent < agent);
+  const auto index = static_cast<StationIndex>(stations_.size());
+  Station& station = stations_.emplace_back();
+  station.agent = agent;
+  station.max_speed = positions_.max_speed(agent);
+  BARAKA_CHECK(std::isfinite(station.max_speed) && station.max_speed >= 0);
+  station.position = positions_.position(agent, events_.now());
+  grid_.add(index, station.position);
+  if (station.max_speed > 0 && std::isfinite(margin_)) watch_cell(index);
 }
 
 void Neighbourhood::watch_cell(StationIndex index) {

@@ -33,7 +33,7 @@ class Neighbourhood {
  public:
   /// @param agents  in ascending order; the index into it is the StationIndex.
   Neighbourhood(EventQueue& events, const Positions& positions, const Propagation& propagation,
-                std::vector<hal::AgentId> agents);
+                const std::vector<hal::AgentId>& agents);
 
   /// Up-to-date links from this station to all that could notice it, and maybe to some more; check
   /// matters(). By receiver. Valid until the next call for this station.
@@ -50,6 +50,7 @@ class Neighbourhood {
     std::vector<Link> links;
   };
 
+  void add(hal::AgentId agent);
   void refresh(Station& station);
   void collect(StationIndex transmitter);
   void watch_cell(StationIndex station);

@@ -41,7 +41,7 @@ void check_mac(const RadioConfig& config) {
   require(config.interference_floor <= config.sensitivity,
           "interference_floor must not be above sensitivity");
   require(is_contention_window(config.cw_min) && is_contention_window(config.cw_max) &&
-              is_contention_window(config.cw_broadcast) && config.cw_min <= config.cw_max,
+              config.cw_min <= config.cw_max,
           "contention windows must be one less than a power of two, cw_min <= cw_max");
   require(config.short_retry_limit >= 1 && config.long_retry_limit >= 1,
           "retry limits must be 1 or more");
@@ -70,6 +70,7 @@ std::vector<RadioNetwork::Station> by_address(std::vector<RadioNetwork::Station>
 
 std::vector<hal::AgentId> addresses(const std::vector<RadioNetwork::Station>& stations) {
   std::vector<hal::AgentId> result;
+  result.reserve(stations.size());
   for (const auto& station : stations) result.push_back(station.agent);
   return result;
 }
