@@ -74,7 +74,7 @@ TEST_F(ActionOfRobot, IsMalformedIfItIsTooLong) {
   action_.topic = std::string(hal::kMaxTopic + 1, 't');
   EXPECT_EQ(verdict(ActionKind::kSend), ActionVerdict::kMalformed);
   EXPECT_EQ(verdict(ActionKind::kInvalidate), ActionVerdict::kMalformed);
-  action_.topic = "t";
+  action_.topic.resize(1);
   action_.payload.resize(hal::kMaxPayload + 1);
   EXPECT_EQ(verdict(ActionKind::kSend), ActionVerdict::kMalformed);
 }
