@@ -193,7 +193,7 @@ class Interruptible {
     interrupted_client = &client;
     struct sigaction action {};
     action.sa_handler = interrupt_client;
-    action.sa_flags = SA_RESETHAND | SA_RESTART;
+    action.sa_flags = static_cast<int>(SA_RESETHAND) | SA_RESTART;
     sigaction(SIGINT, &action, &interrupt_);
     sigaction(SIGTERM, &action, &terminate_);
   }

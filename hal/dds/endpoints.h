@@ -130,9 +130,10 @@ class Inbox : public PresenceListener {
   using PresenceListener::PresenceListener;
 
   void on_data_available(api::DataReader* reader) override {
-    Sample sample;
-    api::SampleInfo info;
-    while (is_ok(reader->take_next_sample(&sample.value, &info))) {
+    while (true) {
+      Sample sample;
+      api::SampleInfo info;
+      if (!is_ok(reader->take_next_sample(&sample.value, &info))) break;
       if (!info.valid_data) continue;
       sample.origin = Origin(info.publication_handle);
       const std::lock_guard lock(mutex_);

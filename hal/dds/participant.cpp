@@ -143,13 +143,12 @@ Participant::~Participant() {
 }
 
 api::Topic* Participant::add_topic(const std::string& name, const api::TypeSupport& type) {
-  api::TypeSupport support = type;
   // A peer of this version crashes when it is told a type with a sequence of structures.
-  support->auto_fill_type_object(false);
-  support->auto_fill_type_information(false);
+  type->auto_fill_type_object(false);
+  type->auto_fill_type_information(false);
   api::Topic* topic = nullptr;
-  if (is_ok(support.register_type(participant_))) {
-    topic = participant_->create_topic(name, support.get_type_name(), api::TOPIC_QOS_DEFAULT);
+  if (is_ok(type.register_type(participant_))) {
+    topic = participant_->create_topic(name, type.get_type_name(), api::TOPIC_QOS_DEFAULT);
   }
   if (topic == nullptr) throw std::runtime_error("Fast DDS makes no topic " + name);
   return topic;
