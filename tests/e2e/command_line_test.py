@@ -31,6 +31,20 @@ class CommandLine(Case):
         self.assertRegex(finished.err, r"speed: 9 m/s is above the limit")
         self.assertRegex(finished.err, r"repeat_aftr: .*did you mean 'repeat_after'")
 
+    def test_files_with_mistakes_that_only_the_controller_can_find(self):
+        judged = 0
+        for path in sorted((ROOT / "config/invalid").glob("*.yaml")):
+            lines = [line.removeprefix("# expect-check: ")
+                     for line in path.read_text().splitlines() if line.startswith("# expect-check: ")]
+            if not lines:
+                continue
+            judged += 1
+            finished = Program("baraka", "check", path).finish()
+            self.assertEqual(finished.status, 2, str(finished))
+            for line in lines:
+                self.assertIn(f"{path}:{line}", finished.err)
+        self.assertGreaterEqual(judged, 2)
+
     def test_an_unknown_controller_is_a_mistake_in_the_scenario(self):
         finished = Program("baraka", "check", TWO_MOTES, "--set",
                            "agents.motes.controller.program=helpmote").finish()
