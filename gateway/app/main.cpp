@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <exception>
@@ -37,14 +35,8 @@ void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
       ->allow_extra_args(false);
 }
 
-int print_mistakes(const std::exception& e) {
-  fmt::print(stderr, "{}\n", e.what());
-  return gateway::app::kUsage;
-}
-
-}  // namespace
-
-int main(int argc, char** argv) {
+/// @return exit status. @throws std::exception
+int command(int argc, char** argv) {
   CLI::App app("BARAKA: robots and motes that talk IEEE 802.11, with controllers over DDS");
   app.require_subcommand(1);
   RunOptions run_options;
@@ -65,16 +57,21 @@ int main(int argc, char** argv) {
     return status == 0 ? gateway::app::kDone : gateway::app::kUsage;
   }
   if (!seed.empty()) run_options.overrides.push_back("seed=" + seed);
+  if (*check) return gateway::app::check(checked, check_overrides);
+  if (*report) return gateway::app::report(folders);
+  return gateway::app::run(run_options);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
   try {
-    if (*check) return gateway::app::check(checked, check_overrides);
-    if (*report) return gateway::app::report(folders);
-    return gateway::app::run(run_options);
+    return command(argc, argv);
   } catch (const hal::config::ConfigErrors& e) {
-    return print_mistakes(e);
-  } catch (const gateway::app::UsageError& e) {
-    return print_mistakes(e);
+    std::fprintf(stderr, "%s\n", e.what());
+    return gateway::app::kUsage;
   } catch (const std::exception& e) {
-    fmt::print(stderr, "error: {}\n", e.what());
+    std::fprintf(stderr, "error: %s\n", e.what());
     return gateway::app::kRunFailed;
   }
 }

@@ -103,10 +103,13 @@ void print_complaints(const Outcome& outcome, const std::vector<std::string>& li
 
 int exit_status(const Outcome& outcome, const std::vector<std::string>& unmet_expectations) {
   switch (outcome.kind) {
-    case Outcome::Kind::kFailed: return kRunFailed;
-    case Outcome::Kind::kInterrupted: return kInterrupted;
+    case Outcome::Kind::kFailed:
+      return kRunFailed;
+    case Outcome::Kind::kInterrupted:
+      return kInterrupted;
     case Outcome::Kind::kUntil:
-    case Outcome::Kind::kEnded: break;
+    case Outcome::Kind::kEnded:
+      break;
   }
   return unmet_expectations.empty() ? kDone : kExpectationNotMet;
 }
@@ -116,16 +119,16 @@ int exit_status(const Outcome& outcome, const std::vector<std::string>& unmet_ex
 int run(const RunOptions& options) {
   const Scenario scenario = load_judged(options.scenario, options.overrides);
   catch_interrupts();
-  Results results(scenario, options.out.empty()
-                                ? std::filesystem::path("results") / scenario.name
-                                : std::filesystem::path(options.out));
+  Results results(scenario, options.out.empty() ? std::filesystem::path("results") / scenario.name
+                                                : std::filesystem::path(options.out));
   Simulation simulation(scenario.simulation, {&results.recorder, &results.fingerprint});
   ControllersOfRun controllers(
       scenario, simulation,
       {.from = options.controllers, .domain = options.domain, .logs = results.folder.path()});
   WallPace pace({.max_speed = options.max_speed,
                  .terminal = ::isatty(STDERR_FILENO) != 0,
-                 .processes = controllers.processes()});
+                 .processes = controllers.processes(),
+                 .once_a_second = [&results] { results.recorder.commit(); }});
   std::optional<hal::Time> until;
   if (options.until) until = hal::Time{hal::from_seconds(*options.until)};
 

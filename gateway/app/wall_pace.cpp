@@ -42,13 +42,17 @@ void WallPace::end() {
 WallPace::Verdict WallPace::may_go_on(hal::Time next, const sim::agents::Progress& progress) {
   last_ = Clock::now();
   if (!started_) {
-    start_ = shown_ = last_;
+    start_ = shown_ = saved_ = last_;
     started_ = true;
   }
   const bool waited = throttle(next);
   if (last_ - shown_ >=
       (settings_.terminal ? Clock::duration(kShowOnTerminal) : Clock::duration(kShowAsLines))) {
     show(progress);
+  }
+  if (last_ - saved_ >= 1s) {
+    settings_.once_a_second();
+    saved_ = last_;
   }
   if (interrupted()) return Verdict::kBreakOff;
   return waited ? Verdict::kAskAgain : Verdict::kGoOn;

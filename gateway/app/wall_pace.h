@@ -2,7 +2,9 @@
 
 #include <chrono>
 #include <csignal>
+#include <functional>
 #include <limits>
+#include <utility>
 
 #include "sim/agents/simulation.h"
 
@@ -16,9 +18,10 @@ class WallPace final : public sim::agents::Pace {
     double max_speed = std::numeric_limits<double>::infinity();  ///< Simulated per wall second.
     bool terminal = false;      ///< Progress in place, twice a second; else a line every 10 s.
     std::size_t processes = 0;  ///< Of controllers, to show.
+    std::function<void()> once_a_second;  ///< Of wall time, e.g. to save what there is.
   };
 
-  explicit WallPace(const Settings& settings) : settings_(settings) {}
+  explicit WallPace(Settings settings) : settings_(std::move(settings)) {}
 
   Verdict may_go_on(hal::Time next, const sim::agents::Progress& progress) override;
 
@@ -35,7 +38,7 @@ class WallPace final : public sim::agents::Pace {
   void show(const sim::agents::Progress& progress);
 
   Settings settings_;
-  Clock::time_point start_{}, last_{}, shown_{};
+  Clock::time_point start_{}, last_{}, shown_{}, saved_{};
   hal::Time shown_time_{};
   bool started_ = false, line_open_ = false;
 };

@@ -29,6 +29,14 @@ struct ContactCounts {
   std::uint64_t object_steps = 0;  ///< … or another body.
 };
 
+/// The end of a search for a route.
+struct Discovery {
+  std::string_view topic;
+  hal::AgentId destination;
+  hal::Duration took{};  ///< Retries included.
+  bool found = false;    ///< Or given up after the last retry.
+};
+
 /// What there is to see of a run, for records and fingerprints. Calls come in event order, all on
 /// the simulation's thread. The radio's part is inherited.
 class Observer : public radio::RadioObserver {
@@ -62,9 +70,8 @@ class Observer : public radio::RadioObserver {
                               hal::MessageId id, hal::Verdict verdict) {
     (void)at, (void)at_node, (void)sender, (void)id, (void)verdict;
   }
-  virtual void on_discovery(hal::Time at, hal::AgentId agent, std::string_view topic,
-                            hal::AgentId destination, hal::Duration took, bool found) {
-    (void)at, (void)agent, (void)topic, (void)destination, (void)took, (void)found;
+  virtual void on_discovery(hal::Time at, hal::AgentId agent, const Discovery& discovery) {
+    (void)at, (void)agent, (void)discovery;
   }
   virtual void on_route_change(hal::Time at, hal::AgentId agent, const hal::RouteChange& change) {
     (void)at, (void)agent, (void)change;

@@ -52,9 +52,8 @@ class ObserverList final : public Observer {
                       hal::Verdict verdict) override {
     for (Observer* o : observers_) o->on_message_end(at, at_node, sender, id, verdict);
   }
-  void on_discovery(hal::Time at, hal::AgentId agent, std::string_view topic,
-                    hal::AgentId destination, hal::Duration took, bool found) override {
-    for (Observer* o : observers_) o->on_discovery(at, agent, topic, destination, took, found);
+  void on_discovery(hal::Time at, hal::AgentId agent, const Discovery& discovery) override {
+    for (Observer* o : observers_) o->on_discovery(at, agent, discovery);
   }
   void on_route_change(hal::Time at, hal::AgentId agent, const hal::RouteChange& change) override {
     for (Observer* o : observers_) o->on_route_change(at, agent, change);

@@ -239,8 +239,8 @@ void SimulatedAgent::on_neighbour_lost(hal::AgentId neighbour) {
 
 void SimulatedAgent::on_discovery(std::string_view topic, hal::AgentId destination,
                                   hal::Duration took, bool found) {
-  surroundings_.observer.on_discovery(surroundings_.events.now(), id(), topic, destination, took,
-                                      found);
+  surroundings_.observer.on_discovery(surroundings_.events.now(), id(),
+                                      {topic, destination, took, found});
 }
 
 void SimulatedAgent::on_message_end(hal::AgentId sent_by, hal::MessageId message, std::string_view,

@@ -114,6 +114,7 @@ struct Simulation::State final : AgentListener {
   void apply(const Action& action);
   void apply_last(const Action& action);
   void on_failures(const std::vector<Controllers::Failure>& failures);
+  void go_on(hal::Time next, Pace& pace);
   void stop_controllers();
   Outcome outcome(Outcome::Kind kind, std::string result) const;
 
@@ -131,6 +132,7 @@ struct Simulation::State final : AgentListener {
   std::optional<hal::Time> until;
   std::optional<std::string> result;  ///< Set when the run has ended.
   std::string error;
+  bool broken_off = false;
   std::uint64_t refused = 0;
 };
 
@@ -274,6 +276,20 @@ Outcome Simulation::State::outcome(Outcome::Kind kind, std::string the_result) c
           .ode_messages = world->solver_messages()};
 }
 
+/// Works off what is due next, when it is time.
+void Simulation::State::go_on(hal::Time next, Pace& pace) {
+  switch (pace.may_go_on(next, {events.now(), events.executed(), controllers.exchanges()})) {
+    case Pace::Verdict::kBreakOff:
+      broken_off = true;
+      return;
+    case Pace::Verdict::kAskAgain:
+      return on_failures(controllers.find_dead());
+    case Pace::Verdict::kGoOn:
+      work_off(next);
+      if (!result) exchange(next + config.controller_latency);
+  }
+}
+
 Simulation::Simulation(const SimulationConfig& config, std::vector<Observer*> observers)
     : state_(std::make_unique<State>(config, std::move(observers))) {}
 
@@ -296,28 +312,15 @@ Outcome Simulation::run(std::optional<hal::Time> until, Pace& pace) {
   for (const auto& [id, agent] : s.agents) BARAKA_CHECK(s.controllers.is_connected(id));
   s.until = until;
   s.start();
-  bool broken_off = false;
-  while (!s.result && !broken_off) {
+  while (!s.result && !s.broken_off) {
     const auto next = s.events.next_time();
     if (!next || (until && *next > *until)) break;
-    switch (
-        pace.may_go_on(*next, {s.events.now(), s.events.executed(), s.controllers.exchanges()})) {
-      case Pace::Verdict::kBreakOff:
-        broken_off = true;
-        continue;
-      case Pace::Verdict::kAskAgain:
-        s.on_failures(s.controllers.find_dead());
-        continue;
-      case Pace::Verdict::kGoOn:
-        break;
-    }
-    s.work_off(*next);
-    if (!s.result) s.exchange(*next + s.config.controller_latency);
+    s.go_on(*next, pace);
   }
   if (!s.error.empty()) return s.outcome(Outcome::Kind::kFailed, "failed");
-  if (!s.result && !broken_off && until) s.events.advance_to(*until);
+  if (!s.result && !s.broken_off && until) s.events.advance_to(*until);
   s.stop_controllers();
-  if (broken_off) return s.outcome(Outcome::Kind::kInterrupted, "interrupted");
+  if (s.broken_off) return s.outcome(Outcome::Kind::kInterrupted, "interrupted");
   return s.result ? s.outcome(Outcome::Kind::kEnded, *s.result)
                   : s.outcome(Outcome::Kind::kUntil, "until");
 }

@@ -21,7 +21,7 @@ double distance(hal::Vec2 point, const physics::Shape& box) {
 
 }  // namespace
 
-Scene::Scene(const physics::World& world, std::vector<hal::AgentId> agents)
+Scene::Scene(const physics::World& world, const std::vector<hal::AgentId>& agents)
     : world_(world), proximity_(world) {
   for (const hal::AgentId agent : agents) positions_.push_back({agent, {}});
 }

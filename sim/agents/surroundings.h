@@ -20,7 +20,7 @@ namespace sim::agents {
 class Scene {
  public:
   /// @param world  outlives this; everything was added to it.
-  Scene(const physics::World& world, std::vector<hal::AgentId> agents);
+  Scene(const physics::World& world, const std::vector<hal::AgentId>& agents);
 
   const physics::World& world() const { return world_; }
   const sensing::Proximity& proximity();

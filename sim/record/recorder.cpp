@@ -183,9 +183,9 @@ void Recorder::on_message_end(hal::Time, hal::AgentId, hal::AgentId sender, hal:
   messages_.on_end(sender, id, verdict);
 }
 
-void Recorder::on_discovery(hal::Time at, hal::AgentId agent, std::string_view topic,
-                            hal::AgentId destination, hal::Duration took, bool found) {
-  insert_discovery_.run(agent.value, topic, destination.value, hal::to_ns(at), took.count(), found);
+void Recorder::on_discovery(hal::Time at, hal::AgentId agent, const agents::Discovery& discovery) {
+  insert_discovery_.run(agent.value, discovery.topic, discovery.destination.value, hal::to_ns(at),
+                        discovery.took.count(), discovery.found);
   on_rows(at, 1);
 }
 

@@ -75,8 +75,7 @@ class Recorder final : public agents::Observer {
   void on_fate(hal::Time at, hal::AgentId sender, hal::MessageId id, hal::Fate fate) override;
   void on_message_end(hal::Time at, hal::AgentId at_node, hal::AgentId sender, hal::MessageId id,
                       hal::Verdict verdict) override;
-  void on_discovery(hal::Time at, hal::AgentId agent, std::string_view topic,
-                    hal::AgentId destination, hal::Duration took, bool found) override;
+  void on_discovery(hal::Time at, hal::AgentId agent, const agents::Discovery& discovery) override;
   void on_state(hal::Time at, hal::AgentId agent, std::string_view state) override;
 
  private:

@@ -202,7 +202,7 @@ TEST_F(RecorderTest, AWorldWithoutWallsHasNoClearance) {
 
 TEST_F(RecorderTest, KeepsLinksDiscoveriesAndStates) {
   recorder->on_start({{AgentId{1}, AgentId{2}}});
-  recorder->on_discovery(Time{2s}, AgentId{1}, "help", AgentId{2}, 962181ns, true);
+  recorder->on_discovery(Time{2s}, AgentId{1}, {"help", AgentId{2}, 962181ns, true});
   recorder->on_state(Time{3s}, AgentId{2}, "WAIT");
   EXPECT_EQ(asked("SELECT a || '-' || b FROM links"), "1-2");
   EXPECT_EQ(asked("SELECT agent || topic || destination || '/' || ended_ns || '/' || took_ns"
