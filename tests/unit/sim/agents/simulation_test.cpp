@@ -1,0 +1,242 @@
+#include "sim/agents/simulation.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "tests/support/printers.h"
+
+namespace {
+
+using namespace std::chrono_literals;
+using hal::AgentId;
+using hal::Time;
+using hal::exchange::Action;
+using hal::exchange::ActionKind;
+using hal::exchange::Cause;
+using hal::exchange::Event;
+using hal::exchange::Reply;
+using hal::exchange::Step;
+using sim::agents::Outcome;
+using sim::agents::SimulationConfig;
+
+const AgentId kA{1}, kB{2};
+
+/// Controllers made of one function: what to do about an event.
+class Script final : public hal::exchange::ControllerPort {
+ public:
+  using Rule = std::function<std::vector<Action>(const Event&)>;
+  explicit Script(Rule rule) : rule_(std::move(rule)) {}
+
+  const std::string& name() const override { return name_; }
+  hal::Result<void> begin(const Step& step) override {
+    steps.push_back(step);
+    reply_ = {};
+    for (std::uint32_t i = 0; i < step.events.size(); ++i) {
+      for (Action& action : rule_(step.events[i])) {
+        action.agent = step.events[i].agent;
+        action.event = i;
+        reply_.actions.push_back(std::move(action));
+      }
+    }
+    return {};
+  }
+  hal::Result<Reply> finish() override { return reply_; }
+  hal::Result<void> check_alive() override { return {}; }
+
+  std::vector<Step> steps;
+
+ private:
+  std::string name_ = "script";
+  Rule rule_;
+  Reply reply_;
+};
+
+Action state(const std::string& text) {
+  Action action;
+  action.kind = ActionKind::kState;
+  action.text = text;
+  return action;
+}
+
+Action send(AgentId destination) {
+  Action action;
+  action.kind = ActionKind::kSend;
+  action.message_id = 1;
+  action.destination = destination;
+  action.topic = "test";
+  return action;
+}
+
+/// When actions took effect.
+class Effects final : public sim::agents::Observer {
+ public:
+  void on_action(Time at, const Action& action) override { actions.emplace_back(at, action.kind); }
+  std::vector<std::pair<Time, ActionKind>> actions;
+};
+
+class NoPace final : public sim::agents::Pace {
+ public:
+  Verdict may_go_on(Time, const sim::agents::Progress&) override { return Verdict::kGoOn; }
+};
+
+/// Two motes next to each other, with an ideal radio.
+class TwoMotes : public testing::Test {
+ protected:
+  TwoMotes() {
+    config.control_phase = sim::agents::ControlPhase::kAligned;
+    config.radio = sim::radio::profile_defaults(sim::radio::Profile::kIdeal);
+    for (const AgentId id : {kA, kB}) {
+      config.agents.push_back({.id = id,
+                               .name = id == kA ? "a" : "b",
+                               .pose = {10.0 * id.value, 0, 0},
+                               .body = hal::devices::MoteDescription{},
+                               .program = {},
+                               .parameters = {}});
+    }
+  }
+
+  Outcome run(Time until, Script::Rule rule) {
+    port = std::make_shared<Script>(std::move(rule));
+    sim::agents::Simulation simulation(config, {&effects});
+    simulation.connect(port, {kA, kB}, {});
+    NoPace pace;
+    return simulation.run(until, pace);
+  }
+
+  SimulationConfig config;
+  std::shared_ptr<Script> port;
+  Effects effects;
+};
+
+std::vector<Action> nothing(const Event&) { return {}; }
+
+TEST_F(TwoMotes, StartAndTheFirstControlCycleAreOneExchangeByAgentThenCause) {
+  run(Time{50ms}, nothing);
+  ASSERT_EQ(port->steps.size(), 2u) << "time 0, and the stop";
+  std::vector<std::pair<AgentId, Cause>> seen;
+  for (const Event& event : port->steps[0].events) seen.emplace_back(event.agent, event.cause);
+  EXPECT_EQ(
+      seen,
+      (std::vector<std::pair<AgentId, Cause>>{
+          {kA, Cause::kStart}, {kA, Cause::kControl}, {kB, Cause::kStart}, {kB, Cause::kControl}}));
+  EXPECT_EQ(port->steps[1].events.front().cause, Cause::kStop);
+  EXPECT_EQ(port->steps[1].events.front().time, Time{50ms});
+}
+
+// 0, 100, …, 500 ms, and the stop.
+TEST_F(TwoMotes, AlignedControlCyclesAreOneExchangeEach) {
+  EXPECT_EQ(run(Time{500ms}, nothing).exchanges, 7u);
+}
+
+TEST_F(TwoMotes, AMessageSentAtAnInstantArrivesInALaterRoundOfThatInstant) {
+  run(Time{2s}, [](const Event& event) -> std::vector<Action> {
+    if (event.agent == kA && event.cause == Cause::kControl && event.time == Time{1s}) {
+      return {send(kB)};
+    }
+    return {};
+  });
+  int deliveries = 0;
+  for (const Step& step : port->steps) {
+    for (const Event& event : step.events) {
+      if (event.cause != Cause::kMessage) continue;
+      ++deliveries;
+      EXPECT_EQ(event.time, Time{1s}) << "the ideal radio takes no time";
+      // A round of its own, after the control cycle that sent it; the sender is told as well.
+      ASSERT_EQ(step.events.size(), 2u);
+      EXPECT_EQ(step.events[0].cause, Cause::kNotice);
+    }
+  }
+  EXPECT_EQ(deliveries, 1);
+}
+
+TEST_F(TwoMotes, WithALatencyActionsTakeEffectThatMuchLater) {
+  config.controller_latency = 10ms;
+  run(Time{300ms}, [](const Event& event) -> std::vector<Action> {
+    return event.cause == Cause::kControl ? std::vector{state("x")} : std::vector<Action>{};
+  });
+  ASSERT_GE(effects.actions.size(), 4u);
+  EXPECT_EQ(effects.actions[0].first, Time{10ms});
+  EXPECT_EQ(effects.actions[2].first, Time{110ms});
+}
+
+// Phases 10 ms apart or more are exchanges of their own without latency; a window holds them all.
+TEST_F(TwoMotes, AWindowOfLatencyIsOneExchange) {
+  config.control_phase = sim::agents::ControlPhase::kUniform;
+  const auto without = run(Time{10s}, nothing).exchanges;
+  config.controller_latency = 100ms;
+  const auto with = run(Time{10s}, nothing).exchanges;
+  EXPECT_GE(without, 200u);
+  EXPECT_LE(with, 102u);
+  for (const Step& step : port->steps) {
+    EXPECT_LE(step.events.back().time - step.events.front().time, 100ms);
+    for (const Event& event : step.events) EXPECT_LE(event.time, step.until);
+  }
+}
+
+TEST_F(TwoMotes, EndsTheGivenTimeAfterAState) {
+  config.ends = {{.agent = kB, .state = "DONE", .after = 250ms, .result = "done"},
+                 {.agent = {}, .state = {}, .after = 5s, .result = "timeout"}};
+  const auto rule = [](AgentId who) {
+    return [who](const Event& event) -> std::vector<Action> {
+      return event.agent == who && event.time == Time{1s} ? std::vector{state("DONE")}
+                                                          : std::vector<Action>{};
+    };
+  };
+  const Outcome done = run(Time{10s}, rule(kB));
+  EXPECT_EQ(done.result, "done");
+  EXPECT_EQ(done.ended_at, Time{1250ms});
+  const Outcome timeout = run(Time{10s}, rule(kA));
+  EXPECT_EQ(timeout.result, "timeout");
+  EXPECT_EQ(timeout.ended_at, Time{5s});
+}
+
+TEST_F(TwoMotes, ActionsBeyondTheRulesAreRefusedCountedAndTheRunGoesOn) {
+  const Outcome outcome = run(Time{1s}, [](const Event& event) -> std::vector<Action> {
+    if (event.cause != Cause::kStart || event.agent != kA) return {};
+    Action drive, to_itself = send(kA), nameless = send(kB), endless = send(kB);
+    drive.kind = ActionKind::kDriveBody;
+    nameless.topic.clear();
+    endless.payload.resize(hal::kMaxPayload + 1);
+    return {drive, to_itself, nameless, endless};
+  });
+  EXPECT_EQ(outcome.refused_actions, 4u);
+  EXPECT_EQ(outcome.kind, Outcome::Kind::kUntil);
+}
+
+TEST_F(TwoMotes, AControllerThatThrowsEndsTheRunAndIsNamed) {
+  const Outcome outcome = run(Time{1s}, [](const Event& event) -> std::vector<Action> {
+    Action error;
+    error.kind = ActionKind::kError;
+    error.text = "no more";
+    return event.agent == kB && event.time == Time{300ms} ? std::vector{error}
+                                                          : std::vector<Action>{};
+  });
+  EXPECT_EQ(outcome.kind, Outcome::Kind::kFailed);
+  EXPECT_EQ(outcome.error, "the controller of b (process script) failed at 0.300000000 s: no more");
+}
+
+TEST_F(TwoMotes, TimersCallBackOnceAndMayBeMoved) {
+  run(Time{2s}, [](const Event& event) -> std::vector<Action> {
+    if (event.agent != kA || event.cause != Cause::kStart) return {};
+    Action first, moved;
+    first.kind = moved.kind = ActionKind::kTimer;
+    first.timer = moved.timer = 7;
+    first.at = Time{500ms};
+    moved.at = Time{1500ms};
+    return {first, moved};
+  });
+  std::vector<Time> called;
+  for (const Step& step : port->steps) {
+    for (const Event& event : step.events) {
+      if (event.cause == Cause::kTimer) called.push_back(event.time);
+    }
+  }
+  EXPECT_EQ(called, std::vector<Time>{Time{1500ms}});
+}
+
+}  // namespace
