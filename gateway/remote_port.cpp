@@ -1,7 +1,5 @@
 #include "gateway/remote_port.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -33,14 +31,13 @@ hal::Result<void> RemotePort::begin(const Step& step) {
   before_begin_(step.events.empty() ? step.until : step.events.front().time);
   asked_.clear();
   for (const Event& event : step.events) asked_.push_back({event.agent, event.time});
-  if (auto begun = link_->begin(step); !begun) return with_agents(begun.error());
-  return {};
+  return link_->begin(step);
 }
 
 hal::Result<Reply> RemotePort::finish() {
   if (!link_) return disconnected();
   hal::Result<Reply> reply = link_->finish();
-  if (!reply) return with_agents(reply.error());
+  if (!reply) return reply;
   ++summary_.exchanges;
   std::erase_if(reply->actions, [this](const Action& action) { return !is_good(action); });
   return reply;
@@ -48,8 +45,7 @@ hal::Result<Reply> RemotePort::finish() {
 
 hal::Result<void> RemotePort::check_alive() {
   if (!link_) return disconnected();
-  if (auto alive = link_->check_alive(); !alive) return with_agents(alive.error());
-  return {};
+  return link_->check_alive();
 }
 
 bool RemotePort::is_good(const Action& action) {
@@ -61,11 +57,6 @@ bool RemotePort::is_good(const Action& action) {
     if (std::ranges::find(agents, action.agent) == agents.end()) agents.push_back(action.agent);
   }
   return verdict == ActionVerdict::kGood;
-}
-
-tl::unexpected<hal::Error> RemotePort::with_agents(const hal::Error& error) const {
-  return hal::fail(
-      error.code, fmt::format("{}; it drives {}", error.message, fmt::join(summary_.agents, ", ")));
 }
 
 void RemotePort::disconnect() {

@@ -31,7 +31,6 @@ class RemotePort : public hal::exchange::ControllerPort {
 
  private:
   bool is_good(const hal::exchange::Action& action);
-  tl::unexpected<hal::Error> with_agents(const hal::Error& error) const;
 
   std::unique_ptr<hal::dds::ProcessLink> link_;  ///< Null once disconnected.
   std::vector<hal::exchange::AgentSession> granted_;
