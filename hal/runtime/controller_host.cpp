@@ -28,6 +28,15 @@ Result<std::unique_ptr<ControllerHost>> ControllerHost::create(const ControllerK
   return host;
 }
 
+namespace {
+
+void cut_at_zero(std::string& text) {
+  const std::size_t zero = text.find('\0');
+  if (zero != std::string::npos) text.resize(zero);
+}
+
+}  // namespace
+
 exchange::Reply ControllerHost::answer(const exchange::Step& step) {
   for (std::size_t i = 0; i < step.events.size(); ++i) {
     const exchange::Event& event = step.events[i];
@@ -45,6 +54,8 @@ exchange::Reply ControllerHost::answer(const exchange::Step& step) {
   reply.run = step.run;
   reply.sequence = step.sequence;
   reply.actions = outbox_->take();
+  // DDS ends strings at a zero byte; in process they must not be longer.
+  for (exchange::Action& action : reply.actions) cut_at_zero(action.text);
   return reply;
 }
 

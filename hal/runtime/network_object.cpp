@@ -7,6 +7,7 @@
 namespace hal::runtime {
 
 std::string mistake_in_topic(std::string_view topic) {
+  if (topic.find('\0') != std::string_view::npos) return "topic has a zero byte";
   if (!topic.empty() && topic.size() <= kMaxTopic) return {};
   return fmt::format("topic '{}' has {} bytes, 1 to {} are allowed", topic, topic.size(),
                      kMaxTopic);

@@ -142,6 +142,18 @@ TEST(State, IsCutTo64BytesBetweenCharacters) {
   EXPECT_EQ(tests::states(actions), expected);
 }
 
+// DDS ends strings there: in process must not be different.
+TEST(ZeroBytes, EndTextsAndAreRefusedInTopics) {
+  const std::string zero("a\0b", 3);
+  const Actions actions = actions_of([&](hal::Robot& robot) {
+    robot.state(zero);
+    EXPECT_FALSE(robot.send(AgentId{3}, zero, {}).has_value());
+  });
+  EXPECT_EQ(tests::states(actions), std::vector<std::string>{"a"});
+  EXPECT_EQ(tests::texts(actions, ActionKind::kLog),
+            std::vector<std::string>{"r0: send: topic has a zero byte"});
+}
+
 TEST(State, WithoutANameIsRefused) {
   const Actions actions = actions_of([](hal::Robot& robot) { robot.state(""); });
   EXPECT_EQ(tests::texts(actions, ActionKind::kLog),
