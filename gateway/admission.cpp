@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "hal/types/pattern.h"
+
 namespace gateway {
 namespace {
 
@@ -17,30 +19,10 @@ const char* name_of(hal::AgentKind kind) {
 }
 
 bool asks_for(const Hello& hello, const std::string& name) {
-  return std::ranges::any_of(hello.patterns, [&](const auto& p) { return matches(p, name); });
+  return std::ranges::any_of(hello.patterns, [&](const auto& p) { return hal::matches(p, name); });
 }
 
 }  // namespace
-
-bool matches(std::string_view pattern, std::string_view name) {
-  std::size_t p = 0, n = 0;
-  std::size_t star = std::string_view::npos, resume = 0;
-  while (n < name.size()) {
-    if (p < pattern.size() && pattern[p] == '*') {
-      star = p++;
-      resume = n;
-    } else if (p < pattern.size() && (pattern[p] == '?' || pattern[p] == name[n])) {
-      ++p, ++n;
-    } else if (star != std::string_view::npos) {
-      // The last star takes one character more; earlier ones never need to.
-      p = star + 1;
-      n = ++resume;
-    } else {
-      return false;
-    }
-  }
-  return pattern.find_first_not_of('*', p) == std::string_view::npos;
-}
 
 Admission::Admission(std::vector<AgentOffer> offers, std::uint64_t run) : run_(run) {
   std::ranges::sort(offers, {}, [](const AgentOffer& offer) { return offer.session.agent; });
@@ -80,8 +62,9 @@ std::string Admission::refusal_of(const Hello& hello) const {
 std::string Admission::unknown_in(const Hello& hello) const {
   if (hello.patterns.empty()) return "it asks for no agent";
   for (const std::string& pattern : hello.patterns) {
-    const bool fits_one = std::ranges::any_of(
-        places_, [&](const Place& place) { return matches(pattern, place.offer.session.name); });
+    const bool fits_one = std::ranges::any_of(places_, [&](const Place& place) {
+      return hal::matches(pattern, place.offer.session.name);
+    });
     if (!fits_one) return fmt::format("unknown agent '{}'", pattern);
   }
   return {};

@@ -11,9 +11,6 @@
 
 namespace gateway {
 
-/// Whether a name fits a pattern: `*` any characters, `?` exactly one.
-bool matches(std::string_view pattern, std::string_view name);
-
 /// Who gets which agent. Rules only: no DDS, no clock, no log.
 ///
 /// A Hello is granted every agent that one of its patterns fits, or is refused as a whole. Refused

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "gateway/app/wall_pace.h"
-#include "gateway/search_path.h"
+#include "gateway/find_program.h"
 #include "hal/runtime/controller_host.h"
 #include "hal/runtime/in_process_port.h"
 #include "hal/runtime/plugin.h"
@@ -91,7 +91,7 @@ void ControllersOfRun::serve(const std::vector<ProcessPlan>& plans, const Scenar
 void ControllersOfRun::spawn(const std::vector<ProcessPlan>& plans, const Scenario& scenario,
                              const Settings& settings) {
   for (const ProcessPlan& plan : plans) {
-    const auto program = find_program(plan.program, controller_folders());
+    const auto program = find_program(plan.program, hal::runtime::controller_folders());
     if (!program) {
       throw std::runtime_error(fmt::format("{}: program: '{}' is not there to be started",
                                            plan.program_place, plan.program));

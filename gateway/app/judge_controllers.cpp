@@ -7,7 +7,7 @@
 #include <utility>
 #include <variant>
 
-#include "gateway/search_path.h"
+#include "gateway/find_program.h"
 #include "hal/runtime/check_parameters.h"
 #include "hal/runtime/plugin.h"
 
@@ -52,7 +52,7 @@ ControllerJudgement judge_controllers(const sim::scenario::Scenario& scenario) {
     } else if (kind.error().code != hal::Errc::kNotAvailable) {
       judgement.mistakes.push_back(
           fmt::format("{}: program: {}", group.program_place, kind.error().message));
-    } else if (find_program(group.program, controller_folders())) {
+    } else if (find_program(group.program, hal::runtime::controller_folders())) {
       judgement.not_checked.push_back(group.program);
     } else {
       judgement.mistakes.push_back(fmt::format("{}: program: '{}' is no known controller: {}",

@@ -6,7 +6,7 @@
 #include <map>
 
 #include "sim/scenario/fields.h"
-#include "sim/scenario/pattern.h"
+#include "hal/types/pattern.h"
 
 namespace sim::scenario {
 namespace {
@@ -42,7 +42,7 @@ void apply_override(Mapping& in, std::span<AgentConfig> agents, Overridden& over
   bool matched = false;
   std::string clash;
   for (AgentConfig& agent : agents) {
-    if (!matches(pattern, agent.name)) continue;
+    if (!hal::matches(pattern, agent.name)) continue;
     matched = true;
     const auto [first, is_new] = overridden.emplace(agent.name, pattern);
     if (!is_new && clash.empty()) {

@@ -10,7 +10,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "gateway/search_path.h"
+#include "gateway/find_program.h"
 
 namespace gateway {
 namespace {
@@ -127,16 +127,6 @@ TEST_F(Spawning, ProgramsAreFoundInOrderOfTheFolders) {
   EXPECT_EQ(find_program("both", {first, second}), first / "both");
   EXPECT_EQ(find_program("no_program", {first, second}), second / "no_program");
   EXPECT_EQ(find_program("none", {first, second}), std::nullopt);
-}
-
-TEST(ControllerFolders, AreTheExecutablesThenThoseOfTheEnvironment) {
-  setenv("BARAKA_CONTROLLER_PATH", "/one::/two", 1);
-  const auto folders = controller_folders();
-  unsetenv("BARAKA_CONTROLLER_PATH");
-  ASSERT_EQ(folders.size(), 3);
-  EXPECT_EQ(folders[0].filename(), "tests");
-  EXPECT_EQ(folders[1], "/one");
-  EXPECT_EQ(folders[2], "/two");
 }
 
 }  // namespace

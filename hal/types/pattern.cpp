@@ -1,8 +1,8 @@
-#include "sim/scenario/pattern.h"
+#include "hal/types/pattern.h"
 
 #include <cstddef>
 
-namespace sim::scenario {
+namespace hal {
 
 bool matches(std::string_view pattern, std::string_view name) {
   // The last star and where its letters end so far: on a mismatch it takes one letter more.
@@ -28,4 +28,4 @@ bool matches(std::string_view pattern, std::string_view name) {
   return p == pattern.size();
 }
 
-}  // namespace sim::scenario
+}  // namespace hal

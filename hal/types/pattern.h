@@ -2,9 +2,9 @@
 
 #include <string_view>
 
-namespace sim::scenario {
+namespace hal {
 
 /// Whether a name matches a pattern: `*` stands for any letters, `?` for one, as in a shell.
 bool matches(std::string_view pattern, std::string_view name);
 
-}  // namespace sim::scenario
+}  // namespace hal

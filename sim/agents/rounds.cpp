@@ -1,0 +1,171 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "hal/types/log.h"
+#include "sim/agents/simulation_state.h"
+
+namespace sim::agents {
+
+using hal::exchange::Action;
+using hal::exchange::ActionKind;
+using hal::exchange::Event;
+
+void Simulation::State::on_state(hal::AgentId agent, const std::string& state) {
+  for (const EndCondition& condition : config.ends) {
+    if (condition.agent != agent || condition.state != state) continue;
+    events.schedule(events.now() + condition.after, Rank::kScenario, kWorld,
+                    [this, &condition] { end(condition.result); });
+  }
+}
+
+void Simulation::State::start() {
+  observers.on_start(air.links());
+  for (const auto& [id, agent] : agents) agent->start();
+  events.schedule(hal::Time{} + config.world.step, Rank::kPhysics, kWorld,
+                  [this] { step_bodies(); });
+  for (const EndCondition& condition : config.ends) {
+    if (condition.agent) continue;
+    events.schedule(hal::Time{} + condition.after, Rank::kScenario, kWorld,
+                    [this, &condition] { end(condition.result); });
+  }
+}
+
+void Simulation::State::step_bodies() {
+  world->step();
+  events.schedule(events.now() + config.world.step, Rank::kPhysics, kWorld,
+                  [this] { step_bodies(); });
+}
+
+void Simulation::State::end(std::string with) {
+  if (!result) result = std::move(with);
+}
+
+void Simulation::State::fail(std::string with) {
+  if (error.empty()) error = std::move(with);
+  end("failed");
+}
+
+void Simulation::State::work_off(hal::Time begin) {
+  while (!result) {
+    const auto next = events.next_time();
+    if (!next || !within(*next, begin)) break;
+    events.run_next();
+  }
+}
+
+std::vector<Event> Simulation::State::take_events() {
+  std::sort(waiting.begin(), waiting.end());
+  waiting.erase(std::unique(waiting.begin(), waiting.end()), waiting.end());
+  std::vector<Event> taken;
+  for (const hal::AgentId agent : waiting) {
+    std::vector<Event> events_of_agent = agents.at(agent)->take_events();
+    std::move(events_of_agent.begin(), events_of_agent.end(), std::back_inserter(taken));
+  }
+  waiting.clear();
+  // By agent already, and by cause within; with a window of time, time comes first.
+  std::stable_sort(taken.begin(), taken.end(),
+                   [](const Event& a, const Event& b) { return a.time < b.time; });
+  return taken;
+}
+
+void Simulation::State::exchange(hal::Time window_end) {
+  std::vector<Event> taken = take_events();
+  if (taken.empty()) return;
+  Controllers::Round round = controllers.exchange(std::move(taken), window_end);
+  refused += round.refused;
+  on_failures(round.failures);
+  for (Controllers::Answer& answer : round.answers) {
+    if (error.empty()) take_effect(std::move(answer));
+  }
+}
+
+void Simulation::State::take_effect(Controllers::Answer answer) {
+  if (answer.action.kind == ActionKind::kError) {
+    const hal::AgentId agent = answer.action.agent;
+    fail(fmt::format("the controller of {} (process {}) failed at {:.9f} s: {}",
+                     agents.at(agent)->name(), controllers.process_of(agent),
+                     hal::to_seconds(answer.event_time), answer.action.text));
+    return;
+  }
+  if (config.controller_latency == hal::Duration::zero()) {
+    apply(answer.action);
+    return;
+  }
+  events.schedule(
+      answer.event_time + config.controller_latency, Rank::kAction, answer.action.agent,
+      [this, action = std::make_shared<Action>(std::move(answer.action))] { apply(*action); });
+}
+
+void Simulation::State::apply(const Action& action) {
+  if (const auto applied = agents.at(action.agent)->apply(action); !applied) {
+    ++refused;
+    hal::log::warning(events.now(), agents.at(action.agent)->name(), "action refused: {}",
+                      applied.error().message);
+  }
+}
+
+/// After the end only words count: states and log lines.
+void Simulation::State::apply_last(const Action& action) {
+  if (action.kind == ActionKind::kState || action.kind == ActionKind::kLog) apply(action);
+}
+
+void Simulation::State::on_failures(const std::vector<Controllers::Failure>& failures) {
+  for (const Controllers::Failure& failure : failures) {
+    std::vector<std::string_view> names;
+    for (const hal::AgentId agent : controllers.agents_of(failure.port)) {
+      names.push_back(agents.at(agent)->name());
+    }
+    const std::string what = fmt::format("{} (agents {}) at {:.9f} s", failure.error.message,
+                                         fmt::join(names, ", "), hal::to_seconds(events.now()));
+    if (config.on_death == OnDeath::kFail) {
+      fail(what);
+      continue;
+    }
+    hal::log::warning(events.now(), "run", "{}; they fall silent", what);
+    controllers.drop(failure.port);
+    for (const hal::AgentId agent : controllers.agents_of(failure.port)) {
+      agents.at(agent)->silence(events.now() + config.command_timeout);
+    }
+  }
+}
+
+void Simulation::State::stop_controllers() {
+  for (const auto& [id, agent] : agents) agent->add_stop_event();
+  Controllers::Round round = controllers.exchange(take_events(), events.now());
+  refused += round.refused;
+  for (const Controllers::Failure& failure : round.failures) {
+    hal::log::warning(events.now(), "run", "at the stop: {}", failure.error.message);
+  }
+  for (const Controllers::Answer& answer : round.answers) apply_last(answer.action);
+}
+
+Outcome Simulation::State::outcome(Outcome::Kind kind, std::string the_result) const {
+  return {.kind = kind,
+          .result = std::move(the_result),
+          .error = error,
+          .ended_at = events.now(),
+          .events = events.executed(),
+          .exchanges = controllers.exchanges(),
+          .refused_actions = refused,
+          .ode_messages = world->solver_messages()};
+}
+
+/// Works off what is due next, when it is time.
+void Simulation::State::go_on(hal::Time next, Pace& pace) {
+  switch (pace.may_go_on(next, {events.now(), events.executed(), controllers.exchanges()})) {
+    case Pace::Verdict::kBreakOff:
+      broken_off = true;
+      return;
+    case Pace::Verdict::kAskAgain:
+      return on_failures(controllers.find_dead());
+    case Pace::Verdict::kGoOn:
+      work_off(next);
+      if (!result) exchange(next + config.controller_latency);
+  }
+}
+
+}  // namespace sim::agents

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/agents/controllers.h"
+#include "sim/agents/observer_list.h"
+#include "sim/agents/simulated_agent.h"
+#include "sim/agents/simulation.h"
+#include "sim/radio/radio_network.h"
+
+namespace sim::agents {
+
+/// The parts of a run and its loop. An instant (or, with a controller latency, a window of time) is
+/// worked off in rounds: its events run, what they have for controllers is handed over all at once,
+/// and the answers take effect; what they cause at the same instant starts the next round.
+struct Simulation::State final : AgentListener {
+  State(const SimulationConfig& config, std::vector<Observer*> observers);
+
+  void on_inbox(hal::AgentId agent) override { waiting.push_back(agent); }
+  void on_state(hal::AgentId agent, const std::string& state) override;
+
+  void start();
+  void step_bodies();
+  void end(std::string result);
+  void fail(std::string error);
+
+  bool within(hal::Time next, hal::Time begin) const {
+    const auto window = config.controller_latency;
+    if (window == hal::Duration::zero()) return next == begin;
+    return next < begin + window && (!until || next <= *until);
+  }
+  void work_off(hal::Time begin);
+  std::vector<hal::exchange::Event> take_events();
+  void exchange(hal::Time window_end);
+  void take_effect(Controllers::Answer answer);
+  void apply(const hal::exchange::Action& action);
+  void apply_last(const hal::exchange::Action& action);
+  void on_failures(const std::vector<Controllers::Failure>& failures);
+  void go_on(hal::Time next, Pace& pace);
+  void stop_controllers();
+  Outcome outcome(Outcome::Kind kind, std::string result) const;
+
+  const SimulationConfig config;
+  ObserverList observers;
+  EventQueue events;
+  std::unique_ptr<physics::World> world;
+  Scene scene;
+  BodyPositions positions;
+  WallObstacles obstacles;
+  radio::RadioNetwork air;
+  std::map<hal::AgentId, std::unique_ptr<SimulatedAgent>> agents;
+  Controllers controllers;
+  std::vector<hal::AgentId> waiting;  ///< Agents with something in the inbox; repeats allowed.
+  std::optional<hal::Time> until;
+  std::optional<std::string> result;  ///< Set when the run has ended.
+  std::string error;
+  bool broken_off = false;
+  std::uint64_t refused = 0;
+};
+
+}  // namespace sim::agents
