@@ -2,7 +2,9 @@
 
 #include <fcntl.h>
 #include <fmt/core.h>
+#include <netinet/in.h>
 #include <sys/file.h>
+#include <sys/socket.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -56,6 +58,31 @@ void require_domain(int domain) {
       fmt::format("there is no DDS domain {}: it is 0 to {}", domain, kLastDomain));
 }
 
+/// UDP port where the server at a place is discovered (OMG DDSI-RTPS 2.3, 9.6.1.1).
+int discovery_port(int domain, int place) { return 7400 + 250 * domain + 10 + 2 * place; }
+
+bool is_port_free(int port) {
+  const int probe = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  if (probe < 0) return true;  // nothing is known against it
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(static_cast<std::uint16_t>(port));
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  const bool is_free =
+      bind(probe, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0;
+  close(probe);
+  return is_free;
+}
+
+/// The port of a domain's places that somebody uses who cannot be seen in the lock files: a program
+/// that is none of ours, or one in a container with folders of its own.
+std::optional<int> port_in_use(int domain) {
+  for (int place = 0; place < kPlaces; ++place) {
+    if (const int port = discovery_port(domain, place); !is_port_free(port)) return port;
+  }
+  return std::nullopt;
+}
+
 /// The first place of a domain that cannot be had, for the message.
 std::string first_holder(int domain) {
   for (int place = 0; place < kPlaces; ++place) {
@@ -106,7 +133,13 @@ DomainHold take_domain(std::optional<int> domain) {
     DomainHold hold(candidate);
     int place = 0;
     while (place < kPlaces && hold.lock(place)) ++place;
-    if (place == kPlaces) return hold;
+    if (place < kPlaces) continue;
+    const auto port = port_in_use(candidate);
+    if (!port) return hold;
+    if (domain) {
+      throw std::runtime_error(
+          fmt::format("DDS domain {} is busy: its UDP port {} is in use", *domain, *port));
+    }
   }
   if (!domain)
     throw std::runtime_error(fmt::format("DDS domains {} to {} are all busy", first, last));

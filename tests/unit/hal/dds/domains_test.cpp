@@ -1,6 +1,8 @@
 #include "hal/dds/domains.h"
 
 #include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -61,6 +63,22 @@ TEST(Domains, EightServersShareOneAndTheNinthIsRefused) {
 TEST(Domains, SimulatorSharesItsDomainWithNobody) {
   const DomainHold hold = take_domain(std::nullopt);
   EXPECT_NE(message_of([&] { join_domain(hold.domain()); }), "");
+}
+
+// Lock files do not show who holds a domain from within a container.
+TEST(Domains, OneWhosePortsAreInUseIsBusy) {
+  const int domain = private_domain();
+  const int foreign = socket(AF_INET, SOCK_DGRAM, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(static_cast<std::uint16_t>(7400 + 250 * domain + 10 + 2 * 3));
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  ASSERT_EQ(bind(foreign, reinterpret_cast<const sockaddr*>(&address), sizeof(address)), 0);
+  EXPECT_EQ(message_of([&] { take_domain(domain); }),
+            "DDS domain " + std::to_string(domain) + " is busy: its UDP port " +
+                std::to_string(7400 + 250 * domain + 16) + " is in use");
+  close(foreign);
+  EXPECT_EQ(message_of([&] { take_domain(domain); }), "");
 }
 
 TEST(Domains, NumbersWithoutPortsAreRefused) {
