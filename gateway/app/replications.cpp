@@ -126,7 +126,13 @@ void Replicator::run() {
     collect();
   }
   progress_.end();
-  running_.clear();  // ends those that run
+  for (Job& job : running_) {
+    job.process.stop_all();
+    // Some may have ended in the same moment.
+    const auto end = folder_.end_of(job.replication);
+    if (end && is_final(*end)) ends_[job.replication.number] = *end;
+  }
+  running_.clear();
 }
 
 void Replicator::start(const Replication& replication) {
