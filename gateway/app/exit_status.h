@@ -3,7 +3,7 @@
 namespace gateway::app {
 
 /// Exit status of the program.
-enum ExitStatus : int {
+enum ExitStatus : unsigned char {
   kDone = 0,
   kRunFailed = 1,
   kUsage = 2,  ///< The command line or a file is wrong.

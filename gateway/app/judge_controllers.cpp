@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "gateway/find_program.h"
+#include "hal/config/errors.h"
 #include "hal/runtime/check_parameters.h"
 #include "hal/runtime/plugin.h"
 
@@ -61,6 +62,19 @@ ControllerJudgement judge_controllers(const sim::scenario::Scenario& scenario) {
     }
   }
   return judgement;
+}
+
+sim::scenario::Scenario load_judged(const std::string& path,
+                                    const std::vector<std::string>& overrides) {
+  sim::scenario::Scenario scenario = sim::scenario::load_scenario(path, overrides);
+  ControllerJudgement judgement = judge_controllers(scenario);
+  if (!judgement.mistakes.empty()) {
+    throw hal::config::ConfigErrors(std::move(judgement.mistakes));
+  }
+  for (const std::string& program : judgement.not_checked) {
+    fmt::print(stderr, "parameters of {}: not checked, its plug-in is not there\n", program);
+  }
+  return scenario;
 }
 
 }  // namespace gateway::app

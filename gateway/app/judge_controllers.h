@@ -17,4 +17,9 @@ struct ControllerJudgement {
 /// program that is neither found as a plug-in nor as a program is a mistake.
 ControllerJudgement judge_controllers(const sim::scenario::Scenario& scenario);
 
+/// Reads a scenario and judges its controllers; what cannot be judged is said on standard error.
+/// @param overrides  as for load_scenario(). @throws hal::config::ConfigErrors
+sim::scenario::Scenario load_judged(const std::string& path,
+                                    const std::vector<std::string>& overrides);
+
 }  // namespace gateway::app

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "gateway/app/exit_status.h"
+#include "gateway/app/replications.h"
 #include "gateway/app/report_command.h"
 #include "gateway/app/run_command.h"
 #include "hal/config/errors.h"
@@ -33,6 +34,14 @@ void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
   run->add_option("--out", options.out, "Folder for the results; default: results/<name>");
   run->add_option("--set", options.overrides, "KEY=VALUE, the key as a dotted path")
       ->allow_extra_args(false);
+  CLI::Option* replications =
+      run->add_option("--replications", options.replications,
+                      "Run it so many times, with seeds from the scenario's upwards; those that "
+                      "have ended are kept")
+          ->check(CLI::Range(1, 1'000'000));
+  run->add_option("--jobs", options.jobs, "Replications at a time; default: 1")
+      ->check(CLI::Range(1, 1000))
+      ->needs(replications);
 }
 
 /// @return exit status. @throws std::exception
@@ -59,7 +68,8 @@ int command(int argc, char** argv) {
   if (!seed.empty()) run_options.overrides.push_back("seed=" + seed);
   if (*check) return gateway::app::check(checked, check_overrides);
   if (*report) return gateway::app::report(folders);
-  return gateway::app::run(run_options);
+  return run_options.replications ? gateway::app::run_replications(run_options)
+                                  : gateway::app::run(run_options);
 }
 
 }  // namespace

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+
+#include "gateway/app/folder_lock.h"
 
 namespace gateway::app {
 
@@ -11,18 +14,17 @@ class ResultsFolder {
   /// @throws std::runtime_error  if another run holds it, it has files that are no results, or it
   ///   cannot be written.
   explicit ResultsFolder(std::filesystem::path path);
-  ~ResultsFolder();
-  ResultsFolder(const ResultsFolder&) = delete;
-  ResultsFolder& operator=(const ResultsFolder&) = delete;
 
   const std::filesystem::path& path() const { return path_; }
 
  private:
-  void lock();
   void clear();
 
   std::filesystem::path path_;
-  int lock_ = -1;
+  std::optional<FolderLock> lock_;
 };
+
+/// Makes a folder and those it is in. @throws std::runtime_error
+void make_folder(const std::filesystem::path& path);
 
 }  // namespace gateway::app

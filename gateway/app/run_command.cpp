@@ -12,7 +12,6 @@
 #include "gateway/app/judge_controllers.h"
 #include "gateway/app/results_folder.h"
 #include "gateway/app/wall_pace.h"
-#include "hal/config/errors.h"
 #include "hal/types/log.h"
 #include "sim/agents/fingerprint_feed.h"
 #include "sim/agents/simulation.h"
@@ -29,18 +28,6 @@ using sim::agents::Outcome;
 using sim::agents::Simulation;
 using sim::scenario::Scenario;
 
-Scenario load_judged(const std::string& path, const std::vector<std::string>& overrides) {
-  Scenario scenario = sim::scenario::load_scenario(path, overrides);
-  ControllerJudgement judgement = judge_controllers(scenario);
-  if (!judgement.mistakes.empty()) {
-    throw hal::config::ConfigErrors(std::move(judgement.mistakes));
-  }
-  for (const std::string& program : judgement.not_checked) {
-    fmt::print(stderr, "parameters of {}: not checked, its plug-in is not there\n", program);
-  }
-  return scenario;
-}
-
 /// The results that are written, and the observers that write them.
 struct Results {
   Results(const Scenario& scenario, const std::filesystem::path& out)
@@ -55,14 +42,15 @@ struct Results {
         << sim::scenario::resolved_yaml(scenario);
   }
 
+  /// In one transaction: a result either says how the run ended, or that it did not.
   void finish(const Scenario& scenario, const Simulation& simulation, const Outcome& outcome,
-              double wall_seconds) {
+              ExitStatus status, double wall_seconds) {
     for (const auto& agent : scenario.simulation.agents) {
       recorder.add_contacts(agent.id, simulation.contacts(agent.id));
     }
-    recorder.finish(outcome, fingerprint.fingerprint());
     recorder.set("wall_s", wall_seconds);
-    recorder.commit();
+    recorder.set("exit_status", std::uint64_t{status});
+    recorder.finish(outcome, fingerprint.fingerprint());
     sim::flush_log();
   }
 
@@ -101,7 +89,7 @@ void print_complaints(const Outcome& outcome, const std::vector<std::string>& li
   if (!outcome.error.empty()) fmt::print(stderr, "error: {}\n", outcome.error);
 }
 
-int exit_status(const Outcome& outcome, const std::vector<std::string>& unmet_expectations) {
+ExitStatus exit_status(const Outcome& outcome, const std::vector<std::string>& unmet_expectations) {
   switch (outcome.kind) {
     case Outcome::Kind::kFailed:
       return kRunFailed;
@@ -116,11 +104,15 @@ int exit_status(const Outcome& outcome, const std::vector<std::string>& unmet_ex
 
 }  // namespace
 
+std::filesystem::path results_path(const RunOptions& options, const std::string& scenario) {
+  if (!options.out.empty()) return options.out;
+  return std::filesystem::path("results") / scenario;
+}
+
 int run(const RunOptions& options) {
   const Scenario scenario = load_judged(options.scenario, options.overrides);
   catch_interrupts();
-  Results results(scenario, options.out.empty() ? std::filesystem::path("results") / scenario.name
-                                                : std::filesystem::path(options.out));
+  Results results(scenario, results_path(options, scenario.name));
   Simulation simulation(scenario.simulation, {&results.recorder, &results.fingerprint});
   ControllersOfRun controllers(
       scenario, simulation,
@@ -135,13 +127,14 @@ int run(const RunOptions& options) {
   const Outcome outcome = simulation.run(until, pace);
   pace.end();
   const auto complaints = controllers.finish(outcome.kind != Outcome::Kind::kFailed);
-  results.finish(scenario, simulation, outcome, pace.wall_seconds());
-
   const auto expectations = unmet(scenario, outcome, simulation);
+  const ExitStatus status = exit_status(outcome, expectations);
+  results.finish(scenario, simulation, outcome, status, pace.wall_seconds());
+
   print_complaints(outcome, complaints);
   for (const std::string& line : expectations) fmt::print(stderr, "not met: {}\n", line);
   print_outcome(outcome, results.fingerprint.fingerprint().total(), pace.wall_seconds());
-  return exit_status(outcome, expectations);
+  return status;
 }
 
 int check(const std::string& path, const std::vector<std::string>& overrides) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <limits>
 #include <optional>
 #include <string>
@@ -18,7 +19,12 @@ struct RunOptions {
   double max_speed = std::numeric_limits<double>::infinity();
   std::optional<int> domain;
   std::string out;  ///< Empty: results/<scenario name>.
+  std::optional<int> replications;
+  int jobs = 1;  ///< Replications at a time.
 };
+
+/// Where the results go. @param scenario  its name.
+std::filesystem::path results_path(const RunOptions& options, const std::string& scenario);
 
 /// Runs a scenario and prints how it ended, as "key: value" lines on standard output.
 /// @return exit status. @throws hal::config::ConfigErrors, std::runtime_error

@@ -35,7 +35,7 @@ const sensing::Proximity& Scene::proximity() {
 std::span<const sensing::AgentPosition> Scene::positions() {
   if (positions_at_ != world_.steps()) {
     for (sensing::AgentPosition& entry : positions_) {
-      const hal::Vec3 p = world_.pose(entry.agent).position;
+      const hal::Vec3 p = world_.position(entry.agent);
       entry.position = {p.x, p.y};
     }
   }
@@ -58,7 +58,7 @@ BodyState Scene::body(hal::AgentId agent) const {
 }
 
 hal::Vec3 BodyPositions::position(hal::AgentId agent, hal::Time) const {
-  return world_.pose(agent).position;
+  return world_.position(agent);
 }
 
 hal::Vec3 BodyPositions::velocity(hal::AgentId agent, hal::Time) const {

@@ -10,6 +10,8 @@
 
 #include "hal/types/agent_id.h"
 #include "hal/types/time.h"
+#include "sim/core/event_slots.h"
+#include "sim/core/future_events.h"
 
 namespace sim {
 
@@ -39,13 +41,13 @@ class EventQueue {
   };
 
   EventQueue() = default;
-  ~EventQueue();
   EventQueue(const EventQueue&) = delete;
   EventQueue& operator=(const EventQueue&) = delete;
 
   Time now() const { return now_; }
 
-  /// @param handler  callable, at most kHandlerSize bytes: capture pointers and small values.
+  /// @param handler  callable, at most EventSlot::kHandlerSize bytes: capture pointers and small
+  /// values.
   /// @pre at >= now().
   template <class F>
   EventId schedule(Time at, Rank rank, AgentId agent, F&& handler);
@@ -69,32 +71,11 @@ class EventQueue {
   std::size_t pending() const { return live_; }
 
  private:
-  static constexpr std::size_t kHandlerSize = 48;
+  EventSlot& claim(Time at, Rank rank, AgentId agent, EventId& id);
+  const FutureEvents::Entry* next();
 
-  struct Slot {
-    alignas(std::max_align_t) std::byte storage[kHandlerSize];
-    void (*run)(void*) = nullptr;  ///< Null: free or cancelled.
-    void (*destroy)(void*) = nullptr;
-    std::uint32_t generation = 1;
-  };
-  struct Entry {
-    std::int64_t time;
-    std::uint64_t order;  ///< rank, agent, counter from high bits to low.
-    std::uint32_t slot;
-    bool before(const Entry& other) const {
-      return time != other.time ? time < other.time : order < other.order;
-    }
-  };
-
-  Slot& claim(Time at, Rank rank, AgentId agent, EventId& id);
-  void release(Slot& slot, std::uint32_t index);
-  void push(Entry entry);
-  void pop();
-  void drop_cancelled();
-
-  std::vector<Entry> heap_;  ///< 4-ary, smallest first.
-  std::vector<Slot*> slots_;
-  std::vector<std::uint32_t> free_;
+  EventSlots slots_;
+  FutureEvents events_{slots_};
   std::vector<std::uint64_t> counters_;  ///< Per agent.
   Time now_{};
   std::uint64_t executed_ = 0;
@@ -104,12 +85,15 @@ class EventQueue {
 template <class F>
 EventQueue::EventId EventQueue::schedule(Time at, Rank rank, AgentId agent, F&& handler) {
   using Handler = std::decay_t<F>;
-  static_assert(sizeof(Handler) <= kHandlerSize && alignof(Handler) <= alignof(std::max_align_t));
+  static_assert(sizeof(Handler) <= EventSlot::kHandlerSize && alignof(Handler) <= alignof(void*));
   EventId id;
-  Slot& slot = claim(at, rank, agent, id);
+  EventSlot& slot = claim(at, rank, agent, id);
   ::new (static_cast<void*>(slot.storage)) Handler(std::forward<F>(handler));
-  slot.run = [](void* h) { (*static_cast<Handler*>(h))(); };
-  slot.destroy = [](void* h) { static_cast<Handler*>(h)->~Handler(); };
+  slot.act = [](void* h, EventSlot::Act act) {
+    auto& stored = *static_cast<Handler*>(h);
+    if (act == EventSlot::Act::kRunAndDestroy) stored();
+    stored.~Handler();
+  };
   return id;
 }
 

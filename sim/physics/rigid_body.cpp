@@ -143,11 +143,15 @@ void lift(const RigidBody& body, double height) {
   dBodySetPosition(body.body, p[0], p[1], p[2] + height);
 }
 
+Vec3 position_of(const RigidBody& body) {
+  return as_vector(dBodyGetPosition(body.body)) - rotate(body.body, body.centre_of_mass);
+}
+
 BodyPose pose_of(const RigidBody& body) {
   const dReal* r = dBodyGetRotation(body.body);
   const dReal* q = dBodyGetQuaternion(body.body);
   BodyPose pose;
-  pose.position = as_vector(dBodyGetPosition(body.body)) - rotate(body.body, body.centre_of_mass);
+  pose.position = position_of(body);
   pose.heading = hal::math::atan2(r[4], r[0]);
   pose.tilt = hal::math::atan2(hal::math::hypot(r[2], r[6]), r[10]);
   pose.quaternion = {q[0], q[1], q[2], q[3]};

@@ -33,6 +33,7 @@ hal::Vec3 rotate(dBodyID body, const hal::Vec3& vector);
 void lift(const RigidBody& body, double height);
 
 BodyPose pose_of(const RigidBody& body);
+hal::Vec3 position_of(const RigidBody& body);
 BodyVelocity velocity_of(const RigidBody& body);
 
 /// Each makes ODE's body or geometry at a pose and names its geometries in creation order.

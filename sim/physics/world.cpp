@@ -209,6 +209,10 @@ hal::Time World::now() const {
   return hal::Time{} + implementation_->config.step * static_cast<std::int64_t>(steps());
 }
 
+hal::Vec3 World::position(AgentId agent) const {
+  return position_of(implementation_->at(agent).rigid);
+}
+
 BodyPose World::pose(AgentId agent) const { return pose_of(implementation_->at(agent).rigid); }
 
 BodyVelocity World::velocity(AgentId agent) const {

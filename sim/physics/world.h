@@ -117,6 +117,7 @@ class World {
 
   /// All of these: @pre the agent was added.
   BodyPose pose(AgentId agent) const;
+  hal::Vec3 position(AgentId agent) const;  ///< That of pose(), without its angles.
   BodyVelocity velocity(AgentId agent) const;
   const Contacts& contacts(AgentId agent) const;
   bool asleep(AgentId agent) const;  ///< At rest and not computed until something touches it.

@@ -16,7 +16,8 @@ inline constexpr int kSchemaVersion = 1;
 inline constexpr const char* kSchema = R"sql(
 CREATE TABLE run (           -- one value per key: scenario, version, seed, profile, result, error,
   key TEXT PRIMARY KEY,      -- simulated_s, wall_s, events, exchanges, fingerprint, ...
-  value                      -- result is 'running' until the run has ended
+  value                      -- result is 'running' until the run has ended, and then exit_status
+                             -- is that of the program
 ) WITHOUT ROWID;
 
 CREATE TABLE agents (

@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
+#include <map>
 #include <memory>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "hal/types/random.h"
@@ -124,6 +127,98 @@ TEST_F(EventQueueTest, TenThousandRandomEventsRunInSortedOrderWithHalfOfThemCanc
   std::sort(expected.begin(), expected.end());
   run_all();
   EXPECT_EQ(seen, expected);
+}
+
+/// A queue beside an independent one, a sorted set, that must agree on what comes next.
+class BesideASet {
+ public:
+  explicit BesideASet(std::uint64_t seed) : random_(seed, "queue") {}
+
+  void schedule(std::int64_t delay) {
+    const std::int64_t at = hal::to_ns(queue_.now()) + delay;
+    const auto agent = static_cast<std::uint16_t>(random_.below(4));
+    const Key key{at, agent, counters_.at(agent)++};
+    pending_.emplace(key, queue_.schedule(hal::time_from_ns(at), Rank::kRadio, AgentId{agent},
+                                          [this, key] { seen_ = key; }));
+  }
+
+  void cancel_any() {
+    const auto from = static_cast<std::int64_t>(random_.below(2'000'000));
+    auto victim = pending_.lower_bound({hal::to_ns(queue_.now()) + from, 0, 0});
+    if (victim == pending_.end()) return;
+    EXPECT_TRUE(queue_.cancel(victim->second));
+    pending_.erase(victim);
+  }
+
+  /// Delays of all magnitudes from 1 ns to an hour, and many equal ones.
+  std::int64_t any_delay() {
+    if (random_.below(4) == 0) return 1000;
+    return std::int64_t{random_.below(1'000'000)} << random_.below(22) >> random_.below(20);
+  }
+
+  void run_one() {
+    const Key expected = pending_.begin()->first;
+    pending_.erase(pending_.begin());
+    queue_.run_next();
+    ASSERT_EQ(seen_, expected);
+    ASSERT_EQ(queue_.pending(), pending_.size());
+  }
+
+  bool empty() const { return pending_.empty(); }
+  hal::RandomStream& random() { return random_; }
+
+ private:
+  using Key = std::tuple<std::int64_t, int, int>;
+
+  EventQueue queue_;
+  hal::RandomStream random_;
+  std::map<Key, EventQueue::EventId> pending_;
+  std::array<int, 4> counters_{};
+  Key seen_{};
+};
+
+class EventQueuePhases : public testing::TestWithParam<int> {};
+
+// Grows to some thousand events, shrinks to none, and again: near, far and in between.
+TEST_P(EventQueuePhases, AgreesWithASortedSetWhileItGrowsShrinksAndCancels) {
+  BesideASet both(static_cast<std::uint64_t>(GetParam()));
+  for (const std::uint64_t growth : {8, 1, 6, 0, 3, 9, 0}) {  // of ten steps, those that schedule
+    for (int i = 0; i < 6000; ++i) {
+      if (both.random().below(10) < growth) {
+        both.schedule(both.any_delay());
+      } else if (both.random().below(4) == 0) {
+        both.cancel_any();
+      } else if (!both.empty()) {
+        both.run_one();
+      }
+    }
+  }
+  while (!both.empty()) both.run_one();
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, EventQueuePhases, testing::Values(1, 2, 3));
+
+// What is scheduled first reaches far; all that comes later is before it.
+TEST(EventQueueGrowth, AgreesWithASortedSetIfTheFirstEventIsTheLast) {
+  BesideASet both(1);
+  both.schedule(1'000'000'000'000);
+  both.schedule(1);
+  both.run_one();
+  for (int i = 0; i < 5000; ++i) both.schedule(both.any_delay() % 1'000'000);
+  for (int i = 0; i < 5000; ++i) {
+    both.run_one();
+    both.schedule(both.any_delay() % 1'000'000);
+    both.cancel_any();
+  }
+  while (!both.empty()) both.run_one();
+}
+
+TEST_F(EventQueueTest, TakesTheLastTimeThereIs) {
+  note(Time::max(), Rank::kRadio, 1, "b");
+  note(Time::max(), Rank::kControl, 1, "c");
+  note(Time{1us}, Rank::kRadio, 1, "a");
+  run_all();
+  EXPECT_EQ(seen_, "abc");
 }
 
 TEST_F(EventQueueTest, SchedulingInThePastStopsTheProgram) {
