@@ -34,6 +34,8 @@ const WorldConfig& checked(const WorldConfig& config) {
           hal::to_seconds(config.step), "above 0, at most 0.02");
   require(config.gravity >= 0 && std::isfinite(config.gravity), "gravity [m/s^2]", config.gravity,
           "0 or more");
+  require(std::abs(dot(config.down, config.down) - 1) < 1e-9, "length of `down`",
+          std::sqrt(dot(config.down, config.down)), "1");
   require(config.erp > 0 && config.erp <= 1, "erp", config.erp, "above 0, at most 1");
   require(config.cfm >= 0 && config.cfm < 1, "cfm", config.cfm, "0 or more, below 1");
   require(config.surface_layer >= 0, "surface layer [m]", config.surface_layer, "0 or more");
@@ -82,6 +84,7 @@ class World::Implementation {
   ContactPass pass;
   std::uint64_t steps = 0;
   std::uint64_t jams = 0;
+  int largest_exact = 0;
 };
 
 Object& World::Implementation::insert(AgentId agent) {
@@ -115,7 +118,9 @@ void World::Implementation::step() {
   pass.run(config.step * static_cast<std::int64_t>(steps) + hal::Time{});
   const Solve how{hal::to_seconds(config.step), config.jam_contacts, config.jam_robots, config.seed,
                   steps};
-  if (solve(ode, objects, pass.islands(), how)) ++jams;
+  const Solved solved = solve(ode, objects, pass.islands(), how);
+  if (solved.jam) ++jams;
+  largest_exact = std::max(largest_exact, solved.largest_exact);
   dJointGroupEmpty(ode.contacts());
   for (const auto& object : objects)
     if (object->drivetrain != nullptr) object->drivetrain->follow(config.step);
@@ -165,7 +170,8 @@ void World::add_robot(AgentId agent, const hal::devices::RobotDescription& robot
   Object& object = implementation_->insert(agent);
   Geometries geometries;
   object.rigid = make_chassis(implementation_->ode, robot, pose, geometries);
-  object.drivetrain = std::make_unique<Drivetrain>(implementation_->ode, object.rigid, robot);
+  object.drivetrain = std::make_unique<Drivetrain>(implementation_->ode, object.rigid, robot,
+                                                   implementation_->config);
   object.bodies = object.drivetrain->bodies();
   object.friction = robot.friction;
   implementation_->furnish(object, Solid::Kind::kRobot, geometries);
@@ -196,6 +202,13 @@ Result<void> World::set_wheel_speeds(AgentId agent, std::span<const double> spee
           Errc::kInvalidArgument,
           fmt::format("wheel speed {} rad/s: at most {} allowed", speed, drive.max_wheel_speed()));
   (*drivetrain)->command(drive.body_velocity(speeds));
+  return {};
+}
+
+Result<void> World::set_motors(AgentId agent, bool on) {
+  auto drivetrain = implementation_->drivetrain(agent);
+  if (!drivetrain) return tl::unexpected(drivetrain.error());
+  (*drivetrain)->set_power(on);
   return {};
 }
 
@@ -230,6 +243,23 @@ std::span<const double> World::wheel_angles(AgentId agent) const {
   BARAKA_CHECK(object.drivetrain != nullptr);
   return object.drivetrain->angles();
 }
+
+Energy World::energy(AgentId agent) const {
+  const Object& object = implementation_->at(agent);
+  Energy energy;
+  for (const dBodyID body : object.bodies) {
+    energy.kinetic += kinetic_energy(body);
+    energy.potential += potential_energy(body);
+  }
+  if (object.drivetrain == nullptr) return energy;
+  energy.motor_work = object.drivetrain->wheels().motor_work();
+  energy.friction_loss = object.drivetrain->wheels().friction_loss();
+  return energy;
+}
+
+int World::largest_exact_heap() const { return implementation_->largest_exact; }
+
+double World::deepest_overlap() const { return implementation_->pass.deepest_overlap(); }
 
 bool World::has(AgentId agent) const { return implementation_->index.contains(agent); }
 
