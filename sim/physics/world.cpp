@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hal/types/check.h"
+#include "sim/physics/body_loss.h"
 #include "sim/physics/contact_pass.h"
 #include "sim/physics/jam_guard.h"
 #include "sim/physics/object.h"
@@ -72,6 +73,7 @@ class World::Implementation {
   void adopt(dGeomID geometry, const Solid& solid, AgentId owner);
   void furnish(Object& object, Solid::Kind kind, const Geometries& geometries);
   void step();
+  void look_for_losses();
   void refresh_shapes();
   Result<Drivetrain*> drivetrain(AgentId agent);
 
@@ -85,6 +87,7 @@ class World::Implementation {
   std::uint64_t steps = 0;
   std::uint64_t jams = 0;
   int largest_exact = 0;
+  std::vector<LostBody> lost;
 };
 
 Object& World::Implementation::insert(AgentId agent) {
@@ -108,13 +111,15 @@ void World::Implementation::furnish(Object& object, Solid::Kind kind,
                                     const Geometries& geometries) {
   object.geometries = geometries.all;
   object.first_shape = shapes.size();
+  const dReal* p = dBodyGetPosition(object.rigid.body);
+  object.centre = {p[0], p[1], p[2]};
   const Solid solid{kind, index.at(object.agent), object.friction};
   for (const dGeomID geometry : geometries.all) adopt(geometry, solid, object.agent);
 }
 
 void World::Implementation::step() {
   for (const auto& object : objects)
-    if (object->drivetrain != nullptr) object->drivetrain->actuate(config.step);
+    if (object->drivetrain != nullptr && !object->frozen) object->drivetrain->actuate(config.step);
   pass.run(config.step * static_cast<std::int64_t>(steps) + hal::Time{});
   const Solve how{hal::to_seconds(config.step), config.jam_contacts, config.jam_robots, config.seed,
                   steps};
@@ -125,7 +130,25 @@ void World::Implementation::step() {
   for (const auto& object : objects)
     if (object->drivetrain != nullptr) object->drivetrain->follow(config.step);
   ++steps;
+  look_for_losses();
   refresh_shapes();
+}
+
+void World::Implementation::look_for_losses() {
+  for (const auto& object : objects) {
+    if (!object->awake()) continue;
+    const auto loss = loss_of(object->rigid);
+    if (loss == BodyLoss::kBlownUp) {
+      freeze(*object, object->centre);
+    } else {
+      const dReal* p = dBodyGetPosition(object->rigid.body);
+      object->centre = {p[0], p[1], p[2]};
+    }
+    if (!loss || object->lost) continue;
+    object->lost = true;
+    lost.push_back(
+        {object->agent, *loss, hal::Time{} + config.step * static_cast<std::int64_t>(steps)});
+  }
 }
 
 void World::Implementation::refresh_shapes() {
@@ -262,6 +285,8 @@ int World::largest_exact_heap() const { return implementation_->largest_exact; }
 double World::deepest_overlap() const { return implementation_->pass.deepest_overlap(); }
 
 bool World::has(AgentId agent) const { return implementation_->index.contains(agent); }
+
+std::span<const LostBody> World::lost_bodies() const { return implementation_->lost; }
 
 std::span<const Shape> World::shapes() const { return implementation_->shapes; }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "hal/devices/robot_description.h"
 #include "hal/devices/wheel_drive.h"
@@ -70,6 +71,21 @@ struct Contacts {
   ContactRecord walls;
   ContactRecord motes;
   ContactRecord robots;
+};
+
+/// What became of a body that no robot or mote should get into.
+enum class BodyLoss : std::uint8_t {
+  kTipped,       ///< Tilted by more than 1 rad.
+  kBlownUp,      ///< Not a number, or faster than 100 km/s; it is frozen where it was before.
+  kBelowGround,  ///< Its origin is more than 0.2 m below the ground.
+  kFarAway,      ///< More than 100 km from the world's origin.
+};
+std::string_view name(BodyLoss loss);  ///< For people: "tipped over".
+
+struct LostBody {
+  AgentId agent;
+  BodyLoss how = BodyLoss::kTipped;
+  hal::Time at{};  ///< End of the step.
 };
 
 /// Energies of an agent's body and wheels, J.
@@ -148,6 +164,9 @@ class World {
   Energy energy(AgentId agent) const;
 
   bool has(AgentId agent) const;
+
+  /// Bodies that tipped over or got lost, in the order in which it happened; each once.
+  std::span<const LostBody> lost_bodies() const;
 
   /// Walls and bodies in the order they were added; poses as of the last step. Each add_… appends;
   /// indices stay.
