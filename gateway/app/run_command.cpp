@@ -83,6 +83,7 @@ void print_complaints(const Outcome& outcome, const std::vector<std::string>& li
     fmt::print(stderr, "warning: {} actions refused; run.log names them\n",
                outcome.refused_actions);
   }
+  for (const std::string& line : outcome.bodies_lost) fmt::print(stderr, "warning: {}\n", line);
   if (outcome.ode_messages > 0) {
     fmt::print(stderr, "warning: the physics engine complained {} times\n", outcome.ode_messages);
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -67,12 +68,20 @@ struct InfraredSensor {
   bool operator==(const InfraredSensor&) const = default;
 };
 
+/// How much of a wheel a simulated robot has. Real robots ignore it.
+enum class WheelLevel : std::uint8_t {
+  kJointed,  ///< Each wheel is a body on a hinge with a motor.
+  kContact,  ///< The wheels are part of the body; their surfaces move where they touch the ground.
+             ///< Some 3.5 times faster; leaves out the inertia of the turning wheels.
+};
+
 struct RobotDescription {
   std::string model;
   std::vector<BodyCylinder> cylinders;  ///< With boxes at least one body part.
   std::vector<BodyBox> boxes;
   double friction = 0.3;      ///< Of the body against walls, motes, robots; >= 0.
   std::vector<Wheel> wheels;  ///< >= 3, not all axles parallel.
+  WheelLevel wheel_level = WheelLevel::kJointed;
   AccelerationLimits acceleration;
   int encoder_steps = 0;  ///< Per turn of a wheel; 0: continuous.
   std::vector<InfraredSensor> infrared;

@@ -11,6 +11,7 @@
 #include "hal/types/route.h"
 #include "hal/types/time.h"
 #include "hal/types/verdict.h"
+#include "sim/physics/world.h"
 #include "sim/radio/observer.h"
 
 namespace sim::agents {
@@ -49,6 +50,8 @@ class Observer : public radio::RadioObserver {
   virtual void on_body(hal::Time at, hal::AgentId agent, const BodyState& body) {
     (void)at, (void)agent, (void)body;
   }
+  /// A body tipped over or got lost; once per body, after the physics step.
+  virtual void on_body_lost(const physics::LostBody& lost) { (void)lost; }
   /// An event is handed to an agent's controller / an action of it takes effect.
   virtual void on_event(const hal::exchange::Event& event) { (void)event; }
   virtual void on_action(hal::Time at, const hal::exchange::Action& action) {

@@ -32,6 +32,9 @@ class ObserverList final : public Observer {
   void on_body(hal::Time at, hal::AgentId agent, const BodyState& body) override {
     for (Observer* o : observers_) o->on_body(at, agent, body);
   }
+  void on_body_lost(const physics::LostBody& lost) override {
+    for (Observer* o : observers_) o->on_body_lost(lost);
+  }
   void on_event(const hal::exchange::Event& event) override {
     for (Observer* o : observers_) o->on_event(event);
   }

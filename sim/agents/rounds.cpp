@@ -36,6 +36,13 @@ void Simulation::State::start() {
 
 void Simulation::State::step_bodies() {
   world->step();
+  for (const physics::LostBody& lost : world->lost_bodies().subspan(bodies_lost.size())) {
+    const std::string& name = agents.at(lost.agent)->name();
+    hal::log::warning(events.now(), name, "{}", physics::name(lost.how));
+    bodies_lost.push_back(
+        fmt::format("{} {} at {:.9f} s", name, physics::name(lost.how), hal::to_seconds(lost.at)));
+    observers.on_body_lost(lost);
+  }
   events.schedule(events.now() + config.world.step, Rank::kPhysics, kWorld,
                   [this] { step_bodies(); });
 }
@@ -151,7 +158,8 @@ Outcome Simulation::State::outcome(Outcome::Kind kind, std::string the_result) c
           .events = events.executed(),
           .exchanges = controllers.exchanges(),
           .refused_actions = refused,
-          .ode_messages = world->solver_messages()};
+          .ode_messages = world->solver_messages(),
+          .bodies_lost = bodies_lost};
 }
 
 /// Works off what is due next, when it is time.

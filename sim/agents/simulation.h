@@ -44,6 +44,8 @@ struct Outcome {
   std::uint64_t exchanges = 0;
   std::uint64_t refused_actions = 0;  ///< Malformed or out of limits, dropped.
   std::uint64_t ode_messages = 0;     ///< Complaints of the physics engine.
+  /// One line each, as it happened: "r0 tipped over at 1.230000000 s".
+  std::vector<std::string> bodies_lost = {};
 };
 
 /// One world of bodies, radio and controllers with one clock. One thread.

@@ -60,6 +60,7 @@ struct Simulation::State final : AgentListener {
   std::string error;
   bool broken_off = false;
   std::uint64_t refused = 0;
+  std::vector<std::string> bodies_lost;  ///< One line for each of the world's lost bodies.
 };
 
 }  // namespace sim::agents

@@ -8,17 +8,24 @@ namespace {
 
 constexpr int kContactsPerPair = 4;
 
+struct Joined {
+  int contacts = 0;
+  double depth = 0;  ///< m, of the deepest.
+};
+
 /// Up to four contacts between two geometries, with friction, as joints.
-int join(const OdeWorld& world, dGeomID a, dGeomID b, double friction) {
+Joined join(const OdeWorld& world, dGeomID a, dGeomID b, double friction) {
   std::array<dContact, kContactsPerPair> contacts{};
   const int count = dCollide(a, b, kContactsPerPair, &contacts[0].geom, sizeof(dContact));
+  Joined joined{count, 0};
   for (dContact& contact : std::span(contacts).first(static_cast<std::size_t>(count))) {
+    joined.depth = std::max(joined.depth, contact.geom.depth);
     contact.surface.mode = dContactApprox1;
     contact.surface.mu = friction;
     const dJointID joint = dJointCreateContact(world.dynamics(), world.contacts(), &contact);
     dJointAttach(joint, dGeomGetBody(a), dGeomGetBody(b));
   }
-  return count;
+  return joined;
 }
 
 const Solid& solid_of(dGeomID geometry) {
@@ -31,6 +38,7 @@ bool is_awake(dBodyID body) { return body != nullptr && dBodyIsEnabled(body) != 
 
 void ContactPass::run(hal::Time now) {
   now_ = now;
+  deepest_ = 0;
   islands_.reset(objects_.size());
   for (std::size_t i = 0; i < objects_.size(); ++i)
     if (objects_[i]->drivetrain != nullptr) islands_.mark_robot(i);
@@ -53,8 +61,9 @@ void ContactPass::touch(dGeomID a, dGeomID b) {
   if (body_a == body_b || (!is_awake(body_a) && !is_awake(body_b))) return;
   const Solid& solid_a = solid_of(a);
   const Solid& solid_b = solid_of(b);
-  const int contacts = join(world_, a, b, std::min(solid_a.friction, solid_b.friction));
+  const auto [contacts, depth] = join(world_, a, b, std::min(solid_a.friction, solid_b.friction));
   if (contacts == 0) return;
+  deepest_ = std::max(deepest_, depth);
   record(solid_a, solid_b);
   record(solid_b, solid_a);
   count(solid_a, solid_b, contacts);

@@ -19,6 +19,9 @@ class ContactPass {
   /// Who touches whom, from the last run().
   ContactIslands& islands() { return islands_; }
 
+  /// m, over all contacts except those with the ground, from the last run().
+  double deepest_overlap() const { return deepest_; }
+
  private:
   void touch(dGeomID a, dGeomID b);
   void record(const Solid& self, const Solid& other);
@@ -30,6 +33,7 @@ class ContactPass {
   double ground_friction_;
   ContactIslands islands_;
   hal::Time now_{};
+  double deepest_ = 0;
   std::vector<std::array<bool, 3>> touched_;  ///< Per object and kind: recorded in this step.
 };
 

@@ -5,11 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "hal/types/math.h"
-
 namespace sim::physics {
-
-using hal::Vec3;
 
 namespace {
 
@@ -26,47 +22,38 @@ void check(const hal::devices::RobotDescription& robot) {
       throw std::invalid_argument(fmt::format("acceleration limit {}: must be positive", limit));
 }
 
+std::unique_ptr<Wheels> make_wheels(const OdeWorld& world, const RigidBody& chassis,
+                                    const hal::devices::RobotDescription& robot,
+                                    const WorldConfig& config) {
+  if (robot.wheel_level == hal::devices::WheelLevel::kJointed)
+    return make_jointed_wheels(world, chassis, robot.wheels, config.measure_energy);
+  dMass mass;
+  dBodyGetMass(chassis.body, &mass);
+  const double weight = mass.mass * config.gravity;
+  return make_contact_wheels(chassis, robot.wheels,
+                             weight / static_cast<double>(robot.wheels.size()));
+}
+
 }  // namespace
 
 Drivetrain::Drivetrain(const OdeWorld& world, const RigidBody& chassis,
-                       const hal::devices::RobotDescription& robot)
+                       const hal::devices::RobotDescription& robot, const WorldConfig& config)
     : drive_(robot.wheels),
       profile_(robot.acceleration),
       chassis_(chassis),
       bodies_{chassis.body},
       angles_(robot.wheels.size(), 0.0) {
   check(robot);
-  for (const hal::devices::Wheel& wheel : robot.wheels) wheels_.push_back(mount(world, wheel));
+  wheels_ = make_wheels(world, chassis, robot, config);
+  bodies_.insert(bodies_.end(), wheels_->bodies().begin(), wheels_->bodies().end());
 }
 
-Drivetrain::~Drivetrain() {
-  for (const WheelJoint& wheel : wheels_) dGeomDestroy(wheel.sphere);
-}
-
-Drivetrain::WheelJoint Drivetrain::mount(const OdeWorld& world, const hal::devices::Wheel& wheel) {
-  const dBodyID body = dBodyCreate(world.dynamics());
-  dMass mass;
-  dMassSetSphereTotal(&mass, wheel.mass, wheel.radius);
-  dBodySetMass(body, &mass);
-  dBodySetRotation(body, dBodyGetRotation(chassis_.body));
-  const Vec3 place{wheel.position.x, wheel.position.y, wheel.radius};
-  const Vec3 centre = pose_of(chassis_).position + rotate(chassis_.body, place);
-  dBodySetPosition(body, centre.x, centre.y, centre.z);
-
-  WheelJoint joint{dJointCreateHinge(world.dynamics(), nullptr),
-                   dCreateSphere(nullptr, wheel.radius),
-                   {hal::math::cos(wheel.axle_heading), hal::math::sin(wheel.axle_heading), 0},
-                   wheel.mu,
-                   wheel.mu2};
-  dGeomSetBody(joint.sphere, body);
-  dJointAttach(joint.hinge, body, chassis_.body);
-  dJointSetHingeAnchor(joint.hinge, centre.x, centre.y, centre.z);
-  const Vec3 axle = rotate(chassis_.body, joint.axle);
-  dJointSetHingeAxis(joint.hinge, axle.x, axle.y, axle.z);
-  dJointSetHingeParam(joint.hinge, dParamFMax, wheel.max_torque);
-  dJointSetHingeParam(joint.hinge, dParamVel, 0);
-  bodies_.push_back(body);
-  return joint;
+void Drivetrain::set_power(bool on) {
+  target_ = {};
+  profile_.reset({});
+  wheels_->set_power(on);
+  // A sleeping body would not notice that nothing holds it any more.
+  for (const dBodyID body : bodies_) dBodyEnable(body);
 }
 
 void Drivetrain::actuate(hal::Duration step) {
@@ -74,10 +61,7 @@ void Drivetrain::actuate(hal::Duration step) {
   keep_awake(wanted != hal::Twist2{} || target_ != hal::Twist2{});
   // Turning and translating follow separate ramps, so that on the way from one reachable velocity
   // to another a wheel could still be asked for too much.
-  const std::vector<double> speeds = drive_.wheel_speeds(drive_.saturate(wanted).twist);
-  // A wheel that drives towards axle + 90 degrees turns backwards about its axle.
-  for (std::size_t i = 0; i < wheels_.size(); ++i)
-    dJointSetHingeParam(wheels_[i].hinge, dParamVel, -speeds[i]);
+  wheels_->turn(drive_.wheel_speeds(drive_.saturate(wanted).twist));
 }
 
 void Drivetrain::keep_awake(bool moving) {
@@ -91,31 +75,11 @@ void Drivetrain::keep_awake(bool moving) {
 }
 
 void Drivetrain::touch_ground(const OdeWorld& world) {
-  if (dBodyIsEnabled(chassis_.body) == 0) return;
-  for (const WheelJoint& wheel : wheels_) {
-    dContact contact{};
-    if (dCollide(wheel.sphere, world.ground(), 1, &contact.geom, sizeof contact) == 0) continue;
-    contact.surface.mode = dContactFDir1 | dContactMu2 | dContactApprox1;
-    contact.surface.mu = wheel.mu;
-    contact.surface.mu2 = wheel.mu2;
-    // The rolling direction follows the chassis; the wheel's own frame turns with the wheel.
-    const Vec3 axle = rotate(chassis_.body, wheel.axle);
-    const dReal* n = contact.geom.normal;
-    const Vec3 rolling{n[1] * axle.z - n[2] * axle.y, n[2] * axle.x - n[0] * axle.z,
-                       n[0] * axle.y - n[1] * axle.x};
-    const double length = std::sqrt(dot(rolling, rolling));
-    contact.fdir1[0] = rolling.x / length;
-    contact.fdir1[1] = rolling.y / length;
-    contact.fdir1[2] = rolling.z / length;
-    const dJointID joint = dJointCreateContact(world.dynamics(), world.contacts(), &contact);
-    dJointAttach(joint, dGeomGetBody(wheel.sphere), nullptr);
-  }
+  if (dBodyIsEnabled(chassis_.body) != 0) wheels_->touch_ground(world);
 }
 
 void Drivetrain::follow(hal::Duration step) {
-  if (dBodyIsEnabled(chassis_.body) == 0) return;
-  for (std::size_t i = 0; i < wheels_.size(); ++i)
-    angles_[i] -= dJointGetHingeAngleRate(wheels_[i].hinge) * hal::to_seconds(step);
+  if (dBodyIsEnabled(chassis_.body) != 0) wheels_->follow(hal::to_seconds(step), angles_);
 }
 
 }  // namespace sim::physics

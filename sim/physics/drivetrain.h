@@ -2,6 +2,7 @@
 
 #include <ode/ode.h>
 
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -10,24 +11,24 @@
 #include "hal/devices/wheel_drive.h"
 #include "sim/physics/ode_world.h"
 #include "sim/physics/rigid_body.h"
+#include "sim/physics/wheels.h"
 
 namespace sim::physics {
 
-/// Wheels of one robot: a sphere on a motorised hinge each, whose contact with the ground grips
-/// along the rolling direction and gives way along the axle, as rollers do.
+/// Drives one robot: commands pass the motor profile on their way to the wheels.
 class Drivetrain {
  public:
   /// @throws std::invalid_argument  wheels that do not make a drive.
   Drivetrain(const OdeWorld& world, const RigidBody& chassis,
-             const hal::devices::RobotDescription& robot);
-  ~Drivetrain();
-  Drivetrain(const Drivetrain&) = delete;
-  Drivetrain& operator=(const Drivetrain&) = delete;
+             const hal::devices::RobotDescription& robot, const WorldConfig& config);
 
   const hal::devices::WheelDrive& drive() const { return drive_; }
 
   /// Velocity to approach from now on, within the motors' limit.
   void command(const hal::Twist2& target) { target_ = target; }
+
+  /// Motors off: the wheels roll freely. Either way the command becomes zero.
+  void set_power(bool on);
 
   /// Before a step: sets the motors to the next velocity of the profile. A robot that is asked to
   /// move is kept awake; one that is not may fall asleep.
@@ -39,25 +40,18 @@ class Drivetrain {
   /// After a step: follows the wheels' angles.
   void follow(hal::Duration step);
 
+  const Wheels& wheels() const { return *wheels_; }
   std::span<const double> angles() const { return angles_; }      ///< rad
   const std::vector<dBodyID>& bodies() const { return bodies_; }  ///< Chassis first.
 
  private:
-  struct WheelJoint {
-    dJointID hinge;
-    dGeomID sphere;
-    hal::Vec3 axle;  ///< Body frame, unit length.
-    double mu;
-    double mu2;
-  };
-  WheelJoint mount(const OdeWorld& world, const hal::devices::Wheel& wheel);
   void keep_awake(bool moving);
 
   hal::devices::WheelDrive drive_;
   hal::devices::MotorProfile profile_;
   RigidBody chassis_;
+  std::unique_ptr<Wheels> wheels_;
   std::vector<dBodyID> bodies_;
-  std::vector<WheelJoint> wheels_;
   std::vector<double> angles_;
   hal::Twist2 target_;
   bool moving_ = false;

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "hal/types/random.h"
@@ -18,6 +19,7 @@ std::uint32_t solver_seed(const Solve& how) {
 struct Parts {
   std::vector<dBodyID> free;
   std::vector<dBodyID> jammed;
+  int most_contacts = 0;  ///< Of an island that is free.
 };
 
 Parts divide(const Objects& objects, ContactIslands& islands, const Solve& how) {
@@ -26,6 +28,7 @@ Parts divide(const Objects& objects, ContactIslands& islands, const Solve& how) 
     const ContactIslands::Total total = islands.total(i);
     const bool is_jam = total.contacts > how.jam_contacts || total.robots > how.jam_robots;
     auto& part = is_jam ? parts.jammed : parts.free;
+    if (!is_jam) parts.most_contacts = std::max(parts.most_contacts, total.contacts);
     for (const dBodyID body : objects[i]->bodies)
       if (dBodyIsEnabled(body) != 0) part.push_back(body);
   }
@@ -34,11 +37,11 @@ Parts divide(const Objects& objects, ContactIslands& islands, const Solve& how) 
 
 }  // namespace
 
-bool solve(OdeWorld& world, const Objects& objects, ContactIslands& islands, const Solve& how) {
+Solved solve(OdeWorld& world, const Objects& objects, ContactIslands& islands, const Solve& how) {
   const Parts parts = divide(objects, islands, how);
   if (parts.jammed.empty()) {
     world.solve_exactly(how.seconds);
-    return false;
+    return {false, parts.most_contacts};
   }
   for (const dBodyID body : parts.jammed) dBodyDisable(body);
   world.solve_exactly(how.seconds);
@@ -53,7 +56,7 @@ bool solve(OdeWorld& world, const Objects& objects, ContactIslands& islands, con
   for (const dBodyID body : parts.jammed) dBodyEnable(body);
   world.solve_iteratively(how.seconds, solver_seed(how));
   for (const dBodyID body : still_awake) dBodyEnable(body);
-  return true;
+  return {true, parts.most_contacts};
 }
 
 }  // namespace sim::physics

@@ -20,6 +20,9 @@ struct Object {
   std::size_t first_shape = 0;             ///< Their shapes follow one another.
   double friction = 0;
   Contacts contacts;
+  hal::Vec3 centre;     ///< m, of the main body's mass, when it was last seen sane
+  bool lost = false;    ///< Tipped over or lost: it has been noted.
+  bool frozen = false;  ///< Out of the dynamics for good.
 
   bool awake() const { return dBodyIsEnabled(rigid.body) != 0; }
   void wake() const {

@@ -29,7 +29,8 @@ void initialise_ode() {
 }
 
 void configure(dWorldID world, const WorldConfig& config) {
-  dWorldSetGravity(world, 0, 0, -config.gravity);
+  const hal::Vec3 gravity = config.gravity * config.down;
+  dWorldSetGravity(world, gravity.x, gravity.y, gravity.z);
   dWorldSetERP(world, config.erp);
   dWorldSetCFM(world, config.cfm);
   dWorldSetContactSurfaceLayer(world, config.surface_layer);

@@ -62,6 +62,21 @@ Part box_part(const OdeWorld& world, const devices::BodyBox& box) {
   return part;
 }
 
+void add_mass(dMass& total, dMass mass, const Vec3& centre) {
+  dMassTranslate(&mass, centre.x, centre.y, centre.z);
+  dMassAdd(&total, &mass);
+}
+
+void add_wheels(dMass& total, const std::vector<devices::Wheel>& wheels) {
+  for (const devices::Wheel& wheel : wheels) {
+    require_positive("wheel mass", wheel.mass);
+    require_positive("wheel radius", wheel.radius);
+    dMass mass;
+    dMassSetSphereTotal(&mass, wheel.mass, wheel.radius);
+    add_mass(total, mass, {wheel.position.x, wheel.position.y, wheel.radius});
+  }
+}
+
 /// Body with its origin at `pose` on the ground and its centre of mass where `mass` has it.
 RigidBody make_body(const OdeWorld& world, dMass mass, const hal::Pose2& pose) {
   RigidBody made{dBodyCreate(world.dynamics()), {mass.c[0], mass.c[1], mass.c[2]}};
@@ -164,6 +179,28 @@ BodyVelocity velocity_of(const RigidBody& body) {
   return {as_vector(dBodyGetLinearVel(body.body)) - cross(spin, to_centre), spin};
 }
 
+double kinetic_energy(dBodyID body) {
+  dMass mass;
+  dBodyGetMass(body, &mass);
+  const Vec3 v = as_vector(dBodyGetLinearVel(body));
+  const dReal* spin = dBodyGetAngularVel(body);
+  dVector3 own;
+  dBodyVectorFromWorld(body, spin[0], spin[1], spin[2], own);
+  double rotation = 0;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column)
+      rotation += own[row] * mass.I[4 * row + column] * own[column];
+  return 0.5 * (mass.mass * dot(v, v) + rotation);
+}
+
+double potential_energy(dBodyID body) {
+  dVector3 gravity;
+  dWorldGetGravity(dBodyGetWorld(body), gravity);
+  dMass mass;
+  dBodyGetMass(body, &mass);
+  return -mass.mass * dot(as_vector(gravity), as_vector(dBodyGetPosition(body)));
+}
+
 dGeomID make_wall(const OdeWorld& world, const StaticBox& wall) {
   require_box("wall size", wall.size);
   const dGeomID geometry = dCreateBox(world.space(), wall.size.x, wall.size.y, wall.size.z);
@@ -199,11 +236,8 @@ RigidBody make_chassis(const OdeWorld& world, const devices::RobotDescription& r
     throw std::invalid_argument("robot: no cylinder and no box, at least 1 needed");
   dMass total;
   dMassSetZero(&total);
-  for (const Part& part : parts) {
-    dMass placed = part.mass;
-    dMassTranslate(&placed, part.centre.x, part.centre.y, part.centre.z);
-    dMassAdd(&total, &placed);
-  }
+  for (const Part& part : parts) add_mass(total, part.mass, part.centre);
+  if (robot.wheel_level == devices::WheelLevel::kContact) add_wheels(total, robot.wheels);
   const RigidBody body = make_body(world, total, pose);
   for (const Part& part : parts) {
     attach(part, body);

@@ -36,6 +36,10 @@ BodyPose pose_of(const RigidBody& body);
 hal::Vec3 position_of(const RigidBody& body);
 BodyVelocity velocity_of(const RigidBody& body);
 
+/// J; the potential one is 0 for a centre of mass in the world's origin.
+double kinetic_energy(dBodyID body);
+double potential_energy(dBodyID body);
+
 /// Each makes ODE's body or geometry at a pose and names its geometries in creation order.
 /// Sizes and masses are checked. @throws std::invalid_argument
 struct Geometries {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hal/types/check.h"
+#include "sim/physics/body_loss.h"
 #include "sim/physics/contact_pass.h"
 #include "sim/physics/jam_guard.h"
 #include "sim/physics/object.h"
@@ -34,6 +35,8 @@ const WorldConfig& checked(const WorldConfig& config) {
           hal::to_seconds(config.step), "above 0, at most 0.02");
   require(config.gravity >= 0 && std::isfinite(config.gravity), "gravity [m/s^2]", config.gravity,
           "0 or more");
+  require(std::abs(dot(config.down, config.down) - 1) < 1e-9, "length of `down`",
+          std::sqrt(dot(config.down, config.down)), "1");
   require(config.erp > 0 && config.erp <= 1, "erp", config.erp, "above 0, at most 1");
   require(config.cfm >= 0 && config.cfm < 1, "cfm", config.cfm, "0 or more, below 1");
   require(config.surface_layer >= 0, "surface layer [m]", config.surface_layer, "0 or more");
@@ -70,6 +73,7 @@ class World::Implementation {
   void adopt(dGeomID geometry, const Solid& solid, AgentId owner);
   void furnish(Object& object, Solid::Kind kind, const Geometries& geometries);
   void step();
+  void look_for_losses();
   void refresh_shapes();
   Result<Drivetrain*> drivetrain(AgentId agent);
 
@@ -82,6 +86,8 @@ class World::Implementation {
   ContactPass pass;
   std::uint64_t steps = 0;
   std::uint64_t jams = 0;
+  int largest_exact = 0;
+  std::vector<LostBody> lost;
 };
 
 Object& World::Implementation::insert(AgentId agent) {
@@ -105,22 +111,44 @@ void World::Implementation::furnish(Object& object, Solid::Kind kind,
                                     const Geometries& geometries) {
   object.geometries = geometries.all;
   object.first_shape = shapes.size();
+  const dReal* p = dBodyGetPosition(object.rigid.body);
+  object.centre = {p[0], p[1], p[2]};
   const Solid solid{kind, index.at(object.agent), object.friction};
   for (const dGeomID geometry : geometries.all) adopt(geometry, solid, object.agent);
 }
 
 void World::Implementation::step() {
   for (const auto& object : objects)
-    if (object->drivetrain != nullptr) object->drivetrain->actuate(config.step);
+    if (object->drivetrain != nullptr && !object->frozen) object->drivetrain->actuate(config.step);
   pass.run(config.step * static_cast<std::int64_t>(steps) + hal::Time{});
   const Solve how{hal::to_seconds(config.step), config.jam_contacts, config.jam_robots, config.seed,
                   steps};
-  if (solve(ode, objects, pass.islands(), how)) ++jams;
+  const Solved solved = solve(ode, objects, pass.islands(), how);
+  if (solved.jam) ++jams;
+  largest_exact = std::max(largest_exact, solved.largest_exact);
   dJointGroupEmpty(ode.contacts());
   for (const auto& object : objects)
     if (object->drivetrain != nullptr) object->drivetrain->follow(config.step);
   ++steps;
+  look_for_losses();
   refresh_shapes();
+}
+
+void World::Implementation::look_for_losses() {
+  for (const auto& object : objects) {
+    if (!object->awake()) continue;
+    const auto loss = loss_of(object->rigid);
+    if (loss == BodyLoss::kBlownUp) {
+      freeze(*object, object->centre);
+    } else {
+      const dReal* p = dBodyGetPosition(object->rigid.body);
+      object->centre = {p[0], p[1], p[2]};
+    }
+    if (!loss || object->lost) continue;
+    object->lost = true;
+    lost.push_back(
+        {object->agent, *loss, hal::Time{} + config.step * static_cast<std::int64_t>(steps)});
+  }
 }
 
 void World::Implementation::refresh_shapes() {
@@ -165,7 +193,8 @@ void World::add_robot(AgentId agent, const hal::devices::RobotDescription& robot
   Object& object = implementation_->insert(agent);
   Geometries geometries;
   object.rigid = make_chassis(implementation_->ode, robot, pose, geometries);
-  object.drivetrain = std::make_unique<Drivetrain>(implementation_->ode, object.rigid, robot);
+  object.drivetrain = std::make_unique<Drivetrain>(implementation_->ode, object.rigid, robot,
+                                                   implementation_->config);
   object.bodies = object.drivetrain->bodies();
   object.friction = robot.friction;
   implementation_->furnish(object, Solid::Kind::kRobot, geometries);
@@ -196,6 +225,13 @@ Result<void> World::set_wheel_speeds(AgentId agent, std::span<const double> spee
           Errc::kInvalidArgument,
           fmt::format("wheel speed {} rad/s: at most {} allowed", speed, drive.max_wheel_speed()));
   (*drivetrain)->command(drive.body_velocity(speeds));
+  return {};
+}
+
+Result<void> World::set_motors(AgentId agent, bool on) {
+  auto drivetrain = implementation_->drivetrain(agent);
+  if (!drivetrain) return tl::unexpected(drivetrain.error());
+  (*drivetrain)->set_power(on);
   return {};
 }
 
@@ -235,7 +271,26 @@ std::span<const double> World::wheel_angles(AgentId agent) const {
   return object.drivetrain->angles();
 }
 
+Energy World::energy(AgentId agent) const {
+  const Object& object = implementation_->at(agent);
+  Energy energy;
+  for (const dBodyID body : object.bodies) {
+    energy.kinetic += kinetic_energy(body);
+    energy.potential += potential_energy(body);
+  }
+  if (object.drivetrain == nullptr) return energy;
+  energy.motor_work = object.drivetrain->wheels().motor_work();
+  energy.friction_loss = object.drivetrain->wheels().friction_loss();
+  return energy;
+}
+
+int World::largest_exact_heap() const { return implementation_->largest_exact; }
+
+double World::deepest_overlap() const { return implementation_->pass.deepest_overlap(); }
+
 bool World::has(AgentId agent) const { return implementation_->index.contains(agent); }
+
+std::span<const LostBody> World::lost_bodies() const { return implementation_->lost; }
 
 std::span<const Shape> World::shapes() const { return implementation_->shapes; }
 

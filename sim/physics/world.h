@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "hal/devices/robot_description.h"
 #include "hal/devices/wheel_drive.h"
@@ -22,7 +23,8 @@ using hal::AgentId;
 /// Defaults are the measured ones of physics.md sections 0-2.
 struct WorldConfig {
   hal::Duration step = std::chrono::milliseconds(10);  ///< > 0, at most 20 ms.
-  double gravity = 9.81;                               ///< m/s^2, downward.
+  double gravity = 9.81;                               ///< m/s^2, along `down`.
+  hal::Vec3 down{0, 0, -1};              ///< Unit vector; tilted, the ground is a slope.
   double erp = 0.4;                      ///< Share of a joint error corrected per step, 0 .. 1.
   double cfm = 1e-8;                     ///< Softness of constraints.
   double surface_layer = 1e-4;           ///< m; contacts may sink in this far.
@@ -31,7 +33,8 @@ struct WorldConfig {
   int jam_contacts = 8;                  ///< Heaps with more contacts, and
   int jam_robots = 4;  ///< heaps with more robots get the iterative solver: seven in a ring have
                        ///< seven contacts only, and the exact one takes 2.5 ms a step for them.
-  std::uint64_t seed = 1;  ///< Of the iterative solver's row order.
+  std::uint64_t seed = 1;       ///< Of the iterative solver's row order.
+  bool measure_energy = false;  ///< Books the work of jointed wheels, some 5 % slower.
 };
 
 /// A wall or another box that never moves.
@@ -70,7 +73,32 @@ struct Contacts {
   ContactRecord robots;
 };
 
-/// Rigid bodies on a plane: robots on driven, hinged wheels, motes that can be pushed, walls.
+/// What became of a body that no robot or mote should get into.
+enum class BodyLoss : std::uint8_t {
+  kTipped,       ///< Tilted by more than 1 rad.
+  kBlownUp,      ///< Not a number, or faster than 100 km/s; it is frozen where it was before.
+  kBelowGround,  ///< Its origin is more than 0.2 m below the ground.
+  kFarAway,      ///< More than 100 km from the world's origin.
+};
+std::string_view name(BodyLoss loss);  ///< For people: "tipped over".
+
+struct LostBody {
+  AgentId agent;
+  BodyLoss how = BodyLoss::kTipped;
+  hal::Time at{};  ///< End of the step.
+};
+
+/// Energies of an agent's body and wheels, J.
+struct Energy {
+  double kinetic = 0;
+  double potential = 0;      ///< 0 with the centre of mass in the world's origin.
+  double motor_work = 0;     ///< Since the start: at the hinges, or where the wheels touch.
+  double friction_loss = 0;  ///< Since the start, where the wheels touch the ground.
+
+  double mechanical() const { return kinetic + potential; }
+};
+
+/// Rigid bodies on a plane: robots on driven wheels, motes that can be pushed, walls.
 /// Same calls, same bits: bodies are made and stepped in the order of the calls. A world is used by
 /// one thread at a time; worlds in other threads do not disturb it unless both hold a jam, because
 /// the iterative solver draws from a generator that the process shares.
@@ -108,6 +136,10 @@ class World {
   /// beyond the limit), kNotAvailable (not a robot).
   hal::Result<void> set_wheel_speeds(AgentId agent, std::span<const double> speeds);
 
+  /// Switches a robot's motors. Without power its wheels roll freely. Either way its command
+  /// becomes zero. Errors: kNotAvailable (not a robot).
+  hal::Result<void> set_motors(AgentId agent, bool on);
+
   /// Moves everything on by config().step.
   void step();
 
@@ -124,9 +156,18 @@ class World {
 
   /// @pre the agent is a robot.
   const hal::devices::WheelDrive& drive(AgentId agent) const;
-  std::span<const double> wheel_angles(AgentId agent) const;  ///< rad since the start, not wrapped.
+  /// rad since the start, not wrapped: what encoders on the wheels would count. At the level
+  /// kContact a wheel turns as the motor profile says, also while it spins; a wheel whose motor is
+  /// off or too weak for its load rolls as the ground passes by.
+  std::span<const double> wheel_angles(AgentId agent) const;
+
+  /// Of body and wheels. Work and loss are 0 for jointed wheels without `measure_energy`.
+  Energy energy(AgentId agent) const;
 
   bool has(AgentId agent) const;
+
+  /// Bodies that tipped over or got lost, in the order in which it happened; each once.
+  std::span<const LostBody> lost_bodies() const;
 
   /// Walls and bodies in the order they were added; poses as of the last step. Each add_… appends;
   /// indices stay.
@@ -137,6 +178,13 @@ class World {
 
   /// Steps in which a jam went to the iterative solver.
   std::uint64_t jammed_steps() const;
+
+  /// Most contacts, those of wheels and motes with the ground left out, that one heap had when the
+  /// exact solver worked on it.
+  int largest_exact_heap() const;
+
+  /// How far bodies and walls overlapped most at the start of the last step, m.
+  double deepest_overlap() const;
 
  private:
   class Implementation;

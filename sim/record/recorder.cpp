@@ -29,6 +29,7 @@ Recorder::Recorder(const std::filesystem::path& file, const agents::SimulationCo
       bodies_(database_, options.pose_period),
       set_(database_, "REPLACE INTO run VALUES (?, ?)"),
       insert_discovery_(database_, "INSERT INTO discoveries VALUES (?, ?, ?, ?, ?, ?)"),
+      insert_lost_body_(database_, "INSERT INTO lost_bodies VALUES (?, ?, ?)"),
       insert_state_(database_, "INSERT INTO states VALUES (?, ?, ?)"),
       insert_frame_(database_, "INSERT INTO frames VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"),
       insert_frame_end_(database_, "INSERT INTO frame_ends VALUES (?, ?, ?, ?, ?)") {
@@ -161,6 +162,11 @@ void Recorder::on_request_end(hal::Time, hal::AgentId sender, hal::AgentId desti
 
 void Recorder::on_body(hal::Time at, hal::AgentId agent, const agents::BodyState& body) {
   on_rows(at, bodies_.on_body(at, agent, body) ? 1 : 0);
+}
+
+void Recorder::on_body_lost(const physics::LostBody& lost) {
+  insert_lost_body_.run(lost.agent.value, hal::to_ns(lost.at), physics::name(lost.how));
+  on_rows(lost.at, 1);
 }
 
 void Recorder::on_message_sent(hal::Time at, const hal::Message& message) {

@@ -69,6 +69,7 @@ class Recorder final : public agents::Observer {
   void on_request_end(hal::Time at, hal::AgentId sender, hal::AgentId destination,
                       hal::Verdict verdict) override;
   void on_body(hal::Time at, hal::AgentId agent, const agents::BodyState& body) override;
+  void on_body_lost(const physics::LostBody& lost) override;
   void on_message_sent(hal::Time at, const hal::Message& message) override;
   void on_message_delivered(hal::Time at, hal::AgentId receiver,
                             const hal::Message& message) override;
@@ -90,7 +91,8 @@ class Recorder final : public agents::Observer {
   FrameCounts frames_;
   MessageLog messages_;
   BodyLog bodies_;
-  Statement set_, insert_discovery_, insert_state_, insert_frame_, insert_frame_end_;
+  Statement set_, insert_discovery_, insert_lost_body_, insert_state_, insert_frame_,
+      insert_frame_end_;
   int rows_ = 0;  ///< Since the last commit.
   hal::Time next_commit_{kCommitPeriod};
   bool is_finished_ = false;

@@ -104,6 +104,11 @@ CREATE TABLE bodies (        -- of the whole run, seen at each control instant
   object_steps INTEGER       -- ... with another body; null until the run has ended
 );
 
+CREATE TABLE lost_bodies (   -- bodies that tipped over (tilt above 1 rad) or left the world
+  agent INTEGER PRIMARY KEY,
+  at_ns INTEGER, what TEXT
+);
+
 CREATE TABLE states (        -- named by controllers
   agent INTEGER, at_ns INTEGER, state TEXT
 );

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <span>
 
@@ -20,6 +21,7 @@ using agents::AgentConfig;
 using hal::AgentId;
 using hal::devices::MoteDescription;
 using hal::devices::RobotDescription;
+using hal::devices::WheelLevel;
 
 constexpr std::int64_t kLastAddress = 0xfffe;  // 0xffff is everyone
 
@@ -30,6 +32,21 @@ struct Taken {
   std::set<std::string> names;
 };
 
+constexpr std::array<Option<WheelLevel>, 2> kWheelLevels{
+    {{"jointed", WheelLevel::kJointed}, {"contact", WheelLevel::kContact}}};
+
+/// A robot file says what a robot is; how much of its wheels is simulated, the scenario says.
+RobotDescription read_robot_group(Mapping& in) {
+  RobotDescription robot = read_robot(in.mapping("robot"));
+  robot.wheel_level = in.choice("wheels", kWheelLevels, robot.wheel_level);
+  return robot;
+}
+
+MoteDescription read_mote_group(Mapping& in) {
+  in.refuse("wheels", "a mote has none");
+  return read_mote(in.mapping("mote"));
+}
+
 auto read_body(Mapping& in) -> decltype(AgentConfig::body) {
   const bool robot = in.has("robot");
   if (robot == in.has("mote")) {
@@ -37,8 +54,8 @@ auto read_body(Mapping& in) -> decltype(AgentConfig::body) {
     if (robot) in.mapping("robot");
     return MoteDescription{};
   }
-  if (robot) return read_robot(in.mapping("robot"));
-  return read_mote(in.mapping("mote"));
+  if (robot) return read_robot_group(in);
+  return read_mote_group(in);
 }
 
 void take_names(Mapping& in, const std::vector<std::string>& names, Taken& taken) {
@@ -113,6 +130,7 @@ void write_group(Writer& out, const Group& group, std::span<const AgentConfig> a
   out.text("name", name_pattern(agents));
   out.integer("address", agents.front().id.value);
   if (const auto* robot = std::get_if<RobotDescription>(&agents.front().body)) {
+    FieldWriter(out).choice("wheels", kWheelLevels, robot->wheel_level);
     write_robot(out, *robot);
   } else {
     write_mote(out, std::get<MoteDescription>(agents.front().body));

@@ -3,6 +3,7 @@
 #include "hal/types/math.h"
 #include "sim/scenario/fields.h"
 #include "sim/scenario/infrared_section.h"
+#include "sim/scenario/robot_checks.h"
 
 namespace sim::scenario {
 namespace {
@@ -194,6 +195,7 @@ RobotDescription read_robot(Mapping in) {
   acceleration.finish();
   robot.encoder_steps = static_cast<int>(in.integer("encoder_steps", 0, 1'000'000, 0));
   robot.infrared = read_infrared(in.mapping("infrared"));
+  check_robot(in, robot);
   in.finish();
   return robot;
 }

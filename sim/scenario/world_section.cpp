@@ -20,12 +20,13 @@ template <class Io>
 void physics_keys(Io& io, WorldConfig& c) {
   io.duration("step", {1e-4, 0.02}, c.step);
   io.number("gravity", "m/s^2", {0, 100}, c.gravity);
-  io.number("erp", "1", {0, 1}, c.erp);
-  io.number("cfm", "1", {0, 1}, c.cfm);
+  io.number("erp", "1", {1e-3, 1}, c.erp);  // 0 would never close a joint that came apart
+  io.number("cfm", "1", {0, 0.99}, c.cfm);
   io.number("surface_layer", "m", {0, 0.01}, c.surface_layer);
   io.number("max_correcting_velocity", "m/s", {1e-3, 100}, c.max_correcting_velocity);
   io.number("ground_friction", "1", kFriction, c.ground_friction);
   io.count("jam_contacts", 1, 1000, c.jam_contacts);
+  io.count("jam_robots", 1, 1000, c.jam_robots);
 }
 
 StaticBox read_box(Mapping& in, const std::string& default_name) {

@@ -76,7 +76,9 @@ Action send(AgentId destination) {
 class Effects final : public sim::agents::Observer {
  public:
   void on_action(Time at, const Action& action) override { actions.emplace_back(at, action.kind); }
+  void on_body_lost(const sim::physics::LostBody& body) override { lost.push_back(body.agent); }
   std::vector<std::pair<Time, ActionKind>> actions;
+  std::vector<AgentId> lost;
 };
 
 class NoPace final : public sim::agents::Pace {
@@ -114,6 +116,15 @@ class TwoMotes : public testing::Test {
 };
 
 std::vector<Action> nothing(const Event&) { return {}; }
+
+TEST_F(TwoMotes, BodyThatIsLostIsAVerdictOfTheRun) {
+  EXPECT_TRUE(run(Time{1s}, nothing).bodies_lost.empty());
+  config.agents[1].pose.x = 100'001;  // farther away than any robot drives
+  const Outcome outcome = run(Time{1s}, nothing);
+  EXPECT_EQ(outcome.bodies_lost,
+            (std::vector<std::string>{"b lost: it is farther than 100 km away at 0.010000000 s"}));
+  EXPECT_EQ(effects.lost, std::vector<AgentId>{kB});
+}
 
 TEST_F(TwoMotes, StartAndTheFirstControlCycleAreOneExchangeByAgentThenCause) {
   run(Time{50ms}, nothing);

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <string>
+
 #include "hal/devices/robot_description.h"
 #include "hal/types/math.h"
 
@@ -7,10 +11,12 @@ namespace sim::physics::test {
 
 /// The Robertino as replica.md 9.1 and 15 decide it: written out here so that the expectations of
 /// tests do not follow a change of the shipped robot file.
-inline hal::devices::RobotDescription robertino() {
+inline hal::devices::RobotDescription robertino(
+    hal::devices::WheelLevel level = hal::devices::WheelLevel::kJointed) {
   using hal::math::kPi;
   hal::devices::RobotDescription robot;
   robot.model = "robertino";
+  robot.wheel_level = level;
   robot.cylinders = {{0.185, 0.02, 0.21, {}, 9}, {0.10, 0.21, 0.42, {}, 2}};
   for (const double degrees : {60.0, 180.0, 300.0}) {
     const double heading = degrees * kPi / 180;
@@ -28,6 +34,13 @@ inline hal::devices::RobotDescription robertino() {
     robot.infrared.push_back(sensor);
   }
   return robot;
+}
+
+/// For tests that hold at both levels: their names end in the level.
+inline const auto kLevels =
+    testing::Values(hal::devices::WheelLevel::kJointed, hal::devices::WheelLevel::kContact);
+inline std::string level_name(const testing::TestParamInfo<hal::devices::WheelLevel>& c) {
+  return c.param == hal::devices::WheelLevel::kJointed ? "Jointed" : "Contact";
 }
 
 }  // namespace sim::physics::test

@@ -230,6 +230,51 @@ TEST(World, MoteThatFellOverIsSeenInItsNewPose) {
   EXPECT_NEAR(std::max(shape.half.x, shape.half.y), 0.1, 1e-12);
 }
 
+TEST(World, TippedBodyIsNotedOnce) {
+  World world(WorldConfig{});
+  world.add_wall({"step", {0, 0, 0.05}, {0.2, 1, 0.1}, 0});
+  world.add_robot(kRobot, robertino(), {5, 0, 0});
+  world.add_mote(kMote, {"tall", {0.05, 0.05, 0.2}, 0.05, 0.6}, {0.115, 0, 0}, 0.1);
+  run(world, 0.1);
+  EXPECT_TRUE(world.lost_bodies().empty());
+  run(world, 4);
+  ASSERT_EQ(world.lost_bodies().size(), 1U);
+  const LostBody& lost = world.lost_bodies()[0];
+  EXPECT_EQ(lost.agent, kMote);
+  EXPECT_EQ(lost.how, BodyLoss::kTipped);
+  // s: from rest at 10 cm it can be neither faster than 0.1 s nor slower than the test.
+  EXPECT_GT(hal::to_seconds(lost.at), 0.1);
+  EXPECT_LT(hal::to_seconds(lost.at), 4);
+}
+
+TEST(World, BodyFarAwayIsLost) {
+  World world(WorldConfig{});
+  world.add_mote(kMote, MoteDescription{}, {100'001, 0, 0});
+  world.step();
+  ASSERT_EQ(world.lost_bodies().size(), 1U);
+  EXPECT_EQ(world.lost_bodies()[0].how, BodyLoss::kFarAway);
+  EXPECT_EQ(world.lost_bodies()[0].at, hal::Time{std::chrono::milliseconds(10)});
+}
+
+TEST(World, BodyBelowTheGroundIsLost) {
+  World world(
+      WorldConfig{.gravity = 1e5});  // a fall of 10 m in one step: the ground cannot catch it
+  world.add_mote(kMote, MoteDescription{}, {}, 0.01);
+  world.step();
+  ASSERT_EQ(world.lost_bodies().size(), 1U);
+  EXPECT_EQ(world.lost_bodies()[0].how, BodyLoss::kBelowGround);
+}
+
+TEST(World, BodyThatBlowsUpIsFrozenWhereItWas) {
+  World world(WorldConfig{.gravity = 1e9});
+  world.add_mote(kMote, MoteDescription{}, {3, 4, 0}, 1);
+  for (int i = 0; i < 300; ++i) world.step();
+  ASSERT_EQ(world.lost_bodies().size(), 1U);
+  EXPECT_EQ(world.lost_bodies()[0].how, BodyLoss::kBlownUp);
+  EXPECT_TRUE(world.asleep(kMote));
+  EXPECT_NEAR(world.pose(kMote).position.z, 1, 1e-12);  // m
+}
+
 TEST(World, AnotherRobotNeedsOnlyAnotherDescription) {
   RobotDescription cart;
   cart.boxes = {{{0.4, 0.3, 0.15}, {0.02, 0, 0.12}, 0.1, 6}};

@@ -55,6 +55,12 @@ TEST_F(RecorderTest, DescribesTheRun) {
   EXPECT_EQ(asked("SELECT agent FROM ends WHERE result = 'timeout'"), "null");
 }
 
+TEST_F(RecorderTest, NamesBodiesThatAreLost) {
+  recorder->on_body_lost({AgentId{3}, physics::BodyLoss::kTipped, Time{1230ms}});
+  EXPECT_EQ(asked("SELECT agent || ' ' || what || ' ' || at_ns FROM lost_bodies"),
+            "3 tipped over 1230000000");
+}
+
 TEST_F(RecorderTest, SaysHowTheRunEnded) {
   Fingerprint fingerprint;
   fingerprint.at(Part::kAir, AgentId{1}, Time{1s}).add(std::uint64_t{5});

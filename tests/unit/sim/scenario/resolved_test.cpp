@@ -28,7 +28,7 @@ record: {frames: all, pose_period: 250 ms}
 world:
   physics:
     {step: 5 ms, gravity: 1.62 m/s^2, erp: 0.3, cfm: 1e-7, surface_layer: 0.2 mm,
-     max_correcting_velocity: 0.2 m/s, ground_friction: 0.4, jam_contacts: 9}
+     max_correcting_velocity: 0.2 m/s, ground_friction: 0.4, jam_contacts: 9, jam_robots: 5}
   walls: [{name: w, size: [1 m, 2 m, 3 m], position: [4 m, 5 m], yaw: 10 deg, friction: 0.7}]
   boxes: [{size: [1 m, 1 m, 0.1 m], position: [-4 m, -5 m]}]
 radio:

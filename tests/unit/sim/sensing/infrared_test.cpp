@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -87,6 +88,45 @@ TEST(Infrared, NoiseHasTheSigmaOfTheFile) {
   EXPECT_NEAR(sum, 0, 0.00095);
   EXPECT_NEAR(std::sqrt(squares), 0.015, 0.0007);
 }
+
+/// Pearson's statistic of noise in units of `sigma`, over ten classes that a normal deviate falls
+/// into equally often; the bounds are its deciles.
+double chi_square(std::uint64_t seed, double sigma) {
+  World world(physics::WorldConfig{});
+  face_wall(world, 0.3);
+  const Proximity proximity(world);
+  auto sensors = robertino().infrared;
+  for (auto& sensor : sensors) {
+    sensor.hold_period = {};
+    sensor.converter.bits = 0;
+  }
+  InfraredArray array(kRobot, sensors, seed, "r0");
+  const double exact = hal::devices::InfraredCurve::gp2d12().volts(0.3);
+  constexpr std::array kDeciles{-1.281552, -0.841621, -0.524401, -0.253347, 0.0,
+                                0.253347,  0.524401,  0.841621,  1.281552};
+  std::array<int, 10> counts{};
+  constexpr int kSamples = 10'000;
+  for (int i = 0; i < kSamples; ++i) {
+    array.sample(hal::Time{i * 1ms}, world, proximity);
+    const double deviate = (array.readings()[0].volts - exact) / sigma;
+    const auto above = std::upper_bound(kDeciles.begin(), kDeciles.end(), deviate);
+    ++counts[static_cast<std::size_t>(above - kDeciles.begin())];
+  }
+  double sum = 0;
+  for (const int count : counts) sum += (count - 1000.0) * (count - 1000.0) / 1000.0;
+  return sum;
+}
+
+TEST(Infrared, NoiseIsNormal) {
+  for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U}) {
+    const double statistic = chi_square(seed, 0.015);
+    // Nine degrees of freedom: one in a thousand is above 27.88, one in a thousand below 1.15.
+    EXPECT_LT(statistic, 27.88) << seed;
+    EXPECT_GT(statistic, 1.15) << seed;
+  }
+}
+
+TEST(Infrared, NoiseOfAnotherSigmaWouldBeNoticed) { EXPECT_GT(chi_square(1, 0.0165), 27.88); }
 
 TEST(Infrared, ValueIsHeldBetweenTheInstantsOfASensor) {
   World world(physics::WorldConfig{});

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <optional>
+
+#include "sim/physics/object.h"
+
+namespace sim::physics {
+
+/// Whether a body is where none should be. Cheap: no trigonometry.
+std::optional<BodyLoss> loss_of(const RigidBody& body);
+
+/// Takes an object out of the dynamics: at rest at `place`, touched by nothing.
+void freeze(Object& object, const hal::Vec3& place);
+
+}  // namespace sim::physics

@@ -1,0 +1,129 @@
+#include <algorithm>
+
+#include "hal/types/math.h"
+#include "sim/physics/wheels.h"
+
+namespace sim::physics {
+namespace {
+
+using hal::Vec3;
+
+/// A sphere that is part of the chassis; its surface runs past the contact with the ground.
+struct ContactWheel {
+  dGeomID sphere;
+  Vec3 axle;  ///< Body frame of the chassis, unit length.
+  double radius;
+  double mu;
+  double mu2;
+  double max_torque;
+  double load;          ///< N on the ground in the last step that it touched.
+  double speed = 0;     ///< rad/s of the surface.
+  bool yields = false;  ///< The torque, not the grip, is what limits the force.
+  GroundContact ground;
+};
+
+class ContactWheels final : public Wheels {
+ public:
+  ContactWheels(const RigidBody& chassis, const std::vector<hal::devices::Wheel>& wheels,
+                double weight_on_each);
+  ~ContactWheels() override {
+    for (const ContactWheel& wheel : wheels_) dGeomDestroy(wheel.sphere);
+  }
+  ContactWheels(const ContactWheels&) = delete;
+  ContactWheels& operator=(const ContactWheels&) = delete;
+
+  void turn(std::span<const double> speeds) override {
+    for (std::size_t i = 0; i < wheels_.size(); ++i) wheels_[i].speed = speeds[i];
+  }
+  void set_power(bool on) override { power_ = on; }
+  void touch_ground(const OdeWorld& world) override;
+  void follow(double seconds, std::span<double> angles) override;
+  std::span<const dBodyID> bodies() const override { return {}; }
+
+ private:
+  double grip(ContactWheel& wheel) const;
+  double turned(ContactWheel& wheel, double seconds);
+
+  RigidBody chassis_;
+  bool power_ = true;
+  std::vector<ContactWheel> wheels_;
+};
+
+ContactWheels::ContactWheels(const RigidBody& chassis,
+                             const std::vector<hal::devices::Wheel>& wheels, double weight_on_each)
+    : chassis_(chassis) {
+  wheels_.reserve(wheels.size());  // the solver writes feedback to them: they stay in place
+  for (const hal::devices::Wheel& wheel : wheels) {
+    const dGeomID sphere = dCreateSphere(nullptr, wheel.radius);
+    dGeomSetBody(sphere, chassis.body);
+    const Vec3 place = Vec3{wheel.position.x, wheel.position.y, wheel.radius};
+    const Vec3 offset = place - chassis.centre_of_mass;
+    dGeomSetOffsetPosition(sphere, offset.x, offset.y, offset.z);
+    const Vec3 axle{hal::math::cos(wheel.axle_heading), hal::math::sin(wheel.axle_heading), 0};
+    wheels_.push_back({sphere,
+                       axle,
+                       wheel.radius,
+                       wheel.mu,
+                       wheel.mu2,
+                       wheel.max_torque,
+                       weight_on_each,
+                       0,
+                       false,
+                       {}});
+  }
+}
+
+/// Coefficient along the rolling direction: what the tyre grips, or what the motor's torque gives
+/// under the load of the step before.
+double ContactWheels::grip(ContactWheel& wheel) const {
+  wheel.yields = !power_ || wheel.max_torque < wheel.mu * wheel.radius * wheel.load;
+  if (!power_) return 0;
+  return wheel.yields ? wheel.max_torque / (wheel.radius * wheel.load) : wheel.mu;
+}
+
+void ContactWheels::touch_ground(const OdeWorld& world) {
+  for (ContactWheel& wheel : wheels_) {
+    dContact contact{};
+    const Vec3 axle = rotate(chassis_.body, wheel.axle);
+    if (!meet_ground(world, wheel.sphere, axle, contact, wheel.ground)) continue;
+    contact.surface.mode |= dContactMotion1;
+    contact.surface.mu = grip(wheel);
+    contact.surface.mu2 = wheel.mu2;
+    contact.surface.motion1 = wheel.speed * wheel.radius;
+    const dJointID joint = dJointCreateContact(world.dynamics(), world.contacts(), &contact);
+    dJointAttach(joint, chassis_.body, nullptr);
+    dJointSetFeedback(joint, &wheel.ground.forces);
+  }
+}
+
+void ContactWheels::follow(double seconds, std::span<double> angles) {
+  for (std::size_t i = 0; i < wheels_.size(); ++i) angles[i] += turned(wheels_[i], seconds);
+}
+
+/// rad in the step. A motor that is too weak for the load, or off, lets its wheel roll as the
+/// ground passes by; any other wheel turns as it was told, whether it grips or spins.
+double ContactWheels::turned(ContactWheel& wheel, double seconds) {
+  const GroundContact& ground = wheel.ground;
+  if (!ground.touches) return (power_ ? wheel.speed : 0) * seconds;
+  const Vec3 force = ground.force();
+  wheel.load = std::max(force.z, 0.0);
+  const Vec3 after = material_velocity(chassis_.body, ground.arm);
+  const Vec3 mean = 0.5 * (ground.velocity + after);
+  const double passing = dot(after, ground.rolling) / wheel.radius;
+  const double rate = wheel.yields ? passing : wheel.speed;
+  const double surface = wheel.yields ? dot(mean, ground.rolling) : wheel.speed * wheel.radius;
+  const double driven = dot(force, ground.rolling) * surface * seconds;
+  motor_work_ += driven;
+  friction_loss_ += driven - dot(force, mean) * seconds;
+  return rate * seconds;
+}
+
+}  // namespace
+
+std::unique_ptr<Wheels> make_contact_wheels(const RigidBody& chassis,
+                                            const std::vector<hal::devices::Wheel>& wheels,
+                                            double weight_on_each) {
+  return std::make_unique<ContactWheels>(chassis, wheels, weight_on_each);
+}
+
+}  // namespace sim::physics

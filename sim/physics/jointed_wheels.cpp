@@ -1,0 +1,138 @@
+#include "hal/types/math.h"
+#include "sim/physics/wheels.h"
+
+namespace sim::physics {
+namespace {
+
+using hal::Vec3;
+
+/// A sphere with a body of its own on a motorised hinge.
+struct JointedWheel {
+  dJointID hinge;
+  dGeomID sphere;
+  Vec3 axle;  ///< Body frame of the chassis, unit length.
+  double mu;
+  double mu2;
+  double max_torque;
+  double rate = 0;  ///< rad/s of the hinge before the step.
+  GroundContact ground;
+  dJointFeedback motor;
+};
+
+class JointedWheels final : public Wheels {
+ public:
+  JointedWheels(const OdeWorld& world, const RigidBody& chassis,
+                const std::vector<hal::devices::Wheel>& wheels, bool measure_energy)
+      : chassis_(chassis), measures_(measure_energy) {
+    wheels_.reserve(wheels.size());  // the solver writes feedback to them: they stay in place
+    for (const hal::devices::Wheel& wheel : wheels) mount(world, wheel);
+  }
+  ~JointedWheels() override {
+    for (const JointedWheel& wheel : wheels_) dGeomDestroy(wheel.sphere);
+  }
+  JointedWheels(const JointedWheels&) = delete;
+  JointedWheels& operator=(const JointedWheels&) = delete;
+
+  void turn(std::span<const double> speeds) override;
+  void set_power(bool on) override;
+  void touch_ground(const OdeWorld& world) override;
+  void follow(double seconds, std::span<double> angles) override;
+  std::span<const dBodyID> bodies() const override { return bodies_; }
+
+ private:
+  void mount(const OdeWorld& world, const hal::devices::Wheel& wheel);
+  void book(const JointedWheel& wheel, double seconds);
+
+  RigidBody chassis_;
+  bool measures_;
+  std::vector<dBodyID> bodies_;
+  std::vector<JointedWheel> wheels_;
+};
+
+void JointedWheels::mount(const OdeWorld& world, const hal::devices::Wheel& wheel) {
+  const dBodyID body = dBodyCreate(world.dynamics());
+  dMass mass;
+  dMassSetSphereTotal(&mass, wheel.mass, wheel.radius);
+  dBodySetMass(body, &mass);
+  dBodySetRotation(body, dBodyGetRotation(chassis_.body));
+  const Vec3 place{wheel.position.x, wheel.position.y, wheel.radius};
+  const Vec3 centre = pose_of(chassis_).position + rotate(chassis_.body, place);
+  dBodySetPosition(body, centre.x, centre.y, centre.z);
+
+  JointedWheel& joint = wheels_.emplace_back(
+      JointedWheel{dJointCreateHinge(world.dynamics(), nullptr),
+                   dCreateSphere(nullptr, wheel.radius),
+                   {hal::math::cos(wheel.axle_heading), hal::math::sin(wheel.axle_heading), 0},
+                   wheel.mu,
+                   wheel.mu2,
+                   wheel.max_torque,
+                   0,
+                   {},
+                   {}});
+  dGeomSetBody(joint.sphere, body);
+  dJointAttach(joint.hinge, body, chassis_.body);
+  dJointSetHingeAnchor(joint.hinge, centre.x, centre.y, centre.z);
+  const Vec3 axle = rotate(chassis_.body, joint.axle);
+  dJointSetHingeAxis(joint.hinge, axle.x, axle.y, axle.z);
+  dJointSetHingeParam(joint.hinge, dParamFMax, wheel.max_torque);
+  dJointSetHingeParam(joint.hinge, dParamVel, 0);
+  if (measures_) dJointSetFeedback(joint.hinge, &joint.motor);
+  bodies_.push_back(body);
+}
+
+void JointedWheels::turn(std::span<const double> speeds) {
+  // A wheel that drives towards axle + 90 degrees turns backwards about its axle.
+  for (std::size_t i = 0; i < wheels_.size(); ++i)
+    dJointSetHingeParam(wheels_[i].hinge, dParamVel, -speeds[i]);
+}
+
+void JointedWheels::set_power(bool on) {
+  for (const JointedWheel& wheel : wheels_)
+    dJointSetHingeParam(wheel.hinge, dParamFMax, on ? wheel.max_torque : 0);
+}
+
+void JointedWheels::touch_ground(const OdeWorld& world) {
+  for (JointedWheel& wheel : wheels_) {
+    if (measures_) wheel.rate = dJointGetHingeAngleRate(wheel.hinge);
+    dContact contact{};
+    // The rolling direction follows the chassis; the wheel's own frame turns with the wheel.
+    const Vec3 axle = rotate(chassis_.body, wheel.axle);
+    if (!meet_ground(world, wheel.sphere, axle, contact, wheel.ground)) continue;
+    contact.surface.mu = wheel.mu;
+    contact.surface.mu2 = wheel.mu2;
+    const dJointID joint = dJointCreateContact(world.dynamics(), world.contacts(), &contact);
+    dJointAttach(joint, dGeomGetBody(wheel.sphere), nullptr);
+    if (measures_) dJointSetFeedback(joint, &wheel.ground.forces);
+  }
+}
+
+void JointedWheels::follow(double seconds, std::span<double> angles) {
+  for (std::size_t i = 0; i < wheels_.size(); ++i) {
+    angles[i] -= dJointGetHingeAngleRate(wheels_[i].hinge) * seconds;
+    if (measures_) book(wheels_[i], seconds);
+  }
+}
+
+/// Work of a force over a step is its product with the mean velocity: exact for the integrator, in
+/// which force and arm are constant and the velocity changes linearly with them.
+void JointedWheels::book(const JointedWheel& wheel, double seconds) {
+  dVector3 axis;
+  dJointGetHingeAxis(wheel.hinge, axis);
+  const dReal* t = wheel.motor.t1;
+  const double torque = t[0] * axis[0] + t[1] * axis[1] + t[2] * axis[2];
+  const double rate = 0.5 * (wheel.rate + dJointGetHingeAngleRate(wheel.hinge));
+  motor_work_ += torque * rate * seconds;
+  if (!wheel.ground.touches) return;
+  const Vec3 after = material_velocity(dGeomGetBody(wheel.sphere), wheel.ground.arm);
+  friction_loss_ -= 0.5 * seconds * dot(wheel.ground.force(), wheel.ground.velocity + after);
+}
+
+}  // namespace
+
+std::unique_ptr<Wheels> make_jointed_wheels(const OdeWorld& world, const RigidBody& chassis,
+                                            const std::vector<hal::devices::Wheel>& wheels,
+                                            bool measure_energy) {
+  return std::make_unique<JointedWheels>(world, chassis, wheels, measure_energy);
+}
+
+}  // namespace sim::physics

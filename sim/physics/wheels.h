@@ -1,0 +1,77 @@
+#pragma once
+
+#include <ode/ode.h>
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "hal/devices/robot_description.h"
+#include "sim/physics/ode_world.h"
+#include "sim/physics/rigid_body.h"
+
+namespace sim::physics {
+
+/// The wheels of one robot at one level of detail: how they are driven, how they meet the ground
+/// and how far they have turned. Every contact with the ground grips along the rolling direction
+/// and gives way along the axle, as rollers do.
+///
+/// A step is: turn(), touch_ground(), the solver, follow().
+class Wheels {
+ public:
+  virtual ~Wheels() = default;
+
+  /// rad/s, one per wheel, counted as hal::devices::Wheel does.
+  virtual void turn(std::span<const double> speeds) = 0;
+
+  /// Without power the motors neither drive nor brake.
+  virtual void set_power(bool on) = 0;
+
+  /// Adds contact joints of the wheels with the ground.
+  virtual void touch_ground(const OdeWorld& world) = 0;
+
+  /// Adds what the wheels turned in the step to `angles`, rad, and books energies if the world
+  /// measures them.
+  virtual void follow(double seconds, std::span<double> angles) = 0;
+
+  /// Bodies of the wheels themselves; none where they are part of the chassis.
+  virtual std::span<const dBodyID> bodies() const = 0;
+
+  double motor_work() const { return motor_work_; }        ///< J since the start.
+  double friction_loss() const { return friction_loss_; }  ///< J since the start, at the ground.
+
+ protected:
+  double motor_work_ = 0;
+  double friction_loss_ = 0;
+};
+
+/// What the two levels share: a wheel's contact with the ground and what it did in a step.
+struct GroundContact {
+  bool touches = false;
+  hal::Vec3 arm;          ///< m, from the body's centre of mass, at the start of the step
+  hal::Vec3 rolling;      ///< Unit vector, world frame: where a positive speed drives the body.
+  hal::Vec3 velocity;     ///< m/s of the body's material there, before the step
+  dJointFeedback forces;  ///< Of the step; valid if asked for.
+
+  hal::Vec3 force() const { return {forces.f1[0], forces.f1[1], forces.f1[2]}; }  ///< N
+};
+
+/// Fills in a contact of `sphere` with the ground: friction `mu` along the rolling direction, `mu2`
+/// along the axle. @param axle  of the wheel, world frame. @return whether they touch.
+bool meet_ground(const OdeWorld& world, dGeomID sphere, const hal::Vec3& axle, dContact& contact,
+                 GroundContact& met);
+
+/// m/s of a body's material at a distance from its centre of mass; all in the world frame.
+hal::Vec3 material_velocity(dBodyID body, const hal::Vec3& arm);
+
+/// One body and one hinge motor per wheel.
+std::unique_ptr<Wheels> make_jointed_wheels(const OdeWorld& world, const RigidBody& chassis,
+                                            const std::vector<hal::devices::Wheel>& wheels,
+                                            bool measure_energy);
+
+/// Spheres on the chassis whose surface moves at the wheel's speed. @param weight_on_each  N
+std::unique_ptr<Wheels> make_contact_wheels(const RigidBody& chassis,
+                                            const std::vector<hal::devices::Wheel>& wheels,
+                                            double weight_on_each);
+
+}  // namespace sim::physics
