@@ -26,7 +26,7 @@ function link_path(on, nodes, a, b) {
 function draw(parent, group) {
   const { nodes, links } = group;
   const places = nodes.map((n) => [n.x, n.y]);
-  const on = map(parent, `Network of ${group.name}`, square_around(places, 40));
+  const on = map(parent, `Network of ${group.name}`, square_around(places, 55));
   draw_walls(on, group.walls);
   on.inside.selectAll(".link").data(links).join("path").attr("class", "link")
     .attr("opacity", links.length > 150 ? 0.3 : 0.55)

@@ -52,7 +52,7 @@ function note(group) {
 
 export function packets(groups, paper) {
   const part = section("packets", "Fig. 12 · Packets received by each node", "Frames whose payload went "
-    + "up to the network layer: the darker the circle, the more. Bold: total of the runs; below: the "
+    + "up to the network layer: the stronger the colour, the more. Bold: total of the runs; below: the "
     + `mean per run. The paper, total of ${paper.runs} runs: most ${thousands(paper.most_packets)} (second `
     + `row from the top, third column), least ${thousands(paper.least_packets)} (lower right).`, groups.length > 1 ? "" : "single");
   groups.filter((g) => g.nodes.some((n) => !n.robot)).forEach((group) => {
