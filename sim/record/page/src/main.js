@@ -1,7 +1,7 @@
 import { select } from "d3-selection";
 import { network } from "./network.js";
 import { packets } from "./packets.js";
-import { download, section, table } from "./page.js";
+import { download, plural, section, table } from "./page.js";
 import { profiles, times } from "./times.js";
 import { trajectory } from "./trajectory.js";
 
@@ -11,7 +11,7 @@ function head(main, figures) {
   const complete = figures.groups.reduce((count, g) => count + g.runs.length, 0);
   const left_out = figures.groups.reduce((count, g) => count + g.left_out, 0);
   main.append("h1").text("BARAKA report");
-  main.append("p").attr("class", "lead").text(`${complete} complete run${complete === 1 ? "" : "s"} of `
+  main.append("p").attr("class", "lead").text(`${plural(complete, "complete run")} of `
     + `${figures.groups.map((g) => g.name).join(", ")}${left_out ? `; ${left_out} broken off, left out` : ""}. `
     + "The paper: T. H. Labella, I. Dietrich, F. Dressler, “Hybrid simulation of Sensor and Actor "
     + "Networks with BARAKA”, 2009.");
@@ -34,7 +34,7 @@ function runs(groups) {
   const rows = groups.flatMap((g) => g.runs.map((run) =>
     [run.folder, g.name, run.seed, run.result, run.simulated_s.toFixed(1)]));
   const list = part.panels.append("details").attr("open", rows.length <= 12 ? "" : null);
-  list.append("summary").text(`${rows.length} runs`);
+  list.append("summary").text(plural(rows.length, "run"));
   table(list, columns, rows);
   download(part.downloads, "runs.csv", columns, rows);
   return part.element;
@@ -46,14 +46,20 @@ function draw(figures) {
   head(main, figures);
   const groups = figures.groups.filter((g) => g.runs.length);
   const parts = [comparison(figures)];
+  // Each figure shows the groups that have something to show, or is left out.
+  const add = (plot, is_there) => {
+    const shown = groups.filter(is_there);
+    if (shown.length) parts.push(plot(shown));
+  };
   if (groups.length > 1) parts.push(profiles(groups, figures));
-  if (groups.length > 0) {
-    parts.push(network(groups), trajectory(groups), packets(groups, figures.paper),
-      times("discovery", "Fig. 13 · Time to discover a route", "time to discover a route",
-        "Searches that found a route.", groups, figures),
-      times("delay", "Fig. 14 · End-to-end delay", "end-to-end delay",
-        "Messages to one agent that arrived, waiting for a route included.", groups, figures));
-  }
+  add(network, (g) => g.nodes.length);
+  add(trajectory, (g) => g.runs.some((run) => run.robots.length));
+  add((shown) => packets(shown, figures.paper), (g) => g.nodes.some((n) => !n.robot));
+  add((shown) => times("discovery", "Fig. 13 · Time to discover a route", "time to discover a route",
+    "Searches that found a route.", shown, figures), (g) => g.discovery.quantiles);
+  add((shown) => times("delay", "Fig. 14 · End-to-end delay", "end-to-end delay",
+    "Messages to one agent that arrived, waiting for a route included.", shown, figures),
+  (g) => g.delay.quantiles);
   parts.push(runs(groups));
   for (const part of parts) main.append(() => part.node());
   document.documentElement.dataset.drawn = parts.length;

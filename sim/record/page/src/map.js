@@ -8,11 +8,21 @@ const kWidth = 520;  // px of the view box
 const kMargin = { top: 10, right: 12, bottom: 40, left: 52 };
 let clips = 0;
 
-/** The square around places [[x, y], ...], with a margin in metres. */
-export function square_around(places, margin) {
+/** Corners of a wall, as places [[x, y], ...]. */
+export const corners = (w) => [[-1, -1], [-1, 1], [1, -1], [1, 1]].map(([i, j]) => {
+  const [u, v] = [i * w.length_x / 2, j * w.length_y / 2];
+  return [w.x + u * Math.cos(w.yaw) - v * Math.sin(w.yaw),
+          w.y + u * Math.sin(w.yaw) + v * Math.cos(w.yaw)];
+});
+
+/** The square around places.
+ *  @param share  of its side, kept free on each side
+ *  @param least  m, kept free at least */
+export function square_around(places, share, least = 1) {
   const [x0, x1] = extent(places, (p) => p[0]);
   const [y0, y1] = extent(places, (p) => p[1]);
-  const half = Math.max(x1 - x0, y1 - y0) / 2 + margin;
+  const side = Math.max(x1 - x0, y1 - y0);
+  const half = side / 2 + Math.max(least, share * side);
   const [x, y] = [(x0 + x1) / 2, (y0 + y1) / 2];
   return { x0: x - half, x1: x + half, y0: y - half, y1: y + half };
 }

@@ -1,6 +1,6 @@
 // Fig. 2: the nodes and who can hear whom at the start.
-import { download, panel, section } from "./page.js";
-import { draw_robot, draw_walls, map, square_around } from "./map.js";
+import { download, panel, plural, section } from "./page.js";
+import { corners, draw_robot, draw_walls, map, square_around } from "./map.js";
 
 /** Whether a third node stands on the line between two. */
 function passes_a_node(nodes, a, b) {
@@ -25,8 +25,8 @@ function link_path(on, nodes, a, b) {
 
 function draw(parent, group) {
   const { nodes, links } = group;
-  const places = nodes.map((n) => [n.x, n.y]);
-  const on = map(parent, `Network of ${group.name}`, square_around(places, 55));
+  const places = [...nodes.map((n) => [n.x, n.y]), ...group.walls.flatMap(corners)];
+  const on = map(parent, `Network of ${group.name}`, square_around(places, 0.11));
   draw_walls(on, group.walls);
   on.inside.selectAll(".link").data(links).join("path").attr("class", "link")
     .attr("opacity", links.length > 150 ? 0.3 : 0.55)
@@ -55,7 +55,7 @@ export function network(groups) {
     const { nodes, links } = group;
     const of_robots = links.filter(([a, b]) => nodes[a].robot || nodes[b].robot).length;
     draw(panel(part.panels, group.series, group.name,
-      `${links.length - of_robots} links between motes, ${of_robots} to robots`).element, group);
+      `${plural(links.length - of_robots, "link")} between motes, ${of_robots} to robots`).element, group);
   });
   download(part.downloads, "nodes.csv", ["profile", "node", "kind", "x_m", "y_m", "target"],
     groups.flatMap((g) => g.nodes.map((n) =>

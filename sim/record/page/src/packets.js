@@ -1,7 +1,7 @@
 // Fig. 12: packets received by each node.
 import { extent } from "d3-array";
 import { scaleLinear } from "d3-scale";
-import { download, panel, section, thousands } from "./page.js";
+import { download, panel, plural, section, thousands } from "./page.js";
 import { map, square_around } from "./map.js";
 
 let gradients = 0;
@@ -23,7 +23,7 @@ function fuzzy(svg) {
 function draw(parent, group) {
   const motes = group.nodes.filter((n) => !n.robot);
   const places = motes.map((n) => [n.x, n.y]);
-  const on = map(parent, `Packets received, ${group.name}`, square_around(places, 75));
+  const on = map(parent, `Packets received, ${group.name}`, square_around(places, 0.15, 5));
   const shade = scaleLinear(extent(motes, (n) => n.packets), [0.12, 1]);
   const step = motes.length > 1 ? Math.min(...motes.map((n) => nearest(n, motes))) * on.metre : 90;
   const radius = Math.min(30, Math.max(6, 0.33 * step));
@@ -56,9 +56,9 @@ export function packets(groups, paper) {
     + `mean per run. The paper, total of ${paper.runs} runs: most ${thousands(paper.most_packets)} (second `
     + `row from the top, third column), least ${thousands(paper.least_packets)} (lower right).`,
     groups.length > 1 ? "" : "single");
-  groups.filter((g) => g.nodes.some((n) => !n.robot)).forEach((group) => {
-    draw(panel(part.panels, group.series, `${group.name}, ${group.runs.length} run`
-      + (group.runs.length === 1 ? "" : "s"), note(group)).element, group);
+  groups.forEach((group) => {
+    draw(panel(part.panels, group.series, `${group.name}, ${plural(group.runs.length, "run")}`,
+      note(group)).element, group);
   });
   download(part.downloads, "packets.csv", ["profile", "node", "x_m", "y_m", "total", "runs", "mean"],
     groups.flatMap((g) => g.nodes.map((n) =>

@@ -2,6 +2,7 @@
 import { create } from "d3-selection";
 
 export const thousands = (value) => value.toLocaleString("en");
+export const plural = (count, noun) => `${thousands(count)} ${noun}${count === 1 ? "" : "s"}`;
 
 /** A section with a title, a place for panels, a caption and links to its files. */
 export function section(id, title, caption, layout = "") {

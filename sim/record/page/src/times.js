@@ -3,7 +3,7 @@ import { axisBottom, axisLeft } from "d3-axis";
 import { max, sum } from "d3-array";
 import { scaleLinear, scaleLog } from "d3-scale";
 import { create } from "d3-selection";
-import { download, panel, section, table, thousands } from "./page.js";
+import { download, panel, plural, section, table, thousands } from "./page.js";
 
 const kWidth = 1100;  // px of the view box
 const kMargin = { right: 70, bottom: 42 };
@@ -131,7 +131,7 @@ export function times(key, title, label, caption, groups, figures) {
     const sample = group[key];
     const count = sum(sample.runs_ns, (run) => run.length);
     const { element } = panel(part.panels, group.series, group.name,
-      `${thousands(count)} times from ${group.runs.length} run${group.runs.length === 1 ? "" : "s"}`);
+      `${plural(count, "time")} from ${plural(group.runs.length, "run")}`);
     draw_histogram(element, label, group, sample, figures.paper[key], figures.histogram);
     table(element, kColumns, [
       quantile_rows("ours", sample.quantiles, thousands(count), thousands(sample.zeros)),

@@ -1,23 +1,26 @@
 // Fig. 11: where the robots drove, and how they went round the wall.
 import { line } from "d3-shape";
 import { download, panel, section } from "./page.js";
-import { draw_robot, draw_walls, map, square_around } from "./map.js";
+import { corners, draw_robot, draw_walls, map, square_around } from "./map.js";
 
 const kBodyRadius = 0.185;  // m, of a Robertino
 
-const corners = (w) => [[-1, -1], [-1, 1], [1, -1], [1, 1]].map(([i, j]) => {
-  const [u, v] = [i * w.length_x / 2, j * w.length_y / 2];
-  return [w.x + u * Math.cos(w.yaw) - v * Math.sin(w.yaw),
-          w.y + u * Math.sin(w.yaw) + v * Math.cos(w.yaw)];
-});
+/** Everything that stands or drives in a group. */
+function field_window(group) {
+  return square_around([...group.nodes.map((n) => [n.x, n.y]), ...group.walls.flatMap(corners),
+    ...group.runs.flatMap((r) => r.robots.flatMap((robot) =>
+      robot.track.map(([, x, y]) => [x, y])))], 0.06);
+}
 
-/** The wall a run passed closest to its middle, with some room around; nothing without walls. */
-function close_up_window(group, run) {
+/** The wall a run passed closest to its middle, with some room around; nothing without walls, or if
+ *  the field is hardly larger. */
+function close_up_window(group, run, field) {
   const places = run.robots.flatMap((r) => r.track);
   if (!group.walls.length || !places.length) return null;
   const distance = (w) => Math.min(...places.map(([, x, y]) => Math.hypot(x - w.x, y - w.y)));
   const wall = group.walls.reduce((a, b) => (distance(b) < distance(a) ? b : a));
-  return square_around(corners(wall), 4);
+  const window = square_around(corners(wall), 0, 4);
+  return window.x1 - window.x0 < (field.x1 - field.x0) / 2 ? window : null;
 }
 
 function draw_tracks(on, group, shown) {
@@ -42,10 +45,8 @@ function draw_marks(on, run, radius, is_labelled) {
     .attr("y", ([, , y]) => on.y(y) - radius - 2).text(([t]) => `${t} s`);
 }
 
-function draw_field(parent, group, run, close_up) {
-  const places = [...group.nodes.map((n) => [n.x, n.y]),
-    ...group.runs.flatMap((r) => r.robots.flatMap((robot) => robot.track.map(([, x, y]) => [x, y])))];
-  const on = map(parent, `Trajectory, ${group.name}`, square_around(places, 30));
+function draw_field(parent, group, run, field, close_up) {
+  const on = map(parent, `Trajectory, ${group.name}`, field);
   const motes = group.nodes.filter((n) => !n.robot);
   on.inside.selectAll(".node").data(motes).join("circle").attr("class", "node small").attr("r", 3)
     .attr("cx", (n) => on.x(n.x)).attr("cy", (n) => on.y(n.y)).append("title").text((n) => n.name);
@@ -53,7 +54,7 @@ function draw_field(parent, group, run, close_up) {
     .attr("class", "target").attr("r", 10).attr("cx", (n) => on.x(n.x)).attr("cy", (n) => on.y(n.y));
   draw_tracks(on, group, run);
   draw_walls(on, group.walls);
-  draw_marks(on, run, 3, (t) => t > 0 && t % 120 === 0);
+  draw_marks(on, run, 3, (t) => (close_up ? t > 0 && t % 120 === 0 : t % 60 === 0));
   if (!close_up) return;
   on.above.append("rect").attr("class", "window").attr("x", on.x(close_up.x0))
     .attr("y", on.y(close_up.y1)).attr("width", on.x(close_up.x1) - on.x(close_up.x0))
@@ -80,8 +81,9 @@ function draw_panel(panels, group) {
   const plots = element.append("div").attr("class", "pair");
   const show = (run) => {
     plots.selectAll("*").remove();
-    const window = close_up_window(group, run);
-    draw_field(plots.append("div").attr("class", "field"), group, run, window);
+    const field = field_window(group);
+    const window = close_up_window(group, run, field);
+    draw_field(plots.append("div").attr("class", "field"), group, run, field, window);
     if (window) draw_close_up(plots.append("div").attr("class", "close-up"), group, run, window);
   };
   const first = Math.max(0, group.runs.findIndex((run) => run.robots.length));
@@ -95,11 +97,11 @@ function draw_panel(panels, group) {
 
 export function trajectory(groups) {
   const part = section("trajectory", "Fig. 11 · Trajectory", "Left: the way of the robot, a mark every "
-    + "30 s; other runs faint. Right: close-up of the dashed square, the robot's body drawn to scale "
-    + "once per second; the diamond is the start, the brown bar the wall it has to avoid.", "wide");
-  const driven = groups.filter((g) => g.runs.some((run) => run.robots.length));
-  driven.forEach((group) => draw_panel(part.panels, group));
-  const rows = (key) => driven.flatMap((g) => g.runs.flatMap((run) => run.robots.flatMap((robot) =>
+    + "30 s; other runs faint. Right, if the world is much larger than its walls: close-up of the dashed "
+    + "square, the robot's body drawn to scale once per second; the diamond is the start, the brown bar "
+    + "the wall it has to avoid.", "wide");
+  groups.forEach((group) => draw_panel(part.panels, group));
+  const rows = (key) => groups.flatMap((g) => g.runs.flatMap((run) => run.robots.flatMap((robot) =>
     robot[key].map((place) => [g.name, run.folder, run.seed, robot.name, ...place]))));
   const columns = ["profile", "run", "seed", "robot", "t_s", "x_m", "y_m"];
   download(part.downloads, "trajectory.csv", columns, rows("track"));
