@@ -57,8 +57,10 @@ int command(int argc, char** argv) {
   check->add_option("SCENARIO", checked, "Scenario file")->required();
   check->add_option("--set", check_overrides, "KEY=VALUE")->allow_extra_args(false);
   std::vector<std::string> folders;
-  CLI::App* report = app.add_subcommand("report", "Print the tables of one or many results");
+  std::string page;
+  CLI::App* report = app.add_subcommand("report", "Tables and figures of one or many results");
   report->add_option("DIR", folders, "Folders of results")->required();
+  report->add_option("-o", page, "Write a page with the figures to this file, print no tables");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -67,7 +69,7 @@ int command(int argc, char** argv) {
   }
   if (!seed.empty()) run_options.overrides.push_back("seed=" + seed);
   if (*check) return gateway::app::check(checked, check_overrides);
-  if (*report) return gateway::app::report(folders);
+  if (*report) return gateway::app::report(folders, page);
   return run_options.replications ? gateway::app::run_replications(run_options)
                                   : gateway::app::run(run_options);
 }

@@ -3,14 +3,49 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <stdexcept>
 
 #include "gateway/app/exit_status.h"
 #include "sim/record/report.h"
+#include "sim/record/report_page.h"
 
 namespace gateway::app {
+namespace {
 
-int report(const std::vector<std::string>& folders) {
-  fmt::print("{}", sim::record::report({folders.begin(), folders.end()}));
+/// The page without figures. It lies beside this program, if it was built.
+std::string empty_page() {
+  const auto folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+  const std::filesystem::path path = folder / "report_page.html";
+  std::ifstream file(path, std::ios::binary);
+  if (!file) {
+    throw std::runtime_error(fmt::format(
+        "{} is missing: the report page is bundled with npm when that is installed; "
+        "./setup report_page installs it and builds the page. Without -o, report prints "
+        "its tables",
+        path.string()));
+  }
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void write(const std::string& path, const std::string& text) {
+  std::ofstream file(path, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) throw std::runtime_error(path + ": cannot be written");
+}
+
+}  // namespace
+
+int report(const std::vector<std::string>& folders, const std::string& page) {
+  const std::vector<std::filesystem::path> results(folders.begin(), folders.end());
+  if (page.empty()) {
+    fmt::print("{}", sim::record::report(results));
+    return kDone;
+  }
+  write(page, sim::record::report_page(results, empty_page()));
+  fmt::print("page: {}\n", page);
   return kDone;
 }
 

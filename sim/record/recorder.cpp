@@ -79,6 +79,10 @@ void Recorder::describe(const agents::SimulationConfig& config) {
     insert.run(agent.id.value, agent.name, is_mote ? "mote" : "robot", agent.program, agent.pose.x,
                agent.pose.y, agent.pose.theta);
   }
+  Statement insert_wall(database_, "INSERT INTO walls VALUES (?, ?, ?, ?, ?, ?)");
+  for (const physics::StaticBox& wall : config.walls) {
+    insert_wall.run(wall.name, wall.centre.x, wall.centre.y, wall.yaw, wall.size.x, wall.size.y);
+  }
   Statement insert_end(database_, "INSERT INTO ends VALUES (?, ?, ?, ?)");
   for (const agents::EndCondition& end : config.ends) {
     std::optional<int> agent;

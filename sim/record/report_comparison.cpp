@@ -231,14 +231,23 @@ std::vector<Figure> all_figures() {
 
 }  // namespace
 
+std::vector<ComparisonRow> comparison_rows(const std::vector<Group>& groups) {
+  std::vector<ComparisonRow> rows;
+  for (const Figure& figure : all_figures()) {
+    ComparisonRow& row = rows.emplace_back(ComparisonRow{figure.name, figure.paper, {}});
+    for (const Group& group : groups) row.ours.push_back(figure.ours(group));
+  }
+  return rows;
+}
+
 std::string comparison_section(const std::vector<Group>& groups) {
   std::vector<std::string> head = {"figure", "paper"};
   for (const Group& group : groups) head.push_back(group.name);
   TextTable table(head);
-  for (const Figure& figure : all_figures()) {
-    std::vector<std::string> row = {figure.name, figure.paper};
-    for (const Group& group : groups) row.push_back(figure.ours(group));
-    table.add_row(row);
+  for (const ComparisonRow& row : comparison_rows(groups)) {
+    std::vector<std::string> cells = {row.figure, row.paper};
+    cells.insert(cells.end(), row.ours.begin(), row.ours.end());
+    table.add_row(cells);
   }
   return "Figures, pooled over the runs of a profile (quartiles of type 7; delay: of messages to "
          "one "

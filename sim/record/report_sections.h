@@ -13,6 +13,13 @@ namespace sim::record {
 /// One line per run and robot.
 std::string runs_section(const std::vector<RunResult>& runs);
 
+/// One line of the comparison: what it is, the paper's figure ("" if it has none), each group's.
+struct ComparisonRow {
+  std::string figure, paper;
+  std::vector<std::string> ours;
+};
+std::vector<ComparisonRow> comparison_rows(const std::vector<Group>& groups);
+
 /// One line per figure, a column for the paper and for each group.
 std::string comparison_section(const std::vector<Group>& groups);
 

@@ -59,6 +59,30 @@ void read_bodies(Database& database, RunResult& run) {
   }
 }
 
+void read_walls(Database& database, RunResult& run) {
+  Statement query(database, "SELECT name, x, y, yaw, size_x, size_y FROM walls ORDER BY rowid");
+  while (query.next()) {
+    run.walls.push_back({.name = query.text(0),
+                         .x = query.real(1),
+                         .y = query.real(2),
+                         .yaw = query.real(3),
+                         .length_x = query.real(4),
+                         .length_y = query.real(5)});
+  }
+}
+
+void read_tracks(Database& database, RunResult& run) {
+  Statement query(database,
+                  "SELECT p.agent, p.at_ns, p.x, p.y FROM poses p JOIN agents a USING (agent)"
+                  " WHERE a.kind = 'robot' ORDER BY p.agent, p.at_ns");
+  while (query.next()) {
+    run.tracks[static_cast<int>(query.integer(0))].push_back(
+        {.at = static_cast<double>(query.integer(1)) / 1e9,  // whole seconds stay whole
+         .x = query.real(2),
+         .y = query.real(3)});
+  }
+}
+
 void read_network(Database& database, RunResult& run) {
   Statement links(database, "SELECT a, b FROM links ORDER BY a, b");
   while (links.next()) {
@@ -155,6 +179,8 @@ RunResult read_run(const fs::path& folder) {
   read_values(database, run);
   read_agents(database, run);
   read_bodies(database, run);
+  read_walls(database, run);
+  read_tracks(database, run);
   read_network(database, run);
   read_messages(database, run);
   read_discoveries(database, run);

@@ -24,6 +24,17 @@ struct RunResult {
     double x = 0, y = 0;              ///< m, last
     std::optional<std::uint64_t> wall_steps, object_steps;
   };
+  /// A box seen from above: lengths in metres, angle in radians.
+  struct Wall {
+    std::string name;
+    double x = 0, y = 0, yaw = 0;       ///< Middle; its own x axis.
+    double length_x = 0, length_y = 0;  ///< Along its own axes.
+  };
+  /// Where a robot was.
+  struct Place {
+    double at = 0;        ///< s
+    double x = 0, y = 0;  ///< m
+  };
   /// A message to one agent that arrived.
   struct Delivery {
     double delay = 0;                  ///< s
@@ -35,6 +46,8 @@ struct RunResult {
   std::map<std::string, std::string> values;  ///< The table run.
   std::vector<Agent> agents;
   std::map<int, Body> bodies;
+  std::vector<Wall> walls;
+  std::map<int, std::vector<Place>> tracks;  ///< Of the robots, by time.
   std::vector<std::pair<int, int>> links;
   std::map<int, std::uint64_t> packets;  ///< Frames that went up to the network layer, by agent.
   std::vector<Delivery> deliveries;

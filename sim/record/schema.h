@@ -7,7 +7,7 @@
 namespace sim::record {
 
 /// Version of the tables below, as `PRAGMA user_version` of the file.
-inline constexpr int kSchemaVersion = 1;
+inline constexpr int kSchemaVersion = 2;
 
 /// The tables of `run.sqlite`. SQLite keeps the comments: `sqlite3 run.sqlite .schema` shows this
 /// text. Times are simulated nanoseconds since the start of the run, lengths metres, angles
@@ -33,6 +33,12 @@ CREATE TABLE ends (          -- end conditions of the scenario
   state TEXT,                -- the agent's controller enters this state ...
   after_ns INTEGER,          -- ... this long before the end
   result TEXT                -- what the run is then called
+);
+
+CREATE TABLE walls (         -- boxes that never move
+  name TEXT,
+  x REAL, y REAL, yaw REAL,  -- middle; its own x axis
+  size_x REAL, size_y REAL   -- along its own axes
 );
 
 CREATE TABLE links (         -- pairs that can hear each other at the start, lower address first

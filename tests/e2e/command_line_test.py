@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """What `baraka` says to those who use it wrongly, and what it does with folders of results."""
+import shutil
 import unittest
 
-from baraka import CASE_STUDY, ROOT, Case, Program
+from baraka import BIN, CASE_STUDY, ROOT, Case, Program
 
 TWO_MOTES = ROOT / "config/scenarios/two_motes.yaml"
 IN_PROCESS = ["--controllers", "in-process"]
@@ -96,6 +97,14 @@ class Results(Case):
         finished = Program("baraka", "report", self.folder).finish()
         self.assertEqual(finished.status, 1, str(finished))
         self.assertIn(str(self.folder), finished.err)
+
+
+    def test_a_report_without_the_page_says_what_is_missing(self):
+        program = shutil.copy(BIN / "baraka", self.folder)  # where no page lies beside it
+        finished = Program(program, "report", "-o", self.folder / "report.html", self.folder).finish()
+        self.assertEqual(finished.status, 1, str(finished))
+        self.assertRegex(finished.err, "report_page.html is missing.*npm.*./setup report_page")
+        self.assertFalse((self.folder / "report.html").exists())
 
 
 class Wanderer(Case):

@@ -47,6 +47,7 @@ ONLY_IN = {
     "fcl/": ["sim/sensing"],
     "Eigen/": ["sim/physics", "sim/sensing", "sim/agents"],
     "sqlite3": ["sim/record"],
+    "nlohmann/": ["sim/record"],
 }
 GENERATED = re.compile(r"^\w+(PubSubTypes)?\.h$")  # of idl/: "exchange.h", "exchangePubSubTypes.h"
 

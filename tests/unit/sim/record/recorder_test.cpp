@@ -206,6 +206,13 @@ TEST_F(RecorderTest, AWorldWithoutWallsHasNoClearance) {
   EXPECT_EQ(asked("SELECT clearance FROM bodies"), "null");
 }
 
+TEST_F(RecorderTest, KeepsWallsAsSeenFromAbove) {
+  EXPECT_EQ(
+      asked("SELECT name || '/' || x || '/' || y || '/' || yaw || '/' || size_x || '/' || size_y"
+            " FROM walls"),
+      "fence/5.0/6.0/0.5/2.0/0.25");
+}
+
 TEST_F(RecorderTest, KeepsLinksDiscoveriesAndStates) {
   recorder->on_start({{AgentId{1}, AgentId{2}}});
   recorder->on_discovery(Time{2s}, AgentId{1}, {"help", AgentId{2}, 962181ns, true});

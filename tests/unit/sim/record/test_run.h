@@ -47,7 +47,7 @@ inline void make_result(const std::filesystem::path& folder, const std::string& 
   database.execute(sql);
 }
 
-/// Two motes m0 (1) and m1 (2), and a robot r0 (3); m1 in state DONE ends the run.
+/// Two motes m0 (1) and m1 (2), and a robot r0 (3); m1 in state DONE ends the run. A wall.
 inline agents::SimulationConfig small_config() {
   agents::SimulationConfig config;
   config.seed = 7;
@@ -64,6 +64,7 @@ inline agents::SimulationConfig small_config() {
   add(1, "m0", 0, hal::devices::MoteDescription{});
   add(2, "m1", 100, hal::devices::MoteDescription{});
   add(3, "r0", 50, hal::devices::RobotDescription{});
+  config.walls = {{.name = "fence", .centre = {5, 6, 0.5}, .size = {2, 0.25, 1}, .yaw = 0.5}};
   config.ends = {{hal::AgentId{2}, "DONE", std::chrono::seconds{1}, "arrived"},
                  {std::nullopt, "", std::chrono::seconds{3600}, "timeout"}};
   return config;

@@ -1,0 +1,242 @@
+#!/usr/bin/env python3
+"""The report page as a browser shows it: every plot has as many points as the results have.
+
+Needs the page (./setup report_page) and Chromium; where one is missing it is skipped (status 77).
+BARAKA_SCREENSHOTS=DIR keeps the pictures it takes.
+"""
+import csv
+import html.parser
+import io
+import os
+import pathlib
+import shutil
+import struct
+import subprocess
+import sys
+import unittest
+import urllib.parse
+
+from baraka import BIN, CASE_STUDY, Case, Program
+
+CHROMIUM = shutil.which("chromium")
+FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--hide-scrollbars",
+         "--disable-background-networking", "--disable-component-update", "--disable-sync"]
+UNTIL = 65  # s: the robot goes round the wall; marks at 0, 30 and 60 s
+SKIPPED = 77
+
+
+class Element:
+    def __init__(self, tag, attributes, parent):
+        self.tag, self.attributes, self.parent = tag, dict(attributes), parent
+        self.text, self.children = "", []
+
+    def all(self, name):
+        """Elements inside, by tag or by class."""
+        for child in self.children:
+            if name == child.tag or name in (child.attributes.get("class") or "").split():
+                yield child
+            yield from child.all(name)
+
+    def count(self, name):
+        return sum(1 for _ in self.all(name))
+
+    def __getitem__(self, attribute):
+        return self.attributes[attribute]
+
+
+class Document(html.parser.HTMLParser):
+    EMPTY = {"meta", "link", "br", "input"}
+
+    def __init__(self, text):
+        super().__init__()
+        self.root = self.open = Element("document", {}, None)
+        self.feed(text)
+
+    def handle_starttag(self, tag, attributes):
+        element = Element(tag, attributes, self.open)
+        self.open.children.append(element)
+        if tag not in self.EMPTY:
+            self.open = element
+
+    def handle_endtag(self, tag):
+        if tag not in self.EMPTY:
+            assert self.open.tag == tag, f"<{self.open.tag}> ends as </{tag}>"
+            self.open = self.open.parent
+
+    def handle_data(self, data):
+        self.open.text += data
+
+    def section(self, name):
+        return next(s for s in self.root.all("section") if s["id"] == name)
+
+
+def chromium(folder, page, *arguments):
+    done = subprocess.run([CHROMIUM, *FLAGS, f"--user-data-dir={folder / 'profile'}", *arguments,
+                           page.as_uri()], capture_output=True, text=True, timeout=120)
+    if done.returncode != 0:
+        raise AssertionError(f"chromium ended with {done.returncode}\n{done.stderr}")
+    return done.stdout
+
+
+def rows_of(link):
+    """Rows of a file that is in a link, the head left out."""
+    kind, text = link["href"].split(",", 1)
+    assert kind == "data:text/csv;charset=utf-8", kind
+    return list(csv.reader(io.StringIO(urllib.parse.unquote(text))))[1:]
+
+
+class Page(Case):
+    """Two runs over 802.11 and one over an ideal radio."""
+
+    @classmethod
+    def setUpClass(cls):
+        case = cls("make")
+        case.setUp()
+        cls.addClassCleanup(case.doCleanups)
+        cls.results = []
+        for seed, profile in (1, "mobility_framework"), (2, "mobility_framework"), (1, "ideal"):
+            case.run_baraka(CASE_STUDY, "--controllers", "in-process", "--until", UNTIL, "--seed",
+                            seed, "--set", f"radio.profile={profile}")
+            cls.results.append(case.out)
+        cls.home = case.folder
+        cls.page = case.folder / "report.html"
+        case.report(cls.page, *cls.results)
+        cls.document = Document(chromium(cls.home, cls.page, "--dump-dom"))
+
+    def make(self):
+        """What setUpClass calls a case for."""
+
+    def report(self, page, *results):
+        finished = Program("baraka", "report", "-o", page, *results).finish()
+        self.assertEqual(finished.status, 0, str(finished))
+        self.assertEqual(finished["page"], str(page))
+
+    def number(self, sql, *results):
+        return sum(self.query(sql, out)[0][0] for out in results)
+
+    def panels(self, name):
+        found = list(self.document.section(name).all("panel"))
+        self.assertEqual(len(found), 2)
+        return zip(found, (self.results[:2], self.results[2:]))
+
+    def files(self, name):
+        return {link["download"]: rows_of(link) for link in self.document.section(name).all("a")}
+
+    def test_the_network_has_every_node_and_link(self):
+        for panel, results in self.panels("network"):
+            self.assertEqual((panel.count("node"), panel.count("robot")), (25, 1))
+            links = self.number("SELECT COUNT(*) FROM links", results[0])
+            self.assertGreater(links, 102)
+            self.assertEqual(panel.count("link"), links)
+        self.assertEqual(len(self.files("network")["nodes.csv"]), 2 * 26)
+
+    def test_the_trajectory_has_every_place_and_a_mark_each_30_seconds(self):
+        poses = "SELECT COUNT(*) FROM poses JOIN agents USING (agent) WHERE kind = 'robot'"
+        for panel, results in self.panels("trajectory"):
+            for plot in ("field", "close-up"):
+                plot, = panel.all(plot)
+                self.assertEqual(plot.count("mark"), 3)
+                self.assertEqual(plot.count("wall"), 1)
+                shown, = plot.all("shown")
+                # A path is a move and a line for each further place.
+                self.assertEqual(1 + shown["d"].count("L"), self.number(poses, results[0]))
+                self.assertEqual(plot.count("other"), len(results) - 1)
+        self.assertEqual(len(self.files("trajectory")["trajectory.csv"]),
+                         self.number(poses, *self.results))
+        self.assertEqual([float(row[4]) for row in self.files("trajectory")["marks.csv"]],
+                         3 * [0, 30, 60])
+
+    def test_the_close_up_shows_the_robot_at_the_wall(self):
+        for panel, results in self.panels("trajectory"):
+            plot, = panel.all("close-up")
+            # The window is the wall's square, 20 m at 45 degrees, and 4 m around it.
+            half = (20 + 0.3) / 2 * 0.5 ** 0.5 + 4
+            inside = self.number(
+                f"SELECT COUNT(*) FROM poses JOIN agents USING (agent) WHERE kind = 'robot'"
+                f" AND abs(poses.x - 12.2) <= {half} AND abs(poses.y - 12.2) <= {half}", results[0])
+            self.assertGreater(inside, 10)
+            self.assertEqual(plot.count("body"), inside)
+
+    def test_each_mote_has_a_circle_with_its_packets(self):
+        for panel, results in self.panels("packets"):
+            self.assertEqual(panel.count("packets"), 25)
+            shown = [int(text.text.replace(",", "")) for text in panel.all("total")]
+            packets = "SELECT IFNULL(SUM(count), 0) FROM packets WHERE agent = "
+            motes = self.query("SELECT agent FROM agents WHERE kind = 'mote' ORDER BY agent",
+                               results[0])
+            self.assertEqual(shown, [self.number(packets + str(mote), *results) for mote, in motes])
+
+    def check_times(self, name, sql):
+        for panel, results in self.panels(name):
+            bars = sum(int(bar["data-count"]) for bar in panel.all("bar"))
+            self.assertGreater(bars, 0)
+            self.assertEqual(bars, self.number(f"SELECT COUNT(*) {sql}", *results))
+            self.assertEqual((panel.count("quartile"), panel.count("box")), (3, 2))
+            zeros = self.number(f"SELECT COUNT(*) {sql} AND time = 0", *results)
+            beside = [bar for bar in panel.all("beside")
+                      if next(bar.all("title")).text.startswith("0:")]
+            self.assertEqual(sum(int(bar["data-count"]) for bar in beside), zeros)
+        files = self.files(name)
+        everything = self.number(f"SELECT COUNT(*) {sql}", *self.results)
+        self.assertEqual(len(files[f"{name}.csv"]), everything)
+        self.assertEqual(sum(int(row[3]) for row in files[f"{name}_bins.csv"]), everything)
+
+    def test_the_histogram_of_discoveries_counts_each_once(self):
+        self.check_times("discovery", "FROM (SELECT took_ns time FROM discoveries WHERE found)"
+                         " WHERE TRUE")
+
+    def test_the_histogram_of_delays_counts_each_once_and_zeros_beside_the_axis(self):
+        delays = ("FROM (SELECT delay_ns time FROM deliveries JOIN messages USING (sender, id)"
+                  " WHERE destination != 65535) WHERE TRUE")
+        self.check_times("delay", delays)
+        self.assertGreater(self.number(f"SELECT COUNT(*) {delays} AND time = 0", self.results[2]), 0)
+
+    def test_the_profiles_stand_side_by_side_with_the_paper(self):
+        head, *rows = self.document.section("comparison").all("tr")
+        self.assertEqual([cell.text for cell in head.children],
+                         ["figure", "paper", "mobility_framework", "ideal"])
+        median = next(row for row in rows if row.children[0].text == "delay, median ms")
+        self.assertEqual(median.children[1].text, "2.520")
+        self.assertEqual(self.document.section("profiles").count("box"), 2 * 3)
+
+    def test_it_needs_nothing_but_itself(self):
+        source = Document(self.page.read_text()).root
+        for element in [*source.all("script"), *source.all("link"), *source.all("img")]:
+            address = element.attributes.get("src") or element.attributes.get("href") or "data:"
+            self.assertTrue(address.startswith("data:"), address)
+        style = next(source.all("style")).text
+        self.assertNotIn("url(", style)
+        self.assertNotIn("@import", style)
+
+    def test_a_picture_of_it_is_as_large_as_asked_and_not_empty(self):
+        folder = pathlib.Path(os.environ.get("BARAKA_SCREENSHOTS", self.home))
+        for name, scheme in ("light", 1), ("dark", 0):
+            picture = folder / f"report_{name}.png"
+            chromium(self.home, self.page, f"--screenshot={picture}", "--window-size=1200,6000",
+                     f"--blink-settings=preferredColorScheme={scheme}")
+            content = picture.read_bytes()
+            self.assertEqual(struct.unpack(">II", content[16:24]), (1200, 6000))
+            self.assertGreater(len(content), 200_000)  # an empty page has 34 kB
+
+    def test_a_file_that_cannot_be_written_is_named(self):
+        page = self.folder / "missing" / "report.html"
+        finished = Program("baraka", "report", "-o", page, self.results[0]).finish()
+        self.assertEqual(finished.status, 1, str(finished))
+        self.assertIn(str(page), finished.err)
+
+    def test_one_run_alone_makes_a_page_too(self):
+        page = self.folder / "one.html"
+        self.report(page, self.results[0])
+        document = Document(chromium(self.folder, page, "--dump-dom"))
+        self.assertEqual(document.section("packets").count("packets"), 25)
+        self.assertNotIn("profiles", [s["id"] for s in document.root.all("section")])
+
+
+if __name__ == "__main__":
+    if not (BIN / "report_page.html").exists():
+        print("skipped: the report page is not built; ./setup report_page installs npm and builds it")
+        sys.exit(SKIPPED)
+    if CHROMIUM is None:
+        print("skipped: no chromium; apt-get install --no-install-recommends chromium")
+        sys.exit(SKIPPED)
+    unittest.main()
