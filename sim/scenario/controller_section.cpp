@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <map>
 
-#include "sim/scenario/fields.h"
 #include "hal/types/pattern.h"
+#include "sim/scenario/fields.h"
 
 namespace sim::scenario {
 namespace {
