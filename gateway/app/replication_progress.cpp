@@ -18,7 +18,7 @@ double seconds(ReplicationProgress::Clock::duration duration) {
 }
 
 std::string clock_like(double seconds) {
-  const auto whole = static_cast<long>(seconds + 0.5);
+  const auto whole = std::lround(seconds);
   return whole < 100     ? fmt::format("{} s", whole)
          : whole < 36000 ? fmt::format("{} min {:02} s", whole / 60, whole % 60)
                          : fmt::format("{} h {:02} min", whole / 3600, whole % 3600 / 60);

@@ -176,6 +176,11 @@ void Replicator::finish(Job& job) {
   ends_[job.replication.number] = end;
 }
 
+void print_bad_end(const Replication& replication, const ReplicationEnd& end) {
+  fmt::print(stderr, "{}: {} (seed {}): {}\n", is_final(end) ? "expectation not met" : "failed",
+             replication.name(), replication.seed, is_final(end) ? end.result : end.error);
+}
+
 int Replicator::print_outcome() const {
   std::map<std::string, int> results;
   std::size_t failed = 0, unmet = 0;
@@ -184,11 +189,9 @@ int Replicator::print_outcome() const {
     if (found == ends_.end()) continue;
     const ReplicationEnd& end = found->second;
     if (is_final(end)) ++results[end.result];
-    const char* what = is_final(end) ? end.result.c_str() : end.error.c_str();
     if (end.status == kDone) continue;
-    is_final(end) ? ++unmet : ++failed;
-    fmt::print(stderr, "{}: {} (seed {}): {}\n", is_final(end) ? "expectation not met" : "failed",
-               replication.name(), replication.seed, what);
+    ++(is_final(end) ? unmet : failed);
+    print_bad_end(replication, end);
   }
   fmt::print("replications: {}\nfinished: {}\nfailed: {}\nkept: {}\n", replications_.size(),
              ends_.size() - failed, failed, kept_);
@@ -198,7 +201,8 @@ int Replicator::print_outcome() const {
     fmt::print(stderr, "interrupted; the same command goes on from here\n");
     return kInterrupted;
   }
-  return failed > 0 ? kRunFailed : unmet > 0 ? kExpectationNotMet : kDone;
+  if (failed > 0) return kRunFailed;
+  return unmet > 0 ? kExpectationNotMet : kDone;
 }
 
 }  // namespace
