@@ -16,7 +16,7 @@ log=$(mktemp)
 debootstrap --variant=minbase bookworm "$root" "$mirror" >"$log" 2>&1 || { tail "$log"; exit 1; }
 rm "$log"
 
-cleanup() { umount -q "$root/proc" "$root/dev/shm" "$root/dev" || true; }
+cleanup() { umount -lq "$root/proc" "$root/dev/shm" "$root/dev" || true; }
 trap cleanup EXIT
 mount -t proc proc "$root/proc"
 mount --bind /dev "$root/dev"
