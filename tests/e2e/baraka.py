@@ -1,4 +1,5 @@
 """Runs the programs as a user would. The folder of the programs comes from the environment."""
+import contextlib
 import os
 import pathlib
 import signal
@@ -75,7 +76,9 @@ class Case(unittest.TestCase):
         return finished
 
     def query(self, sql, out=None):
-        with sqlite3.connect((out or self.out) / "run.sqlite") as database:
+        """Rows of a run's results, which may still be growing; never makes the file."""
+        file = (out or self.out) / "run.sqlite"
+        with contextlib.closing(sqlite3.connect(f"file:{file}?mode=ro", uri=True)) as database:
             return database.execute(sql).fetchall()
 
 
