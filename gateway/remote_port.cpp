@@ -36,7 +36,9 @@ hal::Result<void> RemotePort::begin(const Step& step) {
 
 hal::Result<Reply> RemotePort::finish() {
   if (!link_) return disconnected();
-  return link_->finish().map([this](Reply reply) { return checked(std::move(reply)); });
+  hal::Result<Reply> reply = link_->finish();
+  if (reply) *reply = checked(std::move(*reply));
+  return reply;
 }
 
 hal::Result<std::optional<Reply>> RemotePort::try_finish() {
