@@ -2,7 +2,7 @@
 
 #include "hal/config/mapping.h"
 #include "hal/config/writer.h"
-#include "hal/routing/routing_config.h"
+#include "hal/description/routing_section.h"
 #include "sim/agents/simulation_config.h"
 
 namespace sim::scenario {
@@ -11,9 +11,8 @@ namespace sim::scenario {
 void read_world(hal::config::Mapping in, agents::SimulationConfig& config);
 void write_world(hal::config::Writer& out, const agents::SimulationConfig& config);
 
-/// `routing:`.
-hal::routing::RoutingConfig read_routing(hal::config::Mapping in);
-void write_routing(hal::config::Writer& out, const hal::routing::RoutingConfig& config);
+using hal::description::read_routing;
+using hal::description::write_routing;
 
 /// `localisation:`.
 agents::LocalisationConfig read_localisation(hal::config::Mapping in);
