@@ -21,8 +21,8 @@ DriveGuard::~DriveGuard() {
 
 Result<void> DriveGuard::drive(const Twist2& body) {
   if (!std::isfinite(body.vx) || !std::isfinite(body.vy) || !std::isfinite(body.omega)) {
-    return fail(Errc::kInvalidArgument, fmt::format("drive: ({}, {}, {}) is not finite", body.vx,
-                                                    body.vy, body.omega));
+    return fail(Errc::kInvalidArgument,
+                fmt::format("drive: ({}, {}, {}) is not finite", body.vx, body.vy, body.omega));
   }
   const auto [twist, saturated] = limited(body, wheels_.kinematics(), wheels_.speed_limits());
   const bool moves = twist != Twist2{};
@@ -47,9 +47,8 @@ Result<void> DriveGuard::drive(const Twist2& body) {
 Result<void> DriveGuard::drive_wheels(std::span<const double> speeds) {
   const devices::WheelDrive& kinematics = wheels_.kinematics();
   if (speeds.size() != kinematics.wheel_count()) {
-    return fail(Errc::kInvalidArgument,
-                fmt::format("drive: speeds of {} wheels, the robot has {}", speeds.size(),
-                            kinematics.wheel_count()));
+    return fail(Errc::kInvalidArgument, fmt::format("drive: speeds of {} wheels, the robot has {}",
+                                                    speeds.size(), kinematics.wheel_count()));
   }
   for (const double speed : speeds) {
     // Written so that NaN, which compares false with everything, is caught too.

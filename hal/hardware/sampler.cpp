@@ -1,6 +1,7 @@
 #include "hal/hardware/sampler.h"
 
 #include <algorithm>
+#include <span>
 #include <utility>
 #include <variant>
 
@@ -22,23 +23,23 @@ Channel channel(std::uint16_t id, std::string name, std::string kind, std::strin
           .headings = {}};
 }
 
-void add_infrared(const RobotFile& file, std::vector<Channel>& channels) {
-  if (!file.robot || std::holds_alternative<std::monostate>(file.infrared)) return;
-  Channel metres = channel(kInfrared, "infrared", "range", "m");
-  metres.length = static_cast<std::uint32_t>(file.robot->infrared.size());
-  for (const auto& sensor : file.robot->infrared) metres.headings.push_back(sensor.heading);
-  metres.period =
-      std::visit([](const auto& settings) -> Duration {
+Duration period_of(const RobotFile& file) {
+  return std::visit(
+      [](const auto& settings) -> Duration {
         if constexpr (requires { settings.times; }) return settings.times.period;
         return {};
-      }, file.infrared);
-  Channel volts = metres;
-  volts.id = kInfraredVolts;
-  volts.name = "infrared_volts";
-  volts.kind = "voltage";
-  volts.unit = "V";
-  channels.push_back(std::move(metres));
-  channels.push_back(std::move(volts));
+      },
+      file.infrared);
+}
+
+void add_infrared(const RobotFile& file, std::vector<Channel>& channels) {
+  channels.push_back(channel(kInfrared, "infrared", "range", "m"));
+  channels.push_back(channel(kInfraredVolts, "infrared_volts", "voltage", "V"));
+  for (Channel& added : std::span(channels).last(2)) {
+    added.length = static_cast<std::uint32_t>(file.robot->infrared.size());
+    added.period = period_of(file);
+    for (const auto& sensor : file.robot->infrared) added.headings.push_back(sensor.heading);
+  }
 }
 
 bool asks_for(const Wants& wants, std::string_view channel) {
@@ -66,7 +67,7 @@ exchange::AgentOffer offer_of(const RobotFile& file, const Devices& devices) {
     session.channels.push_back(channel(kOdometry, "odometry", "odometry", "m, rad, m/s"));
     session.channels.back().length = kOdometryValues;
   }
-  if (devices.infrared != nullptr) add_infrared(file, session.channels);
+  if (devices.infrared != nullptr && file.robot) add_infrared(file, session.channels);
   return offer;
 }
 
@@ -98,8 +99,8 @@ std::optional<Pose2> Sampler::pose(SteadyTime now) const {
 exchange::Reading Sampler::localisation(SteadyTime now) const {
   exchange::Reading reading{.channel = kLocalisation, .values = {}};
   if (const auto self = pose(now)) {
-    reading.values = relative_positions(*self, file_.address, file_.localisation.map,
-                                        file_.localisation.range);
+    reading.values =
+        relative_positions(*self, file_.address, file_.localisation.map, file_.localisation.range);
   }
   return reading;
 }

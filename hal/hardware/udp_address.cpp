@@ -54,8 +54,7 @@ bool answers_to(const Assigned& assigned, in_addr address) {
 std::string names_of(const std::vector<Assigned>& all) {
   std::string names;
   for (const Assigned& one : all) {
-    names +=
-        fmt::format("{}{} ({})", names.empty() ? "" : ", ", one.interface, to_string(one.own));
+    names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", one.interface, to_string(one.own));
   }
   return names.empty() ? "none" : names;
 }
@@ -80,9 +79,9 @@ UdpAddresses find_addresses(const std::string& interface, const std::string& add
     if (!answers_to(one, own)) continue;
     return {own, in_addr{own.s_addr | ~one.mask.s_addr}};
   }
-  throw std::runtime_error(fmt::format(
-      "no network interface '{}' with {}; there are: {}", interface,
-      address.empty() ? "an IPv4 address" : "the address " + address, names_of(all)));
+  throw std::runtime_error(
+      fmt::format("no network interface '{}' with {}; there are: {}", interface,
+                  address.empty() ? "an IPv4 address" : "the address " + address, names_of(all)));
 }
 
 }  // namespace hal::hardware

@@ -89,8 +89,8 @@ int UdpLink::open(in_addr address, bool shared) const {
              static_cast<socklen_t>(config_.interface.size()));
   const sockaddr_in bound = socket_address(address, config_.port);
   if (bind(socket, generic(bound), sizeof bound) != 0) {
-    give_up(socket, fmt::format("cannot use {}:{} for the radio", to_string(address),
-                                config_.port));
+    give_up(socket,
+            fmt::format("cannot use {}:{} for the radio", to_string(address), config_.port));
   }
   return socket;
 }

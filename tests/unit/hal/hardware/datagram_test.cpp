@@ -53,7 +53,7 @@ TEST(Datagram, IsRefusedWithAnotherBitInTheHeaderThanTheSenders) {
 }
 
 TEST(Datagram, IsRefusedFromAgentsThatCannotBe) {
-  for (const std::uint8_t byte : {0x00, 0xff}) {
+  for (const std::uint8_t byte : {std::uint8_t{0x00}, std::uint8_t{0xff}}) {
     Bytes changed = kGolden;
     changed[6] = changed[7] = byte;
     EXPECT_FALSE(from_datagram(changed));

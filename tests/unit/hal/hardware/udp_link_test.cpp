@@ -41,8 +41,8 @@ class Stranger {
 
   void send(const Bytes& bytes, const std::string& to, std::uint16_t port) const {
     const sockaddr_in in = address(to, port);
-    ASSERT_EQ(sendto(socket_, bytes.data(), bytes.size(), 0,
-                     reinterpret_cast<const sockaddr*>(&in), sizeof in),
+    ASSERT_EQ(sendto(socket_, bytes.data(), bytes.size(), 0, reinterpret_cast<const sockaddr*>(&in),
+                     sizeof in),
               static_cast<ssize_t>(bytes.size()));
   }
 
@@ -100,9 +100,8 @@ class UdpLinks : public testing::Test {
 
 TEST_F(UdpLinks, ABroadcastReachesEveryoneButItsSender) {
   link(1).transmit(kEveryone, {7, 8}, 1);
-  ASSERT_TRUE(until([&] {
-    return heard(2).size() == 1 && heard(3).size() == 1 && link(1).counts().own == 1;
-  }));
+  ASSERT_TRUE(until(
+      [&] { return heard(2).size() == 1 && heard(3).size() == 1 && link(1).counts().own == 1; }));
   EXPECT_EQ(heard(2), (std::vector<Heard>{{AgentId{1}, {7, 8}}}));
   EXPECT_EQ(heard(3), heard(2));
   EXPECT_TRUE(heard(1).empty());
@@ -138,8 +137,8 @@ TEST_F(UdpLinks, ARadioThatIsOffNeitherSendsNorHears) {
   EXPECT_EQ(heard(2).front().frame, Bytes{3});
 }
 
-TEST_F(UdpLinks, AMillionDatagramsOfGarbageChangeNothingAndAreCounted) {
-  constexpr int kGarbage = 1'000'000, kBurst = 32;
+TEST_F(UdpLinks, DatagramsOfGarbageChangeNothingAndAreCounted) {
+  constexpr int kGarbage = 96'000, kBurst = 32;
   const Stranger stranger("127.0.77.9");
   RandomStream random(1, "garbage");
   const Bytes good = to_datagram(AgentId{2}, Bytes(20, 1));
