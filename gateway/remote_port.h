@@ -21,6 +21,8 @@ class RemotePort : public hal::exchange::ControllerPort {
   const std::string& name() const override { return summary_.name; }
   hal::Result<void> begin(const hal::exchange::Step& step) override;
   hal::Result<hal::exchange::Reply> finish() override;
+  hal::Result<std::optional<hal::exchange::Reply>> try_finish() override;
+  std::vector<int> descriptors() const override;
   hal::Result<void> check_alive() override;
 
   ProcessSummary summary() const;
@@ -30,6 +32,7 @@ class RemotePort : public hal::exchange::ControllerPort {
   void disconnect();
 
  private:
+  hal::exchange::Reply checked(hal::exchange::Reply reply);
   bool is_good(const hal::exchange::Action& action);
 
   std::unique_ptr<hal::dds::ProcessLink> link_;  ///< Null once disconnected.
