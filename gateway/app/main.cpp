@@ -31,6 +31,10 @@ void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
       ->check(CLI::PositiveNumber);
   run->add_option("--domain", options.domain, "DDS domain; default: the first free one")
       ->check(CLI::Range(0, 232));
+  run->add_option("--inspect-domain", options.inspect_domain,
+                  "DDS domain to show the run in; default: the run's")
+      ->check(CLI::Range(0, 232));
+  run->add_flag("!--no-inspect", options.inspect, "Do not show the run to DDS tools");
   run->add_option("--out", options.out, "Folder for the results; default: results/<name>");
   run->add_option("--set", options.overrides, "KEY=VALUE, the key as a dotted path")
       ->allow_extra_args(false);

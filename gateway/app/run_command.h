@@ -18,7 +18,9 @@ struct RunOptions {
   ControllersFrom controllers = ControllersFrom::kSpawn;
   double max_speed = std::numeric_limits<double>::infinity();
   std::optional<int> domain;
-  std::string out;  ///< Empty: results/<scenario name>.
+  bool inspect = true;
+  std::optional<int> inspect_domain;  ///< None: the run's.
+  std::string out;                    ///< Empty: results/<scenario name>.
   std::optional<int> replications;
   int jobs = 1;  ///< Replications at a time.
 };
