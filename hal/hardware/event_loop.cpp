@@ -59,11 +59,12 @@ void EventLoop::cancel(Handle handle) {
   times_.erase(found);
 }
 
-void EventLoop::watch(int descriptor, Handler on_readable) {
-  watched_[descriptor] = std::move(on_readable);
+EventLoop::Watch EventLoop::watch(int descriptor, Handler on_readable) {
+  watched_.emplace(++last_watch_, Watched{descriptor, std::move(on_readable)});
+  return last_watch_;
 }
 
-void EventLoop::unwatch(int descriptor) { watched_.erase(descriptor); }
+void EventLoop::unwatch(Watch watch) { watched_.erase(watch); }
 
 void EventLoop::on_signals(std::initializer_list<int> signals, std::function<void(int)> handler) {
   BARAKA_CHECK(signals_ < 0);
@@ -119,17 +120,21 @@ void EventLoop::run_once(Duration at_most) {
 
 void EventLoop::wait(Duration at_most) {
   std::vector<pollfd> polled;
-  for (const auto& [descriptor, handler] : watched_) polled.push_back({descriptor, POLLIN, 0});
+  std::vector<Watch> watches;
+  for (const auto& [watch, watched] : watched_) {
+    polled.push_back({watched.descriptor, POLLIN, 0});
+    watches.push_back(watch);
+  }
   timespec left{};
   left.tv_sec = at_most.count() / kNsPerSecond;
   left.tv_nsec = at_most.count() % kNsPerSecond;
   if (ppoll(polled.data(), polled.size(), &left, nullptr) <= 0) return;  // EINTR: look again
-  for (const pollfd& descriptor : polled) {
-    if (descriptor.revents == 0) continue;
+  for (std::size_t i = 0; i < polled.size(); ++i) {
+    if (polled[i].revents == 0) continue;
     // A handler before may have taken this one away. A copy, as it may take itself away, too.
-    const auto found = watched_.find(descriptor.fd);
+    const auto found = watched_.find(watches[i]);
     if (found == watched_.end()) continue;
-    const Handler handler = found->second;
+    const Handler handler = found->second.handler;
     handler();
   }
 }

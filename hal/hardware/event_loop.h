@@ -36,9 +36,10 @@ class EventLoop final : public routing::Timers {
   Handle schedule(Time at, Handler handler) override;
   void cancel(Handle handle) override;
 
-  /// Calls the handler while the descriptor is readable, or has failed. One handler a descriptor.
-  void watch(int descriptor, Handler on_readable);
-  void unwatch(int descriptor);
+  using Watch = std::uint64_t;  ///< Never 0.
+  /// Calls the handler while the descriptor is readable, or has failed. Several may watch one.
+  Watch watch(int descriptor, Handler on_readable);
+  void unwatch(Watch watch);  ///< One that is not there: no effect.
 
   /// Takes these signals off their usual ways and into the loop. They are blocked in this thread
   /// and in all that it starts from now on: call it first. Once.
@@ -67,7 +68,12 @@ class EventLoop final : public routing::Timers {
   Handle last_ = 0;
   std::map<Due, Handler> timers_;
   std::map<Handle, Time> times_;
-  std::map<int, Handler> watched_;
+  struct Watched {
+    int descriptor;
+    Handler handler;
+  };
+  Watch last_watch_ = 0;
+  std::map<Watch, Watched> watched_;
   std::function<void(int)> on_signal_;
   int signals_ = -1;
   int wake_up_ = -1;

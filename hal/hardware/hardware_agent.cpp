@@ -51,9 +51,9 @@ void HardwareAgent::connect(std::shared_ptr<exchange::ControllerPort> port,
                             const std::vector<AgentId>& agents, const Wants& wants) {
   BARAKA_CHECK(!courier_ && agents == std::vector{file_.address});
   courier_.emplace(std::move(port));
-  watched_ = courier_->descriptors();
-  std::erase(watched_, -1);
-  for (const int descriptor : watched_) loop_.watch(descriptor, [this] { attend(); });
+  for (const int descriptor : courier_->descriptors()) {
+    if (descriptor >= 0) watches_.push_back(loop_.watch(descriptor, [this] { attend(); }));
+  }
   ++counts_.controllers;
   sampler_.set_wants(wants);
   network_.start_anew(wants);
@@ -70,7 +70,7 @@ void HardwareAgent::let_go() {
   if (guard_) guard_->halt();
   if (!courier_) return;
   log::info(loop_.now(), file_.name, "no longer driven by process '{}'", courier_->name());
-  for (const int descriptor : watched_) loop_.unwatch(descriptor);
+  for (const EventLoop::Watch watch : std::exchange(watches_, {})) loop_.unwatch(watch);
   loop_.cancel(std::exchange(attending_, 0));
   for (const auto& [id, timer] : controller_timers_) loop_.cancel(timer);
   controller_timers_.clear();
@@ -172,7 +172,7 @@ void HardwareAgent::take_in(const Courier::Turn& turn) {
     if (courier_) apply(answer.action);
   }
   // In process the answer is there already, and no descriptor will tell.
-  if (turn.began && watched_.empty()) attend_soon();
+  if (turn.began && watches_.empty()) attend_soon();
   const bool is_last = stopping_ && courier_ && courier_->is_idle() && !courier_->has_waiting();
   if (is_last) let_go();
 }

@@ -65,7 +65,7 @@ class HardwareAgent final : public exchange::AgentHost,
   void connect(std::shared_ptr<exchange::ControllerPort> port, const std::vector<AgentId>& agents,
                const Wants& wants) override;
   /// The agent's controller is gone; without one: no effect.
-  void disconnect(const std::vector<AgentId>& agents);
+  void disconnect(const std::vector<AgentId>& agents) override;
 
   bool has_controller() const { return courier_.has_value(); }
 
@@ -115,7 +115,7 @@ class HardwareAgent final : public exchange::AgentHost,
   NetworkView network_;
   routing::Router router_;
   std::optional<exchange::Courier> courier_;  ///< None without a controller.
-  std::vector<int> watched_;                  ///< Descriptors of the courier.
+  std::vector<EventLoop::Watch> watches_;     ///< Of the courier's descriptors.
   EventLoop::Handle cycle_ = 0, attending_ = 0;
   std::map<TimerId, EventLoop::Handle> controller_timers_;
   /// A controller numbers its messages from 1, as the one before it did; for the network they are

@@ -66,16 +66,14 @@ UdpLink::UdpLink(const UdpLinkConfig& config, EventLoop& loop)
     ::close(own_);
     throw;
   }
-  for (const int socket : {own_, broadcast_}) {
-    loop_.watch(socket, [this, socket] { receive(socket); });
-  }
+  watches_ = {loop_.watch(own_, [this] { receive(own_); }),
+              loop_.watch(broadcast_, [this] { receive(broadcast_); })};
 }
 
 UdpLink::~UdpLink() {
-  for (const int socket : {own_, broadcast_}) {
-    loop_.unwatch(socket);
-    ::close(socket);
-  }
+  for (const EventLoop::Watch watch : watches_) loop_.unwatch(watch);
+  ::close(own_);
+  ::close(broadcast_);
 }
 
 /// @param shared  with other nodes of this machine: each gets its copy of a broadcast (socket(7)).
@@ -109,6 +107,10 @@ void UdpLink::transmit(AgentId next_hop, Bytes frame, routing::LinkTag) {
       return;
     }
     to = known->second;
+  }
+  if (frame.size() > kMaxFrame) {
+    ++counts_.not_sent;
+    return;
   }
   const Bytes datagram = to_datagram(config_.self, frame);
   const auto sent = sendto(own_, datagram.data(), datagram.size(), MSG_DONTWAIT | MSG_NOSIGNAL,

@@ -2,6 +2,7 @@
 
 #include <netinet/in.h>
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <map>
@@ -32,7 +33,7 @@ struct LinkCounts {
   std::uint64_t foreign = 0;            ///< In our format, from another port than the network's.
   std::uint64_t address_clashes = 0;    ///< From another node with our agent address.
   std::uint64_t unknown_neighbour = 0;  ///< Not sent: to an agent that was never heard.
-  std::uint64_t not_sent = 0;           ///< Refused by the system: queue full, network down.
+  std::uint64_t not_sent = 0;           ///< Too long, or refused by the system: queue full, …
   std::uint64_t radio_off = 0;          ///< Not sent, or not handed on, while switched off.
   bool operator==(const LinkCounts&) const = default;
 };
@@ -60,7 +61,7 @@ class UdpLink final : public routing::Link {
   void attach(FrameHandler on_frame) { on_frame_ = std::move(on_frame); }
 
   routing::LinkCapabilities capabilities() const override { return {}; }
-  /// A frame that cannot be sent is counted and gone. @pre at most kMaxFrame bytes.
+  /// A frame that cannot be sent, or is longer than kMaxFrame, is counted and gone.
   void transmit(AgentId next_hop, Bytes frame, routing::LinkTag tag) override;
   /// Of a frame as long as the last one, at the nominal bit rate.
   Duration expected_delay() const override;
@@ -86,6 +87,7 @@ class UdpLink final : public routing::Link {
   UdpAddresses addresses_;
   int own_ = -1;        ///< Sends; receives what is for this node alone.
   int broadcast_ = -1;  ///< Receives what is for everyone.
+  std::array<EventLoop::Watch, 2> watches_{};
   FrameHandler on_frame_;
   std::map<AgentId, sockaddr_in> neighbours_;
   LinkCounts counts_;

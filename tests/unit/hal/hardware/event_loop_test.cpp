@@ -56,20 +56,36 @@ TEST(EventLoop, ATimerThatSetsAnotherOneInThePastLeavesDescriptorsTheirTurn) {
 
 TEST(EventLoop, AHandlerMayTakeAwayTheDescriptorOfAnother) {
   EventLoop loop;
-  std::array<int, 2> first{}, second{};
-  ASSERT_EQ(pipe(first.data()) + pipe(second.data()), 0);
-  for (const int end : {first[1], second[1]}) ASSERT_EQ(write(end, "x", 1), 1);
+  std::array<int, 2> ends{};
+  ASSERT_EQ(pipe(ends.data()), 0);
+  ASSERT_EQ(write(ends[1], "x", 1), 1);
   int calls = 0;
+  EventLoop::Watch first = 0, second = 0;
   const auto take_both_away = [&] {
     ++calls;
-    loop.unwatch(first[0]);
-    loop.unwatch(second[0]);
+    loop.unwatch(first);
+    loop.unwatch(second);
   };
-  loop.watch(first[0], take_both_away);
-  loop.watch(second[0], take_both_away);
+  first = loop.watch(ends[0], take_both_away);
+  second = loop.watch(ends[0], take_both_away);
   loop.run_once(1s);
+  loop.run_once(Duration::zero());
   EXPECT_EQ(calls, 1);
-  for (const int end : {first[0], first[1], second[0], second[1]}) close(end);
+  close(ends[0]), close(ends[1]);
+}
+
+TEST(EventLoop, SeveralMayWatchOneDescriptor) {
+  EventLoop loop;
+  std::array<int, 2> ends{};
+  ASSERT_EQ(pipe(ends.data()), 0);
+  ASSERT_EQ(write(ends[1], "x", 1), 1);
+  int first = 0, second = 0;
+  loop.watch(ends[0], [&] { ++first; });
+  loop.watch(ends[0], [&] { ++second; });
+  loop.run_once(1s);
+  EXPECT_EQ(first, 1);
+  EXPECT_EQ(second, 1);
+  close(ends[0]), close(ends[1]);
 }
 
 TEST(EventLoop, WhatAnotherThreadPostsRunsInTheLoop) {
