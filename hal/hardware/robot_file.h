@@ -46,7 +46,9 @@ struct RobotinoSettings {
   std::uint16_t port = 80;
   std::string session = "baraka";  ///< `sid` of the requests.
   DeviceTimes times;               ///< Period <= 100 ms: the robot stops after 200 ms of silence.
-  bool in_volts = false;           ///< Infrared only: the array gives volts instead of metres.
+  // Infrared only. Firmware differs, so the file says what the array gives.
+  bool in_volts = false;   ///< Volts instead of metres.
+  bool clockwise = false;  ///< Sensor i looks along -40 deg * i instead of 40 deg * i.
   bool operator==(const RobotinoSettings&) const = default;
 };
 
@@ -68,8 +70,8 @@ struct Tmc200Settings {
 
 /// Sensors on an analog-to-digital converter of Linux's Industrial I/O subsystem.
 struct IioSettings {
-  std::filesystem::path folder;  ///< E.g. "/sys/bus/iio/devices/iio:device0".
-  std::vector<int> channels;     ///< Y of in_voltageY_raw, one per sensor of the robot.
+  std::filesystem::path folder;       ///< E.g. "/sys/bus/iio/devices/iio:device0".
+  std::vector<std::string> channels;  ///< E.g. "voltage0", one per sensor of the robot.
   DeviceTimes times;
   bool operator==(const IioSettings&) const = default;
 };
