@@ -7,10 +7,10 @@
 namespace gateway::app {
 
 struct AgentdOptions {
-  std::string file;                    ///< ROBOT.yaml
-  std::vector<std::string> overrides;  ///< "dotted.path=value"
-  std::optional<int> domain;           ///< Of DDS; none: BARAKA_DOMAIN, else 1.
-  std::optional<int> inspect_domain;   ///< None: the same.
+  std::string file;                           ///< ROBOT.yaml
+  std::vector<std::string> overrides;         ///< "dotted.path=value"
+  std::optional<int> domain;                  ///< Of DDS; none: BARAKA_DOMAIN, else 1.
+  std::optional<int> inspect_domain;          ///< None: the same.
   std::string inspect_address = "127.0.0.1";  ///< Of the interface for topics.
   bool shown = true;                          ///< Show the agent on topics.
 };

@@ -78,10 +78,9 @@ void AgentInspection::on_route_change(hal::Time at, const hal::RouteChange& chan
   if (!inspector_ || !inspector_->has_readers(Topic::kRoutes)) return;
   const std::string destination = name_of(change.route.destination);
   const std::string next_hop = name_of(change.route.next_hop);
-  inspector_->publish_route(at, {.agent = file_.name,
-                                 .destination = destination,
-                                 .next_hop = next_hop,
-                                 .change = change});
+  inspector_->publish_route(
+      at,
+      {.agent = file_.name, .destination = destination, .next_hop = next_hop, .change = change});
 }
 
 void AgentInspection::on_state(hal::Time at, const std::string& state) {

@@ -1,6 +1,5 @@
 #include "hal/hardware/loop_watch.h"
 
-
 namespace hal::hardware {
 namespace {
 
