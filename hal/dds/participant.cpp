@@ -126,16 +126,18 @@ Participant Participant::controller(int domain) {
 }
 
 Participant Participant::inspection(int domain, const std::vector<std::string>& addresses,
-                                    const std::string& name) {
+                                    const std::string& name,
+                                    api::DomainParticipantListener* listener) {
   // Not on the ports of a server's places: controllers would find it there.
   api::DomainParticipantQos qos = udp_qos(next_participant_id(), addresses);
   qos.name(name);
-  return {domain, qos};
+  return {domain, qos, listener};
 }
 
-Participant::Participant(int domain, const api::DomainParticipantQos& qos)
+Participant::Participant(int domain, const api::DomainParticipantQos& qos,
+                         api::DomainParticipantListener* listener)
     : participant_(api::DomainParticipantFactory::get_instance()->create_participant(
-          static_cast<std::uint32_t>(domain), qos)) {
+          static_cast<std::uint32_t>(domain), qos, listener, api::StatusMask::none())) {
   if (participant_ == nullptr) {
     throw std::runtime_error(
         fmt::format("Fast DDS cannot join domain {}: is another program on its ports?", domain));

@@ -20,9 +20,11 @@ class Participant {
   static Participant controller(int domain);
   /// Outside the star: ordinary discovery by multicast, for standard tools.
   /// @param addresses  IPv4, of the interfaces to use.  @param name  for people.
+  /// @param listener  hears of the endpoints of others; may be null.
   /// @throws std::runtime_error
   static Participant inspection(int domain, const std::vector<std::string>& addresses,
-                                const std::string& name);
+                                const std::string& name,
+                                api::DomainParticipantListener* listener = nullptr);
   ~Participant();
   Participant(Participant&& other) noexcept;
   Participant(const Participant&) = delete;
@@ -38,7 +40,8 @@ class Participant {
   api::Subscriber& subscriber() { return *subscriber_; }
 
  private:
-  Participant(int domain, const api::DomainParticipantQos& qos);
+  Participant(int domain, const api::DomainParticipantQos& qos,
+              api::DomainParticipantListener* listener = nullptr);
 
   api::DomainParticipant* participant_;
   api::Publisher* publisher_;

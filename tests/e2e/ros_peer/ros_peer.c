@@ -6,7 +6,7 @@
  *   ros_peer write DOMAIN TYPE TOPIC HZ VALUE ...      the same sample again and again, until killed
  *
  * TYPE: Clock, TFMessage, Odometry, Range; to write: Twist (vx vy omega), PoseStamped (x y z, qx qy
- * qz qw), Bool (0 or 1). "ready" goes to standard error when it looks for the others.
+ * qz qw), Bool (0 or 1), String (the value is not looked at: "hello"). "ready" goes to standard error when it looks for the others.
  */
 #include <dds/dds.h>
 #include <inttypes.h>
@@ -110,6 +110,7 @@ static const struct type types[] = {
     {"Twist", &geometry_msgs_msg_dds__Twist__desc, NULL},
     {"PoseStamped", &geometry_msgs_msg_dds__PoseStamped__desc, NULL},
     {"Bool", &std_msgs_msg_dds__Bool__desc, NULL},
+    {"String", &std_msgs_msg_dds__String__desc, NULL},
 };
 
 static const struct type* find_type(const char* name) {
@@ -214,9 +215,11 @@ static int write_sample(dds_entity_t participant, int argc, char** argv) {
       .header = {.stamp = {12, 500000000}, .frame_id = (char*)"map"},
       .pose = {.position = {v[0], v[1], v[2]}, .orientation = {v[3], v[4], v[5], v[6]}}};
   std_msgs_msg_dds__Bool_ flag = {.data = v[0] != 0};
-  const void* sample = strcmp(type->name, "Twist") == 0         ? (const void*)&twist
-                       : strcmp(type->name, "PoseStamped") == 0 ? (const void*)&pose
-                                                                : (const void*)&flag;
+  std_msgs_msg_dds__String_ text = {.data = (char*)"hello"};
+  const void* sample = &flag;
+  if (strcmp(type->name, "Twist") == 0) sample = &twist;
+  if (strcmp(type->name, "PoseStamped") == 0) sample = &pose;
+  if (strcmp(type->name, "String") == 0) sample = &text;
   dds_qos_t* qos = reliable_qos(0, 0);
   const dds_entity_t topic =
       checked(dds_create_topic(participant, type->descriptor, argv[1], NULL, NULL), "topic");
