@@ -59,7 +59,8 @@ class RobotinoRest::Client {
       answer.append(bytes, size);
       return std::chrono::steady_clock::now() < deadline;
     };
-    return judged(http_.send(request), request, std::move(answer));
+    const httplib::Result result = http_.send(request);
+    return judged(result, request, std::move(answer));
   }
 
  private:

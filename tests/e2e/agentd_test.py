@@ -111,97 +111,103 @@ limits: {{linear: 0.4 m/s, angular: 1 rad/s}}
         self.assertEqual(sums, {program: sha256(program) for program in sums})
 
 
-class Wheels(RealAgents):
+class Wheels:
     """However a program ends, the wheels stand."""
+    rule = None  # s, of the device
 
     def setUp(self):
         super().setUp()
         self.place = Network(self, 1).places[0]
+        self.daemon, self.device = self.make(self.place, "r0", 1, more=WANDERS)
 
-    def robots(self):
-        """One after the other, so that they do not slow each other down."""
-        for make, rule in ((self.robotino, 0.2), (self.tmc200, 0.2)):
-            with self.subTest(robot=make.__name__):
-                daemon, device = make(self.place, "r0", 1, more=WANDERS)
-                yield daemon, device, rule
-                daemon.end()
-                device.end()
-
-    def wander(self, device):
+    def wander(self):
         controller = self.program(self.place, "wanderer", "--agents", "r0")
-        device.await_moving()
+        self.await_moving(controller)
         return controller
 
-    def check_standing(self, device):
+    def await_moving(self, controller):
+        try:
+            self.device.await_moving()
+        except AssertionError:
+            raise AssertionError(f"the wheels stand\n{self.daemon}\n{controller}") from None
+
+    def check_standing(self):
         """For longer than anything could still be under way."""
         time.sleep(0.3)
-        self.assertFalse(device.state()["moving"])
+        self.assertFalse(self.device.state()["moving"])
 
     def test_after_the_controller_is_killed_they_stand_within_the_command_timeout(self):
-        for _, device, _ in self.robots():
-            for _ in range(TRIALS):
-                controller = self.wander(device)
-                killed = controller.send("SIGKILL")
-                stopped = device.await_standing()
-                self.assertLess(stopped - killed, COMMAND_TIMEOUT + 0.1)
-                self.check_standing(device)
-                controller.finish()
+        for _ in range(TRIALS):
+            controller = self.wander()
+            killed = controller.send("SIGKILL")
+            self.assertLess(self.device.await_standing() - killed, COMMAND_TIMEOUT + 0.1)
+            self.check_standing()
+            controller.finish()
 
     def test_while_the_controller_is_halted_they_stand_and_then_go_on(self):
-        for _, device, _ in self.robots():
-            controller = self.wander(device)
-            halted = controller.send("SIGSTOP")
-            self.assertLess(device.await_standing() - halted, COMMAND_TIMEOUT + 0.1)
-            self.check_standing(device)
-            controller.send("SIGCONT")
-            device.await_moving()
+        controller = self.wander()
+        halted = controller.send("SIGSTOP")
+        self.assertLess(self.device.await_standing() - halted, COMMAND_TIMEOUT + 0.1)
+        self.check_standing()
+        controller.send("SIGCONT")
+        self.await_moving(controller)
 
     def test_after_the_daemon_is_killed_they_stand_by_the_rule_of_the_device(self):
-        for daemon, device, rule in self.robots():
-            self.wander(device)
-            killed = daemon.send("SIGKILL")
-            self.assertLess(device.await_standing() - killed, rule + 0.1)
-            self.assertEqual(device.state()["stops_by_rule"], 1)
-            self.check_standing(device)
+        self.wander()
+        killed = self.daemon.send("SIGKILL")
+        self.assertLess(self.device.await_standing() - killed, self.rule + 0.1)
+        self.assertEqual(self.device.state()["stops_by_rule"], 1)
+        self.check_standing()
 
     def test_an_emergency_stop_outranks_the_controller_until_it_is_released(self):
-        for daemon, device, _ in self.robots():
-            self.wander(device)
-            took = []
-            for _ in range(TRIALS):
-                pulled = daemon.send("SIGUSR1")
-                took.append(device.await_standing() - pulled)
-                self.check_standing(device)
-                daemon.send("SIGUSR2")
-                device.await_moving()
-            # One on a busy machine may be late; more than half of them may not.
-            self.assertLess(sorted(took)[len(took) // 2], 0.05, took)
-            self.assertLess(max(took), COMMAND_TIMEOUT, took)
-            self.assertEqual(device.state()["stops_by_rule"], 0)
+        controller = self.wander()
+        took = []
+        for _ in range(TRIALS):
+            pulled = self.daemon.send("SIGUSR1")
+            took.append(self.device.await_standing() - pulled)
+            self.check_standing()
+            self.daemon.send("SIGUSR2")
+            self.await_moving(controller)
+        # One on a busy machine may be late; more than half of them may not.
+        self.assertLess(sorted(took)[len(took) // 2], 0.05, took)
+        self.assertLess(max(took), COMMAND_TIMEOUT, took)
+        self.assertEqual(self.device.state()["stops_by_rule"], 0)
 
     def test_sigterm_stops_them_first_and_then_everything_else(self):
-        for daemon, device, _ in self.robots():
-            controller = self.wander(device)
-            asked = daemon.send("SIGTERM")
-            self.assertEqual(daemon.finish(), 0, str(daemon))
-            self.assertLess(device.await_standing() - asked, 0.3)
-            self.assertEqual(device.state()["stops_by_rule"], 0, "by a command, not by silence")
-            self.assertEqual(controller.finish(), 0, f"it was told to stop\n{controller}")
-            self.assertGreater(daemon["steps"], 0)
+        controller = self.wander()
+        asked = self.daemon.send("SIGTERM")
+        self.assertEqual(self.daemon.finish(), 0, str(self.daemon))
+        self.assertLess(self.device.await_standing() - asked, 0.3)
+        self.assertEqual(self.device.state()["stops_by_rule"], 0, "by a command, not by silence")
+        self.assertEqual(controller.finish(), 0, f"it was told to stop\n{controller}")
+        self.assertGreater(self.daemon["steps"], 0)
 
     def test_controllers_come_and_go_and_nobody_else_gets_the_robot(self):
-        for daemon, device, _ in self.robots():
-            for _ in range(2):
-                controller = self.wander(device)
-                rival = self.program(self.place, "wanderer", "--agents", "r0", "--wait", "2")
-                rival.await_text("taken", "err")
-                rival.end()
-                controller.send("SIGTERM")
-                controller.finish()
-                device.await_standing()
-            daemon.send("SIGTERM")
-            self.assertEqual(daemon.finish(), 0)
-            self.assertEqual(daemon["controllers"], 2)
+        for _ in range(2):
+            controller = self.wander()
+            rival = self.program(self.place, "wanderer", "--agents", "r0")
+            rival.await_text("taken", "err")
+            rival.end()
+            controller.send("SIGTERM")
+            controller.finish()
+            self.device.await_standing()
+        self.daemon.send("SIGTERM")
+        self.assertEqual(self.daemon.finish(), 0)
+        self.assertEqual(self.daemon["controllers"], 2)
+
+
+class RobotinoWheels(Wheels, RealAgents):
+    rule = 0.2
+
+    def make(self, *arguments, **keywords):
+        return self.robotino(*arguments, **keywords)
+
+
+class Tmc200Wheels(Wheels, RealAgents):
+    rule = 0.2
+
+    def make(self, *arguments, **keywords):
+        return self.tmc200(*arguments, **keywords)
 
 
 class Garbage(RealAgents):

@@ -171,7 +171,7 @@ class RealAgents(Case):
     def program(self, place, name, *arguments):
         return Process(self, place, BIN / name, *arguments, env=self.environment)
 
-    def daemon(self, place, name, address, text):
+    def serve(self, place, name, address, text):
         file = self.folder / f"{name}.yaml"
         kind = "mote" if "robot:" not in text else "robot"
         file.write_text(f"version: 1\nagent: {{name: {name}, address: {address}, kind: {kind}}}\n"
@@ -182,7 +182,7 @@ class RealAgents(Case):
         return daemon
 
     def mote(self, place, name, address, x, y, parameters=""):
-        return self.daemon(place, name, address, f"""
+        return self.serve(place, name, address, f"""
 controller: {{program: help_mote, parameters: {{{parameters}}}}}
 localisation: {{driver: static, pose: {{x: {x} m, y: {y} m}}}}
 """)
@@ -191,7 +191,7 @@ localisation: {{driver: static, pose: {{x: {x} m, y: {y} m}}}}
         """A Robotino in its REST interface. @return its daemon and itself."""
         device = Device(self, place, "robotino.py", "--pose", *pose, ready="listening: ")
         host, port = device.announced.split(":")
-        daemon = self.daemon(place, name, address, f"""
+        daemon = self.serve(place, name, address, f"""
 robot: {{include: {ROBOTS}/robotino.yaml}}
 wheels: {{driver: robotino_rest, host: {host}, port: {port}}}
 infrared: {{driver: robotino_rest, host: {host}, port: {port}}}
@@ -204,7 +204,7 @@ infrared: {{driver: robotino_rest, host: {host}, port: {port}}}
         sensors = Process(self, place, sys.executable, EMULATORS / "iio.py",
                           self.folder / f"iio-{name}", "--pose-from", device.state_file)
         sensors.await_text("folder: ")
-        daemon = self.daemon(place, name, address, f"""
+        daemon = self.serve(place, name, address, f"""
 robot: {{include: {ROBOTS}/robertino.yaml}}
 wheels:
   driver: tmc200
