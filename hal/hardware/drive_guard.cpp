@@ -79,11 +79,12 @@ void DriveGuard::halt() {
   turning_ = false;
 }
 
-void DriveGuard::set_blind(bool blind) {
+void DriveGuard::set_blind(const std::string& because) {
+  const bool blind = !because.empty();
   if (std::exchange(blind_, blind) == blind) return;
   if (blind) halt();
-  if (blind) log::warning(loop_.now(), name_, "sensors are silent: the wheels stop");
-  if (!blind) log::info(loop_.now(), name_, "sensors are back");
+  if (blind) log::warning(loop_.now(), name_, "blind, the wheels stop: {}", because);
+  if (!blind) log::info(loop_.now(), name_, "no longer blind");
 }
 
 void DriveGuard::set_emergency_stop(bool stop) {

@@ -44,7 +44,8 @@ class DriveGuard {
   /// The controller has answered: the command timeout begins anew.
   void feed();
   void halt();  ///< Wheels stop; the next command is welcome.
-  void set_blind(bool blind);
+  /// @param because  a sensor that the controller steers by is silent; empty: none is.
+  void set_blind(const std::string& because);
 
   /// Any thread: the wheels are told at once, whatever the loop is doing.
   void set_emergency_stop(bool stop);

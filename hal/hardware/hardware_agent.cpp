@@ -113,7 +113,7 @@ void HardwareAgent::on_cycle(Time due) {
 void HardwareAgent::sample(Event& control) {
   Sampler::Sample sample = sampler_.take(std::chrono::steady_clock::now());
   control.readings = std::move(sample.readings);
-  if (guard_) guard_->set_blind(sample.blind);
+  if (guard_) guard_->set_blind(sample.blind_because);
 }
 
 void HardwareAgent::observe() {

@@ -116,8 +116,10 @@ void Sampler::take_odometry(Sample& sample) const {
 
 void Sampler::take_infrared(Sample& sample) const {
   auto readings = devices_.infrared->latest();
-  sample.blind = !readings.has_value();
-  if (!readings) return;
+  if (!readings) {
+    sample.blind_because = readings.error().message;
+    return;
+  }
   if (infrared_) sample.readings.push_back({kInfrared, std::move(readings->metres)});
   if (volts_) sample.readings.push_back({kInfraredVolts, std::move(readings->volts)});
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -31,9 +33,9 @@ class Sampler {
 
   struct Sample {
     std::vector<exchange::Reading> readings;  ///< Of the channels that were asked for.
-    /// An infrared reading was asked for and is too old or not there. The controller holds the last
-    /// one, and would steer by it.
-    bool blind = false;
+    /// Why there is no infrared reading, or none that is young enough, where one was asked for: the
+    /// controller holds the last one, and would steer by it. Empty: there is.
+    std::string blind_because;
   };
   /// @param now  on the clock of the devices.
   Sample take(SteadyTime now) const;

@@ -110,11 +110,11 @@ TEST_F(Guarded, AnEmergencyStopFromAnotherThreadNeverLosesToACommand) {
 
 TEST_F(Guarded, ABlindRobotStands) {
   ASSERT_TRUE(guard_.drive({0.1, 0, 0}));
-  guard_.set_blind(true);
+  guard_.set_blind("dust");
   EXPECT_EQ(wheels_.twist, Twist2{});
   EXPECT_FALSE(guard_.drive({0.1, 0, 0}));
   EXPECT_EQ(guard_.counts().blind, 1u);
-  guard_.set_blind(false);
+  guard_.set_blind({});
   EXPECT_TRUE(guard_.drive({0.1, 0, 0}));
 }
 
