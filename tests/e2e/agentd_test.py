@@ -216,9 +216,12 @@ class Garbage(RealAgents):
         a, b = [Place(None, "lo", f"127.78.{network}.{i}") for i in (1, 2)]
         caller = self.mote(a, "m0", 3, 0, 0, "help_at: 1 s, repeat_after: 1 s")
         listener = self.mote(b, "m1", 4, 0, 0)
-        self.program(a, "help_mote", "--agents", "m0")
+        controller = self.program(a, "help_mote", "--agents", "m0")
         flood((b.address, RADIO_PORT), GARBAGE)
-        wait_for(lambda: "state GAVE_UP" in caller.err.read_text(), 60)
+        try:
+            caller.await_text("state GAVE_UP", "err", 60)
+        except AssertionError as error:
+            raise AssertionError(f"{error}\n{controller}\n{listener}") from None
         for daemon in (listener, caller):
             daemon.send("SIGTERM")
             self.assertEqual(daemon.finish(), 0, str(daemon))
