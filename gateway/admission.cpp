@@ -30,6 +30,11 @@ Admission::Admission(std::vector<AgentOffer> offers, std::uint64_t run, Offered 
   for (AgentOffer& offer : offers) places_.push_back({std::move(offer), {}});
 }
 
+bool Admission::concerns(const Hello& hello) const {
+  return std::ranges::any_of(
+      places_, [&](const Place& place) { return asks_for(hello, place.offer.session.name); });
+}
+
 Session Admission::decide(const Hello& hello) {
   const auto known = granted_.find(hello.instance);
   if (known != granted_.end()) return known->second;

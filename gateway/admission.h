@@ -27,6 +27,9 @@ class Admission {
   Admission(std::vector<hal::exchange::AgentOffer> offers, std::uint64_t run,
             Offered offered = Offered::kAll);
 
+  /// Whether one of its patterns fits one of these agents.
+  bool concerns(const hal::exchange::Hello& hello) const;
+
   /// The Session for a Hello; `refusal` says why not. `server` is left empty. A Hello that was
   /// granted before gets the same Session again.
   hal::exchange::Session decide(const hal::exchange::Hello& hello);

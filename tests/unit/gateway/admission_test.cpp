@@ -42,6 +42,13 @@ TEST(Admission, OfOneOfSeveralServersNeedsOnlyOnePatternToFit) {
             (std::vector<std::string>{"m2"}));
 }
 
+TEST(Admission, ConcernsThoseWhoAskForOneOfItsAgents) {
+  const Admission admission(sample_offers(), 1, Admission::Offered::kSome);
+  EXPECT_FALSE(admission.concerns(hello_for("p", {"x1", "x*"})));
+  EXPECT_FALSE(admission.concerns(hello_for("p", {})));
+  EXPECT_TRUE(admission.concerns(hello_for("p", {"x1", "m*"})));
+}
+
 TEST(Admission, IsCompleteWhenEveryAgentHasAController) {
   Admission admission(sample_offers(), 1);
   EXPECT_EQ(admission.decide(hello_for("p", {"m1", "m3"})).refusal, "");
