@@ -29,7 +29,9 @@ void read_agent(Mapping in, RobotFile& file) {
     in.mistake("name",
                fmt::format("'{}' must be letters, digits, '_' and '-' after a letter", file.name));
   }
-  file.address = AgentId{static_cast<std::uint16_t>(in.integer("address", 1, kLastAddress))};
+  // A mistaken address is nobody's: it must not seem to be taken by a landmark.
+  if (!in.has("address")) in.mistake("address", "is missing");
+  file.address = AgentId{static_cast<std::uint16_t>(in.integer("address", 1, kLastAddress, 0))};
   file.kind = in.choice("kind", kKinds).value_or(AgentKind::kMote);
   in.finish();
 }

@@ -1,0 +1,174 @@
+#include "hal/hardware/robot_file.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "hal/types/math.h"
+#include "tests/unit/hal/config/files.h"
+
+namespace hal::hardware {
+namespace {
+
+using namespace std::chrono_literals;
+using config::Lines;
+
+const std::filesystem::path kHardware = std::filesystem::path(CONFIG_DIR) / "hardware";
+const std::string kRobertino = (std::filesystem::path(CONFIG_DIR) / "robots/robertino.yaml");
+
+class RobotFileTest : public config::Files {
+ protected:
+  /// The mistakes in a file, without its name.
+  Lines mistakes(const std::string& text) const {
+    const auto file = write("robot.yaml", text);
+    Lines lines = messages([&] { (void)RobotFile::load(file); });
+    for (std::string& line : lines) {
+      if (line.starts_with("robot.yaml:")) line.erase(0, std::string("robot.yaml:").size());
+    }
+    return lines;
+  }
+  /// Those of a robot whose devices are given.
+  Lines device_mistakes(const std::string& devices) const {
+    return mistakes(
+        "version: 1\nagent: {name: r0, address: 1, kind: robot}\n"
+        "radio: {interface: eth0}\nrobot: {include: " +
+        kRobertino + "}\n" + devices);
+  }
+};
+
+TEST(HardwareExamples, OfARobotinoSayWhatTheirCommentsSay) {
+  const RobotFile file = RobotFile::load(kHardware / "robotino.yaml");
+  EXPECT_EQ(file.name, "r0");
+  EXPECT_EQ(file.address, AgentId{26});
+  EXPECT_EQ(file.kind, AgentKind::kRobot);
+  EXPECT_EQ(file.program, "help_robot");
+  ASSERT_EQ(file.parameters.size(), 1U);
+  EXPECT_EQ(file.parameters[0].value, "0.5 m/s");
+  EXPECT_TRUE(file.parameters[0].place.ends_with("robotino.yaml:9:23")) << file.parameters[0].place;
+  EXPECT_EQ(file.radio, (RadioSettings{"wlan0", "", 7300, 6e6, 0.1}));
+  EXPECT_EQ(file.robot->infrared.size(), 9U);
+  EXPECT_EQ(file.limits, (SpeedLimits{0.6, 1.5}));
+  const auto& wheels = std::get<RobotinoSettings>(file.wheels);
+  EXPECT_EQ(wheels.host, "192.168.0.1");
+  EXPECT_EQ(wheels.times, (DeviceTimes{50ms, 150ms, 500ms}));
+  EXPECT_EQ(std::get<PoseTopicSettings>(file.localisation.source),
+            (PoseTopicSettings{"/mocap/r0/pose", 500ms}));
+  EXPECT_EQ(file.localisation.map[1], (Landmark{AgentId{2}, "m1", {5, 0}}));
+  EXPECT_EQ(make_static_pose(file), nullptr);
+}
+
+TEST(HardwareExamples, OfATmc200SayWhatTheirCommentsSay) {
+  const RobotFile file = RobotFile::load(kHardware / "tmc200.yaml");
+  const auto& wheels = std::get<Tmc200Settings>(file.wheels);
+  EXPECT_EQ(wheels.motor.encoder_lines, 500);
+  EXPECT_NEAR(wheels.motor.max_speed, 120 * math::kPi, 1e-9);
+  EXPECT_EQ(wheels.cut_off, 200ms);
+  const auto& infrared = std::get<IioSettings>(file.infrared);
+  EXPECT_EQ(infrared.folder, "/sys/bus/iio/devices/iio:device0");
+  EXPECT_EQ(infrared.channels.size(), 6U);
+}
+
+TEST(HardwareExamples, OfAMoteNeedNoBodyAndKnowTheirPlace) {
+  const RobotFile file = RobotFile::load(kHardware / "mote.yaml");
+  EXPECT_EQ(file.kind, AgentKind::kMote);
+  EXPECT_FALSE(file.robot);
+  EXPECT_EQ(make_wheels(file), nullptr);
+  EXPECT_EQ(make_infrared(file), nullptr);
+  const auto source = make_static_pose(file);
+  ASSERT_NE(source, nullptr);
+  EXPECT_EQ(source->pose()->pose, (Pose2{5, 0, 0}));
+}
+
+TEST_F(RobotFileTest, EmptyFilesLackEverything) {
+  EXPECT_EQ(mistakes("{}\n"), (Lines{
+                                  "1:1: agent.address: is missing",
+                                  "1:1: agent.kind: is missing",
+                                  "1:1: agent.name: is missing",
+                                  "1:1: radio.interface: is missing",
+                                  "1:1: version: is missing",
+                              }));
+}
+
+TEST_F(RobotFileTest, EveryMistakeIsNamedAtOnce) {
+  EXPECT_EQ(mistakes("version: 2\n"
+                     "agent: {name: 0r, address: 65535, kind: car}\n"
+                     "control_period: 1 s\n"
+                     "command_timeout: 500 ms\n"
+                     "radio: {interfce: eth0, port: 0, power: 1 m}\n"
+                     "limits: {linear: 1 m/s}\n"
+                     "localisation:\n"
+                     "  driver: none\n"
+                     "  topic: /pose\n"
+                     "  map:\n"
+                     "    - {name: m0, address: 1, x: 0 m, y: 0 m}\n"
+                     "    - {name: m1, address: 1, x: 0 m, y: 0}\n"
+                     "sped: 1\n"),
+            (Lines{
+                "1:10: version: 2 is above the limit of 1",
+                "2:15: agent.name: '0r' must be letters, digits, '_' and '-' after a letter",
+                "2:28: agent.address: 65535 is above the limit of 65534",
+                "2:41: agent.kind: 'car' is not one of robot, mote",
+                "4:18: command_timeout: must not be shorter than control_period: the wheels would "
+                "stop between "
+                "commands",
+                "5:8: radio.interface: is missing",
+                "5:9: radio.interfce: is not a known key; did you mean 'interface'?",
+                "5:31: radio.port: 0 is below the limit of 1",
+                "5:41: radio.power: '1 m' must be written in W, e.g. '1 W'",
+                "6:1: limits: a mote has none",
+                "9:3: localisation.topic: only driver 'pose_topic' has one",
+                "12:27: localisation.map.address: the address 1 is taken by 'm0'",
+                "12:41: localisation.map.y: '0' must be written in m, e.g. '0 m'",
+                "13:1: sped: is not a known key; did you mean 'seed'?",
+            }));
+}
+
+TEST_F(RobotFileTest, DevicesMustKeepTheirOwnRules) {
+  EXPECT_EQ(
+      device_mistakes("wheels: {driver: robotino_rest, host: r, period: 150 ms, session: a&b}\n"
+                      "infrared: {driver: iio, folder: /x, channels: [voltage0, 1]}\n"),
+      (Lines{
+          "5:50: wheels.period: 150 ms is above the limit of 0.1 s",
+          "5:67: wheels.session: 'a&b' must not contain any of & # ? / % and blanks",
+          "6:47: infrared.channels: '1' is not a voltage channel, e.g. 'voltage0'",
+          "6:47: infrared.channels: names 2 channels, but the robot has 6 infrared sensors",
+      }));
+  EXPECT_EQ(
+      device_mistakes("wheels:\n"
+                      "  driver: tmc200\n"
+                      "  device: /dev/ttyS0\n"
+                      "  motor: {encoder_lines: 500, gear: 32, max_speed: 3600 rpm}\n"
+                      "  cut_off: 55 ms\n"
+                      "  period: 40 ms\n"
+                      "  stale_after: 40 ms\n"),
+      (Lines{
+          "8:10: wheels.motor: turns the wheels at 11.78 rad/s at most, but the robot's wheels are "
+          "said to reach 23.56 rad/s",
+          "9:12: wheels.cut_off: must be a multiple of 10 ms, which is what the controller counts "
+          "in",
+          "10:11: wheels.period: must be at most half of cut_off: one lost command must not stop "
+          "the "
+          "motors",
+          "11:16: wheels.stale_after: must be longer than period: no reading would ever be fresh",
+      }));
+}
+
+TEST_F(RobotFileTest, UnknownDriversAreNamedWithTheirLikes) {
+  EXPECT_EQ(device_mistakes("wheels: {driver: robotino, host: r}\n"),
+            (Lines{"5:18: wheels.driver: 'robotino' is not one of none, robotino_rest, tmc200"}));
+  EXPECT_EQ(device_mistakes(""), (Lines{"1:1: wheels.driver: is missing"}));
+}
+
+TEST_F(RobotFileTest, OverridesReachEveryKey) {
+  const RobotFile file = RobotFile::load(
+      kHardware / "robotino.yaml", {"wheels.port=8080", "radio.interface=lo", "agent.name=r7"});
+  EXPECT_EQ(std::get<RobotinoSettings>(file.wheels).port, 8080);
+  EXPECT_EQ(file.radio.interface, "lo");
+  EXPECT_EQ(file.name, "r7");
+}
+
+}  // namespace
+}  // namespace hal::hardware
