@@ -35,11 +35,22 @@ void RunInspection::start(std::optional<int> domain_of_run, sim::agents::Simulat
         "--inspect-domain N");
   }
   if (!domain || (!settings_.shown && !teleop)) return;
-  participant_ = std::make_unique<hal::dds::InspectionParticipant>(
-      hal::dds::InspectionParticipant::Settings{.domain = *domain, .name = "baraka run"});
-  fmt::print(stderr, "inspect domain: {}\n", *domain);
-  if (settings_.shown) observer_.start(*participant_, simulation.offers());
+  try {
+    open(*domain, simulation);
+  } catch (const std::runtime_error& e) {
+    // Nobody has asked for it.
+    if (settings_.domain || teleop) throw;
+    fmt::print(stderr, "warning: the run is not shown: {}\n", e.what());
+    return;
+  }
   if (teleop) connect_teleop(simulation);
+}
+
+void RunInspection::open(int domain, const sim::agents::Simulation& simulation) {
+  participant_ = std::make_unique<hal::dds::InspectionParticipant>(
+      hal::dds::InspectionParticipant::Settings{.domain = domain, .name = "baraka run"});
+  if (settings_.shown) observer_.start(*participant_, simulation.offers());
+  fmt::print(stderr, "inspect domain: {}\n", domain);
 }
 
 void RunInspection::connect_teleop(sim::agents::Simulation& simulation) {
