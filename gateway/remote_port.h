@@ -25,6 +25,9 @@ class RemotePort : public hal::exchange::ControllerPort {
   std::vector<int> descriptors() const override;
   hal::Result<void> check_alive() override;
 
+  /// Wakes up poll() when the process dies; -1 if it runs on another host.
+  int death_descriptor() const { return link_ ? link_->death_descriptor() : -1; }
+
   ProcessSummary summary() const;
 
   /// Lets go of the server, which may end before the host that holds this port. Every exchange

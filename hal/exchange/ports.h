@@ -59,6 +59,10 @@ class AgentHost {
   /// takes none once it has started; one of a robot does, at any time, and begins anew with START.
   virtual void connect(std::shared_ptr<ControllerPort> port, const std::vector<AgentId>& agents,
                        const Wants& wants) = 0;
+
+  /// The controller of these agents is gone. Told to hosts that take new ones; others learn of it
+  /// by their exchanges.
+  virtual void disconnect(const std::vector<AgentId>& agents) { (void)agents; }
 };
 
 /// The session a process gets for one agent: the offer, reduced to the channels it asked for.
