@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "gateway/app/exit_status.h"
 #include "gateway/app/teleop_port.h"
 
 namespace gateway::app {
@@ -24,7 +25,10 @@ hal::Wants all_channels(const hal::exchange::AgentOffer& offer) {
 }  // namespace
 
 RunInspection::RunInspection(const sim::scenario::Scenario& scenario, const Settings& settings)
-    : scenario_(scenario), settings_(settings), observer_(scenario.simulation) {}
+    : scenario_(scenario), settings_(settings), observer_(scenario.simulation) {
+  if (!settings.repeated || !has_teleop(scenario)) return;
+  throw UsageError("--repeat: what came from outside for teleop is not recorded");
+}
 
 void RunInspection::start(std::optional<int> domain_of_run, sim::agents::Simulation& simulation) {
   const std::optional<int> domain = settings_.domain ? settings_.domain : domain_of_run;

@@ -16,9 +16,11 @@ class RunInspection {
   struct Settings {
     bool shown = true;          ///< Else only teleoperation.
     std::optional<int> domain;  ///< DDS domain; none: the run's.
+    bool repeated = false;      ///< It is a repetition: nobody can drive by hand.
   };
 
   /// @param scenario  outlives this object.
+  /// @throws UsageError  a repetition with agents to teleoperate: their commands are not recorded.
   RunInspection(const sim::scenario::Scenario& scenario, const Settings& settings);
 
   /// Sees the run; to be handed to the simulation.
