@@ -128,8 +128,10 @@ int run(const RunOptions& options) {
   const Scenario scenario = load_judged(options.scenario, options.overrides);
   catch_interrupts();
   const Course course(options, scenario);
+  RunInspection inspection(scenario, {.shown = options.inspect,
+                                      .domain = options.inspect_domain,
+                                      .repeated = !options.repeat.empty()});
   Results results(scenario, results_path(options, scenario.name));
-  RunInspection inspection(scenario, {options.inspect, options.inspect_domain});
   Simulation simulation(scenario.simulation,
                         {&results.recorder, &results.fingerprint, &inspection.observer()});
   ControllersOfRun controllers(

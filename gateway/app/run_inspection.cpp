@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "gateway/app/exit_status.h"
 #include "gateway/app/teleop_port.h"
 
 namespace gateway::app {
@@ -24,7 +25,10 @@ hal::Wants all_channels(const hal::exchange::AgentOffer& offer) {
 }  // namespace
 
 RunInspection::RunInspection(const sim::scenario::Scenario& scenario, const Settings& settings)
-    : scenario_(scenario), settings_(settings), observer_(scenario.simulation) {}
+    : scenario_(scenario), settings_(settings), observer_(scenario.simulation) {
+  if (!settings.repeated || !has_teleop(scenario)) return;
+  throw UsageError("--repeat: what came from outside for teleop is not recorded");
+}
 
 void RunInspection::start(std::optional<int> domain_of_run, sim::agents::Simulation& simulation) {
   const std::optional<int> domain = settings_.domain ? settings_.domain : domain_of_run;
@@ -35,11 +39,22 @@ void RunInspection::start(std::optional<int> domain_of_run, sim::agents::Simulat
         "--inspect-domain N");
   }
   if (!domain || (!settings_.shown && !teleop)) return;
-  participant_ = std::make_unique<hal::dds::InspectionParticipant>(
-      hal::dds::InspectionParticipant::Settings{.domain = *domain, .name = "baraka run"});
-  fmt::print(stderr, "inspect domain: {}\n", *domain);
-  if (settings_.shown) observer_.start(*participant_, simulation.offers());
+  try {
+    open(*domain, simulation);
+  } catch (const std::runtime_error& e) {
+    // Nobody has asked for it.
+    if (settings_.domain || teleop) throw;
+    fmt::print(stderr, "warning: the run is not shown: {}\n", e.what());
+    return;
+  }
   if (teleop) connect_teleop(simulation);
+}
+
+void RunInspection::open(int domain, const sim::agents::Simulation& simulation) {
+  participant_ = std::make_unique<hal::dds::InspectionParticipant>(
+      hal::dds::InspectionParticipant::Settings{.domain = domain, .name = "baraka run"});
+  if (settings_.shown) observer_.start(*participant_, simulation.offers());
+  fmt::print(stderr, "inspect domain: {}\n", domain);
 }
 
 void RunInspection::connect_teleop(sim::agents::Simulation& simulation) {

@@ -10,7 +10,6 @@ constexpr int kReaderDepth = 100;
 template <class Qos>
 void set_inspection_qos(Qos& qos, api::ReliabilityQosPolicyKind reliability, Keep keep, int depth) {
   qos.reliability().kind = reliability;
-  // Fast DDS waits this long at most for the locks that its own threads hold.
   qos.reliability().max_blocking_time = to_dds(std::chrono::milliseconds{1});
   qos.durability().kind = keep == Keep::kForLatecomers ? api::TRANSIENT_LOCAL_DURABILITY_QOS
                                                        : api::VOLATILE_DURABILITY_QOS;
