@@ -38,11 +38,7 @@ bool is_awake(dBodyID body) { return body != nullptr && dBodyIsEnabled(body) != 
 
 void ContactPass::run(hal::Time now) {
   now_ = now;
-  deepest_ = 0;
-  islands_.reset(objects_.size());
-  for (std::size_t i = 0; i < objects_.size(); ++i)
-    if (objects_[i]->drivetrain != nullptr) islands_.mark_robot(i);
-  touched_.assign(objects_.size(), {});
+  if (!islands_.empty() || touched_.size() != objects_.size()) forget();
   dSpaceCollide(world_.space(), this, [](void* self, dGeomID a, dGeomID b) {
     static_cast<ContactPass*>(self)->touch(a, b);
   });
@@ -52,6 +48,14 @@ void ContactPass::run(hal::Time now) {
     else
       stand_on_ground(*object);
   }
+}
+
+void ContactPass::forget() {
+  deepest_ = 0;
+  islands_.reset(objects_.size());
+  for (std::size_t i = 0; i < objects_.size(); ++i)
+    if (objects_[i]->drivetrain != nullptr) islands_.mark_robot(i);
+  touched_.assign(objects_.size(), {});
 }
 
 void ContactPass::touch(dGeomID a, dGeomID b) {

@@ -23,6 +23,7 @@ class ContactPass {
   double deepest_overlap() const { return deepest_; }
 
  private:
+  void forget();
   void touch(dGeomID a, dGeomID b);
   void record(const Solid& self, const Solid& other);
   void count(const Solid& a, const Solid& b, int contacts);

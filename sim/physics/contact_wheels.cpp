@@ -10,8 +10,8 @@ using hal::Vec3;
 
 /// A sphere that is part of the chassis; its surface runs past the contact with the ground.
 struct ContactWheel {
-  dGeomID sphere;
-  Vec3 axle;  ///< Body frame of the chassis, unit length.
+  Vec3 offset;  ///< m, of the centre from the chassis's centre of mass, its frame
+  Vec3 axle;    ///< Body frame of the chassis, unit length.
   double radius;
   double mu;
   double mu2;
@@ -26,9 +26,6 @@ class ContactWheels final : public Wheels {
  public:
   ContactWheels(const RigidBody& chassis, const std::vector<hal::devices::Wheel>& wheels,
                 double weight_on_each);
-  ~ContactWheels() override {
-    for (const ContactWheel& wheel : wheels_) dGeomDestroy(wheel.sphere);
-  }
   ContactWheels(const ContactWheels&) = delete;
   ContactWheels& operator=(const ContactWheels&) = delete;
 
@@ -54,13 +51,9 @@ ContactWheels::ContactWheels(const RigidBody& chassis,
     : chassis_(chassis) {
   wheels_.reserve(wheels.size());  // the solver writes feedback to them: they stay in place
   for (const hal::devices::Wheel& wheel : wheels) {
-    const dGeomID sphere = dCreateSphere(nullptr, wheel.radius);
-    dGeomSetBody(sphere, chassis.body);
-    const Vec3 place = Vec3{wheel.position.x, wheel.position.y, wheel.radius};
-    const Vec3 offset = place - chassis.centre_of_mass;
-    dGeomSetOffsetPosition(sphere, offset.x, offset.y, offset.z);
+    const Vec3 place{wheel.position.x, wheel.position.y, wheel.radius};
     const Vec3 axle{hal::math::cos(wheel.axle_heading), hal::math::sin(wheel.axle_heading), 0};
-    wheels_.push_back({sphere,
+    wheels_.push_back({place - chassis.centre_of_mass,
                        axle,
                        wheel.radius,
                        wheel.mu,
@@ -82,10 +75,14 @@ double ContactWheels::grip(ContactWheel& wheel) const {
 }
 
 void ContactWheels::touch_ground(const OdeWorld& world) {
+  const dReal* p = dBodyGetPosition(chassis_.body);
+  const Vec3 centre{p[0], p[1], p[2]};
   for (ContactWheel& wheel : wheels_) {
     dContact contact{};
-    const Vec3 axle = rotate(chassis_.body, wheel.axle);
-    if (!meet_ground(world, wheel.sphere, axle, contact, wheel.ground)) continue;
+    const WheelSphere sphere{chassis_.body, centre + rotate(chassis_.body, wheel.offset),
+                             rotate(chassis_.body, wheel.axle), wheel.radius};
+    if (!meet_ground(sphere, contact, wheel.ground)) continue;
+    wheel.ground.velocity = material_velocity(chassis_.body, wheel.ground.arm);
     contact.surface.mode |= dContactMotion1;
     contact.surface.mu = grip(wheel);
     contact.surface.mu2 = wheel.mu2;

@@ -56,10 +56,18 @@ struct GroundContact {
   hal::Vec3 force() const { return {forces.f1[0], forces.f1[1], forces.f1[2]}; }  ///< N
 };
 
-/// Fills in a contact of `sphere` with the ground: friction `mu` along the rolling direction, `mu2`
-/// along the axle. @param axle  of the wheel, world frame. @return whether they touch.
-bool meet_ground(const OdeWorld& world, dGeomID sphere, const hal::Vec3& axle, dContact& contact,
-                 GroundContact& met);
+/// A wheel's sphere on its way through the world. It has no geometry of ODE's: nothing but the
+/// ground meets it, and the ground is the plane z = 0.
+struct WheelSphere {
+  dBodyID body;      ///< That it belongs to.
+  hal::Vec3 centre;  ///< m, world frame
+  hal::Vec3 axle;    ///< Unit vector, world frame
+  double radius;     ///< m
+};
+
+/// Fills in a contact of a wheel with the ground: friction `mu` along the rolling direction, `mu2`
+/// along the axle. @return whether they touch.
+bool meet_ground(const WheelSphere& wheel, dContact& contact, GroundContact& met);
 
 /// m/s of a body's material at a distance from its centre of mass; all in the world frame.
 hal::Vec3 material_velocity(dBodyID body, const hal::Vec3& arm);

@@ -13,25 +13,6 @@ using hal::Duration;
 using hal::Time;
 using hal::devices::InfraredSensor;
 
-namespace {
-
-/// Where a sensor looked `age` ago.
-Sector view_of(const InfraredSensor& sensor, const physics::BodyPose& pose,
-               const physics::BodyVelocity& velocity, Duration age) {
-  const double seconds = hal::to_seconds(age);
-  const double heading = pose.heading - seconds * velocity.angular.z;
-  const hal::Vec3 body = pose.position - seconds * velocity.linear;
-  const double c = hal::math::cos(heading);
-  const double s = hal::math::sin(heading);
-  return {{body.x + c * sensor.position.x - s * sensor.position.y,
-           body.y + s * sensor.position.x + c * sensor.position.y, body.z + sensor.position.z},
-          heading + sensor.heading,
-          sensor.half_angle,
-          sensor.curve.reach()};
-}
-
-}  // namespace
-
 InfraredArray::InfraredArray(hal::AgentId agent, std::vector<InfraredSensor> sensors,
                              std::uint64_t run_seed, std::string_view agent_name)
     : agent_(agent),
@@ -40,6 +21,7 @@ InfraredArray::InfraredArray(hal::AgentId agent, std::vector<InfraredSensor> sen
   for (const InfraredSensor& sensor : sensors_) {
     const double period = static_cast<double>(sensor.hold_period.count());
     phases_.emplace_back(static_cast<std::int64_t>(random_.uniform() * period));
+    views_.push_back({unit(sensor.heading), unit(sensor.half_angle), sensor.curve.reach()});
   }
 }
 
@@ -49,11 +31,13 @@ void InfraredArray::sample(Time now, const physics::World& world, const Proximit
     readings_.resize(sensors_.size());
     measured_at_.resize(sensors_.size());
   }
+  const physics::BodyPose pose = world.pose(agent_);
+  const physics::BodyVelocity velocity = world.velocity(agent_);
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
     const Time instant = last_instant(i, now);
     if (!first && instant == measured_at_[i]) continue;
     measured_at_[i] = instant;
-    readings_[i] = measure(sensors_[i], now - instant, world, proximity);
+    readings_[i] = measure(i, view_of(i, pose, velocity, now - instant), proximity);
   }
 }
 
@@ -64,9 +48,24 @@ Time InfraredArray::last_instant(std::size_t sensor, Time now) const {
   return now - Duration{(since % period + period) % period};
 }
 
-InfraredReading InfraredArray::measure(const InfraredSensor& sensor, Duration age,
-                                       const physics::World& world, const Proximity& proximity) {
-  const Sector view = view_of(sensor, world.pose(agent_), world.velocity(agent_), age);
+/// Where a sensor looked `age` ago.
+SectorQuery InfraredArray::view_of(std::size_t sensor, const physics::BodyPose& pose,
+                                   const physics::BodyVelocity& velocity, Duration age) const {
+  const double seconds = hal::to_seconds(age);
+  const hal::Vec2 ahead = unit(pose.heading - seconds * velocity.angular.z);
+  const hal::Vec3 body = pose.position - seconds * velocity.linear;
+  const hal::Vec3& mount = sensors_[sensor].position;
+  const hal::Vec2 offset = turned({mount.x, mount.y}, ahead);
+  const View& view = views_[sensor];
+  return {{body.x + offset.x, body.y + offset.y, body.z + mount.z},
+          turned(view.direction, ahead),
+          view.half_angle,
+          view.reach};
+}
+
+InfraredReading InfraredArray::measure(std::size_t index, const SectorQuery& view,
+                                       const Proximity& proximity) {
+  const InfraredSensor& sensor = sensors_[index];
   const double metres =
       proximity.nearest(view, agent_).value_or(std::numeric_limits<double>::infinity());
   double volts = sensor.curve.volts(metres);

@@ -42,11 +42,20 @@ class InfraredArray {
 
  private:
   hal::Time last_instant(std::size_t sensor, hal::Time now) const;
-  InfraredReading measure(const hal::devices::InfraredSensor& sensor, hal::Duration age,
-                          const physics::World& world, const Proximity& proximity);
+  InfraredReading measure(std::size_t sensor, const SectorQuery& view, const Proximity& proximity);
+
+  /// What of a sensor's view never changes.
+  struct View {
+    hal::Vec2 direction;   ///< Unit vector, body frame.
+    hal::Vec2 half_angle;  ///< Its cosine and sine.
+    double reach;          ///< m
+  };
+  SectorQuery view_of(std::size_t sensor, const physics::BodyPose& pose,
+                      const physics::BodyVelocity& velocity, hal::Duration age) const;
 
   hal::AgentId agent_;
   std::vector<hal::devices::InfraredSensor> sensors_;
+  std::vector<View> views_;
   hal::RandomStream random_;
   std::vector<hal::Duration> phases_;
   std::vector<hal::Time> measured_at_;

@@ -38,8 +38,7 @@ Proximity::~Proximity() = default;
 
 void Proximity::update() { implementation_->moving.update(implementation_->world.shapes()); }
 
-std::optional<double> Proximity::nearest(const Sector& sector, hal::AgentId own) const {
-  const SectorQuery query(sector);
+std::optional<double> Proximity::nearest(const SectorQuery& query, hal::AgentId own) const {
   auto& candidates = implementation_->candidates;
   candidates.clear();
   implementation_->fixed.overlapping(query.bounds(), query.height(), candidates);

@@ -25,7 +25,10 @@ class Proximity {
   /// Distance [m] from the sector's origin to the nearest point of a shape in the sector, 0 inside
   /// a shape; none if the sector is empty. Shapes that the plane misses are not seen.
   /// @param own  shapes of this agent are transparent. One thread at a time.
-  std::optional<double> nearest(const Sector& sector, hal::AgentId own) const;
+  std::optional<double> nearest(const SectorQuery& sector, hal::AgentId own) const;
+  std::optional<double> nearest(const Sector& sector, hal::AgentId own) const {
+    return nearest(SectorQuery(sector), own);
+  }
 
  private:
   class Implementation;
