@@ -25,7 +25,7 @@ struct ContactWheel {
 class ContactWheels final : public Wheels {
  public:
   ContactWheels(const RigidBody& chassis, const std::vector<hal::devices::Wheel>& wheels,
-                double weight_on_each);
+                double weight_on_each, bool measure_energy);
   ContactWheels(const ContactWheels&) = delete;
   ContactWheels& operator=(const ContactWheels&) = delete;
 
@@ -40,15 +40,18 @@ class ContactWheels final : public Wheels {
  private:
   double grip(ContactWheel& wheel) const;
   double turned(ContactWheel& wheel, double seconds);
+  void book(const ContactWheel& wheel, const Vec3& after, double seconds);
 
   RigidBody chassis_;
+  bool measures_;
   bool power_ = true;
   std::vector<ContactWheel> wheels_;
 };
 
 ContactWheels::ContactWheels(const RigidBody& chassis,
-                             const std::vector<hal::devices::Wheel>& wheels, double weight_on_each)
-    : chassis_(chassis) {
+                             const std::vector<hal::devices::Wheel>& wheels, double weight_on_each,
+                             bool measure_energy)
+    : chassis_(chassis), measures_(measure_energy) {
   wheels_.reserve(wheels.size());  // the solver writes feedback to them: they stay in place
   for (const hal::devices::Wheel& wheel : wheels) {
     const Vec3 place{wheel.position.x, wheel.position.y, wheel.radius};
@@ -77,12 +80,12 @@ double ContactWheels::grip(ContactWheel& wheel) const {
 void ContactWheels::touch_ground(const OdeWorld& world) {
   const dReal* p = dBodyGetPosition(chassis_.body);
   const Vec3 centre{p[0], p[1], p[2]};
+  dContact contact{};
   for (ContactWheel& wheel : wheels_) {
-    dContact contact{};
     const WheelSphere sphere{chassis_.body, centre + rotate(chassis_.body, wheel.offset),
                              rotate(chassis_.body, wheel.axle), wheel.radius};
     if (!meet_ground(sphere, contact, wheel.ground)) continue;
-    wheel.ground.velocity = material_velocity(chassis_.body, wheel.ground.arm);
+    if (measures_) wheel.ground.velocity = material_velocity(chassis_.body, wheel.ground.arm);
     contact.surface.mode |= dContactMotion1;
     contact.surface.mu = grip(wheel);
     contact.surface.mu2 = wheel.mu2;
@@ -102,25 +105,31 @@ void ContactWheels::follow(double seconds, std::span<double> angles) {
 double ContactWheels::turned(ContactWheel& wheel, double seconds) {
   const GroundContact& ground = wheel.ground;
   if (!ground.touches) return (power_ ? wheel.speed : 0) * seconds;
-  const Vec3 force = ground.force();
-  wheel.load = std::max(force.z, 0.0);
+  wheel.load = std::max(ground.force().z, 0.0);
+  if (!wheel.yields && !measures_) return wheel.speed * seconds;
   const Vec3 after = material_velocity(chassis_.body, ground.arm);
-  const Vec3 mean = 0.5 * (ground.velocity + after);
+  if (measures_) book(wheel, after, seconds);
   const double passing = dot(after, ground.rolling) / wheel.radius;
-  const double rate = wheel.yields ? passing : wheel.speed;
+  return (wheel.yields ? passing : wheel.speed) * seconds;
+}
+
+/// @param after  velocity of the chassis's material at the contact, after the step.
+void ContactWheels::book(const ContactWheel& wheel, const Vec3& after, double seconds) {
+  const GroundContact& ground = wheel.ground;
+  const Vec3 force = ground.force();
+  const Vec3 mean = 0.5 * (ground.velocity + after);
   const double surface = wheel.yields ? dot(mean, ground.rolling) : wheel.speed * wheel.radius;
   const double driven = dot(force, ground.rolling) * surface * seconds;
   motor_work_ += driven;
   friction_loss_ += driven - dot(force, mean) * seconds;
-  return rate * seconds;
 }
 
 }  // namespace
 
 std::unique_ptr<Wheels> make_contact_wheels(const RigidBody& chassis,
                                             const std::vector<hal::devices::Wheel>& wheels,
-                                            double weight_on_each) {
-  return std::make_unique<ContactWheels>(chassis, wheels, weight_on_each);
+                                            double weight_on_each, bool measure_energy) {
+  return std::make_unique<ContactWheels>(chassis, wheels, weight_on_each, measure_energy);
 }
 
 }  // namespace sim::physics

@@ -31,7 +31,8 @@ std::unique_ptr<Wheels> make_wheels(const OdeWorld& world, const RigidBody& chas
   dBodyGetMass(chassis.body, &mass);
   const double weight = mass.mass * config.gravity;
   return make_contact_wheels(chassis, robot.wheels,
-                             weight / static_cast<double>(robot.wheels.size()));
+                             weight / static_cast<double>(robot.wheels.size()),
+                             config.measure_energy);
 }
 
 }  // namespace

@@ -90,9 +90,9 @@ void JointedWheels::set_power(bool on) {
 }
 
 void JointedWheels::touch_ground(const OdeWorld& world) {
+  dContact contact{};
   for (JointedWheel& wheel : wheels_) {
     if (measures_) wheel.rate = dJointGetHingeAngleRate(wheel.hinge);
-    dContact contact{};
     // The rolling direction follows the chassis; the wheel's own frame turns with the wheel.
     const Vec3 axle = rotate(chassis_.body, wheel.axle);
     const dReal* p = dBodyGetPosition(wheel.body);

@@ -26,11 +26,4 @@ bool meet_ground(const WheelSphere& wheel, dContact& contact, GroundContact& met
   return true;
 }
 
-Vec3 material_velocity(dBodyID body, const Vec3& arm) {
-  const dReal* v = dBodyGetLinearVel(body);
-  const dReal* w = dBodyGetAngularVel(body);
-  return {v[0] + w[1] * arm.z - w[2] * arm.y, v[1] + w[2] * arm.x - w[0] * arm.z,
-          v[2] + w[0] * arm.y - w[1] * arm.x};
-}
-
 }  // namespace sim::physics
