@@ -39,9 +39,11 @@ bool is_awake(dBodyID body) { return body != nullptr && dBodyIsEnabled(body) != 
 void ContactPass::run(hal::Time now) {
   now_ = now;
   if (!islands_.empty() || touched_.size() != objects_.size()) forget();
-  dSpaceCollide(world_.space(), this, [](void* self, dGeomID a, dGeomID b) {
-    static_cast<ContactPass*>(self)->touch(a, b);
-  });
+  if (clearance_.may_touch(objects_)) {
+    dSpaceCollide(world_.space(), this, [](void* self, dGeomID a, dGeomID b) {
+      static_cast<ContactPass*>(self)->touch(a, b);
+    });
+  }
   for (const auto& object : objects_) {
     if (object->drivetrain != nullptr)
       object->drivetrain->touch_ground(world_);

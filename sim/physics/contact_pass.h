@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/physics/clearance.h"
 #include "sim/physics/contact_islands.h"
 #include "sim/physics/object.h"
 #include "sim/physics/ode_world.h"
@@ -15,6 +16,9 @@ class ContactPass {
   /// @param now  start of the step. Objects first, then the ground: whoever is woken by a push must
   /// stand on the ground in this very step.
   void run(hal::Time now);
+
+  /// A wall that was added to the world.
+  void add_wall(const Shape& wall) { clearance_.add_wall(wall); }
 
   /// Who touches whom, from the last run().
   ContactIslands& islands() { return islands_; }
@@ -33,6 +37,7 @@ class ContactPass {
   Objects& objects_;
   double ground_friction_;
   ContactIslands islands_;
+  Clearance clearance_;
   hal::Time now_{};
   double deepest_ = 0;
   std::vector<std::array<bool, 3>> touched_;  ///< Per object and kind: recorded in this step.

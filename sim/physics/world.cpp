@@ -180,6 +180,7 @@ World::~World() = default;
 void World::add_wall(const StaticBox& wall) {
   implementation_->adopt(make_wall(implementation_->ode, wall),
                          {Solid::Kind::kWall, 0, wall.friction}, AgentId{});
+  implementation_->pass.add_wall(implementation_->shapes.back());
 }
 
 void World::add_mote(AgentId agent, const hal::devices::MoteDescription& mote,

@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -12,6 +13,17 @@ namespace sim::sensing {
 using hal::Duration;
 using hal::Time;
 using hal::devices::InfraredSensor;
+
+namespace {
+
+/// The smallest region that holds two.
+Region around(const Region& a, const Region& b) {
+  return {
+      {std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y), std::min(a.low.z, b.low.z)},
+      {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y), std::max(a.high.z, b.high.z)}};
+}
+
+}  // namespace
 
 InfraredArray::InfraredArray(hal::AgentId agent, std::vector<InfraredSensor> sensors,
                              std::uint64_t run_seed, std::string_view agent_name)
@@ -26,18 +38,27 @@ InfraredArray::InfraredArray(hal::AgentId agent, std::vector<InfraredSensor> sen
 }
 
 void InfraredArray::sample(Time now, const physics::World& world, const Proximity& proximity) {
+  find_due(now, world);
+  if (due_.empty()) return;
+  Region region = due_.front().view.bounds();
+  for (const Due& due : due_) region = around(region, due.view.bounds());
+  const std::span<const std::size_t> candidates = proximity.within(region);
+  for (const Due& due : due_) readings_[due.sensor] = measure(due, proximity, candidates);
+}
+
+/// The sensors with a new measurement since the last sample, and where they looked.
+void InfraredArray::find_due(Time now, const physics::World& world) {
   const bool first = readings_.empty();
-  if (first) {
-    readings_.resize(sensors_.size());
-    measured_at_.resize(sensors_.size());
-  }
+  readings_.resize(sensors_.size());
+  measured_at_.resize(sensors_.size());
+  due_.clear();
   const physics::BodyPose pose = world.pose(agent_);
   const physics::BodyVelocity velocity = world.velocity(agent_);
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
     const Time instant = last_instant(i, now);
     if (!first && instant == measured_at_[i]) continue;
     measured_at_[i] = instant;
-    readings_[i] = measure(i, view_of(i, pose, velocity, now - instant), proximity);
+    due_.push_back({i, view_of(i, pose, velocity, now - instant)});
   }
 }
 
@@ -63,11 +84,11 @@ SectorQuery InfraredArray::view_of(std::size_t sensor, const physics::BodyPose& 
           view.reach};
 }
 
-InfraredReading InfraredArray::measure(std::size_t index, const SectorQuery& view,
-                                       const Proximity& proximity) {
-  const InfraredSensor& sensor = sensors_[index];
-  const double metres =
-      proximity.nearest(view, agent_).value_or(std::numeric_limits<double>::infinity());
+InfraredReading InfraredArray::measure(const Due& due, const Proximity& proximity,
+                                       std::span<const std::size_t> candidates) {
+  const InfraredSensor& sensor = sensors_[due.sensor];
+  const double metres = proximity.nearest(due.view, agent_, candidates)
+                            .value_or(std::numeric_limits<double>::infinity());
   double volts = sensor.curve.volts(metres);
   if (sensor.noise_sigma > 0) volts += sensor.noise_sigma * random_.normal();
   volts = sensor.converter.quantise(volts);

@@ -42,7 +42,13 @@ class InfraredArray {
 
  private:
   hal::Time last_instant(std::size_t sensor, hal::Time now) const;
-  InfraredReading measure(std::size_t sensor, const SectorQuery& view, const Proximity& proximity);
+  struct Due {
+    std::size_t sensor;
+    SectorQuery view;
+  };
+  void find_due(hal::Time now, const physics::World& world);
+  InfraredReading measure(const Due& due, const Proximity& proximity,
+                          std::span<const std::size_t> candidates);
 
   /// What of a sensor's view never changes.
   struct View {
@@ -60,6 +66,7 @@ class InfraredArray {
   std::vector<hal::Duration> phases_;
   std::vector<hal::Time> measured_at_;
   std::vector<InfraredReading> readings_;
+  std::vector<Due> due_;  ///< Of the sample under way.
 };
 
 }  // namespace sim::sensing

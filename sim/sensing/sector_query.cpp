@@ -87,11 +87,11 @@ SectorQuery::SectorQuery(const hal::Vec3& from, Vec2 middle, Vec2 half_angle, do
       right_(turned(middle, {half_angle.x, -half_angle.y})) {
   BARAKA_CHECK(range > 0 && half_.x > 0 && half_.y >= 0);
   const Vec2 origin{origin_.x, origin_.y};
-  bounds_ = {origin, origin};
+  bounds_ = {origin_, origin_};
   const auto include = [&](Vec2 direction) {
     const Vec2 tip = origin + range_ * direction;
-    bounds_.low = {std::min(bounds_.low.x, tip.x), std::min(bounds_.low.y, tip.y)};
-    bounds_.high = {std::max(bounds_.high.x, tip.x), std::max(bounds_.high.y, tip.y)};
+    bounds_.low = {std::min(bounds_.low.x, tip.x), std::min(bounds_.low.y, tip.y), origin_.z};
+    bounds_.high = {std::max(bounds_.high.x, tip.x), std::max(bounds_.high.y, tip.y), origin_.z};
   };
   include(left_);
   include(right_);

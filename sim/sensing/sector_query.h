@@ -15,9 +15,9 @@ struct Sector {
   double range = 0;       ///< m, > 0
 };
 
-/// Axis-parallel rectangle. m
-struct Rectangle {
-  hal::Vec2 low, high;
+/// Axis-parallel box. m
+struct Region {
+  hal::Vec3 low, high;
 };
 
 /// Nearest point of convex, upright shapes in a sector, exactly and without iteration.
@@ -38,9 +38,8 @@ class SectorQuery {
   /// Distance to the shape within the sector, 0 if the origin is inside; none if out of reach.
   std::optional<double> nearest(const physics::Shape& shape) const;
 
-  /// Smallest rectangle around the sector.
-  const Rectangle& bounds() const { return bounds_; }
-  double height() const { return origin_.z; }
+  /// Smallest box around the sector: flat.
+  const Region& bounds() const { return bounds_; }
 
  private:
   bool contains_bearing(hal::Vec2 point) const;
@@ -49,7 +48,7 @@ class SectorQuery {
   double range_;
   hal::Vec2 half_;                   ///< Cosine and sine of half the opening.
   hal::Vec2 middle_, left_, right_;  ///< Unit vectors.
-  Rectangle bounds_;
+  Region bounds_;
 };
 
 /// Unit vector at an angle from x, rad.

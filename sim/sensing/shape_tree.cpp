@@ -150,13 +150,12 @@ void ShapeTree::update(std::span<const Shape> shapes) {
     implementation_->manager.update();
 }
 
-void ShapeTree::overlapping(const Rectangle& area, double height,
-                            std::vector<std::size_t>& found) const {
+void ShapeTree::overlapping(const Region& region, std::vector<std::size_t>& found) const {
   implementation_->query(
       [&](const fcl::AABBd& bounds) {
-        return bounds.min_[0] <= area.high.x && bounds.max_[0] >= area.low.x &&
-               bounds.min_[1] <= area.high.y && bounds.max_[1] >= area.low.y &&
-               bounds.min_[2] <= height && bounds.max_[2] >= height;
+        return bounds.min_[0] <= region.high.x && bounds.max_[0] >= region.low.x &&
+               bounds.min_[1] <= region.high.y && bounds.max_[1] >= region.low.y &&
+               bounds.min_[2] <= region.high.z && bounds.max_[2] >= region.low.z;
       },
       found);
 }
