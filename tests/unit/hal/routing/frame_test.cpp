@@ -138,9 +138,11 @@ TEST(Frame, ARouterUnderFireDropsCountsAndGoesOn) {
     }
   }
   network.run(60s);
-  network.send(1, 2);
+  network.node(2).messages.clear();  // forged well enough to be passed on
+  const MessageId message = network.send(1, 2);
   network.run(10s);
-  EXPECT_EQ(network.node(2).messages.size(), 1u);
+  ASSERT_EQ(network.node(2).messages.size(), 1u);
+  EXPECT_EQ(network.node(2).messages[0].id, message);
 }
 
 TEST(Frame, NobodyIsTheirOwnNeighbourOrEveryone) {
