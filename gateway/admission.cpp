@@ -24,7 +24,8 @@ bool asks_for(const Hello& hello, const std::string& name) {
 
 }  // namespace
 
-Admission::Admission(std::vector<AgentOffer> offers, std::uint64_t run) : run_(run) {
+Admission::Admission(std::vector<AgentOffer> offers, std::uint64_t run, Offered offered)
+    : run_(run), offered_(offered) {
   std::ranges::sort(offers, {}, [](const AgentOffer& offer) { return offer.session.agent; });
   for (AgentOffer& offer : offers) places_.push_back({std::move(offer), {}});
 }
@@ -61,12 +62,15 @@ std::string Admission::refusal_of(const Hello& hello) const {
 
 std::string Admission::unknown_in(const Hello& hello) const {
   if (hello.patterns.empty()) return "it asks for no agent";
+  std::size_t fitting = 0;
   for (const std::string& pattern : hello.patterns) {
     const bool fits_one = std::ranges::any_of(places_, [&](const Place& place) {
       return hal::matches(pattern, place.offer.session.name);
     });
-    if (!fits_one) return fmt::format("unknown agent '{}'", pattern);
+    fitting += fits_one ? 1 : 0;
+    if (!fits_one && offered_ == Offered::kAll) return fmt::format("unknown agent '{}'", pattern);
   }
+  if (fitting == 0) return fmt::format("unknown agent '{}'", hello.patterns.front());
   return {};
 }
 

@@ -20,7 +20,12 @@ namespace gateway {
 /// everyone, once closed.
 class Admission {
  public:
-  Admission(std::vector<hal::exchange::AgentOffer> offers, std::uint64_t run);
+  /// Whose agents these are. kSome: other servers of the domain have more, so that of several
+  /// patterns of a process one is enough that fits an agent.
+  enum class Offered : std::uint8_t { kAll, kSome };
+
+  Admission(std::vector<hal::exchange::AgentOffer> offers, std::uint64_t run,
+            Offered offered = Offered::kAll);
 
   /// The Session for a Hello; `refusal` says why not. `server` is left empty. A Hello that was
   /// granted before gets the same Session again.
@@ -48,6 +53,7 @@ class Admission {
   std::map<std::string, hal::exchange::Session> granted_;  ///< By instance.
   std::map<std::string, std::string> process_names_;       ///< By instance.
   std::uint64_t run_;
+  Offered offered_;
   bool closed_ = false;
 };
 

@@ -37,9 +37,24 @@ hal::Result<void> RemotePort::begin(const Step& step) {
 hal::Result<Reply> RemotePort::finish() {
   if (!link_) return disconnected();
   hal::Result<Reply> reply = link_->finish();
-  if (!reply) return reply;
+  if (reply) *reply = checked(std::move(*reply));
+  return reply;
+}
+
+hal::Result<std::optional<Reply>> RemotePort::try_finish() {
+  if (!link_) return disconnected();
+  hal::Result<std::optional<Reply>> reply = link_->try_finish();
+  if (reply && *reply) *reply = checked(std::move(**reply));
+  return reply;
+}
+
+std::vector<int> RemotePort::descriptors() const {
+  return link_ ? link_->descriptors() : std::vector<int>{};
+}
+
+Reply RemotePort::checked(Reply reply) {
   ++summary_.exchanges;
-  std::erase_if(reply->actions, [this](const Action& action) { return !is_good(action); });
+  std::erase_if(reply.actions, [this](const Action& action) { return !is_good(action); });
   return reply;
 }
 

@@ -21,7 +21,12 @@ class RemotePort : public hal::exchange::ControllerPort {
   const std::string& name() const override { return summary_.name; }
   hal::Result<void> begin(const hal::exchange::Step& step) override;
   hal::Result<hal::exchange::Reply> finish() override;
+  hal::Result<std::optional<hal::exchange::Reply>> try_finish() override;
+  std::vector<int> descriptors() const override;
   hal::Result<void> check_alive() override;
+
+  /// Wakes up poll() when the process dies; -1 if it runs on another host.
+  int death_descriptor() const { return link_ ? link_->death_descriptor() : -1; }
 
   ProcessSummary summary() const;
 
@@ -30,6 +35,7 @@ class RemotePort : public hal::exchange::ControllerPort {
   void disconnect();
 
  private:
+  hal::exchange::Reply checked(hal::exchange::Reply reply);
   bool is_good(const hal::exchange::Action& action);
 
   std::unique_ptr<hal::dds::ProcessLink> link_;  ///< Null once disconnected.

@@ -34,15 +34,19 @@ class AgentServer::Implementation {
       : host_(host),
         settings_(settings),
         server_(std::move(hold)),
-        admission_(host.offers(), settings.run) {}
+        admission_(host.offers(), settings.run,
+                   settings.attendance == Attendance::kAnyTime ? Admission::Offered::kSome
+                                                               : Admission::Offered::kAll) {}
   ~Implementation() {
-    for (const auto& port : ports_) port->disconnect();
+    for (const Connected& one : connected_) one.port->disconnect();
   }
   Implementation(const Implementation&) = delete;
   Implementation& operator=(const Implementation&) = delete;
 
   int domain() const { return server_.domain(); }
   hal::Result<void> gather(const std::function<hal::Result<void>()>& keep_waiting);
+  void attend(hal::Time now);
+  std::vector<int> descriptors() const;
   GatewaySummary summary() const;
 
  private:
@@ -53,11 +57,14 @@ class AgentServer::Implementation {
     std::unique_ptr<hal::dds::ProcessLink> link;
   };
 
-  void attend(hal::Duration timeout, hal::Time now);
+  void answer_hellos(hal::Duration timeout, hal::Time now);
   void answer(const Hello& hello, hal::Time now);
+  void send(const Session& session, hal::Time now);
   void note_refusal(const Hello& hello, const std::string& reason, hal::Time now);
   void release_dead();
   void connect_all();
+  void connect(Candidate candidate);
+  void let_go_of_dead(hal::Time now);
   std::vector<int> death_descriptors() const;
 
   hal::exchange::AgentHost& host_;
@@ -65,7 +72,14 @@ class AgentServer::Implementation {
   hal::dds::Server server_;
   Admission admission_;
   std::map<std::string, Candidate> candidates_;  ///< By instance.
-  std::vector<std::shared_ptr<RemotePort>> ports_;
+  /// A process whose agents are connected.
+  struct Connected {
+    std::string instance;
+    std::vector<hal::AgentId> agents;
+    std::shared_ptr<RemotePort> port;
+  };
+  std::vector<Connected> connected_;
+  std::vector<ProcessSummary> past_;  ///< Of processes that were let go.
   std::vector<std::string> refusals_;
 };
 
@@ -73,7 +87,7 @@ hal::Result<void> AgentServer::Implementation::gather(
     const std::function<hal::Result<void>()>& keep_waiting) {
   const hal::dds::Deadline deadline(settings_.wait);
   while (!admission_.is_complete()) {
-    attend(std::min(deadline.left(), kAskEvery), hal::Time{});
+    answer_hellos(std::min(deadline.left(), kAskEvery), hal::Time{});
     release_dead();
     if (admission_.is_complete()) break;
     if (auto allowed = keep_waiting(); !allowed) return allowed;
@@ -86,18 +100,35 @@ hal::Result<void> AgentServer::Implementation::gather(
   return {};
 }
 
-void AgentServer::Implementation::attend(hal::Duration timeout, hal::Time now) {
+void AgentServer::Implementation::attend(hal::Time now) {
+  let_go_of_dead(now);
+  answer_hellos(hal::Duration::zero(), now);
+}
+
+void AgentServer::Implementation::answer_hellos(hal::Duration timeout, hal::Time now) {
   for (const Hello& hello : server_.hellos(timeout, death_descriptors())) answer(hello, now);
 }
 
 void AgentServer::Implementation::answer(const Hello& hello, hal::Time now) {
   const Session session = admission_.decide(hello);
+  const bool is_known =
+      candidates_.contains(hello.instance) ||
+      std::ranges::find(connected_, hello.instance, &Connected::instance) != connected_.end();
   if (!session.refusal.empty()) {
     note_refusal(hello, session.refusal, now);
-  } else if (ports_.empty() && !candidates_.contains(hello.instance)) {
-    auto link = server_.link(hello, settings_.run, settings_.reply_timeout);
-    candidates_[hello.instance] = {hello, session, std::move(link)};
+  } else if (!is_known) {
+    Candidate candidate{hello, session,
+                        server_.link(hello, settings_.run, settings_.reply_timeout)};
+    if (settings_.attendance == Attendance::kAnyTime) {
+      send(session, now);
+      return connect(std::move(candidate));
+    }
+    candidates_[hello.instance] = std::move(candidate);
   }
+  send(session, now);
+}
+
+void AgentServer::Implementation::send(const Session& session, hal::Time now) {
   if (auto sent = server_.answer(session); !sent) {
     log(hal::log::Level::kWarning, now, sent.error().message);
   }
@@ -128,6 +159,25 @@ std::vector<int> AgentServer::Implementation::death_descriptors() const {
   return descriptors;
 }
 
+std::vector<int> AgentServer::Implementation::descriptors() const {
+  std::vector<int> descriptors{server_.descriptor()};
+  for (const Connected& one : connected_) descriptors.push_back(one.port->death_descriptor());
+  return descriptors;
+}
+
+void AgentServer::Implementation::let_go_of_dead(hal::Time now) {
+  std::erase_if(connected_, [&](const Connected& one) {
+    const auto alive = one.port->check_alive();
+    if (alive) return false;
+    log(hal::log::Level::kWarning, now, alive.error().message + "; its agents are free again");
+    host_.disconnect(one.agents);
+    past_.push_back(one.port->summary());
+    one.port->disconnect();
+    admission_.release(one.instance);
+    return true;
+  });
+}
+
 void AgentServer::Implementation::connect_all() {
   admission_.close();
   std::vector<Candidate> candidates;
@@ -136,24 +186,28 @@ void AgentServer::Implementation::connect_all() {
   // Not by arrival: the run must not depend on which process was first.
   std::ranges::sort(candidates, {},
                     [](const Candidate& c) { return c.session.agents.front().agent; });
-  for (Candidate& candidate : candidates) {
-    std::vector<hal::AgentId> agents;
-    for (const auto& agent : candidate.session.agents) agents.push_back(agent.agent);
-    // Latecomers are refused between exchanges, on this thread: no locks, and no process waits
-    // longer for its answer than one exchange takes.
-    auto port = std::make_shared<RemotePort>(std::move(candidate.link), candidate.hello,
-                                             candidate.session, [this](hal::Time now) {
-                                               if (server_.has_hellos())
-                                                 attend(hal::Duration::zero(), now);
-                                             });
-    ports_.push_back(port);
-    host_.connect(std::move(port), agents, candidate.hello.wants);
-  }
+  for (Candidate& candidate : candidates) connect(std::move(candidate));
+}
+
+void AgentServer::Implementation::connect(Candidate candidate) {
+  std::vector<hal::AgentId> agents;
+  for (const auto& agent : candidate.session.agents) agents.push_back(agent.agent);
+  // Latecomers are refused between exchanges, on this thread: no locks, and no process waits
+  // longer for its answer than one exchange takes.
+  const bool is_closed = settings_.attendance == Attendance::kBeforeTheRun;
+  auto port = std::make_shared<RemotePort>(std::move(candidate.link), candidate.hello,
+                                           candidate.session, [this, is_closed](hal::Time now) {
+                                             if (is_closed && server_.has_hellos())
+                                               answer_hellos(hal::Duration::zero(), now);
+                                           });
+  connected_.push_back({candidate.hello.instance, agents, port});
+  host_.connect(std::move(port), agents, candidate.hello.wants);
 }
 
 GatewaySummary AgentServer::Implementation::summary() const {
   GatewaySummary summary;
-  for (const auto& port : ports_) summary.processes.push_back(port->summary());
+  summary.processes = past_;
+  for (const Connected& one : connected_) summary.processes.push_back(one.port->summary());
   summary.refusals = refusals_;
   return summary;
 }
@@ -168,6 +222,9 @@ int AgentServer::domain() const { return implementation_->domain(); }
 hal::Result<void> AgentServer::gather(const std::function<hal::Result<void>()>& keep_waiting) {
   return implementation_->gather(keep_waiting);
 }
+
+void AgentServer::attend(hal::Time now) { implementation_->attend(now); }
+std::vector<int> AgentServer::descriptors() const { return implementation_->descriptors(); }
 
 GatewaySummary AgentServer::summary() const { return implementation_->summary(); }
 

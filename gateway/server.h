@@ -12,10 +12,17 @@
 
 namespace gateway {
 
+/// When controllers may come.
+enum class Attendance : std::uint8_t {
+  kBeforeTheRun,  ///< gather() waits for all of them; nobody joins later. For a simulator.
+  kAnyTime,       ///< attend() takes who comes, and lets go who dies. For a robot.
+};
+
 struct ServerSettings {
   std::uint64_t run = 0;                          ///< Number of the run, in every Step.
   hal::Duration wait = std::chrono::seconds{30};  ///< For a controller for every agent.
   std::optional<hal::Duration> reply_timeout = std::chrono::seconds{10};  ///< None: for ever.
+  Attendance attendance = Attendance::kBeforeTheRun;
 };
 
 /// What one controller process did that the run does not show.
@@ -66,6 +73,14 @@ class AgentServer {
   ///                      program that ended).
   /// Errors: kTimeout (names the agents without a controller), or that of keep_waiting.
   hal::Result<void> gather(const std::function<hal::Result<void>()>& keep_waiting);
+
+  /// With kAnyTime: answers who has come, connects and disconnects controllers at the host. Never
+  /// waits. A process that died is let go before its successor is answered.
+  /// @param now  of the host's clock, for the log.
+  void attend(hal::Time now);
+
+  /// For poll(): one is readable when attend() has something to do. -1 is to be skipped.
+  std::vector<int> descriptors() const;
 
   GatewaySummary summary() const;
 

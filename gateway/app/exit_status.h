@@ -1,5 +1,7 @@
 #pragma once
 
+#include <stdexcept>
+
 namespace gateway::app {
 
 /// Exit status of the program.
@@ -9,6 +11,11 @@ enum ExitStatus : unsigned char {
   kUsage = 2,  ///< The command line or a file is wrong.
   kExpectationNotMet = 3,
   kInterrupted = 130,
+};
+
+/// The command line asks for something that cannot be.
+struct UsageError : std::runtime_error {
+  using std::runtime_error::runtime_error;
 };
 
 }  // namespace gateway::app

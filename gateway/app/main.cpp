@@ -29,6 +29,12 @@ void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
   run->add_option("--max-speed", options.max_speed,
                   "At most this many simulated seconds per second; changes nothing else")
       ->check(CLI::PositiveNumber);
+  CLI::Option* pace = run->add_option("--pace", options.pace,
+                                      "lockstep: wait for controllers; realtime[:F]: follow the "
+                                      "wall clock, F times as fast, and wait for nobody");
+  run->add_option("--repeat", options.repeat,
+                  "Folder of a run in real time: repeat it from its record, without a clock")
+      ->excludes(pace);
   run->add_option("--domain", options.domain, "DDS domain; default: the first free one")
       ->check(CLI::Range(0, 232));
   run->add_option("--out", options.out, "Folder for the results; default: results/<name>");
@@ -38,7 +44,8 @@ void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
       run->add_option("--replications", options.replications,
                       "Run it so many times, with seeds from the scenario's upwards; those that "
                       "have ended are kept")
-          ->check(CLI::Range(1, 1'000'000));
+          ->check(CLI::Range(1, 1'000'000))
+          ->excludes(pace);
   run->add_option("--jobs", options.jobs, "Replications at a time; default: 1")
       ->check(CLI::Range(1, 1000))
       ->needs(replications);
@@ -81,6 +88,9 @@ int main(int argc, char** argv) {
     return command(argc, argv);
   } catch (const hal::config::ConfigErrors& e) {
     std::fprintf(stderr, "%s\n", e.what());
+    return gateway::app::kUsage;
+  } catch (const gateway::app::UsageError& e) {
+    std::fprintf(stderr, "error: %s\n", e.what());
     return gateway::app::kUsage;
   } catch (const std::exception& e) {
     std::fprintf(stderr, "error: %s\n", e.what());

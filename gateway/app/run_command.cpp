@@ -8,6 +8,7 @@
 #include <memory>
 #include <utility>
 
+#include "gateway/app/course.h"
 #include "gateway/app/exit_status.h"
 #include "gateway/app/judge_controllers.h"
 #include "gateway/app/results_folder.h"
@@ -76,6 +77,18 @@ void print_outcome(const Outcome& outcome, std::uint64_t fingerprint, double wal
   fmt::print("events: {}\nexchanges: {}\n", outcome.events, outcome.exchanges);
 }
 
+void print_real_time(const sim::agents::RealTimeSummary& summary) {
+  fmt::print("overruns: {}\nmissed_cycles: {}\n", summary.overruns, summary.missed_cycles);
+  fmt::print("command_timeouts: {}\nlost_events: {}\n", summary.command_timeouts,
+             summary.lost_events);
+  fmt::print("control_jitter_median_s: {:.6f}\n", hal::to_seconds(summary.jitter_median));
+  fmt::print("control_jitter_p99_s: {:.6f}\n", hal::to_seconds(summary.jitter_p99));
+  fmt::print("control_jitter_max_s: {:.6f}\n", hal::to_seconds(summary.jitter_max));
+  for (const std::string& line : summary.overflow) {
+    fmt::print(stderr, "warning: overflow, lost for the controller of {}\n", line);
+  }
+}
+
 /// What went wrong without ending the run, for people.
 void print_complaints(const Outcome& outcome, const std::vector<std::string>& lines) {
   for (const std::string& line : lines) fmt::print(stderr, "warning: {}\n", line);
@@ -113,6 +126,7 @@ std::filesystem::path results_path(const RunOptions& options, const std::string&
 int run(const RunOptions& options) {
   const Scenario scenario = load_judged(options.scenario, options.overrides);
   catch_interrupts();
+  const Course course(options, scenario);
   Results results(scenario, results_path(options, scenario.name));
   Simulation simulation(scenario.simulation, {&results.recorder, &results.fingerprint});
   ControllersOfRun controllers(
@@ -122,10 +136,9 @@ int run(const RunOptions& options) {
                  .terminal = ::isatty(STDERR_FILENO) != 0,
                  .processes = controllers.processes(),
                  .once_a_second = [&results] { results.recorder.commit(); }});
-  std::optional<hal::Time> until;
-  if (options.until) until = hal::Time{hal::from_seconds(*options.until)};
+  results.recorder.set("pace", options.repeat.empty() ? options.pace : "repeated");
 
-  const Outcome outcome = simulation.run(until, pace);
+  const Outcome outcome = course.play(simulation, pace);
   pace.end();
   const auto complaints = controllers.finish(outcome.kind != Outcome::Kind::kFailed);
   const auto expectations = unmet(scenario, outcome, simulation);
@@ -134,6 +147,7 @@ int run(const RunOptions& options) {
 
   print_complaints(outcome, complaints);
   for (const std::string& line : expectations) fmt::print(stderr, "not met: {}\n", line);
+  if (outcome.real_time) print_real_time(*outcome.real_time);
   print_outcome(outcome, results.fingerprint.fingerprint().total(), pace.wall_seconds());
   return status;
 }

@@ -17,6 +17,8 @@ struct RunOptions {
   std::optional<double> until;         ///< s
   ControllersFrom controllers = ControllersFrom::kSpawn;
   double max_speed = std::numeric_limits<double>::infinity();
+  std::string pace = "lockstep";  ///< Or "realtime", "realtime:<factor>".
+  std::string repeat;             ///< Folder of a run in real time that is to be repeated.
   std::optional<int> domain;
   std::string out;  ///< Empty: results/<scenario name>.
   std::optional<int> replications;

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <atomic>
+#include <deque>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <stdexcept>
 #include <utility>
@@ -41,10 +43,12 @@ class Client::Implementation {
 
   Arrival next(Duration timeout);
   Result<void> reply(const std::string& server, exchange::Reply reply);
+  void answer(const std::string& server, Answerer answerer);
 
   exchange::Hello hello_;
   Signal signal_;
   std::atomic<bool> interrupted_{false};
+  std::atomic<bool> woken_{false};
   Participant participant_;
   Reader<wire::Session> sessions_;
   Writer<wire::Hello> hellos_;
@@ -57,18 +61,25 @@ class Client::Implementation {
     Origin origin;
     std::unique_ptr<ProcessWatch> watch;
     bool gone = false;
+    Answerer answerer{};
   };
 
   std::optional<Arrival> arrived();
   std::optional<exchange::Session> take_session();
   std::optional<exchange::Step> take_step();
+  void take_in(const wire::Step& sample);
+  void hand_over(const Answerer& answerer, const exchange::Step& step);
   std::optional<ServerGone> take_departure();
   bool is_gone(const Granted& server, const std::vector<Origin>& left,
                const std::vector<Origin>& silent) const;
   bool wait(Duration timeout);
 
-  std::map<std::string, Granted> granted_;
-  std::optional<Reader<wire::Step>> steps_;
+  /// Guards what the thread that receives Steps looks at. That thread holds locks of DDS when it
+  /// takes this one: nothing of DDS but the writing of Replies is called with it.
+  std::mutex mutex_;
+  std::map<std::string, Granted> granted_;  ///< Changed by the thread of next() only.
+  std::deque<exchange::Step> waiting_;      ///< Steps for next().
+  std::optional<HandlingReader<wire::Step>> steps_;
 };
 
 Arrival Client::Implementation::next(Duration timeout) {
@@ -77,6 +88,7 @@ Arrival Client::Implementation::next(Duration timeout) {
     if (interrupted_) return Interrupted{};
     signal_.lower();
     if (auto arrival = arrived()) return std::move(*arrival);
+    if (woken_.exchange(false)) return Woken{};
     if (deadline.has_passed()) return Silence{};
     wait(deadline.left());
   }
@@ -105,23 +117,58 @@ std::optional<exchange::Session> Client::Implementation::take_session() {
     if (known != granted_.end() && known->second.run == session->run) continue;  // Sent twice.
     // Only now: until a server has agreed to it, another process may use these topics.
     if (!replies_) replies_.emplace(participant_, reply_topic(hello_.process));
-    if (!steps_) steps_.emplace(participant_, step_topic(hello_.process), signal_);
-    granted_[session->server] = {session->run, sessions_.origin(),
-                                 std::make_unique<ProcessWatch>(from_wire(sample->identity())),
-                                 false};
+    auto watch = std::make_unique<ProcessWatch>(from_wire(sample->identity()));
+    {
+      const std::lock_guard lock(mutex_);
+      granted_[session->server] = {session->run, sessions_.origin(), std::move(watch)};
+    }
+    if (!steps_) {
+      steps_.emplace(participant_, step_topic(hello_.process),
+                     [this](wire::Step&& step) { take_in(step); });
+    }
     return std::move(*session);
   }
   return std::nullopt;
 }
 
 std::optional<exchange::Step> Client::Implementation::take_step() {
-  if (!steps_) return std::nullopt;
-  while (const wire::Step* sample = steps_->take()) {
-    const auto server = granted_.find(sample->server());
-    if (server == granted_.end() || server->second.run != sample->run()) continue;
-    if (auto step = from_wire(*sample)) return std::move(*step);
+  const std::lock_guard lock(mutex_);
+  if (waiting_.empty()) return std::nullopt;
+  std::optional<exchange::Step> step(std::move(waiting_.front()));
+  waiting_.pop_front();
+  return step;
+}
+
+void Client::Implementation::take_in(const wire::Step& sample) {
+  const std::lock_guard lock(mutex_);
+  const auto server = granted_.find(sample.server());
+  if (server == granted_.end() || server->second.run != sample.run()) return;
+  Result<exchange::Step> step = from_wire(sample);
+  if (!step) return;
+  if (server->second.answerer) return hand_over(server->second.answerer, *step);
+  // As in DDS itself, the newest win over a reader that cannot keep up.
+  if (waiting_.size() == kMaxInstances) waiting_.pop_front();
+  waiting_.push_back(std::move(*step));
+  signal_.raise();
+}
+
+void Client::Implementation::hand_over(const Answerer& answerer, const exchange::Step& step) {
+  if (!answerer(step)) return;
+  woken_ = true;
+  signal_.raise();
+}
+
+void Client::Implementation::answer(const std::string& server, Answerer answerer) {
+  const std::lock_guard lock(mutex_);
+  const auto granted = granted_.find(server);
+  if (granted == granted_.end()) return;
+  granted->second.answerer = std::move(answerer);
+  if (!granted->second.answerer) return;
+  const auto is_its = [&](const exchange::Step& step) { return step.server == server; };
+  for (const exchange::Step& step : waiting_) {
+    if (is_its(step)) hand_over(granted->second.answerer, step);
   }
-  return std::nullopt;
+  std::erase_if(waiting_, is_its);
 }
 
 std::optional<ServerGone> Client::Implementation::take_departure() {
@@ -132,6 +179,7 @@ std::optional<ServerGone> Client::Implementation::take_departure() {
       std::ranges::find_if(granted_, [](const auto& entry) { return entry.second.gone; });
   if (first == granted_.end()) return std::nullopt;
   ServerGone departure{first->first};
+  const std::lock_guard lock(mutex_);
   granted_.erase(first);
   return departure;
 }
@@ -160,6 +208,10 @@ Arrival Client::next(Duration timeout) { return implementation_->next(timeout); 
 
 Result<void> Client::reply(const std::string& server, exchange::Reply reply) {
   return implementation_->reply(server, std::move(reply));
+}
+
+void Client::answer(const std::string& server, Answerer answerer) {
+  implementation_->answer(server, std::move(answerer));
 }
 
 void Client::flush(Duration timeout) {

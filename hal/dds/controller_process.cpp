@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <set>
 #include <string>
@@ -41,25 +42,36 @@ class ControllerProcess {
                     Client& client)
       : kind_(kind), options_(options), client_(client), patience_(options.wait) {}
 
+  ~ControllerProcess() {
+    for (const auto& [server, assignment] : assignments_) client_.answer(server, {});
+  }
+  ControllerProcess(const ControllerProcess&) = delete;
+  ControllerProcess& operator=(const ControllerProcess&) = delete;
+
   Outcome run() {
-    while (!outcome_) {
+    while (!outcome()) {
       std::visit([this](auto&& arrival) { on(arrival); }, client_.next(patience_));
     }
     client_.flush(kFlushTimeout);
-    return *outcome_;
+    return *outcome();
   }
 
  private:
   void on(const exchange::Session& session);
-  void on(const exchange::Step& step);
+  bool answer(const exchange::Step& step);
+  void work_off(const exchange::Step& step);
+  void on(const exchange::Step& step) { answer(step); }
   void on(const ServerGone& departure);
   void on(const Silence& silence);
+  void on(const Woken& woken) { (void)woken; }
   void on(const Interrupted& interrupted);
 
   void accept(const exchange::Session& session);
   void refused(const exchange::Session& session);
-  exchange::Reply answer(Assignment& assignment, const exchange::Step& step);
+  exchange::Reply reply_to(const exchange::Step& step, Assignment& assignment);
   void end_of_run();
+  void end(Outcome outcome);
+  std::optional<Outcome> outcome();
   bool is_running() const;
 
   template <class... Args>
@@ -72,10 +84,23 @@ class ControllerProcess {
   const runtime::ControllerOptions& options_;
   Client& client_;
   Duration patience_;
-  std::map<std::string, Assignment> assignments_;  ///< By server.
   std::set<std::string> refusers_;
+
+  /// Guards what follows: Steps are answered on the thread that receives them.
+  std::mutex mutex_;
+  std::map<std::string, Assignment> assignments_;  ///< By server.
   std::optional<Outcome> outcome_;
 };
+
+std::optional<Outcome> ControllerProcess::outcome() {
+  const std::lock_guard lock(mutex_);
+  return outcome_;
+}
+
+void ControllerProcess::end(Outcome outcome) {
+  const std::lock_guard lock(mutex_);
+  outcome_ = outcome;
+}
 
 bool ControllerProcess::is_running() const {
   return std::ranges::any_of(assignments_,
@@ -100,8 +125,12 @@ void ControllerProcess::accept(const exchange::Session& session) {
     assignment.failure = host.error().message;
     say("{}", assignment.failure);
   }
-  assignments_[session.server] = std::move(assignment);
+  {
+    const std::lock_guard lock(mutex_);
+    assignments_[session.server] = std::move(assignment);
+  }
   patience_ = Duration::max();
+  client_.answer(session.server, [this](const exchange::Step& step) { return answer(step); });
 }
 
 void ControllerProcess::refused(const exchange::Session& session) {
@@ -113,10 +142,18 @@ void ControllerProcess::refused(const exchange::Session& session) {
   refusers_.insert(session.server);
   // Another server of the domain may still have the agents; wait for it, but not for ever.
   const bool by_all = static_cast<int>(refusers_.size()) >= client_.servers();
+  const std::lock_guard lock(mutex_);
   if (by_all && !options_.stay && !is_running()) outcome_ = Outcome::kRefused;
 }
 
-void ControllerProcess::on(const exchange::Step& step) {
+/// On the thread that receives Steps.
+bool ControllerProcess::answer(const exchange::Step& step) {
+  const std::lock_guard lock(mutex_);
+  work_off(step);
+  return outcome_.has_value();
+}
+
+void ControllerProcess::work_off(const exchange::Step& step) {
   const auto found = assignments_.find(step.server);
   if (found == assignments_.end()) return;
   Assignment& assignment = found->second;
@@ -126,7 +163,7 @@ void ControllerProcess::on(const exchange::Step& step) {
     outcome_ = Outcome::kFailed;
     return;
   }
-  if (step.sequence > assignment.sequence) assignment.reply = answer(assignment, step);
+  if (step.sequence > assignment.sequence) assignment.reply = reply_to(step, assignment);
   assignment.sequence = step.sequence;
   const auto sent = client_.reply(step.server, assignment.reply);
   if (!sent) say("{}", sent.error().message);
@@ -134,7 +171,7 @@ void ControllerProcess::on(const exchange::Step& step) {
   if (!is_running()) end_of_run();
 }
 
-exchange::Reply ControllerProcess::answer(Assignment& assignment, const exchange::Step& step) {
+exchange::Reply ControllerProcess::reply_to(const exchange::Step& step, Assignment& assignment) {
   for (const exchange::Event& event : step.events) {
     if (event.cause == exchange::Cause::kStop) assignment.running.erase(event.agent);
   }
@@ -154,6 +191,7 @@ exchange::Reply ControllerProcess::answer(Assignment& assignment, const exchange
 }
 
 void ControllerProcess::on(const ServerGone& departure) {
+  const std::lock_guard lock(mutex_);
   const auto found = assignments_.find(departure.server);
   if (found == assignments_.end()) return;
   const bool was_running = !found->second.running.empty();
@@ -167,12 +205,12 @@ void ControllerProcess::on(const Silence& silence) {
   (void)silence;
   say("no server in DDS domain {} has agents for it after {} s", options_.domain.value_or(0),
       to_seconds(options_.wait));
-  outcome_ = refusers_.empty() ? Outcome::kFailed : Outcome::kRefused;
+  end(refusers_.empty() ? Outcome::kFailed : Outcome::kRefused);
 }
 
 void ControllerProcess::on(const Interrupted& interrupted) {
   (void)interrupted;
-  outcome_ = Outcome::kInterrupted;
+  end(Outcome::kInterrupted);
 }
 
 void ControllerProcess::end_of_run() {

@@ -36,6 +36,8 @@ class ProcessLink::Implementation {
 
   Result<void> begin(const exchange::Step& step);
   Result<exchange::Reply> finish();
+  Result<std::optional<exchange::Reply>> try_finish();
+  std::vector<int> descriptors() const { return {signal_.descriptor(), watch_.descriptor()}; }
   Result<void> check_alive();
 
   const std::string& name() const { return settings_.hello.process; }
@@ -47,7 +49,7 @@ class ProcessLink::Implementation {
   std::optional<exchange::Reply> take_reply();
   bool answers_step(const wire::Reply& reply) const;
   Result<void> write();
-  void wait(const Deadline& deadline, const Deadline& resend) const;
+  void wait(const Deadline& deadline) const;
   bool is_dead() const;
   tl::unexpected<Error> death() const;
 
@@ -56,7 +58,8 @@ class ProcessLink::Implementation {
   Signal signal_;
   Writer<wire::Step> steps_;
   Reader<wire::Reply> replies_;
-  wire::Step step_;  ///< The Step under way, as it was written.
+  wire::Step step_;  ///< The Step under way, as it was written …
+  Deadline resend_;  ///< … and when it is written again.
   std::uint64_t sequence_ = 0;
   std::uint64_t callers_sequence_ = 0;
   DroppedReplies dropped_;

@@ -27,7 +27,8 @@ ProcessLink::Implementation::Implementation(Participant& participant, LinkSettin
     : settings_(std::move(settings)),
       watch_({settings_.hello.host, settings_.hello.pid, settings_.hello.pid_start_time}),
       steps_(participant, step_topic(settings_.hello.process)),
-      replies_(participant, reply_topic(settings_.hello.process), signal_) {}
+      replies_(participant, reply_topic(settings_.hello.process), signal_),
+      resend_(kResendAfter) {}
 
 Result<void> ProcessLink::Implementation::begin(const exchange::Step& step) {
   if (is_dead()) return death();
@@ -41,29 +42,34 @@ Result<void> ProcessLink::Implementation::begin(const exchange::Step& step) {
 
 Result<exchange::Reply> ProcessLink::Implementation::finish() {
   const Deadline deadline(settings_.reply_timeout.value_or(Duration::max()));
-  Deadline resend(kResendAfter);
   while (true) {
-    signal_.lower();
-    // The Reply first: a process may end right after its last one.
-    if (auto reply = take_reply()) return std::move(*reply);
-    if (is_dead()) return death();
+    Result<std::optional<exchange::Reply>> reply = try_finish();
+    if (!reply) return tl::unexpected(reply.error());
+    if (*reply) return std::move(**reply);
     if (deadline.has_passed()) {
       return fail(Errc::kTimeout,
                   fmt::format("process '{}' (pid {}) did not answer within {} s", name(),
                               settings_.hello.pid, to_seconds(*settings_.reply_timeout)));
     }
-    if (resend.has_passed()) {
-      if (auto written = write(); !written) return tl::unexpected(written.error());
-      resend = Deadline(kResendAfter);
-    }
-    wait(deadline, resend);
+    wait(deadline);
   }
 }
 
-void ProcessLink::Implementation::wait(const Deadline& deadline, const Deadline& resend) const {
+Result<std::optional<exchange::Reply>> ProcessLink::Implementation::try_finish() {
+  signal_.lower();
+  // The Reply first: a process may end right after its last one.
+  if (auto reply = take_reply()) return reply;
+  if (is_dead()) return death();
+  if (resend_.has_passed()) {
+    if (auto written = write(); !written) return tl::unexpected(written.error());
+  }
+  return std::nullopt;
+}
+
+void ProcessLink::Implementation::wait(const Deadline& deadline) const {
   const std::array awaited{signal_.descriptor(), watch_.descriptor()};
   const Duration most = watch_.is_local() ? Duration::max() : kCheckSilenceEvery;
-  wait_readable(awaited, std::min({deadline.left(), resend.left(), most}));
+  wait_readable(awaited, std::min({deadline.left(), resend_.left(), most}));
 }
 
 std::optional<exchange::Reply> ProcessLink::Implementation::take_reply() {
@@ -92,6 +98,7 @@ bool ProcessLink::Implementation::answers_step(const wire::Reply& reply) const {
 }
 
 Result<void> ProcessLink::Implementation::write() {
+  resend_ = Deadline(kResendAfter);
   if (steps_.write(step_)) return {};
   return fail(Errc::kNotConnected, fmt::format("Fast DDS refuses a Step for process '{}'", name()));
 }
@@ -120,6 +127,10 @@ ProcessLink::~ProcessLink() = default;
 const std::string& ProcessLink::name() const { return implementation_->name(); }
 Result<void> ProcessLink::begin(const exchange::Step& step) { return implementation_->begin(step); }
 Result<exchange::Reply> ProcessLink::finish() { return implementation_->finish(); }
+Result<std::optional<exchange::Reply>> ProcessLink::try_finish() {
+  return implementation_->try_finish();
+}
+std::vector<int> ProcessLink::descriptors() const { return implementation_->descriptors(); }
 Result<void> ProcessLink::check_alive() { return implementation_->check_alive(); }
 const DroppedReplies& ProcessLink::dropped() const { return implementation_->dropped(); }
 int ProcessLink::death_descriptor() const { return implementation_->death_descriptor(); }

@@ -31,6 +31,8 @@ class ProcessLink : public exchange::ControllerPort {
   /// number of the Step given here.
   Result<void> begin(const exchange::Step& step) override;
   Result<exchange::Reply> finish() override;
+  Result<std::optional<exchange::Reply>> try_finish() override;
+  std::vector<int> descriptors() const override;
   Result<void> check_alive() override;
 
   const DroppedReplies& dropped() const;

@@ -77,6 +77,8 @@ std::vector<exchange::Hello> Server::hellos(Duration timeout, const std::vector<
   return implementation_->take_hellos();
 }
 
+int Server::descriptor() const { return implementation_->signal_.descriptor(); }
+
 bool Server::has_hellos() const { return !implementation_->hellos_.is_empty(); }
 
 Result<void> Server::answer(exchange::Session session) {

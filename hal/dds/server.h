@@ -34,6 +34,7 @@ class Server {
   /// Hellos that came since the last call; waits for the first one, up to `timeout`. `watched`:
   /// further descriptors that end the wait when they become readable. -1 is skipped.
   std::vector<exchange::Hello> hellos(Duration timeout, const std::vector<int>& watched = {});
+  int descriptor() const;   ///< Readable when Hellos may have come.
   bool has_hellos() const;  ///< Without waiting, and cheap.
 
   /// Sends a Session or a refusal. `server` is filled in.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,15 @@ class ControllerPort {
   /// Errors: kNotConnected (the process died), kTimeout (no answer within the reply timeout).
   virtual Result<Reply> finish() = 0;
 
+  /// The same without waiting: empty while the process still works on the Step. How long that may
+  /// take is up to the caller. Errors: kNotConnected (the process died). By default the answer is
+  /// there as soon as begin() returns.
+  virtual Result<std::optional<Reply>> try_finish() { return finish(); }
+
+  /// For poll(): one is readable when try_finish() or check_alive() may have something new. -1 is
+  /// to be skipped. Empty if begin() has the answer.
+  virtual std::vector<int> descriptors() const { return {}; }
+
   /// Whether the process still lives, without waiting. Errors: kNotConnected.
   virtual Result<void> check_alive() = 0;
 };
@@ -45,9 +55,14 @@ class AgentHost {
   /// The agents that need a controller, by address.
   virtual std::vector<AgentOffer> offers() const = 0;
 
-  /// Connects a controller process to its agents. Each agent once. @pre the host has not started.
+  /// Connects a controller process to its agents. Each agent has at most one. A host of lock-step
+  /// takes none once it has started; one of a robot does, at any time, and begins anew with START.
   virtual void connect(std::shared_ptr<ControllerPort> port, const std::vector<AgentId>& agents,
                        const Wants& wants) = 0;
+
+  /// The controller of these agents is gone. Told to hosts that take new ones; others learn of it
+  /// by their exchanges.
+  virtual void disconnect(const std::vector<AgentId>& agents) { (void)agents; }
 };
 
 /// The session a process gets for one agent: the offer, reduced to the channels it asked for.

@@ -37,6 +37,12 @@ class Controllers {
   const std::vector<hal::AgentId>& agents_of(std::size_t port) const { return ports_[port].agents; }
   const std::string& process_of(hal::AgentId agent) const;
 
+  std::size_t ports() const { return ports_.size(); }
+  const std::shared_ptr<hal::exchange::ControllerPort>& port(std::size_t index) const {
+    return ports_[index].port;
+  }
+  std::size_t port_of(hal::AgentId agent) const { return port_of_[agent.value]; }
+
   /// Hands the events to the ports of their agents, to all at once, and waits for all answers.
   /// @param events  by (time, agent, cause, arrival).  @param until  no later event is before this.
   Round exchange(std::vector<hal::exchange::Event> events, hal::Time until);

@@ -11,6 +11,7 @@
 #include "hal/types/route.h"
 #include "hal/types/time.h"
 #include "hal/types/verdict.h"
+#include "sim/agents/real_time.h"
 #include "sim/physics/world.h"
 #include "sim/radio/observer.h"
 
@@ -79,6 +80,8 @@ class Observer : public radio::RadioObserver {
   virtual void on_route_change(hal::Time at, hal::AgentId agent, const hal::RouteChange& change) {
     (void)at, (void)agent, (void)change;
   }
+  /// In real time: a controller process had an influence on the run.
+  virtual void on_turn(const Turn& turn) { (void)turn; }
   virtual void on_state(hal::Time at, hal::AgentId agent, std::string_view state) {
     (void)at, (void)agent, (void)state;
   }

@@ -61,6 +61,9 @@ class ObserverList final : public Observer {
   void on_route_change(hal::Time at, hal::AgentId agent, const hal::RouteChange& change) override {
     for (Observer* o : observers_) o->on_route_change(at, agent, change);
   }
+  void on_turn(const Turn& turn) override {
+    for (Observer* o : observers_) o->on_turn(turn);
+  }
   void on_state(hal::Time at, hal::AgentId agent, std::string_view state) override {
     for (Observer* o : observers_) o->on_state(at, agent, state);
   }

@@ -91,13 +91,7 @@ void Simulation::State::exchange(hal::Time window_end) {
 }
 
 void Simulation::State::take_effect(Controllers::Answer answer) {
-  if (answer.action.kind == ActionKind::kError) {
-    const hal::AgentId agent = answer.action.agent;
-    fail(fmt::format("the controller of {} (process {}) failed at {:.9f} s: {}",
-                     agents.at(agent)->name(), controllers.process_of(agent),
-                     hal::to_seconds(answer.event_time), answer.action.text));
-    return;
-  }
+  if (answer.action.kind == ActionKind::kError) return on_error(answer.action, answer.event_time);
   if (config.controller_latency == hal::Duration::zero()) {
     apply(answer.action);
     return;
@@ -105,6 +99,12 @@ void Simulation::State::take_effect(Controllers::Answer answer) {
   events.schedule(
       answer.event_time + config.controller_latency, Rank::kAction, answer.action.agent,
       [this, action = std::make_shared<Action>(std::move(answer.action))] { apply(*action); });
+}
+
+void Simulation::State::on_error(const Action& action, hal::Time event_time) {
+  fail(fmt::format("the controller of {} (process {}) failed at {:.9f} s: {}",
+                   agents.at(action.agent)->name(), controllers.process_of(action.agent),
+                   hal::to_seconds(event_time), action.text));
 }
 
 void Simulation::State::apply(const Action& action) {
@@ -150,9 +150,13 @@ void Simulation::State::stop_controllers() {
   for (const Controllers::Answer& answer : round.answers) apply_last(answer.action);
 }
 
-Outcome Simulation::State::outcome(Outcome::Kind kind, std::string the_result) const {
+Outcome Simulation::State::outcome() const {
+  const auto [kind, name] = !error.empty() ? std::pair(Outcome::Kind::kFailed, "failed")
+                            : broken_off   ? std::pair(Outcome::Kind::kInterrupted, "interrupted")
+                            : result       ? std::pair(Outcome::Kind::kEnded, result->c_str())
+                                           : std::pair(Outcome::Kind::kUntil, "until");
   return {.kind = kind,
-          .result = std::move(the_result),
+          .result = name,
           .error = error,
           .ended_at = events.now(),
           .events = events.executed(),

@@ -64,6 +64,10 @@ class SimulatedAgent : public hal::routing::Application, public hal::routing::Ro
   /// Lets an action take effect now. Errors: kInvalidArgument, naming field and value.
   hal::Result<void> apply(const hal::exchange::Action& action);
 
+  /// Whether there is something that stop_wheels() stops.
+  virtual bool has_wheels() const { return false; }
+  void stop_wheels() { halt(); }
+
   /// Its controller is gone: no more events; wheels stop at `at`; radio and routing live on.
   void silence(hal::Time stop_at);
 

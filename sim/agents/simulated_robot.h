@@ -14,6 +14,7 @@ class SimulatedRobot final : public SimulatedAgent {
                  AgentListener& listener);
 
   hal::exchange::AgentOffer offer() const override;
+  bool has_wheels() const override { return true; }
 
  private:
   static constexpr std::uint16_t kOdometry = kFirstDeviceChannel;

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "hal/types/check.h"
+#include "sim/agents/real_time_run.h"
 #include "sim/agents/simulated_robot.h"
 #include "sim/agents/simulation_state.h"
 
@@ -92,22 +93,51 @@ void Simulation::connect(std::shared_ptr<hal::exchange::ControllerPort> port,
   state_->controllers.connect(std::move(port), agents);
 }
 
+void Simulation::begin(std::optional<hal::Time> until) {
+  for (const auto& [id, agent] : state_->agents) BARAKA_CHECK(state_->controllers.is_connected(id));
+  state_->until = until;
+  state_->start();
+}
+
 Outcome Simulation::run(std::optional<hal::Time> until, Pace& pace) {
   State& s = *state_;
-  for (const auto& [id, agent] : s.agents) BARAKA_CHECK(s.controllers.is_connected(id));
-  s.until = until;
-  s.start();
+  begin(until);
   while (!s.result && !s.broken_off) {
     const auto next = s.events.next_time();
     if (!next || (until && *next > *until)) break;
     s.go_on(*next, pace);
   }
-  if (!s.error.empty()) return s.outcome(Outcome::Kind::kFailed, "failed");
+  if (!s.error.empty()) return s.outcome();
   if (!s.result && !s.broken_off && until) s.events.advance_to(*until);
   s.stop_controllers();
-  if (s.broken_off) return s.outcome(Outcome::Kind::kInterrupted, "interrupted");
-  return s.result ? s.outcome(Outcome::Kind::kEnded, *s.result)
-                  : s.outcome(Outcome::Kind::kUntil, "until");
+  return s.outcome();
+}
+
+Outcome Simulation::follow(std::optional<hal::Time> until, FollowedClock& clock) {
+  begin(until);
+  RealTimeRun run(*state_);
+  run.follow(clock);
+  return end_of(run);
+}
+
+Outcome Simulation::repeat(std::optional<hal::Time> until, std::span<const Turn> turns,
+                           Pace& pace) {
+  begin(until);
+  RealTimeRun run(*state_);
+  run.repeat(turns, pace);
+  return end_of(run);
+}
+
+Outcome Simulation::end_of(RealTimeRun& run) {
+  State& s = *state_;
+  if (s.error.empty()) {
+    if (!s.result && !s.broken_off && s.until) s.events.advance_to(*s.until);
+    run.stop();
+  }
+  Outcome outcome = s.outcome();
+  outcome.exchanges = run.steps();
+  outcome.real_time = run.summary();
+  return outcome;
 }
 
 BodyState Simulation::body(hal::AgentId agent) const { return state_->scene.body(agent); }

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "hal/types/agent_id.h"
 #include "hal/types/time.h"
 #include "sim/agents/observer.h"
+#include "sim/agents/real_time.h"
 #include "sim/agents/simulation_config.h"
 
 namespace sim::agents {
@@ -46,6 +48,7 @@ struct Outcome {
   std::uint64_t ode_messages = 0;     ///< Complaints of the physics engine.
   /// One line each, as it happened: "r0 tipped over at 1.230000000 s".
   std::vector<std::string> bodies_lost = {};
+  std::optional<RealTimeSummary> real_time = {};  ///< Of follow() and repeat().
 };
 
 /// One world of bodies, radio and controllers with one clock. One thread.
@@ -68,6 +71,12 @@ class Simulation final : public hal::exchange::AgentHost {
   /// Runs once, to an end condition or `until`. @pre every agent is connected.
   Outcome run(std::optional<hal::Time> until, Pace& pace);
 
+  /// The same in real time: simulated time follows a clock and waits for no controller.
+  Outcome follow(std::optional<hal::Time> until, FollowedClock& clock);
+
+  /// Repeats a run in real time from its turns: same scenario, seed and controllers, same events.
+  Outcome repeat(std::optional<hal::Time> until, std::span<const Turn> turns, Pace& pace);
+
   /// True state, for expectations: m, world frame.
   BodyState body(hal::AgentId agent) const;
   ContactCounts contacts(hal::AgentId agent) const;
@@ -76,6 +85,9 @@ class Simulation final : public hal::exchange::AgentHost {
 
  private:
   struct State;
+  class RealTimeRun;
+  void begin(std::optional<hal::Time> until);
+  Outcome end_of(RealTimeRun& run);
   std::unique_ptr<State> state_;
 };
 

@@ -37,12 +37,13 @@ struct Simulation::State final : AgentListener {
   std::vector<hal::exchange::Event> take_events();
   void exchange(hal::Time window_end);
   void take_effect(Controllers::Answer answer);
+  void on_error(const hal::exchange::Action& action, hal::Time event_time);
   void apply(const hal::exchange::Action& action);
   void apply_last(const hal::exchange::Action& action);
   void on_failures(const std::vector<Controllers::Failure>& failures);
   void go_on(hal::Time next, Pace& pace);
   void stop_controllers();
-  Outcome outcome(Outcome::Kind kind, std::string result) const;
+  Outcome outcome() const;
 
   const SimulationConfig config;
   ObserverList observers;

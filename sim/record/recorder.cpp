@@ -31,6 +31,7 @@ Recorder::Recorder(const std::filesystem::path& file, const agents::SimulationCo
       insert_discovery_(database_, "INSERT INTO discoveries VALUES (?, ?, ?, ?, ?, ?)"),
       insert_lost_body_(database_, "INSERT INTO lost_bodies VALUES (?, ?, ?)"),
       insert_state_(database_, "INSERT INTO states VALUES (?, ?, ?)"),
+      insert_turn_(database_, "INSERT INTO turns VALUES (?, ?, ?, ?)"),
       insert_frame_(database_, "INSERT INTO frames VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"),
       insert_frame_end_(database_, "INSERT INTO frame_ends VALUES (?, ?, ?, ?, ?)") {
   database_.execute("BEGIN");
@@ -93,6 +94,11 @@ void Recorder::describe(const agents::SimulationConfig& config) {
   }
 }
 
+void Recorder::on_turn(const agents::Turn& turn) {
+  insert_turn_.run(hal::to_ns(turn.at), std::uint64_t{turn.port}, turn.replied, turn.began);
+  on_rows(turn.at, 1);
+}
+
 void Recorder::commit() {
   frames_.write();
   bodies_.write();
@@ -110,14 +116,26 @@ void Recorder::on_rows(hal::Time at, int rows) {
 void Recorder::finish(const agents::Outcome& outcome, const Fingerprint& fingerprint) {
   set("result", outcome.result);
   if (!outcome.error.empty()) set("error", outcome.error);
+  set("ended_ns", static_cast<std::uint64_t>(hal::to_ns(outcome.ended_at)));
   set("simulated_s", hal::to_seconds(outcome.ended_at));
   set("events", outcome.events);
   set("exchanges", outcome.exchanges);
   set("refused_actions", outcome.refused_actions);
   set("ode_messages", outcome.ode_messages);
+  if (outcome.real_time) write(*outcome.real_time);
   write_fingerprint(fingerprint);
   is_finished_ = true;
   commit();
+}
+
+void Recorder::write(const agents::RealTimeSummary& summary) {
+  set("overruns", summary.overruns);
+  set("missed_cycles", summary.missed_cycles);
+  set("command_timeouts", summary.command_timeouts);
+  set("lost_events", summary.lost_events);
+  set("control_jitter_median_s", hal::to_seconds(summary.jitter_median));
+  set("control_jitter_p99_s", hal::to_seconds(summary.jitter_p99));
+  set("control_jitter_max_s", hal::to_seconds(summary.jitter_max));
 }
 
 void Recorder::write_fingerprint(const Fingerprint& fingerprint) {

@@ -78,11 +78,13 @@ class Recorder final : public agents::Observer {
                       hal::Verdict verdict) override;
   void on_discovery(hal::Time at, hal::AgentId agent, const agents::Discovery& discovery) override;
   void on_state(hal::Time at, hal::AgentId agent, std::string_view state) override;
+  void on_turn(const agents::Turn& turn) override;
 
  private:
   template <class Value>
   void set_value(std::string_view key, const Value& value);
   void describe(const agents::SimulationConfig& config);
+  void write(const agents::RealTimeSummary& summary);
   void write_fingerprint(const Fingerprint& fingerprint);
   void on_rows(hal::Time at, int rows);
 
@@ -91,7 +93,7 @@ class Recorder final : public agents::Observer {
   FrameCounts frames_;
   MessageLog messages_;
   BodyLog bodies_;
-  Statement set_, insert_discovery_, insert_lost_body_, insert_state_, insert_frame_,
+  Statement set_, insert_discovery_, insert_lost_body_, insert_state_, insert_turn_, insert_frame_,
       insert_frame_end_;
   int rows_ = 0;  ///< Since the last commit.
   hal::Time next_commit_{kCommitPeriod};

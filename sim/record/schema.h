@@ -7,7 +7,7 @@
 namespace sim::record {
 
 /// Version of the tables below, as `PRAGMA user_version` of the file.
-inline constexpr int kSchemaVersion = 2;
+inline constexpr int kSchemaVersion = 3;
 
 /// The tables of `run.sqlite`. SQLite keeps the comments: `sqlite3 run.sqlite .schema` shows this
 /// text. Times are simulated nanoseconds since the start of the run, lengths metres, angles
@@ -117,6 +117,13 @@ CREATE TABLE lost_bodies (   -- bodies that tipped over (tilt above 1 rad) or le
 
 CREATE TABLE states (        -- named by controllers
   agent INTEGER, at_ns INTEGER, state TEXT
+);
+
+CREATE TABLE turns (         -- in real time: when a controller process had an influence
+  at_ns INTEGER,             -- all events up to this time had run
+  process INTEGER,           -- controller processes in order of their lowest agent, from 0
+  replied INTEGER,           -- 1: its answer took effect ...
+  began INTEGER              -- 1: ... and then it was given what waited
 );
 
 CREATE TABLE fingerprints (  -- hashes of what was observed; part: air, bodies, exchange, routing

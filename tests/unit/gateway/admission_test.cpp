@@ -35,6 +35,13 @@ TEST(Admission, GrantsEveryAgentAPatternFitsByAddress) {
   EXPECT_EQ(names_in(granted), (std::vector<std::string>{"m1", "m2", "m3"}));
 }
 
+TEST(Admission, OfOneOfSeveralServersNeedsOnlyOnePatternToFit) {
+  Admission admission(sample_offers(), 1, Admission::Offered::kSome);
+  EXPECT_EQ(admission.decide(hello_for("p", {"x1", "x2"})).refusal, "unknown agent 'x1'");
+  EXPECT_EQ(names_in(admission.decide(hello_for("q", {"x1", "m2"}))),
+            (std::vector<std::string>{"m2"}));
+}
+
 TEST(Admission, IsCompleteWhenEveryAgentHasAController) {
   Admission admission(sample_offers(), 1);
   EXPECT_EQ(admission.decide(hello_for("p", {"m1", "m3"})).refusal, "");

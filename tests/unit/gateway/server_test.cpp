@@ -186,5 +186,27 @@ TEST(AgentServer, ItsPortsFailOnceItIsGone) {
             hal::Errc::kNotConnected);
 }
 
+TEST(OpenServer, TakesWhoComesWhenTheyComeAndConnectsThemAtOnce) {
+  FakeHost host;
+  AgentServer server(hal::dds::take_domain(std::nullopt), host,
+                     {.run = 1, .attendance = Attendance::kAnyTime});
+  const auto attend_until_connected = [&](std::size_t count) {
+    const auto end = std::chrono::steady_clock::now() + kPatience;
+    while (host.ports_.size() < count && std::chrono::steady_clock::now() < end) {
+      server.attend(hal::Time{});
+      std::this_thread::sleep_for(std::chrono::milliseconds{1});
+    }
+    ASSERT_EQ(host.ports_.size(), count);
+  };
+  Client robot(server.domain(), robot_hello("robot"));
+  attend_until_connected(1);
+  EXPECT_TRUE(std::get<Session>(robot.next(kPatience)).refusal.empty());
+  hal::exchange::Hello of_two_servers = hello_for("motes", {"elsewhere", "m2"});
+  Client motes(server.domain(), of_two_servers);
+  attend_until_connected(2);
+  EXPECT_EQ(host.agents_[1], std::vector{hal::AgentId{2}});
+  EXPECT_EQ(server.summary().processes.size(), 2u);
+}
+
 }  // namespace
 }  // namespace gateway

@@ -1,0 +1,214 @@
+#include "sim/agents/real_time_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
+#include "hal/types/log.h"
+
+namespace sim::agents {
+namespace {
+
+using hal::exchange::ActionKind;
+using hal::exchange::Cause;
+using hal::exchange::Courier;
+using hal::exchange::Event;
+
+/// Controllers are attended to at least this often while the run catches up with the clock.
+constexpr hal::Duration kLongestTurn = std::chrono::milliseconds{20};
+
+const char* plural(Cause cause) {
+  constexpr const char* kNames[] = {"starts",       "messages",       "timers", "notices",
+                                    "link changes", "control cycles", "stops"};
+  return kNames[static_cast<int>(cause)];
+}
+
+hal::Duration quantile(std::vector<hal::Duration>& values, double q) {
+  if (values.empty()) return {};
+  const auto rank = static_cast<std::size_t>(q * static_cast<double>(values.size() - 1));
+  const auto place = values.begin() + static_cast<std::ptrdiff_t>(rank);
+  std::nth_element(values.begin(), place, values.end());
+  return *place;
+}
+
+}  // namespace
+
+Simulation::RealTimeRun::RealTimeRun(State& state) : s_(state) {
+  for (std::size_t i = 0; i < s_.controllers.ports(); ++i) {
+    carried_.push_back({Courier(s_.controllers.port(i)), false});
+  }
+}
+
+void Simulation::RealTimeRun::follow(FollowedClock& clock) {
+  hal::Time last{};
+  while (!s_.result) {
+    const auto next = s_.events.next_time();
+    if (!next || (s_.until && *next > *s_.until)) return;
+    if (!clock.wait(*next, descriptors(), progress())) {
+      s_.broken_off = true;
+      return;
+    }
+    // Turns have times of their own: that is what makes them repeatable.
+    last =
+        std::max(std::min(clock.now(), *next + kLongestTurn), last + std::chrono::nanoseconds{1});
+    if (s_.until) last = std::min(last, *s_.until);
+    work_off_until(last, &clock);
+    if (!s_.result) attend(last);
+  }
+}
+
+void Simulation::RealTimeRun::repeat(std::span<const Turn> turns, Pace& pace) {
+  for (const Turn& turn : turns) {
+    if (s_.result || s_.broken_off) return;
+    while (pace.may_go_on(turn.at, progress()) == Pace::Verdict::kAskAgain) {
+    }
+    work_off_until(turn.at, nullptr);
+    if (s_.result) return;
+    if (turn.port >= carried_.size()) return s_.fail("the record is of other controllers");
+    if (carried_[turn.port].dropped) continue;
+    auto brought = carried_[turn.port].courier.repeat(turn.replied, turn.began);
+    if (!brought) {
+      on_failure(turn.port, brought.error());
+      continue;
+    }
+    take_in(turn, std::move(*brought));
+  }
+  while (!s_.result) {
+    const auto next = s_.events.next_time();
+    if (!next || !s_.until || *next > *s_.until) return;
+    work_off_until(*next, nullptr);
+  }
+}
+
+void Simulation::RealTimeRun::work_off_until(hal::Time target, FollowedClock* clock) {
+  while (!s_.result) {
+    const auto instant = s_.events.next_time();
+    if (!instant || *instant > target) return;
+    while (!s_.result && s_.events.next_time() == instant) s_.events.run_next();
+    post(clock);
+  }
+}
+
+void Simulation::RealTimeRun::post(FollowedClock* clock) {
+  bool has_control = false;
+  for (Event& event : s_.take_events()) {
+    has_control = has_control || event.cause == Cause::kControl;
+    carried_[s_.controllers.port_of(event.agent)].courier.post(std::move(event));
+  }
+  if (clock == nullptr || !has_control) return;
+  const hal::Duration late = std::max(clock->now() - s_.events.now(), hal::Duration::zero());
+  lateness_.push_back(late);
+  counts_.overruns += late > s_.config.control_period ? 1 : 0;
+}
+
+void Simulation::RealTimeRun::attend(hal::Time now) {
+  for (std::size_t i = 0; i < carried_.size() && !s_.result; ++i) {
+    if (carried_[i].dropped) continue;
+    auto brought = carried_[i].courier.attend();
+    if (!brought) {
+      on_failure(i, brought.error());
+    } else if (brought->replied || brought->began) {
+      take_in({now, i, brought->replied, brought->began}, std::move(*brought));
+    }
+  }
+}
+
+void Simulation::RealTimeRun::take_in(const Turn& turn, Courier::Turn brought) {
+  s_.events.advance_to(turn.at);
+  s_.observers.on_turn(turn);
+  s_.refused += brought.refused;
+  for (const hal::AgentId agent : brought.answered) restart_watchdog(agent);
+  for (Courier::Answer& answer : brought.answers) {
+    if (s_.error.empty()) take_effect(std::move(answer));
+  }
+  post(nullptr);
+}
+
+void Simulation::RealTimeRun::take_effect(Courier::Answer answer) {
+  if (answer.action.kind == ActionKind::kError)
+    return s_.on_error(answer.action, answer.event_time);
+  s_.apply(answer.action);
+}
+
+void Simulation::RealTimeRun::on_failure(std::size_t port, const hal::Error& error) {
+  carried_[port].dropped = true;
+  s_.on_failures({{port, error}});
+}
+
+/// An answer is a sign of life, whatever is in it: a controller need not repeat its command.
+void Simulation::RealTimeRun::restart_watchdog(hal::AgentId agent) {
+  if (!s_.agents.at(agent)->has_wheels()) return;
+  EventQueue::EventId& watchdog = watchdogs_[agent];
+  s_.events.cancel(watchdog);
+  watchdog = s_.events.schedule(s_.events.now() + s_.config.command_timeout, Rank::kAction, agent,
+                                [this, agent] {
+                                  ++counts_.command_timeouts;
+                                  s_.agents.at(agent)->stop_wheels();
+                                });
+}
+
+void Simulation::RealTimeRun::stop() {
+  finish_all();
+  for (const auto& [id, agent] : s_.agents) agent->add_stop_event();
+  post(nullptr);
+  for (std::size_t i = 0; i < carried_.size(); ++i) {
+    if (carried_[i].dropped || !carried_[i].courier.has_waiting()) continue;
+    if (auto begun = carried_[i].courier.repeat(false, true); !begun) carried_[i].dropped = true;
+  }
+  finish_all();
+}
+
+void Simulation::RealTimeRun::finish_all() {
+  for (Carried& carried : carried_) {
+    if (carried.dropped) continue;
+    auto brought = carried.courier.finish();
+    if (!brought) {
+      carried.dropped = true;
+      hal::log::warning(s_.events.now(), "run", "at the stop: {}", brought.error().message);
+      continue;
+    }
+    s_.refused += brought->refused;
+    for (const Courier::Answer& answer : brought->answers) s_.apply_last(answer.action);
+  }
+}
+
+std::vector<int> Simulation::RealTimeRun::descriptors() const {
+  std::vector<int> all;
+  for (const Carried& carried : carried_) {
+    if (carried.dropped) continue;
+    const std::vector<int> some = carried.courier.descriptors();
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  return all;
+}
+
+std::uint64_t Simulation::RealTimeRun::steps() const {
+  std::uint64_t steps = 0;
+  for (const Carried& carried : carried_) steps += carried.courier.steps();
+  return steps;
+}
+
+Progress Simulation::RealTimeRun::progress() const {
+  return {s_.events.now(), s_.events.executed(), steps()};
+}
+
+RealTimeSummary Simulation::RealTimeRun::summary() const {
+  RealTimeSummary summary = counts_;
+  for (const Carried& carried : carried_) {
+    summary.missed_cycles += carried.courier.losses().missed_cycles;
+    for (const auto& [what, count] : carried.courier.losses().overflow) {
+      summary.lost_events += count;
+      summary.overflow.push_back(
+          fmt::format("{}: {} {}", s_.agents.at(what.first)->name(), count, plural(what.second)));
+    }
+  }
+  std::vector<hal::Duration> lateness = lateness_;
+  summary.jitter_median = quantile(lateness, 0.5);
+  summary.jitter_p99 = quantile(lateness, 0.99);
+  summary.jitter_max = quantile(lateness, 1);
+  return summary;
+}
+
+}  // namespace sim::agents

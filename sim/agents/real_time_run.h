@@ -1,0 +1,55 @@
+#pragma once
+
+#include <map>
+#include <span>
+#include <vector>
+
+#include "hal/exchange/courier.h"
+#include "sim/agents/simulation_state.h"
+
+namespace sim::agents {
+
+/// The loop of a run whose simulated time follows a clock. Events run when the clock shows their
+/// time; what they have for controllers is carried by a Courier per process, and an answer takes
+/// effect when it arrives. The controller latency of the scenario is not used: it is what it is.
+class Simulation::RealTimeRun {
+ public:
+  explicit RealTimeRun(State& state);
+
+  /// Until an end condition, state.until or a break-off. Every turn is told to the observers.
+  void follow(FollowedClock& clock);
+
+  /// The same with the turns of a recorded run in place of the clock, as fast as `pace` allows.
+  void repeat(std::span<const Turn> turns, Pace& pace);
+
+  /// Waits for answers under way, tells every controller to stop, and waits again.
+  void stop();
+
+  std::uint64_t steps() const;
+  RealTimeSummary summary() const;
+
+ private:
+  struct Carried {
+    hal::exchange::Courier courier;
+    bool dropped = false;
+  };
+
+  void work_off_until(hal::Time target, FollowedClock* clock);
+  void post(FollowedClock* clock);
+  void attend(hal::Time now);
+  void take_in(const Turn& turn, hal::exchange::Courier::Turn brought);
+  void take_effect(hal::exchange::Courier::Answer answer);
+  void on_failure(std::size_t port, const hal::Error& error);
+  void finish_all();
+  void restart_watchdog(hal::AgentId agent);
+  std::vector<int> descriptors() const;
+  Progress progress() const;
+
+  State& s_;
+  std::vector<Carried> carried_;                           ///< By port.
+  std::map<hal::AgentId, EventQueue::EventId> watchdogs_;  ///< Of robots.
+  std::vector<hal::Duration> lateness_;                    ///< Of control instants.
+  RealTimeSummary counts_;
+};
+
+}  // namespace sim::agents
