@@ -9,28 +9,34 @@
 namespace hal::routing::test {
 namespace {
 
-const Data kData{.header = {"help", AgentId{1}, AgentId{9}, 8},
-                 .id = 70000,
-                 .transmissions = 3,
-                 .payload = {1, 2, 3}};
-const ForwardAnt kForwardAnt{.header = {"help", AgentId{1}, AgentId{9}, 7},
-                             .started = time_from_ns(123456789),
-                             .path = {AgentId{1}},
-                             .way = {}};
-const BackwardAnt kBackwardAnt{.header = {"help", AgentId{9}, AgentId{1}, 7},
-                               .path = {AgentId{1}, AgentId{2}},
-                               .position = 1,
-                               .way = {}};
+Data data() {
+  return {.header = {"help", AgentId{1}, AgentId{9}, 8},
+          .id = 70000,
+          .transmissions = 3,
+          .payload = {1, 2, 3}};
+}
+ForwardAnt forward_ant() {
+  return {.header = {"help", AgentId{1}, AgentId{9}, 7},
+          .started = time_from_ns(123456789),
+          .path = {AgentId{1}},
+          .way = {}};
+}
+BackwardAnt backward_ant() {
+  return {.header = {"help", AgentId{9}, AgentId{1}, 7},
+          .path = {AgentId{1}, AgentId{2}},
+          .position = 1,
+          .way = {}};
+}
 
 TEST(Frame, ABarePacketKeepsItsBytes) {
-  EXPECT_EQ(parse_frame(encode(kData)), Frame{Packet{kData}});
-  EXPECT_EQ(parse_frame(encode(kForwardAnt)), Frame{Packet{kForwardAnt}});
+  EXPECT_EQ(parse_frame(encode(data())), Frame{Packet{data()}});
+  EXPECT_EQ(parse_frame(encode(forward_ant())), Frame{Packet{forward_ant()}});
 }
 
 TEST(Frame, EveryKindSurvivesTheRoundTrip) {
-  EXPECT_EQ(parse_frame(encode_numbered(70000, encode(kData))), (Frame{Numbered{70000, kData}}));
-  EXPECT_EQ(parse_frame(encode_numbered(0, encode(kBackwardAnt))),
-            (Frame{Numbered{0, kBackwardAnt}}));
+  EXPECT_EQ(parse_frame(encode_numbered(70000, encode(data()))), (Frame{Numbered{70000, data()}}));
+  EXPECT_EQ(parse_frame(encode_numbered(0, encode(backward_ant()))),
+            (Frame{Numbered{0, backward_ant()}}));
   EXPECT_EQ(parse_frame(encode(HopAck{70000})), Frame{HopAck{70000}});
   EXPECT_EQ(parse_frame(encode(Hello{1s})), Frame{Hello{1s}});
   EXPECT_EQ(parse_frame(encode(Hello{kMaxHelloPeriod})), Frame{Hello{kMaxHelloPeriod}});
@@ -48,12 +54,12 @@ TEST(Frame, AHelloRoundsItsPeriodUp) {
 }
 
 TEST(Frame, OnlyAPacketForOneNeighbourIsNumbered) {
-  Data flood = kData;
+  Data flood = data();
   flood.header.destination = kEveryone;
   EXPECT_FALSE(parse_frame(encode_numbered(1, encode(flood))));
-  EXPECT_FALSE(parse_frame(encode_numbered(1, encode(kForwardAnt))));
+  EXPECT_FALSE(parse_frame(encode_numbered(1, encode(forward_ant()))));
   EXPECT_FALSE(parse_frame(encode_numbered(1, encode(HopAck{2}))));
-  EXPECT_FALSE(parse_frame(encode_numbered(1, encode_numbered(2, encode(kData)))));
+  EXPECT_FALSE(parse_frame(encode_numbered(1, encode_numbered(2, encode(data())))));
   EXPECT_FALSE(parse_frame(encode_numbered(1, {})));
 }
 
@@ -64,7 +70,7 @@ TEST(Frame, AHelloWithoutASensiblePeriodIsRefused) {
 
 TEST(Frame, EveryTruncationAndEveryOctetTooManyIsRefused) {
   for (Bytes frame :
-       {encode(HopAck{70000}), encode(Hello{1s}), encode_numbered(1, encode(kBackwardAnt))}) {
+       {encode(HopAck{70000}), encode(Hello{1s}), encode_numbered(1, encode(backward_ant()))}) {
     for (std::size_t size = 0; size < frame.size(); ++size) {
       EXPECT_FALSE(parse_frame(std::span(frame).first(size))) << size << " of " << frame.size();
     }
@@ -92,10 +98,10 @@ Bytes damaged(Bytes frame, RandomStream& random) {
 }
 
 std::vector<Bytes> one_of_each() {
-  return {encode(kData),
-          encode(kForwardAnt),
-          encode_numbered(1, encode(kBackwardAnt)),
-          encode_numbered(2, encode(kData)),
+  return {encode(data()),
+          encode(forward_ant()),
+          encode_numbered(1, encode(backward_ant())),
+          encode_numbered(2, encode(data())),
           encode(HopAck{1}),
           encode(Hello{1s})};
 }
