@@ -4,24 +4,6 @@
 
 namespace hal::routing {
 
-OwnTimers::~OwnTimers() {
-  for (const auto& [own, handle] : pending_) timers_.cancel(handle);
-}
-
-OwnTimers::Handle OwnTimers::schedule(Time at, std::function<void()> handler) {
-  const Handle own = ++last_;
-  pending_[own] = timers_.schedule(at, [this, own, run = std::move(handler)] {
-    pending_.erase(own);
-    run();
-  });
-  return own;
-}
-
-void OwnTimers::cancel(Handle handle) {
-  const auto pending = pending_.extract(handle);
-  if (!pending.empty()) timers_.cancel(pending.mapped());
-}
-
 void Node::after_jitter(std::function<void()> action) {
   if (config.jitter_max <= Duration::zero()) {
     action();

@@ -1,30 +1,12 @@
 #pragma once
 
 #include <functional>
-#include <map>
 
+#include "hal/routing/own_timers.h"
 #include "hal/routing/packet.h"
 #include "hal/routing/router.h"
 
 namespace hal::routing {
-
-/// Timers of one router: those still to come are cancelled with it.
-class OwnTimers {
- public:
-  explicit OwnTimers(Timers& timers) : timers_(timers) {}
-  ~OwnTimers();
-  OwnTimers(const OwnTimers&) = delete;
-  OwnTimers& operator=(const OwnTimers&) = delete;
-
-  using Handle = std::uint64_t;  ///< Never 0.
-  Handle schedule(Time at, std::function<void()> handler);
-  void cancel(Handle handle);
-
- private:
-  Timers& timers_;
-  Handle last_ = 0;
-  std::map<Handle, Timers::Handle> pending_;
-};
 
 /// What all parts of one router share.
 struct Node {
@@ -33,7 +15,7 @@ struct Node {
   RandomStream random;
   RouterPorts ports;
   OwnTimers timers;
-  Sequence last_sequence = 0;
+  Sequence last_sequence = config.first_sequence;
 
   Time now() const { return ports.timers.now(); }
   Sequence next_sequence() { return ++last_sequence; }

@@ -15,12 +15,8 @@ void Outbox::send_message(AgentId next_hop, Transit transit) {
 
 void Outbox::transmit(AgentId next_hop, const Packet& packet, std::optional<Transit> transit) {
   const LinkTag tag = ++last_tag_;
-  const bool has_status = node_.ports.link.capabilities().tx_status;
-  if (has_status) outgoing_.emplace(tag, Outgoing{next_hop, transit});
+  outgoing_.emplace(tag, Outgoing{next_hop, std::move(transit)});
   node_.ports.link.transmit(next_hop, encode(packet), tag);
-  if (!has_status && transit) {
-    listener_.on_sent(std::move(*transit), Verdict::kDelivered);
-  }
 }
 
 void Outbox::on_transmitted(const Transmission& transmission) {

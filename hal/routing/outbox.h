@@ -20,7 +20,7 @@ class OutboxListener {
   virtual ~OutboxListener() = default;
   /// A unicast frame to this neighbour was not acknowledged. Comes before on_sent.
   virtual void on_no_answer(AgentId neighbour) = 0;
-  /// A message left, or did not. Over a link without tx_status it is taken to have left.
+  /// A message left, or did not.
   virtual void on_sent(Transit transit, Verdict verdict) = 0;
 };
 

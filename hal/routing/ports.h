@@ -15,22 +15,26 @@ namespace hal::routing {
 
 /// What a link can tell about its frames. Routing also works over a link that has neither.
 struct LinkCapabilities {
-  bool tx_status = false;  ///< Calls Router::on_transmitted for every frame.
-  bool rssi = false;       ///< Gives Reception::rssi_dbm and snr_db.
+  /// Calls Router::on_transmitted for every frame. Without it the router finds out by itself
+  /// whether a hop works: hop acknowledgements and hellos (RoutingConfig).
+  bool tx_status = false;
+  /// Gives Reception::rssi_dbm and snr_db. Without it Neighbour::rssi_dbm and
+  /// PathStatistics::min_snr_db are 0 and mean nothing.
+  bool rssi = false;
 };
 
 /// How a frame came in.
 struct Reception {
-  AgentId from;  ///< The neighbour that transmitted it.
-  double rssi_dbm = 0;
-  double snr_db = 0;
+  AgentId from;         ///< The neighbour that transmitted it; never the node itself.
+  double rssi_dbm = 0;  ///< 0 without LinkCapabilities::rssi …
+  double snr_db = 0;    ///< … and so is this.
 };
 
 /// Names a frame handed to the link in its on_transmitted.
 using LinkTag = std::uint64_t;
 
-/// What happened to a frame: kDelivered (acknowledged; a broadcast: transmitted), kRetryLimit,
-/// kQueueFull, kRadioOff.
+/// What happened to a frame, over a link with transmit status: kDelivered (acknowledged; a
+/// broadcast: transmitted), kRetryLimit, kQueueFull, kRadioOff.
 struct Transmission {
   LinkTag tag = 0;
   Verdict verdict = Verdict::kDelivered;
@@ -40,6 +44,7 @@ struct Transmission {
 class Link {
  public:
   virtual ~Link() = default;
+  /// The same from the router's construction on.
   virtual LinkCapabilities capabilities() const = 0;
 
   /// Queues a frame for one neighbour, or for all of them (kEveryone). Never calls back before it

@@ -4,6 +4,9 @@
 
 #include "hal/routing/ants.h"
 #include "hal/routing/flooding.h"
+#include "hal/routing/frame.h"
+#include "hal/routing/hello.h"
+#include "hal/routing/hop_acknowledgement.h"
 #include "hal/routing/neighbourhood.h"
 #include "hal/types/check.h"
 
@@ -15,19 +18,38 @@ bool is_valid(const RoutingConfig& config) {
   return config.beta >= 1 && config.direct_weight > 0 && config.jitter_max >= Duration::zero() &&
          config.retry_period > Duration::zero() && config.retries >= 1 && config.acceptance >= 1 &&
          config.hop_limit >= 1 && config.hop_limit <= static_cast<int>(kMaxPath) &&
-         config.buffer_age > Duration::zero();
+         config.buffer_age > Duration::zero() && config.ack_timeout > Duration::zero() &&
+         config.ack_attempts >= 1 && config.ack_attempts <= 16 && config.hello_limit >= 1 &&
+         config.hello_period >= 1ms && config.hello_period <= kMaxHelloPeriod;
 }
 
 }  // namespace
 
-/// The parts of a router, and the way of a frame between them.
+/// The parts of a router, and the way of a frame between them. Over a link without transmit status
+/// the parts send through `hop`, which has one.
 struct Router::State final : OutboxListener {
   State(AgentId self, const RoutingConfig& config, RandomStream random, RouterPorts ports)
-      : node{self, config, random, ports, OwnTimers(ports.timers)}, table(ports.observer) {}
+      : has_status(ports.link.capabilities().tx_status),
+        hop(config, ports.link, ports.timers, [this](const auto& t) { outbox.on_transmitted(t); }),
+        node{self, config, random, ports_over(has_status ? ports.link : hop, ports),
+             OwnTimers(ports.timers)},
+        table(ports.observer),
+        hellos(node, ports.link, [this](AgentId neighbour) { on_silence(neighbour); }) {
+    if (!has_status) hellos.start();
+  }
+
+  static RouterPorts ports_over(Link& link, const RouterPorts& ports) {
+    return {link, ports.timers, ports.application, ports.observer};
+  }
 
   void on_no_answer(AgentId neighbour) override {
     table.remove_via(neighbour);
     neighbourhood.on_no_answer(neighbour);
+  }
+
+  void on_silence(AgentId neighbour) {
+    on_no_answer(neighbour);
+    hop.give_up(neighbour);
   }
 
   void on_sent(Transit transit, Verdict verdict) override {
@@ -38,6 +60,31 @@ struct Router::State final : OutboxListener {
     }
   }
 
+  void on_heard(const Reception& reception) {
+    neighbourhood.on_heard(reception);
+    if (!has_status) hellos.on_heard(reception.from);
+  }
+
+  /// @return false if a packet contradicts how it came in.
+  bool take(Packet packet, const Arrival& arrival) {
+    return std::visit([&](auto& kind) { return take(std::move(kind), arrival); }, packet);
+  }
+  /// The packet first, its acknowledgement after it: the message is in more of a hurry.
+  bool take(Numbered numbered, const Arrival& arrival) {
+    const AgentId from = arrival.reception.from;
+    const bool is_first = hop.on_numbered(from, numbered.number);
+    const bool is_good = !is_first || take(std::move(numbered.packet), arrival);
+    hop.acknowledge(from, numbered.number);
+    return is_good;
+  }
+  bool take(HopAck ack, const Arrival& arrival) {
+    hop.on_ack(arrival.reception.from, ack.number);
+    return true;
+  }
+  bool take(Hello hello, const Arrival& arrival) {
+    if (!has_status) hellos.on_hello(arrival.reception.from, hello);
+    return true;
+  }
   bool take(ForwardAnt ant, const Arrival& arrival) {
     return ants.on_forward_ant(std::move(ant), arrival);
   }
@@ -53,8 +100,11 @@ struct Router::State final : OutboxListener {
     return true;
   }
 
+  const bool has_status;
+  HopAcknowledgement hop;
   Node node;
   RouteTable table;
+  Hellos hellos;
   Neighbourhood neighbourhood{node};
   Outbox outbox{node, *this};
   Forwarding forwarding{node, table, outbox};
@@ -89,18 +139,22 @@ std::vector<Route> Router::routes(std::string_view topic, AgentId destination) c
   return state_->table.routes(topic, destination);
 }
 
-void Router::on_frame(const Reception& reception, std::span<const std::uint8_t> frame) {
-  state_->neighbourhood.on_heard(reception);
-  auto packet = parse(frame);
-  const Arrival arrival{reception, frame.size()};
+void Router::on_frame(const Reception& reception, std::span<const std::uint8_t> bytes) {
+  const AgentId from = reception.from;
+  auto frame = parse_frame(bytes);
+  if (!frame || from == state_->node.self || from == kEveryone) {
+    ++state_->malformed;
+    return;
+  }
+  state_->on_heard(reception);
+  const Arrival arrival{reception, bytes.size()};
   const bool is_good =
-      packet &&
-      std::visit([&](auto& kind) { return state_->take(std::move(kind), arrival); }, *packet);
+      std::visit([&](auto& kind) { return state_->take(std::move(kind), arrival); }, *frame);
   if (!is_good) ++state_->malformed;
 }
 
 void Router::on_transmitted(const Transmission& transmission) {
-  state_->outbox.on_transmitted(transmission);
+  if (state_->has_status) state_->outbox.on_transmitted(transmission);
 }
 
 std::uint64_t Router::malformed_frames() const { return state_->malformed; }

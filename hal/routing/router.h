@@ -26,6 +26,10 @@ struct RouterPorts {
 /// at random (Labella, Dietrich, Dressler, "Hybrid simulation of Sensor and Actor Networks with
 /// BARAKA", 2009, section 6.1; after Di Caro, Ducatelle, Gambardella, "AntHocNet", 2005).
 ///
+/// Over a link without tx_status each unicast frame is acknowledged by the next hop's router and
+/// repeated until it is (hop_acknowledgement.h), and neighbours are known by their hellos
+/// (hello.h).
+///
 /// Portable node code: time, radio and randomness are handed in. One thread.
 class Router {
  public:
@@ -36,8 +40,8 @@ class Router {
 
   /// Sends a message of this node: `message.source` is self, `message.destination` another node or
   /// kEveryone. Its fate is reported once through Application::on_fate, never from within send():
-  /// kHandedOver when the first hop acknowledged it (a flood: it was transmitted; a link without
-  /// tx_status: the link took it), else why it could not be.
+  /// kHandedOver when the first hop acknowledged it (a flood: it was transmitted, or, without
+  /// tx_status, the link took it), else why it could not be.
   /// @pre id > 0, topic and payload within kMaxTopic and kMaxPayload; aborts otherwise.
   void send(const Message& message);
 
@@ -47,11 +51,13 @@ class Router {
   /// Routes by next hop; empty if there is none.
   std::vector<Route> routes(std::string_view topic, AgentId destination) const;
 
-  /// From the link.
-  void on_frame(const Reception& reception, std::span<const std::uint8_t> frame);
+  /// From the link: any bytes, from anywhere; what is malformed is dropped and counted.
+  void on_frame(const Reception& reception, std::span<const std::uint8_t> bytes);
+  /// From the link; ignored if it has no tx_status.
   void on_transmitted(const Transmission& transmission);
 
-  /// Frames that could not be parsed, or were ants that contradict how they came in.
+  /// Frames that could not be parsed, came from this node or from kEveryone, or were ants that
+  /// contradict how they came in.
   std::uint64_t malformed_frames() const;
 
  private:

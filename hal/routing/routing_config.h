@@ -20,8 +20,19 @@ struct RoutingConfig {
       1.5;  ///< >= 1: later copies of an ant: at most this times the best, in hops …
   bool accept_anywhere = false;     ///< … at every node; else only at the destination.
   int hop_limit = 30;               ///< Of ants, floods and data, 1..255.
-  std::uint32_t buffer_limit = 64;  ///< Messages that wait for one route.
+  std::uint32_t buffer_limit = 64;  ///< Messages that wait for one route or next hop.
   Duration buffer_age = 10s;        ///< A message waits for a route no longer than this; > 0.
+
+  /// Over a link without transmit status only (hop_acknowledgement.h, hello.h).
+  Duration ack_timeout = 50ms;    ///< Until a frame is repeated, doubled each time; > 0.
+  int ack_attempts = 4;           ///< Transmissions before a hop counts as failed, 1..16.
+  Duration hello_period = 1s;     ///< Between two hellos; 1 ms..1 h.
+  std::uint32_t hello_limit = 2;  ///< Hellos in a row that a neighbour may miss, >= 1.
+
+  /// Numbers of this node's packets start after this one. Others remember numbers for a minute: a
+  /// node that may restart draws it anew each time, below 2^31, or they take its packets for
+  /// copies. Simulated nodes start at 0.
+  std::uint32_t first_sequence = 0;
 };
 
 }  // namespace hal::routing

@@ -7,6 +7,7 @@
 namespace sim::scenario {
 namespace {
 
+using agents::LinkKind;
 using hal::routing::RoutingConfig;
 using physics::StaticBox;
 using physics::WorldConfig;
@@ -51,8 +52,23 @@ void write_box(Writer& out, const StaticBox& box) {
   out.close();
 }
 
+/// How the router finds out for itself whether a hop works.
 template <class Io>
-void routing_keys(Io& io, RoutingConfig& c) {
+void hop_keys(Io& io, RoutingConfig& c, LinkKind link) {
+  if (link == LinkKind::kMac) {
+    for (const char* key : {"ack_timeout", "ack_attempts", "hello_period", "hello_limit"}) {
+      io.unused(key, "is not used with 'link: mac', which reports what becomes of each frame");
+    }
+    return;
+  }
+  io.duration("ack_timeout", {1e-4, 10}, c.ack_timeout);
+  io.count("ack_attempts", 1, 16, c.ack_attempts);
+  io.duration("hello_period", {1e-3, 3600}, c.hello_period);
+  io.count("hello_limit", 1, 100, c.hello_limit);
+}
+
+template <class Io>
+void routing_keys(Io& io, RoutingConfig& c, LinkKind link) {
   io.number("beta", "1", {1, 100}, c.beta);
   io.number("direct_weight", "1", {1, 1e12}, c.direct_weight);
   io.duration("jitter_max", {0, 10}, c.jitter_max);
@@ -63,6 +79,7 @@ void routing_keys(Io& io, RoutingConfig& c) {
   io.count("hop_limit", 1, 100, c.hop_limit);
   io.count("buffer_limit", 0, 1'000'000, c.buffer_limit);
   io.duration("buffer_age", {1e-3, 3600}, c.buffer_age);
+  hop_keys(io, c, link);
 }
 
 }  // namespace
@@ -94,19 +111,19 @@ void write_world(Writer& out, const agents::SimulationConfig& config) {
   out.close();
 }
 
-RoutingConfig read_routing(Mapping in) {
+RoutingConfig read_routing(Mapping in, LinkKind link) {
   RoutingConfig config;
   FieldReader reader(in);
-  routing_keys(reader, config);
+  routing_keys(reader, config, link);
   in.finish();
   return config;
 }
 
-void write_routing(Writer& out, const RoutingConfig& config) {
+void write_routing(Writer& out, const RoutingConfig& config, LinkKind link) {
   RoutingConfig copy = config;
   FieldWriter writer(out);
   out.open("routing");
-  routing_keys(writer, copy);
+  routing_keys(writer, copy, link);
   out.close();
 }
 

@@ -11,9 +11,10 @@ namespace sim::scenario {
 void read_world(hal::config::Mapping in, agents::SimulationConfig& config);
 void write_world(hal::config::Writer& out, const agents::SimulationConfig& config);
 
-/// `routing:`.
-hal::routing::RoutingConfig read_routing(hal::config::Mapping in);
-void write_routing(hal::config::Writer& out, const hal::routing::RoutingConfig& config);
+/// `routing:`. Acknowledgement and hello keys only if the link has no transmit status.
+hal::routing::RoutingConfig read_routing(hal::config::Mapping in, agents::LinkKind link);
+void write_routing(hal::config::Writer& out, const hal::routing::RoutingConfig& config,
+                   agents::LinkKind link);
 
 /// `localisation:`.
 agents::LocalisationConfig read_localisation(hal::config::Mapping in);

@@ -55,22 +55,6 @@ TEST(Forwarding, IsHandedOverWhenTheFirstHopAcknowledges) {
   EXPECT_EQ(network.node(1).fates[1].at, sent + Network::kHop);
 }
 
-TEST(Forwarding, IsHandedOverAtOnceIfTheLinkCannotTell) {
-  Network network(2);
-  network.capabilities = {.tx_status = false, .rssi = false};
-  connect_chain(network);
-  network.send(1, 2);
-  network.run(1s);
-  const Time sent = network.clock.now();
-  network.send(1, 2);
-  network.run(1s);
-  ASSERT_EQ(network.node(1).fates.size(), 2u);
-  EXPECT_EQ(network.node(1).fates[1].fate, Fate::kHandedOver);
-  EXPECT_EQ(network.node(1).fates[1].at, sent);
-  EXPECT_EQ(network.node(2).messages.size(), 2u);
-  EXPECT_DOUBLE_EQ(network.node(1).router->routes("help", id(2)).at(0).path.min_snr_db, 0.0);
-}
-
 // From 1, both arms are two hops long: each should carry half of 400 messages. Binomial standard
 // deviation sqrt(400 / 4) = 10; four of them.
 TEST(Forwarding, SpreadsOverEqualRoutes) {
@@ -285,13 +269,19 @@ TEST(Forwarding, ARelayDoesNotSendBackWhatItGotIfThereIsAnotherWay) {
 }
 
 TEST(Forwarding, NothingRunsAfterTheRouterIsGone) {
-  Network network(1);
-  network.capabilities.tx_status = false;  // or the link itself would report to the router
-  network.send(1, 2);                      // a search with its retries
+  // A link with status would itself report to the router that is gone.
+  Network network(2, {}, 1, Network::kNothing);
+  connect_chain(network);
+  network.send(1, 2);
+  network.run(1s);
+  network.send(1, 2);  // waits for its acknowledgement
+  network.send(1, 9);  // a search with its retries
   network.node(1).router.reset();
+  network.node(2).router.reset();
+  network.sent.clear();
   network.run(60s);
-  EXPECT_EQ(network.sent.size(), 1u);
-  EXPECT_TRUE(network.node(1).fates.empty());
+  EXPECT_TRUE(network.sent.empty());
+  EXPECT_EQ(network.node(1).fates.size(), 1u);
 }
 
 TEST(Forwarding, EveryReceptionNamesANeighbour) {

@@ -113,7 +113,12 @@ class Network {
  public:
   static constexpr Duration kHop = 1ms;
 
-  explicit Network(int nodes, RoutingConfig config = {}, std::uint64_t seed = 1);
+  /// What the links can tell.
+  static constexpr LinkCapabilities kEverything{.tx_status = true, .rssi = true};
+  static constexpr LinkCapabilities kNothing{.tx_status = false, .rssi = false};
+
+  explicit Network(int nodes, RoutingConfig config = {}, std::uint64_t seed = 1,
+                   LinkCapabilities capabilities = kEverything);
 
   void connect(int a, int b);
   void disconnect(int a, int b);
@@ -129,7 +134,7 @@ class Network {
   void transmit(AgentId from, AgentId to, const Bytes& frame, LinkTag tag);
 
   Clock clock;
-  LinkCapabilities capabilities{.tx_status = true, .rssi = true};
+  const LinkCapabilities capabilities;
   /// Whether this transmission is lost, asked once per receiver. Default: none is.
   std::function<bool(AgentId from, AgentId to)> is_lost = [](AgentId, AgentId) { return false; };
   /// What the link answers instead of trying, e.g. kQueueFull.

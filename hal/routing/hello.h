@@ -1,0 +1,48 @@
+#pragma once
+
+#include <functional>
+#include <map>
+
+#include "hal/routing/frame.h"
+#include "hal/routing/node.h"
+
+namespace hal::routing {
+
+/// Tells the neighbours that this node is here, and notices when one of them falls silent: what a
+/// MAC with transmit status would only say when a frame to it fails.
+///
+/// A hello is broadcast every hello_period less a random quarter of it at most (RFC 5148, 5.1: or
+/// neighbours that started together would collide for ever). Any frame counts as a sign of life. A
+/// neighbour is lost when nothing came from it for hello_limit periods, its own as its hellos name
+/// them, and half a period on top for the delay of the last (G. Di Caro, F. Ducatelle,
+/// L. Gambardella, "AntHocNet", 2005: two missed hellos; hold times as in RFC 6130, 5.4.1).
+class Hellos {
+ public:
+  /// @param on_silence  called once when a neighbour is lost.
+  Hellos(Node& node, Link& link, std::function<void(AgentId)> on_silence);
+
+  /// Sends the first hello after a random part of the period.
+  void start();
+
+  void on_heard(AgentId from);
+  void on_hello(AgentId from, const Hello& hello);
+
+ private:
+  struct Watch {
+    Time last_heard{};
+    Duration period{};
+    OwnTimers::Handle timer = 0;
+  };
+
+  void schedule_next();
+  Time deadline(const Watch& watch) const;
+  void wait_for(AgentId neighbour, Watch& watch);
+  void on_deadline(AgentId neighbour);
+
+  Node& node_;
+  Link& link_;
+  std::function<void(AgentId)> on_silence_;
+  std::map<AgentId, Watch> watched_;
+};
+
+}  // namespace hal::routing

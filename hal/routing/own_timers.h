@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <map>
+
+#include "hal/routing/ports.h"
+
+namespace hal::routing {
+
+/// Timers of one part of a router: those still to come are cancelled with it.
+class OwnTimers {
+ public:
+  explicit OwnTimers(Timers& timers) : timers_(timers) {}
+  ~OwnTimers();
+  OwnTimers(const OwnTimers&) = delete;
+  OwnTimers& operator=(const OwnTimers&) = delete;
+
+  using Handle = std::uint64_t;  ///< Never 0.
+  Time now() const { return timers_.now(); }
+  Handle schedule(Time at, std::function<void()> handler);
+  void cancel(Handle handle);
+
+ private:
+  Timers& timers_;
+  Handle last_ = 0;
+  std::map<Handle, Timers::Handle> pending_;
+};
+
+}  // namespace hal::routing
