@@ -6,6 +6,7 @@
 #include <map>
 
 #include "hal/config/suggest.h"
+#include "hal/config/units.h"
 #include "hal/config/value.h"
 #include "hal/types/check.h"
 
@@ -32,6 +33,10 @@ std::string unknown(const ControllerKind& kind, const std::string& name) {
 std::string mistake_in(const ControllerKind& kind, const ParameterText& text) {
   const ParameterSpec* const spec = find(kind, text.name);
   if (spec == nullptr) return unknown(kind, text.name);
+  if (config::find_unit(spec->unit) == nullptr) {
+    return fmt::format("{} declares it in '{}', which is no unit (\"1\" is that of a plain number)",
+                       kind.name, spec->unit);
+  }
   const Result<double> value = parse(*spec, text);
   return value ? std::string{} : value.error().message;
 }

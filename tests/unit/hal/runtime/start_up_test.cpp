@@ -36,6 +36,14 @@ TEST(CheckParameters, FindsNothingWrongWithGoodOnes) {
                   .empty());
 }
 
+TEST(StartUp, AParameterDeclaredInWhatIsNoUnitIsAMistakeOfTheController) {
+  hal::ControllerKind kind = idle();
+  kind.parameters = {{"count", "pieces", 0, 0, 9, "How many."}};
+  EXPECT_EQ(check_parameters(kind, {{"count", "3", "a.yaml:1:2"}}),
+            std::vector<std::string>{"a.yaml:1:2: count: idle declares it in 'pieces', which is no "
+                                     "unit (\"1\" is that of a plain number)"});
+}
+
 TEST(CheckParameters, NamesPlaceParameterAndMistakeOfEach) {
   const auto mistakes = check_parameters(idle(), {{"sped", "1 m/s", "a.yaml:1:2"},
                                                   {"speed", "3 m/s", "a.yaml:2:2"},
