@@ -110,6 +110,7 @@ void AgentServer::Implementation::answer_hellos(hal::Duration timeout, hal::Time
 }
 
 void AgentServer::Implementation::answer(const Hello& hello, hal::Time now) {
+  if (admission_.is_for_others(hello)) return;
   const Session session = admission_.decide(hello);
   const bool is_known =
       candidates_.contains(hello.instance) ||

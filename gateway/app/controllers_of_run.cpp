@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "gateway/app/teleop_port.h"
 #include "gateway/app/wall_pace.h"
 #include "gateway/find_program.h"
 #include "hal/runtime/controller_host.h"
@@ -26,6 +27,25 @@ const hal::exchange::AgentOffer& offer_of(const std::vector<hal::exchange::Agent
                        [&](const auto& offer) { return offer.session.agent == agent; });
 }
 
+/// A host without the agents whose controllers are not looked for.
+class ServedAgents final : public hal::exchange::AgentHost {
+ public:
+  explicit ServedAgents(hal::exchange::AgentHost& host) : host_(host) {}
+
+  std::vector<hal::exchange::AgentOffer> offers() const override {
+    std::vector<hal::exchange::AgentOffer> offers = host_.offers();
+    std::erase_if(offers, [](const auto& offer) { return offer.program == kTeleop; });
+    return offers;
+  }
+  void connect(std::shared_ptr<hal::exchange::ControllerPort> port,
+               const std::vector<hal::AgentId>& agents, const hal::Wants& wants) override {
+    host_.connect(std::move(port), agents, wants);
+  }
+
+ private:
+  hal::exchange::AgentHost& host_;
+};
+
 template <class T>
 T value_or_throw(hal::Result<T> result) {
   if (!result) throw std::runtime_error(result.error().message);
@@ -36,7 +56,8 @@ T value_or_throw(hal::Result<T> result) {
 
 ControllersOfRun::ControllersOfRun(const Scenario& scenario, sim::agents::Simulation& simulation,
                                    const Settings& settings) {
-  const std::vector<ProcessPlan> plans = sim::scenario::plan_processes(scenario);
+  std::vector<ProcessPlan> plans = sim::scenario::plan_processes(scenario);
+  std::erase_if(plans, [](const ProcessPlan& plan) { return plan.program == kTeleop; });
   if (settings.from == ControllersFrom::kInProcess) {
     connect_in_process(plans, simulation);
   } else {
@@ -45,6 +66,10 @@ ControllersOfRun::ControllersOfRun(const Scenario& scenario, sim::agents::Simula
 }
 
 ControllersOfRun::~ControllersOfRun() = default;
+
+std::optional<int> ControllersOfRun::domain() const {
+  return server_ ? std::optional(server_->domain()) : std::nullopt;
+}
 
 void ControllersOfRun::connect_in_process(const std::vector<ProcessPlan>& plans,
                                           sim::agents::Simulation& simulation) {
@@ -71,8 +96,9 @@ void ControllersOfRun::serve(const std::vector<ProcessPlan>& plans, const Scenar
   const std::optional<int> domain = settings.domain ? settings.domain
                                     : external      ? std::optional(hal::dds::default_domain())
                                                     : std::nullopt;
+  served_ = std::make_unique<ServedAgents>(simulation);
   server_ = std::make_unique<AgentServer>(
-      hal::dds::take_domain(domain), simulation,
+      hal::dds::take_domain(domain), *served_,
       ServerSettings{kOnlyRun, scenario.wait, scenario.reply_timeout});
   fmt::print(stderr, "domain: {}\n", server_->domain());
   if (!external) spawn(plans, scenario, settings);

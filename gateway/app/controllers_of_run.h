@@ -27,7 +27,7 @@ class ControllersOfRun {
     std::filesystem::path logs;  ///< Folder for the logs of spawned controllers.
   };
 
-  /// Connects every agent of the simulation to its controller.
+  /// Connects every agent of the simulation to its controller, except those that are teleoperated.
   /// @throws std::runtime_error  a program or plug-in that cannot be started, a busy domain,
   ///   agents without a controller.  @throws hal::config::ConfigErrors  controller parameters.
   ControllersOfRun(const sim::scenario::Scenario& scenario, sim::agents::Simulation& simulation,
@@ -37,6 +37,8 @@ class ControllersOfRun {
   ControllersOfRun& operator=(const ControllersOfRun&) = delete;
 
   std::size_t processes() const { return processes_; }
+  /// DDS domain that the processes talk in; none: the controllers are in this process.
+  std::optional<int> domain() const;
 
   /// Ends what was started. @param stopped  they have been told the run is over, and get time to
   /// end by themselves. @return one line per process that ended badly, and per thing that was
@@ -52,6 +54,7 @@ class ControllersOfRun {
   void spawn(const std::vector<sim::scenario::ProcessPlan>& plans,
              const sim::scenario::Scenario& scenario, const Settings& settings);
 
+  std::unique_ptr<hal::exchange::AgentHost> served_;  ///< The simulation without the others.
   std::unique_ptr<AgentServer> server_;
   Spawner spawner_;
   std::size_t processes_ = 0;

@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "gateway/app/teleop_port.h"
 #include "gateway/find_program.h"
 #include "hal/config/errors.h"
 #include "hal/runtime/check_parameters.h"
@@ -42,11 +43,33 @@ void judge_group(const sim::scenario::Scenario& scenario, const sim::scenario::G
   }
 }
 
+void judge_teleop(const sim::scenario::Scenario& scenario, const sim::scenario::Group& group,
+                  std::vector<std::string>& mistakes) {
+  std::set<std::string> said;
+  for (const hal::AgentId id : group.agents) {
+    const sim::agents::AgentConfig& agent = config_of(scenario, id);
+    if (std::holds_alternative<hal::devices::MoteDescription>(agent.body) &&
+        said.insert(group.program_place).second) {
+      mistakes.push_back(fmt::format("{}: program: '{}' does not drive agents like {}",
+                                     group.program_place, kTeleop, agent.name));
+    }
+    for (const hal::exchange::ParameterText& parameter : agent.parameters) {
+      if (!said.insert(parameter.place).second) continue;
+      mistakes.push_back(fmt::format("{}: {}: is not a known parameter; {} has none",
+                                     parameter.place, parameter.name, kTeleop));
+    }
+  }
+}
+
 }  // namespace
 
 ControllerJudgement judge_controllers(const sim::scenario::Scenario& scenario) {
   ControllerJudgement judgement;
   for (const sim::scenario::Group& group : scenario.groups) {
+    if (group.program == kTeleop) {
+      judge_teleop(scenario, group, judgement.mistakes);
+      continue;
+    }
     const auto kind = hal::runtime::load_plugin(group.program, hal::runtime::controller_folders());
     if (kind) {
       judge_group(scenario, group, **kind, judgement.mistakes);

@@ -7,6 +7,7 @@
 #include "gateway/app/replications.h"
 #include "gateway/app/report_command.h"
 #include "gateway/app/run_command.h"
+#include "gateway/app/topic_command.h"
 #include "hal/config/errors.h"
 
 namespace {
@@ -37,6 +38,10 @@ void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
       ->excludes(pace);
   run->add_option("--domain", options.domain, "DDS domain; default: the first free one")
       ->check(CLI::Range(0, 232));
+  run->add_option("--inspect-domain", options.inspect_domain,
+                  "DDS domain to show the run in; default: the run's")
+      ->check(CLI::Range(0, 232));
+  run->add_flag("!--no-inspect", options.inspect, "Do not show the run to DDS tools");
   run->add_option("--out", options.out, "Folder for the results; default: results/<name>");
   run->add_option("--set", options.overrides, "KEY=VALUE, the key as a dotted path")
       ->allow_extra_args(false);
@@ -49,6 +54,38 @@ void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
   run->add_option("--jobs", options.jobs, "Replications at a time; default: 1")
       ->check(CLI::Range(1, 1000))
       ->needs(replications);
+}
+
+struct TopicCommand {
+  CLI::App* app;
+  int (*act)(const gateway::app::TopicOptions&);
+};
+
+/// @return the commands of `baraka topic`.
+std::vector<TopicCommand> add_topic(CLI::App& app, gateway::app::TopicOptions& options) {
+  CLI::App* topic = app.add_subcommand("topic", "Look at the topics of a run or a robot");
+  topic->require_subcommand(1);
+  const std::vector<TopicCommand> commands{
+      {topic->add_subcommand("list", "All topics"), gateway::app::list_topics},
+      {topic->add_subcommand("info", "Type and endpoints"), gateway::app::topic_info},
+      {topic->add_subcommand("echo", "Samples"), gateway::app::echo_topic},
+      {topic->add_subcommand("hz", "How often samples come"), gateway::app::topic_rate},
+      {topic->add_subcommand("bw", "How many bytes come"), gateway::app::topic_bandwidth}};
+  for (const TopicCommand& command : commands) {
+    command.app
+        ->add_option("--domain", options.domain, "DDS domain; default: BARAKA_DOMAIN, else 1")
+        ->check(CLI::Range(0, 232));
+    if (command.act == gateway::app::list_topics) continue;
+    command.app->add_option("TOPIC", options.topic, "As listed, or as in ROS 2: /clock")
+        ->required();
+    command.app
+        ->add_option("--timeout", options.timeout, "Wait so long for the topic and a sample [s]")
+        ->check(CLI::PositiveNumber);
+    if (command.act == gateway::app::topic_info) continue;
+    command.app->add_option("--count", options.count, "End after so many samples")
+        ->check(CLI::PositiveNumber);
+  }
+  return commands;
 }
 
 /// @return exit status. @throws std::exception
@@ -68,11 +105,16 @@ int command(int argc, char** argv) {
   CLI::App* report = app.add_subcommand("report", "Tables and figures of one or many results");
   report->add_option("DIR", folders, "Folders of results")->required();
   report->add_option("-o", page, "Write a page with the figures to this file, print no tables");
+  gateway::app::TopicOptions topic_options;
+  const std::vector<TopicCommand> topic_commands = add_topic(app, topic_options);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
     const int status = app.exit(e);
     return status == 0 ? gateway::app::kDone : gateway::app::kUsage;
+  }
+  for (const TopicCommand& topic : topic_commands) {
+    if (*topic.app) return topic.act(topic_options);
   }
   if (!seed.empty()) run_options.overrides.push_back("seed=" + seed);
   if (*check) return gateway::app::check(checked, check_overrides);

@@ -63,6 +63,8 @@ std::vector<std::string> arguments_for(const RunOptions& options, const Replicat
   if (options.until) add("--until", fmt::format("{}", *options.until));
   if (std::isfinite(options.max_speed)) add("--max-speed", fmt::format("{}", options.max_speed));
   if (options.domain) add("--domain", std::to_string(*options.domain));
+  if (options.inspect_domain) add("--inspect-domain", std::to_string(*options.inspect_domain));
+  if (!options.inspect) arguments.emplace_back("--no-inspect");
   return arguments;
 }
 

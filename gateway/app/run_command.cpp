@@ -12,6 +12,7 @@
 #include "gateway/app/exit_status.h"
 #include "gateway/app/judge_controllers.h"
 #include "gateway/app/results_folder.h"
+#include "gateway/app/run_inspection.h"
 #include "gateway/app/wall_pace.h"
 #include "hal/types/log.h"
 #include "sim/agents/fingerprint_feed.h"
@@ -128,10 +129,13 @@ int run(const RunOptions& options) {
   catch_interrupts();
   const Course course(options, scenario);
   Results results(scenario, results_path(options, scenario.name));
-  Simulation simulation(scenario.simulation, {&results.recorder, &results.fingerprint});
+  RunInspection inspection(scenario, {options.inspect, options.inspect_domain});
+  Simulation simulation(scenario.simulation,
+                        {&results.recorder, &results.fingerprint, &inspection.observer()});
   ControllersOfRun controllers(
       scenario, simulation,
       {.from = options.controllers, .domain = options.domain, .logs = results.folder.path()});
+  inspection.start(controllers.domain() ? controllers.domain() : options.domain, simulation);
   WallPace pace({.max_speed = options.max_speed,
                  .terminal = ::isatty(STDERR_FILENO) != 0,
                  .processes = controllers.processes(),

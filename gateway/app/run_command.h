@@ -20,7 +20,9 @@ struct RunOptions {
   std::string pace = "lockstep";  ///< Or "realtime", "realtime:<factor>".
   std::string repeat;             ///< Folder of a run in real time that is to be repeated.
   std::optional<int> domain;
-  std::string out;  ///< Empty: results/<scenario name>.
+  bool inspect = true;
+  std::optional<int> inspect_domain;  ///< None: the run's.
+  std::string out;                    ///< Empty: results/<scenario name>.
   std::optional<int> replications;
   int jobs = 1;  ///< Replications at a time.
 };

@@ -54,19 +54,31 @@ rtps::Locator_t discovery_locator(int domain, int participant_id) {
   return locator;
 }
 
-api::DomainParticipantQos common_qos(int domain, int participant_id) {
+/// Fast DDS looks for a free port from this id upwards. Two participants in one process must not
+/// begin with the same id, because it is part of their GUIDs.
+int next_participant_id() {
+  static std::atomic<int> next_id{kPlaces};
+  return next_id++;
+}
+
+api::DomainParticipantQos udp_qos(int participant_id, const std::vector<std::string>& addresses) {
   static std::once_flag configured;
   std::call_once(configured, configure_library);
 
   api::DomainParticipantQos qos =
       api::DomainParticipantFactory::get_instance()->get_default_participant_qos();
   const auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
-  udp->interfaceWhiteList.emplace_back(kLoopback);
+  udp->interfaceWhiteList = addresses;
   udp->sendBufferSize = kSocketBuffer;
   udp->receiveBufferSize = kSocketBuffer;
   qos.transport().use_builtin_transports = false;
   qos.transport().user_transports.assign(1, udp);
   qos.wire_protocol().participant_id = participant_id;
+  return qos;
+}
+
+api::DomainParticipantQos star_qos(int domain, int participant_id) {
+  api::DomainParticipantQos qos = udp_qos(participant_id, {kLoopback});
   auto& builtin = qos.wire_protocol().builtin;
   builtin.metatrafficUnicastLocatorList.push_back(discovery_locator(domain, participant_id));
   builtin.avoid_builtin_multicast = true;
@@ -96,16 +108,13 @@ void set_common_qos(Qos& qos, Presence presence) {
 }  // namespace
 
 Participant Participant::server(int domain, int place) {
-  api::DomainParticipantQos qos = common_qos(domain, place);
+  api::DomainParticipantQos qos = star_qos(domain, place);
   qos.name("baraka server");
   return {domain, qos};
 }
 
 Participant Participant::controller(int domain) {
-  // Fast DDS looks for a free port from this id upwards. Two participants in one process must not
-  // begin with the same id, because it is part of their GUIDs.
-  static std::atomic<int> next_id{kPlaces};
-  api::DomainParticipantQos qos = common_qos(domain, next_id++);
+  api::DomainParticipantQos qos = star_qos(domain, next_participant_id());
   qos.name("baraka controller");
   auto& builtin = qos.wire_protocol().builtin;
   for (int place = 0; place < kPlaces; ++place) {
@@ -116,13 +125,22 @@ Participant Participant::controller(int domain) {
   return {domain, qos};
 }
 
-Participant::Participant(int domain, const api::DomainParticipantQos& qos)
+Participant Participant::inspection(int domain, const std::vector<std::string>& addresses,
+                                    const std::string& name,
+                                    api::DomainParticipantListener* listener) {
+  // Not on the ports of a server's places: controllers would find it there.
+  api::DomainParticipantQos qos = udp_qos(next_participant_id(), addresses);
+  qos.name(name);
+  return {domain, qos, listener};
+}
+
+Participant::Participant(int domain, const api::DomainParticipantQos& qos,
+                         api::DomainParticipantListener* listener)
     : participant_(api::DomainParticipantFactory::get_instance()->create_participant(
-          static_cast<std::uint32_t>(domain), qos)) {
+          static_cast<std::uint32_t>(domain), qos, listener, api::StatusMask::none())) {
   if (participant_ == nullptr) {
     throw std::runtime_error(
-        fmt::format("Fast DDS cannot join domain {} on {}: is another program on its ports?",
-                    domain, kLoopback));
+        fmt::format("Fast DDS cannot join domain {}: is another program on its ports?", domain));
   }
   publisher_ = participant_->create_publisher(api::PUBLISHER_QOS_DEFAULT);
   subscriber_ = participant_->create_subscriber(api::SUBSCRIBER_QOS_DEFAULT);

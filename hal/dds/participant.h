@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "hal/dds/fastdds.h"
 #include "hal/types/time.h"
@@ -17,6 +18,13 @@ class Participant {
   /// @throws std::runtime_error  if DDS cannot be opened, e.g. because the port is taken.
   static Participant server(int domain, int place);
   static Participant controller(int domain);
+  /// Outside the star: ordinary discovery by multicast, for standard tools.
+  /// @param addresses  IPv4, of the interfaces to use.  @param name  for people.
+  /// @param listener  hears of the endpoints of others; may be null.
+  /// @throws std::runtime_error
+  static Participant inspection(int domain, const std::vector<std::string>& addresses,
+                                const std::string& name,
+                                api::DomainParticipantListener* listener = nullptr);
   ~Participant();
   Participant(Participant&& other) noexcept;
   Participant(const Participant&) = delete;
@@ -32,7 +40,8 @@ class Participant {
   api::Subscriber& subscriber() { return *subscriber_; }
 
  private:
-  Participant(int domain, const api::DomainParticipantQos& qos);
+  Participant(int domain, const api::DomainParticipantQos& qos,
+              api::DomainParticipantListener* listener = nullptr);
 
   api::DomainParticipant* participant_;
   api::Publisher* publisher_;

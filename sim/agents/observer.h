@@ -7,6 +7,7 @@
 
 #include "hal/exchange/step.h"
 #include "hal/types/agent_id.h"
+#include "hal/types/geometry.h"
 #include "hal/types/message.h"
 #include "hal/types/route.h"
 #include "hal/types/time.h"
@@ -50,6 +51,12 @@ class Observer : public radio::RadioObserver {
   /// At each control instant of an agent.
   virtual void on_body(hal::Time at, hal::AgentId agent, const BodyState& body) {
     (void)at, (void)agent, (void)body;
+  }
+  /// What a robot's own wheels tell, at each control instant: m, rad since the start; m/s, rad/s in
+  /// the body's frame.
+  virtual void on_odometry(hal::Time at, hal::AgentId agent, const hal::Pose2& pose,
+                           const hal::Twist2& twist) {
+    (void)at, (void)agent, (void)pose, (void)twist;
   }
   /// A body tipped over or got lost; once per body, after the physics step.
   virtual void on_body_lost(const physics::LostBody& lost) { (void)lost; }

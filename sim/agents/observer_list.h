@@ -32,6 +32,10 @@ class ObserverList final : public Observer {
   void on_body(hal::Time at, hal::AgentId agent, const BodyState& body) override {
     for (Observer* o : observers_) o->on_body(at, agent, body);
   }
+  void on_odometry(hal::Time at, hal::AgentId agent, const hal::Pose2& pose,
+                   const hal::Twist2& twist) override {
+    for (Observer* o : observers_) o->on_odometry(at, agent, pose, twist);
+  }
   void on_body_lost(const physics::LostBody& lost) override {
     for (Observer* o : observers_) o->on_body_lost(lost);
   }

@@ -70,6 +70,7 @@ void SimulatedAgent::start() {
 void SimulatedAgent::on_control() {
   const hal::Time now = surroundings_.events.now();
   surroundings_.observer.on_body(now, id(), surroundings_.scene.body(id()));
+  observe(now);
   if (!silent_) {
     Event control = event(Cause::kControl);
     sample(control);

@@ -89,7 +89,9 @@ class SimulatedAgent : public hal::routing::Application, public hal::routing::Ro
   Surroundings& surroundings() { return surroundings_; }
   bool wants_channel(std::string_view channel) const;
 
-  /// Adds the readings of this control instant that the controller asked for.
+  /// Reads, at each control instant, what is to be read whether or not the controller asks.
+  virtual void observe(hal::Time now) { (void)now; }
+  /// Adds the readings of this control instant that the controller asked for. After observe().
   virtual void sample(hal::exchange::Event& event);
   /// Errors: kInvalidArgument (no wheels; NaN; beyond a limit).
   virtual hal::Result<void> drive(const hal::exchange::Action& action);

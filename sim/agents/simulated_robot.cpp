@@ -61,11 +61,15 @@ void SimulatedRobot::sample(Event& event) {
   if (wants_channel("infrared") || wants_channel("infrared_volts")) sample_infrared(event);
 }
 
-void SimulatedRobot::sample_odometry(Event& event) {
-  if (event.time > odometry_at_) {
-    odometry_.update(surroundings().world.wheel_angles(id()), event.time - odometry_at_);
+void SimulatedRobot::observe(hal::Time now) {
+  if (now > odometry_at_) {
+    odometry_.update(surroundings().world.wheel_angles(id()), now - odometry_at_);
   }
-  odometry_at_ = event.time;
+  odometry_at_ = now;
+  surroundings().observer.on_odometry(now, id(), odometry_.pose(), odometry_.twist());
+}
+
+void SimulatedRobot::sample_odometry(Event& event) {
   const hal::Pose2& pose = odometry_.pose();
   const hal::Twist2& twist = odometry_.twist();
   event.readings.push_back(

@@ -21,6 +21,7 @@ class SimulatedRobot final : public SimulatedAgent {
   static constexpr std::uint16_t kInfrared = kFirstDeviceChannel + 1;
   static constexpr std::uint16_t kInfraredVolts = kFirstDeviceChannel + 2;
 
+  void observe(hal::Time now) override;
   void sample(hal::exchange::Event& event) override;
   hal::Result<void> drive(const hal::exchange::Action& action) override;
   void halt() override;

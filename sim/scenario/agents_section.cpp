@@ -8,8 +8,8 @@
 #include <span>
 
 #include "hal/config/suggest.h"
+#include "hal/description/body_section.h"
 #include "hal/types/check.h"
-#include "sim/scenario/body_section.h"
 #include "sim/scenario/controller_section.h"
 #include "sim/scenario/fields.h"
 #include "sim/scenario/placement.h"
@@ -19,6 +19,10 @@ namespace {
 
 using agents::AgentConfig;
 using hal::AgentId;
+using hal::description::read_mote;
+using hal::description::read_robot;
+using hal::description::write_mote;
+using hal::description::write_robot;
 using hal::devices::MoteDescription;
 using hal::devices::RobotDescription;
 using hal::devices::WheelLevel;

@@ -1,16 +1,6 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
-
-#include "hal/config/mapping.h"
-#include "hal/config/writer.h"
-#include "hal/types/quantity.h"
-#include "hal/types/time.h"
+#include "hal/description/fields.h"
 
 namespace sim::scenario {
 
@@ -19,100 +9,7 @@ using hal::config::Mapping;
 using hal::config::Option;
 using hal::config::Range;
 using hal::config::Writer;
-
-/// Reads the fields of a struct from a mapping; what is absent keeps its value. The struct's keys,
-/// units and limits stand once, in a template over FieldReader and FieldWriter, so that what is
-/// written can be read.
-class FieldReader {
- public:
-  explicit FieldReader(Mapping& in) : in_(in) {}
-
-  void number(const std::string& key, std::string_view unit, Range range, double& value) {
-    value = in_.number(key, unit, range, value);
-  }
-  /// Must be there.
-  void needed(const std::string& key, std::string_view unit, Range range, double& value) {
-    value = in_.number(key, unit, range);
-  }
-  /// A hal::Quantity or a hal::Dbm.
-  template <class Q>
-  void quantity(const std::string& key, std::string_view unit, Range range, Q& value) {
-    value = Q{in_.number(key, unit, range, value.value)};
-  }
-  /// "none" gives nothing.
-  template <class Q>
-  void optional(const std::string& key, std::string_view unit, double low,
-                std::optional<Q>& value) {
-    const double absent = kUnlimited;
-    const double given = in_.number(key, unit, {low, kUnlimited}, value ? value->value : absent);
-    value = given == absent ? std::nullopt : std::optional<Q>{given};
-  }
-  template <class Integer>
-  void count(const std::string& key, std::int64_t low, std::int64_t high, Integer& value) {
-    value = static_cast<Integer>(in_.integer(key, low, high, static_cast<std::int64_t>(value)));
-  }
-  void duration(const std::string& key, Range seconds, hal::Duration& value) {
-    value = in_.duration(key, seconds, value);
-  }
-  void optional_duration(const std::string& key, double low, std::optional<hal::Duration>& value) {
-    value = in_.optional_duration(key, low, value);
-  }
-  void flag(const std::string& key, bool& value) { value = in_.flag(key, value); }
-  template <class E, std::size_t kSize>
-  void choice(const std::string& key, const std::array<Option<E>, kSize>& options, E& value) {
-    value = in_.choice(key, options, value);
-  }
-  /// A key that has no meaning here.
-  void unused(const std::string& key, const std::string& why) { in_.refuse(key, why); }
-
- private:
-  Mapping& in_;
-};
-
-/// Writes the same fields.
-class FieldWriter {
- public:
-  explicit FieldWriter(Writer& out) : out_(out) {}
-
-  void number(const std::string& key, std::string_view unit, Range, double value) {
-    out_.number(key, value, unit);
-  }
-  void needed(const std::string& key, std::string_view unit, Range, double value) {
-    out_.number(key, value, unit);
-  }
-  template <class Q>
-  void quantity(const std::string& key, std::string_view unit, Range, const Q& value) {
-    out_.number(key, value.value, unit);
-  }
-  template <class Q>
-  void optional(const std::string& key, std::string_view unit, double,
-                const std::optional<Q>& value) {
-    out_.number(key, value ? value->value : kUnlimited, unit);
-  }
-  template <class Integer>
-  void count(const std::string& key, std::int64_t, std::int64_t, Integer value) {
-    out_.integer(key, static_cast<std::int64_t>(value));
-  }
-  void duration(const std::string& key, Range, hal::Duration value) { out_.duration(key, value); }
-  void optional_duration(const std::string& key, double,
-                         const std::optional<hal::Duration>& value) {
-    if (value) {
-      out_.duration(key, *value);
-    } else {
-      out_.text(key, "none");
-    }
-  }
-  void flag(const std::string& key, bool value) { out_.flag(key, value); }
-  template <class E, std::size_t kSize>
-  void choice(const std::string& key, const std::array<Option<E>, kSize>& options, E value) {
-    for (const Option<E>& option : options) {
-      if (option.value == value) out_.text(key, option.name);
-    }
-  }
-  void unused(const std::string&, const std::string&) {}
-
- private:
-  Writer& out_;
-};
+using hal::description::FieldReader;
+using hal::description::FieldWriter;
 
 }  // namespace sim::scenario

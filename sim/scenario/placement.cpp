@@ -2,8 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
+#include "hal/description/names.h"
 #include "sim/scenario/fields.h"
 
 namespace sim::scenario {
@@ -31,15 +30,6 @@ std::vector<hal::Pose2> read_grid(Mapping in) {
   return poses;
 }
 
-bool may_be_named(std::string_view name) {
-  const auto is_letter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
-  const auto may_follow = [&](char c) {
-    return is_letter(c) || (c >= '0' && c <= '9') || c == '_' || c == '-';
-  };
-  return !name.empty() && is_letter(name.front()) &&
-         std::all_of(name.begin(), name.end(), may_follow);
-}
-
 }  // namespace
 
 std::vector<hal::Pose2> read_poses(Mapping& in) {
@@ -62,7 +52,7 @@ std::vector<std::string> read_names(Mapping& in, const std::string& group, std::
   const std::size_t hole = pattern.find("{}");
   std::string letters = pattern;
   if (hole != std::string::npos) letters.erase(hole, 2);
-  if (!may_be_named(letters)) {
+  if (!hal::description::may_be_named(letters)) {
     in.mistake("name", fmt::format("'{}' must be letters, digits, '_' and '-' after a letter, with "
                                    "{{}} for a number",
                                    pattern));

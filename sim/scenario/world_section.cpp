@@ -7,8 +7,6 @@
 namespace sim::scenario {
 namespace {
 
-using agents::LinkKind;
-using hal::routing::RoutingConfig;
 using physics::StaticBox;
 using physics::WorldConfig;
 
@@ -52,36 +50,6 @@ void write_box(Writer& out, const StaticBox& box) {
   out.close();
 }
 
-/// How the router finds out for itself whether a hop works.
-template <class Io>
-void hop_keys(Io& io, RoutingConfig& c, LinkKind link) {
-  if (link == LinkKind::kMac) {
-    for (const char* key : {"ack_timeout", "ack_attempts", "hello_period", "hello_limit"}) {
-      io.unused(key, "is not used with 'link: mac', which reports what becomes of each frame");
-    }
-    return;
-  }
-  io.duration("ack_timeout", {1e-4, 10}, c.ack_timeout);
-  io.count("ack_attempts", 1, 16, c.ack_attempts);
-  io.duration("hello_period", {1e-3, 3600}, c.hello_period);
-  io.count("hello_limit", 1, 100, c.hello_limit);
-}
-
-template <class Io>
-void routing_keys(Io& io, RoutingConfig& c, LinkKind link) {
-  io.number("beta", "1", {1, 100}, c.beta);
-  io.number("direct_weight", "1", {1, 1e12}, c.direct_weight);
-  io.duration("jitter_max", {0, 10}, c.jitter_max);
-  io.duration("retry_period", {1e-3, 3600}, c.retry_period);
-  io.count("retries", 1, 100, c.retries);
-  io.number("acceptance", "1", {1, 100}, c.acceptance);
-  io.flag("accept_anywhere", c.accept_anywhere);
-  io.count("hop_limit", 1, 100, c.hop_limit);
-  io.count("buffer_limit", 0, 1'000'000, c.buffer_limit);
-  io.duration("buffer_age", {1e-3, 3600}, c.buffer_age);
-  hop_keys(io, c, link);
-}
-
 }  // namespace
 
 void read_world(Mapping in, agents::SimulationConfig& config) {
@@ -108,22 +76,6 @@ void write_world(Writer& out, const agents::SimulationConfig& config) {
   out.open_list("walls");
   for (const StaticBox& box : config.walls) write_box(out, box);
   out.close();
-  out.close();
-}
-
-RoutingConfig read_routing(Mapping in, LinkKind link) {
-  RoutingConfig config;
-  FieldReader reader(in);
-  routing_keys(reader, config, link);
-  in.finish();
-  return config;
-}
-
-void write_routing(Writer& out, const RoutingConfig& config, LinkKind link) {
-  RoutingConfig copy = config;
-  FieldWriter writer(out);
-  out.open("routing");
-  routing_keys(writer, copy, link);
   out.close();
 }
 

@@ -2,7 +2,7 @@
 
 #include "hal/config/mapping.h"
 #include "hal/config/writer.h"
-#include "hal/routing/routing_config.h"
+#include "hal/description/routing_section.h"
 #include "sim/agents/simulation_config.h"
 
 namespace sim::scenario {
@@ -11,10 +11,14 @@ namespace sim::scenario {
 void read_world(hal::config::Mapping in, agents::SimulationConfig& config);
 void write_world(hal::config::Writer& out, const agents::SimulationConfig& config);
 
-/// `routing:`. Acknowledgement and hello keys only if the link has no transmit status.
-hal::routing::RoutingConfig read_routing(hal::config::Mapping in, agents::LinkKind link);
-void write_routing(hal::config::Writer& out, const hal::routing::RoutingConfig& config,
-                   agents::LinkKind link);
+using hal::description::read_routing;
+using hal::description::write_routing;
+
+/// Whether that link reports the status of transmissions.
+inline hal::description::TransmitStatus transmit_status(agents::LinkKind link) {
+  using hal::description::TransmitStatus;
+  return link == agents::LinkKind::kMac ? TransmitStatus::kReported : TransmitStatus::kNone;
+}
 
 /// `localisation:`.
 agents::LocalisationConfig read_localisation(hal::config::Mapping in);

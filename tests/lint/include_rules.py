@@ -16,6 +16,9 @@ MAY_INCLUDE = {
     "hal/exchange": ["hal/types"],
     "hal/runtime": ["hal/exchange", "hal/api", "hal/types", "hal/config"],
     "hal/routing": ["hal/types"],
+    "hal/description": ["hal/config", "hal/devices", "hal/routing", "hal/types"],
+    "hal/hardware": ["hal/description", "hal/exchange", "hal/routing", "hal/devices", "hal/config",
+                     "hal/types"],
     "hal/dds": ["hal/exchange", "hal/runtime", "hal/types", "idl"],
     "controllers": ["hal/api", "hal/types"],
     "sim/core": ["hal/types"],
@@ -26,8 +29,8 @@ MAY_INCLUDE = {
                    "hal/exchange", "hal/routing", "hal/devices", "hal/types"],
     "sim/record": ["sim/core", "sim/physics", "sim/radio", "sim/agents",
                    "hal/exchange", "hal/routing", "hal/types"],
-    "sim/scenario": ["sim", "hal/config", "hal/devices", "hal/routing", "hal/exchange",
-                     "hal/types"],
+    "sim/scenario": ["sim", "hal/config", "hal/description", "hal/devices", "hal/routing",
+                     "hal/exchange", "hal/types"],
     "gateway/app": ["hal", "sim", "gateway"],
     "gateway": ["hal/exchange", "hal/dds", "hal/types"],
     "tests": ["hal", "sim", "gateway", "controllers", "idl"],
@@ -48,6 +51,7 @@ ONLY_IN = {
     "Eigen/": ["sim/physics", "sim/sensing", "sim/agents"],
     "sqlite3": ["sim/record"],
     "nlohmann/": ["sim/record"],
+    "httplib": ["hal/hardware"],
 }
 GENERATED = re.compile(r"^\w+(PubSubTypes)?\.h$")  # of idl/: "exchange.h", "exchangePubSubTypes.h"
 

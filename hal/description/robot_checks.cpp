@@ -1,4 +1,4 @@
-#include "sim/scenario/robot_checks.h"
+#include "hal/description/robot_checks.h"
 
 #include <fmt/format.h>
 
@@ -11,14 +11,13 @@
 #include "hal/devices/wheel_drive.h"
 #include "hal/types/math.h"
 
-namespace sim::scenario {
+namespace hal::description {
 namespace {
 
-using hal::Vec2;
-using hal::config::Mapping;
-using hal::devices::BodyBox;
-using hal::devices::BodyCylinder;
-using hal::devices::RobotDescription;
+using config::Mapping;
+using devices::BodyBox;
+using devices::BodyCylinder;
+using devices::RobotDescription;
 
 /// A sensor flush with the surface may be this deep inside by rounding of the file's numbers, m.
 constexpr double kFlush = 1e-3;
@@ -42,18 +41,18 @@ bool carry(const RobotDescription& robot, Vec2 point) {
   std::vector<double> bearings;
   for (const auto& wheel : robot.wheels) {
     const Vec2 to = wheel.position - point;
-    bearings.push_back(hal::math::atan2(to.y, to.x));
+    bearings.push_back(math::atan2(to.y, to.x));
   }
   std::sort(bearings.begin(), bearings.end());
-  double gap = bearings.front() + 2 * hal::math::kPi - bearings.back();
+  double gap = bearings.front() + 2 * math::kPi - bearings.back();
   for (std::size_t i = 1; i < bearings.size(); ++i)
     gap = std::max(gap, bearings[i] - bearings[i - 1]);
-  return gap < hal::math::kPi;
+  return gap < math::kPi;
 }
 
 void check_wheels(Mapping wheels, const RobotDescription& robot) {
   try {
-    const hal::devices::WheelDrive drive(robot.wheels);
+    const devices::WheelDrive drive(robot.wheels);
   } catch (const std::invalid_argument& error) {
     wheels.mistake("joints", error.what());
   }
@@ -64,23 +63,23 @@ void check_wheels(Mapping wheels, const RobotDescription& robot) {
                                        centre.x, centre.y));
 }
 
-bool contains(const BodyCylinder& part, const hal::Vec3& point) {
+bool contains(const BodyCylinder& part, const Vec3& point) {
   const Vec2 to{point.x - part.centre.x, point.y - part.centre.y};
   const double inner = part.radius - kFlush;
   return inner > 0 && dot(to, to) < inner * inner && point.z > part.z_bottom + kFlush &&
          point.z < part.z_top - kFlush;
 }
 
-bool contains(const BodyBox& part, const hal::Vec3& point) {
-  const hal::Vec3 to = point - part.centre;
-  const double c = hal::math::cos(part.yaw);
-  const double s = hal::math::sin(part.yaw);
+bool contains(const BodyBox& part, const Vec3& point) {
+  const Vec3 to = point - part.centre;
+  const double c = math::cos(part.yaw);
+  const double s = math::sin(part.yaw);
   return std::abs(c * to.x + s * to.y) < part.size.x / 2 - kFlush &&
          std::abs(c * to.y - s * to.x) < part.size.y / 2 - kFlush &&
          std::abs(to.z) < part.size.z / 2 - kFlush;
 }
 
-bool is_inside(const RobotDescription& robot, const hal::Vec3& point) {
+bool is_inside(const RobotDescription& robot, const Vec3& point) {
   const auto holds = [&](const auto& part) { return contains(part, point); };
   return std::any_of(robot.cylinders.begin(), robot.cylinders.end(), holds) ||
          std::any_of(robot.boxes.begin(), robot.boxes.end(), holds);
@@ -104,4 +103,4 @@ void check_robot(Mapping& in, const RobotDescription& robot) {
   check_sensors(in.mapping("infrared"), robot);
 }
 
-}  // namespace sim::scenario
+}  // namespace hal::description

@@ -7,22 +7,21 @@
 #include "hal/config/writer.h"
 #include "hal/devices/robot_description.h"
 
-namespace sim::scenario {
+namespace hal::description {
 
 /// Where a part sits on the body and which way it points.
 struct Mounting {
-  hal::Vec2 position;  ///< m, body frame
+  Vec2 position;       ///< m, body frame
   double heading = 0;  ///< rad, body frame
 };
 
 /// `position: [x, y]`, or `distance` and `bearing` from the body's origin.
 /// @param heading_key  key of the heading; absent: the bearing of the position.
-Mounting read_mounting(hal::config::Mapping& in, const std::string& heading_key);
+Mounting read_mounting(config::Mapping& in, const std::string& heading_key);
 
 /// `infrared:` of a robot: `sensor`, what all have in common, and `mounts`, one per sensor, which
 /// may deviate.
-std::vector<hal::devices::InfraredSensor> read_infrared(hal::config::Mapping in);
-void write_infrared(hal::config::Writer& out,
-                    const std::vector<hal::devices::InfraredSensor>& sensors);
+std::vector<devices::InfraredSensor> read_infrared(config::Mapping in);
+void write_infrared(config::Writer& out, const std::vector<devices::InfraredSensor>& sensors);
 
-}  // namespace sim::scenario
+}  // namespace hal::description

@@ -1,17 +1,17 @@
-#include "sim/scenario/infrared_section.h"
+#include "hal/description/infrared_section.h"
 
 #include <stdexcept>
 
+#include "hal/description/fields.h"
 #include "hal/types/math.h"
-#include "sim/scenario/fields.h"
 
-namespace sim::scenario {
+namespace hal::description {
 namespace {
 
-using hal::devices::Converter;
-using hal::devices::CurvePoint;
-using hal::devices::InfraredCurve;
-using hal::devices::InfraredSensor;
+using devices::Converter;
+using devices::CurvePoint;
+using devices::InfraredCurve;
+using devices::InfraredSensor;
 
 constexpr Range kOffset{-10, 10};  // m, from the body's origin
 constexpr Range kAngle{-10, 10};   // rad, more than a full turn either way
@@ -104,11 +104,11 @@ Mounting read_mounting(Mapping& in, const std::string& heading_key) {
   if (polar) {
     const double distance = in.number("distance", "m", {0, kOffset.high});
     bearing = in.number("bearing", "rad", kAngle);
-    mounting.position = {distance * hal::math::cos(bearing), distance * hal::math::sin(bearing)};
+    mounting.position = {distance * math::cos(bearing), distance * math::sin(bearing)};
     in.refuse("position", "is given twice: also by distance and bearing");
   } else {
     mounting.position = in.vec2("position", "m", kOffset);
-    bearing = hal::math::atan2(mounting.position.y, mounting.position.x);
+    bearing = math::atan2(mounting.position.y, mounting.position.x);
   }
   mounting.heading = in.number(heading_key, "rad", kAngle, bearing);
   return mounting;
@@ -142,4 +142,4 @@ void write_infrared(Writer& out, const std::vector<InfraredSensor>& sensors) {
   out.close();
 }
 
-}  // namespace sim::scenario
+}  // namespace hal::description

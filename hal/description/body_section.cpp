@@ -1,19 +1,19 @@
-#include "sim/scenario/body_section.h"
+#include "hal/description/body_section.h"
 
+#include "hal/description/fields.h"
+#include "hal/description/infrared_section.h"
+#include "hal/description/robot_checks.h"
 #include "hal/types/math.h"
-#include "sim/scenario/fields.h"
-#include "sim/scenario/infrared_section.h"
-#include "sim/scenario/robot_checks.h"
 
-namespace sim::scenario {
+namespace hal::description {
 namespace {
 
-using hal::devices::AccelerationLimits;
-using hal::devices::BodyBox;
-using hal::devices::BodyCylinder;
-using hal::devices::MoteDescription;
-using hal::devices::RobotDescription;
-using hal::devices::Wheel;
+using devices::AccelerationLimits;
+using devices::BodyBox;
+using devices::BodyCylinder;
+using devices::MoteDescription;
+using devices::RobotDescription;
+using devices::Wheel;
 
 constexpr Range kSize{1e-3, 10};   // m
 constexpr Range kHeight{0, 10};    // m, above the ground
@@ -236,4 +236,4 @@ void write_mote(Writer& out, const MoteDescription& mote) {
   out.close();
 }
 
-}  // namespace sim::scenario
+}  // namespace hal::description

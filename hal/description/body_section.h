@@ -4,15 +4,15 @@
 #include "hal/config/writer.h"
 #include "hal/devices/robot_description.h"
 
-namespace sim::scenario {
+namespace hal::description {
 
 /// A robot file, or `robot:` of a group of agents. Parts have the names of SDF and URDF: the `link`
 /// with its `collision` shapes and their `mass`, the wheels' `joints` with `axis` and `limit`.
-hal::devices::RobotDescription read_robot(hal::config::Mapping in);
-void write_robot(hal::config::Writer& out, const hal::devices::RobotDescription& robot);
+devices::RobotDescription read_robot(config::Mapping in);
+void write_robot(config::Writer& out, const devices::RobotDescription& robot);
 
 /// A mote file, or `mote:` of a group of agents.
-hal::devices::MoteDescription read_mote(hal::config::Mapping in);
-void write_mote(hal::config::Writer& out, const hal::devices::MoteDescription& mote);
+devices::MoteDescription read_mote(config::Mapping in);
+void write_mote(config::Writer& out, const devices::MoteDescription& mote);
 
-}  // namespace sim::scenario
+}  // namespace hal::description

@@ -1,0 +1,209 @@
+#include "gateway/app/agentd.h"
+
+#include <fmt/format.h>
+
+#include <csignal>
+#include <cstdio>
+#include <memory>
+#include <random>
+#include <utility>
+#include <variant>
+
+#include "gateway/app/agentd_inspection.h"
+#include "gateway/app/exit_status.h"
+#include "gateway/app/service_notice.h"
+#include "gateway/app/teleop_port.h"
+#include "gateway/server.h"
+#include "hal/dds/emergency_stop_reader.h"
+#include "hal/hardware/hardware_agent.h"
+#include "hal/hardware/loop_watch.h"
+#include "hal/types/log.h"
+
+namespace gateway::app {
+namespace {
+
+using namespace std::chrono_literals;
+using hal::hardware::EventLoop;
+using hal::hardware::RobotFile;
+
+constexpr std::uint64_t kOnlyRun = 1;
+/// How long the wheels may take to confirm that they stand, and then the controller to say goodbye.
+constexpr hal::Duration kStopPatience = 500ms, kFarewell = 1s;
+/// How often a controller on another host is checked for being silent: it has no descriptor.
+constexpr hal::Duration kAttendEvery = 200ms;
+
+RobotFile load(const AgentdOptions& options) {
+  RobotFile file = RobotFile::load(options.file, options.overrides);
+  // Others remember the numbers of this node's packets for a while, also when it restarts.
+  file.routing.first_sequence = std::random_device{}() >> 1U;
+  return file;
+}
+
+/// Everything of one agent, in the order in which it has to be made. What holds threads comes after
+/// the loop has taken the signals.
+class Agentd {
+ public:
+  explicit Agentd(const AgentdOptions& options);
+  ~Agentd() { let_go_of_watches(); }
+  Agentd(const Agentd&) = delete;
+  Agentd& operator=(const Agentd&) = delete;
+
+  int run();
+
+ private:
+  std::unique_ptr<hal::hardware::PoseSource> make_pose_source();
+  hal::hardware::Devices devices() const { return {wheels_.get(), infrared_.get(), pose_.get()}; }
+  bool is_teleoperated() const { return file_.program == kTeleop; }
+
+  void on_signal(int signal);
+  void attend();
+  void let_go_of_watches();
+  void beat();
+  void stop();
+  void print_summary() const;
+
+  RobotFile file_;
+  int domain_;
+  EventLoop loop_;
+  bool taking_signals_;
+  hal::dds::InspectionParticipant participant_;
+  std::unique_ptr<hal::hardware::WheelDriver> wheels_;
+  std::unique_ptr<hal::hardware::InfraredDriver> infrared_;
+  std::unique_ptr<hal::hardware::PoseSource> pose_;
+  hal::hardware::UdpLink link_;
+  AgentInspection inspection_;
+  hal::hardware::HardwareAgent agent_;
+  std::optional<hal::hardware::LoopWatch> loop_watch_;  ///< None without wheels.
+  hal::dds::EmergencyStopReader emergency_stop_;
+  AgentServer server_;
+  std::vector<EventLoop::Watch> watches_;  ///< Of the server's descriptors.
+  int signals_to_end_ = 0;
+};
+
+Agentd::Agentd(const AgentdOptions& options)
+    : file_(load(options)),
+      domain_(options.domain ? *options.domain : hal::dds::default_domain()),
+      taking_signals_([this] {
+        loop_.on_signals({SIGTERM, SIGINT, SIGUSR1, SIGUSR2}, [this](int s) { on_signal(s); });
+        return true;
+      }()),
+      participant_({.domain = options.inspect_domain.value_or(domain_),
+                    .addresses = {options.inspect_address},
+                    .name = "baraka-agentd " + file_.name}),
+      wheels_(hal::hardware::make_wheels(file_)),
+      infrared_(hal::hardware::make_infrared(file_)),
+      pose_(make_pose_source()),
+      link_({.self = file_.address,
+             .interface = file_.radio.interface,
+             .address = file_.radio.address,
+             .port = file_.radio.port,
+             .bit_rate = file_.radio.bit_rate,
+             .power = file_.radio.power},
+            loop_),
+      inspection_(file_),
+      agent_(file_, {loop_, link_, devices(), inspection_}),
+      emergency_stop_(participant_, file_.name,
+                      [this](bool stop) { agent_.set_emergency_stop(stop); }),
+      server_(hal::dds::join_domain(domain_), agent_,
+              {.run = kOnlyRun, .reply_timeout = {}, .attendance = Attendance::kAnyTime}) {
+  if (wheels_) loop_watch_.emplace(loop_, *wheels_, file_.command_timeout);
+  if (options.shown) inspection_.start(participant_);
+  if (!is_teleoperated()) return;
+  hal::Wants wants;
+  if (infrared_) wants.channels.emplace_back("infrared");
+  agent_.connect(std::make_shared<TeleopPort>(participant_, file_.name, file_.command_timeout),
+                 {file_.address}, wants);
+}
+
+std::unique_ptr<hal::hardware::PoseSource> Agentd::make_pose_source() {
+  if (const auto* topic =
+          std::get_if<hal::hardware::PoseTopicSettings>(&file_.localisation.source)) {
+    return std::make_unique<TopicPose>(participant_, topic->topic);
+  }
+  return hal::hardware::make_static_pose(file_);
+}
+
+int Agentd::run() {
+  attend();
+  if (watchdog_period()) beat();
+  fmt::print("ready: {} ({}, address {}), radio {}, domain {}\n", file_.name,
+             file_.robot ? "robot" : "mote", file_.address.value, link_.own_address(), domain_);
+  std::fflush(stdout);
+  notify_service_manager("READY=1");
+  loop_.run();
+  print_summary();
+  return kDone;
+}
+
+void Agentd::on_signal(int signal) {
+  if (signal == SIGUSR1) return agent_.set_emergency_stop(true);
+  if (signal == SIGUSR2) return agent_.set_emergency_stop(false);
+  if (++signals_to_end_ > 1) return loop_.stop();
+  stop();
+}
+
+/// The wheels first. Then the controller may say goodbye.
+void Agentd::stop() {
+  agent_.stop();
+  if (wheels_) {
+    if (const auto stopped = wheels_->stop_and_wait(kStopPatience); !stopped) {
+      hal::log::warning(loop_.now(), file_.name, "the wheels did not confirm that they stand: {}",
+                        stopped.error().message);
+    }
+  }
+  notify_service_manager("STOPPING=1");
+  const hal::Time deadline = loop_.now() + kFarewell;
+  const auto look = [this, deadline](const auto& again) -> void {
+    if (agent_.is_over() || loop_.now() >= deadline) return loop_.stop();
+    loop_.schedule(loop_.now() + 5ms, [again] { again(again); });
+  };
+  look(look);
+}
+
+/// The descriptors change with the controllers, so they are watched anew each time.
+void Agentd::attend() {
+  let_go_of_watches();
+  server_.attend(loop_.now());
+  for (const int descriptor : server_.descriptors()) {
+    if (descriptor >= 0) watches_.push_back(loop_.watch(descriptor, [this] { attend(); }));
+  }
+}
+
+void Agentd::let_go_of_watches() {
+  for (const EventLoop::Watch watch : std::exchange(watches_, {})) loop_.unwatch(watch);
+}
+
+void Agentd::beat() {
+  notify_service_manager("WATCHDOG=1");
+  loop_.schedule(loop_.now() + *watchdog_period(), [this] { beat(); });
+}
+
+void Agentd::print_summary() const {
+  const hal::hardware::AgentCounts agent = agent_.counts();
+  const hal::hardware::LinkCounts& link = link_.counts();
+  fmt::print("uptime_s: {:.3f}\ncontrollers: {}\nsteps: {}\nevents: {}\nactions: {}\n",
+             hal::to_seconds(loop_.now()), agent.controllers, agent.steps, agent.events,
+             agent.actions);
+  fmt::print("refused_actions: {}\noverruns: {}\nmissed_cycles: {}\noverflow: {}\n",
+             agent.refused_actions, agent.overruns, agent.missed_cycles, agent.overflow);
+  fmt::print("latest_cycle_ms: {:.3f}\n", 1e3 * hal::to_seconds(agent.latest_cycle));
+  if (const auto* guard = agent_.guard()) {
+    const auto& counts = guard->counts();
+    fmt::print("commands_limited: {}\nemergency_refused: {}\nblind_refused: {}\nsilences: {}\n",
+               counts.limited, counts.stopped, counts.blind, counts.silences);
+  }
+  if (loop_watch_) fmt::print("hangs: {}\n", loop_watch_->hangs());
+  fmt::print("frames_sent: {}\nframes_received: {}\nframes_not_sent: {}\n", link.sent,
+             link.received, link.not_sent + link.unknown_neighbour);
+  fmt::print("datagrams_malformed: {}\ndatagrams_foreign: {}\nframes_malformed: {}\n",
+             link.malformed, link.foreign + link.address_clashes, agent_.malformed_frames());
+  for (const std::string& line : complaints(server_.summary())) {
+    fmt::print(stderr, "warning: {}\n", line);
+  }
+}
+
+}  // namespace
+
+int serve(const AgentdOptions& options) { return Agentd(options).run(); }
+
+}  // namespace gateway::app

@@ -1,0 +1,90 @@
+#include "gateway/app/agentd_inspection.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+namespace gateway::app {
+namespace {
+
+using hal::dds::Inspector;
+using Topic = hal::dds::Inspector::Topic;
+
+hal::dds::InspectedRobot describe(const hal::hardware::RobotFile& file) {
+  hal::dds::InspectedRobot described{.name = file.name, .start = std::nullopt, .ranges = {}};
+  for (const hal::devices::InfraredSensor& sensor : file.robot->infrared) {
+    described.ranges.push_back({.name = fmt::format("infrared_{}", described.ranges.size()),
+                                .field_of_view = 2 * sensor.half_angle,
+                                .min_range = sensor.curve.min_range(),
+                                .max_range = sensor.curve.max_range(),
+                                .position = sensor.position,
+                                .heading = sensor.heading});
+  }
+  return described;
+}
+
+}  // namespace
+
+TopicPose::TopicPose(hal::dds::InspectionParticipant& participant, const std::string& topic)
+    : reader_(participant, topic, [this](const hal::dds::OutsidePose& outside) {
+        const std::lock_guard lock(mutex_);
+        fix_ = {outside.pose, std::chrono::steady_clock::now()};
+      }) {}
+
+hal::Result<hal::hardware::PoseFix> TopicPose::pose() const {
+  const std::lock_guard lock(mutex_);
+  if (fix_) return *fix_;
+  return hal::fail(hal::Errc::kNotAvailable, "no pose has come in yet");
+}
+
+void AgentInspection::start(hal::dds::InspectionParticipant& participant) {
+  std::vector<hal::dds::InspectedRobot> robots;
+  if (is_robot()) robots.push_back(describe(file_));
+  inspector_ = std::make_unique<Inspector>(participant, robots);
+}
+
+std::string AgentInspection::name_of(hal::AgentId agent) const {
+  if (agent == hal::kEveryone) return "everyone";
+  if (agent == file_.address) return file_.name;
+  const auto& map = file_.localisation.map;
+  const auto known = std::ranges::find(map, agent, &hal::hardware::Landmark::agent);
+  return known == map.end() ? fmt::format("agent {}", agent.value) : known->name;
+}
+
+void AgentInspection::on_cycle(hal::Time at) {
+  if (inspector_) inspector_->publish_clock(at);
+}
+
+void AgentInspection::on_pose(hal::Time at, const hal::Pose2& pose) {
+  if (inspector_) inspector_->publish_transform(at, file_.name, pose);
+}
+
+void AgentInspection::on_odometry(hal::Time at, const hal::Pose2& pose, const hal::Twist2& twist) {
+  if (inspector_ && is_robot()) inspector_->publish_odometry(at, 0, pose, twist);
+}
+
+void AgentInspection::on_ranges(hal::Time at, std::span<const double> metres) {
+  if (inspector_ && is_robot()) inspector_->publish_ranges(at, 0, metres);
+}
+
+void AgentInspection::on_fate(hal::Time at, hal::MessageId id, hal::Fate fate) {
+  if (!inspector_ || !inspector_->has_readers(Topic::kFates)) return;
+  inspector_->publish_fate(
+      at, {.sender = file_.name, .id = id, .node = file_.name, .fate = fate, .verdict = {}});
+}
+
+void AgentInspection::on_route_change(hal::Time at, const hal::RouteChange& change) {
+  if (!inspector_ || !inspector_->has_readers(Topic::kRoutes)) return;
+  const std::string destination = name_of(change.route.destination);
+  const std::string next_hop = name_of(change.route.next_hop);
+  inspector_->publish_route(
+      at,
+      {.agent = file_.name, .destination = destination, .next_hop = next_hop, .change = change});
+}
+
+void AgentInspection::on_state(hal::Time at, const std::string& state) {
+  if (inspector_) inspector_->publish_state(at, file_.name, state);
+}
+
+}  // namespace gateway::app

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "hal/dds/inspector.h"
+#include "hal/dds/pose_reader.h"
+#include "hal/hardware/agent_observer.h"
+#include "hal/hardware/localisation.h"
+#include "hal/hardware/robot_file.h"
+
+namespace gateway::app {
+
+/// Pose from a DDS topic.
+class TopicPose final : public hal::hardware::PoseSource {
+ public:
+  /// @param participant  outlives this object.  @throws std::runtime_error  if DDS makes no reader.
+  TopicPose(hal::dds::InspectionParticipant& participant, const std::string& topic);
+
+  hal::Result<hal::hardware::PoseFix> pose() const override;
+
+ private:
+  mutable std::mutex mutex_;  ///< Of fix_: a thread of DDS writes it.
+  std::optional<hal::hardware::PoseFix> fix_;
+  hal::dds::PoseReader reader_;
+};
+
+/// Shows a real agent to whoever reads the topics of hal::dds::Inspector.
+class AgentInspection final : public hal::hardware::AgentObserver {
+ public:
+  /// @param file  outlives this object.
+  explicit AgentInspection(const hal::hardware::RobotFile& file) : file_(file) {}
+
+  /// Before this nothing is shown. @param participant  outlives this object.
+  /// @throws std::runtime_error  if DDS makes no writer.
+  void start(hal::dds::InspectionParticipant& participant);
+
+  void on_cycle(hal::Time at) override;
+  void on_pose(hal::Time at, const hal::Pose2& pose) override;
+  void on_odometry(hal::Time at, const hal::Pose2& pose, const hal::Twist2& twist) override;
+  void on_ranges(hal::Time at, std::span<const double> metres) override;
+  void on_fate(hal::Time at, hal::MessageId id, hal::Fate fate) override;
+  void on_route_change(hal::Time at, const hal::RouteChange& change) override;
+  void on_state(hal::Time at, const std::string& state) override;
+
+ private:
+  bool is_robot() const { return file_.robot.has_value(); }
+  std::string name_of(hal::AgentId agent) const;
+
+  const hal::hardware::RobotFile& file_;
+  std::unique_ptr<hal::dds::Inspector> inspector_;  ///< Null until start().
+};
+
+}  // namespace gateway::app

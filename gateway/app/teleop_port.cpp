@@ -1,0 +1,44 @@
+#include "gateway/app/teleop_port.h"
+
+#include <utility>
+
+namespace gateway::app {
+
+using hal::exchange::Event;
+using hal::exchange::Reply;
+using hal::exchange::Step;
+
+TeleopPort::TeleopPort(hal::dds::InspectionParticipant& participant, const std::string& agent,
+                       hal::Duration command_timeout)
+    : name_(std::string(kTeleop) + " of " + agent),
+      command_timeout_(command_timeout),
+      commands_(participant, agent) {}
+
+hal::Result<void> TeleopPort::begin(const Step& step) {
+  reply_ = {.process = name_, .run = step.run, .sequence = step.sequence, .actions = {}};
+  for (std::uint32_t i = 0; i < step.events.size(); ++i) {
+    if (step.events[i].cause == hal::exchange::Cause::kControl) answer(step.events[i], i);
+  }
+  return {};
+}
+
+void TeleopPort::answer(const Event& event, std::uint32_t index) {
+  const auto command = commands_.last();
+  const bool is_new = command && command->number != obeyed_;
+  if (!is_new && !(driving_ && event.time - obeyed_at_ >= command_timeout_)) return;
+  hal::exchange::Action action;
+  action.agent = event.agent;
+  action.event = index;
+  action.kind = hal::exchange::ActionKind::kDriveBody;
+  if (is_new) {
+    action.twist = command->twist;
+    obeyed_ = command->number;
+    obeyed_at_ = event.time;
+  }
+  driving_ = is_new;
+  reply_.actions.push_back(action);
+}
+
+hal::Result<Reply> TeleopPort::finish() { return std::move(reply_); }
+
+}  // namespace gateway::app

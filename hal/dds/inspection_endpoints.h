@@ -1,0 +1,136 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "hal/dds/participant.h"
+
+namespace hal::dds {
+
+/// Whether a topic's last samples are kept for readers that come later.
+enum class Keep : std::uint8_t { kForLatecomers, kForThoseHere };
+
+/// Settings of inspection. Reliable, so that every standard reader matches; and only the last
+/// samples count, so that none makes the writer wait.
+api::DataWriterQos inspection_writer_qos(int depth, Keep keep);
+/// @param reliability  reliable readers do not match best-effort writers.
+api::DataReaderQos inspection_reader_qos(api::ReliabilityQosPolicyKind reliability, Keep keep);
+
+/// The writer of an inspection topic, the topic, a sample to fill in and the number of readers.
+/// @tparam PubSub  generated for the type of the samples.
+template <class PubSub>
+class InspectionWriter {
+ public:
+  /// @param depth  samples that are kept for a slow reader.
+  /// @param all_readers  of this and other writers; counted in.
+  /// @throws std::runtime_error
+  InspectionWriter(Participant& participant, const std::string& topic, int depth,
+                   std::atomic<int>& all_readers, Keep keep = Keep::kForThoseHere)
+      : participant_(participant),
+        readers_(all_readers),
+        topic_(participant.add_topic(topic, api::TypeSupport(new PubSub()))),
+        writer_(participant.publisher().create_datawriter(
+            topic_, inspection_writer_qos(depth, keep), &readers_,
+            api::StatusMask::publication_matched())) {
+    if (writer_ == nullptr) throw std::runtime_error("Fast DDS makes no writer of " + topic);
+  }
+  ~InspectionWriter() {
+    participant_.publisher().delete_datawriter(writer_);
+    participant_.remove_topic(topic_);
+  }
+  InspectionWriter(const InspectionWriter&) = delete;
+  InspectionWriter& operator=(const InspectionWriter&) = delete;
+
+  bool has_readers() const noexcept { return readers_.count.load(std::memory_order_relaxed) > 0; }
+  typename PubSub::type& sample() { return sample_; }
+  /// Writes sample(). One that DDS refuses is lost: inspection must not end a run.
+  void write() { writer_->write(&sample_); }
+
+ private:
+  struct Readers : api::DataWriterListener {
+    explicit Readers(std::atomic<int>& of_all) : all(of_all) {}
+    void on_publication_matched(api::DataWriter* writer,
+                                const api::PublicationMatchedStatus& status) override {
+      (void)writer;
+      count.store(status.current_count, std::memory_order_relaxed);
+      all.fetch_add(status.current_count_change, std::memory_order_relaxed);
+    }
+    std::atomic<int> count{0};
+    std::atomic<int>& all;
+  };
+
+  Participant& participant_;
+  Readers readers_;
+  typename PubSub::type sample_;
+  api::Topic* topic_;
+  api::DataWriter* writer_;
+};
+
+/// The reader of a topic of somebody else's, and the topic: hands each sample to a function.
+template <class PubSub>
+class InspectionReader {
+ public:
+  using Sample = typename PubSub::type;
+
+  /// @param topic  owned by the caller.  @param on_sample  called on a thread of DDS.
+  /// @throws std::runtime_error
+  InspectionReader(Participant& participant, api::Topic* topic, const api::DataReaderQos& qos,
+                   std::function<void(const Sample&)> on_sample)
+      : participant_(participant),
+        inbox_(std::move(on_sample)),
+        reader_(participant.subscriber().create_datareader(topic, qos, &inbox_)) {
+    if (reader_ == nullptr) {
+      throw std::runtime_error("Fast DDS makes no reader of " + topic->get_name());
+    }
+  }
+  ~InspectionReader() { participant_.subscriber().delete_datareader(reader_); }
+  InspectionReader(const InspectionReader&) = delete;
+  InspectionReader& operator=(const InspectionReader&) = delete;
+
+  int writers() const { return inbox_.writers.load(std::memory_order_relaxed); }
+
+ private:
+  struct Inbox : api::DataReaderListener {
+    explicit Inbox(std::function<void(const Sample&)> f) : on_sample(std::move(f)) {}
+    void on_data_available(api::DataReader* reader) override {
+      Sample sample;
+      api::SampleInfo info;
+      while (is_ok(reader->take_next_sample(&sample, &info))) {
+        if (info.valid_data) on_sample(sample);
+      }
+    }
+    void on_subscription_matched(api::DataReader* reader,
+                                 const api::SubscriptionMatchedStatus& status) override {
+      (void)reader;
+      writers.store(status.current_count, std::memory_order_relaxed);
+    }
+    std::function<void(const Sample&)> on_sample;
+    std::atomic<int> writers{0};
+  };
+
+  Participant& participant_;
+  Inbox inbox_;
+  api::DataReader* reader_;
+};
+
+/// A topic by itself, gone with this object.
+template <class PubSub>
+class OwnTopic {
+ public:
+  OwnTopic(Participant& participant, const std::string& name)
+      : participant_(participant),
+        topic_(participant.add_topic(name, api::TypeSupport(new PubSub()))) {}
+  ~OwnTopic() { participant_.remove_topic(topic_); }
+  OwnTopic(const OwnTopic&) = delete;
+  OwnTopic& operator=(const OwnTopic&) = delete;
+  api::Topic* get() { return topic_; }
+
+ private:
+  Participant& participant_;
+  api::Topic* topic_;
+};
+
+}  // namespace hal::dds

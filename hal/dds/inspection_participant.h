@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace hal::dds {
+
+class Participant;
+
+/// This process's place in a DDS domain for whoever looks: ordinary discovery by multicast, as
+/// standard tools expect it, on the given interfaces only. It does not meet the participants of the
+/// exchange, which neither send nor hear multicast.
+///
+/// Inspector and the readers of topics use one and must not outlive it.
+class InspectionParticipant {
+ public:
+  struct Settings {
+    int domain = 0;  ///< 0..232
+    /// IPv4 addresses of the interfaces to use.
+    std::vector<std::string> addresses{"127.0.0.1"};
+    std::string name = "baraka inspection";  ///< For people, in tools.
+  };
+
+  /// @throws std::runtime_error  if DDS cannot be opened on these interfaces.
+  explicit InspectionParticipant(const Settings& settings);
+  ~InspectionParticipant();
+  InspectionParticipant(const InspectionParticipant&) = delete;
+  InspectionParticipant& operator=(const InspectionParticipant&) = delete;
+
+  int domain() const { return domain_; }
+  Participant& participant() { return *participant_; }  ///< For hal/dds only.
+
+ private:
+  int domain_;
+  std::unique_ptr<Participant> participant_;
+};
+
+}  // namespace hal::dds

@@ -1,0 +1,162 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "hal/hardware/robot_file_sections.h"
+#include "hal/types/math.h"
+
+namespace hal::hardware {
+namespace {
+
+using namespace std::chrono_literals;
+using config::Mapping;
+using config::Option;
+
+/// The Robotino stops after this long without a command (Festo, "Robotino REST API",
+/// wiki.openrobotino.org/Rest_api.html); half of it leaves room for one that is lost.
+constexpr double kRobotinoPeriod = 0.1;  // s
+
+enum class WheelsDriver : std::uint8_t { kNone, kRobotinoRest, kTmc200 };
+constexpr std::array kWheelsDrivers = {
+    Option<WheelsDriver>{"none", WheelsDriver::kNone},
+    Option<WheelsDriver>{"robotino_rest", WheelsDriver::kRobotinoRest},
+    Option<WheelsDriver>{"tmc200", WheelsDriver::kTmc200}};
+
+enum class InfraredKind : std::uint8_t { kNone, kRobotinoRest, kIio };
+constexpr std::array kInfraredKinds = {
+    Option<InfraredKind>{"none", InfraredKind::kNone},
+    Option<InfraredKind>{"robotino_rest", InfraredKind::kRobotinoRest},
+    Option<InfraredKind>{"iio", InfraredKind::kIio}};
+
+constexpr std::array kReads = {Option<bool>{"metres", false}, Option<bool>{"volts", true}};
+
+DeviceTimes read_times(Mapping& in, DeviceTimes times, double longest_period) {
+  times.period = in.duration("period", {1e-3, longest_period}, times.period);
+  times.timeout = in.duration("timeout", {1e-3, 10}, times.timeout);
+  times.stale_after = in.duration("stale_after", {1e-3, 60}, times.stale_after);
+  if (times.stale_after <= times.period) {
+    in.mistake("stale_after", "must be longer than period: no reading would ever be fresh");
+  }
+  return times;
+}
+
+RobotinoSettings read_robotino(Mapping& in) {
+  RobotinoSettings settings;
+  settings.host = in.text("host");
+  settings.port = static_cast<std::uint16_t>(in.integer("port", 1, 0xffff, settings.port));
+  settings.session = in.text("session", settings.session);
+  const auto is_plain = [](char c) {
+    return std::string_view("&#?/% ").find(c) == std::string::npos;
+  };
+  if (!std::all_of(settings.session.begin(), settings.session.end(), is_plain)) {
+    in.mistake("session",
+               fmt::format("'{}' must not contain any of & # ? / % and blanks", settings.session));
+  }
+  settings.times = read_times(in, {50ms, 150ms, 500ms}, kRobotinoPeriod);
+  return settings;
+}
+
+Tmc200Settings::Motor read_motor(Mapping in) {
+  Tmc200Settings::Motor motor;
+  motor.encoder_lines = static_cast<int>(in.integer("encoder_lines", 1, 25'000));
+  motor.gear = in.number("gear", "1", {1e-2, 1e4});
+  motor.max_speed = in.number("max_speed", "rad/s", {1, 2'000});
+  motor.inverted = in.flag("inverted", false);
+  in.finish();
+  return motor;
+}
+
+/// The controller drives three motors and cannot turn them faster than its full scale.
+void check_motor(Mapping& in, const Tmc200Settings& settings, const RobotFile& file) {
+  if (file.robot->wheels.size() != 3 && !file.robot->wheels.empty()) {
+    in.mistake("driver", fmt::format("a TMC200 drives 3 motors, but the robot has {} wheels",
+                                     file.robot->wheels.size()));
+  }
+  const double reached = settings.motor.max_speed / settings.motor.gear;
+  double wanted = 0;
+  for (const auto& wheel : file.robot->wheels) wanted = std::max(wanted, wheel.max_speed);
+  if (reached > 0 && reached < wanted) {
+    in.mistake("motor", fmt::format("turns the wheels at {:.2f} rad/s at most, but the robot's "
+                                    "wheels are said to reach {:.2f} rad/s",
+                                    reached, wanted));
+  }
+}
+
+Tmc200Settings read_tmc200(Mapping& in, const RobotFile& file) {
+  Tmc200Settings settings;
+  settings.device = in.text("device");
+  settings.motor = read_motor(in.mapping("motor"));
+  settings.cut_off = in.duration("cut_off", {0.01, 2.55}, 200ms);
+  if (settings.cut_off % 10ms != 0ns) {
+    in.mistake("cut_off", "must be a multiple of 10 ms, which is what the controller counts in");
+  }
+  settings.times = read_times(in, {40ms, 150ms, 500ms}, 1);
+  if (2 * settings.times.period > settings.cut_off) {
+    in.mistake("period",
+               "must be at most half of cut_off: one lost command must not stop the "
+               "motors");
+  }
+  check_motor(in, settings, file);
+  return settings;
+}
+
+void read_wheels(Mapping in, RobotFile& file) {
+  const auto driver = in.choice("driver", kWheelsDrivers);
+  if (driver == WheelsDriver::kRobotinoRest) file.wheels = read_robotino(in);
+  if (driver == WheelsDriver::kTmc200) file.wheels = read_tmc200(in, file);
+  if (driver) in.finish();  // else every key would seem to be wrong
+}
+
+bool is_voltage_channel(std::string_view name) {
+  constexpr std::string_view kStart = "voltage";
+  return name.starts_with(kStart) && name.size() > kStart.size() &&
+         std::all_of(name.begin() + kStart.size(), name.end(),
+                     [](char c) { return c >= '0' && c <= '9'; });
+}
+
+IioSettings read_iio(Mapping& in, const RobotFile& file) {
+  IioSettings settings;
+  settings.folder = in.text("folder");
+  for (const config::Scalar& channel : in.texts("channels")) {
+    settings.channels.push_back(channel.text);
+    if (is_voltage_channel(channel.text)) continue;
+    in.mistake("channels",
+               fmt::format("'{}' is not a voltage channel, e.g. 'voltage0'", channel.text));
+  }
+  if (settings.channels.size() != file.robot->infrared.size()) {
+    in.mistake("channels", fmt::format("names {} channels, but the robot has {} infrared sensors",
+                                       settings.channels.size(), file.robot->infrared.size()));
+  }
+  settings.times = read_times(in, {40ms, 150ms, 500ms}, 1);
+  return settings;
+}
+
+void read_infrared(Mapping in, RobotFile& file) {
+  const auto driver = in.choice("driver", kInfraredKinds);
+  if (driver == InfraredKind::kRobotinoRest) {
+    RobotinoSettings settings = read_robotino(in);
+    settings.in_volts = in.choice("reads", kReads, false);
+    settings.clockwise = in.flag("clockwise", false);
+    file.infrared = settings;
+  }
+  if (driver == InfraredKind::kIio) file.infrared = read_iio(in, file);
+  if (driver && driver != InfraredKind::kNone && file.robot->infrared.empty()) {
+    in.mistake("driver", "the robot has no infrared sensors");
+  }
+  if (driver) in.finish();
+}
+
+}  // namespace
+
+void read_devices(Mapping& in, RobotFile& file) {
+  read_wheels(in.mapping("wheels"), file);
+  if (in.has("infrared")) read_infrared(in.mapping("infrared"), file);
+  Mapping limits = in.mapping("limits");
+  file.limits.linear = limits.number("linear", "m/s", {0, config::kUnlimited}, file.limits.linear);
+  file.limits.angular =
+      limits.number("angular", "rad/s", {0, config::kUnlimited}, file.limits.angular);
+  limits.finish();
+}
+
+}  // namespace hal::hardware

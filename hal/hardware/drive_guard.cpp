@@ -1,0 +1,100 @@
+#include "hal/hardware/drive_guard.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "hal/types/log.h"
+
+namespace hal::hardware {
+
+DriveGuard::DriveGuard(WheelDriver& wheels, EventLoop& loop, Duration command_timeout,
+                       std::string name)
+    : wheels_(wheels), loop_(loop), command_timeout_(command_timeout), name_(std::move(name)) {}
+
+DriveGuard::~DriveGuard() {
+  loop_.cancel(timer_);
+  wheels_.stop();
+}
+
+Result<void> DriveGuard::drive(const Twist2& body) {
+  if (!std::isfinite(body.vx) || !std::isfinite(body.vy) || !std::isfinite(body.omega)) {
+    return fail(Errc::kInvalidArgument,
+                fmt::format("drive: ({}, {}, {}) is not finite", body.vx, body.vy, body.omega));
+  }
+  const auto [twist, saturated] = limited(body, wheels_.kinematics(), wheels_.speed_limits());
+  const bool moves = twist != Twist2{};
+  if (moves && emergency_) {
+    ++counts_.stopped;
+    return fail(Errc::kNotAvailable, "drive: the emergency stop is in force");
+  }
+  if (moves && blind_) {
+    ++counts_.blind;
+    return fail(Errc::kNotAvailable, "drive: a sensor that the controller steers by is silent");
+  }
+  if (saturated) ++counts_.limited;
+  auto driven = wheels_.drive(twist);
+  if (!driven) ++counts_.not_connected;
+  turning_ = driven.has_value() && moves;
+  // Another thread may have pulled the emergency stop between the look at it and the command.
+  if (emergency_) halt();
+  if (turning_ && timer_ == 0) watch();
+  return driven;
+}
+
+Result<void> DriveGuard::drive_wheels(std::span<const double> speeds) {
+  const devices::WheelDrive& kinematics = wheels_.kinematics();
+  if (speeds.size() != kinematics.wheel_count()) {
+    return fail(Errc::kInvalidArgument, fmt::format("drive: speeds of {} wheels, the robot has {}",
+                                                    speeds.size(), kinematics.wheel_count()));
+  }
+  for (const double speed : speeds) {
+    // Written so that NaN, which compares false with everything, is caught too.
+    if (std::abs(speed) <= kinematics.max_wheel_speed()) continue;
+    return fail(Errc::kInvalidArgument, fmt::format("drive: a wheel at {} rad/s, the limit is {}",
+                                                    speed, kinematics.max_wheel_speed()));
+  }
+  return drive(kinematics.body_velocity(speeds));
+}
+
+void DriveGuard::feed() { fed_ = loop_.now(); }
+
+/// One timer that looks now and then, instead of one that is moved with every answer.
+void DriveGuard::watch() {
+  timer_ = 0;
+  if (!turning_) return;
+  if (loop_.now() >= fed_ + command_timeout_) {
+    ++counts_.silences;
+    log::warning(loop_.now(), name_, "no answer for {} s: the wheels stop",
+                 to_seconds(command_timeout_));
+    return halt();
+  }
+  timer_ = loop_.schedule(fed_ + command_timeout_, [this] { watch(); });
+}
+
+void DriveGuard::halt() {
+  wheels_.stop();
+  turning_ = false;
+}
+
+void DriveGuard::set_blind(bool blind) {
+  if (std::exchange(blind_, blind) == blind) return;
+  if (blind) halt();
+  if (blind) log::warning(loop_.now(), name_, "sensors are silent: the wheels stop");
+  if (!blind) log::info(loop_.now(), name_, "sensors are back");
+}
+
+void DriveGuard::set_emergency_stop(bool stop) {
+  const bool changes = emergency_.exchange(stop) != stop;
+  if (stop) wheels_.stop();
+  if (!changes) return;
+  loop_.post([this, stop] {
+    if (stop) halt();
+    if (stop) log::warning(loop_.now(), name_, "EMERGENCY STOP");
+    if (!stop) log::info(loop_.now(), name_, "the emergency stop is released");
+  });
+}
+
+}  // namespace hal::hardware

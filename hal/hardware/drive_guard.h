@@ -1,0 +1,70 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "hal/hardware/event_loop.h"
+#include "hal/hardware/wheels.h"
+#include "hal/types/geometry.h"
+#include "hal/types/result.h"
+
+namespace hal::hardware {
+
+/// Stands between a controller and the wheels. It lets a command through only if
+///   - no emergency stop is in force: it is latched, whoever commands, until it is released;
+///   - the robot sees: none of the sensors the controller steers by is out of date;
+/// scales it to the operator's limits and the motors', and stops the wheels when the controller has
+/// been silent for the command timeout.
+class DriveGuard {
+ public:
+  struct Counts {
+    std::uint64_t stopped = 0;        ///< Commands refused by the emergency stop …
+    std::uint64_t blind = 0;          ///< … or because a sensor was out of date.
+    std::uint64_t limited = 0;        ///< Commands that were scaled down.
+    std::uint64_t silences = 0;       ///< Times the wheels were stopped for want of an answer.
+    std::uint64_t not_connected = 0;  ///< Commands that the driver could not pass on.
+    bool operator==(const Counts&) const = default;
+  };
+
+  /// @param wheels, loop  outlive the guard.  @param name  of the agent, for the log.
+  /// @param command_timeout  > 0
+  DriveGuard(WheelDriver& wheels, EventLoop& loop, Duration command_timeout, std::string name);
+  ~DriveGuard();
+  DriveGuard(const DriveGuard&) = delete;
+  DriveGuard& operator=(const DriveGuard&) = delete;
+
+  /// Errors: kInvalidArgument (not finite), kNotAvailable (emergency stop; blind), kNotConnected.
+  Result<void> drive(const Twist2& body);
+  /// @param speeds  rad/s of each wheel. Errors: those of drive(), and kInvalidArgument for a wrong
+  ///   count or a speed beyond the motors' limit.
+  Result<void> drive_wheels(std::span<const double> speeds);
+
+  /// The controller has answered: the command timeout begins anew.
+  void feed();
+  void halt();  ///< Wheels stop; the next command is welcome.
+  void set_blind(bool blind);
+
+  /// Any thread: the wheels are told at once, whatever the loop is doing.
+  void set_emergency_stop(bool stop);
+  bool is_emergency_stopped() const { return emergency_; }
+
+  const Counts& counts() const { return counts_; }
+
+ private:
+  void watch();
+
+  WheelDriver& wheels_;
+  EventLoop& loop_;
+  Duration command_timeout_;
+  std::string name_;
+  std::atomic<bool> emergency_ = false;
+  bool blind_ = false;
+  bool turning_ = false;  ///< As commanded last.
+  Time fed_{};
+  EventLoop::Handle timer_ = 0;
+  Counts counts_;
+};
+
+}  // namespace hal::hardware

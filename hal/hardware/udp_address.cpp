@@ -1,0 +1,87 @@
+#include "hal/hardware/udp_address.h"
+
+#include <arpa/inet.h>
+#include <fmt/format.h>
+#include <ifaddrs.h>
+#include <net/if.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <memory>
+#include <stdexcept>
+#include <system_error>
+#include <vector>
+
+namespace hal::hardware {
+namespace {
+
+/// One IPv4 address of an interface.
+struct Assigned {
+  std::string interface;
+  in_addr own{}, mask{};
+  bool loopback = false;
+};
+
+in_addr ipv4(const sockaddr* address) {
+  sockaddr_in in{};
+  std::memcpy(&in, address, sizeof in);
+  return in.sin_addr;
+}
+
+std::vector<Assigned> assigned_addresses() {
+  ifaddrs* list = nullptr;
+  if (getifaddrs(&list) != 0) {
+    throw std::system_error(errno, std::generic_category(), "cannot list network interfaces");
+  }
+  const std::unique_ptr<ifaddrs, decltype(&freeifaddrs)> owner(list, freeifaddrs);
+  std::vector<Assigned> all;
+  for (const ifaddrs* one = list; one != nullptr; one = one->ifa_next) {
+    if (one->ifa_addr == nullptr || one->ifa_addr->sa_family != AF_INET) continue;
+    if (one->ifa_netmask == nullptr) continue;
+    all.push_back({one->ifa_name, ipv4(one->ifa_addr), ipv4(one->ifa_netmask),
+                   (one->ifa_flags & IFF_LOOPBACK) != 0});
+  }
+  return all;
+}
+
+bool answers_to(const Assigned& assigned, in_addr address) {
+  if (assigned.own.s_addr == address.s_addr) return true;
+  const in_addr_t differs = assigned.own.s_addr ^ address.s_addr;
+  return assigned.loopback && (differs & assigned.mask.s_addr) == 0;
+}
+
+std::string names_of(const std::vector<Assigned>& all) {
+  std::string names;
+  for (const Assigned& one : all) {
+    names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", one.interface, to_string(one.own));
+  }
+  return names.empty() ? "none" : names;
+}
+
+}  // namespace
+
+std::string to_string(in_addr address) {
+  std::array<char, INET_ADDRSTRLEN> text{};
+  inet_ntop(AF_INET, &address, text.data(), text.size());
+  return text.data();
+}
+
+UdpAddresses find_addresses(const std::string& interface, const std::string& address) {
+  in_addr wanted{};
+  if (!address.empty() && inet_pton(AF_INET, address.c_str(), &wanted) != 1) {
+    throw std::runtime_error(fmt::format("'{}' is no IPv4 address", address));
+  }
+  const std::vector<Assigned> all = assigned_addresses();
+  for (const Assigned& one : all) {
+    if (one.interface != interface) continue;
+    const in_addr own = address.empty() ? one.own : wanted;
+    if (!answers_to(one, own)) continue;
+    return {own, in_addr{own.s_addr | ~one.mask.s_addr}};
+  }
+  throw std::runtime_error(
+      fmt::format("no network interface '{}' with {}; there are: {}", interface,
+                  address.empty() ? "an IPv4 address" : "the address " + address, names_of(all)));
+}
+
+}  // namespace hal::hardware

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <netinet/in.h>
+
+#include <string>
+
+namespace hal::hardware {
+
+/// Where a node sends from, and where it reaches all its neighbours.
+struct UdpAddresses {
+  in_addr own{};
+  in_addr broadcast{};  ///< Of the same network.
+};
+
+/// The addresses of a network interface.
+/// @param interface  e.g. "eth0".
+/// @param address    one of the interface's IPv4 addresses in dotted form, for a loopback interface
+///                   any of its network (all of 127.0.0.0/8 answer); empty: the first one.
+/// @throws std::runtime_error  naming the interfaces there are, or the interface's addresses.
+UdpAddresses find_addresses(const std::string& interface, const std::string& address);
+
+/// In dotted form.
+std::string to_string(in_addr address);
+
+}  // namespace hal::hardware

@@ -1,0 +1,248 @@
+/* A program on Cyclone DDS that knows only ROS 2's messages: what a ROS 2 node sees of a run, and
+ * says to it.
+ *
+ *   ros_peer read DOMAIN TYPE TOPIC [TYPE TOPIC ...]   a line of JSON per sample, until killed
+ *   ros_peer hold DOMAIN TYPE TOPIC [TYPE TOPIC ...]   readers that never take a sample
+ *   ros_peer write DOMAIN TYPE TOPIC HZ VALUE ...      the same sample again and again, until killed
+ *
+ * TYPE: Clock, TFMessage, Odometry, Range; to write: Twist (vx vy omega), PoseStamped (x y z, qx qy
+ * qz qw), Bool (0 or 1), String (the value is not looked at: "hello"). "ready" goes to standard error when it looks for the others.
+ */
+#include <dds/dds.h>
+#include <inttypes.h>
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "ros_messages.h"
+
+#define MAX_TOPICS 16
+#define MAX_VALUES 8
+
+static void die(const char* what, dds_return_t code) {
+  fprintf(stderr, "ros_peer: %s: %s\n", what, code < 0 ? dds_strretcode(code) : "");
+  exit(1);
+}
+
+static dds_entity_t checked(dds_entity_t entity, const char* what) {
+  if (entity < 0) die(what, entity);
+  return entity;
+}
+
+/* ---- printing ------------------------------------------------------------------------------- */
+
+/* JSON has no infinity: as Python's json module reads it. */
+static void print_number(double value) {
+  if (isnan(value)) printf("NaN");
+  else if (isinf(value)) printf("%sInfinity", value < 0 ? "-" : "");
+  else printf("%.17g", value);
+}
+
+static void print_stamp(const builtin_interfaces_msg_dds__Time_* t) {
+  printf("\"t\": %" PRId64, (int64_t)t->sec * 1000000000 + t->nanosec);
+}
+
+static void print_numbers(const char* key, const double* values, int count) {
+  printf(", \"%s\": [", key);
+  for (int i = 0; i < count; ++i) {
+    if (i > 0) printf(", ");
+    print_number(values[i]);
+  }
+  printf("]");
+}
+
+static void print_clock(const void* sample) {
+  print_stamp(&((const rosgraph_msgs_msg_dds__Clock_*)sample)->clock);
+}
+
+static void print_transforms(const void* sample) {
+  const tf2_msgs_msg_dds__TFMessage_* message = sample;
+  printf("\"transforms\": [");
+  for (uint32_t i = 0; i < message->transforms._length; ++i) {
+    const geometry_msgs_msg_dds__TransformStamped_* one = &message->transforms._buffer[i];
+    printf("%s{", i > 0 ? ", " : "");
+    print_stamp(&one->header.stamp);
+    printf(", \"parent\": \"%s\", \"child\": \"%s\"", one->header.frame_id, one->child_frame_id);
+    print_numbers("translation", &one->transform.translation.x, 3);
+    print_numbers("rotation", &one->transform.rotation.x, 4);
+    printf("}");
+  }
+  printf("]");
+}
+
+static void print_odometry(const void* sample) {
+  const nav_msgs_msg_dds__Odometry_* message = sample;
+  print_stamp(&message->header.stamp);
+  printf(", \"frame\": \"%s\", \"child\": \"%s\"", message->header.frame_id,
+         message->child_frame_id);
+  print_numbers("position", &message->pose.pose.position.x, 3);
+  print_numbers("orientation", &message->pose.pose.orientation.x, 4);
+  print_numbers("linear", &message->twist.twist.linear.x, 3);
+  print_numbers("angular", &message->twist.twist.angular.x, 3);
+  print_numbers("pose_covariance", message->pose.covariance, 36);
+  print_numbers("twist_covariance", message->twist.covariance, 36);
+}
+
+static void print_range(const void* sample) {
+  const sensor_msgs_msg_dds__Range_* message = sample;
+  print_stamp(&message->header.stamp);
+  printf(", \"frame\": \"%s\", \"radiation_type\": %u", message->header.frame_id,
+         message->radiation_type);
+  const double values[] = {message->field_of_view, message->min_range, message->max_range,
+                           message->range};
+  print_numbers("values", values, 4);
+}
+
+/* ---- types ---------------------------------------------------------------------------------- */
+
+struct type {
+  const char* name;
+  const dds_topic_descriptor_t* descriptor;
+  void (*print)(const void* sample); /* null: not read */
+};
+
+static const struct type types[] = {
+    {"Clock", &rosgraph_msgs_msg_dds__Clock__desc, print_clock},
+    {"TFMessage", &tf2_msgs_msg_dds__TFMessage__desc, print_transforms},
+    {"Odometry", &nav_msgs_msg_dds__Odometry__desc, print_odometry},
+    {"Range", &sensor_msgs_msg_dds__Range__desc, print_range},
+    {"Twist", &geometry_msgs_msg_dds__Twist__desc, NULL},
+    {"PoseStamped", &geometry_msgs_msg_dds__PoseStamped__desc, NULL},
+    {"Bool", &std_msgs_msg_dds__Bool__desc, NULL},
+    {"String", &std_msgs_msg_dds__String__desc, NULL},
+};
+
+static const struct type* find_type(const char* name) {
+  for (size_t i = 0; i < sizeof types / sizeof types[0]; ++i) {
+    if (strcmp(types[i].name, name) == 0) return &types[i];
+  }
+  fprintf(stderr, "ros_peer: no type %s\n", name);
+  exit(2);
+}
+
+static dds_qos_t* reliable_qos(int kept_for_latecomers, int keep_all) {
+  dds_qos_t* qos = dds_create_qos();
+  dds_qset_reliability(qos, DDS_RELIABILITY_RELIABLE, DDS_SECS(1));
+  dds_qset_durability(qos,
+                      kept_for_latecomers ? DDS_DURABILITY_TRANSIENT_LOCAL : DDS_DURABILITY_VOLATILE);
+  dds_qset_history(qos, keep_all ? DDS_HISTORY_KEEP_ALL : DDS_HISTORY_KEEP_LAST, 1000);
+  if (keep_all) dds_qset_resource_limits(qos, 20, 1, 20); /* soon full */
+  return qos;
+}
+
+/* ---- commands ------------------------------------------------------------------------------- */
+
+struct reading {
+  const struct type* type;
+  const char* topic;
+  dds_entity_t reader;
+};
+
+static int make_readers(dds_entity_t participant, int argc, char** argv, int keep_all,
+                        struct reading* readings) {
+  int count = 0;
+  for (int i = 0; i + 1 < argc && count < MAX_TOPICS; i += 2) {
+    struct reading* reading = &readings[count++];
+    reading->type = find_type(argv[i]);
+    reading->topic = argv[i + 1];
+    dds_qos_t* qos = reliable_qos(strstr(reading->topic, "static") != NULL, keep_all);
+    const dds_entity_t topic = checked(
+        dds_create_topic(participant, reading->type->descriptor, reading->topic, NULL, NULL),
+        "topic");
+    reading->reader = checked(dds_create_reader(participant, topic, qos, NULL), "reader");
+    dds_delete_qos(qos);
+  }
+  return count;
+}
+
+static void print_samples(const struct reading* reading) {
+  void* samples[1] = {NULL};
+  dds_sample_info_t status[1];
+  while (1) {
+    const dds_return_t taken = dds_take(reading->reader, samples, status, 1, 1);
+    if (taken < 0) die("take", taken);
+    if (taken == 0) return;
+    if (status[0].valid_data) {
+      printf("{\"topic\": \"%s\", ", reading->topic);
+      reading->type->print(samples[0]);
+      printf("}\n");
+    }
+    dds_return_loan(reading->reader, samples, taken);
+  }
+}
+
+static int read_samples(dds_entity_t participant, int argc, char** argv) {
+  struct reading readings[MAX_TOPICS];
+  const int count = make_readers(participant, argc, argv, 0, readings);
+  fprintf(stderr, "ready\n");
+  while (1) {
+    for (int i = 0; i < count; ++i) print_samples(&readings[i]);
+    fflush(stdout);
+    dds_sleepfor(DDS_MSECS(2));
+  }
+}
+
+static int hold_samples(dds_entity_t participant, int argc, char** argv) {
+  struct reading readings[MAX_TOPICS];
+  const int count = make_readers(participant, argc, argv, 1, readings);
+  fprintf(stderr, "ready\n");
+  int full = 0;
+  while (1) {
+    int matched = 0;
+    for (int i = 0; i < count; ++i) {
+      dds_subscription_matched_status_t status;
+      dds_get_subscription_matched_status(readings[i].reader, &status);
+      matched += status.current_count > 0;
+      dds_sample_rejected_status_t rejected;
+      dds_get_sample_rejected_status(readings[i].reader, &rejected);
+      full += rejected.total_count_change > 0;
+    }
+    printf("{\"matched\": %d, \"rejections\": %d}\n", matched, full);
+    fflush(stdout);
+    dds_sleepfor(DDS_MSECS(20));
+  }
+}
+
+static int write_sample(dds_entity_t participant, int argc, char** argv) {
+  if (argc < 4) return 2;
+  const struct type* type = find_type(argv[0]);
+  const double hz = atof(argv[2]);
+  double v[MAX_VALUES] = {0};
+  for (int i = 3; i < argc && i - 3 < MAX_VALUES; ++i) v[i - 3] = atof(argv[i]);
+  geometry_msgs_msg_dds__Twist_ twist = {.linear = {v[0], v[1], 0}, .angular = {0, 0, v[2]}};
+  geometry_msgs_msg_dds__PoseStamped_ pose = {
+      .header = {.stamp = {12, 500000000}, .frame_id = (char*)"map"},
+      .pose = {.position = {v[0], v[1], v[2]}, .orientation = {v[3], v[4], v[5], v[6]}}};
+  std_msgs_msg_dds__Bool_ flag = {.data = v[0] != 0};
+  std_msgs_msg_dds__String_ text = {.data = (char*)"hello"};
+  const void* sample = &flag;
+  if (strcmp(type->name, "Twist") == 0) sample = &twist;
+  if (strcmp(type->name, "PoseStamped") == 0) sample = &pose;
+  if (strcmp(type->name, "String") == 0) sample = &text;
+  dds_qos_t* qos = reliable_qos(0, 0);
+  const dds_entity_t topic =
+      checked(dds_create_topic(participant, type->descriptor, argv[1], NULL, NULL), "topic");
+  const dds_entity_t writer = checked(dds_create_writer(participant, topic, qos, NULL), "writer");
+  dds_delete_qos(qos);
+  fprintf(stderr, "ready\n");
+  while (1) {
+    const dds_return_t written = dds_write(writer, sample);
+    if (written < 0) die("write", written);
+    dds_sleepfor((dds_duration_t)(1e9 / hz));
+  }
+}
+
+int main(int argc, char** argv) {
+  if (argc < 5) {
+    fprintf(stderr, "usage: ros_peer read|hold|write DOMAIN TYPE TOPIC ...\n");
+    return 2;
+  }
+  const dds_entity_t participant =
+      checked(dds_create_participant((dds_domainid_t)atoi(argv[2]), NULL, NULL), "participant");
+  if (strcmp(argv[1], "read") == 0) return read_samples(participant, argc - 3, argv + 3);
+  if (strcmp(argv[1], "hold") == 0) return hold_samples(participant, argc - 3, argv + 3);
+  if (strcmp(argv[1], "write") == 0) return write_sample(participant, argc - 3, argv + 3);
+  fprintf(stderr, "ros_peer: no command %s\n", argv[1]);
+  return 2;
+}

@@ -1,0 +1,138 @@
+#include "hal/hardware/drive_guard.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <thread>
+
+#include "tests/unit/hal/hardware/fakes.h"
+
+namespace hal::hardware {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr Duration kTimeout = 20ms;
+
+class Guarded : public testing::Test {
+ protected:
+  void run_for(Duration time) {
+    const Time end = loop_.now() + time;
+    while (loop_.now() < end) loop_.run_once(end - loop_.now());
+  }
+
+  EventLoop loop_;
+  RecordedWheels wheels_{SpeedLimits(0.5, 1.0)};
+  DriveGuard guard_{wheels_, loop_, kTimeout, "r0"};
+};
+
+TEST_F(Guarded, ACommandWithinTheLimitsGoesThroughAsItIs) {
+  ASSERT_TRUE(guard_.drive({0.3, -0.4, 1.0}));
+  EXPECT_EQ(wheels_.twist, (Twist2{0.3, -0.4, 1.0}));
+  EXPECT_EQ(guard_.counts().limited, 0u);
+}
+
+TEST_F(Guarded, ACommandBeyondTheOperatorsLimitIsScaledAndKeepsItsDirection) {
+  ASSERT_TRUE(guard_.drive({0.6, 0.8, 0.5}));  // 1 m/s where 0.5 are allowed
+  EXPECT_DOUBLE_EQ(wheels_.twist.vx, 0.3);
+  EXPECT_DOUBLE_EQ(wheels_.twist.vy, 0.4);
+  EXPECT_DOUBLE_EQ(wheels_.twist.omega, 0.25);
+  EXPECT_EQ(guard_.counts().limited, 1u);
+}
+
+TEST_F(Guarded, WhatIsNotFiniteIsRefusedAndTheOldCommandHolds) {
+  ASSERT_TRUE(guard_.drive({0.1, 0, 0}));
+  for (const double bad :
+       {std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::infinity()}) {
+    EXPECT_EQ(guard_.drive({0, bad, 0}).error().code, Errc::kInvalidArgument);
+  }
+  EXPECT_EQ(wheels_.twist, (Twist2{0.1, 0, 0}));
+}
+
+TEST_F(Guarded, WheelSpeedsBeyondTheMotorsAreRefusedNotScaled) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const auto& bad : {std::vector<double>{1, 1}, {24, 0, 0}, {0, nan, 0}}) {
+    EXPECT_FALSE(guard_.drive_wheels(bad));
+  }
+  EXPECT_EQ(wheels_.commands, 0);
+  ASSERT_TRUE(guard_.drive_wheels(std::vector<double>{1, 1, 1}));
+  // All wheels alike turn it in place: omega = radius * speed / distance.
+  EXPECT_NEAR(wheels_.twist.omega, 0.04 / 0.132, 1e-12);
+  EXPECT_NEAR(wheels_.twist.vx, 0, 1e-12);
+}
+
+TEST_F(Guarded, TheWheelsStopWhenTheControllerHasBeenSilentForTheTimeout) {
+  guard_.feed();
+  ASSERT_TRUE(guard_.drive({0.1, 0, 0}));
+  run_for(kTimeout / 2);
+  EXPECT_NE(wheels_.twist, Twist2{});
+  run_for(kTimeout);
+  EXPECT_EQ(wheels_.twist, Twist2{});
+  EXPECT_EQ(guard_.counts().silences, 1u);
+}
+
+TEST_F(Guarded, AnswersKeepTheWheelsTurning) {
+  guard_.feed();
+  ASSERT_TRUE(guard_.drive({0.1, 0, 0}));
+  for (int i = 0; i < 30; ++i) {
+    run_for(2ms);
+    guard_.feed();
+  }
+  EXPECT_EQ(wheels_.twist, (Twist2{0.1, 0, 0}));
+}
+
+TEST_F(Guarded, AnEmergencyStopOutranksEveryCommandUntilItIsReleased) {
+  ASSERT_TRUE(guard_.drive({0.1, 0, 0}));
+  guard_.set_emergency_stop(true);
+  EXPECT_EQ(wheels_.twist, Twist2{}) << "at once, before the loop runs";
+  EXPECT_EQ(guard_.drive({0.2, 0, 0}).error().code, Errc::kNotAvailable);
+  EXPECT_TRUE(guard_.drive({}));
+  run_for(1ms);
+  EXPECT_EQ(wheels_.twist, Twist2{});
+  EXPECT_EQ(guard_.counts().stopped, 1u);
+  guard_.set_emergency_stop(false);
+  run_for(1ms);
+  EXPECT_EQ(wheels_.twist, Twist2{}) << "released, not resumed";
+  guard_.feed();
+  EXPECT_TRUE(guard_.drive({0.2, 0, 0}));
+  EXPECT_EQ(wheels_.twist, (Twist2{0.2, 0, 0}));
+}
+
+TEST_F(Guarded, AnEmergencyStopFromAnotherThreadNeverLosesToACommand) {
+  for (int i = 0; i < 200; ++i) {
+    std::thread button([&] { guard_.set_emergency_stop(true); });
+    while (!guard_.is_emergency_stopped()) (void)guard_.drive({0.1, 0, 0});
+    button.join();
+    ASSERT_EQ(wheels_.twist, Twist2{}) << "trial " << i;
+    guard_.set_emergency_stop(false);
+  }
+}
+
+TEST_F(Guarded, ABlindRobotStands) {
+  ASSERT_TRUE(guard_.drive({0.1, 0, 0}));
+  guard_.set_blind(true);
+  EXPECT_EQ(wheels_.twist, Twist2{});
+  EXPECT_FALSE(guard_.drive({0.1, 0, 0}));
+  EXPECT_EQ(guard_.counts().blind, 1u);
+  guard_.set_blind(false);
+  EXPECT_TRUE(guard_.drive({0.1, 0, 0}));
+}
+
+TEST_F(Guarded, ACommandThatTheDriverCannotPassOnIsCounted) {
+  wheels_.reachable = false;
+  EXPECT_EQ(guard_.drive({0.1, 0, 0}).error().code, Errc::kNotConnected);
+  EXPECT_EQ(guard_.counts().not_connected, 1u);
+}
+
+TEST(DriveGuard, LeavesTheWheelsStanding) {
+  EventLoop loop;
+  RecordedWheels wheels;
+  {
+    DriveGuard guard(wheels, loop, 1s, "r0");
+    ASSERT_TRUE(guard.drive({0.1, 0, 0}));
+  }
+  EXPECT_EQ(wheels.twist, Twist2{});
+}
+
+}  // namespace
+}  // namespace hal::hardware

@@ -1,0 +1,150 @@
+#pragma once
+
+#include <cmath>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hal/exchange/ports.h"
+#include "hal/hardware/hardware_agent.h"
+
+namespace hal::hardware {
+
+/// Three wheels with outward axles, 132 mm from the middle, 40 mm in radius, as of the Robotino.
+inline std::vector<devices::Wheel> three_wheels() {
+  constexpr double kPi = 3.14159265358979323846;
+  std::vector<devices::Wheel> wheels;
+  for (const double bearing : {kPi / 3, kPi, -kPi / 3}) {
+    wheels.push_back({.position = {0.132 * std::cos(bearing), 0.132 * std::sin(bearing)},
+                      .axle_heading = bearing,
+                      .radius = 0.04,
+                      .mass = 0.2,
+                      .max_torque = 1,
+                      .max_speed = 23.56});
+  }
+  return wheels;
+}
+
+/// Remembers what it was told.
+class RecordedWheels final : public WheelDriver {
+ public:
+  explicit RecordedWheels(SpeedLimits limits = {})
+      : WheelDriver(devices::WheelDrive(three_wheels()), limits) {}
+
+  Result<void> drive(const Twist2& body) override {
+    if (!reachable) return fail(Errc::kNotConnected, "cable");
+    const std::lock_guard lock(mutex_);
+    twist = body;
+    ++commands;
+    return {};
+  }
+  void stop() override {
+    const std::lock_guard lock(mutex_);
+    twist = {};
+    ++stops;
+  }
+  Result<void> stop_and_wait(Duration) override {
+    stop();
+    return {};
+  }
+  Result<WheelState> state() const override {
+    return WheelState{{1, 2, 3}, twist, std::chrono::steady_clock::now()};
+  }
+  bool connected() const override { return reachable; }
+  std::string trouble() const override { return reachable ? "" : "cable"; }
+  DeviceCounts counts() const override { return {}; }
+
+  Twist2 twist;
+  int commands = 0, stops = 0;
+  bool reachable = true;
+
+ private:
+  std::mutex mutex_;  ///< Of what is written; tests read when nobody writes.
+};
+
+/// One value for all sensors, or silence.
+class FixedInfrared final : public InfraredDriver {
+ public:
+  Result<InfraredReadings> latest() const override {
+    if (!metres) return fail(Errc::kTimeout, "too old");
+    return InfraredReadings{{*metres}, {0.5}, std::chrono::steady_clock::now()};
+  }
+  bool connected() const override { return metres.has_value(); }
+  std::string trouble() const override { return {}; }
+  DeviceCounts counts() const override { return {}; }
+
+  std::optional<double> metres = 0.25;
+};
+
+/// A controller process in a function: what it does about each event.
+class ScriptedPort final : public exchange::ControllerPort {
+ public:
+  using Behaviour = std::function<std::vector<exchange::Action>(const exchange::Event&)>;
+
+  explicit ScriptedPort(Behaviour behaviour = {}) : behaviour_(std::move(behaviour)) {}
+
+  const std::string& name() const override { return name_; }
+  Result<void> begin(const exchange::Step& step) override {
+    exchange::Reply reply;
+    reply.sequence = step.sequence;
+    for (std::uint32_t i = 0; i < step.events.size(); ++i) {
+      seen.push_back(step.events[i]);
+      if (!behaviour_) continue;
+      for (exchange::Action& action : behaviour_(step.events[i])) {
+        action.agent = step.events[i].agent;
+        action.event = i;
+        reply.actions.push_back(std::move(action));
+      }
+    }
+    reply_ = std::move(reply);
+    return {};
+  }
+  Result<exchange::Reply> finish() override { return *std::exchange(reply_, std::nullopt); }
+  Result<std::optional<exchange::Reply>> try_finish() override {
+    if (dead) return fail(Errc::kNotConnected, "killed by signal 9");
+    if (busy) return std::optional<exchange::Reply>();
+    return std::exchange(reply_, std::nullopt);
+  }
+  Result<void> check_alive() override {
+    if (dead) return fail(Errc::kNotConnected, "killed by signal 9");
+    return {};
+  }
+
+  std::vector<exchange::Event> of(exchange::Cause cause) const {
+    std::vector<exchange::Event> found;
+    for (const auto& event : seen) {
+      if (event.cause == cause) found.push_back(event);
+    }
+    return found;
+  }
+
+  std::vector<exchange::Event> seen;
+  bool busy = false, dead = false;
+
+ private:
+  std::string name_ = "scripted";
+  Behaviour behaviour_;
+  std::optional<exchange::Reply> reply_;
+};
+
+inline exchange::Action drive_action(const Twist2& twist) {
+  exchange::Action action;
+  action.kind = exchange::ActionKind::kDriveBody;
+  action.twist = twist;
+  return action;
+}
+
+inline exchange::Action send_action(AgentId to, MessageId id, Bytes payload = {1, 2, 3}) {
+  exchange::Action action;
+  action.kind = exchange::ActionKind::kSend;
+  action.message_id = id;
+  action.destination = to;
+  action.topic = "test";
+  action.payload = std::move(payload);
+  return action;
+}
+
+}  // namespace hal::hardware
