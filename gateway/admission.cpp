@@ -30,11 +30,6 @@ Admission::Admission(std::vector<AgentOffer> offers, std::uint64_t run, Offered 
   for (AgentOffer& offer : offers) places_.push_back({std::move(offer), {}});
 }
 
-bool Admission::concerns(const Hello& hello) const {
-  return std::ranges::any_of(
-      places_, [&](const Place& place) { return asks_for(hello, place.offer.session.name); });
-}
-
 Session Admission::decide(const Hello& hello) {
   const auto known = granted_.find(hello.instance);
   if (known != granted_.end()) return known->second;
@@ -65,18 +60,23 @@ std::string Admission::refusal_of(const Hello& hello) const {
   return {};
 }
 
+bool Admission::fits_one(const std::string& pattern) const {
+  return std::ranges::any_of(
+      places_, [&](const Place& place) { return hal::matches(pattern, place.offer.session.name); });
+}
+
+bool Admission::is_for_others(const Hello& hello) const {
+  return offered_ == Offered::kSome &&
+         std::ranges::none_of(hello.patterns, [this](const auto& p) { return fits_one(p); });
+}
+
 std::string Admission::unknown_in(const Hello& hello) const {
   if (hello.patterns.empty()) return "it asks for no agent";
-  std::size_t fitting = 0;
-  for (const std::string& pattern : hello.patterns) {
-    const bool fits_one = std::ranges::any_of(places_, [&](const Place& place) {
-      return hal::matches(pattern, place.offer.session.name);
-    });
-    fitting += fits_one ? 1 : 0;
-    if (!fits_one && offered_ == Offered::kAll) return fmt::format("unknown agent '{}'", pattern);
-  }
-  if (fitting == 0) return fmt::format("unknown agent '{}'", hello.patterns.front());
-  return {};
+  const auto unknown =
+      std::ranges::find_if(hello.patterns, [this](const auto& p) { return !fits_one(p); });
+  if (unknown == hello.patterns.end()) return {};
+  if (offered_ == Offered::kSome && !is_for_others(hello)) return {};
+  return fmt::format("unknown agent '{}'", *unknown);
 }
 
 std::string Admission::objection(const Place& place, const Hello& hello) const {

@@ -17,7 +17,8 @@ namespace gateway {
 /// are: another protocol version; no patterns; a process name that a granted process has; a
 /// pattern that fits no agent; an agent that is taken, that the scenario gives to another program,
 /// that is of a kind the program does not drive, or that lacks a channel the program needs; and
-/// everyone, once closed.
+/// everyone, once closed. Where others have agents, too, who asks for none of these is no
+/// business of this server.
 class Admission {
  public:
   /// Whose agents these are. kSome: other servers of the domain have more, so that of several
@@ -27,12 +28,12 @@ class Admission {
   Admission(std::vector<hal::exchange::AgentOffer> offers, std::uint64_t run,
             Offered offered = Offered::kAll);
 
-  /// Whether one of its patterns fits one of these agents.
-  bool concerns(const hal::exchange::Hello& hello) const;
-
   /// The Session for a Hello; `refusal` says why not. `server` is left empty. A Hello that was
   /// granted before gets the same Session again.
   hal::exchange::Session decide(const hal::exchange::Hello& hello);
+
+  /// Whether the Hello is to be left to other servers.
+  bool is_for_others(const hal::exchange::Hello& hello) const;
 
   void release(const std::string& instance);  ///< Its agents are free again.
   void close() { closed_ = true; }            ///< The run begins: nobody joins.
@@ -48,6 +49,7 @@ class Admission {
     std::string holder;  ///< Instance; empty: free.
   };
   std::string refusal_of(const hal::exchange::Hello& hello) const;
+  bool fits_one(const std::string& pattern) const;
   std::string unknown_in(const hal::exchange::Hello& hello) const;
   std::string objection(const Place& place, const hal::exchange::Hello& hello) const;
   hal::exchange::Session grant(const hal::exchange::Hello& hello);

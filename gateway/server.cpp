@@ -110,9 +110,7 @@ void AgentServer::Implementation::answer_hellos(hal::Duration timeout, hal::Time
 }
 
 void AgentServer::Implementation::answer(const Hello& hello, hal::Time now) {
-  // Another server of the domain may have them. To refuse would end a process that has not met
-  // that one yet; if there is none, it runs out of patience.
-  if (settings_.attendance == Attendance::kAnyTime && !admission_.concerns(hello)) return;
+  if (admission_.is_for_others(hello)) return;
   const Session session = admission_.decide(hello);
   const bool is_known =
       candidates_.contains(hello.instance) ||

@@ -6,8 +6,15 @@
 
 namespace hal::description {
 
+/// What the link under the router tells of its frames.
+enum class TransmitStatus {
+  kReported,  ///< The keys of hop acknowledgements and hellos are refused.
+  kNone,      ///< The router finds out for itself: they are used.
+};
+
 /// `routing:` of a scenario, or of a real agent's file.
-routing::RoutingConfig read_routing(config::Mapping in);
-void write_routing(config::Writer& out, const routing::RoutingConfig& config);
+routing::RoutingConfig read_routing(config::Mapping in, TransmitStatus status);
+void write_routing(config::Writer& out, const routing::RoutingConfig& config,
+                   TransmitStatus status);
 
 }  // namespace hal::description

@@ -26,6 +26,7 @@ Vec2 approach(Vec2 now, Vec2 target, double up, double down, double seconds) {
 
 Twist2 MotorProfile::advance(const Twist2& target, Duration step) {
   BARAKA_CHECK(step > Duration::zero());
+  if (velocity_ == target) return velocity_ = target;
   const double seconds = to_seconds(step);
   const Vec2 linear = approach({velocity_.vx, velocity_.vy}, {target.vx, target.vy},
                                limits_.linear_up, limits_.linear_down, seconds);

@@ -77,11 +77,15 @@ Twist2 WheelDrive::limits() const {
 }
 
 std::vector<double> WheelDrive::wheel_speeds(const Twist2& twist) const {
-  std::vector<double> speeds;
-  speeds.reserve(body_to_wheel_.size());
-  for (const Row& row : body_to_wheel_)
-    speeds.push_back(dot(row, {twist.vx, twist.vy, twist.omega}));
+  std::vector<double> speeds(body_to_wheel_.size());
+  wheel_speeds(twist, speeds);
   return speeds;
+}
+
+void WheelDrive::wheel_speeds(const Twist2& twist, std::span<double> speeds) const {
+  BARAKA_CHECK(speeds.size() == body_to_wheel_.size());
+  const Row body{twist.vx, twist.vy, twist.omega};
+  for (std::size_t i = 0; i < speeds.size(); ++i) speeds[i] = dot(body_to_wheel_[i], body);
 }
 
 Twist2 WheelDrive::body_velocity(std::span<const double> speeds) const {
@@ -96,8 +100,9 @@ Twist2 WheelDrive::body_velocity(std::span<const double> speeds) const {
 }
 
 WheelDrive::Limited WheelDrive::saturate(const Twist2& twist) const {
+  const Row body{twist.vx, twist.vy, twist.omega};
   double fastest = 0;
-  for (const double speed : wheel_speeds(twist)) fastest = std::max(fastest, std::abs(speed));
+  for (const Row& row : body_to_wheel_) fastest = std::max(fastest, std::abs(dot(row, body)));
   if (fastest <= max_wheel_speed_) return {twist, false};
   const double factor = max_wheel_speed_ / fastest;
   return {{factor * twist.vx, factor * twist.vy, factor * twist.omega}, true};

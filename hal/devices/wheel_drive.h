@@ -37,6 +37,9 @@ class WheelDrive {
   /// Wheel speeds [rad/s] of a body velocity, in the order of the wheels; not limited.
   std::vector<double> wheel_speeds(const Twist2& twist) const;
 
+  /// The same into `speeds`, which must hold one per wheel.
+  void wheel_speeds(const Twist2& twist, std::span<double> speeds) const;
+
   /// Body velocity of wheel speeds [rad/s]: exact for three wheels, least squares for more.
   /// @pre one speed per wheel.
   Twist2 body_velocity(std::span<const double> speeds) const;

@@ -91,7 +91,8 @@ RobotFile RobotFile::load(const std::filesystem::path& path,
   read_controller(in.mapping("controller"), file);
   read_times(in, file);
   file.radio = read_radio(in.mapping("radio"));
-  file.routing = description::read_routing(in.mapping("routing"));
+  file.routing =
+      description::read_routing(in.mapping("routing"), description::TransmitStatus::kNone);
   file.localisation = read_localisation(in.mapping("localisation"), file);
   read_body(in, file);
   in.finish();

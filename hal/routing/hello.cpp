@@ -39,7 +39,11 @@ void Hellos::on_heard(AgentId from) {
 
 void Hellos::on_hello(AgentId from, const Hello& hello) {
   on_heard(from);
-  watched_.at(from).period = hello.period;
+  Watch& watch = watched_.at(from);
+  if (watch.period == hello.period) return;
+  watch.period = hello.period;
+  node_.timers.cancel(watch.timer);
+  wait_for(from, watch);
 }
 
 Time Hellos::deadline(const Watch& watch) const {
@@ -47,12 +51,13 @@ Time Hellos::deadline(const Watch& watch) const {
 }
 
 /// The timer is not moved with every frame: when it runs, it looks whether it came too early.
-void Hellos::wait_for(AgentId neighbour, const Watch& watch) {
-  node_.timers.schedule(deadline(watch), [this, neighbour] { on_deadline(neighbour); });
+void Hellos::wait_for(AgentId neighbour, Watch& watch) {
+  watch.timer =
+      node_.timers.schedule(deadline(watch), [this, neighbour] { on_deadline(neighbour); });
 }
 
 void Hellos::on_deadline(AgentId neighbour) {
-  const Watch& watch = watched_.at(neighbour);
+  Watch& watch = watched_.at(neighbour);
   if (node_.now() < deadline(watch)) return wait_for(neighbour, watch);
   watched_.erase(neighbour);
   on_silence_(neighbour);

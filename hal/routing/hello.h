@@ -31,17 +31,18 @@ class Hellos {
   struct Watch {
     Time last_heard{};
     Duration period{};
+    OwnTimers::Handle timer = 0;
   };
 
   void schedule_next();
   Time deadline(const Watch& watch) const;
-  void wait_for(AgentId neighbour, const Watch& watch);
+  void wait_for(AgentId neighbour, Watch& watch);
   void on_deadline(AgentId neighbour);
 
   Node& node_;
   Link& link_;
   std::function<void(AgentId)> on_silence_;
-  std::map<AgentId, Watch> watched_;  ///< Each has one timer.
+  std::map<AgentId, Watch> watched_;
 };
 
 }  // namespace hal::routing

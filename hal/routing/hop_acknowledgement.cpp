@@ -1,6 +1,7 @@
 #include "hal/routing/hop_acknowledgement.h"
 
 #include <utility>
+#include <vector>
 
 namespace hal::routing {
 namespace {
@@ -25,46 +26,84 @@ LinkCapabilities HopAcknowledgement::capabilities() const {
 void HopAcknowledgement::transmit(AgentId next_hop, Bytes packet, LinkTag tag) {
   if (next_hop == kEveryone) {
     link_.transmit(kEveryone, std::move(packet), kNoTag);
-    timers_.schedule(timers_.now(), [this, tag] { report_({tag, Verdict::kDelivered}); });
-    return;
+    return report_soon(tag, Verdict::kDelivered);
   }
-  const HopNumber number = ++last_number_;
-  Pending& pending = pending_[number];
-  pending.next_hop = next_hop;
-  pending.frame = encode_numbered(number, packet);
-  pending.tag = tag;
-  pending.timeout = config_.ack_timeout;
-  attempt(number, pending);
+  Lane& lane = lanes_[next_hop];
+  const bool has_room =
+      lane.in_flight.size() < kWindow || lane.waiting.size() < config_.buffer_limit;
+  if (!has_room) return report_soon(tag, Verdict::kQueueFull);
+  lane.waiting.push_back({std::move(packet), tag});
+  fill(next_hop);
 }
 
-void HopAcknowledgement::attempt(HopNumber number, Pending& pending) {
-  ++pending.attempts;
-  pending.timer =
-      timers_.schedule(timers_.now() + pending.timeout, [this, number] { on_timeout(number); });
-  pending.timeout *= 2;
-  link_.transmit(pending.next_hop, pending.frame, kNoTag);
+void HopAcknowledgement::report_soon(LinkTag tag, Verdict verdict) {
+  timers_.schedule(timers_.now(), [this, tag, verdict] { report_({tag, verdict}); });
 }
 
-void HopAcknowledgement::on_timeout(HopNumber number) {
-  Pending& pending = pending_.at(number);
-  if (pending.attempts < config_.ack_attempts) return attempt(number, pending);
-  const LinkTag tag = pending.tag;
-  pending_.erase(number);
-  report_({tag, Verdict::kRetryLimit});
+/// Sends what waits for the neighbour, as far as the window allows.
+void HopAcknowledgement::fill(AgentId next_hop) {
+  const auto found = lanes_.find(next_hop);
+  if (found == lanes_.end()) return;
+  Lane& lane = found->second;
+  while (!lane.waiting.empty() && lane.in_flight.size() < kWindow) {
+    const Waiting next = std::move(lane.waiting.front());
+    lane.waiting.pop_front();
+    const HopNumber number = ++last_number_;
+    InFlight& sent = lane.in_flight[number];
+    sent.frame = encode_numbered(number, next.packet);
+    sent.tag = next.tag;
+    sent.timeout = config_.ack_timeout;
+    attempt(next_hop, number, sent);
+  }
+  if (lane.in_flight.empty()) lanes_.erase(found);
+}
+
+void HopAcknowledgement::attempt(AgentId next_hop, HopNumber number, InFlight& sent) {
+  ++sent.attempts;
+  sent.timer = timers_.schedule(timers_.now() + sent.timeout,
+                                [this, next_hop, number] { on_timeout(next_hop, number); });
+  sent.timeout *= 2;
+  link_.transmit(next_hop, sent.frame, kNoTag);
+}
+
+void HopAcknowledgement::on_timeout(AgentId next_hop, HopNumber number) {
+  InFlight& sent = lanes_.at(next_hop).in_flight.at(number);
+  if (sent.attempts < config_.ack_attempts) {
+    attempt(next_hop, number, sent);
+  } else {
+    give_up(next_hop);
+  }
+}
+
+void HopAcknowledgement::give_up(AgentId neighbour) {
+  const auto lane = lanes_.extract(neighbour);
+  if (lane.empty()) return;
+  std::vector<LinkTag> failed;
+  for (const auto& [number, sent] : lane.mapped().in_flight) {
+    timers_.cancel(sent.timer);
+    failed.push_back(sent.tag);
+  }
+  for (const Waiting& waiting : lane.mapped().waiting) failed.push_back(waiting.tag);
+  // Who hears of one may send the next: nothing of the lane is used any more.
+  for (const LinkTag tag : failed) report_({tag, Verdict::kRetryLimit});
 }
 
 bool HopAcknowledgement::on_numbered(AgentId from, HopNumber number) {
-  link_.transmit(from, encode(HopAck{number}), kNoTag);
   return received_.note({from, number}, timers_.now()).second;
 }
 
+void HopAcknowledgement::acknowledge(AgentId neighbour, HopNumber number) {
+  link_.transmit(neighbour, encode(HopAck{number}), kNoTag);
+}
+
 void HopAcknowledgement::on_ack(AgentId from, HopNumber number) {
-  const auto pending = pending_.find(number);
-  if (pending == pending_.end() || pending->second.next_hop != from) return;
-  timers_.cancel(pending->second.timer);
-  const LinkTag tag = pending->second.tag;
-  pending_.erase(pending);
-  report_({tag, Verdict::kDelivered});
+  const auto lane = lanes_.find(from);
+  if (lane == lanes_.end()) return;
+  const auto sent = lane->second.in_flight.extract(number);
+  if (sent.empty()) return;
+  timers_.cancel(sent.mapped().timer);
+  fill(from);
+  report_({sent.mapped().tag, Verdict::kDelivered});
 }
 
 }  // namespace hal::routing

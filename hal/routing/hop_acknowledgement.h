@@ -1,5 +1,6 @@
 #pragma once
 
+#include <deque>
 #include <functional>
 #include <map>
 
@@ -15,11 +16,14 @@ namespace hal::routing {
 /// until the next hop's router acknowledges them, and gives up as a MAC does, with kRetryLimit.
 /// Repeated frames are dropped by the receiver, but acknowledged again.
 ///
-///   transmit --> sent --hop ack--------------------------> kDelivered
-///                 | ^
-///   ack_timeout   | | again, after twice the time
-///                 v |
-///               attempts left? --no--> kRetryLimit
+///   transmit --> waiting --fewer than kWindow in flight--> in flight --hop ack--> kDelivered
+///      |                                                    | ^
+///      +--buffer_limit wait--> kQueueFull       ack_timeout | | again, after twice the time
+///                                                           v |
+///                                            attempts left? --no--> kRetryLimit
+///
+/// A neighbour that is given up takes all frames for it along. The window keeps a burst from
+/// flooding a queue below that overflows without a word.
 ///
 /// An acknowledgement of its own, not overhearing the next hop pass the frame on: a socket gets
 /// unicast datagrams of others only with special rights, the last hop passes nothing on, and a next
@@ -28,6 +32,7 @@ namespace hal::routing {
 class HopAcknowledgement final : public Link {
  public:
   using Report = std::function<void(const Transmission&)>;
+  static constexpr std::size_t kWindow = 4;  ///< Frames in flight to one neighbour.
 
   /// @param report  called once for every transmit(), never from within it.
   HopAcknowledgement(const RoutingConfig& config, Link& link, Timers& timers, Report report);
@@ -38,30 +43,44 @@ class HopAcknowledgement final : public Link {
   Duration expected_delay() const override { return link_.expected_delay(); }
   double transmit_energy(std::size_t bytes) const override { return link_.transmit_energy(bytes); }
 
-  /// Acknowledges a frame that came in. @return whether it is the first copy.
+  /// Notes a frame that came in. @return whether it is the first copy.
   bool on_numbered(AgentId from, HopNumber number);
+  void acknowledge(AgentId neighbour, HopNumber number);
   /// Acknowledgements that nobody waits for (copies, late ones, forged ones) have no effect.
   void on_ack(AgentId from, HopNumber number);
 
+  /// Reports all frames for a neighbour as failed.
+  void give_up(AgentId neighbour);
+
  private:
-  struct Pending {
-    AgentId next_hop;
+  struct Waiting {
+    Bytes packet;
+    LinkTag tag = 0;
+  };
+  struct InFlight {
     Bytes frame;
     LinkTag tag = 0;
     int attempts = 0;
     Duration timeout{};
     OwnTimers::Handle timer = 0;
   };
+  /// What is on its way to one neighbour.
+  struct Lane {
+    std::deque<Waiting> waiting;
+    std::map<HopNumber, InFlight> in_flight;
+  };
 
-  void attempt(HopNumber number, Pending& pending);
-  void on_timeout(HopNumber number);
+  void report_soon(LinkTag tag, Verdict verdict);
+  void fill(AgentId next_hop);
+  void attempt(AgentId next_hop, HopNumber number, InFlight& sent);
+  void on_timeout(AgentId next_hop, HopNumber number);
 
   const RoutingConfig config_;
   Link& link_;
   OwnTimers timers_;
   Report report_;
   HopNumber last_number_;
-  std::map<HopNumber, Pending> pending_;
+  std::map<AgentId, Lane> lanes_;  ///< None is empty.
   Memory<std::pair<AgentId, HopNumber>, Seen> received_;
 };
 

@@ -34,7 +34,7 @@ struct Router::State final : OutboxListener {
         node{self, config, random, ports_over(has_status ? ports.link : hop, ports),
              OwnTimers(ports.timers)},
         table(ports.observer),
-        hellos(node, ports.link, [this](AgentId neighbour) { on_no_answer(neighbour); }) {
+        hellos(node, ports.link, [this](AgentId neighbour) { on_silence(neighbour); }) {
     if (!has_status) hellos.start();
   }
 
@@ -45,6 +45,11 @@ struct Router::State final : OutboxListener {
   void on_no_answer(AgentId neighbour) override {
     table.remove_via(neighbour);
     neighbourhood.on_no_answer(neighbour);
+  }
+
+  void on_silence(AgentId neighbour) {
+    on_no_answer(neighbour);
+    hop.give_up(neighbour);
   }
 
   void on_sent(Transit transit, Verdict verdict) override {
@@ -64,9 +69,13 @@ struct Router::State final : OutboxListener {
   bool take(Packet packet, const Arrival& arrival) {
     return std::visit([&](auto& kind) { return take(std::move(kind), arrival); }, packet);
   }
+  /// The packet first, its acknowledgement after it: the message is in more of a hurry.
   bool take(Numbered numbered, const Arrival& arrival) {
-    if (!hop.on_numbered(arrival.reception.from, numbered.number)) return true;
-    return take(std::move(numbered.packet), arrival);
+    const AgentId from = arrival.reception.from;
+    const bool is_first = hop.on_numbered(from, numbered.number);
+    const bool is_good = !is_first || take(std::move(numbered.packet), arrival);
+    hop.acknowledge(from, numbered.number);
+    return is_good;
   }
   bool take(HopAck ack, const Arrival& arrival) {
     hop.on_ack(arrival.reception.from, ack.number);

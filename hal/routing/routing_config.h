@@ -20,7 +20,7 @@ struct RoutingConfig {
       1.5;  ///< >= 1: later copies of an ant: at most this times the best, in hops …
   bool accept_anywhere = false;     ///< … at every node; else only at the destination.
   int hop_limit = 30;               ///< Of ants, floods and data, 1..255.
-  std::uint32_t buffer_limit = 64;  ///< Messages that wait for one route.
+  std::uint32_t buffer_limit = 64;  ///< Messages that wait for one route or next hop.
   Duration buffer_age = 10s;        ///< A message waits for a route no longer than this; > 0.
 
   /// Over a link without transmit status only (hop_acknowledgement.h, hello.h).

@@ -61,8 +61,9 @@ Controllers::Round Controllers::exchange(std::vector<hal::exchange::Event> event
     }
   }
   for (Connection& connection : ports_) connection.step.events.clear();
-  std::stable_sort(round.answers.begin(), round.answers.end(),
-                   [](const auto& a, const auto& b) { return a.action.agent < b.action.agent; });
+  const auto before = [](const auto& a, const auto& b) { return a.action.agent < b.action.agent; };
+  if (!std::is_sorted(round.answers.begin(), round.answers.end(), before))
+    std::stable_sort(round.answers.begin(), round.answers.end(), before);
   return round;
 }
 

@@ -29,13 +29,15 @@ void keep_latest(std::vector<hal::Neighbour>& heard) {
 
 std::vector<hal::exchange::Event> Inbox::take() {
   std::vector<hal::exchange::Event> events = std::exchange(events_, {});
-  std::stable_sort(events.begin(), events.end(), [](const auto& a, const auto& b) {
+  const auto before = [](const auto& a, const auto& b) {
     return std::tie(a.time, a.cause) < std::tie(b.time, b.cause);
-  });
+  };
+  if (!std::is_sorted(events.begin(), events.end(), before))
+    std::stable_sort(events.begin(), events.end(), before);
   for (hal::exchange::Event& event : events) {
     move_until(event.time, routes_, event.routes);
     move_until(event.time, neighbours_, event.neighbours);
-    keep_latest(event.neighbours);
+    if (event.neighbours.size() > 1) keep_latest(event.neighbours);
     move_until(event.time, lost_, event.lost_neighbours);
   }
   return events;

@@ -5,11 +5,12 @@
 
 namespace sim::agents {
 
-RadioLink::RadioLink(radio::MacSap& mac) : mac_(mac) {
+RadioLink::RadioLink(radio::MacSap& mac, LinkKind kind) : mac_(mac), kind_(kind) {
   mac_.add_client(radio::kEthertypeRouting, *this);
 }
 
 hal::routing::LinkCapabilities RadioLink::capabilities() const {
+  if (kind_ == LinkKind::kUdpLike) return {.tx_status = false, .rssi = false};
   const radio::MacCapabilities mac = mac_.capabilities();
   return {.tx_status = mac.tx_status, .rssi = mac.rssi};
 }
@@ -23,12 +24,16 @@ void RadioLink::transmit(hal::AgentId next_hop, hal::Bytes frame, hal::routing::
 }
 
 void RadioLink::on_receive(const radio::MacIndication& indication) {
-  router_->on_frame(
-      {.from = indication.source, .rssi_dbm = indication.rssi_dbm, .snr_db = indication.snr_db},
-      *indication.payload);
+  hal::routing::Reception reception{.from = indication.source};
+  if (kind_ == LinkKind::kMac) {
+    reception.rssi_dbm = indication.rssi_dbm;
+    reception.snr_db = indication.snr_db;
+  }
+  router_->on_frame(reception, *indication.payload);
 }
 
 void RadioLink::on_transmitted(std::uint64_t tag, hal::Verdict verdict) {
+  if (kind_ == LinkKind::kUdpLike) return;
   router_->on_transmitted({.tag = tag, .verdict = verdict});
 }
 

@@ -2,6 +2,7 @@
 
 #include "hal/routing/ports.h"
 #include "hal/routing/router.h"
+#include "sim/agents/simulation_config.h"
 #include "sim/radio/mac_sap.h"
 
 namespace sim::agents {
@@ -10,7 +11,7 @@ namespace sim::agents {
 class RadioLink final : public hal::routing::Link, public radio::MacClient {
  public:
   /// Becomes the MAC's client for routing frames. The MAC outlives the link.
-  explicit RadioLink(radio::MacSap& mac);
+  RadioLink(radio::MacSap& mac, LinkKind kind);
 
   /// @pre before the first frame arrives.
   void attach(hal::routing::Router& router) { router_ = &router; }
@@ -25,6 +26,7 @@ class RadioLink final : public hal::routing::Link, public radio::MacClient {
 
  private:
   radio::MacSap& mac_;
+  LinkKind kind_;
   hal::routing::Router* router_ = nullptr;
 };
 

@@ -73,9 +73,11 @@ std::vector<Event> Simulation::State::take_events() {
     std::move(events_of_agent.begin(), events_of_agent.end(), std::back_inserter(taken));
   }
   waiting.clear();
-  // By agent already, and by cause within; with a window of time, time comes first.
-  std::stable_sort(taken.begin(), taken.end(),
-                   [](const Event& a, const Event& b) { return a.time < b.time; });
+  // By agent already, and by cause within; with a window of time, time comes first. Without one
+  // they are in order, and std::stable_sort would move each through a buffer.
+  const auto earlier = [](const Event& a, const Event& b) { return a.time < b.time; };
+  if (!std::is_sorted(taken.begin(), taken.end(), earlier))
+    std::stable_sort(taken.begin(), taken.end(), earlier);
   return taken;
 }
 

@@ -81,6 +81,8 @@ void SimulatedRobot::sample_infrared(Event& event) {
   infrared_.sample(event.time, scene.world(), scene.proximity());
   Reading metres{.channel = kInfrared, .values = {}},
       volts{.channel = kInfraredVolts, .values = {}};
+  metres.values.reserve(infrared_.readings().size());
+  volts.values.reserve(infrared_.readings().size());
   for (const sensing::InfraredReading& reading : infrared_.readings()) {
     metres.values.push_back(reading.metres);
     volts.values.push_back(reading.volts);

@@ -29,6 +29,12 @@ enum class OnDeath : std::uint8_t {
   kSilence,  ///< Its agents stop driving after the command timeout; their radios live on.
 };
 
+/// What routing learns from the radio about its frames.
+enum class LinkKind : std::uint8_t {
+  kMac,      ///< All that the MAC knows: what became of each frame, received power, SNR.
+  kUdpLike,  ///< As much as a UDP socket tells: nothing. The air is the same.
+};
+
 struct AgentConfig {
   hal::AgentId id;  ///< 1 … 0xfffe
   std::string name;
@@ -62,6 +68,7 @@ struct SimulationConfig {
   physics::WorldConfig world;
   std::vector<physics::StaticBox> walls;
   radio::RadioConfig radio;
+  LinkKind link = LinkKind::kMac;
   hal::routing::RoutingConfig routing;
   LocalisationConfig localisation;
   std::vector<AgentConfig> agents;  ///< By address.

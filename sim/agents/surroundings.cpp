@@ -24,6 +24,8 @@ double distance(hal::Vec2 point, const physics::Shape& box) {
 Scene::Scene(const physics::World& world, const std::vector<hal::AgentId>& agents)
     : world_(world), proximity_(world) {
   for (const hal::AgentId agent : agents) positions_.push_back({agent, {}});
+  for (const physics::Shape& shape : world.shapes())
+    if (shape.is_static()) walls_.push_back(shape);
 }
 
 const sensing::Proximity& Scene::proximity() {
@@ -50,10 +52,8 @@ BodyState Scene::body(hal::AgentId agent) const {
                   .theta = pose.heading,
                   .tilt = pose.tilt,
                   .clearance = std::numeric_limits<double>::infinity()};
-  for (const physics::Shape& shape : world_.shapes()) {
-    if (!shape.is_static()) continue;
-    state.clearance = std::min(state.clearance, distance({state.x, state.y}, shape));
-  }
+  for (const physics::Shape& wall : walls_)
+    state.clearance = std::min(state.clearance, distance({state.x, state.y}, wall));
   return state;
 }
 

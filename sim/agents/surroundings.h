@@ -31,6 +31,7 @@ class Scene {
 
  private:
   const physics::World& world_;
+  std::vector<physics::Shape> walls_;
   sensing::Proximity proximity_;
   std::vector<sensing::AgentPosition> positions_;
   std::optional<std::uint64_t> proximity_at_, positions_at_;  ///< Physics steps.

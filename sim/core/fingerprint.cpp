@@ -26,7 +26,9 @@ void Hash::add_bytes(const void* data, std::size_t size) {
 
 Hash& Fingerprint::at(Part part, hal::AgentId agent, hal::Time time) {
   constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;
-  Current& current = current_[static_cast<std::size_t>(part)][agent.value];
+  std::vector<Current>& of_part = current_[static_cast<std::size_t>(part)];
+  if (agent.value >= of_part.size()) of_part.resize(agent.value + 1u);
+  Current& current = of_part[agent.value];
   const std::int64_t second = hal::to_ns(time) / kNanosecondsPerSecond;
   if (current.hash == nullptr || current.second != second) {
     current = {second, &hashes_[{second, part, agent}]};
@@ -44,20 +46,23 @@ std::vector<Fingerprint::Row> Fingerprint::rows() const {
   return rows;
 }
 
-std::uint64_t Fingerprint::part(Part part) const {
-  Hash sum;
+std::array<std::uint64_t, kPartCount> Fingerprint::parts() const {
+  std::array<Hash, kPartCount> sums;
   for (const auto& [key, hash] : hashes_) {
-    if (std::get<1>(key) != part) continue;
-    sum.add(std::get<0>(key));
-    sum.add(static_cast<std::uint64_t>(std::get<2>(key).value));
+    const auto& [second, part, agent] = key;
+    Hash& sum = sums[static_cast<std::size_t>(part)];
+    sum.add(second);
+    sum.add(std::uint64_t{agent.value});
     sum.add(hash.value());
   }
-  return sum.value();
+  std::array<std::uint64_t, kPartCount> values{};
+  for (std::size_t i = 0; i < values.size(); ++i) values[i] = sums[i].value();
+  return values;
 }
 
 std::uint64_t Fingerprint::total() const {
   Hash sum;
-  for (int p = 0; p < kPartCount; ++p) sum.add(part(static_cast<Part>(p)));
+  for (const std::uint64_t part : parts()) sum.add(part);
   return sum.value();
 }
 

@@ -58,8 +58,9 @@ class Fingerprint {
   /// By second, part, agent.
   std::vector<Row> rows() const;
 
-  /// Of one part over the whole run, and of all four.
-  std::uint64_t part(Part part) const;
+  /// Of each part over the whole run, of one of them, and of all four.
+  std::array<std::uint64_t, kPartCount> parts() const;
+  std::uint64_t part(Part part) const { return parts()[static_cast<std::size_t>(part)]; }
   std::uint64_t total() const;
 
  private:
@@ -69,7 +70,7 @@ class Fingerprint {
   };
 
   std::map<std::tuple<std::int64_t, Part, hal::AgentId>, Hash> hashes_;
-  std::array<std::map<std::uint16_t, Current>, kPartCount> current_;  ///< Saves the big look-up.
+  std::array<std::vector<Current>, kPartCount> current_;  ///< By address; saves the big look-up.
 };
 
 /// 16 hexadecimal digits.

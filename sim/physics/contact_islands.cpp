@@ -8,13 +8,16 @@ void ContactIslands::reset(std::size_t count) {
   parents_.resize(count);
   for (std::size_t i = 0; i < count; ++i) parents_[i] = i;
   totals_.assign(count, {});
+  empty_ = true;
 }
 
 void ContactIslands::add(std::size_t object, int contacts) {
+  empty_ = false;
   totals_[root(object)].contacts += contacts;
 }
 
 void ContactIslands::join(std::size_t a, std::size_t b, int contacts) {
+  empty_ = false;
   const auto [low, high] = std::minmax({root(a), root(b)});
   totals_[low].contacts += contacts;
   if (low == high) return;

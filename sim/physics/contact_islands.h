@@ -27,6 +27,9 @@ class ContactIslands {
   /// Contacts between two objects.
   void join(std::size_t a, std::size_t b, int contacts);
 
+  /// Whether nothing has touched anything since reset().
+  bool empty() const { return empty_; }
+
   /// Of the group that an object belongs to.
   Total total(std::size_t object);
 
@@ -35,6 +38,7 @@ class ContactIslands {
 
   std::vector<std::size_t> parents_;
   std::vector<Total> totals_;  ///< Valid at roots.
+  bool empty_ = true;
 };
 
 }  // namespace sim::physics

@@ -38,20 +38,26 @@ bool is_awake(dBodyID body) { return body != nullptr && dBodyIsEnabled(body) != 
 
 void ContactPass::run(hal::Time now) {
   now_ = now;
-  deepest_ = 0;
-  islands_.reset(objects_.size());
-  for (std::size_t i = 0; i < objects_.size(); ++i)
-    if (objects_[i]->drivetrain != nullptr) islands_.mark_robot(i);
-  touched_.assign(objects_.size(), {});
-  dSpaceCollide(world_.space(), this, [](void* self, dGeomID a, dGeomID b) {
-    static_cast<ContactPass*>(self)->touch(a, b);
-  });
+  if (!islands_.empty() || touched_.size() != objects_.size()) forget();
+  if (clearance_.may_touch(objects_)) {
+    dSpaceCollide(world_.space(), this, [](void* self, dGeomID a, dGeomID b) {
+      static_cast<ContactPass*>(self)->touch(a, b);
+    });
+  }
   for (const auto& object : objects_) {
     if (object->drivetrain != nullptr)
       object->drivetrain->touch_ground(world_);
     else
       stand_on_ground(*object);
   }
+}
+
+void ContactPass::forget() {
+  deepest_ = 0;
+  islands_.reset(objects_.size());
+  for (std::size_t i = 0; i < objects_.size(); ++i)
+    if (objects_[i]->drivetrain != nullptr) islands_.mark_robot(i);
+  touched_.assign(objects_.size(), {});
 }
 
 void ContactPass::touch(dGeomID a, dGeomID b) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/physics/clearance.h"
 #include "sim/physics/contact_islands.h"
 #include "sim/physics/object.h"
 #include "sim/physics/ode_world.h"
@@ -16,6 +17,9 @@ class ContactPass {
   /// stand on the ground in this very step.
   void run(hal::Time now);
 
+  /// A wall that was added to the world.
+  void add_wall(const Shape& wall) { clearance_.add_wall(wall); }
+
   /// Who touches whom, from the last run().
   ContactIslands& islands() { return islands_; }
 
@@ -23,6 +27,7 @@ class ContactPass {
   double deepest_overlap() const { return deepest_; }
 
  private:
+  void forget();
   void touch(dGeomID a, dGeomID b);
   void record(const Solid& self, const Solid& other);
   void count(const Solid& a, const Solid& b, int contacts);
@@ -32,6 +37,7 @@ class ContactPass {
   Objects& objects_;
   double ground_friction_;
   ContactIslands islands_;
+  Clearance clearance_;
   hal::Time now_{};
   double deepest_ = 0;
   std::vector<std::array<bool, 3>> touched_;  ///< Per object and kind: recorded in this step.

@@ -10,8 +10,8 @@ using hal::Vec3;
 
 /// A sphere that is part of the chassis; its surface runs past the contact with the ground.
 struct ContactWheel {
-  dGeomID sphere;
-  Vec3 axle;  ///< Body frame of the chassis, unit length.
+  Vec3 offset;  ///< m, of the centre from the chassis's centre of mass, its frame
+  Vec3 axle;    ///< Body frame of the chassis, unit length.
   double radius;
   double mu;
   double mu2;
@@ -25,10 +25,7 @@ struct ContactWheel {
 class ContactWheels final : public Wheels {
  public:
   ContactWheels(const RigidBody& chassis, const std::vector<hal::devices::Wheel>& wheels,
-                double weight_on_each);
-  ~ContactWheels() override {
-    for (const ContactWheel& wheel : wheels_) dGeomDestroy(wheel.sphere);
-  }
+                double weight_on_each, bool measure_energy);
   ContactWheels(const ContactWheels&) = delete;
   ContactWheels& operator=(const ContactWheels&) = delete;
 
@@ -43,24 +40,23 @@ class ContactWheels final : public Wheels {
  private:
   double grip(ContactWheel& wheel) const;
   double turned(ContactWheel& wheel, double seconds);
+  void book(const ContactWheel& wheel, const Vec3& after, double seconds);
 
   RigidBody chassis_;
+  bool measures_;
   bool power_ = true;
   std::vector<ContactWheel> wheels_;
 };
 
 ContactWheels::ContactWheels(const RigidBody& chassis,
-                             const std::vector<hal::devices::Wheel>& wheels, double weight_on_each)
-    : chassis_(chassis) {
+                             const std::vector<hal::devices::Wheel>& wheels, double weight_on_each,
+                             bool measure_energy)
+    : chassis_(chassis), measures_(measure_energy) {
   wheels_.reserve(wheels.size());  // the solver writes feedback to them: they stay in place
   for (const hal::devices::Wheel& wheel : wheels) {
-    const dGeomID sphere = dCreateSphere(nullptr, wheel.radius);
-    dGeomSetBody(sphere, chassis.body);
-    const Vec3 place = Vec3{wheel.position.x, wheel.position.y, wheel.radius};
-    const Vec3 offset = place - chassis.centre_of_mass;
-    dGeomSetOffsetPosition(sphere, offset.x, offset.y, offset.z);
+    const Vec3 place{wheel.position.x, wheel.position.y, wheel.radius};
     const Vec3 axle{hal::math::cos(wheel.axle_heading), hal::math::sin(wheel.axle_heading), 0};
-    wheels_.push_back({sphere,
+    wheels_.push_back({place - chassis.centre_of_mass,
                        axle,
                        wheel.radius,
                        wheel.mu,
@@ -82,10 +78,14 @@ double ContactWheels::grip(ContactWheel& wheel) const {
 }
 
 void ContactWheels::touch_ground(const OdeWorld& world) {
+  const dReal* p = dBodyGetPosition(chassis_.body);
+  const Vec3 centre{p[0], p[1], p[2]};
+  dContact contact{};
   for (ContactWheel& wheel : wheels_) {
-    dContact contact{};
-    const Vec3 axle = rotate(chassis_.body, wheel.axle);
-    if (!meet_ground(world, wheel.sphere, axle, contact, wheel.ground)) continue;
+    const WheelSphere sphere{chassis_.body, centre + rotate(chassis_.body, wheel.offset),
+                             rotate(chassis_.body, wheel.axle), wheel.radius};
+    if (!meet_ground(sphere, contact, wheel.ground)) continue;
+    if (measures_) wheel.ground.velocity = material_velocity(chassis_.body, wheel.ground.arm);
     contact.surface.mode |= dContactMotion1;
     contact.surface.mu = grip(wheel);
     contact.surface.mu2 = wheel.mu2;
@@ -105,25 +105,31 @@ void ContactWheels::follow(double seconds, std::span<double> angles) {
 double ContactWheels::turned(ContactWheel& wheel, double seconds) {
   const GroundContact& ground = wheel.ground;
   if (!ground.touches) return (power_ ? wheel.speed : 0) * seconds;
-  const Vec3 force = ground.force();
-  wheel.load = std::max(force.z, 0.0);
+  wheel.load = std::max(ground.force().z, 0.0);
+  if (!wheel.yields && !measures_) return wheel.speed * seconds;
   const Vec3 after = material_velocity(chassis_.body, ground.arm);
-  const Vec3 mean = 0.5 * (ground.velocity + after);
+  if (measures_) book(wheel, after, seconds);
   const double passing = dot(after, ground.rolling) / wheel.radius;
-  const double rate = wheel.yields ? passing : wheel.speed;
+  return (wheel.yields ? passing : wheel.speed) * seconds;
+}
+
+/// @param after  velocity of the chassis's material at the contact, after the step.
+void ContactWheels::book(const ContactWheel& wheel, const Vec3& after, double seconds) {
+  const GroundContact& ground = wheel.ground;
+  const Vec3 force = ground.force();
+  const Vec3 mean = 0.5 * (ground.velocity + after);
   const double surface = wheel.yields ? dot(mean, ground.rolling) : wheel.speed * wheel.radius;
   const double driven = dot(force, ground.rolling) * surface * seconds;
   motor_work_ += driven;
   friction_loss_ += driven - dot(force, mean) * seconds;
-  return rate * seconds;
 }
 
 }  // namespace
 
 std::unique_ptr<Wheels> make_contact_wheels(const RigidBody& chassis,
                                             const std::vector<hal::devices::Wheel>& wheels,
-                                            double weight_on_each) {
-  return std::make_unique<ContactWheels>(chassis, wheels, weight_on_each);
+                                            double weight_on_each, bool measure_energy) {
+  return std::make_unique<ContactWheels>(chassis, wheels, weight_on_each, measure_energy);
 }
 
 }  // namespace sim::physics

@@ -31,7 +31,8 @@ std::unique_ptr<Wheels> make_wheels(const OdeWorld& world, const RigidBody& chas
   dBodyGetMass(chassis.body, &mass);
   const double weight = mass.mass * config.gravity;
   return make_contact_wheels(chassis, robot.wheels,
-                             weight / static_cast<double>(robot.wheels.size()));
+                             weight / static_cast<double>(robot.wheels.size()),
+                             config.measure_energy);
 }
 
 }  // namespace
@@ -42,7 +43,8 @@ Drivetrain::Drivetrain(const OdeWorld& world, const RigidBody& chassis,
       profile_(robot.acceleration),
       chassis_(chassis),
       bodies_{chassis.body},
-      angles_(robot.wheels.size(), 0.0) {
+      angles_(robot.wheels.size(), 0.0),
+      speeds_(robot.wheels.size(), 0.0) {
   check(robot);
   wheels_ = make_wheels(world, chassis, robot, config);
   bodies_.insert(bodies_.end(), wheels_->bodies().begin(), wheels_->bodies().end());
@@ -59,9 +61,12 @@ void Drivetrain::set_power(bool on) {
 void Drivetrain::actuate(hal::Duration step) {
   const hal::Twist2 wanted = profile_.advance(target_, step);
   keep_awake(wanted != hal::Twist2{} || target_ != hal::Twist2{});
+  if (wanted == asked_for_) return;
+  asked_for_ = wanted;
   // Turning and translating follow separate ramps, so that on the way from one reachable velocity
   // to another a wheel could still be asked for too much.
-  wheels_->turn(drive_.wheel_speeds(drive_.saturate(wanted).twist));
+  drive_.wheel_speeds(drive_.saturate(wanted).twist, speeds_);
+  wheels_->turn(speeds_);
 }
 
 void Drivetrain::keep_awake(bool moving) {

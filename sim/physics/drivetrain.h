@@ -3,6 +3,7 @@
 #include <ode/ode.h>
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -53,6 +54,8 @@ class Drivetrain {
   std::unique_ptr<Wheels> wheels_;
   std::vector<dBodyID> bodies_;
   std::vector<double> angles_;
+  std::vector<double> speeds_;            ///< rad/s, as the motors were told last.
+  std::optional<hal::Twist2> asked_for_;  ///< What these speeds are for; none: not told yet.
   hal::Twist2 target_;
   bool moving_ = false;
 };

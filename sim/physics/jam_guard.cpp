@@ -38,6 +38,10 @@ Parts divide(const Objects& objects, ContactIslands& islands, const Solve& how) 
 }  // namespace
 
 Solved solve(OdeWorld& world, const Objects& objects, ContactIslands& islands, const Solve& how) {
+  if (islands.empty()) {
+    world.solve_exactly(how.seconds);
+    return {};
+  }
   const Parts parts = divide(objects, islands, how);
   if (parts.jammed.empty()) {
     world.solve_exactly(how.seconds);

@@ -9,7 +9,8 @@ using hal::Vec3;
 /// A sphere with a body of its own on a motorised hinge.
 struct JointedWheel {
   dJointID hinge;
-  dGeomID sphere;
+  dBodyID body;
+  double radius;
   Vec3 axle;  ///< Body frame of the chassis, unit length.
   double mu;
   double mu2;
@@ -26,9 +27,6 @@ class JointedWheels final : public Wheels {
       : chassis_(chassis), measures_(measure_energy) {
     wheels_.reserve(wheels.size());  // the solver writes feedback to them: they stay in place
     for (const hal::devices::Wheel& wheel : wheels) mount(world, wheel);
-  }
-  ~JointedWheels() override {
-    for (const JointedWheel& wheel : wheels_) dGeomDestroy(wheel.sphere);
   }
   JointedWheels(const JointedWheels&) = delete;
   JointedWheels& operator=(const JointedWheels&) = delete;
@@ -61,7 +59,8 @@ void JointedWheels::mount(const OdeWorld& world, const hal::devices::Wheel& whee
 
   JointedWheel& joint = wheels_.emplace_back(
       JointedWheel{dJointCreateHinge(world.dynamics(), nullptr),
-                   dCreateSphere(nullptr, wheel.radius),
+                   body,
+                   wheel.radius,
                    {hal::math::cos(wheel.axle_heading), hal::math::sin(wheel.axle_heading), 0},
                    wheel.mu,
                    wheel.mu2,
@@ -69,7 +68,6 @@ void JointedWheels::mount(const OdeWorld& world, const hal::devices::Wheel& whee
                    0,
                    {},
                    {}});
-  dGeomSetBody(joint.sphere, body);
   dJointAttach(joint.hinge, body, chassis_.body);
   dJointSetHingeAnchor(joint.hinge, centre.x, centre.y, centre.z);
   const Vec3 axle = rotate(chassis_.body, joint.axle);
@@ -92,17 +90,21 @@ void JointedWheels::set_power(bool on) {
 }
 
 void JointedWheels::touch_ground(const OdeWorld& world) {
+  dContact contact{};
   for (JointedWheel& wheel : wheels_) {
     if (measures_) wheel.rate = dJointGetHingeAngleRate(wheel.hinge);
-    dContact contact{};
     // The rolling direction follows the chassis; the wheel's own frame turns with the wheel.
     const Vec3 axle = rotate(chassis_.body, wheel.axle);
-    if (!meet_ground(world, wheel.sphere, axle, contact, wheel.ground)) continue;
+    const dReal* p = dBodyGetPosition(wheel.body);
+    if (!meet_ground({wheel.body, {p[0], p[1], p[2]}, axle, wheel.radius}, contact, wheel.ground))
+      continue;
     contact.surface.mu = wheel.mu;
     contact.surface.mu2 = wheel.mu2;
     const dJointID joint = dJointCreateContact(world.dynamics(), world.contacts(), &contact);
-    dJointAttach(joint, dGeomGetBody(wheel.sphere), nullptr);
-    if (measures_) dJointSetFeedback(joint, &wheel.ground.forces);
+    dJointAttach(joint, wheel.body, nullptr);
+    if (!measures_) continue;
+    wheel.ground.velocity = material_velocity(wheel.body, wheel.ground.arm);
+    dJointSetFeedback(joint, &wheel.ground.forces);
   }
 }
 
@@ -123,7 +125,7 @@ void JointedWheels::book(const JointedWheel& wheel, double seconds) {
   const double rate = 0.5 * (wheel.rate + dJointGetHingeAngleRate(wheel.hinge));
   motor_work_ += torque * rate * seconds;
   if (!wheel.ground.touches) return;
-  const Vec3 after = material_velocity(dGeomGetBody(wheel.sphere), wheel.ground.arm);
+  const Vec3 after = material_velocity(wheel.body, wheel.ground.arm);
   friction_loss_ -= 0.5 * seconds * dot(wheel.ground.force(), wheel.ground.velocity + after);
 }
 

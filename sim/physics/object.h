@@ -2,6 +2,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "sim/physics/drivetrain.h"
@@ -20,9 +21,10 @@ struct Object {
   std::size_t first_shape = 0;             ///< Their shapes follow one another.
   double friction = 0;
   Contacts contacts;
-  hal::Vec3 centre;     ///< m, of the main body's mass, when it was last seen sane
-  bool lost = false;    ///< Tipped over or lost: it has been noted.
-  bool frozen = false;  ///< Out of the dynamics for good.
+  hal::Vec3 centre;                      ///< m, of the main body's mass, when it was last seen sane
+  mutable std::optional<BodyPose> pose;  ///< Kept while the body rests: its angles cost.
+  bool lost = false;                     ///< Tipped over or lost: it has been noted.
+  bool frozen = false;                   ///< Out of the dynamics for good.
 
   bool awake() const { return dBodyIsEnabled(rigid.body) != 0; }
   void wake() const {

@@ -8,15 +8,9 @@
 
 namespace sim::physics {
 
-/// Which geometries are tested against each other. Wheels and the ground stay out of the space and
-/// are tested directly: wheels touch nothing but the ground, and the ground would pair with all.
-enum Category : unsigned {
-  kGroundBit = 1,
-  kWallBit = 2,
-  kBodyBit = 4,
-  kWheelBit = 8,
-  kMoteBit = 16
-};
+/// Which geometries are tested against each other. Wheels and the ground stay out of the space:
+/// wheels touch nothing but the ground, and the ground would pair with all.
+enum Category : unsigned { kWallBit = 2, kBodyBit = 4, kMoteBit = 16 };
 
 /// Owns ODE's objects of one world: dynamics, broad phase, contact joints, ground plane.
 class OdeWorld {

@@ -146,13 +146,6 @@ void set_yaw(dMatrix3 rotation, double yaw) {
   rotation[5] = c;
 }
 
-Vec3 rotate(dBodyID body, const Vec3& vector) {
-  const dReal* r = dBodyGetRotation(body);
-  return {r[0] * vector.x + r[1] * vector.y + r[2] * vector.z,
-          r[4] * vector.x + r[5] * vector.y + r[6] * vector.z,
-          r[8] * vector.x + r[9] * vector.y + r[10] * vector.z};
-}
-
 void lift(const RigidBody& body, double height) {
   const dReal* p = dBodyGetPosition(body.body);
   dBodySetPosition(body.body, p[0], p[1], p[2] + height);

@@ -27,7 +27,12 @@ struct RigidBody {
 void set_yaw(dMatrix3 rotation, double yaw);
 
 /// Takes a vector from the body frame to the world frame.
-hal::Vec3 rotate(dBodyID body, const hal::Vec3& vector);
+inline hal::Vec3 rotate(dBodyID body, const hal::Vec3& vector) {
+  const dReal* r = dBodyGetRotation(body);
+  return {r[0] * vector.x + r[1] * vector.y + r[2] * vector.z,
+          r[4] * vector.x + r[5] * vector.y + r[6] * vector.z,
+          r[8] * vector.x + r[9] * vector.y + r[10] * vector.z};
+}
 
 /// Moves a body straight up. m
 void lift(const RigidBody& body, double height);

@@ -50,19 +50,33 @@ struct GroundContact {
   bool touches = false;
   hal::Vec3 arm;          ///< m, from the body's centre of mass, at the start of the step
   hal::Vec3 rolling;      ///< Unit vector, world frame: where a positive speed drives the body.
-  hal::Vec3 velocity;     ///< m/s of the body's material there, before the step
+  hal::Vec3 velocity;     ///< m/s of the body's material there, before the step; for energies only
   dJointFeedback forces;  ///< Of the step; valid if asked for.
 
   hal::Vec3 force() const { return {forces.f1[0], forces.f1[1], forces.f1[2]}; }  ///< N
 };
 
-/// Fills in a contact of `sphere` with the ground: friction `mu` along the rolling direction, `mu2`
-/// along the axle. @param axle  of the wheel, world frame. @return whether they touch.
-bool meet_ground(const OdeWorld& world, dGeomID sphere, const hal::Vec3& axle, dContact& contact,
-                 GroundContact& met);
+/// A wheel's sphere on its way through the world. It has no geometry of ODE's: nothing but the
+/// ground meets it, and the ground is the plane z = 0.
+struct WheelSphere {
+  dBodyID body;      ///< That it belongs to.
+  hal::Vec3 centre;  ///< m, world frame
+  hal::Vec3 axle;    ///< Unit vector, world frame
+  double radius;     ///< m
+};
+
+/// Fills in where and along which directions a wheel meets the ground: friction `mu` along the
+/// rolling direction, `mu2` along the axle. @param contact  zeroed, or from another wheel.
+/// @return whether they touch.
+bool meet_ground(const WheelSphere& wheel, dContact& contact, GroundContact& met);
 
 /// m/s of a body's material at a distance from its centre of mass; all in the world frame.
-hal::Vec3 material_velocity(dBodyID body, const hal::Vec3& arm);
+inline hal::Vec3 material_velocity(dBodyID body, const hal::Vec3& arm) {
+  const dReal* v = dBodyGetLinearVel(body);
+  const dReal* w = dBodyGetAngularVel(body);
+  return {v[0] + w[1] * arm.z - w[2] * arm.y, v[1] + w[2] * arm.x - w[0] * arm.z,
+          v[2] + w[0] * arm.y - w[1] * arm.x};
+}
 
 /// One body and one hinge motor per wheel.
 std::unique_ptr<Wheels> make_jointed_wheels(const OdeWorld& world, const RigidBody& chassis,
@@ -72,6 +86,6 @@ std::unique_ptr<Wheels> make_jointed_wheels(const OdeWorld& world, const RigidBo
 /// Spheres on the chassis whose surface moves at the wheel's speed. @param weight_on_each  N
 std::unique_ptr<Wheels> make_contact_wheels(const RigidBody& chassis,
                                             const std::vector<hal::devices::Wheel>& wheels,
-                                            double weight_on_each);
+                                            double weight_on_each, bool measure_energy);
 
 }  // namespace sim::physics

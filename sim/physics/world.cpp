@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <map>
+#include <limits>
 #include <stdexcept>
 #include <vector>
 
@@ -24,6 +24,8 @@ using hal::Twist2;
 using hal::devices::WheelDrive;
 
 namespace {
+
+constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
 void require(bool holds, const char* what, double value, const char* allowed) {
   if (!holds) throw std::invalid_argument(fmt::format("{}: {}, allowed {}", what, value, allowed));
@@ -63,10 +65,12 @@ class World::Implementation {
   explicit Implementation(const WorldConfig& given)
       : config(checked(given)), ode(config), pass(ode, objects, config.ground_friction) {}
 
+  bool has(AgentId agent) const {
+    return agent.value < index.size() && index[agent.value] != kNone;
+  }
   Object& at(AgentId agent) {
-    const auto found = index.find(agent);
-    BARAKA_CHECK(found != index.end());
-    return *objects[found->second];
+    BARAKA_CHECK(has(agent));
+    return *objects[index[agent.value]];
   }
 
   Object& insert(AgentId agent);
@@ -80,8 +84,8 @@ class World::Implementation {
   const WorldConfig config;
   OdeWorld ode;
   Objects objects;
-  std::map<AgentId, std::size_t> index;
-  std::deque<Solid> solids;  ///< Addresses stay: geometries point here.
+  std::vector<std::size_t> index;  ///< Of an agent's object, by address; kNone: no such agent.
+  std::deque<Solid> solids;        ///< Addresses stay: geometries point here.
   std::vector<Shape> shapes;
   ContactPass pass;
   std::uint64_t steps = 0;
@@ -91,9 +95,10 @@ class World::Implementation {
 };
 
 Object& World::Implementation::insert(AgentId agent) {
-  if (agent == AgentId{} || index.contains(agent))
+  if (agent == AgentId{} || has(agent))
     throw std::invalid_argument(fmt::format("agent {} cannot be added: 0 or twice", agent.value));
-  index[agent] = objects.size();
+  if (agent.value >= index.size()) index.resize(agent.value + 1u, kNone);
+  index[agent.value] = objects.size();
   objects.push_back(std::make_unique<Object>());
   objects.back()->agent = agent;
   return *objects.back();
@@ -113,7 +118,7 @@ void World::Implementation::furnish(Object& object, Solid::Kind kind,
   object.first_shape = shapes.size();
   const dReal* p = dBodyGetPosition(object.rigid.body);
   object.centre = {p[0], p[1], p[2]};
-  const Solid solid{kind, index.at(object.agent), object.friction};
+  const Solid solid{kind, index[object.agent.value], object.friction};
   for (const dGeomID geometry : geometries.all) adopt(geometry, solid, object.agent);
 }
 
@@ -137,6 +142,7 @@ void World::Implementation::step() {
 void World::Implementation::look_for_losses() {
   for (const auto& object : objects) {
     if (!object->awake()) continue;
+    object->pose.reset();
     const auto loss = loss_of(object->rigid);
     if (loss == BodyLoss::kBlownUp) {
       freeze(*object, object->centre);
@@ -174,6 +180,7 @@ World::~World() = default;
 void World::add_wall(const StaticBox& wall) {
   implementation_->adopt(make_wall(implementation_->ode, wall),
                          {Solid::Kind::kWall, 0, wall.friction}, AgentId{});
+  implementation_->pass.add_wall(implementation_->shapes.back());
 }
 
 void World::add_mote(AgentId agent, const hal::devices::MoteDescription& mote,
@@ -249,7 +256,11 @@ hal::Vec3 World::position(AgentId agent) const {
   return position_of(implementation_->at(agent).rigid);
 }
 
-BodyPose World::pose(AgentId agent) const { return pose_of(implementation_->at(agent).rigid); }
+BodyPose World::pose(AgentId agent) const {
+  const Object& object = implementation_->at(agent);
+  if (!object.pose) object.pose = pose_of(object.rigid);
+  return *object.pose;
+}
 
 BodyVelocity World::velocity(AgentId agent) const {
   return velocity_of(implementation_->at(agent).rigid);
@@ -288,7 +299,7 @@ int World::largest_exact_heap() const { return implementation_->largest_exact; }
 
 double World::deepest_overlap() const { return implementation_->pass.deepest_overlap(); }
 
-bool World::has(AgentId agent) const { return implementation_->index.contains(agent); }
+bool World::has(AgentId agent) const { return implementation_->has(agent); }
 
 std::span<const LostBody> World::lost_bodies() const { return implementation_->lost; }
 

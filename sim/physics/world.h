@@ -34,7 +34,7 @@ struct WorldConfig {
   int jam_robots = 4;  ///< heaps with more robots get the iterative solver: seven in a ring have
                        ///< seven contacts only, and the exact one takes 2.5 ms a step for them.
   std::uint64_t seed = 1;       ///< Of the iterative solver's row order.
-  bool measure_energy = false;  ///< Books the work of jointed wheels, some 5 % slower.
+  bool measure_energy = false;  ///< Books the wheels' work, some 5 % slower.
 };
 
 /// A wall or another box that never moves.
@@ -92,8 +92,9 @@ struct LostBody {
 struct Energy {
   double kinetic = 0;
   double potential = 0;      ///< 0 with the centre of mass in the world's origin.
-  double motor_work = 0;     ///< Since the start: at the hinges, or where the wheels touch.
-  double friction_loss = 0;  ///< Since the start, where the wheels touch the ground.
+  double motor_work = 0;     ///< Since the start: at the hinges, or where the wheels touch; 0
+                             ///< unless the world measures energies, as is
+  double friction_loss = 0;  ///< since the start, where the wheels touch the ground.
 
   double mechanical() const { return kinetic + potential; }
 };

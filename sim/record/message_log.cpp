@@ -1,6 +1,6 @@
 #include "sim/record/message_log.h"
 
-#include "hal/routing/packet.h"
+#include "hal/routing/frame.h"
 
 namespace sim::record {
 namespace {
@@ -34,9 +34,9 @@ void MessageLog::on_sent(hal::Time at, const hal::Message& message) {
 void MessageLog::on_frame_delivered(const radio::Frame& frame, hal::AgentId receiver) {
   arriving_.reset();
   if (frame.ethertype != radio::kEthertypeRouting || frame.payload == nullptr) return;
-  const auto packet = hal::routing::parse(*frame.payload);
-  if (!packet) return;
-  const auto* data = std::get_if<hal::routing::Data>(&*packet);
+  const auto routed = hal::routing::parse_frame(*frame.payload);
+  const auto* packet = routed ? hal::routing::packet_in(*routed) : nullptr;
+  const auto* data = packet ? std::get_if<hal::routing::Data>(packet) : nullptr;
   if (data == nullptr) return;
   arriving_ = {receiver, data->header.source, data->id, data->transmissions};
 }

@@ -140,10 +140,9 @@ void Recorder::write(const agents::RealTimeSummary& summary) {
 
 void Recorder::write_fingerprint(const Fingerprint& fingerprint) {
   set("fingerprint", to_hex(fingerprint.total()));
-  for (int i = 0; i < kPartCount; ++i) {
-    const auto part = static_cast<Part>(i);
-    set(fmt::format("fingerprint_{}", sim::name(part)), to_hex(fingerprint.part(part)));
-  }
+  const auto parts = fingerprint.parts();
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    set(fmt::format("fingerprint_{}", sim::name(static_cast<Part>(i))), to_hex(parts[i]));
   Statement insert(database_, "INSERT INTO fingerprints VALUES (?, ?, ?, ?)");
   for (const Fingerprint::Row& row : fingerprint.rows()) {
     insert.run(row.second, sim::name(row.part), row.agent.value, to_hex(row.hash));

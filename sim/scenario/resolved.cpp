@@ -16,7 +16,7 @@ std::string resolved_yaml(const Scenario& scenario) {
   write_run(out, scenario);
   write_world(out, scenario.simulation);
   write_radio(out, scenario.simulation.radio);
-  write_routing(out, scenario.simulation.routing);
+  write_routing(out, scenario.simulation.routing, transmit_status(scenario.simulation.link));
   write_localisation(out, scenario.simulation.localisation);
   write_agents(out, scenario);
   write_ends(out, scenario);

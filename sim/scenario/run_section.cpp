@@ -8,12 +8,15 @@ namespace sim::scenario {
 namespace {
 
 using agents::ControlPhase;
+using agents::LinkKind;
 using agents::OnDeath;
 
 constexpr std::array kPhases = {Option<ControlPhase>{"aligned", ControlPhase::kAligned},
                                 Option<ControlPhase>{"uniform", ControlPhase::kUniform}};
 constexpr std::array kDeaths = {Option<OnDeath>{"fail", OnDeath::kFail},
                                 Option<OnDeath>{"silence", OnDeath::kSilence}};
+constexpr std::array kLinks = {Option<LinkKind>{"mac", LinkKind::kMac},
+                               Option<LinkKind>{"udp_like", LinkKind::kUdpLike}};
 constexpr std::array kFrames = {Option<FrameRecord>{"counts", FrameRecord::kCounts},
                                 Option<FrameRecord>{"all", FrameRecord::kAll}};
 
@@ -31,6 +34,7 @@ void run_keys(Io& io, Scenario& scenario) {
   io.choice("on_death", kDeaths, c.on_death);
   io.optional_duration("reply_timeout", 1e-3, scenario.reply_timeout);
   io.duration("wait", {0, 3600}, scenario.wait);
+  io.choice("link", kLinks, c.link);
 }
 
 template <class Io>

@@ -40,7 +40,8 @@ Scenario load_scenario(const std::filesystem::path& file,
   read_run(in, scenario);
   read_world(in.mapping("world"), scenario.simulation);
   scenario.simulation.radio = read_radio(in.mapping("radio"));
-  scenario.simulation.routing = read_routing(in.mapping("routing"));
+  scenario.simulation.routing =
+      read_routing(in.mapping("routing"), transmit_status(scenario.simulation.link));
   scenario.simulation.localisation = read_localisation(in.mapping("localisation"));
   read_agents(in.mapping("agents"), scenario);
   read_ends(in, scenario);

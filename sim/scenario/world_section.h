@@ -14,6 +14,12 @@ void write_world(hal::config::Writer& out, const agents::SimulationConfig& confi
 using hal::description::read_routing;
 using hal::description::write_routing;
 
+/// Whether that link reports the status of transmissions.
+inline hal::description::TransmitStatus transmit_status(agents::LinkKind link) {
+  using hal::description::TransmitStatus;
+  return link == agents::LinkKind::kMac ? TransmitStatus::kReported : TransmitStatus::kNone;
+}
+
 /// `localisation:`.
 agents::LocalisationConfig read_localisation(hal::config::Mapping in);
 void write_localisation(hal::config::Writer& out, const agents::LocalisationConfig& config);

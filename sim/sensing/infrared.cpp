@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -15,19 +16,11 @@ using hal::devices::InfraredSensor;
 
 namespace {
 
-/// Where a sensor looked `age` ago.
-Sector view_of(const InfraredSensor& sensor, const physics::BodyPose& pose,
-               const physics::BodyVelocity& velocity, Duration age) {
-  const double seconds = hal::to_seconds(age);
-  const double heading = pose.heading - seconds * velocity.angular.z;
-  const hal::Vec3 body = pose.position - seconds * velocity.linear;
-  const double c = hal::math::cos(heading);
-  const double s = hal::math::sin(heading);
-  return {{body.x + c * sensor.position.x - s * sensor.position.y,
-           body.y + s * sensor.position.x + c * sensor.position.y, body.z + sensor.position.z},
-          heading + sensor.heading,
-          sensor.half_angle,
-          sensor.curve.reach()};
+/// The smallest region that holds two.
+Region around(const Region& a, const Region& b) {
+  return {
+      {std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y), std::min(a.low.z, b.low.z)},
+      {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y), std::max(a.high.z, b.high.z)}};
 }
 
 }  // namespace
@@ -40,20 +33,32 @@ InfraredArray::InfraredArray(hal::AgentId agent, std::vector<InfraredSensor> sen
   for (const InfraredSensor& sensor : sensors_) {
     const double period = static_cast<double>(sensor.hold_period.count());
     phases_.emplace_back(static_cast<std::int64_t>(random_.uniform() * period));
+    views_.push_back({unit(sensor.heading), unit(sensor.half_angle), sensor.curve.reach()});
   }
 }
 
 void InfraredArray::sample(Time now, const physics::World& world, const Proximity& proximity) {
+  find_due(now, world);
+  if (due_.empty()) return;
+  Region region = due_.front().view.bounds();
+  for (const Due& due : due_) region = around(region, due.view.bounds());
+  const std::span<const std::size_t> candidates = proximity.within(region);
+  for (const Due& due : due_) readings_[due.sensor] = measure(due, proximity, candidates);
+}
+
+/// The sensors with a new measurement since the last sample, and where they looked.
+void InfraredArray::find_due(Time now, const physics::World& world) {
   const bool first = readings_.empty();
-  if (first) {
-    readings_.resize(sensors_.size());
-    measured_at_.resize(sensors_.size());
-  }
+  readings_.resize(sensors_.size());
+  measured_at_.resize(sensors_.size());
+  due_.clear();
+  const physics::BodyPose pose = world.pose(agent_);
+  const physics::BodyVelocity velocity = world.velocity(agent_);
   for (std::size_t i = 0; i < sensors_.size(); ++i) {
     const Time instant = last_instant(i, now);
     if (!first && instant == measured_at_[i]) continue;
     measured_at_[i] = instant;
-    readings_[i] = measure(sensors_[i], now - instant, world, proximity);
+    due_.push_back({i, view_of(i, pose, velocity, now - instant)});
   }
 }
 
@@ -64,11 +69,26 @@ Time InfraredArray::last_instant(std::size_t sensor, Time now) const {
   return now - Duration{(since % period + period) % period};
 }
 
-InfraredReading InfraredArray::measure(const InfraredSensor& sensor, Duration age,
-                                       const physics::World& world, const Proximity& proximity) {
-  const Sector view = view_of(sensor, world.pose(agent_), world.velocity(agent_), age);
-  const double metres =
-      proximity.nearest(view, agent_).value_or(std::numeric_limits<double>::infinity());
+/// Where a sensor looked `age` ago.
+SectorQuery InfraredArray::view_of(std::size_t sensor, const physics::BodyPose& pose,
+                                   const physics::BodyVelocity& velocity, Duration age) const {
+  const double seconds = hal::to_seconds(age);
+  const hal::Vec2 ahead = unit(pose.heading - seconds * velocity.angular.z);
+  const hal::Vec3 body = pose.position - seconds * velocity.linear;
+  const hal::Vec3& mount = sensors_[sensor].position;
+  const hal::Vec2 offset = turned({mount.x, mount.y}, ahead);
+  const View& view = views_[sensor];
+  return {{body.x + offset.x, body.y + offset.y, body.z + mount.z},
+          turned(view.direction, ahead),
+          view.half_angle,
+          view.reach};
+}
+
+InfraredReading InfraredArray::measure(const Due& due, const Proximity& proximity,
+                                       std::span<const std::size_t> candidates) {
+  const InfraredSensor& sensor = sensors_[due.sensor];
+  const double metres = proximity.nearest(due.view, agent_, candidates)
+                            .value_or(std::numeric_limits<double>::infinity());
   double volts = sensor.curve.volts(metres);
   if (sensor.noise_sigma > 0) volts += sensor.noise_sigma * random_.normal();
   volts = sensor.converter.quantise(volts);

@@ -42,15 +42,31 @@ class InfraredArray {
 
  private:
   hal::Time last_instant(std::size_t sensor, hal::Time now) const;
-  InfraredReading measure(const hal::devices::InfraredSensor& sensor, hal::Duration age,
-                          const physics::World& world, const Proximity& proximity);
+  struct Due {
+    std::size_t sensor;
+    SectorQuery view;
+  };
+  void find_due(hal::Time now, const physics::World& world);
+  InfraredReading measure(const Due& due, const Proximity& proximity,
+                          std::span<const std::size_t> candidates);
+
+  /// What of a sensor's view never changes.
+  struct View {
+    hal::Vec2 direction;   ///< Unit vector, body frame.
+    hal::Vec2 half_angle;  ///< Its cosine and sine.
+    double reach;          ///< m
+  };
+  SectorQuery view_of(std::size_t sensor, const physics::BodyPose& pose,
+                      const physics::BodyVelocity& velocity, hal::Duration age) const;
 
   hal::AgentId agent_;
   std::vector<hal::devices::InfraredSensor> sensors_;
+  std::vector<View> views_;
   hal::RandomStream random_;
   std::vector<hal::Duration> phases_;
   std::vector<hal::Time> measured_at_;
   std::vector<InfraredReading> readings_;
+  std::vector<Due> due_;  ///< Of the sample under way.
 };
 
 }  // namespace sim::sensing

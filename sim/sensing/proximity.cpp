@@ -38,15 +38,20 @@ Proximity::~Proximity() = default;
 
 void Proximity::update() { implementation_->moving.update(implementation_->world.shapes()); }
 
-std::optional<double> Proximity::nearest(const Sector& sector, hal::AgentId own) const {
-  const SectorQuery query(sector);
+std::span<const std::size_t> Proximity::within(const Region& region) const {
   auto& candidates = implementation_->candidates;
   candidates.clear();
-  implementation_->fixed.overlapping(query.bounds(), query.height(), candidates);
-  implementation_->moving.overlapping(query.bounds(), query.height(), candidates);
+  implementation_->fixed.overlapping(region, candidates);
+  implementation_->moving.overlapping(region, candidates);
+  return candidates;
+}
+
+std::optional<double> Proximity::nearest(const SectorQuery& query, hal::AgentId own,
+                                         std::span<const std::size_t> candidates) const {
+  const std::span<const Shape> shapes = implementation_->world.shapes();
   std::optional<double> smallest;
   for (const std::size_t index : candidates) {
-    const Shape& shape = implementation_->world.shapes()[index];
+    const Shape& shape = shapes[index];
     if (shape.owner == own && !shape.is_static()) continue;
     const std::optional<double> distance = query.nearest(shape);
     if (distance && (!smallest || *distance < *smallest)) smallest = distance;

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 
 #include "hal/types/agent_id.h"
 #include "hal/types/geometry.h"
@@ -25,7 +26,20 @@ class Proximity {
   /// Distance [m] from the sector's origin to the nearest point of a shape in the sector, 0 inside
   /// a shape; none if the sector is empty. Shapes that the plane misses are not seen.
   /// @param own  shapes of this agent are transparent. One thread at a time.
-  std::optional<double> nearest(const Sector& sector, hal::AgentId own) const;
+  std::optional<double> nearest(const SectorQuery& sector, hal::AgentId own) const {
+    return nearest(sector, own, within(sector.bounds()));
+  }
+  std::optional<double> nearest(const Sector& sector, hal::AgentId own) const {
+    return nearest(SectorQuery(sector), own);
+  }
+
+  /// Shapes of the world that may reach into a region, ascending: one search for several sectors.
+  /// Good until the next search.
+  std::span<const std::size_t> within(const Region& region) const;
+
+  /// The same as above. @param candidates  of within() for a region that holds the sector.
+  std::optional<double> nearest(const SectorQuery& sector, hal::AgentId own,
+                                std::span<const std::size_t> candidates) const;
 
  private:
   class Implementation;

@@ -66,9 +66,9 @@ std::optional<Interval> inside_box(const Shape& shape, Vec2 origin, Vec2 directi
   return interval;
 }
 
-Vec2 unit(double heading) { return {hal::math::cos(heading), hal::math::sin(heading)}; }
-
 }  // namespace
+
+Vec2 unit(double heading) { return {hal::math::cos(heading), hal::math::sin(heading)}; }
 
 std::optional<Interval> inside(const Shape& shape, Vec2 origin, Vec2 direction) {
   return shape.kind == Shape::Kind::kCylinder ? inside_circle(shape, origin, direction)
@@ -76,20 +76,22 @@ std::optional<Interval> inside(const Shape& shape, Vec2 origin, Vec2 direction) 
 }
 
 SectorQuery::SectorQuery(const Sector& sector)
-    : origin_(sector.origin),
-      range_(sector.range),
-      cos_half_(hal::math::cos(sector.half_angle)),
-      sin_half_(hal::math::sin(sector.half_angle)),
-      middle_(unit(sector.heading)),
-      left_(unit(sector.heading + sector.half_angle)),
-      right_(unit(sector.heading - sector.half_angle)) {
-  BARAKA_CHECK(sector.range > 0 && sector.half_angle >= 0 && cos_half_ > 0);
+    : SectorQuery(sector.origin, unit(sector.heading), unit(sector.half_angle), sector.range) {}
+
+SectorQuery::SectorQuery(const hal::Vec3& from, Vec2 middle, Vec2 half_angle, double range)
+    : origin_(from),
+      range_(range),
+      half_(half_angle),
+      middle_(middle),
+      left_(turned(middle, half_angle)),
+      right_(turned(middle, {half_angle.x, -half_angle.y})) {
+  BARAKA_CHECK(range > 0 && half_.x > 0 && half_.y >= 0);
   const Vec2 origin{origin_.x, origin_.y};
-  bounds_ = {origin, origin};
+  bounds_ = {origin_, origin_};
   const auto include = [&](Vec2 direction) {
     const Vec2 tip = origin + range_ * direction;
-    bounds_.low = {std::min(bounds_.low.x, tip.x), std::min(bounds_.low.y, tip.y)};
-    bounds_.high = {std::max(bounds_.high.x, tip.x), std::max(bounds_.high.y, tip.y)};
+    bounds_.low = {std::min(bounds_.low.x, tip.x), std::min(bounds_.low.y, tip.y), origin_.z};
+    bounds_.high = {std::max(bounds_.high.x, tip.x), std::max(bounds_.high.y, tip.y), origin_.z};
   };
   include(left_);
   include(right_);
@@ -99,7 +101,7 @@ SectorQuery::SectorQuery(const Sector& sector)
 
 bool SectorQuery::contains_bearing(Vec2 point) const {
   const double along = dot(middle_, point);
-  return along > 0 && std::abs(cross(middle_, point)) * cos_half_ <= along * sin_half_;
+  return along > 0 && std::abs(cross(middle_, point)) * half_.x <= along * half_.y;
 }
 
 std::optional<double> SectorQuery::nearest(const Shape& shape) const {

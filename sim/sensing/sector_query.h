@@ -15,9 +15,9 @@ struct Sector {
   double range = 0;       ///< m, > 0
 };
 
-/// Axis-parallel rectangle. m
-struct Rectangle {
-  hal::Vec2 low, high;
+/// Axis-parallel box. m
+struct Region {
+  hal::Vec3 low, high;
 };
 
 /// Nearest point of convex, upright shapes in a sector, exactly and without iteration.
@@ -31,22 +31,33 @@ class SectorQuery {
   /// @pre half_angle in 0 .. pi/2 exclusive, range > 0.
   explicit SectorQuery(const Sector& sector);
 
+  /// The same without trigonometry. @param middle  unit vector. @param half_angle  its cosine, > 0,
+  /// and its sine, >= 0. @param range  m, > 0.
+  SectorQuery(const hal::Vec3& origin, hal::Vec2 middle, hal::Vec2 half_angle, double range);
+
   /// Distance to the shape within the sector, 0 if the origin is inside; none if out of reach.
   std::optional<double> nearest(const physics::Shape& shape) const;
 
-  /// Smallest rectangle around the sector.
-  const Rectangle& bounds() const { return bounds_; }
-  double height() const { return origin_.z; }
+  /// Smallest box around the sector: flat.
+  const Region& bounds() const { return bounds_; }
 
  private:
   bool contains_bearing(hal::Vec2 point) const;
 
   hal::Vec3 origin_;
   double range_;
-  double cos_half_, sin_half_;
+  hal::Vec2 half_;                   ///< Cosine and sine of half the opening.
   hal::Vec2 middle_, left_, right_;  ///< Unit vectors.
-  Rectangle bounds_;
+  Region bounds_;
 };
+
+/// Unit vector at an angle from x, rad.
+hal::Vec2 unit(double heading);
+
+/// `vector` turned by the angle of which `turn` holds cosine and sine.
+inline hal::Vec2 turned(hal::Vec2 vector, hal::Vec2 turn) {
+  return {vector.x * turn.x - vector.y * turn.y, vector.x * turn.y + vector.y * turn.x};
+}
 
 /// Where a line is inside a shape, in multiples of its direction.
 struct Interval {

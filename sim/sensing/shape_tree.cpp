@@ -26,20 +26,36 @@ hal::Vec2 extent(const Shape& shape) {
   return {c * shape.half.x + s * shape.half.y, s * shape.half.x + c * shape.half.y};
 }
 
-/// One member: a box that stands for the shape's bounds.
+/// m by which a member's box exceeds the shape: the tree is refitted only when a shape has left its
+/// box. A robot at 0.3 m/s does so every 0.7 s, while a sensor looks 1 m and more.
+constexpr double kMargin = 0.2;
+
+/// One member: a box that stands for the shape's bounds, and for where it may go.
 struct Member {
   std::size_t shape;
   std::shared_ptr<fcl::Boxd> box;
   std::unique_ptr<fcl::CollisionObjectd> object;
+  Vec3 low, high;  ///< Corners of the box, world frame, m.
 };
 
-void place(const Member& member, const Shape& shape) {
+bool contains(const Member& member, const Shape& shape) {
   const hal::Vec2 half = extent(shape);
-  member.box->side = {2 * half.x, 2 * half.y, shape.z_high - shape.z_low};
+  return shape.centre.x - half.x >= member.low.x && shape.centre.x + half.x <= member.high.x &&
+         shape.centre.y - half.y >= member.low.y && shape.centre.y + half.y <= member.high.y &&
+         shape.z_low >= member.low.z && shape.z_high <= member.high.z;
+}
+
+void place(Member& member, const Shape& shape, double margin) {
+  const hal::Vec2 half = extent(shape);
+  member.box->side = {2 * (half.x + margin), 2 * (half.y + margin),
+                      shape.z_high - shape.z_low + 2 * margin};
   member.box->computeLocalAABB();
   member.object->setTranslation(
       {shape.centre.x, shape.centre.y, 0.5 * (shape.z_low + shape.z_high)});
   member.object->computeAABB();
+  const fcl::AABBd& box = member.object->getAABB();
+  member.low = {box.min_[0], box.min_[1], box.min_[2]};
+  member.high = {box.max_[0], box.max_[1], box.max_[2]};
 }
 
 /// Narrows [from, to] to where start + t * slope lies in low .. high.
@@ -108,9 +124,9 @@ ShapeTree::ShapeTree(std::span<const Shape> shapes, const std::vector<std::size_
   entries.reserve(members.size());
   for (const std::size_t index : members) {
     const auto box = std::make_shared<fcl::Boxd>(1, 1, 1);
-    entries.push_back({index, box, std::make_unique<fcl::CollisionObjectd>(box)});
+    entries.push_back({index, box, std::make_unique<fcl::CollisionObjectd>(box), {}, {}});
     entries.back().object->setUserData(&entries.back());
-    place(entries.back(), shapes[index]);
+    place(entries.back(), shapes[index], shapes[index].is_static() ? 0 : kMargin);
   }
   if (!entries.empty()) implementation_->build();
 }
@@ -120,21 +136,26 @@ ShapeTree::ShapeTree(ShapeTree&&) noexcept = default;
 ShapeTree& ShapeTree::operator=(ShapeTree&&) noexcept = default;
 
 void ShapeTree::update(std::span<const Shape> shapes) {
-  if (implementation_->members.empty()) return;
-  for (const Member& member : implementation_->members) place(member, shapes[member.shape]);
+  bool moved = false;
+  for (Member& member : implementation_->members) {
+    const Shape& shape = shapes[member.shape];
+    if (contains(member, shape)) continue;
+    place(member, shape, kMargin);
+    moved = true;
+  }
+  if (!moved) return;
   if (++implementation_->updates == kUpdatesPerRebuild)
     implementation_->build();
   else
     implementation_->manager.update();
 }
 
-void ShapeTree::overlapping(const Rectangle& area, double height,
-                            std::vector<std::size_t>& found) const {
+void ShapeTree::overlapping(const Region& region, std::vector<std::size_t>& found) const {
   implementation_->query(
       [&](const fcl::AABBd& bounds) {
-        return bounds.min_[0] <= area.high.x && bounds.max_[0] >= area.low.x &&
-               bounds.min_[1] <= area.high.y && bounds.max_[1] >= area.low.y &&
-               bounds.min_[2] <= height && bounds.max_[2] >= height;
+        return bounds.min_[0] <= region.high.x && bounds.max_[0] >= region.low.x &&
+               bounds.min_[1] <= region.high.y && bounds.max_[1] >= region.low.y &&
+               bounds.min_[2] <= region.high.z && bounds.max_[2] >= region.low.z;
       },
       found);
 }

@@ -21,11 +21,13 @@ class ShapeTree {
   ShapeTree(ShapeTree&&) noexcept;
   ShapeTree& operator=(ShapeTree&&) noexcept;
 
-  /// Follows the members' poses. @param shapes  the same ones, in the same order.
+  /// Follows the members' poses; cheap while they move little. @param shapes  the same ones, in the
+  /// same order.
   void update(std::span<const physics::Shape> shapes);
 
-  /// Appends the members whose bounds meet a rectangle at a height, ascending.
-  void overlapping(const Rectangle& area, double height, std::vector<std::size_t>& found) const;
+  /// Appends the members whose bounds meet a box, ascending. Moving members' bounds are some 0.2 m
+  /// too large.
+  void overlapping(const Region& region, std::vector<std::size_t>& found) const;
 
   /// Appends the members whose bounds meet a segment, ascending.
   void along(const hal::Vec3& from, const hal::Vec3& to, std::vector<std::size_t>& found) const;

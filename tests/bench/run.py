@@ -4,21 +4,23 @@
     cmake --build build/release --target programs benches
     tests/bench/run.py [--build DIR] [--peer DIR] [--lockstep PROGRAM] [--repeat N] [BENCH...]
 
-BENCH is one of event_queue, exchange, case_study; default: all. A peer that is not there is skipped
-with a message. --peer: a folder with ns3/eventcore.cc, which is built if it can be (libns3-dev), or
-the program beside it. --lockstep: the exchange in bare Fast DDS. Default of both: what is in
+BENCH is one of event_queue, exchange, case_study, driving; default: all. A peer that is not there is
+skipped with a message. --peer: a folder with ns3/eventcore.cc and ode/speed.cpp, which are built if
+they can be (libns3-dev, libode-dev), or the programs beside them. --lockstep: the exchange in bare Fast DDS. Default of both: what is in
 ../shared beside the checkout, or BARAKA_PEER and BARAKA_LOCKSTEP of the environment.
 """
 import argparse
 import os
 import pathlib
 import re
+import resource
 import statistics
 import subprocess
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 SHARED = ROOT.parent / "shared"
+DRIVING = ROOT / "tests/bench/driving.yaml"
 CASE_STUDY = ROOT / "config/scenarios/case_study.yaml"
 SCHEDULERS = ("Map", "Heap", "Calendar", "PriorityQueue")
 SIX_PROCESSES = ["--set", "agents.motes.controller.processes=5"]
@@ -48,23 +50,42 @@ def show(name, figure, unit, note=""):
     print(f"  {name:44} {figure:12.4g} {unit:10} {note}", flush=True)
 
 
-def eventcore(peer):
+def peer_program(source, package, *libraries):
     """The program; None, with a message, if it is not there and cannot be built."""
-    program = peer / "ns3/eventcore"
+    program = source.with_suffix("")
     if program.exists():
         return program
-    source = peer / "ns3/eventcore.cc"
     if not source.exists():
         print(f"  skipped: no {source}")
         return None
-    program = pathlib.Path(tempfile.mkdtemp(prefix="baraka-peer-")) / "eventcore"
-    libraries = [f"-lns3-{name}" for name in ("core", "network", "wifi", "mobility", "propagation")]
+    program = pathlib.Path(tempfile.mkdtemp(prefix="baraka-peer-")) / source.stem
     built = subprocess.run(["g++", "-O2", "-std=c++17", "-o", program, source, "-Wl,--as-needed",
                             *libraries], capture_output=True, text=True)
     if built.returncode != 0:
-        print(f"  skipped: {source} cannot be built; is libns3-dev there?")
+        print(f"  skipped: {source} cannot be built; is {package} there?")
         return None
     return program
+
+
+def eventcore(peer):
+    modules = ("core", "network", "wifi", "mobility", "propagation")
+    return peer_program(peer / "ns3/eventcore.cc", "libns3-dev",
+                        *(f"-lns3-{name}" for name in modules))
+
+
+def user_seconds(*command):
+    """That a program takes."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime
+    output(*command)
+    return resource.getrusage(resource.RUSAGE_CHILDREN).ru_utime - before
+
+
+def user_ms_per_second(short, long, command):
+    """User milliseconds per simulated second: the difference of two runs, so without the start.
+
+    command(seconds): the command line of a run of that length."""
+    start = user_seconds(*command(short))
+    return 1e3 * (user_seconds(*command(long)) - start) / (long - short)
 
 
 def event_queue(options):
@@ -114,7 +135,29 @@ def case_study(options):
             show(name, factor, "x real time")
 
 
-BENCHES = {"event_queue": event_queue, "exchange": exchange, "case_study": case_study}
+def driving(options):
+    """User milliseconds per simulated second: 12 robots and 25 motes; bare ODE as the peer."""
+    baraka = options.build / "bin/baraka"
+    peer = peer_program(options.peer / "ode/speed.cpp", "libode-dev", "-lode")
+    for model, wheels in enumerate(("jointed", "contact")):
+        with tempfile.TemporaryDirectory(prefix="baraka-bench-") as folder:
+            commands = {"ours": lambda seconds, w=wheels, f=folder: (
+                baraka, "run", DRIVING, "--controllers", "in-process", "--out", f"{f}/run",
+                "--until", seconds, "--set", f"agents.robots.wheels={w}")}
+            # Its default broad phase is the hash space; the other one is ours, and the faster.
+            for space, name in ((0, "peer, hash space"), (1, "peer, sweep and prune")) if peer else ():
+                commands[name] = lambda seconds, m=model, s=space: (
+                    peer, "n=12", "m=25", f"model={m}", f"space={s}", "prof=0", f"T={seconds}")
+            found = medians(options.repeat, {
+                name: lambda c=command: user_ms_per_second(100, 500, c)
+                for name, command in commands.items()})
+        for name, figure in found.items():
+            note = "" if name == "ours" else f"ours: {found['ours'] / figure:.2f} x"
+            show(f"{wheels}: {name}", figure, "ms/s", note)
+
+
+BENCHES = {"event_queue": event_queue, "exchange": exchange, "case_study": case_study,
+           "driving": driving}
 
 
 def main():

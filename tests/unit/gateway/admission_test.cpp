@@ -37,16 +37,14 @@ TEST(Admission, GrantsEveryAgentAPatternFitsByAddress) {
 
 TEST(Admission, OfOneOfSeveralServersNeedsOnlyOnePatternToFit) {
   Admission admission(sample_offers(), 1, Admission::Offered::kSome);
-  EXPECT_EQ(admission.decide(hello_for("p", {"x1", "x2"})).refusal, "unknown agent 'x1'");
+  EXPECT_TRUE(admission.is_for_others(hello_for("p", {"x1", "x2"})));
+  EXPECT_FALSE(admission.is_for_others(hello_for("q", {"x1", "m2"})));
   EXPECT_EQ(names_in(admission.decide(hello_for("q", {"x1", "m2"}))),
             (std::vector<std::string>{"m2"}));
 }
 
-TEST(Admission, ConcernsThoseWhoAskForOneOfItsAgents) {
-  const Admission admission(sample_offers(), 1, Admission::Offered::kSome);
-  EXPECT_FALSE(admission.concerns(hello_for("p", {"x1", "x*"})));
-  EXPECT_FALSE(admission.concerns(hello_for("p", {})));
-  EXPECT_TRUE(admission.concerns(hello_for("p", {"x1", "m*"})));
+TEST(Admission, OfTheOnlyServerLeavesNobodyToOthers) {
+  EXPECT_FALSE(Admission(sample_offers(), 1).is_for_others(hello_for("p", {"x1"})));
 }
 
 TEST(Admission, IsCompleteWhenEveryAgentHasAController) {

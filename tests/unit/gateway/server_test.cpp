@@ -208,25 +208,5 @@ TEST(OpenServer, TakesWhoComesWhenTheyComeAndConnectsThemAtOnce) {
   EXPECT_EQ(server.summary().processes.size(), 2u);
 }
 
-TEST(OpenServer, LeavesThoseWhoAskForAgentsOfOthersToTheOthers) {
-  FakeHost host;
-  AgentServer server(hal::dds::take_domain(std::nullopt), host,
-                     {.run = 1, .attendance = Attendance::kAnyTime});
-  Client stranger(server.domain(), hello_for("stranger", {"elsewhere"}));
-  Client robot(server.domain(), robot_hello("robot"));
-  const auto end = std::chrono::steady_clock::now() + kPatience;
-  while (host.ports_.empty() && std::chrono::steady_clock::now() < end) {
-    server.attend(hal::Time{});
-    std::this_thread::sleep_for(std::chrono::milliseconds{1});
-  }
-  ASSERT_EQ(host.ports_.size(), 1u);
-  for (int i = 0; i < 200; ++i) {  // the stranger's Hello comes as soon as the robot's
-    server.attend(hal::Time{});
-    std::this_thread::sleep_for(std::chrono::milliseconds{1});
-  }
-  EXPECT_TRUE(server.summary().refusals.empty());
-  EXPECT_FALSE(std::holds_alternative<Session>(stranger.next(std::chrono::milliseconds{50})));
-}
-
 }  // namespace
 }  // namespace gateway

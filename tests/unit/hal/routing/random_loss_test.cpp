@@ -52,9 +52,15 @@ void act(Network& network, RandomStream& random) {
   }
 }
 
-/// Every reception is lost with probability `loss`; 2 % of the frames are refused by the link.
-Outcome run_random(std::uint64_t seed, double loss) {
-  Network network(16, {.retry_period = 200ms, .buffer_limit = 4, .buffer_age = 500ms}, seed);
+/// Every reception is lost with probability `loss`; 2 % of the frames are refused by the link,
+/// which says so if it can.
+Outcome run_random(std::uint64_t seed, double loss, LinkCapabilities link) {
+  const RoutingConfig config{.retry_period = 200ms,
+                             .buffer_limit = 4,
+                             .buffer_age = 500ms,
+                             .ack_timeout = 5ms,
+                             .hello_period = 500ms};
+  Network network(16, config, seed, link);
   connect_grid(network, 4);
   RandomStream random(seed, "medium");
   network.is_lost = [&](AgentId, AgentId) { return random.uniform() < loss; };
@@ -78,26 +84,31 @@ Outcome run_random(std::uint64_t seed, double loss) {
   return outcome;
 }
 
-/// Parameter: loss in percent.
-class RandomLoss : public testing::TestWithParam<int> {};
+/// Parameters: loss in percent; whether the link tells what becomes of its frames.
+class RandomLoss : public testing::TestWithParam<std::tuple<int, bool>> {};
 
 TEST_P(RandomLoss, EveryMessageHasOneFateAndArrivesAtMostOnce) {
+  const auto [percent, link_tells] = GetParam();
+  const LinkCapabilities link = link_tells ? Network::kEverything : Network::kNothing;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
-    const Outcome outcome = run_random(seed, GetParam() / 100.0);
-    if (GetParam() <= 10) {
+    const Outcome outcome = run_random(seed, percent / 100.0, link);
+    if (percent <= 10) {
       EXPECT_GT(outcome.delivered, outcome.messages / 2);
     }
   }
 }
-INSTANTIATE_TEST_SUITE_P(Percent, RandomLoss, testing::Values(0, 10, 30, 60));
+INSTANTIATE_TEST_SUITE_P(Percent, RandomLoss,
+                         testing::Combine(testing::Values(0, 10, 30, 60), testing::Bool()));
 
 TEST(RandomTraffic, TheSameSeedGivesTheSameFrames) {
-  const Outcome first = run_random(7, 0.2);
-  const Outcome second = run_random(7, 0.2);
-  ASSERT_EQ(first.sent.size(), second.sent.size());
-  for (std::size_t i = 0; i < first.sent.size(); ++i) {
-    ASSERT_EQ(first.sent[i].at, second.sent[i].at) << i;
-    ASSERT_EQ(first.sent[i].bytes, second.sent[i].bytes) << i;
+  for (const LinkCapabilities link : {Network::kEverything, Network::kNothing}) {
+    const Outcome first = run_random(7, 0.2, link);
+    const Outcome second = run_random(7, 0.2, link);
+    ASSERT_EQ(first.sent.size(), second.sent.size());
+    for (std::size_t i = 0; i < first.sent.size(); ++i) {
+      ASSERT_EQ(first.sent[i].at, second.sent[i].at) << i;
+      ASSERT_EQ(first.sent[i].bytes, second.sent[i].bytes) << i;
+    }
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <string>
@@ -102,10 +103,10 @@ class TwoMotes : public testing::Test {
     }
   }
 
-  Outcome run(Time until, Script::Rule rule) {
+  Outcome run(Time until, Script::Rule rule, const hal::Wants& wants = {}) {
     port = std::make_shared<Script>(std::move(rule));
     sim::agents::Simulation simulation(config, {&effects});
-    simulation.connect(port, {kA, kB}, {});
+    simulation.connect(port, {kA, kB}, wants);
     NoPace pace;
     return simulation.run(until, pace);
   }
@@ -163,6 +164,55 @@ TEST_F(TwoMotes, AMessageSentAtAnInstantArrivesInALaterRoundOfThatInstant) {
     }
   }
   EXPECT_EQ(deliveries, 1);
+}
+
+/// What the controllers heard of neighbours and of their own messages.
+struct Heard {
+  std::vector<double> rssi_dbm;
+  std::vector<hal::Fate> fates;
+  int messages = 0;
+  Time first_link = Time::max();
+};
+
+Heard heard(const std::vector<Step>& steps) {
+  Heard result;
+  for (const Step& step : steps) {
+    for (const Event& event : step.events) {
+      for (const hal::Neighbour& n : event.neighbours) result.rssi_dbm.push_back(n.rssi_dbm);
+      if (event.cause == Cause::kNotice) result.fates.push_back(event.fate);
+      result.messages += event.cause == Cause::kMessage;
+      if (event.cause == Cause::kLink) result.first_link = std::min(result.first_link, event.time);
+    }
+  }
+  return result;
+}
+
+// The same air with and without the MAC's reports. Both find each other, and the message arrives
+// and is acknowledged, but without them power is unknown and hellos alone introduce neighbours.
+TEST_F(TwoMotes, AUdpLikeLinkHidesWhatTheMacKnowsAndMessagesArriveAllTheSame) {
+  config.radio = sim::radio::profile_defaults(sim::radio::Profile::kMobilityFramework);
+  for (const auto link : {sim::agents::LinkKind::kMac, sim::agents::LinkKind::kUdpLike}) {
+    config.link = link;
+    const bool is_mac = link == sim::agents::LinkKind::kMac;
+    run(Time{4s},
+        [](const Event& event) -> std::vector<Action> {
+          const bool is_time = event.cause == Cause::kControl && event.time == Time{3s};
+          return event.agent == kA && is_time ? std::vector{send(kB)} : std::vector<Action>{};
+        },
+        {.neighbours = true});
+    const Heard result = heard(port->steps);
+    EXPECT_EQ(result.messages, 1);
+    EXPECT_EQ(result.fates, std::vector{hal::Fate::kHandedOver});
+    ASSERT_FALSE(result.rssi_dbm.empty());
+    for (const double rssi : result.rssi_dbm) {
+      if (is_mac) {
+        EXPECT_LT(rssi, -20);  // 10 m
+      } else {
+        EXPECT_EQ(rssi, 0.0);
+      }
+    }
+    EXPECT_EQ(result.first_link < Time{3s}, !is_mac) << "before anybody sends a message";
+  }
 }
 
 TEST_F(TwoMotes, WithALatencyActionsTakeEffectThatMuchLater) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 #include "hal/types/math.h"
 #include "tests/unit/sim/physics/robertino.h"
@@ -111,6 +112,43 @@ TEST(World, SleeperThatIsPushedAwakeDoesNotSinkIntoTheGround) {
   }
   EXPECT_FALSE(world.asleep(AgentId{3}));
   EXPECT_GT(lowest, -5e-4);  // m; one step of free fall would be 1 mm
+}
+
+/// A robot that pushes a mote into another robot and on into a wall, while `spectators` motes stand
+/// 50 m away. Above 64 objects every step asks the broad phase; below, only when two may touch.
+std::vector<BodyPose> pile_up(int spectators, std::uint64_t& contacts) {
+  constexpr AgentId kOther{3};
+  World world(WorldConfig{});
+  world.add_wall({"wall", {2.5, 0, 0.5}, {0.2, 4, 1}, 0.3});
+  world.add_robot(kRobot, robertino(), {});
+  world.add_mote(kMote, MoteDescription{}, {0.5, 0.02, 0.1});
+  world.add_robot(kOther, robertino(), {1.2, 0.1, 0});
+  for (int i = 0; i < spectators; ++i)
+    world.add_mote(AgentId{static_cast<std::uint16_t>(10 + i)}, MoteDescription{},
+                   {50, 0.5 * i, 0});
+  EXPECT_TRUE(world.set_body_velocity(kRobot, {0.4, 0, 0.05}));
+  std::vector<BodyPose> poses;
+  for (int i = 0; i < 800; ++i) {
+    world.step();
+    for (const AgentId agent : {kRobot, kMote, kOther}) poses.push_back(world.pose(agent));
+  }
+  contacts = world.contacts(kRobot).robots.steps + world.contacts(kRobot).motes.steps +
+             world.contacts(kOther).walls.steps;
+  return poses;
+}
+
+TEST(World, NotAskingTheBroadPhaseChangesNoBit) {
+  std::uint64_t contacts = 0;
+  std::uint64_t asked_always = 0;
+  const auto poses = pile_up(0, contacts);
+  const auto expected = pile_up(70, asked_always);
+  EXPECT_GT(contacts, 100U);
+  EXPECT_EQ(contacts, asked_always);
+  ASSERT_EQ(poses.size(), expected.size());
+  for (std::size_t i = 0; i < poses.size(); ++i) {
+    ASSERT_EQ(poses[i].position, expected[i].position) << i;
+    ASSERT_EQ(poses[i].quaternion, expected[i].quaternion) << i;
+  }
 }
 
 TEST(World, WallStopsARobot) {

@@ -24,6 +24,7 @@ command_timeout: 400 ms
 on_death: silence
 reply_timeout: none
 wait: 12 s
+link: udp_like
 record: {frames: all, pose_period: 250 ms}
 world:
   physics:
@@ -65,7 +66,8 @@ radio:
   queue_limit: 13
 routing:
   {beta: 3, direct_weight: 1e5, jitter_max: 90 ms, retry_period: 4 s, retries: 2, acceptance: 1.4,
-   accept_anywhere: true, hop_limit: 29, buffer_limit: 63, buffer_age: 9 s}
+   accept_anywhere: true, hop_limit: 29, buffer_limit: 63, buffer_age: 9 s,
+   ack_timeout: 40 ms, ack_attempts: 3, hello_period: 900 ms, hello_limit: 5}
 localisation: {range: none}
 agents:
   odd:
@@ -149,6 +151,7 @@ TEST_F(Resolved, KeepsTheRun) {
   EXPECT_EQ(c.on_death, agents::OnDeath::kSilence);
   EXPECT_EQ(scenario.reply_timeout, std::nullopt);
   EXPECT_EQ(scenario.wait, 12s);
+  EXPECT_EQ(c.link, agents::LinkKind::kUdpLike);
   EXPECT_EQ(scenario.record.frames, FrameRecord::kAll);
   EXPECT_EQ(scenario.record.pose_period, 250ms);
   EXPECT_TRUE(std::isinf(c.localisation.range.value));
@@ -221,6 +224,10 @@ TEST_F(Resolved, KeepsTheRouting) {
   EXPECT_EQ(c.hop_limit, 29);
   EXPECT_EQ(c.buffer_limit, 63u);
   EXPECT_EQ(c.buffer_age, 9s);
+  EXPECT_EQ(c.ack_timeout, 40ms);
+  EXPECT_EQ(c.ack_attempts, 3);
+  EXPECT_EQ(c.hello_period, 900ms);
+  EXPECT_EQ(c.hello_limit, 5u);
 }
 
 TEST_F(Resolved, KeepsEveryBody) {
