@@ -1,10 +1,24 @@
 #include "hal/hardware/device_thread.h"
 
 #include <fmt/format.h>
+#include <pthread.h>
 
 #include <algorithm>
+#include <csignal>
 
 namespace hal::hardware {
+namespace {
+
+/// A device that hangs up while it is written to is an error of that write, not the end of the
+/// program. Of this thread only: what the program does with the signal elsewhere is its own choice.
+void block_broken_pipe_signals() {
+  sigset_t signals;
+  ::sigemptyset(&signals);
+  ::sigaddset(&signals, SIGPIPE);
+  ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
+}
+
+}  // namespace
 
 DeviceThread::DeviceThread(Device& device, const Rules& rules) : device_(device), rules_(rules) {
   thread_ = std::thread([this] { run(); });
@@ -47,6 +61,7 @@ bool DeviceThread::fresh() const {
 }
 
 void DeviceThread::run() {
+  block_broken_pipe_signals();
   Duration back_off = kFirstBackOff;
   bool go_on = true;
   while (go_on) {

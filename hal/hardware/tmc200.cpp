@@ -62,11 +62,11 @@ class Tmc200 final : public WheelDevice {
 };
 
 Result<void> Tmc200::connect() {
-  if (const auto opened = line_.open(settings_.device); !opened) return opened;
+  if (auto opened = line_.open(settings_.device); !opened) return opened;
   // Whatever half a command is left in the controller ends here.
-  if (const auto sent = line_.write("\n"); !sent) return sent;
+  if (auto sent = line_.write("\n"); !sent) return sent;
   for (const std::string& command : protocol_.set_up()) {
-    if (const auto done = ask(command); !done) return done;
+    if (auto done = ask(command); !done) return done;
   }
   unanswered_ = 0;
   answered_ = std::chrono::steady_clock::now();
@@ -76,7 +76,7 @@ Result<void> Tmc200::connect() {
 
 /// Sends a command of the set-up and waits for its "OK", passing over other lines.
 Result<void> Tmc200::ask(const std::string& command) {
-  if (const auto sent = line_.write(command); !sent) return sent;
+  if (auto sent = line_.write(command); !sent) return sent;
   const SteadyTime end = std::chrono::steady_clock::now() + settings_.times.timeout;
   std::string other = "silence";
   while (true) {

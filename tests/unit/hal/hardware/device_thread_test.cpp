@@ -1,8 +1,11 @@
 #include "hal/hardware/device_thread.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <array>
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <mutex>
 #include <thread>
@@ -120,6 +123,28 @@ TEST(DeviceThread, CountsExchangesThatAreTooFarApart) {
   FakeDevice device;
   DeviceThread thread(device, {.period = 30ms, .late = 10ms, .silence = 10s});
   EXPECT_TRUE(soon([&] { return thread.counts().late_refresh >= 2; }));
+}
+
+/// Writes to somebody who has hung up.
+class BrokenPipe final : public Device {
+ public:
+  Result<void> connect() override { return {}; }
+  Result<void> work() override {
+    std::array<int, 2> ends{};
+    if (::pipe(ends.data()) != 0) return fail(Errc::kProtocol, "no pipe");
+    ::close(ends[0]);
+    const bool failed = ::write(ends[1], "x", 1) < 0 && errno == EPIPE;
+    ::close(ends[1]);
+    if (failed) return fail(Errc::kNotConnected, "broken pipe");
+    return fail(Errc::kProtocol, "written to nobody");
+  }
+};
+
+TEST(DeviceThread, ADeviceThatHangsUpDoesNotEndTheProgram) {
+  BrokenPipe device;
+  const DeviceThread thread(device, kRules);
+  ASSERT_TRUE(soon([&] { return thread.counts().failures > 0; }));
+  EXPECT_EQ(thread.counts().bad_answers, 0U);
 }
 
 }  // namespace
