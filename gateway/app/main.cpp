@@ -65,7 +65,7 @@ struct TopicCommand {
 std::vector<TopicCommand> add_topic(CLI::App& app, gateway::app::TopicOptions& options) {
   CLI::App* topic = app.add_subcommand("topic", "Look at the topics of a run or a robot");
   topic->require_subcommand(1);
-  const std::vector<TopicCommand> commands{
+  std::vector<TopicCommand> commands{
       {topic->add_subcommand("list", "All topics"), gateway::app::list_topics},
       {topic->add_subcommand("info", "Type and endpoints"), gateway::app::topic_info},
       {topic->add_subcommand("echo", "Samples"), gateway::app::echo_topic},

@@ -51,7 +51,7 @@ std::optional<SeenTopic> wait_for(const TopicBrowser& browser, const TopicOption
                                   bool needs_writer) {
   const auto end = Clock::now() + Seconds(options.timeout);
   while (!interrupted()) {
-    const auto topic = find(browser, options.topic);
+    auto topic = find(browser, options.topic);
     if (topic && (!needs_writer || topic->count(true) > 0)) return topic;
     if (Clock::now() >= end) break;
     std::this_thread::sleep_for(kAsk);

@@ -78,9 +78,10 @@ class Subscription final : public TopicSubscription, public api::DataReaderListe
   std::uint64_t dropped() const override { return dropped_; }
 
   void on_data_available(api::DataReader* reader) override {
-    RawSample sample;
-    api::SampleInfo info;
-    while (is_ok(reader->take_next_sample(&sample.bytes, &info))) {
+    while (true) {
+      RawSample sample;
+      api::SampleInfo info;
+      if (!is_ok(reader->take_next_sample(&sample.bytes, &info))) return;
       if (!info.valid_data) continue;
       sample.source_time_ns = info.source_timestamp.to_ns();
       const std::lock_guard lock(mutex_);
@@ -199,6 +200,7 @@ std::vector<SeenTopic> TopicBrowser::Implementation::topics() const {
     topic.endpoints.push_back(seen.endpoint);
   }
   std::vector<SeenTopic> topics;
+  topics.reserve(found.size());
   for (auto& [name, topic] : found) topics.push_back(std::move(topic));
   return topics;
 }

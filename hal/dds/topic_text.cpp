@@ -234,15 +234,15 @@ std::map<std::string, Decoder> decoders() {
 }  // namespace
 
 std::optional<std::string> to_yaml(const std::string& type, const Bytes& sample) {
-  static const std::map<std::string, Decoder> kDecoders =
+  static const std::map<std::string, Decoder> all =
       decoders<rosgraph_msgs::msg::dds_::Clock_PubSubType, std_msgs::msg::dds_::Bool_PubSubType,
                tf2_msgs::msg::dds_::TFMessage_PubSubType, nav_msgs::msg::dds_::Odometry_PubSubType,
                sensor_msgs::msg::dds_::Range_PubSubType, geometry::Twist_PubSubType,
                geometry::PoseStamped_PubSubType, own::MessageFate_PubSubType, own::Frame_PubSubType,
                own::Route_PubSubType, own::ControllerState_PubSubType,
                own::LinkQuality_PubSubType>();
-  const auto found = kDecoders.find(type);
-  return found == kDecoders.end() ? std::nullopt : found->second(sample);
+  const auto found = all.find(type);
+  return found == all.end() ? std::nullopt : found->second(sample);
 }
 
 }  // namespace hal::dds
