@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,9 @@
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// 168 bytes, as many as a pose, a twist and 16 ranges in single precision, which the peer sends.
+constexpr std::size_t kReadings = 21;
 
 /// Controller processes with `agents` motes each, linked up.
 struct Processes {
@@ -51,13 +55,14 @@ void start(Processes& processes, int count, int agents) {
   }
 }
 
+template <class T>
+void require(const hal::Result<T>& result) {
+  if (!result) throw std::runtime_error(result.error().message);
+}
+
 void exchange_once(Processes& processes, const hal::exchange::Step& step) {
-  for (const auto& link : processes.links) {
-    if (!link->begin(step)) throw std::runtime_error("a process died");
-  }
-  for (const auto& link : processes.links) {
-    if (!link->finish()) throw std::runtime_error("a process died");
-  }
+  for (const auto& link : processes.links) require(link->begin(step));
+  for (const auto& link : processes.links) require(link->finish());
 }
 
 void measure(int count, int agents, int exchanges) {
@@ -67,7 +72,7 @@ void measure(int count, int agents, int exchanges) {
   step.events.resize(static_cast<std::size_t>(agents), step.events[0]);
   for (std::size_t i = 0; i < step.events.size(); ++i) {
     step.events[i].agent.value = static_cast<std::uint16_t>(i + 1);
-    step.events[i].readings = {{1, {0.1, 0.2, 0.3, 0.4, 0.5, 0.6}}};
+    step.events[i].readings = {{1, std::vector<double>(kReadings, 0.1)}};
   }
   std::vector<double> microseconds;
   for (int i = 0; i < exchanges; ++i) {
@@ -79,7 +84,7 @@ void measure(int count, int agents, int exchanges) {
   const auto quantile = [&](double q) {
     return microseconds[static_cast<std::size_t>(q * static_cast<double>(exchanges - 1))];
   };
-  fmt::print("{:2} processes, {:4} agents each: median {:.0f} us, 99 % {:.0f} us\n", count, agents,
+  fmt::print("{:2} processes, {:4} agents each: median {:.1f} us, 99 % {:.1f} us\n", count, agents,
              quantile(0.5), quantile(0.99));
 }
 

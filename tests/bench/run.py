@@ -2,12 +2,13 @@
 """Measures our programs and those of others in turn, A B A B ..., and prints medians and ratios.
 
     cmake --build build/release --target programs benches
-    tests/bench/run.py [--build DIR] [--peer DIR] [--lockstep PROGRAM] [--repeat N] [BENCH...]
+    tests/bench/run.py [--build DIR] [--peer DIR] [--lockstep DIR] [--repeat N] [BENCH...]
 
 BENCH is one of event_queue, exchange, case_study; default: all. A peer that is not there is skipped
-with a message. --peer: a folder with ns3/eventcore.cc, which is built if it can be (libns3-dev), or
-the program beside it. --lockstep: the exchange in bare Fast DDS. Default of both: what is in
-../shared beside the checkout, or BARAKA_PEER and BARAKA_LOCKSTEP of the environment.
+with a message. --peer: a folder with ns3/eventcore.cc, which needs libns3-dev. --lockstep: a folder
+with lockstep.cpp, the exchange in bare Fast DDS, and its CMakeLists.txt. Both are built into
+DIR/peers; the program itself may be named instead, or lie in its folder. Default of both: what is
+in ../shared beside the checkout, or BARAKA_PEER and BARAKA_LOCKSTEP of the environment.
 """
 import argparse
 import os
@@ -48,23 +49,47 @@ def show(name, figure, unit, note=""):
     print(f"  {name:44} {figure:12.4g} {unit:10} {note}", flush=True)
 
 
-def eventcore(peer):
-    """The program; None, with a message, if it is not there and cannot be built."""
-    program = peer / "ns3/eventcore"
-    if program.exists():
-        return program
-    source = peer / "ns3/eventcore.cc"
+def built(program, source, *commands):
+    """The program, built anew if its source is newer; None, with a message, if it cannot be."""
     if not source.exists():
         print(f"  skipped: no {source}")
         return None
-    program = pathlib.Path(tempfile.mkdtemp(prefix="baraka-peer-")) / "eventcore"
-    libraries = [f"-lns3-{name}" for name in ("core", "network", "wifi", "mobility", "propagation")]
-    built = subprocess.run(["g++", "-O2", "-std=c++17", "-o", program, source, "-Wl,--as-needed",
-                            *libraries], capture_output=True, text=True)
-    if built.returncode != 0:
-        print(f"  skipped: {source} cannot be built; is libns3-dev there?")
-        return None
+    if program.exists() and program.stat().st_mtime > source.stat().st_mtime:
+        return program
+    program.parent.mkdir(parents=True, exist_ok=True)
+    for command in commands:
+        try:
+            done = subprocess.run([str(part) for part in command], capture_output=True, text=True)
+            error = "" if done.returncode == 0 else done.stdout + done.stderr
+        except FileNotFoundError as missing:
+            error = str(missing)
+        if error:
+            lines = [line for line in error.splitlines() if "rror" in line] or error.splitlines()
+            print(f"  skipped: {source} cannot be built: {lines[0] if lines else 'no message'}")
+            return None
     return program
+
+
+def eventcore(options):
+    """ns-3's event queue."""
+    beside = options.peer / "ns3/eventcore"
+    if beside.exists():
+        return beside
+    program, source = options.build / "peers/eventcore", options.peer / "ns3/eventcore.cc"
+    libraries = [f"-lns3-{name}" for name in ("core", "network", "wifi", "mobility", "propagation")]
+    return built(program, source, ["g++", "-O2", "-std=c++17", "-o", program, source,
+                                   "-Wl,--as-needed", *libraries])
+
+
+def lockstep(options):
+    """The exchange in bare Fast DDS."""
+    for given in (options.lockstep, options.lockstep / "lockstep"):
+        if given.is_file():
+            return given
+    folder = options.build / "peers/lockstep"
+    return built(folder / "lockstep", options.lockstep / "lockstep.cpp",
+                 ["cmake", "-S", options.lockstep, "-B", folder, "-G", "Ninja"],
+                 ["cmake", "--build", folder])
 
 
 def event_queue(options):
@@ -72,7 +97,7 @@ def event_queue(options):
     ours = options.build / "tests/event_queue_bench"
     programs = {kind: lambda kind=kind: value(output(ours, 3_000_000, 100_000, kind), "rate")
                 for kind in ("plain", "cancelled")}
-    peer = eventcore(options.peer)
+    peer = eventcore(options)
     if peer:
         for scheduler in SCHEDULERS:
             programs[f"ns-3 {scheduler}"] = lambda name=scheduler: float(
@@ -83,22 +108,29 @@ def event_queue(options):
         show(name, rate, "events/s", f"{rate / best:.2f} x the best of ns-3" if best else "")
 
 
+def lockstep_exchange(program, processes, agents):
+    """As ours: a listener on each side, and a topic for each process instead of one that all read.
+    Both send 168 bytes of readings to each agent, and get one action back."""
+    route = "batch" if agents > 1 else "topic"
+    printed = output(program, f"procs={processes}", f"agents={processes * agents}",
+                     f"route={route}", "disc=peers", "wait=listener", "ticks=5000",
+                     "domain=101")  # one that our programs do not take
+    return float(re.search(r"p50 +([\d.]+)", printed).group(1))
+
+
 def exchange(options):
     """Microseconds of wall time, median of one run, and median of these."""
     ours = options.build / "tests/exchange_bench"
-    has_peer = options.lockstep.exists()
-    if not has_peer:
-        print(f"  skipped: no {options.lockstep}")
+    peer = lockstep(options)
     for processes, agents in ((1, 1), (1, 37), (6, 1)):
         programs = {"ours": lambda p=processes, a=agents: float(
-            re.search(r"median (\d+) us", output(ours, 5000, p, a)).group(1))}
-        if has_peer:
-            programs["lockstep"] = lambda p=processes, a=agents: float(re.search(
-                r"p50 +([\d.]+)", output(options.lockstep, f"procs={p}", f"agents={p * a}",
-                                         "route=batch", "disc=peers", "ticks=5000")).group(1))
+            re.search(r"median ([\d.]+) us", output(ours, 5000, p, a)).group(1))}
+        if peer:
+            programs["lockstep"] = lambda p=processes, a=agents: lockstep_exchange(peer, p, a)
         found = medians(options.repeat, programs)
-        ratio = f"{found['ours'] / found['lockstep']:.2f} x lockstep" if has_peer else ""
-        show(f"{processes} processes, {agents} agents each", found["ours"], "us", ratio)
+        note = (f"{found['ours'] / found['lockstep']:.2f} x lockstep, {found['lockstep']:.4g} us"
+                if peer else "")
+        show(f"{processes} processes, {agents} agents each", found["ours"], "us", note)
 
 
 def case_study(options):
@@ -125,7 +157,7 @@ def main():
     parser.add_argument("--peer", type=pathlib.Path,
                         default=os.environ.get("BARAKA_PEER", SHARED / "peer"))
     parser.add_argument("--lockstep", type=pathlib.Path,
-                        default=os.environ.get("BARAKA_LOCKSTEP", SHARED / "spikes/dds/lockstep"))
+                        default=os.environ.get("BARAKA_LOCKSTEP", SHARED / "spikes/dds"))
     parser.add_argument("--repeat", type=int, default=5)
     options = parser.parse_args()
     unknown = set(options.benches) - set(BENCHES)
