@@ -40,6 +40,12 @@ hal::exchange::Session session_of(const hal::exchange::Hello& hello, int agents)
   return session;
 }
 
+/// A controller that waits for another server may be in the domain by chance.
+bool is_ours(const Processes& processes, const hal::exchange::Hello& hello) {
+  return std::ranges::any_of(processes.children,
+                             [&hello](const auto& child) { return child->pid() == hello.pid; });
+}
+
 void start(Processes& processes, int count, int agents) {
   for (int i = 0; i < count; ++i) {
     const std::string domain = std::to_string(processes.server.domain());
@@ -48,6 +54,7 @@ void start(Processes& processes, int count, int agents) {
   }
   while (static_cast<int>(processes.links.size()) < count) {
     for (const auto& hello : processes.server.hellos(std::chrono::seconds{10})) {
+      if (!is_ours(processes, hello)) continue;
       processes.links.push_back(processes.server.link(hello, 1, std::chrono::seconds{10}));
       if (!processes.server.answer(session_of(hello, agents)))
         throw std::runtime_error("no answer");
