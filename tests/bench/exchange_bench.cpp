@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -22,7 +23,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 /// 168 bytes, as many as a pose, a twist and 16 ranges in single precision, which the peer sends.
-constexpr std::size_t kReadings = 21;
+constexpr std::uint32_t kReadings = 21;
+constexpr std::uint16_t kChannel = 1;
 
 /// Controller processes with `agents` motes each, linked up.
 struct Processes {
@@ -33,6 +35,12 @@ struct Processes {
 
 hal::exchange::Session session_of(const hal::exchange::Hello& hello, int agents) {
   hal::exchange::Session session = session_for(hello, 1);
+  // Described, or the controller would log each reading as an error.
+  hal::Channel channel;
+  channel.id = kChannel;
+  channel.name = channel.kind = "any";
+  channel.length = kReadings;
+  session.agents[0].channels = {channel};
   session.agents.resize(static_cast<std::size_t>(agents), session.agents[0]);
   for (std::size_t i = 0; i < session.agents.size(); ++i) {
     session.agents[i].agent.value = static_cast<std::uint16_t>(i + 1);
@@ -79,7 +87,7 @@ void measure(int count, int agents, int exchanges) {
   step.events.resize(static_cast<std::size_t>(agents), step.events[0]);
   for (std::size_t i = 0; i < step.events.size(); ++i) {
     step.events[i].agent.value = static_cast<std::uint16_t>(i + 1);
-    step.events[i].readings = {{1, std::vector<double>(kReadings, 0.1)}};
+    step.events[i].readings = {{kChannel, std::vector<double>(kReadings, 0.1)}};
   }
   std::vector<double> microseconds;
   for (int i = 0; i < exchanges; ++i) {
