@@ -10,66 +10,54 @@ constexpr int kAgentBits = 16;
 
 }  // namespace
 
-EventSlot& EventQueue::claim(Time at, Rank rank, AgentId agent, EventId& id) {
+EventSlot& EventQueue::claim(Time at, Rank rank, AgentId agent, bool must_destroy, EventId& id) {
   BARAKA_CHECK(at >= now_);
-  const std::uint32_t index = slots_.claim();
+  const std::uint32_t index = slots_.claim(must_destroy);
   if (agent.value >= counters_.size()) counters_.resize(agent.value + 1u, 0);
   const std::uint64_t counter = counters_[agent.value]++;
   // Rank, agent, counter from high bits to low.
   const std::uint64_t order = (static_cast<std::uint64_t>(rank) << (kAgentBits + kCounterBits)) |
                               (static_cast<std::uint64_t>(agent.value) << kCounterBits) | counter;
-  EventSlot& slot = slots_[index];
-  slot.time = static_cast<std::uint64_t>(hal::to_ns(at));
-  events_.push({slot.time, order, index});
-  ++live_;
-  id = {index, slot.generation};
-  return slot;
+  id = {index, slots_.generation(index)};
+  events_.push({static_cast<std::uint64_t>(hal::to_ns(at)), order, id.slot, id.generation});
+  return slots_[index];
 }
 
 bool EventQueue::is_pending(EventId id) const {
-  if (id.generation == 0) return false;
-  const EventSlot& slot = slots_[id.slot];
-  return slot.generation == id.generation && slot.act != nullptr;
+  return id.generation != 0 && slots_.generation(id.slot) == id.generation;
 }
 
 bool EventQueue::cancel(EventId& id) {
   const EventId event = std::exchange(id, {});
   if (!is_pending(event)) return false;
-  EventSlot& slot = slots_[event.slot];
-  const auto act = std::exchange(slot.act, nullptr);
-  act(slot.storage, EventSlot::Act::kDestroy);
-  --live_;
-  if (events_.remove(slot)) slots_.release(event.slot);  // else when it is next()
+  slots_.end_generation(event.slot);
+  __builtin_prefetch(&slots_[event.slot], 1);  // for the next event, whose slot it will be
+  if (EventSlots::must_destroy(event.generation)) {
+    EventSlot& slot = slots_[event.slot];
+    const auto act = std::exchange(slot.act, nullptr);
+    act(slot.storage, EventSlot::Act::kDestroy);
+  }
+  slots_.release(event.slot);
+  events_.note_cancelled();
   return true;
 }
 
-/// The next entry that is not cancelled; null if there is none.
-const FutureEvents::Entry* EventQueue::next() {
-  const FutureEvents::Entry* entry = events_.front();
-  while (entry != nullptr && slots_[entry->slot].act == nullptr) {
-    slots_.release(entry->slot);
-    events_.pop();
-    entry = events_.front();
-  }
-  return entry;
-}
-
 std::optional<Time> EventQueue::next_time() {
-  const FutureEvents::Entry* entry = next();
+  const FutureEvents::Entry* entry = events_.front();
   if (entry == nullptr) return std::nullopt;
   return hal::time_from_ns(static_cast<std::int64_t>(entry->time));
 }
 
 void EventQueue::run_next() {
-  const FutureEvents::Entry* entry = next();
+  const FutureEvents::Entry* entry = events_.front();
   BARAKA_CHECK(entry != nullptr);
   now_ = hal::time_from_ns(static_cast<std::int64_t>(entry->time));
   const std::uint32_t index = entry->slot;
   events_.pop();
   ++executed_;
-  --live_;
+  slots_.end_generation(index);  // not pending any more while it runs
   EventSlot& slot = slots_[index];
-  const auto act = std::exchange(slot.act, nullptr);  // not pending any more while it runs
+  const auto act = std::exchange(slot.act, nullptr);
   act(slot.storage, EventSlot::Act::kRunAndDestroy);
   slots_.release(index);
 }

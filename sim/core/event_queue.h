@@ -68,18 +68,16 @@ class EventQueue {
   void advance_to(Time at);
 
   std::uint64_t executed() const { return executed_; }
-  std::size_t pending() const { return live_; }
+  std::size_t pending() const { return events_.size(); }
 
  private:
-  EventSlot& claim(Time at, Rank rank, AgentId agent, EventId& id);
-  const FutureEvents::Entry* next();
+  EventSlot& claim(Time at, Rank rank, AgentId agent, bool must_destroy, EventId& id);
 
   EventSlots slots_;
   FutureEvents events_{slots_};
   std::vector<std::uint64_t> counters_;  ///< Per agent.
   Time now_{};
   std::uint64_t executed_ = 0;
-  std::size_t live_ = 0;
 };
 
 template <class F>
@@ -87,7 +85,7 @@ EventQueue::EventId EventQueue::schedule(Time at, Rank rank, AgentId agent, F&& 
   using Handler = std::decay_t<F>;
   static_assert(sizeof(Handler) <= EventSlot::kHandlerSize && alignof(Handler) <= alignof(void*));
   EventId id;
-  EventSlot& slot = claim(at, rank, agent, id);
+  EventSlot& slot = claim(at, rank, agent, !std::is_trivially_destructible_v<Handler>, id);
   ::new (static_cast<void*>(slot.storage)) Handler(std::forward<F>(handler));
   slot.act = [](void* h, EventSlot::Act act) {
     auto& stored = *static_cast<Handler*>(h);

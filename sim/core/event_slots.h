@@ -9,17 +9,17 @@ namespace sim {
 
 /// Where the handler of one event is kept while it is pending. One cache line.
 struct alignas(64) EventSlot {
-  static constexpr std::size_t kHandlerSize = 40;
+  static constexpr std::size_t kHandlerSize = 48;
   enum class Act : std::uint8_t { kRunAndDestroy, kDestroy };
 
-  void (*act)(void*, Act) = nullptr;  ///< Null: free, cancelled or running.
-  std::uint64_t time = 0;             ///< ns
-  std::uint32_t generation = 1;       ///< Counts the events it has been used for.
-  std::uint32_t position = 0;         ///< Of its entry in an unsorted list of FutureEvents.
+  void (*act)(void*, Act) = nullptr;  ///< Of the last handler. Null: it was destroyed.
   alignas(alignof(void*)) std::byte storage[kHandlerSize];
 };
 
-/// Slots by index. They do not move, so a handler may schedule others while it runs.
+/// Slots by index. They do not move, so a handler may schedule others while it runs. Each is used
+/// for one event after another; a generation tells these apart. Generations are kept beside the
+/// slots, closely packed: to see that an event was cancelled is far cheaper than to look into what
+/// was its slot.
 class EventSlots {
  public:
   EventSlots() = default;
@@ -32,16 +32,25 @@ class EventSlots {
     return blocks_[index / kBlock][index % kBlock];
   }
 
-  /// Index of a slot that is free no longer.
-  std::uint32_t claim();
+  /// Differs from one event of a slot to the next, and is never 0. Odd if the event's handler must
+  /// be destroyed: for others it is enough to forget them.
+  std::uint32_t generation(std::uint32_t index) const { return generations_[index]; }
+  static bool must_destroy(std::uint32_t generation) { return generation % 2 != 0; }
 
-  /// Makes a slot free. From now on ids of the event it was used for name none.
+  /// Index of a slot that is free no longer.
+  std::uint32_t claim(bool must_destroy);
+
+  /// From now on the generation is another. The slot is not free before release().
+  void end_generation(std::uint32_t index) { generations_[index] = (generations_[index] | 1) + 1; }
+
+  /// Makes a slot free. @pre its generation was ended.
   void release(std::uint32_t index);
 
  private:
   static constexpr std::uint32_t kBlock = 256;
 
   std::vector<std::unique_ptr<EventSlot[]>> blocks_;
+  std::vector<std::uint32_t> generations_;
   std::vector<std::uint32_t> free_;  ///< The last one was used last, and is likely to be cached.
 };
 

@@ -10,19 +10,24 @@ namespace {
 using Entry = FutureEvents::Entry;
 
 constexpr std::size_t kArity = 4;
-constexpr std::size_t kPerBucket = 16;    // keeps the heap within two levels
+constexpr std::size_t kPerBucket = 48;  // a heap of three levels; fewer buckets are found in cache
 constexpr std::size_t kLargeHeap = 1024;  // 24 KiB: what the first cache can hold
+constexpr std::size_t kLeastSample = 12;  // of 64: so an entry is spread about five times at most
+constexpr std::uint64_t kDenser = 8;
+constexpr std::size_t kLeastSwept = 1024;
 
-/// A time that about three quarters of the entries are not after, from a sample. A few in the far
-/// future do not make the buckets too wide, and most leave the list each time.
-std::uint64_t upper_quartile(const std::vector<Entry>& entries) {
+/// A time that most entries are not after, from a sample: three quarters of them, so that a few in
+/// the far future do not make the buckets too wide, and most leave the list each time. Fewer if
+/// these are much denser: timeouts beside what they guard, for example.
+std::uint64_t horizon(const std::vector<Entry>& entries) {
   std::array<std::uint64_t, 64> sample{};
   const std::size_t size = std::min(sample.size(), entries.size());
   for (std::size_t i = 0; i < size; ++i) sample[i] = entries[i * entries.size() / size].time;
-  const auto end = sample.begin() + static_cast<std::ptrdiff_t>(size);
-  const auto quartile = sample.begin() + static_cast<std::ptrdiff_t>(size * 3 / 4);
-  std::nth_element(sample.begin(), quartile, end);
-  return *quartile;
+  std::sort(sample.begin(), sample.begin() + static_cast<std::ptrdiff_t>(size));
+  const auto span = [&sample](std::size_t last) { return sample[last] - sample[0]; };
+  std::size_t last = size * 3 / 4;
+  while (last > kLeastSample && span(last) / kDenser > span(last / 2)) last /= 2;
+  return sample[last];
 }
 
 std::uint64_t least_time(const std::vector<Entry>& entries) {
@@ -34,42 +39,60 @@ std::uint64_t least_time(const std::vector<Entry>& entries) {
 }  // namespace
 
 void FutureEvents::push(const Entry& entry) {
+  ++entries_;
   if (entry.time >= near_end_) return append(entry);
   push_near(entry);
   if (near_.size() > spill_at_ && next_bucket_ == bucket_count_) spill();
 }
 
-std::vector<Entry>& FutureEvents::list_of(std::uint64_t time) {
-  const std::uint64_t bucket = (time - buckets_begin_) >> bucket_shift_;
-  return bucket < bucket_count_ ? buckets_[bucket] : far_;
-}
-
 void FutureEvents::append(const Entry& entry) {
-  std::vector<Entry>& list = list_of(entry.time);
-  slots_[entry.slot].position = static_cast<std::uint32_t>(list.size());
-  list.push_back(entry);
+  const std::uint64_t bucket = (entry.time - buckets_begin_) >> bucket_shift_;
+  (bucket < bucket_count_ ? buckets_[bucket] : far_).push_back(entry);
 }
 
-bool FutureEvents::remove(const EventSlot& slot) {
-  if (slot.time < near_end_) return false;
-  std::vector<Entry>& list = list_of(slot.time);
-  const std::uint32_t position = slot.position;
-  list[position] = list.back();
-  slots_[list[position].slot].position = position;
-  list.pop_back();
-  return true;
+void FutureEvents::note_cancelled() {
+  ++cancelled_;
+  // Against all that a sweep looks at, so that each cancelled entry pays for a constant share.
+  if (cancelled_ > kLeastSwept + size() + (bucket_count_ - next_bucket_)) sweep();
+}
+
+void FutureEvents::sweep() {
+  drop_cancelled(near_);
+  moving_.swap(near_);
+  for (const Entry& entry : moving_) push_near(entry);
+  moving_.clear();
+  for (std::size_t i = next_bucket_; i < bucket_count_; ++i) drop_cancelled(buckets_[i]);
+  drop_cancelled(far_);
+}
+
+void FutureEvents::drop_cancelled(std::vector<Entry>& list) {
+  std::size_t kept = 0;
+  for (const Entry& entry : list) {  // no branch: which are cancelled cannot be foretold
+    const bool live = is_live(entry);
+    list[kept] = entry;
+    kept += live ? 1 : 0;
+  }
+  entries_ -= list.size() - kept;
+  cancelled_ -= list.size() - kept;
+  list.resize(kept);
 }
 
 const Entry* FutureEvents::front() {
-  while (near_.empty()) {
-    if (!refill()) return nullptr;
+  while (true) {
+    while (near_.empty()) {
+      if (!refill()) return nullptr;
+    }
+    if (is_live(near_.front())) return &near_.front();
+    pop_near();
+    --entries_;
+    --cancelled_;
   }
-  return &near_.front();
 }
 
 /// Takes the next bucket, or else makes some. @return false if there is nothing.
 bool FutureEvents::refill() {
   if (next_bucket_ == bucket_count_) {
+    if (cancelled_ > 0) drop_cancelled(far_);
     if (far_.empty()) return false;
     spread();
   }
@@ -80,6 +103,7 @@ bool FutureEvents::refill() {
 }
 
 void FutureEvents::take_near(std::vector<Entry>& list) {
+  if (cancelled_ > 0) drop_cancelled(list);
   for (const Entry& entry : list) {
     __builtin_prefetch(&slots_[entry.slot]);  // its handler runs soon
     push_near(entry);
@@ -91,7 +115,7 @@ void FutureEvents::take_near(std::vector<Entry>& list) {
 /// From the far list to new buckets.
 void FutureEvents::spread() {
   buckets_begin_ = least_time(far_);
-  const std::uint64_t span = upper_quartile(far_) - buckets_begin_;
+  const std::uint64_t span = horizon(far_) - buckets_begin_;
   const std::uint64_t least_width = span / std::max<std::size_t>(1, far_.size() / kPerBucket);
   bucket_shift_ = static_cast<int>(std::bit_width(least_width));
   bucket_count_ = (span >> bucket_shift_) + 1;
@@ -104,7 +128,7 @@ void FutureEvents::spread() {
 
 /// If what was near reaches too far into the future, it does so no longer.
 void FutureEvents::spill() {
-  near_end_ = upper_quartile(near_) + 1;
+  near_end_ = horizon(near_) + 1;
   bucket_count_ = next_bucket_ = 0;
   moving_.swap(near_);
   for (const Entry& entry : moving_) entry.time < near_end_ ? push_near(entry) : append(entry);
@@ -125,24 +149,34 @@ void FutureEvents::push_near(const Entry& entry) {
 }
 
 void FutureEvents::pop() {
+  pop_near();
+  --entries_;
+}
+
+void FutureEvents::pop_near() {
   const Entry last = near_.back();
   near_.pop_back();
   const std::size_t size = near_.size();
   if (size == 0) return;
   std::size_t i = 0;
-  while (true) {
-    const std::size_t first = i * kArity + 1;
-    if (first >= size) break;
-    std::size_t smallest = first;
-    const std::size_t end = std::min(first + kArity, size);
-    for (std::size_t c = first + 1; c < end; ++c) {
-      if (near_[c].before(near_[smallest])) smallest = c;
-    }
-    if (!near_[smallest].before(last)) break;
-    near_[i] = near_[smallest];
-    i = smallest;
+  while (i * kArity + 1 < size) {
+    const std::size_t least = least_child(i);
+    if (!near_[least].before(last)) break;
+    near_[i] = near_[least];
+    i = least;
   }
   near_[i] = last;
+}
+
+/// @pre there is one.
+std::size_t FutureEvents::least_child(std::size_t parent) const {
+  const std::size_t first = parent * kArity + 1;
+  const std::size_t end = std::min(first + kArity, near_.size());
+  std::size_t least = first;
+  for (std::size_t c = first + 1; c < end; ++c) {
+    if (near_[c].before(near_[least])) least = c;
+  }
+  return least;
 }
 
 }  // namespace sim

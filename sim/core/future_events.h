@@ -14,12 +14,17 @@ namespace sim {
 /// however many events are pending: pushing and popping takes constant time. After: Tang, Goh and
 /// Thng, "Ladder queue: an O(1) priority queue structure for large-scale discrete event
 /// simulation", 2005, with one rung.
+///
+/// A cancelled entry stays where it is, since to find it would cost more than all else: entries are
+/// dropped when they are moved anyway, and all at once when they outnumber the others. So
+/// cancelling takes constant time too, and cancelled entries at most double the memory.
 class FutureEvents {
  public:
   struct Entry {
     std::uint64_t time;   ///< ns
     std::uint64_t order;  ///< Among entries of one time.
     std::uint32_t slot;
+    std::uint32_t generation;  ///< Of the slot; cancelled if it has another by now.
     bool before(const Entry& other) const { return key() < other.key(); }
 
    private:
@@ -27,14 +32,13 @@ class FutureEvents {
     Key key() const { return (static_cast<Key>(time) << 64) | order; }
   };
 
-  /// @param slots  those that entries name; their positions are kept up to date.
-  explicit FutureEvents(EventSlots& slots) : slots_(slots) {}
+  /// @param slots  those that entries name.
+  explicit FutureEvents(const EventSlots& slots) : slots_(slots) {}
 
   void push(const Entry& entry);
 
-  /// Takes out the entry of a slot unless it is near: then it stays until it is at the front.
-  /// @return whether it was taken out.
-  bool remove(const EventSlot& slot);
+  /// To be called when an entry's slot has got another generation before the entry was popped.
+  void note_cancelled();
 
   /// The first entry; null if there is none.
   const Entry* front();
@@ -42,19 +46,29 @@ class FutureEvents {
   /// Takes out the first entry. @pre front() was not null.
   void pop();
 
+  /// How many are not cancelled.
+  std::size_t size() const { return entries_ - cancelled_; }
+
  private:
-  std::vector<Entry>& list_of(std::uint64_t time);
+  bool is_live(const Entry& entry) const {
+    return slots_.generation(entry.slot) == entry.generation;
+  }
   void append(const Entry& entry);
   bool refill();
   void spread();
   void spill();
   void push_near(const Entry& entry);
+  void pop_near();
+  std::size_t least_child(std::size_t parent) const;
   void take_near(std::vector<Entry>& list);
+  void drop_cancelled(std::vector<Entry>& list);
+  void sweep();
 
-  EventSlots& slots_;
-  std::vector<Entry> near_;      ///< 4-ary heap of those before near_end_.
-  std::uint64_t near_end_ = 0;   ///< ns
-  std::size_t spill_at_ = 1024;  ///< Size of the heap.
+  const EventSlots& slots_;
+  std::size_t entries_ = 0, cancelled_ = 0;  ///< Those cancelled are among the entries.
+  std::vector<Entry> near_;                  ///< 4-ary heap of those before near_end_.
+  std::uint64_t near_end_ = 0;               ///< ns
+  std::size_t spill_at_ = 1024;              ///< Size of the heap.
   std::vector<std::vector<Entry>> buckets_;
   std::size_t next_bucket_ = 0, bucket_count_ = 0;  ///< Of those in use.
   std::uint64_t buckets_begin_ = 0;                 ///< ns

@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -20,6 +22,10 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
+/// 168 bytes, as many as a pose, a twist and 16 ranges in single precision, which the peer sends.
+constexpr std::uint32_t kReadings = 21;
+constexpr std::uint16_t kChannel = 1;
+
 /// Controller processes with `agents` motes each, linked up.
 struct Processes {
   hal::dds::Server server{hal::dds::take_domain(std::nullopt)};
@@ -29,11 +35,23 @@ struct Processes {
 
 hal::exchange::Session session_of(const hal::exchange::Hello& hello, int agents) {
   hal::exchange::Session session = session_for(hello, 1);
+  // Described, or the controller would log each reading as an error.
+  hal::Channel channel;
+  channel.id = kChannel;
+  channel.name = channel.kind = "any";
+  channel.length = kReadings;
+  session.agents[0].channels = {channel};
   session.agents.resize(static_cast<std::size_t>(agents), session.agents[0]);
   for (std::size_t i = 0; i < session.agents.size(); ++i) {
     session.agents[i].agent.value = static_cast<std::uint16_t>(i + 1);
   }
   return session;
+}
+
+/// A controller that waits for another server may be in the domain by chance.
+bool is_ours(const Processes& processes, const hal::exchange::Hello& hello) {
+  return std::ranges::any_of(processes.children,
+                             [&hello](const auto& child) { return child->pid() == hello.pid; });
 }
 
 void start(Processes& processes, int count, int agents) {
@@ -44,6 +62,7 @@ void start(Processes& processes, int count, int agents) {
   }
   while (static_cast<int>(processes.links.size()) < count) {
     for (const auto& hello : processes.server.hellos(std::chrono::seconds{10})) {
+      if (!is_ours(processes, hello)) continue;
       processes.links.push_back(processes.server.link(hello, 1, std::chrono::seconds{10}));
       if (!processes.server.answer(session_of(hello, agents)))
         throw std::runtime_error("no answer");
@@ -51,13 +70,14 @@ void start(Processes& processes, int count, int agents) {
   }
 }
 
+template <class T>
+void require(const hal::Result<T>& result) {
+  if (!result) throw std::runtime_error(result.error().message);
+}
+
 void exchange_once(Processes& processes, const hal::exchange::Step& step) {
-  for (const auto& link : processes.links) {
-    if (!link->begin(step)) throw std::runtime_error("a process died");
-  }
-  for (const auto& link : processes.links) {
-    if (!link->finish()) throw std::runtime_error("a process died");
-  }
+  for (const auto& link : processes.links) require(link->begin(step));
+  for (const auto& link : processes.links) require(link->finish());
 }
 
 void measure(int count, int agents, int exchanges) {
@@ -67,7 +87,7 @@ void measure(int count, int agents, int exchanges) {
   step.events.resize(static_cast<std::size_t>(agents), step.events[0]);
   for (std::size_t i = 0; i < step.events.size(); ++i) {
     step.events[i].agent.value = static_cast<std::uint16_t>(i + 1);
-    step.events[i].readings = {{1, {0.1, 0.2, 0.3, 0.4, 0.5, 0.6}}};
+    step.events[i].readings = {{kChannel, std::vector<double>(kReadings, 0.1)}};
   }
   std::vector<double> microseconds;
   for (int i = 0; i < exchanges; ++i) {
@@ -79,7 +99,7 @@ void measure(int count, int agents, int exchanges) {
   const auto quantile = [&](double q) {
     return microseconds[static_cast<std::size_t>(q * static_cast<double>(exchanges - 1))];
   };
-  fmt::print("{:2} processes, {:4} agents each: median {:.0f} us, 99 % {:.0f} us\n", count, agents,
+  fmt::print("{:2} processes, {:4} agents each: median {:.1f} us, 99 % {:.1f} us\n", count, agents,
              quantile(0.5), quantile(0.99));
 }
 

@@ -2,12 +2,14 @@
 """Measures our programs and those of others in turn, A B A B ..., and prints medians and ratios.
 
     cmake --build build/release --target programs benches
-    tests/bench/run.py [--build DIR] [--peer DIR] [--lockstep PROGRAM] [--repeat N] [BENCH...]
+    tests/bench/run.py [--build DIR] [--peer DIR] [--lockstep DIR] [--repeat N] [BENCH...]
 
 BENCH is one of event_queue, exchange, case_study, driving; default: all. A peer that is not there is
-skipped with a message. --peer: a folder with ns3/eventcore.cc and ode/speed.cpp, which are built if
-they can be (libns3-dev, libode-dev), or the programs beside them. --lockstep: the exchange in bare Fast DDS. Default of both: what is in
-../shared beside the checkout, or BARAKA_PEER and BARAKA_LOCKSTEP of the environment.
+skipped with a message. --peer: a folder with ns3/eventcore.cc, which needs libns3-dev, and
+ode/speed.cpp, which needs libode-dev. --lockstep: a folder with lockstep.cpp, the exchange in bare
+Fast DDS, and its CMakeLists.txt. They are built into DIR/peers; the programs themselves may lie
+beside the sources. Default of both: what is in ../shared beside the checkout, or BARAKA_PEER and
+BARAKA_LOCKSTEP of the environment.
 """
 import argparse
 import os
@@ -23,6 +25,8 @@ SHARED = ROOT.parent / "shared"
 DRIVING = ROOT / "tests/bench/driving.yaml"
 CASE_STUDY = ROOT / "config/scenarios/case_study.yaml"
 SCHEDULERS = ("Map", "Heap", "Calendar", "PriorityQueue")
+# The peer's default broad phase is the hash space; the other one is ours, and the faster.
+SPACES = ((0, "peer, hash space"), (1, "peer, sweep and prune"))
 SIX_PROCESSES = ["--set", "agents.motes.controller.processes=5"]
 
 
@@ -50,27 +54,56 @@ def show(name, figure, unit, note=""):
     print(f"  {name:44} {figure:12.4g} {unit:10} {note}", flush=True)
 
 
-def peer_program(source, package, *libraries):
-    """The program; None, with a message, if it is not there and cannot be built."""
-    program = source.with_suffix("")
-    if program.exists():
-        return program
+def built(program, source, *commands):
+    """The program, built anew if its source is newer; None, with a message, if it cannot be."""
     if not source.exists():
         print(f"  skipped: no {source}")
         return None
-    program = pathlib.Path(tempfile.mkdtemp(prefix="baraka-peer-")) / source.stem
-    built = subprocess.run(["g++", "-O2", "-std=c++17", "-o", program, source, "-Wl,--as-needed",
-                            *libraries], capture_output=True, text=True)
-    if built.returncode != 0:
-        print(f"  skipped: {source} cannot be built; is {package} there?")
-        return None
+    if program.exists() and program.stat().st_mtime > source.stat().st_mtime:
+        return program
+    program.parent.mkdir(parents=True, exist_ok=True)
+    for command in commands:
+        try:
+            done = subprocess.run([str(part) for part in command], capture_output=True, text=True)
+            error = "" if done.returncode == 0 else done.stdout + done.stderr
+        except FileNotFoundError as missing:
+            error = str(missing)
+        if error:
+            lines = [line for line in error.splitlines() if "rror" in line] or error.splitlines()
+            print(f"  skipped: {source} cannot be built: {lines[0] if lines else 'no message'}")
+            return None
     return program
 
 
-def eventcore(peer):
-    modules = ("core", "network", "wifi", "mobility", "propagation")
-    return peer_program(peer / "ns3/eventcore.cc", "libns3-dev",
-                        *(f"-lns3-{name}" for name in modules))
+def eventcore(options):
+    """ns-3's event queue."""
+    beside = options.peer / "ns3/eventcore"
+    if beside.exists():
+        return beside
+    program, source = options.build / "peers/eventcore", options.peer / "ns3/eventcore.cc"
+    libraries = [f"-lns3-{name}" for name in ("core", "network", "wifi", "mobility", "propagation")]
+    return built(program, source, ["g++", "-O2", "-std=c++17", "-o", program, source,
+                                   "-Wl,--as-needed", *libraries])
+
+
+def lockstep(options):
+    """The exchange in bare Fast DDS."""
+    for given in (options.lockstep, options.lockstep / "lockstep"):
+        if given.is_file():
+            return given
+    folder = options.build / "peers/lockstep"
+    return built(folder / "lockstep", options.lockstep / "lockstep.cpp",
+                 ["cmake", "-S", options.lockstep, "-B", folder, "-G", "Ninja"],
+                 ["cmake", "--build", folder])
+
+
+def ode_speed(options):
+    """Robots and motes in bare ODE."""
+    beside = options.peer / "ode/speed"
+    if beside.exists():
+        return beside
+    program, source = options.build / "peers/speed", options.peer / "ode/speed.cpp"
+    return built(program, source, ["g++", "-O2", "-std=c++17", "-o", program, source, "-lode"])
 
 
 def user_seconds(*command):
@@ -93,7 +126,7 @@ def event_queue(options):
     ours = options.build / "tests/event_queue_bench"
     programs = {kind: lambda kind=kind: value(output(ours, 3_000_000, 100_000, kind), "rate")
                 for kind in ("plain", "cancelled")}
-    peer = eventcore(options.peer)
+    peer = eventcore(options)
     if peer:
         for scheduler in SCHEDULERS:
             programs[f"ns-3 {scheduler}"] = lambda name=scheduler: float(
@@ -104,22 +137,29 @@ def event_queue(options):
         show(name, rate, "events/s", f"{rate / best:.2f} x the best of ns-3" if best else "")
 
 
+def lockstep_exchange(program, processes, agents):
+    """As ours: a listener on each side, and a topic for each process instead of one that all read.
+    Both send 168 bytes of readings to each agent, and get one action back."""
+    route = "batch" if agents > 1 else "topic"
+    printed = output(program, f"procs={processes}", f"agents={processes * agents}",
+                     f"route={route}", "disc=peers", "wait=listener", "ticks=5000",
+                     "domain=101")  # one that our programs do not take
+    return float(re.search(r"p50 +([\d.]+)", printed).group(1))
+
+
 def exchange(options):
     """Microseconds of wall time, median of one run, and median of these."""
     ours = options.build / "tests/exchange_bench"
-    has_peer = options.lockstep.exists()
-    if not has_peer:
-        print(f"  skipped: no {options.lockstep}")
+    peer = lockstep(options)
     for processes, agents in ((1, 1), (1, 37), (6, 1)):
         programs = {"ours": lambda p=processes, a=agents: float(
-            re.search(r"median (\d+) us", output(ours, 5000, p, a)).group(1))}
-        if has_peer:
-            programs["lockstep"] = lambda p=processes, a=agents: float(re.search(
-                r"p50 +([\d.]+)", output(options.lockstep, f"procs={p}", f"agents={p * a}",
-                                         "route=batch", "disc=peers", "ticks=5000")).group(1))
+            re.search(r"median ([\d.]+) us", output(ours, 5000, p, a)).group(1))}
+        if peer:
+            programs["lockstep"] = lambda p=processes, a=agents: lockstep_exchange(peer, p, a)
         found = medians(options.repeat, programs)
-        ratio = f"{found['ours'] / found['lockstep']:.2f} x lockstep" if has_peer else ""
-        show(f"{processes} processes, {agents} agents each", found["ours"], "us", ratio)
+        note = (f"{found['ours'] / found['lockstep']:.2f} x lockstep, {found['lockstep']:.4g} us"
+                if peer else "")
+        show(f"{processes} processes, {agents} agents each", found["ours"], "us", note)
 
 
 def case_study(options):
@@ -138,14 +178,13 @@ def case_study(options):
 def driving(options):
     """User milliseconds per simulated second: 12 robots and 25 motes; bare ODE as the peer."""
     baraka = options.build / "bin/baraka"
-    peer = peer_program(options.peer / "ode/speed.cpp", "libode-dev", "-lode")
+    peer = ode_speed(options)
     for model, wheels in enumerate(("jointed", "contact")):
         with tempfile.TemporaryDirectory(prefix="baraka-bench-") as folder:
             commands = {"ours": lambda seconds, w=wheels, f=folder: (
                 baraka, "run", DRIVING, "--controllers", "in-process", "--out", f"{f}/run",
                 "--until", seconds, "--set", f"agents.robots.wheels={w}")}
-            # Its default broad phase is the hash space; the other one is ours, and the faster.
-            for space, name in ((0, "peer, hash space"), (1, "peer, sweep and prune")) if peer else ():
+            for space, name in SPACES if peer else ():
                 commands[name] = lambda seconds, m=model, s=space: (
                     peer, "n=12", "m=25", f"model={m}", f"space={s}", "prof=0", f"T={seconds}")
             found = medians(options.repeat, {
@@ -168,7 +207,7 @@ def main():
     parser.add_argument("--peer", type=pathlib.Path,
                         default=os.environ.get("BARAKA_PEER", SHARED / "peer"))
     parser.add_argument("--lockstep", type=pathlib.Path,
-                        default=os.environ.get("BARAKA_LOCKSTEP", SHARED / "spikes/dds/lockstep"))
+                        default=os.environ.get("BARAKA_LOCKSTEP", SHARED / "spikes/dds"))
     parser.add_argument("--repeat", type=int, default=5)
     options = parser.parse_args()
     unknown = set(options.benches) - set(BENCHES)

@@ -118,8 +118,8 @@ class DaemonHost final : public ContractHost {
 }  // namespace
 
 Implementation two_daemons(hal::Duration control_period) {
-  return {"TwoDaemons", {.takes_successors = true, .has_neighbours = true}, [] {
-            return std::make_unique<DaemonHost>();
+  return {"TwoDaemons", {.takes_successors = true, .has_neighbours = true}, [control_period] {
+            return std::make_unique<DaemonHost>(control_period);
           }};
 }
 

@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <thread>
+#include <utility>
 
 #include "tests/contract/brain.h"
 #include "tests/contract/contract_host.h"
@@ -50,10 +52,15 @@ Action drive(double vx) {
   return action;
 }
 
-/// Does something once, when an agent starts.
-Brain::Rule at_start(hal::AgentId agent, std::vector<Action> actions) {
-  return [agent, actions](const Event& event) {
-    return event.agent == agent && event.cause == Cause::kStart ? actions : std::vector<Action>{};
+/// Does something once, in the control cycle of an agent when everybody has a controller: a message
+/// to an agent without one is lost.
+Brain::Rule once(hal::AgentId agent, std::vector<Action> actions) {
+  return [agent, actions, started = 0](const Event& event) mutable {
+    if (event.cause == Cause::kStart) ++started;
+    if (started < 2 || event.agent != agent || event.cause != Cause::kControl) {
+      return std::vector<Action>{};
+    }
+    return std::exchange(actions, {});
   };
 }
 
@@ -95,7 +102,7 @@ TEST_P(HostContract, TakesTheActionsOfAnAgentInTheirOrder) {
   for (const char* name : {"one", "two", "three", "four"}) {
     states.push_back(action_of(ActionKind::kState, name));
   }
-  brain("both", {"r0", "m0"}, at_start(kMote, states));
+  brain("both", {"r0", "m0"}, once(kMote, states));
   ASSERT_TRUE(until([&] { return sight().states(kMote).size() >= 4; }));
   EXPECT_EQ(sight().states(kMote), (std::vector<std::string>{"one", "two", "three", "four"}));
   EXPECT_TRUE(sight().states(kRobot).empty());
@@ -125,7 +132,7 @@ TEST_P(HostContract, ATimerComesOnceAndNotBeforeItsTime) {
 
 TEST_P(HostContract, AMessageArrivesAsItWasSentAndItsSenderIsToldOnce) {
   const hal::Bytes payload{0, 255, 7, 0};
-  const Brain& both = brain("both", {"r0", "m0"}, at_start(kRobot, {send(kMote, 1, payload)}));
+  const Brain& both = brain("both", {"r0", "m0"}, once(kRobot, {send(kMote, 1, payload)}));
   ASSERT_TRUE(until([&] { return !both.seen(kMote, Cause::kMessage).empty(); }));
   ASSERT_TRUE(until([&] { return !both.seen(kRobot, Cause::kNotice).empty(); }));
   const Event arrived = both.seen(kMote, Cause::kMessage)[0];
@@ -144,7 +151,7 @@ TEST_P(HostContract, AMessageArrivesAsItWasSentAndItsSenderIsToldOnce) {
 }
 
 TEST_P(HostContract, AMessageToNobodyEndsWithNoRoute) {
-  const Brain& both = brain("both", {"r0", "m0"}, at_start(kMote, {send(kNobody, 1)}));
+  const Brain& both = brain("both", {"r0", "m0"}, once(kMote, {send(kNobody, 1)}));
   ASSERT_TRUE(until([&] { return !both.seen(kMote, Cause::kNotice).empty(); }));
   const auto notices = both.seen(kMote, Cause::kNotice);
   ASSERT_EQ(notices.size(), 1u);
@@ -152,7 +159,7 @@ TEST_P(HostContract, AMessageToNobodyEndsWithNoRoute) {
 }
 
 TEST_P(HostContract, AControllerSeesTheRoutesOfWhatItWatches) {
-  const Brain& both = brain("both", {"r0", "m0"}, at_start(kRobot, {send(kMote, 1)}));
+  const Brain& both = brain("both", {"r0", "m0"}, once(kRobot, {send(kMote, 1)}));
   const auto has_route = [&] {
     return std::ranges::any_of(both.seen(kRobot), [](const Event& event) {
       return std::ranges::any_of(event.routes, [](const hal::RouteChange& change) {
@@ -204,14 +211,18 @@ TEST_P(HostContract, WheelsStopWhenNobodyAnswersAndTurnAgainWhenSomebodyDoes) {
 }
 
 TEST_P(HostContract, WhatComesWhileAControllerIsBusyReachesItInOrder) {
-  brain("robot", {"r0"}, [id = 0u](const Event& event) mutable {
+  std::atomic<bool> mote_has_started = false;
+  Brain& mote = brain("mote", {"m0"}, [&](const Event&) {
+    mote_has_started = true;
+    return std::vector<Action>{};
+  });
+  brain("robot", {"r0"}, [&, id = 0u](const Event& event) mutable {
     std::vector<Action> actions;
-    if (event.cause != Cause::kControl || id == 50) return actions;
+    if (!mote_has_started || event.cause != Cause::kControl || id == 50) return actions;
     ++id;
     actions.push_back(send(kMote, id, {static_cast<std::uint8_t>(id)}));
     return actions;
   });
-  Brain& mote = brain("mote", {"m0"});
   ASSERT_TRUE(until([&] { return mote.seen(kMote, Cause::kMessage).size() >= 5; }));
   mote.hold(true);
   std::this_thread::sleep_for(500ms);
@@ -263,13 +274,15 @@ INSTANTIATE_TEST_SUITE_P(Hosts, HostContract,
 TEST(TwoDaemons, OneControllerProcessLosesNoEventInTenThousandExchanges) {
   const auto daemons = two_daemons(1ms).make();
   std::atomic<hal::MessageId> sent = 0;
-  const Brain both(daemons->domain(), "both", {"r0", "m0"}, [&, cycle = 0](const Event& e) mutable {
-    std::vector<Action> actions;
-    if (e.agent == kRobot && e.cause == Cause::kControl && ++cycle % 20 == 0) {
-      actions.push_back(send(kMote, ++sent));
-    }
-    return actions;
-  });
+  const Brain both(
+      daemons->domain(), "both", {"r0", "m0"}, [&, cycle = 0, started = 0](const Event& e) mutable {
+        std::vector<Action> actions;
+        started += e.cause == Cause::kStart ? 1 : 0;
+        if (started == 2 && e.agent == kRobot && e.cause == Cause::kControl && ++cycle % 20 == 0) {
+          actions.push_back(send(kMote, ++sent));
+        }
+        return actions;
+      });
   ASSERT_TRUE(until([&] { return both.steps() >= 10'000; }, 5 * kPatience));
   EXPECT_EQ(both.gaps(), 0u);
   const hal::MessageId so_far = sent;

@@ -213,6 +213,41 @@ TEST(EventQueueGrowth, AgreesWithASortedSetIfTheFirstEventIsTheLast) {
   while (!both.empty()) both.run_one();
 }
 
+// Timeouts that hardly ever come to pass, near and far: cancelled ones soon outnumber the others.
+TEST(EventQueueTimeouts, AgreesWithASortedSetIfMostEventsAreCancelled) {
+  BesideASet both(2);
+  for (int i = 0; i < 100; ++i) both.schedule(1000);
+  for (int i = 0; i < 5000; ++i) {
+    both.run_one();
+    both.schedule(both.any_delay() % 100'000);
+    for (int k = 0; k < 5; ++k) {
+      both.schedule(1'000'000 + both.any_delay() % 1'000'000);
+      both.cancel_any();
+    }
+  }
+  while (!both.empty()) both.run_one();
+}
+
+// An event's slot serves the next one at once; the id of the first must not reach the second.
+TEST_F(EventQueueTest, AnIdDoesNotReachTheEventThatCameAfterItsOwn) {
+  const auto owned = std::make_shared<int>(0);
+  for (int i = 0; i < 10; ++i) {
+    auto plain = queue_.schedule(Time{2us}, Rank::kRadio, AgentId{1}, [this] { seen_ += "p"; });
+    auto plain_copy = plain;
+    EXPECT_TRUE(queue_.cancel(plain));
+    auto owner = queue_.schedule(Time{1us}, Rank::kRadio, AgentId{1}, [owned] { ++*owned; });
+    auto owner_copy = owner;
+    EXPECT_FALSE(queue_.cancel(plain_copy));
+    EXPECT_TRUE(queue_.is_pending(owner));
+    EXPECT_TRUE(queue_.cancel(owner));
+    EXPECT_FALSE(queue_.is_pending(owner_copy));
+    EXPECT_EQ(owned.use_count(), 1);
+  }
+  EXPECT_EQ(queue_.pending(), 0u);
+  EXPECT_FALSE(queue_.next_time());
+  EXPECT_EQ(seen_, "");
+}
+
 TEST_F(EventQueueTest, TakesTheLastTimeThereIs) {
   note(Time::max(), Rank::kRadio, 1, "b");
   note(Time::max(), Rank::kControl, 1, "c");
