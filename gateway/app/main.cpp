@@ -4,6 +4,7 @@
 #include <map>
 
 #include "gateway/app/exit_status.h"
+#include "gateway/app/new_controller.h"
 #include "gateway/app/replications.h"
 #include "gateway/app/report_command.h"
 #include "gateway/app/run_command.h"
@@ -44,6 +45,15 @@ void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
       ->needs(replications);
 }
 
+void add_new_controller(CLI::App& app, gateway::app::NewControllerOptions& options) {
+  CLI::App* add =
+      app.add_subcommand("new-controller", "Write a project for a controller of your own");
+  add->add_option("NAME", options.name, "Of the program: a-z, 0-9 and _")->required();
+  CLI::Option* mote = add->add_flag("--mote", options.for_mote, "It drives motes");
+  add->add_flag("--robot")->description("It drives robots (the default)")->excludes(mote);
+  add->add_option("--to", options.to, "Folder for the project's folder; default: this one");
+}
+
 /// @return exit status. @throws std::exception
 int command(int argc, char** argv) {
   CLI::App app("BARAKA: robots and motes that talk IEEE 802.11, with controllers over DDS");
@@ -61,6 +71,8 @@ int command(int argc, char** argv) {
   CLI::App* report = app.add_subcommand("report", "Tables and figures of one or many results");
   report->add_option("DIR", folders, "Folders of results")->required();
   report->add_option("-o", page, "Write a page with the figures to this file, print no tables");
+  gateway::app::NewControllerOptions controller;
+  add_new_controller(app, controller);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -70,6 +82,7 @@ int command(int argc, char** argv) {
   if (!seed.empty()) run_options.overrides.push_back("seed=" + seed);
   if (*check) return gateway::app::check(checked, check_overrides);
   if (*report) return gateway::app::report(folders, page);
+  if (app.got_subcommand("new-controller")) return gateway::app::new_controller(controller);
   return run_options.replications ? gateway::app::run_replications(run_options)
                                   : gateway::app::run(run_options);
 }

@@ -25,9 +25,9 @@ constexpr Duration kHeartbeatPeriod = std::chrono::milliseconds{20};
 constexpr Duration kSharedHeartbeatPeriod = std::chrono::milliseconds{200};
 /// How long a writer ignores requests for a sample that it has just sent. Longer than an exchange.
 constexpr Duration kNackSuppression = std::chrono::milliseconds{10};
-/// A reader asks a writer that it has just met what there is, and again after twice the time until
-/// it hears from it. Not 0: twice 0 is 0, and the readers of many processes then keep the writer
-/// from answering (measured: 100 processes took 13 s to start).
+/// A reader asks a writer that it has just met what there is, again and again until it hears from
+/// it. With 0 that is without a pause, and the readers of many processes then keep the writer from
+/// answering (measured: 100 processes took 13 s to start).
 constexpr Duration kFirstAcknack = std::chrono::milliseconds{50};
 constexpr std::uint32_t kSocketBuffer = 4U << 20U;
 
