@@ -2,12 +2,14 @@
 #include <cstdio>
 #include <exception>
 #include <map>
+#include <system_error>
 
 #include "gateway/app/exit_status.h"
 #include "gateway/app/new_controller.h"
 #include "gateway/app/replications.h"
 #include "gateway/app/report_command.h"
 #include "gateway/app/run_command.h"
+#include "gateway/limits.h"
 #include "hal/config/errors.h"
 
 namespace {
@@ -95,6 +97,11 @@ int main(int argc, char** argv) {
   } catch (const hal::config::ConfigErrors& e) {
     std::fprintf(stderr, "%s\n", e.what());
     return gateway::app::kUsage;
+  } catch (const std::system_error& e) {
+    const bool is_thread_missing = e.code() == std::errc::resource_unavailable_try_again;
+    const std::string why = is_thread_missing ? gateway::limit_met(e.code().value()) : e.what();
+    std::fprintf(stderr, "error: %s\n", why.c_str());
+    return gateway::app::kRunFailed;
   } catch (const std::exception& e) {
     std::fprintf(stderr, "error: %s\n", e.what());
     return gateway::app::kRunFailed;
