@@ -79,6 +79,8 @@ void prepare(const Command& command, Prepared& prepared) {
   dup2(input, STDIN_FILENO);
   dup2(prepared.log, STDOUT_FILENO);
   dup2(prepared.log, STDERR_FILENO);
+  // Fast DDS opens its sockets without O_CLOEXEC: the program would hold our ports.
+  close_range(STDERR_FILENO + 1, ~0U, CLOSE_RANGE_CLOEXEC);
   execve(prepared.program.c_str(), prepared.arguments.data(), prepared.environment.data());
   const int error = errno;
   [[maybe_unused]] const ssize_t written = write(report, &error, sizeof error);
