@@ -39,7 +39,7 @@ void make_room_for(std::size_t processes) {
 }
 
 std::string limit_met(int error) {
-  const std::string what = std::strerror(error);
+  std::string what = std::strerror(error);
   rlimit limit{};
   if (error == EAGAIN && getrlimit(RLIMIT_NPROC, &limit) == 0) {
     return fmt::format(

@@ -32,10 +32,10 @@ std::optional<std::string> mistake_in(const std::string& name) {
   }
   if (name.size() > kLongestName) return fmt::format("is longer than {}", kLongestName);
   // Targets that CMake makes by itself (policy CMP0037).
-  static const std::set<std::string> kOfCMake{
+  static const std::set<std::string> of_cmake{
       "all",     "clean",          "depend",     "edit_cache",    "help", "install",
       "package", "package_source", "preinstall", "rebuild_cache", "test"};
-  if (kOfCMake.contains(name)) return "is a target of every CMake project";
+  if (of_cmake.contains(name)) return "is a target of every CMake project";
   if (name == "baraka") return "is this program";
   return std::nullopt;
 }
