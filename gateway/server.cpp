@@ -85,12 +85,16 @@ class AgentServer::Implementation {
 
 hal::Result<void> AgentServer::Implementation::gather(
     const std::function<hal::Result<void>()>& keep_waiting) {
-  const hal::dds::Deadline deadline(settings_.wait);
+  hal::dds::Deadline deadline(settings_.wait);
+  std::size_t joined = 0;
   while (!admission_.is_complete()) {
     answer_hellos(std::min(deadline.left(), kAskEvery), hal::Time{});
     release_dead();
     if (admission_.is_complete()) break;
     if (auto allowed = keep_waiting(); !allowed) return allowed;
+    // Many processes take long to start: as long as they come there is no reason to give up.
+    if (candidates_.size() > joined) deadline = hal::dds::Deadline(settings_.wait);
+    joined = candidates_.size();
     if (!deadline.has_passed()) continue;
     return hal::fail(hal::Errc::kTimeout, fmt::format("no controller within {} s for {}",
                                                       hal::to_seconds(settings_.wait),

@@ -20,7 +20,7 @@ enum class Attendance : std::uint8_t {
 
 struct ServerSettings {
   std::uint64_t run = 0;                          ///< Number of the run, in every Step.
-  hal::Duration wait = std::chrono::seconds{30};  ///< For a controller for every agent.
+  hal::Duration wait = std::chrono::seconds{30};  ///< For the next controller to come.
   std::optional<hal::Duration> reply_timeout = std::chrono::seconds{10};  ///< None: for ever.
   Attendance attendance = Attendance::kBeforeTheRun;
 };

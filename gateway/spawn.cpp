@@ -13,7 +13,10 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <fstream>
 #include <stdexcept>
+
+#include "gateway/limits.h"
 
 namespace gateway {
 namespace {
@@ -60,7 +63,7 @@ void prepare(const Command& command, Prepared& prepared) {
   prepared.parent = getpid();
   prepared.log = open(command.log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0644);
   if (prepared.log < 0) {
-    throw std::runtime_error(fmt::format("{}: {}", command.log.string(), std::strerror(errno)));
+    throw std::runtime_error(fmt::format("{}: {}", command.log.string(), limit_met(errno)));
   }
 }
 
@@ -76,6 +79,8 @@ void prepare(const Command& command, Prepared& prepared) {
   dup2(input, STDIN_FILENO);
   dup2(prepared.log, STDOUT_FILENO);
   dup2(prepared.log, STDERR_FILENO);
+  // Fast DDS opens its sockets without O_CLOEXEC: the program would hold our ports.
+  close_range(STDERR_FILENO + 1, ~0U, CLOSE_RANGE_CLOEXEC);
   execve(prepared.program.c_str(), prepared.arguments.data(), prepared.environment.data());
   const int error = errno;
   [[maybe_unused]] const ssize_t written = write(report, &error, sizeof error);
@@ -91,7 +96,10 @@ int exec_error(int report) {
 
 pid_t fork_and_exec(const Prepared& prepared) {
   int report[2];
-  if (pipe2(report, O_CLOEXEC) != 0) throw std::runtime_error("no pipe: too many open files");
+  if (pipe2(report, O_CLOEXEC) != 0) {
+    throw std::runtime_error(
+        fmt::format("cannot start {}: {}", prepared.program, limit_met(errno)));
+  }
   const pid_t pid = fork();
   if (pid == 0) become(prepared, report[1]);
   const int fork_error = pid < 0 ? errno : 0;
@@ -100,8 +108,17 @@ pid_t fork_and_exec(const Prepared& prepared) {
   close(report[0]);
   if (error == 0) return pid;
   if (pid > 0) waitpid(pid, nullptr, 0);
-  throw std::runtime_error(
-      fmt::format("cannot start {}: {}", prepared.program, std::strerror(error)));
+  throw std::runtime_error(fmt::format("cannot start {}: {}", prepared.program, limit_met(error)));
+}
+
+/// What a program had to say in the end: ": its last line", or nothing.
+std::string last_words(const std::filesystem::path& log) {
+  std::ifstream file(log);
+  std::string last;
+  for (std::string line; std::getline(file, line);) {
+    if (!line.empty()) last = ": " + line;
+  }
+  return last;
 }
 
 bool has_ended(int descriptor, int timeout_ms) {
@@ -146,8 +163,9 @@ hal::Result<void> Spawner::check() const {
   for (const Child& child : children_) {
     if (!has_ended(child.descriptor, 0)) continue;
     return hal::fail(hal::Errc::kNotConnected,
-                     fmt::format("{} (pid {}) {}; see {}", child.name, child.pid,
-                                 ending_of(child.name, child.pid).cause, child.log.string()));
+                     fmt::format("{} (pid {}) {}{}; see {}", child.name, child.pid,
+                                 ending_of(child.name, child.pid).cause, last_words(child.log),
+                                 child.log.string()));
   }
   return {};
 }

@@ -41,7 +41,8 @@ class Spawner {
   /// @returns the pid. @throws std::runtime_error  if the program cannot be started.
   pid_t start(const Command& command);
 
-  /// Whether all run. Errors: kNotConnected, naming the first that ended, how, and its log.
+  /// Whether all run. Errors: kNotConnected, naming the first that ended, how, and its last
+  /// words.
   hal::Result<void> check() const;
 
   /// Waits for all to end by themselves, up to `timeout`.

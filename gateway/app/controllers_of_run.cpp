@@ -9,6 +9,7 @@
 #include "gateway/app/teleop_port.h"
 #include "gateway/app/wall_pace.h"
 #include "gateway/find_program.h"
+#include "gateway/limits.h"
 #include "hal/runtime/controller_host.h"
 #include "hal/runtime/in_process_port.h"
 #include "hal/runtime/plugin.h"
@@ -116,6 +117,7 @@ void ControllersOfRun::serve(const std::vector<ProcessPlan>& plans, const Scenar
 
 void ControllersOfRun::spawn(const std::vector<ProcessPlan>& plans, const Scenario& scenario,
                              const Settings& settings) {
+  make_room_for(plans.size());
   for (const ProcessPlan& plan : plans) {
     const auto program = find_program(plan.program, hal::runtime::controller_folders());
     if (!program) {
@@ -123,7 +125,7 @@ void ControllersOfRun::spawn(const std::vector<ProcessPlan>& plans, const Scenar
                                            plan.program_place, plan.program));
     }
     Command command{.program = *program,
-                    .arguments = {"--name", plan.process},
+                    .arguments = {"--name", plan.process, "--wait", "none"},  // it dies with us
                     .domain = server_->domain(),
                     .log = settings.logs / (plan.process + ".log")};
     for (const hal::AgentId agent : plan.agents) {

@@ -2,12 +2,15 @@
 #include <cstdio>
 #include <exception>
 #include <map>
+#include <system_error>
 
 #include "gateway/app/exit_status.h"
+#include "gateway/app/new_controller.h"
 #include "gateway/app/replications.h"
 #include "gateway/app/report_command.h"
 #include "gateway/app/run_command.h"
 #include "gateway/app/topic_command.h"
+#include "gateway/limits.h"
 #include "hal/config/errors.h"
 
 namespace {
@@ -54,6 +57,15 @@ void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
   run->add_option("--jobs", options.jobs, "Replications at a time; default: 1")
       ->check(CLI::Range(1, 1000))
       ->needs(replications);
+}
+
+void add_new_controller(CLI::App& app, gateway::app::NewControllerOptions& options) {
+  CLI::App* add =
+      app.add_subcommand("new-controller", "Write a project for a controller of your own");
+  add->add_option("NAME", options.name, "Of the program: a-z, 0-9 and _")->required();
+  CLI::Option* mote = add->add_flag("--mote", options.for_mote, "It drives motes");
+  add->add_flag("--robot")->description("It drives robots (the default)")->excludes(mote);
+  add->add_option("--to", options.to, "Folder for the project's folder; default: this one");
 }
 
 struct TopicCommand {
@@ -107,6 +119,8 @@ int command(int argc, char** argv) {
   report->add_option("-o", page, "Write a page with the figures to this file, print no tables");
   gateway::app::TopicOptions topic_options;
   const std::vector<TopicCommand> topic_commands = add_topic(app, topic_options);
+  gateway::app::NewControllerOptions controller;
+  add_new_controller(app, controller);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -119,6 +133,7 @@ int command(int argc, char** argv) {
   if (!seed.empty()) run_options.overrides.push_back("seed=" + seed);
   if (*check) return gateway::app::check(checked, check_overrides);
   if (*report) return gateway::app::report(folders, page);
+  if (app.got_subcommand("new-controller")) return gateway::app::new_controller(controller);
   return run_options.replications ? gateway::app::run_replications(run_options)
                                   : gateway::app::run(run_options);
 }
@@ -134,6 +149,11 @@ int main(int argc, char** argv) {
   } catch (const gateway::app::UsageError& e) {
     std::fprintf(stderr, "error: %s\n", e.what());
     return gateway::app::kUsage;
+  } catch (const std::system_error& e) {
+    const bool is_thread_missing = e.code() == std::errc::resource_unavailable_try_again;
+    const std::string why = is_thread_missing ? gateway::limit_met(e.code().value()) : e.what();
+    std::fprintf(stderr, "error: %s\n", why.c_str());
+    return gateway::app::kRunFailed;
   } catch (const std::exception& e) {
     std::fprintf(stderr, "error: %s\n", e.what());
     return gateway::app::kRunFailed;

@@ -8,16 +8,19 @@
 #include <stdexcept>
 
 #include "gateway/app/exit_status.h"
+#include "hal/config/shared_folders.h"
 #include "sim/record/report.h"
 #include "sim/record/report_page.h"
 
 namespace gateway::app {
 namespace {
 
-/// The page without figures. It lies beside this program, if it was built.
+/// The page without figures. It lies beside this program, if it was built, or where it was
+/// installed.
 std::string empty_page() {
   const auto folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
-  const std::filesystem::path path = folder / "report_page.html";
+  const auto installed = hal::config::find_shared("report_page.html");
+  const std::filesystem::path path = installed.value_or(folder / "report_page.html");
   std::ifstream file(path, std::ios::binary);
   if (!file) {
     throw std::runtime_error(fmt::format(

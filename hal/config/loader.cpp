@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "hal/config/shared_folders.h"
 #include "hal/config/yaml.h"
 
 namespace hal::config {
@@ -121,8 +122,10 @@ fs::path Loader::located(const Node& target) const {
   const fs::path folder = in_file ? fs::path(target.place.file).parent_path() : folder_;
   fs::path file = (folder / target.text).lexically_normal();
   std::error_code error;
-  if (!in_file && !fs::exists(file, error)) return target.text;
-  return file;
+  if (fs::exists(file, error)) return file;
+  if (!in_file && fs::exists(target.text, error)) return target.text;
+  if (const auto shared = find_shared(target.text)) return *shared;
+  return in_file ? file : fs::path(target.text);
 }
 
 }  // namespace hal::config

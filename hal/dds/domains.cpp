@@ -20,6 +20,9 @@
 namespace hal::dds {
 namespace {
 
+constexpr int kFirstPort = 7400;      // PB and …
+constexpr int kPortsPerDomain = 250;  // … DG of OMG DDSI-RTPS 2.3, 9.6.1.1
+
 std::string lock_path(int domain, int place) {
   const auto folder = std::filesystem::temp_directory_path();
   return folder / fmt::format("baraka-domain-{}-{}.lock", domain, place);
@@ -58,21 +61,31 @@ void require_domain(int domain) {
       fmt::format("there is no DDS domain {}: it is 0 to {}", domain, kLastDomain));
 }
 
-/// UDP port where the server at a place is discovered (OMG DDSI-RTPS 2.3, 9.6.1.1).
-int discovery_port(int domain, int place) { return 7400 + 250 * domain + 10 + 2 * place; }
-
-bool is_port_free(int port) {
+/// Binds a UDP socket of the loopback interface for a moment. @param port  0: whichever is free.
+/// @return the port it had; 0: none, errno says why.
+int bound_port(int port) {
   const int probe = socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
-  if (probe < 0) return true;  // nothing is known against it
+  if (probe < 0) return 0;
   sockaddr_in address{};
   address.sin_family = AF_INET;
   address.sin_port = htons(static_cast<std::uint16_t>(port));
   address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  const bool is_free =
-      bind(probe, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) == 0;
+  auto* const raw = reinterpret_cast<sockaddr*>(&address);
+  socklen_t size = sizeof(address);
+  const bool is_bound = bind(probe, raw, size) == 0 && getsockname(probe, raw, &size) == 0;
+  const int error = errno;
   close(probe);
-  return is_free;
+  errno = error;
+  return is_bound ? ntohs(address.sin_port) : 0;
 }
+
+/// Whether a port is none at which the server of some domain may want to be found.
+bool is_nobodys(int port) {
+  const int offset = (port - kFirstPort) % kPortsPerDomain;
+  return port < kFirstPort || offset > discovery_port(0, kPlaces) - kFirstPort;
+}
+
+bool is_port_free(int port) { return bound_port(port) != 0 || errno != EADDRINUSE; }
 
 /// The port of a domain's places that somebody uses who cannot be seen in the lock files: a program
 /// that is none of ours, or one in a container with folders of its own.
@@ -95,6 +108,21 @@ std::string first_holder(int domain) {
 }
 
 }  // namespace
+
+int discovery_port(int domain, int place) {
+  // OMG DDSI-RTPS 2.3, 9.6.1.1: PB + DG * domain + d1 + PG * participant.
+  return kFirstPort + kPortsPerDomain * domain + 10 + 2 * place;
+}
+
+int free_port() {
+  while (true) {
+    const int port = bound_port(0);
+    if (port == 0) {
+      throw std::runtime_error(fmt::format("no UDP port of 127.0.0.1: {}", std::strerror(errno)));
+    }
+    if (is_nobodys(port)) return port;
+  }
+}
 
 DomainHold::DomainHold(int domain) : domain_(domain) { locks_.fill(-1); }
 

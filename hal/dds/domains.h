@@ -46,6 +46,14 @@ DomainHold take_domain(std::optional<int> domain);
 /// @throws std::runtime_error  if all places are taken, naming who holds the first.
 DomainHold join_domain(int domain);
 
+/// UDP port at which the server at a place of a domain is discovered.
+int discovery_port(int domain, int place);
+
+/// A UDP port of 127.0.0.1 that nobody uses now and at which no server is looked for. Another
+/// process may take it before it is opened.
+/// @throws std::runtime_error  no port is left, or no file descriptor.
+int free_port();
+
 /// The environment's BARAKA_DOMAIN, else 1.
 /// @throws std::runtime_error  if BARAKA_DOMAIN is no domain.
 int default_domain();

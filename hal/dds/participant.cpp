@@ -16,13 +16,19 @@ namespace {
 
 constexpr const char* kLoopback = "127.0.0.1";
 /// A controller that starts first looks for servers this often.
-constexpr Duration kAnnouncementPeriod = std::chrono::milliseconds{200};
+constexpr Duration kAnnouncementPeriod = std::chrono::milliseconds{500};
 /// Only after this does DDS forget a peer that fell silent. Long, so that a process that a debugger
 /// holds is still known when it goes on.
 constexpr Duration kParticipantLease = std::chrono::hours{1};
 constexpr Duration kHeartbeatPeriod = std::chrono::milliseconds{20};
+/// Of what everybody reads: each heartbeat of a server goes to every controller, and each answers.
+constexpr Duration kSharedHeartbeatPeriod = std::chrono::milliseconds{200};
 /// How long a writer ignores requests for a sample that it has just sent. Longer than an exchange.
 constexpr Duration kNackSuppression = std::chrono::milliseconds{10};
+/// A reader asks a writer that it has just met what there is, again and again until it hears from
+/// it. With 0 that is without a pause, and the readers of many processes then keep the writer from
+/// answering (measured: 100 processes took 13 s to start).
+constexpr Duration kFirstAcknack = std::chrono::milliseconds{50};
 constexpr std::uint32_t kSocketBuffer = 4U << 20U;
 
 /// What Fast DDS has to say, as plain lines.
@@ -45,20 +51,22 @@ void configure_library() {
   api::DomainParticipantFactory::get_instance()->load_profiles();
 }
 
-rtps::Locator_t discovery_locator(int domain, int participant_id) {
-  // OMG DDSI-RTPS 2.3, 9.6.1.1: PB + DG * domain + d1 + PG * participant.
-  const int port = 7400 + 250 * domain + 10 + 2 * participant_id;
+rtps::Locator_t locator_of(int port) {
   rtps::Locator_t locator;
   rtps::IPLocator::createLocator(LOCATOR_KIND_UDPv4, kLoopback, static_cast<std::uint32_t>(port),
                                  locator);
   return locator;
 }
 
-/// Fast DDS looks for a free port from this id upwards. Two participants in one process must not
-/// begin with the same id, because it is part of their GUIDs.
+/// Two participants in one process must not have the same id, because it is part of their GUIDs.
 int next_participant_id() {
   static std::atomic<int> next_id{kPlaces};
   return next_id++;
+}
+
+/// Where the server at a place of a domain is discovered.
+rtps::Locator_t discovery_locator(int domain, int place) {
+  return locator_of(discovery_port(domain, place));
 }
 
 api::DomainParticipantQos udp_qos(int participant_id, const std::vector<std::string>& addresses) {
@@ -77,10 +85,10 @@ api::DomainParticipantQos udp_qos(int participant_id, const std::vector<std::str
   return qos;
 }
 
-api::DomainParticipantQos star_qos(int domain, int participant_id) {
+api::DomainParticipantQos star_qos(int participant_id, const rtps::Locator_t& discovery) {
   api::DomainParticipantQos qos = udp_qos(participant_id, {kLoopback});
   auto& builtin = qos.wire_protocol().builtin;
-  builtin.metatrafficUnicastLocatorList.push_back(discovery_locator(domain, participant_id));
+  builtin.metatrafficUnicastLocatorList.push_back(discovery);
   builtin.avoid_builtin_multicast = true;
   builtin.discovery_config.leaseDuration = to_dds(kParticipantLease);
   builtin.discovery_config.leaseDuration_announcementperiod = to_dds(kAnnouncementPeriod);
@@ -108,13 +116,15 @@ void set_common_qos(Qos& qos, Presence presence) {
 }  // namespace
 
 Participant Participant::server(int domain, int place) {
-  api::DomainParticipantQos qos = star_qos(domain, place);
+  api::DomainParticipantQos qos = star_qos(place, discovery_locator(domain, place));
   qos.name("baraka server");
   return {domain, qos};
 }
 
 Participant Participant::controller(int domain) {
-  api::DomainParticipantQos qos = star_qos(domain, next_participant_id());
+  // Any free ports: those of the ids of a domain would do for 112 controllers.
+  api::DomainParticipantQos qos = star_qos(next_participant_id(), locator_of(free_port()));
+  qos.wire_protocol().default_unicast_locator_list.push_back(locator_of(free_port()));
   qos.name("baraka controller");
   auto& builtin = qos.wire_protocol().builtin;
   for (int place = 0; place < kPlaces; ++place) {
@@ -184,7 +194,8 @@ api::DataWriterQos writer_qos(Presence presence) {
   qos.reliable_writer_qos().disable_heartbeat_piggyback = true;
   qos.reliable_writer_qos().times.nackSupressionDuration = to_dds(kNackSuppression);
   qos.reliable_writer_qos().times.initialHeartbeatDelay = to_dds(Duration::zero());
-  qos.reliable_writer_qos().times.heartbeatPeriod = to_dds(kHeartbeatPeriod);
+  qos.reliable_writer_qos().times.heartbeatPeriod =
+      to_dds(presence == Presence::kWatched ? kSharedHeartbeatPeriod : kHeartbeatPeriod);
   qos.reliable_writer_qos().times.nackResponseDelay = to_dds(Duration::zero());
   return qos;
 }
@@ -192,7 +203,7 @@ api::DataWriterQos writer_qos(Presence presence) {
 api::DataReaderQos reader_qos(Presence presence) {
   api::DataReaderQos qos = api::DATAREADER_QOS_DEFAULT;
   set_common_qos(qos, presence);
-  qos.reliable_reader_qos().times.initialAcknackDelay = to_dds(Duration::zero());
+  qos.reliable_reader_qos().times.initialAcknackDelay = to_dds(kFirstAcknack);
   qos.reliable_reader_qos().times.heartbeatResponseDelay = to_dds(Duration::zero());
   return qos;
 }

@@ -51,7 +51,11 @@ std::vector<fs::path> controller_folders() {
   std::vector<fs::path> folders;
   std::error_code unreadable;
   const fs::path self = fs::read_symlink("/proc/self/exe", unreadable);
-  if (!unreadable) folders.push_back(self.parent_path());
+  if (!unreadable) {
+    folders.push_back(self.parent_path());
+    const fs::path installed = self.parent_path().parent_path() / "lib/baraka";
+    if (fs::is_directory(installed, unreadable)) folders.push_back(installed);
+  }
   const char* const variable = std::getenv("BARAKA_CONTROLLER_PATH");
   std::istringstream list(variable == nullptr ? "" : variable);
   for (std::string folder; std::getline(list, folder, ':');) {

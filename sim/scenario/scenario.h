@@ -61,7 +61,7 @@ struct Scenario {
   std::vector<Group> groups;  ///< In order of declaration.
   std::vector<Expectation> expectations;
   std::optional<hal::Duration> reply_timeout = 10s;  ///< None: wait for ever.
-  hal::Duration wait = 30s;                          ///< For the controllers before the start.
+  hal::Duration wait = 30s;                          ///< For the next controller, before the start.
   RecordOptions record;
 };
 

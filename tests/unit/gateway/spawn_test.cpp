@@ -62,6 +62,16 @@ TEST_F(Spawning, TellsHowEachEnded) {
   EXPECT_EQ(endings[1].cause, "killed by signal 9");
 }
 
+TEST_F(Spawning, RepeatsTheLastWordsOfAProgramThatEnded) {
+  spawner_.start(shell("echo hello; echo no such robot >&2; exit 1"));
+  spawner_.wait_all(kPatience);
+  const auto checked = spawner_.check();
+  ASSERT_FALSE(checked);
+  EXPECT_NE(checked.error().message.find("exited with status 1: no such robot; see "),
+            std::string::npos)
+      << checked.error().message;
+}
+
 TEST_F(Spawning, StopsWithSigtermFirst) {
   spawner_.start(shell("trap 'exit 5' TERM; echo ready; while :; do sleep 0.01; done"));
   while (logged() != "ready\n") usleep(1000);  // Before, the shell has no trap yet.

@@ -86,6 +86,21 @@ TEST(Domains, NumbersWithoutPortsAreRefused) {
   EXPECT_NE(message_of([] { join_domain(-1); }), "");
 }
 
+TEST(Ports, ServersAreDiscoveredWhereTheStandardSays) {
+  // OMG DDSI-RTPS 2.3, 9.6.1.1: 7400 + 250 domain + 10 + 2 participant.
+  EXPECT_EQ(discovery_port(0, 0), 7410);
+  EXPECT_EQ(discovery_port(7, 3), 9166);
+}
+
+TEST(Ports, AControllersPortIsThatOfNoServerInAnyDomain) {
+  for (int i = 0; i < 2000; ++i) {
+    const int port = free_port();
+    ASSERT_GT(port, 0);
+    const int offset = (port - 7400) % 250;
+    EXPECT_TRUE(port < 7400 || offset > 24) << port;
+  }
+}
+
 TEST(DefaultDomain, ComesFromTheEnvironmentOrIsOne) {
   unsetenv("BARAKA_DOMAIN");
   EXPECT_EQ(default_domain(), 1);
