@@ -1,9 +1,10 @@
 # What `cmake --install` installs, below one prefix:
-#   bin             baraka, the controllers
+#   bin             baraka, baraka-agentd, the controllers
 #   lib/baraka      plug-ins of the controllers; the libraries a controller is linked with
 #   lib/cmake       find_package(baraka)
 #   include/baraka  hal/api and hal/types: what a controller may include
-#   share/baraka    robots, radios, scenarios; templates of `baraka new-controller`
+#   lib/systemd     the service of an agent; lib/sysusers.d: its user
+#   share/baraka    robots, radios, scenarios, agents; templates of `baraka new-controller`
 # No file knows the prefix: programs find the rest from where they are.
 include(CMakePackageConfigHelpers)
 set(baraka_share share/baraka)
@@ -30,7 +31,10 @@ install(TARGETS baraka_determinism hal_types hal_config hal_api hal_exchange hal
   EXPORT baraka ARCHIVE DESTINATION lib/baraka)
 install(DIRECTORY hal/api hal/types DESTINATION include/baraka/hal FILES_MATCHING PATTERN *.h)
 
-install(DIRECTORY config/ DESTINATION ${baraka_share} PATTERN invalid EXCLUDE)
+install(DIRECTORY config/ DESTINATION ${baraka_share} PATTERN invalid EXCLUDE
+  PATTERN systemd EXCLUDE)
+install(FILES config/systemd/baraka-agentd@.service DESTINATION lib/systemd/system)
+install(FILES config/systemd/baraka.conf DESTINATION lib/sysusers.d)
 install(DIRECTORY templates DESTINATION ${baraka_share} USE_SOURCE_PERMISSIONS)
 install(FILES ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/report_page.html DESTINATION ${baraka_share} OPTIONAL)
 install(FILES LICENSE DESTINATION share/doc/baraka)

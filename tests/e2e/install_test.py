@@ -3,12 +3,12 @@
 import contextlib
 import os
 import pathlib
+import random
 import re
 import shutil
 import signal
 import subprocess
 import tempfile
-import time
 import unittest
 
 from baraka import BIN, ROOT, Case, Finished
@@ -165,7 +165,7 @@ class NewController(Package):
         self.build(project)
         self.assertRegex(self.ctest(project).out, r"over DDS [0-9a-f]{16}: does it use a clock")
 
-    def test_of_a_mote_builds_and_runs_against_whatever_serves_its_agents(self):
+    def test_of_a_mote_builds_and_runs_against_simulator_and_daemon(self):
         project = self.new("echo", "--mote", "--to", self.folder)
         self.build(project)
         tested = self.ctest(project)
@@ -178,19 +178,48 @@ class NewController(Package):
             self.drives(project, "m*", domain)
             out, _ = process.communicate(timeout=60)
         self.assertIn("result: answered", out)
+        self.answers_a_daemon(project)
+
+    def answers_a_daemon(self, project):
+        """Two daemons on the loopback interface, each with the project's controller: one calls, the
+        other answers, over UDP."""
+        net = random.randrange(1, 255)
+        with contextlib.ExitStack() as stack:
+            daemons = [stack.enter_context(self.serving(
+                self.prefix / "bin/baraka-agentd", self.agent_file(project, i, f"127.79.{net}.{i + 1}"),
+                env={"BARAKA_CONTROLLER_PATH": project / "build"})) for i in range(2)]
+            caller, listener = (stack.enter_context(self.under_way(
+                project / "build" / project.name, "--agents", f"m{i}", "--domain", daemons[i][1]))
+                for i in (0, 1))
+            lines = []
+            while not lines or "state ANSWERED" not in lines[-1]:
+                lines.append(daemons[0][0].stderr.readline())
+                self.assertTrue(lines[-1], f"no answer: {lines}")
+            for process, _ in daemons:
+                process.send_signal(signal.SIGTERM)
+            for process in (caller, listener, *(daemon for daemon, _ in daemons)):
+                process.communicate(timeout=20)
+                self.assertEqual(process.returncode, 0, process.args)
+
+    def agent_file(self, project, i, address):
+        file = self.folder / f"m{i}.yaml"
+        file.write_text(f"""version: 1
+agent: {{name: m{i}, address: {i + 1}, kind: mote}}
+radio: {{interface: lo, address: {address}, port: 7301}}
+localisation: {{driver: static, pose: {{x: {i} m, y: 0 m}}}}
+controller:
+  program: {project.name}
+  parameters: {{{"call_at: 3 s" if i == 0 else ""}}}
+""")
+        return file
 
     @contextlib.contextmanager
-    def serving(self, *command, env=None):
-        """A server of agents under way, simulator or daemon: what prints `domain: N` to standard
-        error once it can be found there. @return the process and N; it is ended afterwards."""
-        domain = str(81 + time.monotonic_ns() % 20)
-        process = subprocess.Popen(
-            [*map(str, command), "--domain", domain], env=clean_environment(**(env or {})), text=True,
-            stdin=subprocess.DEVNULL, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+    def under_way(self, *command, env=None):
+        process = subprocess.Popen([*map(str, command)], env=clean_environment(**(env or {})), text=True,
+                                   stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                                   stderr=subprocess.PIPE)
         try:
-            line = process.stderr.readline()
-            self.assertRegex(line, rf"domain: {domain}\b")
-            yield process, domain
+            yield process
         finally:
             if process.poll() is None:
                 process.send_signal(signal.SIGTERM)
@@ -198,6 +227,17 @@ class NewController(Package):
                 process.communicate(timeout=20)
             process.kill()
             process.wait()
+
+    @contextlib.contextmanager
+    def serving(self, *command, env=None):
+        """A server of agents under way that can be found: the simulator says so on standard error, the
+        daemon on standard output. @return the process and its domain; it is ended afterwards."""
+        domain = str(random.randrange(81, 101))
+        with self.under_way(*command, "--domain", domain, env=env) as process:
+            is_daemon = pathlib.Path(command[0]).name == "baraka-agentd"
+            line = (process.stdout if is_daemon else process.stderr).readline()
+            self.assertRegex(line, rf"domain:? {domain}\b")
+            yield process, domain
 
     def drives(self, project, agents, domain):
         """The project's controller drives the agents of that domain until they are stopped."""
