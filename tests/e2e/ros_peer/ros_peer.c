@@ -4,9 +4,11 @@
  *   ros_peer read DOMAIN TYPE TOPIC [TYPE TOPIC ...]   a line of JSON per sample, until killed
  *   ros_peer hold DOMAIN TYPE TOPIC [TYPE TOPIC ...]   readers that never take a sample
  *   ros_peer write DOMAIN TYPE TOPIC HZ VALUE ...      the same sample again and again, until killed
+ *   ros_peer switch DOMAIN Bool TOPIC                  a sample per 0 or 1 on standard input
  *
  * TYPE: Clock, TFMessage, Odometry, Range; to write: Twist (vx vy omega), PoseStamped (x y z, qx qy
- * qz qw), Bool (0 or 1), String (the value is not looked at: "hello"). "ready" goes to standard error when it looks for the others.
+ * qz qw), Bool (0 or 1), String (the value is not looked at: "hello"). "ready" goes to standard error when
+ * it looks for the others; `switch` has found one then.
  */
 #include <dds/dds.h>
 #include <inttypes.h>
@@ -204,6 +206,33 @@ static int hold_samples(dds_entity_t participant, int argc, char** argv) {
   }
 }
 
+static dds_entity_t make_writer(dds_entity_t participant, const struct type* type, const char* name) {
+  dds_qos_t* qos = reliable_qos(0, 0);
+  const dds_entity_t topic =
+      checked(dds_create_topic(participant, type->descriptor, name, NULL, NULL), "topic");
+  const dds_entity_t writer = checked(dds_create_writer(participant, topic, qos, NULL), "writer");
+  dds_delete_qos(qos);
+  return writer;
+}
+
+static int switch_on_and_off(dds_entity_t participant, int argc, char** argv) {
+  if (argc != 2 || strcmp(argv[0], "Bool") != 0) return 2;
+  const dds_entity_t writer = make_writer(participant, find_type(argv[0]), argv[1]);
+  dds_publication_matched_status_t matched = {0};
+  while (matched.current_count == 0) {
+    dds_get_publication_matched_status(writer, &matched);
+    dds_sleepfor(DDS_MSECS(2));
+  }
+  fprintf(stderr, "ready\n");
+  for (int c = getchar(); c != EOF; c = getchar()) {
+    if (c != '0' && c != '1') continue;
+    const std_msgs_msg_dds__Bool_ flag = {.data = c == '1'};
+    const dds_return_t written = dds_write(writer, &flag);
+    if (written < 0) die("write", written);
+  }
+  return 0;
+}
+
 static int write_sample(dds_entity_t participant, int argc, char** argv) {
   if (argc < 4) return 2;
   const struct type* type = find_type(argv[0]);
@@ -220,11 +249,7 @@ static int write_sample(dds_entity_t participant, int argc, char** argv) {
   if (strcmp(type->name, "Twist") == 0) sample = &twist;
   if (strcmp(type->name, "PoseStamped") == 0) sample = &pose;
   if (strcmp(type->name, "String") == 0) sample = &text;
-  dds_qos_t* qos = reliable_qos(0, 0);
-  const dds_entity_t topic =
-      checked(dds_create_topic(participant, type->descriptor, argv[1], NULL, NULL), "topic");
-  const dds_entity_t writer = checked(dds_create_writer(participant, topic, qos, NULL), "writer");
-  dds_delete_qos(qos);
+  const dds_entity_t writer = make_writer(participant, type, argv[1]);
   fprintf(stderr, "ready\n");
   while (1) {
     const dds_return_t written = dds_write(writer, sample);
@@ -235,7 +260,7 @@ static int write_sample(dds_entity_t participant, int argc, char** argv) {
 
 int main(int argc, char** argv) {
   if (argc < 5) {
-    fprintf(stderr, "usage: ros_peer read|hold|write DOMAIN TYPE TOPIC ...\n");
+    fprintf(stderr, "usage: ros_peer read|hold|write|switch DOMAIN TYPE TOPIC ...\n");
     return 2;
   }
   const dds_entity_t participant =
@@ -243,6 +268,9 @@ int main(int argc, char** argv) {
   if (strcmp(argv[1], "read") == 0) return read_samples(participant, argc - 3, argv + 3);
   if (strcmp(argv[1], "hold") == 0) return hold_samples(participant, argc - 3, argv + 3);
   if (strcmp(argv[1], "write") == 0) return write_sample(participant, argc - 3, argv + 3);
+  if (strcmp(argv[1], "switch") == 0) {
+    return switch_on_and_off(participant, argc - 3, argv + 3);
+  }
   fprintf(stderr, "ros_peer: no command %s\n", argv[1]);
   return 2;
 }
