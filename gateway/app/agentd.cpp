@@ -29,7 +29,7 @@ using hal::hardware::RobotFile;
 constexpr std::uint64_t kOnlyRun = 1;
 /// How long the wheels may take to confirm that they stand, and then the controller to say goodbye.
 constexpr hal::Duration kStopPatience = 500ms, kFarewell = 1s;
-/// How often a controller on another host is checked for being silent: it has no descriptor.
+/// How often a controller in another container is checked for being silent: it has no descriptor.
 constexpr hal::Duration kAttendEvery = 200ms;
 
 RobotFile load(const AgentdOptions& options) {
@@ -57,6 +57,7 @@ class Agentd {
 
   void on_signal(int signal);
   void attend();
+  void attend_again();
   void let_go_of_watches();
   void beat();
   void stop();
@@ -124,7 +125,7 @@ std::unique_ptr<hal::hardware::PoseSource> Agentd::make_pose_source() {
 }
 
 int Agentd::run() {
-  attend();
+  attend_again();
   if (watchdog_period()) beat();
   fmt::print("ready: {} ({}, address {}), radio {}, domain {}\n", file_.name,
              file_.robot ? "robot" : "mote", file_.address.value, link_.own_address(), domain_);
@@ -167,6 +168,11 @@ void Agentd::attend() {
   for (const int descriptor : server_.descriptors()) {
     if (descriptor >= 0) watches_.push_back(loop_.watch(descriptor, [this] { attend(); }));
   }
+}
+
+void Agentd::attend_again() {
+  attend();
+  loop_.schedule(loop_.now() + kAttendEvery, [this] { attend_again(); });
 }
 
 void Agentd::let_go_of_watches() {

@@ -69,8 +69,11 @@ void Courier::supersede_cycle(const Event& control) {
   if (next != waiting_.end()) return absorb(std::move(superseded), *next);
   // … or to the one that is about to.
   const auto carried = carried_.find(control.agent);
-  if (carried != carried_.end()) absorb(std::move(superseded), carried->second);
-  if (carried == carried_.end()) carried_.emplace(control.agent, std::move(superseded));
+  if (carried != carried_.end()) {
+    absorb(std::move(superseded), carried->second);
+  } else {
+    carried_.emplace(control.agent, std::move(superseded));
+  }
 }
 
 void Courier::lose(Event event) {
@@ -135,8 +138,7 @@ void Courier::take_in(Reply reply, Turn& turn) {
   turn.replied = true;
   for (const Event& event : step_.events) turn.answered.push_back(event.agent);
   std::ranges::sort(turn.answered);
-  const auto [rest, end] = std::ranges::unique(turn.answered);
-  turn.answered.erase(rest, end);
+  turn.answered.erase(std::unique(turn.answered.begin(), turn.answered.end()), turn.answered.end());
   for (Action& action : reply.actions) {
     const bool fits =
         action.event < step_.events.size() && step_.events[action.event].agent == action.agent;

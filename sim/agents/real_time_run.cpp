@@ -66,20 +66,21 @@ void Simulation::RealTimeRun::repeat(std::span<const Turn> turns, Pace& pace) {
     }
     work_off_until(turn.at, nullptr);
     if (s_.result) return;
-    if (turn.port >= carried_.size()) return s_.fail("the record is of other controllers");
-    if (carried_[turn.port].dropped) continue;
-    auto brought = carried_[turn.port].courier.repeat(turn.replied, turn.began);
-    if (!brought) {
-      on_failure(turn.port, brought.error());
-      continue;
-    }
-    take_in(turn, std::move(*brought));
+    take_up(turn);
   }
   while (!s_.result) {
     const auto next = s_.events.next_time();
     if (!next || !s_.until || *next > *s_.until) return;
     work_off_until(*next, nullptr);
   }
+}
+
+void Simulation::RealTimeRun::take_up(const Turn& turn) {
+  if (turn.port >= carried_.size()) return s_.fail("the record is of other controllers");
+  if (carried_[turn.port].dropped) return;
+  auto brought = carried_[turn.port].courier.repeat(turn.replied, turn.began);
+  if (!brought) return on_failure(turn.port, brought.error());
+  take_in(turn, std::move(*brought));
 }
 
 void Simulation::RealTimeRun::work_off_until(hal::Time target, FollowedClock* clock) {
@@ -95,7 +96,8 @@ void Simulation::RealTimeRun::post(FollowedClock* clock) {
   bool has_control = false;
   for (Event& event : s_.take_events()) {
     has_control = has_control || event.cause == Cause::kControl;
-    carried_[s_.controllers.port_of(event.agent)].courier.post(std::move(event));
+    const std::size_t port = s_.controllers.port_of(event.agent);
+    carried_[port].courier.post(std::move(event));
   }
   if (clock == nullptr || !has_control) return;
   const hal::Duration late = std::max(clock->now() - s_.events.now(), hal::Duration::zero());
@@ -120,13 +122,13 @@ void Simulation::RealTimeRun::take_in(const Turn& turn, Courier::Turn brought) {
   s_.observers.on_turn(turn);
   s_.refused += brought.refused;
   for (const hal::AgentId agent : brought.answered) restart_watchdog(agent);
-  for (Courier::Answer& answer : brought.answers) {
-    if (s_.error.empty()) take_effect(std::move(answer));
+  for (const Courier::Answer& answer : brought.answers) {
+    if (s_.error.empty()) take_effect(answer);
   }
   post(nullptr);
 }
 
-void Simulation::RealTimeRun::take_effect(Courier::Answer answer) {
+void Simulation::RealTimeRun::take_effect(const Courier::Answer& answer) {
   if (answer.action.kind == ActionKind::kError)
     return s_.on_error(answer.action, answer.event_time);
   s_.apply(answer.action);

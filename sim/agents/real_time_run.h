@@ -37,8 +37,9 @@ class Simulation::RealTimeRun {
   void work_off_until(hal::Time target, FollowedClock* clock);
   void post(FollowedClock* clock);
   void attend(hal::Time now);
+  void take_up(const Turn& turn);
   void take_in(const Turn& turn, hal::exchange::Courier::Turn brought);
-  void take_effect(hal::exchange::Courier::Answer answer);
+  void take_effect(const hal::exchange::Courier::Answer& answer);
   void on_failure(std::size_t port, const hal::Error& error);
   void finish_all();
   void restart_watchdog(hal::AgentId agent);
