@@ -80,7 +80,7 @@ void Simulation::RealTimeRun::take_up(const Turn& turn) {
   if (carried_[turn.port].dropped) return;
   auto brought = carried_[turn.port].courier.repeat(turn.replied, turn.began);
   if (!brought) return on_failure(turn.port, brought.error());
-  take_in(turn, std::move(*brought));
+  take_in(turn, *brought);
 }
 
 void Simulation::RealTimeRun::work_off_until(hal::Time target, FollowedClock* clock) {
@@ -112,12 +112,12 @@ void Simulation::RealTimeRun::attend(hal::Time now) {
     if (!brought) {
       on_failure(i, brought.error());
     } else if (brought->replied || brought->began) {
-      take_in({now, i, brought->replied, brought->began}, std::move(*brought));
+      take_in({now, i, brought->replied, brought->began}, *brought);
     }
   }
 }
 
-void Simulation::RealTimeRun::take_in(const Turn& turn, Courier::Turn brought) {
+void Simulation::RealTimeRun::take_in(const Turn& turn, const Courier::Turn& brought) {
   s_.events.advance_to(turn.at);
   s_.observers.on_turn(turn);
   s_.refused += brought.refused;

@@ -38,7 +38,7 @@ class Simulation::RealTimeRun {
   void post(FollowedClock* clock);
   void attend(hal::Time now);
   void take_up(const Turn& turn);
-  void take_in(const Turn& turn, hal::exchange::Courier::Turn brought);
+  void take_in(const Turn& turn, const hal::exchange::Courier::Turn& brought);
   void take_effect(const hal::exchange::Courier::Answer& answer);
   void on_failure(std::size_t port, const hal::Error& error);
   void finish_all();
