@@ -79,6 +79,10 @@ class Client::Implementation {
   std::mutex mutex_;
   std::map<std::string, Granted> granted_;  ///< Changed by the thread of next() only.
   std::deque<exchange::Step> waiting_;      ///< Steps for next().
+  exchange::Step step_;                     ///< The last one that came; its memory is used again.
+  /// Guards the Reply that was written last, whose memory is used again.
+  std::mutex reply_mutex_;
+  wire::Reply reply_;
   std::optional<HandlingReader<wire::Step>> steps_;
 };
 
@@ -124,7 +128,7 @@ std::optional<exchange::Session> Client::Implementation::take_session() {
     }
     if (!steps_) {
       steps_.emplace(participant_, step_topic(hello_.process),
-                     [this](wire::Step&& step) { take_in(step); });
+                     [this](const wire::Step& step) { take_in(step); });
     }
     return std::move(*session);
   }
@@ -143,12 +147,11 @@ void Client::Implementation::take_in(const wire::Step& sample) {
   const std::lock_guard lock(mutex_);
   const auto server = granted_.find(sample.server());
   if (server == granted_.end() || server->second.run != sample.run()) return;
-  Result<exchange::Step> step = from_wire(sample);
-  if (!step) return;
-  if (server->second.answerer) return hand_over(server->second.answerer, *step);
+  if (!from_wire(sample, step_)) return;
+  if (server->second.answerer) return hand_over(server->second.answerer, step_);
   // As in DDS itself, the newest win over a reader that cannot keep up.
   if (waiting_.size() == kMaxInstances) waiting_.pop_front();
-  waiting_.push_back(std::move(*step));
+  waiting_.push_back(step_);
   signal_.raise();
 }
 
@@ -193,8 +196,9 @@ bool Client::Implementation::is_gone(const Granted& server, const std::vector<Or
 
 Result<void> Client::Implementation::reply(const std::string& server, exchange::Reply reply) {
   reply.process = hello_.process;
-  wire::Reply sample = to_wire(reply, server);
-  if (replies_ && replies_->write(sample)) return {};
+  const std::lock_guard lock(reply_mutex_);
+  to_wire(reply, server, reply_);
+  if (replies_ && replies_->write(reply_)) return {};
   return fail(Errc::kNotConnected, "Fast DDS refuses a Reply");
 }
 

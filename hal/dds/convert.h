@@ -24,11 +24,14 @@ wire::Session to_wire(const exchange::Session& session, const ProcessIdentity& s
 Result<exchange::Session> from_wire(const wire::Session& session);
 ProcessIdentity from_wire(const wire::ProcessIdentity& identity);
 
-wire::Step to_wire(const exchange::Step& step);
-Result<exchange::Step> from_wire(const wire::Step& step);
+// What travels in every exchange is written over `out`, in the memory that it has. After an error
+// `out` is of no use, but may be written over again.
+
+void to_wire(const exchange::Step& step, wire::Step& out);
+Result<void> from_wire(const wire::Step& step, exchange::Step& out);
 
 /// @param server  the one whose Step this answers.
-wire::Reply to_wire(const exchange::Reply& reply, const std::string& server);
+void to_wire(const exchange::Reply& reply, const std::string& server, wire::Reply& out);
 Result<exchange::Reply> from_wire(const wire::Reply& reply);
 
 }  // namespace hal::dds

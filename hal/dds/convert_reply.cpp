@@ -8,8 +8,7 @@ static_assert(static_cast<int>(exchange::ActionKind::kError) == static_cast<int>
 static_assert(static_cast<int>(exchange::ActionKind::kRadio) == static_cast<int>(wire::RADIO));
 static_assert(static_cast<int>(log::Level::kError) == static_cast<int>(wire::LEVEL_ERROR));
 
-wire::Action to_wire(const exchange::Action& action) {
-  wire::Action out;
+void to_wire(const exchange::Action& action, wire::Action& out) {
   out.agent(action.agent.value);
   out.event(action.event);
   out.kind(static_cast<wire::ActionKind>(action.kind));
@@ -26,7 +25,6 @@ wire::Action to_wire(const exchange::Action& action) {
   out.radio_on(action.radio_on);
   out.text(action.text);
   out.level(static_cast<wire::LogLevel>(action.level));
-  return out;
 }
 
 exchange::Action from_wire(const wire::Action& action, Ranges& ranges) {
@@ -50,15 +48,15 @@ exchange::Action from_wire(const wire::Action& action, Ranges& ranges) {
 
 }  // namespace
 
-wire::Reply to_wire(const exchange::Reply& reply, const std::string& server) {
-  wire::Reply out;
+void to_wire(const exchange::Reply& reply, const std::string& server, wire::Reply& out) {
   out.server(server);
   out.process(reply.process);
   out.run(reply.run);
   out.sequence_number(reply.sequence);
-  out.actions().reserve(reply.actions.size());
-  for (const exchange::Action& action : reply.actions) out.actions().push_back(to_wire(action));
-  return out;
+  out.actions().resize(reply.actions.size());
+  for (std::size_t i = 0; i < reply.actions.size(); ++i) {
+    to_wire(reply.actions[i], out.actions()[i]);
+  }
 }
 
 Result<exchange::Reply> from_wire(const wire::Reply& reply) {

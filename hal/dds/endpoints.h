@@ -118,14 +118,13 @@ class PresenceListener : public api::DataReaderListener {
   std::vector<Origin> left_, silent_;
 };
 
-/// Hands every sample that a reader has to `use(Wire&&, info)`.
+/// Hands every sample that a reader has to `use(value, info)`, which may move it away.
+/// @param value  each of them in turn.
 template <class Wire, class Use>
-void take_all(api::DataReader& reader, const Use& use) {
-  while (true) {
-    Wire value;
-    api::SampleInfo info;
-    if (!is_ok(reader.take_next_sample(&value, &info))) return;
-    if (info.valid_data) use(std::move(value), info);
+void take_all(api::DataReader& reader, Wire& value, const Use& use) {
+  api::SampleInfo info;
+  while (is_ok(reader.take_next_sample(&value, &info))) {
+    if (info.valid_data) use(value, info);
   }
 }
 
@@ -142,11 +141,12 @@ class Inbox : public PresenceListener {
   using PresenceListener::PresenceListener;
 
   void on_data_available(api::DataReader* reader) override {
-    take_all<Wire>(*reader, [this](Wire&& value, const api::SampleInfo& info) {
+    Wire value;
+    take_all(*reader, value, [this](Wire& sample, const api::SampleInfo& info) {
       const std::lock_guard lock(mutex_);
       // As in DDS itself, the newest win over a reader that cannot keep up.
       if (samples_.size() == kMaxInstances) samples_.pop_front();
-      samples_.push_back({std::move(value), Origin(info.publication_handle)});
+      samples_.push_back({std::move(sample), Origin(info.publication_handle)});
     });
     signal_.raise();
   }
@@ -223,7 +223,7 @@ class Reader {
 template <class Wire>
 class HandlingReader {
  public:
-  using Handle = std::function<void(Wire&&)>;
+  using Handle = std::function<void(const Wire&)>;
   /// @throws std::runtime_error
   HandlingReader(Participant& participant, const std::string& topic, Handle handle)
       : listener_(std::move(handle)), reader_(participant, topic, listener_) {}
@@ -233,12 +233,13 @@ class HandlingReader {
    public:
     explicit Listener(Handle handle) : handle_(std::move(handle)) {}
     void on_data_available(api::DataReader* reader) override {
-      take_all<Wire>(*reader,
-                     [this](Wire&& value, const api::SampleInfo&) { handle_(std::move(value)); });
+      take_all(*reader, value_,
+               [this](const Wire& value, const api::SampleInfo&) { handle_(value); });
     }
 
    private:
     Handle handle_;
+    Wire value_;  ///< The last sample: its memory is used again.
   };
   Listener listener_;
   BareReader<Wire> reader_;

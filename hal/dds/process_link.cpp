@@ -33,7 +33,7 @@ ProcessLink::Implementation::Implementation(Participant& participant, LinkSettin
 Result<void> ProcessLink::Implementation::begin(const exchange::Step& step) {
   if (is_dead()) return death();
   callers_sequence_ = step.sequence;
-  step_ = to_wire(step);
+  to_wire(step, step_);
   step_.server(settings_.server);
   step_.run(settings_.run);
   step_.sequence_number(++sequence_);

@@ -8,19 +8,24 @@
 namespace hal::dds {
 
 /// Converts enumerators whose order is the same on both sides, and remembers the first that is
-/// outside: DDS decodes any number into an enumeration.
+/// outside: DDS decodes any number into an enumeration. Likewise for numbers that have a limit.
 class Ranges {
  public:
   template <class To, class From>
   To enumerator(From value, To last, std::string_view name) {
     if (static_cast<unsigned>(value) <= static_cast<unsigned>(last)) return static_cast<To>(value);
-    if (bad_.empty()) bad_ = std::string(name) + " " + std::to_string(static_cast<unsigned>(value));
+    if (bad_.empty())
+      bad_ = "unknown " + std::string(name) + " " + std::to_string(static_cast<unsigned>(value));
     return last;
+  }
+
+  void at_most(std::size_t number, std::size_t most, std::string_view of_what) {
+    if (number > most && bad_.empty()) bad_ = std::to_string(number) + " " + std::string(of_what);
   }
 
   Result<void> check() const {
     if (bad_.empty()) return {};
-    return fail(Errc::kProtocol, "unknown " + bad_);
+    return fail(Errc::kProtocol, bad_);
   }
 
  private:

@@ -26,7 +26,11 @@ class Outbox {
     return actions_.emplace_back(std::move(action));
   }
 
-  std::vector<exchange::Action> take() { return std::exchange(actions_, {}); }
+  std::vector<exchange::Action> take() {
+    std::vector<exchange::Action> taken = std::exchange(actions_, {});
+    actions_.reserve(taken.size());  // The next Reply is often as long.
+    return taken;
+  }
 
  private:
   AgentId agent_;

@@ -182,19 +182,25 @@ TEST(Conversion, AnySessionArrivesAsItWas) {
 
 TEST(Conversion, AnyStepArrivesAsItWas) {
   Anything any;
+  wire::Step sample;  // These two keep what was in them before.
+  exchange::Step arrived;
   for (int round = 0; round < kRounds; ++round) {
     const exchange::Step step{any.text(), any.u64(), any.u64(), any.time(),
                               any.list([&] { return any_event(any); })};
-    EXPECT_EQ(*from_wire(travelled(to_wire(step))), step);
+    to_wire(step, sample);
+    ASSERT_TRUE(from_wire(travelled(sample), arrived));
+    EXPECT_EQ(arrived, step);
   }
 }
 
 TEST(Conversion, AnyReplyArrivesAsItWas) {
   Anything any;
+  wire::Reply sample;  // Keeps what was in it before.
   for (int round = 0; round < kRounds; ++round) {
     const exchange::Reply reply{any.text(), any.u64(), any.u64(),
                                 any.list([&] { return any_action(any); })};
-    EXPECT_EQ(*from_wire(travelled(to_wire(reply, "server"))), reply);
+    to_wire(reply, "server", sample);
+    EXPECT_EQ(*from_wire(travelled(sample)), reply);
   }
 }
 
@@ -203,20 +209,36 @@ TEST(Conversion, NotANumberKeepsItsBits) {
   exchange::Step step;
   step.events.resize(1);
   step.events[0].readings = {{1, {nan}}};
-  const auto arrived = from_wire(travelled(to_wire(step)));
-  EXPECT_EQ(std::bit_cast<std::uint64_t>(arrived->events.at(0).readings.at(0).values.at(0)),
+  wire::Step sample;
+  to_wire(step, sample);
+  exchange::Step arrived;
+  ASSERT_TRUE(from_wire(travelled(sample), arrived));
+  EXPECT_EQ(std::bit_cast<std::uint64_t>(arrived.events.at(0).readings.at(0).values.at(0)),
             0x7ff8'0000'0000'beef);
 }
 
 TEST(Conversion, ValueOutsideItsEnumerationIsAProtocolError) {
   exchange::Step step;
   step.events.resize(1);
-  wire::Step sample = to_wire(step);
+  wire::Step sample;
+  to_wire(step, sample);
   sample.events()[0].cause(static_cast<wire::Cause>(7));  // kStop is 6.
-  const auto arrived = from_wire(travelled(sample));
-  ASSERT_FALSE(arrived);
-  EXPECT_EQ(arrived.error().code, Errc::kProtocol);
-  EXPECT_EQ(arrived.error().message, "unknown cause 7");
+  exchange::Step arrived;
+  const auto result = from_wire(travelled(sample), arrived);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, Errc::kProtocol);
+  EXPECT_EQ(result.error().message, "unknown cause 7");
+}
+
+TEST(Conversion, TwoMessagesInAnEventAreAProtocolError) {
+  wire::Step sample;
+  sample.events().resize(1);
+  sample.events()[0].message().resize(2);
+  exchange::Step arrived;
+  const auto result = from_wire(travelled(sample), arrived);
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().code, Errc::kProtocol);
+  EXPECT_EQ(result.error().message, "2 messages in an event");
 }
 
 }  // namespace

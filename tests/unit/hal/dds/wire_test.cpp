@@ -128,7 +128,8 @@ TEST(RepeatedStep, IsAnsweredFromMemoryWithoutASecondCallback) {
     exchange::Step step = step_with(sequence == 3 ? Cause::kStop : Cause::kControl, sequence);
     step.server = "s";
     step.run = 1;
-    wire::Step sample = to_wire(step);
+    wire::Step sample;
+    to_wire(step, sample);
     EXPECT_TRUE(steps.write(sample));
     states.push_back(wait_for(replies).actions().at(0).text());
   }
