@@ -42,7 +42,7 @@ class Client::Implementation {
   }
 
   Arrival next(Duration timeout);
-  Result<void> reply(const std::string& server, exchange::Reply reply);
+  Result<void> reply(const std::string& server, const exchange::Reply& reply);
   void answer(const std::string& server, Answerer answerer);
 
   exchange::Hello hello_;
@@ -194,10 +194,11 @@ bool Client::Implementation::is_gone(const Granted& server, const std::vector<Or
   return !server.watch->is_local() && std::ranges::find(silent, server.origin) != silent.end();
 }
 
-Result<void> Client::Implementation::reply(const std::string& server, exchange::Reply reply) {
-  reply.process = hello_.process;
+Result<void> Client::Implementation::reply(const std::string& server,
+                                           const exchange::Reply& reply) {
   const std::lock_guard lock(reply_mutex_);
   to_wire(reply, server, reply_);
+  reply_.process(hello_.process);
   if (replies_ && replies_->write(reply_)) return {};
   return fail(Errc::kNotConnected, "Fast DDS refuses a Reply");
 }
@@ -210,8 +211,8 @@ const exchange::Hello& Client::hello() const { return implementation_->hello_; }
 int Client::servers() const { return implementation_->sessions_.presence().writers(); }
 Arrival Client::next(Duration timeout) { return implementation_->next(timeout); }
 
-Result<void> Client::reply(const std::string& server, exchange::Reply reply) {
-  return implementation_->reply(server, std::move(reply));
+Result<void> Client::reply(const std::string& server, const exchange::Reply& reply) {
+  return implementation_->reply(server, reply);
 }
 
 void Client::answer(const std::string& server, Answerer answerer) {

@@ -57,9 +57,9 @@ class Client {
   /// @param answerer  empty: next() again.
   void answer(const std::string& server, Answerer answerer);
 
-  /// @param server, reply.run, reply.sequence  those of the Step; reply.process is filled in.
+  /// @param server, reply.run, reply.sequence  those of the Step; reply.process is not looked at.
   /// Errors: kNotConnected (DDS refuses the sample).
-  Result<void> reply(const std::string& server, exchange::Reply reply);
+  Result<void> reply(const std::string& server, const exchange::Reply& reply);
 
   /// Waits until every server has the last Reply, up to `timeout`.
   void flush(Duration timeout);

@@ -84,9 +84,14 @@ void to_wire(const exchange::Event& event, wire::Event& out) {
   out.timer(event.timer);
   out.noticed(event.noticed);
   out.fate(static_cast<wire::Fate>(event.fate));
-  all_to_wire(event.routes, out.routes());
-  all_to_wire(event.neighbours, out.neighbours());
-  all_to_wire(event.lost_neighbours, out.lost_neighbours());
+  const bool has_changes =
+      !event.routes.empty() || !event.neighbours.empty() || !event.lost_neighbours.empty();
+  out.network().resize(has_changes ? 1 : 0);
+  if (!has_changes) return;
+  wire::NetworkChanges& network = out.network()[0];
+  all_to_wire(event.routes, network.routes());
+  all_to_wire(event.neighbours, network.neighbours());
+  all_to_wire(event.lost_neighbours, network.lost_neighbours());
 }
 
 void from_wire(const wire::Event& event, Ranges& ranges, exchange::Event& out) {
@@ -100,9 +105,12 @@ void from_wire(const wire::Event& event, Ranges& ranges, exchange::Event& out) {
   out.timer = event.timer();
   out.noticed = event.noticed();
   out.fate = ranges.enumerator(event.fate(), Fate::kFailed, "fate");
-  all_from_wire(event.routes(), out.routes);
-  all_from_wire(event.neighbours(), out.neighbours);
-  all_from_wire(event.lost_neighbours(), out.lost_neighbours);
+  ranges.at_most(event.network().size(), 1, "changes of the network in an event");
+  static const wire::NetworkChanges kNone;
+  const wire::NetworkChanges& network = event.network().empty() ? kNone : event.network()[0];
+  all_from_wire(network.routes(), out.routes);
+  all_from_wire(network.neighbours(), out.neighbours);
+  all_from_wire(network.lost_neighbours(), out.lost_neighbours);
 }
 
 }  // namespace

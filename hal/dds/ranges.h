@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 
@@ -20,7 +21,12 @@ class Ranges {
   }
 
   void at_most(std::size_t number, std::size_t most, std::string_view of_what) {
-    if (number > most && bad_.empty()) bad_ = std::to_string(number) + " " + std::string(of_what);
+    exactly(number, std::min(number, most), of_what);
+  }
+
+  void exactly(std::size_t number, std::size_t expected, std::string_view of_what) {
+    if (number == expected || !bad_.empty()) return;
+    bad_ = std::to_string(number) + " " + std::string(of_what);
   }
 
   Result<void> check() const {

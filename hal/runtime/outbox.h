@@ -19,11 +19,11 @@ class Outbox {
 
   /// Appends an action. The reference is good until the next call.
   exchange::Action& add(exchange::ActionKind kind) {
-    exchange::Action action;
+    exchange::Action& action = actions_.emplace_back();
     action.agent = agent_;
     action.event = event_;
     action.kind = kind;
-    return actions_.emplace_back(std::move(action));
+    return action;
   }
 
   std::vector<exchange::Action> take() {

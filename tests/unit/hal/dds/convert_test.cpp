@@ -140,17 +140,23 @@ exchange::Event any_event(Anything& any) {
   return event;
 }
 
+/// Only what belongs to its kind travels with an action.
 exchange::Action any_action(Anything& any) {
+  using enum exchange::ActionKind;
   exchange::Action action;
   action.agent = any.agent();
   action.event = any.u32();
-  action.kind = any.enumerator(exchange::ActionKind::kError);
-  action.twist = {any.number(), any.number(), any.number()};
-  action.wheel_speeds = any.numbers();
-  action.message_id = any.u32();
-  action.destination = any.agent();
-  action.topic = any.text();
-  action.payload = any.bytes();
+  action.kind = any.enumerator(kError);
+  if (action.kind == kDriveBody || action.kind == kDriveWheels) {
+    action.twist = {any.number(), any.number(), any.number()};
+    action.wheel_speeds = any.numbers();
+  }
+  if (action.kind == kSend || action.kind == kInvalidate) {
+    action.message_id = any.u32();
+    action.destination = any.agent();
+    action.topic = any.text();
+    action.payload = any.bytes();
+  }
   action.timer = any.u32();
   action.at = any.time();
   action.radio_on = any.flag();
@@ -228,6 +234,19 @@ TEST(Conversion, ValueOutsideItsEnumerationIsAProtocolError) {
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, Errc::kProtocol);
   EXPECT_EQ(result.error().message, "unknown cause 7");
+}
+
+TEST(Conversion, AnActionWithoutWhatItsKindNeedsIsAProtocolError) {
+  for (const auto& [kind, message] : {std::pair{wire::SEND, "0 messages in an action"},
+                                      std::pair{wire::DRIVE_BODY, "0 velocities in an action"}}) {
+    wire::Reply sample;
+    sample.actions().resize(1);
+    sample.actions()[0].kind(kind);
+    const auto arrived = from_wire(travelled(sample));
+    ASSERT_FALSE(arrived);
+    EXPECT_EQ(arrived.error().code, Errc::kProtocol);
+    EXPECT_EQ(arrived.error().message, message);
+  }
 }
 
 TEST(Conversion, TwoMessagesInAnEventAreAProtocolError) {
