@@ -106,8 +106,8 @@ void from_wire(const wire::Event& event, Ranges& ranges, exchange::Event& out) {
   out.noticed = event.noticed();
   out.fate = ranges.enumerator(event.fate(), Fate::kFailed, "fate");
   ranges.at_most(event.network().size(), 1, "changes of the network in an event");
-  static const wire::NetworkChanges kNone;
-  const wire::NetworkChanges& network = event.network().empty() ? kNone : event.network()[0];
+  static const wire::NetworkChanges none;
+  const wire::NetworkChanges& network = event.network().empty() ? none : event.network()[0];
   all_from_wire(network.routes(), out.routes);
   all_from_wire(network.neighbours(), out.neighbours);
   all_from_wire(network.lost_neighbours(), out.lost_neighbours);

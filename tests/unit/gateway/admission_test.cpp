@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "tests/unit/gateway/offers.h"
 
 namespace gateway {
@@ -70,7 +72,8 @@ TEST(Admission, RefusesWithTheReason) {
 
   Hello version = hello_for("p", {"m2"});
   version.version = 9;
-  EXPECT_EQ(admission.decide(version).refusal, "protocol version 9; this server speaks 1");
+  EXPECT_EQ(admission.decide(version).refusal, "protocol version 9; this server speaks " +
+                                                   std::to_string(hal::exchange::kProtocolVersion));
   EXPECT_EQ(admission.decide(hello_for("p", {})).refusal, "it asks for no agent");
   EXPECT_EQ(admission.decide(hello_for("p", {"m2", "x*"})).refusal, "unknown agent 'x*'");
   EXPECT_EQ(admission.decide(hello_for("p", {"m*"})).refusal,

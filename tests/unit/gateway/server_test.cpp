@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <string>
 #include <thread>
 
 #include "hal/dds/client.h"
@@ -133,7 +134,8 @@ TEST_F(ServedHost, RefusalsReachTheProcessAndTheSummary) {
   hal::exchange::Hello future = hello_for("future", {"m2"});
   future.version = 99;
   Client other_version(server_.domain(), future);
-  EXPECT_EQ(refusal_of(other_version), "protocol version 99; this server speaks 1");
+  EXPECT_EQ(refusal_of(other_version), "protocol version 99; this server speaks " +
+                                           std::to_string(hal::exchange::kProtocolVersion));
   Client robot(server_.domain(), robot_hello("robot"));
   gathering.join();
   const auto lines = complaints(server_.summary());
