@@ -20,10 +20,11 @@ log=$(mktemp)
 debootstrap --variant=minbase bookworm "$root" "$mirror" >"$log" 2>&1 || { tail "$log"; exit 1; }
 rm "$log"
 
-cleanup() { umount -lq "$root/proc" "$root/dev/shm" "$root/dev" || true; }
+cleanup() { umount -lq "$root/proc" "$root/dev/shm" "$root/dev/pts" "$root/dev" || true; }
 trap cleanup EXIT
 mount -t proc proc "$root/proc"
 mount --bind /dev "$root/dev"
+mount --bind /dev/pts "$root/dev/pts"
 mount -t tmpfs tmpfs "$root/dev/shm"
 cp /etc/resolv.conf "$root/etc/"
 # Security fixes come from where this machine gets them.

@@ -17,9 +17,11 @@ using namespace std::chrono_literals;
 /// A pseudo-terminal: the test holds the far end.
 class SerialLineTest : public testing::Test {
  protected:
-  SerialLineTest() : far_(::posix_openpt(O_RDWR | O_NOCTTY)) {
-    ::grantpt(far_);
-    ::unlockpt(far_);
+  void SetUp() override {
+    far_ = ::posix_openpt(O_RDWR | O_NOCTTY);
+    ASSERT_GE(far_, 0) << "no pseudo-terminals: is /dev/pts mounted?";
+    ASSERT_EQ(::grantpt(far_), 0);
+    ASSERT_EQ(::unlockpt(far_), 0);
     device_ = ::ptsname(far_);
   }
   ~SerialLineTest() override { hang_up(); }
@@ -37,7 +39,7 @@ class SerialLineTest : public testing::Test {
     return {bytes.data(), static_cast<std::size_t>(std::max<ssize_t>(size, 0))};
   }
 
-  int far_;
+  int far_ = -1;
   std::string device_;
   SerialLine line_;
 };
