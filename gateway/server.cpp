@@ -20,6 +20,8 @@ using hal::exchange::Session;
 
 /// How often gather() asks whether to go on.
 constexpr hal::Duration kAskEvery = std::chrono::milliseconds{100};
+/// Refusals and processes that a summary tells of: a daemon runs for months.
+constexpr std::size_t kMostRemembered = 1000;
 
 void log(hal::log::Level level, hal::Time at, const std::string& text) {
   hal::log::write(level, at, "gateway", text);
@@ -141,8 +143,10 @@ void AgentServer::Implementation::send(const Session& session, hal::Time now) {
 
 void AgentServer::Implementation::note_refusal(const Hello& hello, const std::string& reason,
                                                hal::Time now) {
-  refusals_.push_back(fmt::format("process '{}' (pid {}): {}", hello.process, hello.pid, reason));
-  log(hal::log::Level::kWarning, now, "refused " + refusals_.back());
+  const std::string refusal =
+      fmt::format("process '{}' (pid {}): {}", hello.process, hello.pid, reason);
+  if (refusals_.size() < kMostRemembered) refusals_.push_back(refusal);
+  log(hal::log::Level::kWarning, now, "refused " + refusal);
 }
 
 void AgentServer::Implementation::release_dead() {
@@ -176,7 +180,7 @@ void AgentServer::Implementation::let_go_of_dead(hal::Time now) {
     if (alive) return false;
     log(hal::log::Level::kWarning, now, alive.error().message + "; its agents are free again");
     host_.disconnect(one.agents);
-    past_.push_back(one.port->summary());
+    if (past_.size() < kMostRemembered) past_.push_back(one.port->summary());
     one.port->disconnect();
     admission_.release(one.instance);
     return true;

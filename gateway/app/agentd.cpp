@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <memory>
@@ -10,6 +11,7 @@
 #include <variant>
 
 #include "gateway/app/agentd_inspection.h"
+#include "gateway/app/emergency_latch.h"
 #include "gateway/app/exit_status.h"
 #include "gateway/app/service_notice.h"
 #include "gateway/app/teleop_port.h"
@@ -25,12 +27,15 @@ namespace {
 using namespace std::chrono_literals;
 using hal::hardware::EventLoop;
 using hal::hardware::RobotFile;
+using hal::hardware::StopSource;
 
 constexpr std::uint64_t kOnlyRun = 1;
 /// How long the wheels may take to confirm that they stand, and then the controller to say goodbye.
 constexpr hal::Duration kStopPatience = 500ms, kFarewell = 1s;
 /// How often a controller in another container is checked for being silent: it has no descriptor.
 constexpr hal::Duration kAttendEvery = 200ms;
+/// A loop that hangs longer drives no robot, however patient the file is with its controller.
+constexpr hal::Duration kLongestHang = 400ms;
 
 RobotFile load(const AgentdOptions& options) {
   RobotFile file = RobotFile::load(options.file, options.overrides);
@@ -53,7 +58,8 @@ class Agentd {
  private:
   std::unique_ptr<hal::hardware::PoseSource> make_pose_source();
   hal::hardware::Devices devices() const { return {wheels_.get(), infrared_.get(), pose_.get()}; }
-  bool is_teleoperated() const { return file_.program == kTeleop; }
+  bool drive_here();
+  void set_emergency_stop(bool stop, StopSource source);
 
   void on_signal(int signal);
   void attend();
@@ -75,7 +81,9 @@ class Agentd {
   AgentInspection inspection_;
   hal::hardware::HardwareAgent agent_;
   std::optional<hal::hardware::LoopWatch> loop_watch_;  ///< None without wheels.
+  EmergencyLatch latch_;
   hal::dds::EmergencyStopReader emergency_stop_;
+  bool driven_here_;  ///< Before the server learns what there is to be driven.
   AgentServer server_;
   std::vector<EventLoop::Watch> watches_;  ///< Of the server's descriptors.
   int signals_to_end_ = 0;
@@ -103,17 +111,32 @@ Agentd::Agentd(const AgentdOptions& options)
             loop_),
       inspection_(file_),
       agent_(file_, {loop_, link_, devices(), inspection_}),
+      latch_(file_.name),
       emergency_stop_(participant_, file_.name,
-                      [this](bool stop) { agent_.set_emergency_stop(stop); }),
+                      [this](bool stop) { set_emergency_stop(stop, StopSource::kTopic); }),
+      driven_here_(drive_here()),
       server_(hal::dds::join_domain(domain_), agent_,
               {.run = kOnlyRun, .reply_timeout = {}, .attendance = Attendance::kAnyTime}) {
-  if (wheels_) loop_watch_.emplace(loop_, *wheels_, file_.command_timeout);
+  if (latch_.is_set()) agent_.set_emergency_stop(true, StopSource::kOperator);
+  if (wheels_) loop_watch_.emplace(loop_, *wheels_, std::min(file_.command_timeout, kLongestHang));
   if (options.shown) inspection_.start(participant_);
-  if (!is_teleoperated()) return;
+}
+
+/// By what is built in, which then leaves nothing to others.
+bool Agentd::drive_here() {
+  if (file_.program != kTeleop) return false;
   hal::Wants wants;
   if (infrared_) wants.channels.emplace_back("infrared");
-  agent_.connect(std::make_shared<TeleopPort>(participant_, file_.name, file_.command_timeout),
+  agent_.connect(std::make_shared<TeleopPort>(participant_, file_.name, file_.command_timeout,
+                                              file_.control_period),
                  {file_.address}, wants);
+  return true;
+}
+
+/// Any thread.
+void Agentd::set_emergency_stop(bool stop, StopSource source) {
+  agent_.set_emergency_stop(stop, source);
+  latch_.set(agent_.is_emergency_stopped());
 }
 
 std::unique_ptr<hal::hardware::PoseSource> Agentd::make_pose_source() {
@@ -137,8 +160,11 @@ int Agentd::run() {
 }
 
 void Agentd::on_signal(int signal) {
-  if (signal == SIGUSR1) return agent_.set_emergency_stop(true);
-  if (signal == SIGUSR2) return agent_.set_emergency_stop(false);
+  if (signal == SIGUSR1) return set_emergency_stop(true, StopSource::kOperator);
+  if (signal == SIGUSR2) {
+    emergency_stop_.release();
+    return set_emergency_stop(false, StopSource::kOperator);
+  }
   if (++signals_to_end_ > 1) return loop_.stop();
   stop();
 }

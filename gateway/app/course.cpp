@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <string_view>
@@ -16,6 +15,8 @@
 namespace gateway::app {
 namespace {
 
+constexpr double kLeastFactor = 1e-3, kMostFactor = 1e5;
+
 /// @return none: in lock-step.
 std::optional<double> real_time_factor(const std::string& pace) {
   if (pace == "lockstep") return std::nullopt;
@@ -25,10 +26,11 @@ std::optional<double> real_time_factor(const std::string& pace) {
   const char* const end = pace.data() + pace.size();
   const auto [rest, error] =
       std::from_chars(pace.data() + std::min(kPrefix.size(), pace.size()), end, factor);
-  if (!pace.starts_with(kPrefix) || error != std::errc() || rest != end || !(factor > 0) ||
-      !std::isfinite(factor)) {
+  const bool is_factor = factor >= kLeastFactor && factor <= kMostFactor;  // not NaN
+  if (!pace.starts_with(kPrefix) || error != std::errc() || rest != end || !is_factor) {
     throw UsageError(fmt::format(
-        "--pace: '{}' is not one of lockstep, realtime, realtime:F with F above 0", pace));
+        "--pace: '{}' is not one of lockstep, realtime, realtime:F with F from {} to {}", pace,
+        kLeastFactor, kMostFactor));
   }
   return factor;
 }

@@ -36,9 +36,10 @@ void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
   CLI::Option* pace = run->add_option("--pace", options.pace,
                                       "lockstep: wait for controllers; realtime[:F]: follow the "
                                       "wall clock, F times as fast, and wait for nobody");
-  run->add_option("--repeat", options.repeat,
-                  "Folder of a run in real time: repeat it from its record, without a clock")
-      ->excludes(pace);
+  CLI::Option* repeat =
+      run->add_option("--repeat", options.repeat,
+                      "Folder of a run in real time: repeat it from its record, without a clock")
+          ->excludes(pace);
   run->add_option("--domain", options.domain, "DDS domain; default: the first free one")
       ->check(CLI::Range(0, 232));
   run->add_option("--inspect-domain", options.inspect_domain,
@@ -53,7 +54,8 @@ void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
                       "Run it so many times, with seeds from the scenario's upwards; those that "
                       "have ended are kept")
           ->check(CLI::Range(1, 1'000'000))
-          ->excludes(pace);
+          ->excludes(pace)
+          ->excludes(repeat);
   run->add_option("--jobs", options.jobs, "Replications at a time; default: 1")
       ->check(CLI::Range(1, 1000))
       ->needs(replications);

@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "gateway/app/exit_status.h"
+#include "gateway/app/teleop_port.h"
 #include "hal/config/shared_folders.h"
 
 namespace gateway::app {
@@ -37,6 +38,7 @@ std::optional<std::string> mistake_in(const std::string& name) {
       "package", "package_source", "preinstall", "rebuild_cache", "test"};
   if (of_cmake.contains(name)) return "is a target of every CMake project";
   if (name == "baraka") return "is this program";
+  if (name == kTeleop) return "is a controller that is built in";
   return std::nullopt;
 }
 

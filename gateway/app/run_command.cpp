@@ -131,7 +131,13 @@ int run(const RunOptions& options) {
   RunInspection inspection(scenario, {.shown = options.inspect,
                                       .domain = options.inspect_domain,
                                       .repeated = !options.repeat.empty()});
-  Results results(scenario, results_path(options, scenario.name));
+  const std::filesystem::path out = results_path(options, scenario.name);
+  std::error_code not_there;
+  if (!options.repeat.empty() && std::filesystem::equivalent(options.repeat, out, not_there)) {
+    throw UsageError(
+        fmt::format("--repeat: {} would be overwritten; give another --out", options.repeat));
+  }
+  Results results(scenario, out);
   Simulation simulation(scenario.simulation,
                         {&results.recorder, &results.fingerprint, &inspection.observer()});
   ControllersOfRun controllers(

@@ -61,7 +61,8 @@ void RunInspection::connect_teleop(sim::agents::Simulation& simulation) {
   for (const hal::exchange::AgentOffer& offer : simulation.offers()) {
     if (offer.program != kTeleop) continue;
     simulation.connect(std::make_shared<TeleopPort>(*participant_, offer.session.name,
-                                                    scenario_.simulation.command_timeout),
+                                                    scenario_.simulation.command_timeout,
+                                                    offer.session.control_period),
                        {offer.session.agent}, all_channels(offer));
   }
 }

@@ -9,9 +9,10 @@ using hal::exchange::Reply;
 using hal::exchange::Step;
 
 TeleopPort::TeleopPort(hal::dds::InspectionParticipant& participant, const std::string& agent,
-                       hal::Duration command_timeout)
+                       hal::Duration command_timeout, hal::Duration control_period)
     : name_(std::string(kTeleop) + " of " + agent),
       command_timeout_(command_timeout),
+      control_period_(control_period),
       commands_(participant, agent) {}
 
 hal::Result<void> TeleopPort::begin(const Step& step) {
@@ -25,7 +26,9 @@ hal::Result<void> TeleopPort::begin(const Step& step) {
 void TeleopPort::answer(const Event& event, std::uint32_t index) {
   const auto command = commands_.last();
   const bool is_new = command && command->number != obeyed_;
-  if (!is_new && !(driving_ && event.time - obeyed_at_ >= command_timeout_)) return;
+  // The next control event would be too late.
+  const bool is_old = event.time + control_period_ > obeyed_at_ + command_timeout_;
+  if (!is_new && !(driving_ && is_old)) return;
   hal::exchange::Action action;
   action.agent = event.agent;
   action.event = index;

@@ -14,13 +14,13 @@ namespace gateway::app {
 inline constexpr const char* kTeleop = "teleop";
 
 /// Drives one robot as it is told from outside: at each control event the last velocity since the
-/// event before becomes an action. Without a new one for the command timeout, in simulated time, it
-/// stops the robot; so it needs a run in real time.
+/// event before becomes an action. If none came in time for another control event within the
+/// command timeout, in simulated time, it stops the robot; so it needs a run in real time.
 class TeleopPort final : public hal::exchange::ControllerPort {
  public:
   /// @throws std::runtime_error  if DDS makes no reader.
   TeleopPort(hal::dds::InspectionParticipant& participant, const std::string& agent,
-             hal::Duration command_timeout);
+             hal::Duration command_timeout, hal::Duration control_period);
 
   const std::string& name() const override { return name_; }
   hal::Result<void> begin(const hal::exchange::Step& step) override;  ///< Never fails.
@@ -31,7 +31,7 @@ class TeleopPort final : public hal::exchange::ControllerPort {
   void answer(const hal::exchange::Event& event, std::uint32_t index);
 
   std::string name_;
-  hal::Duration command_timeout_;
+  hal::Duration command_timeout_, control_period_;
   hal::dds::TwistReader commands_;
   std::uint64_t obeyed_ = 0;  ///< Number of the last command.
   hal::Time obeyed_at_{};

@@ -12,6 +12,7 @@
 
 #include "exchangePubSubTypes.h"
 #include "hal/dds/convert.h"
+#include "hal/dds/guarded_type.h"
 #include "hal/dds/participant.h"
 #include "hal/dds/waiting.h"
 
@@ -47,8 +48,8 @@ class Writer {
   /// @throws std::runtime_error
   Writer(Participant& participant, const std::string& topic)
       : participant_(participant),
-        topic_(participant.add_topic(topic,
-                                     api::TypeSupport(new typename PubSubTypeOf<Wire>::Type()))),
+        topic_(participant.add_topic(
+            topic, api::TypeSupport(new GuardedType<typename PubSubTypeOf<Wire>::Type>()))),
         writer_(participant.publisher().create_datawriter(
             topic_, writer_qos(PubSubTypeOf<Wire>::kPresence))) {
     if (writer_ == nullptr) throw std::runtime_error("Fast DDS makes no writer of " + topic);
@@ -174,8 +175,8 @@ class BareReader {
   /// @throws std::runtime_error
   BareReader(Participant& participant, const std::string& topic, api::DataReaderListener& listener)
       : participant_(participant),
-        topic_(participant.add_topic(topic,
-                                     api::TypeSupport(new typename PubSubTypeOf<Wire>::Type()))),
+        topic_(participant.add_topic(
+            topic, api::TypeSupport(new GuardedType<typename PubSubTypeOf<Wire>::Type>()))),
         reader_(participant.subscriber().create_datareader(
             topic_, reader_qos(PubSubTypeOf<Wire>::kPresence), &listener)) {
     if (reader_ == nullptr) throw std::runtime_error("Fast DDS makes no reader of " + topic);

@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "hal/dds/guarded_type.h"
 #include "hal/dds/participant.h"
 
 namespace hal::dds {
@@ -33,7 +34,7 @@ class InspectionWriter {
                    std::atomic<int>& all_readers, Keep keep = Keep::kForThoseHere)
       : participant_(participant),
         readers_(all_readers),
-        topic_(participant.add_topic(topic, api::TypeSupport(new PubSub()))),
+        topic_(participant.add_topic(topic, api::TypeSupport(new GuardedType<PubSub>()))),
         writer_(participant.publisher().create_datawriter(
             topic_, inspection_writer_qos(depth, keep), &readers_,
             api::StatusMask::publication_matched())) {
@@ -77,12 +78,16 @@ class InspectionReader {
  public:
   using Sample = typename PubSub::type;
 
-  /// @param topic  owned by the caller.  @param on_sample  called on a thread of DDS.
+  /// Writers of samples are told by handles. Both functions are called on a thread of DDS.
+  using OnSample = std::function<void(const Sample&, const api::SampleInfo&)>;
+  using OnLeft = std::function<void(const api::InstanceHandle_t& writer)>;
+
+  /// @param topic  owned by the caller.  @param on_left  a writer is gone; may be empty.
   /// @throws std::runtime_error
   InspectionReader(Participant& participant, api::Topic* topic, const api::DataReaderQos& qos,
-                   std::function<void(const Sample&)> on_sample)
+                   OnSample on_sample, OnLeft on_left = {})
       : participant_(participant),
-        inbox_(std::move(on_sample)),
+        inbox_(std::move(on_sample), std::move(on_left)),
         reader_(participant.subscriber().create_datareader(topic, qos, &inbox_)) {
     if (reader_ == nullptr) {
       throw std::runtime_error("Fast DDS makes no reader of " + topic->get_name());
@@ -96,20 +101,23 @@ class InspectionReader {
 
  private:
   struct Inbox : api::DataReaderListener {
-    explicit Inbox(std::function<void(const Sample&)> f) : on_sample(std::move(f)) {}
+    Inbox(OnSample sample, OnLeft left) : on_sample(std::move(sample)), on_left(std::move(left)) {}
     void on_data_available(api::DataReader* reader) override {
       Sample sample;
       api::SampleInfo info;
       while (is_ok(reader->take_next_sample(&sample, &info))) {
-        if (info.valid_data) on_sample(sample);
+        if (info.valid_data) on_sample(sample, info);
       }
     }
     void on_subscription_matched(api::DataReader* reader,
                                  const api::SubscriptionMatchedStatus& status) override {
       (void)reader;
       writers.store(status.current_count, std::memory_order_relaxed);
+      const bool one_left = status.current_count_change < 0;
+      if (one_left && on_left) on_left(api::InstanceHandle_t(status.last_publication_handle));
     }
-    std::function<void(const Sample&)> on_sample;
+    OnSample on_sample;
+    OnLeft on_left;
     std::atomic<int> writers{0};
   };
 
@@ -124,7 +132,7 @@ class OwnTopic {
  public:
   OwnTopic(Participant& participant, const std::string& name)
       : participant_(participant),
-        topic_(participant.add_topic(name, api::TypeSupport(new PubSub()))) {}
+        topic_(participant.add_topic(name, api::TypeSupport(new GuardedType<PubSub>()))) {}
   ~OwnTopic() { participant_.remove_topic(topic_); }
   OwnTopic(const OwnTopic&) = delete;
   OwnTopic& operator=(const OwnTopic&) = delete;

@@ -53,7 +53,8 @@ class PoseReader::Implementation {
         topic_(inspection.participant(), dds_name(topic)),
         reader_(inspection.participant(), topic_.get(),
                 inspection_reader_qos(api::BEST_EFFORT_RELIABILITY_QOS, Keep::kForThoseHere),
-                [this](const PoseStamped_& sample) { on_sample(sample); }) {}
+                [this](const PoseStamped_& sample, const api::SampleInfo&) { on_sample(sample); }) {
+  }
 
   std::optional<OutsidePose> last() const {
     const std::lock_guard lock(mutex_);

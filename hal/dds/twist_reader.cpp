@@ -28,7 +28,7 @@ class TwistReader::Implementation {
         topic_(inspection.participant(), "rt/" + agent + "/cmd_vel"),
         reader_(inspection.participant(), topic_.get(),
                 inspection_reader_qos(api::BEST_EFFORT_RELIABILITY_QOS, Keep::kForThoseHere),
-                [this](const Twist_& sample) { on_sample(sample); }) {}
+                [this](const Twist_& sample, const api::SampleInfo&) { on_sample(sample); }) {}
 
   std::optional<Command> last() const {
     const std::lock_guard lock(mutex_);

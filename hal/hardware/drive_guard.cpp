@@ -26,7 +26,7 @@ Result<void> DriveGuard::drive(const Twist2& body) {
   }
   const auto [twist, saturated] = limited(body, wheels_.kinematics(), wheels_.speed_limits());
   const bool moves = twist != Twist2{};
-  if (moves && emergency_) {
+  if (moves && is_emergency_stopped()) {
     ++counts_.stopped;
     return fail(Errc::kNotAvailable, "drive: the emergency stop is in force");
   }
@@ -37,9 +37,11 @@ Result<void> DriveGuard::drive(const Twist2& body) {
   if (saturated) ++counts_.limited;
   auto driven = wheels_.drive(twist);
   if (!driven) ++counts_.not_connected;
+  // What the driver repeats must not be an older velocity than the one that it did not take.
+  if (!driven) wheels_.stop();
   turning_ = driven.has_value() && moves;
   // Another thread may have pulled the emergency stop between the look at it and the command.
-  if (emergency_) halt();
+  if (is_emergency_stopped()) halt();
   if (turning_ && timer_ == 0) watch();
   return driven;
 }
@@ -87,10 +89,12 @@ void DriveGuard::set_blind(const std::string& because) {
   if (!blind) log::info(loop_.now(), name_, "no longer blind");
 }
 
-void DriveGuard::set_emergency_stop(bool stop) {
-  const bool changes = emergency_.exchange(stop) != stop;
+void DriveGuard::set_emergency_stop(bool stop, StopSource source) {
+  const auto bit = static_cast<unsigned>(source);
+  const unsigned before = stop ? stops_.fetch_or(bit) : stops_.fetch_and(~bit);
+  const unsigned after = stop ? before | bit : before & ~bit;
   if (stop) wheels_.stop();
-  if (!changes) return;
+  if ((before == 0) == (after == 0)) return;
   loop_.post([this, stop] {
     if (stop) halt();
     if (stop) log::warning(loop_.now(), name_, "EMERGENCY STOP");

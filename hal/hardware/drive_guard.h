@@ -12,6 +12,9 @@
 
 namespace hal::hardware {
 
+/// Who may pull the emergency stop: somebody at the daemon, and whoever is on its topic.
+enum class StopSource : unsigned { kOperator = 1, kTopic = 2 };
+
 /// Stands between a controller and the wheels. It lets a command through only if
 ///   - no emergency stop is in force: it is latched, whoever commands, until it is released;
 ///   - the robot sees: none of the sensors the controller steers by is out of date;
@@ -47,9 +50,10 @@ class DriveGuard {
   /// @param because  a sensor that the controller steers by is silent; empty: none is.
   void set_blind(const std::string& because);
 
-  /// Any thread: the wheels are told at once, whatever the loop is doing.
-  void set_emergency_stop(bool stop);
-  bool is_emergency_stopped() const { return emergency_; }
+  /// Any thread: the wheels are told at once, whatever the loop is doing. In force until each
+  /// source that stopped has released.
+  void set_emergency_stop(bool stop, StopSource source = StopSource::kOperator);
+  bool is_emergency_stopped() const { return stops_ != 0; }
 
   const Counts& counts() const { return counts_; }
 
@@ -60,7 +64,7 @@ class DriveGuard {
   EventLoop& loop_;
   Duration command_timeout_;
   std::string name_;
-  std::atomic<bool> emergency_ = false;
+  std::atomic<unsigned> stops_ = 0;  ///< A bit for each source that stops.
   bool blind_ = false;
   bool turning_ = false;  ///< As commanded last.
   Time fed_{};

@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <functional>
 #include <system_error>
 
 #include "hal/types/check.h"
@@ -80,10 +81,14 @@ void EventLoop::on_signals(std::initializer_list<int> signals, std::function<voi
 }
 
 void EventLoop::take_signals() {
-  signalfd_siginfo taken{};
-  while (::read(signals_, &taken, sizeof taken) == static_cast<ssize_t>(sizeof taken)) {
-    on_signal_(static_cast<int>(taken.ssi_signo));
+  signalfd_siginfo one{};
+  std::vector<int> taken;
+  while (::read(signals_, &one, sizeof one) == static_cast<ssize_t>(sizeof one)) {
+    taken.push_back(static_cast<int>(one.ssi_signo));
   }
+  // The kernel does not tell in which order they were sent. SIGUSR1 comes after SIGUSR2 here.
+  std::ranges::sort(taken, std::greater{});
+  for (const int signal : taken) on_signal_(signal);
 }
 
 void EventLoop::post(Handler handler) {

@@ -44,6 +44,7 @@ HardwareAgent::~HardwareAgent() {
 }
 
 std::vector<exchange::AgentOffer> HardwareAgent::offers() const {
+  if (courier_) return {};  // driven by somebody in this process
   return {offer_of(file_, surroundings_.devices)};
 }
 
@@ -81,8 +82,8 @@ void HardwareAgent::let_go() {
   sampler_.set_wants({});
 }
 
-void HardwareAgent::set_emergency_stop(bool stop) {
-  if (guard_) guard_->set_emergency_stop(stop);
+void HardwareAgent::set_emergency_stop(bool stop, StopSource source) {
+  if (guard_) guard_->set_emergency_stop(stop, source);
 }
 
 void HardwareAgent::stop() {

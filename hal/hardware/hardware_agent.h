@@ -70,7 +70,7 @@ class HardwareAgent final : public exchange::AgentHost,
   bool has_controller() const { return courier_.has_value(); }
 
   /// Latched until it is released. Any thread.
-  void set_emergency_stop(bool stop);
+  void set_emergency_stop(bool stop, StopSource source);
   bool is_emergency_stopped() const { return guard_ && guard_->is_emergency_stopped(); }
 
   /// The wheels stop, then the controller gets its STOP. From now on it can do no more than talk.

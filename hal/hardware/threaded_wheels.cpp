@@ -23,6 +23,7 @@ Result<void> ThreadedWheels::drive(const Twist2& body) {
                 fmt::format("velocity ({}, {}, {}): must be finite", body.vx, body.vy, body.omega));
   }
   if (const std::string trouble = thread_.trouble(); !trouble.empty()) {
+    stop();  // else the old velocity would be repeated once the device is heard again
     return fail(Errc::kNotConnected, "wheels: " + trouble);
   }
   command_.set(limited(body, kinematics(), speed_limits()).twist);

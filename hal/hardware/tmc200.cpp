@@ -100,7 +100,8 @@ Result<bool> Tmc200::send(const Twist2& body) {
   ++unanswered_;
   sent_ = std::chrono::steady_clock::now();
   for (int lines = 0; unanswered_ > 0 && lines < kMostLines; ++lines) {
-    const auto took = take_line(kUsualAnswer);
+    const Duration left = sent_ + kUsualAnswer - std::chrono::steady_clock::now();
+    const auto took = take_line(std::max(left, Duration::zero()));
     if (!took) return tl::unexpected<Error>(took.error());
     if (!*took) break;
   }

@@ -42,8 +42,8 @@ class WheelDriver {
   WheelDriver& operator=(const WheelDriver&) = delete;
 
   /// The velocity from now on, body frame; scaled down, direction kept, if it is beyond limits().
-  /// Errors: kInvalidArgument (not finite; the old velocity holds), kNotConnected (nothing is
-  /// kept).
+  /// Errors: kInvalidArgument (not finite; the old velocity holds), kNotConnected (the wheels
+  /// stop once the device is heard again).
   virtual Result<void> drive(const Twist2& body) = 0;
 
   /// Velocity zero, sent at once, ahead of everything else the driver has to do.

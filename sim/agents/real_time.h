@@ -26,7 +26,8 @@ class FollowedClock {
 };
 
 /// A point in a run in real time at which a controller process had an influence: its answer took
-/// effect, or it was given the next Step. With these a run can be repeated without a clock.
+/// effect, it was given the next Step, or, if neither, it died. With these a run can be repeated
+/// without a clock.
 struct Turn {
   hal::Time at{};        ///< All events up to and including this time have run.
   std::size_t port = 0;  ///< In order of connection.

@@ -62,24 +62,34 @@ void Simulation::RealTimeRun::follow(FollowedClock& clock) {
 void Simulation::RealTimeRun::repeat(std::span<const Turn> turns, Pace& pace) {
   for (const Turn& turn : turns) {
     if (s_.result || s_.broken_off) return;
-    while (pace.may_go_on(turn.at, progress()) == Pace::Verdict::kAskAgain) {
-    }
+    if (s_.until && turn.at > *s_.until) break;
+    if (!may_go_on(pace, turn.at)) return;
     work_off_until(turn.at, nullptr);
     if (s_.result) return;
     take_up(turn);
   }
   while (!s_.result) {
     const auto next = s_.events.next_time();
-    if (!next || !s_.until || *next > *s_.until) return;
+    if (!next || !s_.until || *next > *s_.until || !may_go_on(pace, *next)) return;
     work_off_until(*next, nullptr);
   }
+}
+
+bool Simulation::RealTimeRun::may_go_on(Pace& pace, hal::Time at) {
+  Pace::Verdict verdict = Pace::Verdict::kAskAgain;
+  while (verdict == Pace::Verdict::kAskAgain) verdict = pace.may_go_on(at, progress());
+  s_.broken_off = verdict == Pace::Verdict::kBreakOff;
+  return !s_.broken_off;
 }
 
 void Simulation::RealTimeRun::take_up(const Turn& turn) {
   if (turn.port >= carried_.size()) return s_.fail("the record is of other controllers");
   if (carried_[turn.port].dropped) return;
+  if (!turn.replied && !turn.began) {
+    return on_death(turn, {hal::Errc::kNotConnected, "a process of the record died"});
+  }
   auto brought = carried_[turn.port].courier.repeat(turn.replied, turn.began);
-  if (!brought) return on_failure(turn.port, brought.error());
+  if (!brought) return on_death(turn, brought.error());
   take_in(turn, *brought);
 }
 
@@ -110,10 +120,12 @@ void Simulation::RealTimeRun::attend(hal::Time now) {
     if (carried_[i].dropped) continue;
     auto brought = carried_[i].courier.attend();
     if (!brought) {
-      on_failure(i, brought.error());
+      on_death({now, i}, brought.error());
     } else if (brought->replied || brought->began) {
       take_in({now, i, brought->replied, brought->began}, *brought);
     }
+    // As before each turn when it is repeated.
+    work_off_until(now, nullptr);
   }
 }
 
@@ -134,9 +146,12 @@ void Simulation::RealTimeRun::take_effect(const Courier::Answer& answer) {
   s_.apply(answer.action);
 }
 
-void Simulation::RealTimeRun::on_failure(std::size_t port, const hal::Error& error) {
-  carried_[port].dropped = true;
-  s_.on_failures({{port, error}});
+/// Recorded as a turn that brought nothing.
+void Simulation::RealTimeRun::on_death(const Turn& turn, const hal::Error& error) {
+  s_.events.advance_to(turn.at);
+  s_.observers.on_turn({turn.at, turn.port});
+  carried_[turn.port].dropped = true;
+  s_.on_failures({{turn.port, error}});
 }
 
 /// An answer is a sign of life, whatever is in it: a controller need not repeat its command.

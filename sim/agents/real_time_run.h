@@ -40,7 +40,8 @@ class Simulation::RealTimeRun {
   void take_up(const Turn& turn);
   void take_in(const Turn& turn, const hal::exchange::Courier::Turn& brought);
   void take_effect(const hal::exchange::Courier::Answer& answer);
-  void on_failure(std::size_t port, const hal::Error& error);
+  void on_death(const Turn& turn, const hal::Error& error);
+  bool may_go_on(Pace& pace, hal::Time at);
   void finish_all();
   void restart_watchdog(hal::AgentId agent);
   std::vector<int> descriptors() const;

@@ -201,6 +201,30 @@ class Wheels:
             return at
         self.check_emergency_stop(lambda: press("1"), lambda: press("0"))
 
+    def test_an_emergency_stop_outlives_the_daemon(self):
+        """Where the service manager keeps a folder for it."""
+        self.daemon.end()
+        self.environment["RUNTIME_DIRECTORY"] = str(self.folder)
+        self.daemon = self.serve_again()
+        self.wander()
+        self.daemon.send("SIGUSR1")
+        self.device.await_standing()
+        self.daemon.end()
+        self.daemon = self.serve_again()
+        controller = self.program(self.place, "wanderer", "--agents", "r0")
+        self.daemon.await_text("action refused", "err")
+        self.check_standing()
+        self.daemon.send("SIGUSR2")
+        self.await_moving(controller)
+        self.daemon.end()
+        self.daemon = self.serve_again()
+        self.wander()
+
+    def serve_again(self):
+        daemon = self.program(self.place, "baraka-agentd", self.folder / "r0.yaml")
+        daemon.await_text("ready: ")
+        return daemon
+
     def test_sigterm_stops_them_first_and_then_everything_else(self):
         controller = self.wander()
         asked = self.daemon.send("SIGTERM")

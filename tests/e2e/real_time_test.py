@@ -4,7 +4,7 @@ import re
 import time
 import unittest
 
-from baraka import CASE_STUDY, ROOT, Case, children, send, wait_for
+from baraka import CASE_STUDY, ROOT, Case, Program, children, send, wait_for
 
 TALLY = ROOT / "tests/e2e/tally.yaml"
 
@@ -27,8 +27,27 @@ class Repetition(Case):
             repeated = self.run_baraka(CASE_STUDY, "--repeat", record, *how)
             for key in ("fingerprint", "missed_cycles", "command_timeouts", "simulated_s"):
                 self.assertEqual(repeated[key], disturbed[key], key)
+        begun = self.run_baraka(CASE_STUDY, "--repeat", record, "--until", "20")
+        self.assertEqual(float(begun["simulated_s"]), 20)
+        overwriting = Program("baraka", "run", CASE_STUDY, "--repeat", record, "--out", record).finish()
+        self.assertEqual(overwriting.status, 2, str(overwriting))
+        self.assertIn("would be overwritten", overwriting.err)
         undisturbed = self.run_baraka(CASE_STUDY, *arguments)
         self.assertNotEqual(undisturbed["fingerprint"], disturbed["fingerprint"])
+
+    def test_a_death_is_repeated_too(self):
+        silence = ["--set", "on_death=silence"]
+        program = self.start(CASE_STUDY, "--pace", "realtime:20", "--until", "60", *silence)
+        record = self.out
+        (robot,) = wait_for(lambda: children(program.process.pid, "help_robot"))
+        time.sleep(1)
+        send(robot, "SIGKILL")
+        orphaned = program.finish()
+        self.assertEqual(orphaned.status, 0, str(orphaned))
+        repeated = self.run_baraka(CASE_STUDY, "--repeat", record, "--controllers", "in-process", *silence)
+        self.assertEqual(repeated["fingerprint"], orphaned["fingerprint"])
+        undisturbed = self.run_baraka(CASE_STUDY, "--until", "60", *silence)
+        self.assertNotEqual(undisturbed["fingerprint"], orphaned["fingerprint"])
 
     def test_only_a_run_in_real_time_of_this_scenario_is_repeated(self):
         self.run_baraka(CASE_STUDY, "--until", "1")

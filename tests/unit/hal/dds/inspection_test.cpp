@@ -1,13 +1,17 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <thread>
+#include <utility>
 
 #include "hal/dds/domains.h"
 #include "hal/dds/emergency_stop_reader.h"
+#include "hal/dds/guarded_type.h"
 #include "hal/dds/inspection_endpoints.h"
 #include "hal/dds/inspection_values.h"
 #include "hal/dds/inspector.h"
@@ -25,8 +29,9 @@ using geometry_msgs::msg::dds_::Quaternion_;
 using geometry_msgs::msg::dds_::Twist_PubSubType;
 using std_msgs::msg::dds_::Bool_PubSubType;
 
-bool holds_soon(const std::function<bool()>& condition) {
-  for (int i = 0; i < 2000; ++i) {
+bool holds_soon(const std::function<bool()>& condition, Duration within = 10s) {
+  const auto end = std::chrono::steady_clock::now() + within;
+  while (std::chrono::steady_clock::now() < end) {
     if (condition()) return true;
     std::this_thread::sleep_for(5ms);
   }
@@ -139,6 +144,49 @@ TEST_F(Inspection, AnEmergencyStopIsHeardFromWritersThatKeepNothingAndIsReleased
     stop->sample().data(stopped);
     stop->write();
     EXPECT_TRUE(holds_soon([&] { return reader.is_stopped() == stopped; }));
+  }
+}
+
+TEST_F(Inspection, WhoDidNotPullTheEmergencyStopCannotReleaseItWhileWhoDidIsThere) {
+  EmergencyStopReader reader(inside_, "r0");
+  auto button = writer<Bool_PubSubType>("rt/r0/emergency_stop", Keep::kForLatecomers);
+  InspectionParticipant elsewhere{{.domain = hold_.domain()}};
+  auto panel = std::make_unique<InspectionWriter<Bool_PubSubType>>(
+      elsewhere.participant(), "rt/r0/emergency_stop", 10, readers_, Keep::kForLatecomers);
+  ASSERT_TRUE(holds_soon([&] { return reader.writers() == 2; }));
+  button->sample().data(true);
+  button->write();
+  ASSERT_TRUE(holds_soon([&] { return reader.is_stopped(); }));
+  panel->write();  // false
+  EXPECT_FALSE(holds_soon([&] { return !reader.is_stopped(); }, 300ms));
+  button.reset();
+  ASSERT_TRUE(holds_soon([&] { return reader.writers() == 1; }));
+  EXPECT_TRUE(reader.is_stopped()) << "gone, not released";
+  panel->write();
+  EXPECT_TRUE(holds_soon([&] { return !reader.is_stopped(); }));
+}
+
+TEST_F(Inspection, AnEmergencyStopOfAnybodyCanBeReleasedHere) {
+  EmergencyStopReader reader(inside_, "r0");
+  auto button = writer<Bool_PubSubType>("rt/r0/emergency_stop");
+  ASSERT_TRUE(holds_soon([&] { return button->has_readers() && reader.writers() == 1; }));
+  button->sample().data(true);
+  button->write();
+  ASSERT_TRUE(holds_soon([&] { return reader.is_stopped(); }));
+  reader.release();
+  EXPECT_FALSE(reader.is_stopped());
+}
+
+TEST(GuardedType, DropsWhatFastCdrThrowsAt) {
+  GuardedType<Bool_PubSubType> type;
+  std_msgs::msg::dds_::Bool_ value;
+  for (const auto& [byte, is_good] : {std::pair{0, true}, {1, true}, {2, false}}) {
+    rtps::SerializedPayload_t payload(5);
+    // CDR_LE; after that a boolean, which is 0 or 1 (OMG CORBA 3.0, 15.3.1.5).
+    const std::array<std::uint8_t, 5> bytes{0, 1, 0, 0, static_cast<std::uint8_t>(byte)};
+    std::ranges::copy(bytes, payload.data);
+    payload.length = 5;
+    EXPECT_EQ(type.deserialize(&payload, &value), is_good) << byte;
   }
 }
 

@@ -98,6 +98,24 @@ TEST_F(Guarded, AnEmergencyStopOutranksEveryCommandUntilItIsReleased) {
   EXPECT_EQ(wheels_.twist, (Twist2{0.2, 0, 0}));
 }
 
+TEST_F(Guarded, AnEmergencyStopIsInForceUntilEachSourceHasReleasedIt) {
+  guard_.set_emergency_stop(true, StopSource::kOperator);
+  guard_.set_emergency_stop(true, StopSource::kTopic);
+  guard_.set_emergency_stop(false, StopSource::kTopic);
+  EXPECT_TRUE(guard_.is_emergency_stopped());
+  EXPECT_FALSE(guard_.drive({0.1, 0, 0}));
+  guard_.set_emergency_stop(false, StopSource::kOperator);
+  EXPECT_FALSE(guard_.is_emergency_stopped());
+  EXPECT_TRUE(guard_.drive({0.1, 0, 0}));
+}
+
+TEST_F(Guarded, ACommandThatTheDriverRefusesStopsWhatItRepeats) {
+  ASSERT_TRUE(guard_.drive({0.1, 0, 0}));
+  wheels_.reachable = false;
+  EXPECT_FALSE(guard_.drive({}));
+  EXPECT_EQ(wheels_.twist, Twist2{});
+}
+
 TEST_F(Guarded, AnEmergencyStopFromAnotherThreadNeverLosesToACommand) {
   for (int i = 0; i < 200; ++i) {
     std::thread button([&] { guard_.set_emergency_stop(true); });
