@@ -1,7 +1,9 @@
 """Runs the programs as a user would. The folder of the programs comes from the environment."""
 import contextlib
+import fcntl
 import os
 import pathlib
+import random
 import signal
 import sqlite3
 import subprocess
@@ -12,6 +14,20 @@ import unittest
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 BIN = pathlib.Path(os.environ["BARAKA_BIN"])
 CASE_STUDY = ROOT / "config/scenarios/case_study.yaml"
+
+
+def some_domain(case):
+    """A DDS domain for the rest of a test, which no other end-to-end test has meanwhile. Unit tests take
+    71 to 100; `baraka run` takes 1, 2, 3, ... by itself."""
+    for domain in random.sample(range(41, 71), 30):
+        lock = open(pathlib.Path(tempfile.gettempdir()) / f"baraka-test-domain-{domain}.lock", "w")
+        case.addCleanup(lock.close)
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            continue
+        return domain
+    raise AssertionError("all domains of tests are taken")
 
 
 class Finished:

@@ -4,8 +4,8 @@ readers nor their absence change the run."""
 import math
 import unittest
 
-from baraka import CASE_STUDY, Case
-from ros import Peer, needs_peer, some_domain
+from baraka import CASE_STUDY, Case, some_domain
+from ros import Peer, needs_peer
 
 READ = ["Clock", "rt/clock", "TFMessage", "rt/tf", "TFMessage", "rt/tf_static",
         "Odometry", "rt/r0/odom", "Range", "rt/r0/range"]
@@ -52,7 +52,7 @@ def range_tolerance(metres):
 class Inspection(Case):
     def setUp(self):
         super().setUp()
-        self.domain = some_domain()
+        self.domain = some_domain(self)
 
     def watch(self):
         """Runs the case study's beginning with a reader that was there first. On a machine with much

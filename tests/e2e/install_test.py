@@ -11,7 +11,7 @@ import subprocess
 import tempfile
 import unittest
 
-from baraka import BIN, ROOT, Case, Finished
+from baraka import BIN, ROOT, Case, Finished, some_domain
 
 TWO_MOTES = "share/baraka/scenarios/two_motes.yaml"
 
@@ -234,7 +234,7 @@ controller:
     def serving(self, *command, env=None):
         """A server of agents under way that can be found: the simulator says so on standard error, the
         daemon on standard output. @return the process and its domain; it is ended afterwards."""
-        domain = str(random.randrange(81, 101))
+        domain = str(some_domain(self))
         with self.under_way(*command, "--domain", domain, env=env) as process:
             is_daemon = pathlib.Path(command[0]).name == "baraka-agentd"
             line = (process.stdout if is_daemon else process.stderr).readline()

@@ -9,7 +9,7 @@ import subprocess
 import sys
 import time
 
-from baraka import BIN, ROOT, Case, wait_for
+from baraka import BIN, ROOT, Case, some_domain, wait_for
 from ros import LOOPBACK
 
 EMULATORS = ROOT / "tests/e2e/emulators"
@@ -165,7 +165,7 @@ class RealAgents(Case):
     def setUp(self):
         super().setUp()
         self.processes = 0
-        self.domain = random.randrange(41, 100)
+        self.domain = some_domain(self)
         self.environment = {"BARAKA_DOMAIN": str(self.domain), "CYCLONEDDS_URI": LOOPBACK}
 
     def program(self, place, name, *arguments):

@@ -2,7 +2,6 @@
 import json
 import os
 import pathlib
-import random
 import subprocess
 import tempfile
 import unittest
@@ -14,11 +13,6 @@ needs_peer = unittest.skipUnless(
     PEER.exists(), "no ros_peer: Cyclone DDS was not there (cyclonedds-dev) when this was built")
 LOOPBACK = ('<CycloneDDS><Domain><General><Interfaces><NetworkInterface name="lo" multicast="true"/>'
             "</Interfaces></General></Domain></CycloneDDS>")
-
-
-def some_domain():
-    """A DDS domain for one test. `baraka run` takes 1, 2, 3, ... by itself."""
-    return random.randint(40, 100)
 
 
 class Peer:

@@ -7,8 +7,8 @@ import signal
 import sqlite3
 import time
 
-from baraka import ROOT, Case, unittest, wait_for
-from ros import Peer, needs_peer, some_domain
+from baraka import ROOT, Case, some_domain, unittest, wait_for
+from ros import Peer, needs_peer
 
 TELEOP = pathlib.Path(__file__).parent / "teleop.yaml"
 RECORDED = ["--set", "record.pose_period=100 ms"]
@@ -42,7 +42,7 @@ class Teleop(Case):
 
     @needs_peer
     def test_the_robot_drives_as_it_is_told_and_stops_when_nothing_comes(self):
-        domain = some_domain()
+        domain = some_domain(self)
         finished, track = self.drive(domain, 20, "--pace", "realtime", "--domain", domain)
         self.assertAlmostEqual(max(track)[0], SPEED, delta=0.05)
         _, at, x = [one for one in track if one[0] > 0.96 * SPEED][-1]
@@ -57,7 +57,7 @@ class Teleop(Case):
     def test_a_command_holds_for_the_command_timeout_only(self):
         """0.5 s of every second: it speeds up for as long, and stands before the next comes. Here
         without inspection and in a domain that is not the run's."""
-        domain = some_domain()
+        domain = some_domain(self)
         finished, track = self.drive(domain, 1, "--controllers", "in-process", "--no-inspect",
                                      "--inspect-domain", domain, "--max-speed", "1")
         self.assertIn(f"inspect domain: {domain}", finished.err)

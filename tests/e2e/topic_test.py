@@ -3,8 +3,8 @@
 import re
 import signal
 
-from baraka import CASE_STUDY, Case, Program, unittest, wait_for
-from ros import Peer, needs_peer, some_domain
+from baraka import CASE_STUDY, Case, Program, some_domain, unittest, wait_for
+from ros import Peer, needs_peer
 
 PERIOD = 0.1  # s of simulated time between two samples of rt/clock in the case study
 TOPICS = {
@@ -24,7 +24,7 @@ TOPICS = {
 class Topics(Case):
     def setUp(self):
         super().setUp()
-        self.domain = some_domain()
+        self.domain = some_domain(self)
 
     def start_run(self, speed):
         """A run that goes on until the test ends."""

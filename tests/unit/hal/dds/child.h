@@ -33,7 +33,11 @@ class Child {
   Child& operator=(const Child&) = delete;
 
   pid_t pid() const { return pid_; }
-  void signal(int number) const { kill(pid_, number); }
+  /// After SIGSTOP it does nothing more: it is waited for.
+  void signal(int number) const {
+    kill(pid_, number);
+    if (number == SIGSTOP) waitpid(pid_, nullptr, WUNTRACED);
+  }
 
   /// Waits for it to end. @returns its exit status, or 128 + the signal that killed it.
   int wait() {

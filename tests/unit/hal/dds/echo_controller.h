@@ -15,7 +15,7 @@
 
 /// A domain that take_domain() gives to nobody, for tests that must get the same one twice. Tests
 /// run side by side, each in a process of its own.
-inline int private_domain() { return 51 + getpid() % 50; }
+inline int private_domain() { return 71 + getpid() % 30; }
 
 /// A mote's controller that names each of its callbacks as a state.
 class EchoMote : public hal::Controller {
