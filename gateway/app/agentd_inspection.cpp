@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <chrono>
 
+#include "gateway/app/inspected_ranges.h"
+
 namespace gateway::app {
 namespace {
 
@@ -12,16 +14,8 @@ using hal::dds::Inspector;
 using Topic = hal::dds::Inspector::Topic;
 
 hal::dds::InspectedRobot describe(const hal::hardware::RobotFile& file) {
-  hal::dds::InspectedRobot described{.name = file.name, .start = std::nullopt, .ranges = {}};
-  for (const hal::devices::InfraredSensor& sensor : file.robot->infrared) {
-    described.ranges.push_back({.name = fmt::format("infrared_{}", described.ranges.size()),
-                                .field_of_view = 2 * sensor.half_angle,
-                                .min_range = sensor.curve.min_range(),
-                                .max_range = sensor.curve.max_range(),
-                                .position = sensor.position,
-                                .heading = sensor.heading});
-  }
-  return described;
+  return {
+      .name = file.name, .start = std::nullopt, .ranges = inspected_ranges(file.robot->infrared)};
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <variant>
 
+#include "gateway/app/inspected_ranges.h"
 #include "hal/types/check.h"
 #include "sim/radio/frame.h"
 
@@ -23,17 +24,7 @@ constexpr hal::Duration kStandingPosePeriod = 1s;  // of an agent that does not 
 
 hal::dds::InspectedRobot describe(const sim::agents::AgentConfig& agent,
                                   const RobotDescription& robot) {
-  hal::dds::InspectedRobot described{.name = agent.name, .start = agent.pose, .ranges = {}};
-  for (const hal::devices::InfraredSensor& sensor : robot.infrared) {
-    described.ranges.push_back(
-        {.name = fmt::format("{}_{}", kInfraredChannel, described.ranges.size()),
-         .field_of_view = 2 * sensor.half_angle,
-         .min_range = sensor.curve.min_range(),
-         .max_range = sensor.curve.max_range(),
-         .position = sensor.position,
-         .heading = sensor.heading});
-  }
-  return described;
+  return {.name = agent.name, .start = agent.pose, .ranges = inspected_ranges(robot.infrared)};
 }
 
 std::string_view name_of(sim::radio::FrameType type) {

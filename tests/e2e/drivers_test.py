@@ -18,7 +18,7 @@ def drive_for(probe, velocity, seconds):
         time.sleep(0.05)
 
 
-class Wheels(Case):
+class Wheels:
     """What holds for every driver of wheels."""
     rule = None       # s, of the device
     tolerance = None  # of velocities, m/s and rad/s
@@ -38,7 +38,7 @@ class Wheels(Case):
         self.wait_for(lambda: not self.truth()["moving"], "the wheels stand")
         return self.truth()
 
-    def check_one_command_keeps_the_wheels_turning(self):
+    def test_one_command_keeps_the_wheels_turning(self):
         self.begin()
         for _ in range(5):
             late = self.probe.condition()[1]["late"]
@@ -57,7 +57,7 @@ class Wheels(Case):
         self.assertFalse(self.truth()["moving"])
         self.assertEqual(self.truth()["rejected"], 0)
 
-    def check_the_device_stops_when_the_driver_is_killed(self):
+    def test_the_device_stops_when_the_driver_is_killed(self):
         self.begin()
         self.probe.ask("drive 0.2 0 0")
         self.await_moving()
@@ -66,7 +66,7 @@ class Wheels(Case):
         self.assertGreaterEqual(truth["stops_by_rule"], 1)
         self.assertLessEqual(truth["stopped_at"] - killed, self.rule + 0.001)
 
-    def check_the_driver_stops_the_wheels_when_it_ends(self):
+    def test_the_driver_stops_the_wheels_when_it_ends(self):
         self.begin()
         self.probe.ask("drive 0.2 0 0")
         self.await_moving()
@@ -75,7 +75,7 @@ class Wheels(Case):
         truth = self.await_standing()
         self.assertEqual(truth["stops_by_rule"], 0)
 
-    def check_velocities_beyond_the_limits_keep_their_direction(self):
+    def test_velocities_beyond_the_limits_keep_their_direction(self):
         self.begin()
         self.probe.ask("drive 30 40 0")
         self.await_moving()
@@ -125,7 +125,7 @@ class Wheels(Case):
         self.wait_for(lambda: self.probe.numbers("state"), "odometry again")
 
 
-class RobotinoWheels(Wheels):
+class RobotinoWheels(Wheels, Case):
     rule = 0.2
     tolerance = 1e-9
     start = [2, 1, 2.5]
@@ -145,18 +145,6 @@ class RobotinoWheels(Wheels):
         return Probe(HARDWARE / "robotino.yaml", "wheels.host=127.0.0.1",
                      f"wheels.port={self.port}", "infrared.host=127.0.0.1",
                      f"infrared.port={self.port}", "limits={linear: 0.5 m/s, angular: 1 rad/s}")
-
-    def test_one_command_keeps_the_wheels_turning(self):
-        self.check_one_command_keeps_the_wheels_turning()
-
-    def test_the_device_stops_when_the_driver_is_killed(self):
-        self.check_the_device_stops_when_the_driver_is_killed()
-
-    def test_the_driver_stops_the_wheels_when_it_ends(self):
-        self.check_the_driver_stops_the_wheels_when_it_ends()
-
-    def test_velocities_beyond_the_limits_keep_their_direction(self):
-        self.check_velocities_beyond_the_limits_keep_their_direction()
 
     def test_odometry_follows_the_truth(self):
         self.check_odometry_follows_the_truth(1e-6)
@@ -250,7 +238,7 @@ class RobotinoInfrared(Case):
                 self.wait_for(lambda: self.probe.numbers("infrared"), "readings again")
 
 
-class Tmc200Wheels(Wheels):
+class Tmc200Wheels(Wheels, Case):
     rule = 0.2
     tolerance = 4e-3  # half a count of 3600 rpm / 16 / 1024: 0.5 mm/s at the wheel, 3.5 mrad/s
     start = [2, 1, 2.5]
@@ -278,18 +266,6 @@ class Tmc200Wheels(Wheels):
                      "limits={linear: 0.5 m/s, angular: 1 rad/s}", *self.overrides)
 
     overrides = ()
-
-    def test_one_command_keeps_the_wheels_turning(self):
-        self.check_one_command_keeps_the_wheels_turning()
-
-    def test_the_device_stops_when_the_driver_is_killed(self):
-        self.check_the_device_stops_when_the_driver_is_killed()
-
-    def test_the_driver_stops_the_wheels_when_it_ends(self):
-        self.check_the_driver_stops_the_wheels_when_it_ends()
-
-    def test_velocities_beyond_the_limits_keep_their_direction(self):
-        self.check_velocities_beyond_the_limits_keep_their_direction()
 
     def test_odometry_follows_the_truth(self):
         self.check_odometry_follows_the_truth(0.06)  # 0.3 m/s for 150 ms, when busy

@@ -6,23 +6,10 @@
 #include "hal/hardware/odometry_frame.h"
 #include "hal/hardware/speed_limits.h"
 #include "hal/types/math.h"
+#include "tests/unit/hal/hardware/three_wheels.h"
 
 namespace hal::hardware {
 namespace {
-
-devices::WheelDrive three_wheels() {
-  std::vector<devices::Wheel> wheels;
-  for (const double degrees : {60.0, 180.0, 300.0}) {
-    const double bearing = degrees * math::kPi / 180;
-    devices::Wheel wheel;
-    wheel.position = {0.132 * math::cos(bearing), 0.132 * math::sin(bearing)};
-    wheel.axle_heading = bearing;
-    wheel.radius = 0.04;
-    wheel.max_speed = 23.56;
-    wheels.push_back(wheel);
-  }
-  return devices::WheelDrive(wheels);
-}
 
 void expect_near(const Pose2& a, const Pose2& b) {
   EXPECT_NEAR(a.x, b.x, 1e-12);
@@ -31,24 +18,26 @@ void expect_near(const Pose2& a, const Pose2& b) {
 }
 
 TEST(SpeedLimits, WithinThemNothingChanges) {
-  const auto result = limited({0.3, 0.4, -1}, three_wheels(), SpeedLimits{0.5, 1});
+  const auto result =
+      limited({0.3, 0.4, -1}, devices::WheelDrive(three_wheels()), SpeedLimits{0.5, 1});
   EXPECT_FALSE(result.saturated);
   EXPECT_EQ(result.twist, (Twist2{0.3, 0.4, -1}));
 }
 
 TEST(SpeedLimits, OneFactorScalesAllComponents) {
-  const auto linear = limited({3, 4, 1}, three_wheels(), SpeedLimits{0.5, 1});
+  const auto linear = limited({3, 4, 1}, devices::WheelDrive(three_wheels()), SpeedLimits{0.5, 1});
   EXPECT_TRUE(linear.saturated);
   EXPECT_NEAR(linear.twist.vx, 0.3, 1e-12);
   EXPECT_NEAR(linear.twist.vy, 0.4, 1e-12);
   EXPECT_NEAR(linear.twist.omega, 0.1, 1e-12);
-  const auto angular = limited({0.1, 0, -4}, three_wheels(), SpeedLimits{0.5, 1});
+  const auto angular =
+      limited({0.1, 0, -4}, devices::WheelDrive(three_wheels()), SpeedLimits{0.5, 1});
   EXPECT_NEAR(angular.twist.vx, 0.025, 1e-12);
   EXPECT_NEAR(angular.twist.omega, -1, 1e-12);
 }
 
 TEST(SpeedLimits, WithoutAnyTheWheelsLimitHolds) {
-  const devices::WheelDrive wheels = three_wheels();
+  const devices::WheelDrive wheels = devices::WheelDrive(three_wheels());
   const auto result = limited({100, 0, 0}, wheels, SpeedLimits{});
   EXPECT_TRUE(result.saturated);
   // The fastest wheels turn at vx sin 60 / r.
@@ -56,7 +45,7 @@ TEST(SpeedLimits, WithoutAnyTheWheelsLimitHolds) {
 }
 
 TEST(SpeedLimits, OfZeroHoldTheRobot) {
-  const auto result = limited({0.1, 0, 1}, three_wheels(), SpeedLimits{0, 1});
+  const auto result = limited({0.1, 0, 1}, devices::WheelDrive(three_wheels()), SpeedLimits{0, 1});
   EXPECT_EQ(result.twist, (Twist2{0, 0, 0}));
 }
 

@@ -7,24 +7,16 @@
 
 #include "hal/devices/wheel_drive.h"
 #include "hal/types/math.h"
+#include "tests/unit/hal/hardware/three_wheels.h"
 
 namespace hal::hardware {
 namespace {
 
 using namespace std::chrono_literals;
 
-/// Wheels of 4 cm at 132 mm, 60, 180 and 300 degrees, motors of 3600 rpm behind gears of 16.
 devices::RobotDescription robot() {
   devices::RobotDescription robot;
-  for (const double degrees : {60.0, 180.0, 300.0}) {
-    const double bearing = degrees * math::kPi / 180;
-    devices::Wheel wheel;
-    wheel.position = {0.132 * math::cos(bearing), 0.132 * math::sin(bearing)};
-    wheel.axle_heading = bearing;
-    wheel.radius = 0.04;
-    wheel.max_speed = 23.56;
-    robot.wheels.push_back(wheel);
-  }
+  robot.wheels = three_wheels();
   return robot;
 }
 
