@@ -7,6 +7,7 @@
 #include "hal/dds/domains.h"
 #include "hal/hardware/hardware_agent.h"
 #include "tests/contract/contract_host.h"
+#include "tests/support/test_domain.h"
 #include "tests/unit/hal/hardware/fakes.h"
 
 namespace contract {
@@ -85,7 +86,7 @@ class Daemon final : public hal::hardware::AgentObserver {
 class DaemonHost final : public ContractHost {
  public:
   explicit DaemonHost(hal::Duration control_period)
-      : domain_(free_domain()), thread_([this, control_period] { run(control_period); }) {}
+      : thread_([this, control_period] { run(control_period); }) {}
   ~DaemonHost() override {
     stop_ = true;
     thread_.join();
@@ -95,9 +96,6 @@ class DaemonHost final : public ContractHost {
   const Sight& sight() const override { return sight_; }
 
  private:
-  /// One that nobody holds: daemons share theirs, so that they do not look for one.
-  static int free_domain() { return hal::dds::take_domain(std::nullopt).domain(); }
-
   void run(hal::Duration control_period) {
     EventLoop loop;
     Daemon robot(file_of(kRobot, "r0", control_period), 0, loop, domain_, sight_);
@@ -111,7 +109,7 @@ class DaemonHost final : public ContractHost {
 
   Sight sight_;
   std::atomic<bool> stop_ = false;
-  int domain_;
+  int domain_ = test_domain();
   std::thread thread_;
 };
 

@@ -8,6 +8,7 @@
 #include "sim/agents/simulation.h"
 #include "sim/scenario/scenario.h"
 #include "tests/contract/contract_host.h"
+#include "tests/support/test_domain.h"
 
 namespace contract {
 namespace {
@@ -60,7 +61,7 @@ class SimulatedHost final : public ContractHost {
   explicit SimulatedHost(bool lock_step)
       : scenario_(sim::scenario::load_scenario(TESTS_DIR "/contract/contract.yaml", {})),
         simulation_(scenario_.simulation, {&observer_}),
-        server_(hal::dds::take_domain(std::nullopt), simulation_, {.run = 1}),
+        server_(hal::dds::take_domain(test_domain()), simulation_, {.run = 1}),
         thread_([this, lock_step] { run(lock_step); }) {}
   ~SimulatedHost() override {
     stop_ = true;

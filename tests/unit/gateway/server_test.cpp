@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "hal/dds/client.h"
+#include "tests/support/test_domain.h"
 #include "tests/unit/gateway/offers.h"
 
 namespace gateway {
@@ -70,7 +71,7 @@ class ServedHost : public testing::Test {
   }
 
   FakeHost host_;
-  AgentServer server_{hal::dds::take_domain(std::nullopt), host_, {.run = 3, .wait = kPatience}};
+  AgentServer server_{hal::dds::take_domain(test_domain()), host_, {.run = 3, .wait = kPatience}};
 };
 
 Step step_for(hal::AgentId agent) {
@@ -166,7 +167,7 @@ TEST_F(ServedHost, WaitingCanBeInterrupted) {
 
 TEST(AgentServer, NamesTheAgentsThatNobodyControls) {
   FakeHost host;
-  AgentServer server(hal::dds::take_domain(std::nullopt), host,
+  AgentServer server(hal::dds::take_domain(test_domain()), host,
                      {.wait = std::chrono::milliseconds{500}});
   Client robot(server.domain(), robot_hello("robot"));
   const auto result = server.gather(kGoOn);
@@ -179,7 +180,7 @@ TEST(AgentServer, NamesTheAgentsThatNobodyControls) {
 TEST(AgentServer, ItsPortsFailOnceItIsGone) {
   FakeHost host;
   {
-    AgentServer server(hal::dds::take_domain(std::nullopt), host, {.wait = kPatience});
+    AgentServer server(hal::dds::take_domain(test_domain()), host, {.wait = kPatience});
     Client motes(server.domain(), hello_for("motes", {"m*"}));
     Client robot(server.domain(), robot_hello("robot"));
     ASSERT_TRUE(server.gather(kGoOn));
@@ -190,7 +191,7 @@ TEST(AgentServer, ItsPortsFailOnceItIsGone) {
 
 TEST(OpenServer, TakesWhoComesWhenTheyComeAndConnectsThemAtOnce) {
   FakeHost host;
-  AgentServer server(hal::dds::take_domain(std::nullopt), host,
+  AgentServer server(hal::dds::take_domain(test_domain()), host,
                      {.run = 1, .attendance = Attendance::kAnyTime});
   const auto attend_until_connected = [&](std::size_t count) {
     const auto end = std::chrono::steady_clock::now() + kPatience;

@@ -4,6 +4,7 @@
 
 #include <thread>
 
+#include "tests/support/test_domain.h"
 #include "tests/unit/hal/dds/child.h"
 #include "tests/unit/hal/dds/echo_controller.h"
 
@@ -52,7 +53,7 @@ void serve_run(Server& server, const exchange::Hello& hello, std::uint64_t run) 
 }
 
 TEST(ControllerProcess, RefusalEndsIt) {
-  Server server(take_domain(std::nullopt));
+  Server server(take_domain(test_domain()));
   Controllers controllers(options_for(server.domain(), "m1", "echo"));
   exchange::Session refusal;
   refusal.instance = first_hello(server).instance;
@@ -62,7 +63,7 @@ TEST(ControllerProcess, RefusalEndsIt) {
 }
 
 TEST(ControllerProcess, ServerOfAnotherVersionEndsIt) {
-  Server server(take_domain(std::nullopt));
+  Server server(take_domain(test_domain()));
   Controllers controllers(options_for(server.domain(), "m1", "echo"));
   exchange::Session session = session_for(first_hello(server), 1);
   session.version = exchange::kProtocolVersion + 1;
@@ -71,7 +72,7 @@ TEST(ControllerProcess, ServerOfAnotherVersionEndsIt) {
 }
 
 TEST(ControllerProcess, SilenceForTheWaitingTimeEndsIt) {
-  const DomainHold hold = take_domain(std::nullopt);  // Nobody else serves it meanwhile.
+  const DomainHold hold = take_domain(test_domain());  // Nobody else serves it meanwhile.
   runtime::ControllerOptions options = options_for(hold.domain(), "m1", "echo");
   options.wait = std::chrono::milliseconds{200};
   Controllers controllers(options);
@@ -79,7 +80,7 @@ TEST(ControllerProcess, SilenceForTheWaitingTimeEndsIt) {
 }
 
 TEST(ControllerProcess, WaitsForAServerThatStartsLater) {
-  DomainHold hold = take_domain(std::nullopt);
+  DomainHold hold = take_domain(test_domain());
   Controllers controllers(options_for(hold.domain(), "m1", "echo"));
   std::this_thread::sleep_for(std::chrono::milliseconds{500});  // Its first announcements are over.
   Server server(std::move(hold));
@@ -88,7 +89,7 @@ TEST(ControllerProcess, WaitsForAServerThatStartsLater) {
 }
 
 TEST(ControllerProcess, WrongParameterIsReportedToTheServer) {
-  Server server(take_domain(std::nullopt));
+  Server server(take_domain(test_domain()));
   Controllers controllers(options_for(server.domain(), "m1", "echo"));
   const exchange::Hello hello = first_hello(server);
   const auto link = server.link(hello, 1, kPatience);
@@ -105,7 +106,7 @@ TEST(ControllerProcess, WrongParameterIsReportedToTheServer) {
 }
 
 TEST(ControllerProcess, WithStayItServesTheNextRunOfTheNextServer) {
-  const int domain = private_domain();
+  const int domain = test_domain();
   std::optional<Server> server(std::in_place, take_domain(domain));
   runtime::ControllerOptions options = options_for(domain, "m1", "echo");
   options.stay = true;
@@ -119,7 +120,7 @@ TEST(ControllerProcess, WithStayItServesTheNextRunOfTheNextServer) {
 }
 
 TEST(ControllerProcess, EndsWhenTheServerIsKilled) {
-  const int domain = private_domain();
+  const int domain = test_domain();
   Child server({"server", std::to_string(domain)});
   Client client(domain, hello_of(echo_kind(), options_for(domain, "m1", "echo")));
   ASSERT_TRUE(std::holds_alternative<exchange::Session>(client.next(kPatience)));
@@ -129,7 +130,7 @@ TEST(ControllerProcess, EndsWhenTheServerIsKilled) {
 }
 
 TEST(ControllerProcess, FailsWhenTheServerLeavesInTheMiddleOfARun) {
-  std::optional<Server> server(std::in_place, take_domain(std::nullopt));
+  std::optional<Server> server(std::in_place, take_domain(test_domain()));
   Controllers controllers(options_for(server->domain(), "m1", "echo"));
   const exchange::Hello hello = first_hello(*server);
   auto link = server->link(hello, 1, kPatience);
@@ -141,7 +142,7 @@ TEST(ControllerProcess, FailsWhenTheServerLeavesInTheMiddleOfARun) {
 }
 
 TEST(ControllerProcess, SigtermEndsItInTheMiddleOfARun) {
-  Server server(take_domain(std::nullopt));
+  Server server(take_domain(test_domain()));
   Child child({"controller", std::to_string(server.domain()), "ann"});
   const exchange::Hello hello = first_hello(server);
   const auto link = server.link(hello, 1, kPatience);

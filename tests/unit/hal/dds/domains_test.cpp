@@ -9,7 +9,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "tests/unit/hal/dds/echo_controller.h"
+#include "tests/support/test_domain.h"
 
 namespace hal::dds {
 namespace {
@@ -41,7 +41,7 @@ TEST(Domains, BusyOneNamesItsHolder) {
 }
 
 TEST(Domains, FreeAgainWhenItsHolderIsGone) {
-  const int domain = private_domain();
+  const int domain = test_domain();
   {
     const DomainHold hold = take_domain(domain);
     EXPECT_NE(message_of([&] { take_domain(domain); }), "");
@@ -50,7 +50,7 @@ TEST(Domains, FreeAgainWhenItsHolderIsGone) {
 }
 
 TEST(Domains, EightServersShareOneAndTheNinthIsRefused) {
-  const int domain = private_domain();
+  const int domain = test_domain();
   std::vector<DomainHold> places;
   for (int place = 0; place < kPlaces; ++place) {
     places.push_back(join_domain(domain));
@@ -67,7 +67,7 @@ TEST(Domains, SimulatorSharesItsDomainWithNobody) {
 
 // Lock files do not show who holds a domain from within a container.
 TEST(Domains, OneWhosePortsAreInUseIsBusy) {
-  const int domain = private_domain();
+  const int domain = test_domain();
   const int foreign = socket(AF_INET, SOCK_DGRAM, 0);
   sockaddr_in address{};
   address.sin_family = AF_INET;

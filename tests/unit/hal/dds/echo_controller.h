@@ -1,7 +1,6 @@
 #pragma once
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <stdexcept>
@@ -12,10 +11,6 @@
 #include "hal/exchange/session.h"
 #include "hal/exchange/step.h"
 #include "hal/runtime/controller_options.h"
-
-/// A domain that take_domain() gives to nobody, for tests that must get the same one twice. Tests
-/// run side by side, each in a process of its own.
-inline int private_domain() { return 71 + getpid() % 30; }
 
 /// A mote's controller that names each of its callbacks as a state.
 class EchoMote : public hal::Controller {

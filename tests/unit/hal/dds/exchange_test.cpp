@@ -4,6 +4,7 @@
 
 #include "hal/dds/controller_process.h"
 #include "hal/dds/waiting.h"
+#include "tests/support/test_domain.h"
 #include "tests/unit/hal/dds/child.h"
 #include "tests/unit/hal/dds/echo_controller.h"
 
@@ -31,7 +32,7 @@ class ExchangeWithProcess : public testing::Test {
     EXPECT_EQ(reply->sequence, step.sequence);
   }
 
-  Server server_{take_domain(std::nullopt)};
+  Server server_{take_domain(test_domain())};
   exchange::Hello hello_;
   std::unique_ptr<ProcessLink> link_;
   const ControllerKind kind_ = echo_kind();

@@ -19,6 +19,7 @@
 #include "hal/dds/topic_browser.h"
 #include "hal/dds/twist_reader.h"
 #include "inspectPubSubTypes.h"
+#include "tests/support/test_domain.h"
 
 namespace hal::dds {
 namespace {
@@ -48,7 +49,7 @@ class Inspection : public testing::Test {
                                                       keep);
   }
 
-  DomainHold hold_ = take_domain(std::nullopt);
+  DomainHold hold_ = take_domain(test_domain());
   InspectionParticipant inside_{{.domain = hold_.domain()}};
   InspectionParticipant outside_{{.domain = hold_.domain()}};
   std::atomic<int> readers_{0};

@@ -6,6 +6,7 @@
 #include "hal/dds/controller_process.h"
 #include "hal/dds/endpoints.h"
 #include "hal/dds/link_parts.h"
+#include "tests/support/test_domain.h"
 #include "tests/unit/hal/dds/echo_controller.h"
 
 // What happens when the other end does not keep to the rules.
@@ -36,7 +37,7 @@ class LinkedClient : public testing::Test {
     return reply;
   }
 
-  Server server_{take_domain(std::nullopt)};
+  Server server_{take_domain(test_domain())};
   Client client_{server_.domain(), hello_of(echo_kind(), options_for(0, "m1", "rogue"))};
   exchange::Hello hello_;
   std::unique_ptr<ProcessLink> link_;
@@ -100,7 +101,7 @@ TEST_F(LinkedClient, AStepOfAThousandEventsArrivesWhole) {
 }
 
 TEST(RepeatedStep, IsAnsweredFromMemoryWithoutASecondCallback) {
-  const DomainHold hold = take_domain(std::nullopt);
+  const DomainHold hold = take_domain(test_domain());
   Participant participant = Participant::server(hold.domain(), 0);
   Signal signal;
   Reader<wire::Hello> hellos(participant, kHelloTopic, signal);
