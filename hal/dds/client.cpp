@@ -219,6 +219,12 @@ void Client::answer(const std::string& server, Answerer answerer) {
   implementation_->answer(server, std::move(answerer));
 }
 
+void Client::withdraw() {
+  wire::Hello sample = to_wire(implementation_->hello_);
+  // Refused or not, the process ends.
+  [[maybe_unused]] const bool is_disposed = implementation_->hellos_.dispose(sample);
+}
+
 void Client::flush(Duration timeout) {
   if (implementation_->replies_) implementation_->replies_->flush(timeout);
 }

@@ -61,6 +61,10 @@ class Client {
   /// Errors: kNotConnected (DDS refuses the sample).
   Result<void> reply(const std::string& server, const exchange::Reply& reply);
 
+  /// Takes the Hello back: servers that start from now on do not see it. For a process that is
+  /// about to end, so that nobody grants it agents meanwhile.
+  void withdraw();
+
   /// Waits until every server has the last Reply, up to `timeout`.
   void flush(Duration timeout);
 

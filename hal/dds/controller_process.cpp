@@ -52,6 +52,7 @@ class ControllerProcess {
     while (!outcome()) {
       std::visit([this](auto&& arrival) { on(arrival); }, client_.next(patience_));
     }
+    client_.withdraw();
     client_.flush(kFlushTimeout);
     return *outcome();
   }

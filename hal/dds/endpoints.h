@@ -62,6 +62,10 @@ class Writer {
   Writer& operator=(const Writer&) = delete;
 
   [[nodiscard]] bool write(Wire& sample) { return writer_->write(&sample); }
+  /// Later readers do not get the sample's instance any more.
+  [[nodiscard]] bool dispose(Wire& sample) {
+    return is_ok(writer_->dispose(&sample, rtps::InstanceHandle_t()));
+  }
 
   /// Waits until every reader has the last sample.
   void flush(Duration timeout) { writer_->wait_for_acknowledgments(to_dds(timeout)); }
@@ -149,7 +153,7 @@ class Inbox : public PresenceListener {
       if (samples_.size() == kMaxInstances) samples_.pop_front();
       samples_.push_back({std::move(sample), Origin(info.publication_handle)});
     });
-    signal_.raise();
+    if (!is_empty()) signal_.raise();  // Else it was told that an instance is disposed of.
   }
 
   std::optional<Sample> take() {

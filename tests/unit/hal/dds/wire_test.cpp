@@ -100,6 +100,21 @@ TEST_F(LinkedClient, AStepOfAThousandEventsArrivesWhole) {
   EXPECT_EQ(next_step().events, big.events);
 }
 
+TEST(Withdrawal, ServersThatStartAfterItDoNotSeeTheHello) {
+  DomainHold hold = take_domain(test_domain());
+  Client leaving(hold.domain(), hello_of(echo_kind(), options_for(0, "m1", "leaving")));
+  leaving.withdraw();
+  Server server(std::move(hold));
+  const Deadline deadline(kPatience);
+  while (leaving.servers() == 0 && !deadline.has_passed()) {
+    EXPECT_TRUE(server.hellos(std::chrono::milliseconds{10}).empty());
+  }
+  ASSERT_EQ(leaving.servers(), 1);
+  const Client staying(server.domain(), hello_of(echo_kind(), options_for(0, "m1", "staying")));
+  EXPECT_EQ(first_hello(server).process, "staying");
+  EXPECT_TRUE(server.hellos(std::chrono::milliseconds{300}).empty());
+}
+
 TEST(RepeatedStep, IsAnsweredFromMemoryWithoutASecondCallback) {
   const DomainHold hold = take_domain(test_domain());
   Participant participant = Participant::server(hold.domain(), 0);
