@@ -8,11 +8,6 @@ static_assert(static_cast<int>(exchange::ActionKind::kError) == static_cast<int>
 static_assert(static_cast<int>(exchange::ActionKind::kRadio) == static_cast<int>(wire::RADIO));
 static_assert(static_cast<int>(log::Level::kError) == static_cast<int>(wire::LEVEL_ERROR));
 
-bool has_drive(const exchange::Action& action) {
-  return action.kind == exchange::ActionKind::kDriveBody ||
-         action.kind == exchange::ActionKind::kDriveWheels;
-}
-
 bool has_outgoing(const exchange::Action& action) {
   return action.kind == exchange::ActionKind::kSend ||
          action.kind == exchange::ActionKind::kInvalidate;
@@ -48,8 +43,8 @@ void to_wire(const exchange::Action& action, wire::Action& out) {
   out.agent(action.agent.value);
   out.event(action.event);
   out.kind(static_cast<wire::ActionKind>(action.kind));
-  out.drive().resize(has_drive(action) ? 1 : 0);
-  if (has_drive(action)) to_wire(action, out.drive()[0]);
+  out.drive().resize(exchange::drives(action) ? 1 : 0);
+  if (exchange::drives(action)) to_wire(action, out.drive()[0]);
   out.outgoing().resize(has_outgoing(action) ? 1 : 0);
   if (has_outgoing(action)) to_wire(action, out.outgoing()[0]);
   out.timer(action.timer);
@@ -63,7 +58,7 @@ void from_wire(const wire::Action& action, Ranges& ranges, exchange::Action& out
   out.agent = AgentId{action.agent()};
   out.event = action.event();
   out.kind = ranges.enumerator(action.kind(), exchange::ActionKind::kError, "action kind");
-  ranges.exactly(action.drive().size(), has_drive(out) ? 1 : 0, "velocities in an action");
+  ranges.exactly(action.drive().size(), exchange::drives(out) ? 1 : 0, "velocities in an action");
   if (!action.drive().empty()) from_wire(action.drive()[0], out);
   ranges.exactly(action.outgoing().size(), has_outgoing(out) ? 1 : 0, "messages in an action");
   if (!action.outgoing().empty()) from_wire(action.outgoing()[0], out);

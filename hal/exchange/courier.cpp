@@ -136,6 +136,7 @@ Result<void> Courier::begin(Turn& turn) {
 void Courier::take_in(Reply reply, Turn& turn) {
   under_way_ = false;
   turn.replied = true;
+  turn.until = step_.until;
   for (const Event& event : step_.events) turn.answered.push_back(event.agent);
   std::ranges::sort(turn.answered);
   turn.answered.erase(std::unique(turn.answered.begin(), turn.answered.end()), turn.answered.end());

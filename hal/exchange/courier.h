@@ -31,11 +31,21 @@ class Courier {
   /// What one look at the port brought.
   struct Turn {
     bool replied = false;           ///< The Step under way was answered …
+    Time until{};                   ///< … which tells of nothing after this, its last event …
     std::vector<Answer> answers;    ///< … with these, in the order of the controllers' calls …
     std::vector<AgentId> answered;  ///< … and it held events of these agents (by address, once).
     std::uint64_t refused = 0;      ///< Actions that belong to no event of the Step.
     bool began = false;             ///< The next Step was handed over.
   };
+  /// Whether what the answers command is out of date: nobody may drive by what was seen longer ago
+  /// than the command timeout. A process that was halted (by a debugger, SIGSTOP, swapping) answers
+  /// first what it was asked before.
+  static bool is_stale(const Turn& turn, Time now, Duration command_timeout) {
+    return turn.replied && now - turn.until > command_timeout;
+  }
+  /// What is said of such a command.
+  static constexpr const char* kStale = "drive: it answers what is older than the command timeout";
+
   /// Events that no controller will see.
   struct Losses {
     /// Control cycles that passed while the process was busy: the next one took their place, with

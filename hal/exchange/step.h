@@ -89,6 +89,10 @@ struct Action {
   bool operator==(const Action&) const = default;
 };
 
+inline bool drives(const Action& action) {
+  return action.kind == ActionKind::kDriveBody || action.kind == ActionKind::kDriveWheels;
+}
+
 /// The answer to the Step of the same sequence.
 struct Reply {
   std::string process;

@@ -167,10 +167,17 @@ void HardwareAgent::attend() {
 }
 
 void HardwareAgent::take_in(const Courier::Turn& turn) {
+  const bool stale = Courier::is_stale(turn, loop_.now(), file_.command_timeout);
   if (turn.replied && guard_) guard_->feed();
+  if (stale && guard_) guard_->halt();
   counts_.refused_actions += turn.refused;
   for (const Courier::Answer& answer : turn.answers) {
-    if (courier_) apply(answer.action);
+    if (!courier_) break;
+    if (stale && drives(answer.action)) {
+      refuse(Courier::kStale);
+    } else {
+      apply(answer.action);
+    }
   }
   // In process the answer is there already, and no descriptor will tell.
   if (turn.began && watches_.empty()) attend_soon();
@@ -182,10 +189,12 @@ void HardwareAgent::apply(const Action& action) {
   const bool is_word = action.kind == ActionKind::kState || action.kind == ActionKind::kLog;
   if (stopping_ && !is_word) return;
   ++counts_.actions;
-  if (const auto done = take_effect(action); !done) {
-    ++counts_.refused_actions;
-    log::warning(loop_.now(), file_.name, "action refused: {}", done.error().message);
-  }
+  if (const auto done = take_effect(action); !done) refuse(done.error().message);
+}
+
+void HardwareAgent::refuse(const std::string& why) {
+  ++counts_.refused_actions;
+  log::warning(loop_.now(), file_.name, "action refused: {}", why);
 }
 
 Result<void> HardwareAgent::take_effect(const Action& action) {

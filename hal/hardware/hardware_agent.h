@@ -100,6 +100,7 @@ class HardwareAgent final : public exchange::AgentHost,
   void attend();
   void take_in(const exchange::Courier::Turn& turn);
   void apply(const exchange::Action& action);
+  void refuse(const std::string& why);
   Result<void> take_effect(const exchange::Action& action);
   Result<void> drive(const exchange::Action& action);
   Result<void> send(const exchange::Action& action);

@@ -133,17 +133,22 @@ void Simulation::RealTimeRun::take_in(const Turn& turn, const Courier::Turn& bro
   s_.events.advance_to(turn.at);
   s_.observers.on_turn(turn);
   s_.refused += brought.refused;
-  for (const hal::AgentId agent : brought.answered) restart_watchdog(agent);
+  const bool stale = Courier::is_stale(brought, turn.at, s_.config.command_timeout);
+  for (const hal::AgentId agent : brought.answered) {
+    restart_watchdog(agent);
+    if (stale) s_.agents.at(agent)->stop_wheels();
+  }
   for (const Courier::Answer& answer : brought.answers) {
-    if (s_.error.empty()) take_effect(answer);
+    if (s_.error.empty()) take_effect(answer, stale);
   }
   post(nullptr);
 }
 
-void Simulation::RealTimeRun::take_effect(const Courier::Answer& answer) {
-  if (answer.action.kind == ActionKind::kError)
-    return s_.on_error(answer.action, answer.event_time);
-  s_.apply(answer.action);
+void Simulation::RealTimeRun::take_effect(const Courier::Answer& answer, bool stale) {
+  const auto& [action, event_time] = answer;
+  if (action.kind == ActionKind::kError) return s_.on_error(action, event_time);
+  if (stale && drives(action)) return s_.refuse(action.agent, Courier::kStale);
+  s_.apply(action);
 }
 
 /// Recorded as a turn that brought nothing.

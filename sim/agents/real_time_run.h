@@ -39,7 +39,7 @@ class Simulation::RealTimeRun {
   void attend(hal::Time now);
   void take_up(const Turn& turn);
   void take_in(const Turn& turn, const hal::exchange::Courier::Turn& brought);
-  void take_effect(const hal::exchange::Courier::Answer& answer);
+  void take_effect(const hal::exchange::Courier::Answer& answer, bool stale);
   void on_death(const Turn& turn, const hal::Error& error);
   bool may_go_on(Pace& pace, hal::Time at);
   void finish_all();

@@ -110,11 +110,13 @@ void Simulation::State::on_error(const Action& action, hal::Time event_time) {
 }
 
 void Simulation::State::apply(const Action& action) {
-  if (const auto applied = agents.at(action.agent)->apply(action); !applied) {
-    ++refused;
-    hal::log::warning(events.now(), agents.at(action.agent)->name(), "action refused: {}",
-                      applied.error().message);
-  }
+  const auto applied = agents.at(action.agent)->apply(action);
+  if (!applied) refuse(action.agent, applied.error().message);
+}
+
+void Simulation::State::refuse(hal::AgentId agent, const std::string& why) {
+  ++refused;
+  hal::log::warning(events.now(), agents.at(agent)->name(), "action refused: {}", why);
 }
 
 /// After the end only words count: states and log lines.

@@ -39,6 +39,7 @@ struct Simulation::State final : AgentListener {
   void take_effect(Controllers::Answer answer);
   void on_error(const hal::exchange::Action& action, hal::Time event_time);
   void apply(const hal::exchange::Action& action);
+  void refuse(hal::AgentId agent, const std::string& why);
   void apply_last(const hal::exchange::Action& action);
   void on_failures(const std::vector<Controllers::Failure>& failures);
   void go_on(hal::Time next, Pace& pace);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <memory>
 #include <thread>
 #include <utility>
 
@@ -210,15 +211,35 @@ TEST_P(HostContract, WheelsStopWhenNobodyAnswersAndTurnAgainWhenSomebodyDoes) {
   EXPECT_TRUE(until([&] { return sight().wheels_turn(); }));
 }
 
+TEST_P(HostContract, ACommandThatAnswersWhatIsLongPastMovesNothing) {
+  const auto halted = std::make_shared<std::atomic<Brain*>>(nullptr);  // Rules outlive the test.
+  Brain& robot = brain("robot", {"r0"}, [halted](const Event& event) {
+    std::vector<Action> actions;
+    Brain* self = event.cause == Cause::kControl ? halted->exchange(nullptr) : nullptr;
+    if (self == nullptr) return actions;
+    self->hold(true);
+    actions.push_back(drive(0.2));
+    return actions;
+  });
+  brain("mote", {"m0"});
+  *halted = &robot;
+  ASSERT_TRUE(until([&] { return *halted == nullptr; }));
+  std::this_thread::sleep_for(2 * kCommandTimeout);
+  const std::size_t cycles = robot.seen(kRobot, Cause::kControl).size();
+  robot.hold(false);
+  ASSERT_TRUE(until([&] { return robot.seen(kRobot, Cause::kControl).size() >= cycles + 10; }));
+  EXPECT_EQ(sight().wheels_turn(), promises().waits_for_answers);
+}
+
 TEST_P(HostContract, WhatComesWhileAControllerIsBusyReachesItInOrder) {
-  std::atomic<bool> mote_has_started = false;
-  Brain& mote = brain("mote", {"m0"}, [&](const Event&) {
-    mote_has_started = true;
+  const auto mote_has_started = std::make_shared<std::atomic<bool>>(false);
+  Brain& mote = brain("mote", {"m0"}, [mote_has_started](const Event&) {
+    *mote_has_started = true;
     return std::vector<Action>{};
   });
-  brain("robot", {"r0"}, [&, id = 0u](const Event& event) mutable {
+  brain("robot", {"r0"}, [mote_has_started, id = 0u](const Event& event) mutable {
     std::vector<Action> actions;
-    if (!mote_has_started || event.cause != Cause::kControl || id == 50) return actions;
+    if (!*mote_has_started || event.cause != Cause::kControl || id == 50) return actions;
     ++id;
     actions.push_back(send(kMote, id, {static_cast<std::uint8_t>(id)}));
     return actions;
