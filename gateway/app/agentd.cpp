@@ -6,6 +6,8 @@
 #include <csignal>
 #include <cstdio>
 #include <memory>
+#include <mutex>
+#include <optional>
 #include <random>
 #include <utility>
 #include <variant>
@@ -19,6 +21,7 @@
 #include "hal/dds/emergency_stop_reader.h"
 #include "hal/hardware/hardware_agent.h"
 #include "hal/hardware/loop_watch.h"
+#include "hal/hardware/signal_thread.h"
 #include "hal/types/log.h"
 
 namespace gateway::app {
@@ -61,7 +64,8 @@ class Agentd {
   bool drive_here();
   void set_emergency_stop(bool stop, StopSource source);
 
-  void on_signal(int signal);
+  void on_stop_signal(int signal);
+  void on_end_signal();
   void attend();
   void attend_again();
   void let_go_of_watches();
@@ -82,7 +86,9 @@ class Agentd {
   hal::hardware::HardwareAgent agent_;
   std::optional<hal::hardware::LoopWatch> loop_watch_;  ///< None without wheels.
   EmergencyLatch latch_;
-  hal::dds::EmergencyStopReader emergency_stop_;
+  std::mutex latch_mutex_;
+  std::optional<hal::dds::EmergencyStopReader> emergency_stop_;
+  std::optional<hal::hardware::SignalThread> stop_signals_;
   bool driven_here_;  ///< Before the server learns what there is to be driven.
   AgentServer server_;
   std::vector<EventLoop::Watch> watches_;  ///< Of the server's descriptors.
@@ -93,7 +99,8 @@ Agentd::Agentd(const AgentdOptions& options)
     : file_(load(options)),
       domain_(options.domain ? *options.domain : hal::dds::default_domain()),
       taking_signals_([this] {
-        loop_.on_signals({SIGTERM, SIGINT, SIGUSR1, SIGUSR2}, [this](int s) { on_signal(s); });
+        hal::hardware::block_signals({SIGUSR1, SIGUSR2});
+        loop_.on_signals({SIGTERM, SIGINT}, [this](int) { on_end_signal(); });
         return true;
       }()),
       participant_({.domain = options.inspect_domain.value_or(domain_),
@@ -112,12 +119,14 @@ Agentd::Agentd(const AgentdOptions& options)
       inspection_(file_),
       agent_(file_, {loop_, link_, devices(), inspection_}),
       latch_(file_.name),
-      emergency_stop_(participant_, file_.name,
-                      [this](bool stop) { set_emergency_stop(stop, StopSource::kTopic); }),
       driven_here_(drive_here()),
       server_(hal::dds::join_domain(domain_), agent_,
               {.run = kOnlyRun, .reply_timeout = {}, .attendance = Attendance::kAnyTime}) {
   if (latch_.is_set()) agent_.set_emergency_stop(true, StopSource::kOperator);
+  // Only now: either may change what is latched.
+  emergency_stop_.emplace(participant_, file_.name,
+                          [this](bool stop) { set_emergency_stop(stop, StopSource::kTopic); });
+  stop_signals_.emplace({SIGUSR1, SIGUSR2}, [this](int signal) { on_stop_signal(signal); });
   if (wheels_) loop_watch_.emplace(loop_, *wheels_, std::min(file_.command_timeout, kLongestHang));
   if (options.shown) inspection_.start(participant_);
 }
@@ -136,6 +145,7 @@ bool Agentd::drive_here() {
 /// Any thread.
 void Agentd::set_emergency_stop(bool stop, StopSource source) {
   agent_.set_emergency_stop(stop, source);
+  const std::lock_guard lock(latch_mutex_);  // The one that comes last writes how it is.
   latch_.set(agent_.is_emergency_stopped());
 }
 
@@ -159,12 +169,13 @@ int Agentd::run() {
   return kDone;
 }
 
-void Agentd::on_signal(int signal) {
-  if (signal == SIGUSR1) return set_emergency_stop(true, StopSource::kOperator);
-  if (signal == SIGUSR2) {
-    emergency_stop_.release();
-    return set_emergency_stop(false, StopSource::kOperator);
-  }
+/// On a thread of its own.
+void Agentd::on_stop_signal(int signal) {
+  if (signal == SIGUSR2) emergency_stop_->release();
+  set_emergency_stop(signal == SIGUSR1, StopSource::kOperator);
+}
+
+void Agentd::on_end_signal() {
   if (++signals_to_end_ > 1) return loop_.stop();
   stop();
 }

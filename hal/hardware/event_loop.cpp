@@ -30,7 +30,21 @@ int checked(int result, const char* what) {
   return result;
 }
 
+sigset_t set_of(std::initializer_list<int> signals) {
+  sigset_t set;
+  sigemptyset(&set);
+  for (const int signal : signals) sigaddset(&set, signal);
+  return set;
+}
+
 }  // namespace
+
+void block_signals(std::initializer_list<int> signals) {
+  const sigset_t set = set_of(signals);
+  if (const int error = pthread_sigmask(SIG_BLOCK, &set, nullptr); error != 0) {
+    throw std::system_error(error, std::generic_category(), "cannot block signals");
+  }
+}
 
 EventLoop::EventLoop()
     : start_(steady_now()),
@@ -69,12 +83,8 @@ void EventLoop::unwatch(Watch watch) { watched_.erase(watch); }
 
 void EventLoop::on_signals(std::initializer_list<int> signals, std::function<void(int)> handler) {
   BARAKA_CHECK(signals_ < 0);
-  sigset_t set;
-  sigemptyset(&set);
-  for (const int signal : signals) sigaddset(&set, signal);
-  if (const int error = pthread_sigmask(SIG_BLOCK, &set, nullptr); error != 0) {
-    throw std::system_error(error, std::generic_category(), "cannot block signals");
-  }
+  block_signals(signals);
+  const sigset_t set = set_of(signals);
   signals_ = checked(signalfd(-1, &set, SFD_CLOEXEC | SFD_NONBLOCK), "no signal descriptor");
   on_signal_ = std::move(handler);
   watch(signals_, [this] { take_signals(); });

@@ -12,6 +12,10 @@
 
 namespace hal::hardware {
 
+/// Takes signals off their usual ways, in this thread and in all that it starts from now on: until
+/// an EventLoop takes them they wait. @throws std::system_error
+void block_signals(std::initializer_list<int> signals);
+
 /// The one thread of an agent daemon: timers on the steady clock, descriptors, signals, and what
 /// other threads hand over. Everything runs in run(), one handler at a time.
 ///
@@ -41,8 +45,8 @@ class EventLoop final : public routing::Timers {
   Watch watch(int descriptor, Handler on_readable);
   void unwatch(Watch watch);  ///< One that is not there: no effect.
 
-  /// Takes these signals off their usual ways and into the loop. They are blocked in this thread
-  /// and in all that it starts from now on: call it first. Once.
+  /// Takes these signals into the loop, after block_signals(): call it before any thread is
+  /// started, or that function. Once.
   /// @throws std::system_error
   void on_signals(std::initializer_list<int> signals, std::function<void(int signal)> handler);
 

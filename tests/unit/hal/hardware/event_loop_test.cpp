@@ -5,8 +5,11 @@
 
 #include <array>
 #include <csignal>
+#include <future>
 #include <thread>
 #include <vector>
+
+#include "hal/hardware/signal_thread.h"
 
 namespace hal::hardware {
 namespace {
@@ -114,6 +117,23 @@ TEST(EventLoop, SignalsComeOneByOneAndEndNothing) {
   loop.run();
   EXPECT_EQ(taken.size(), 2u);
   EXPECT_NE(taken[0], taken[1]);
+}
+
+TEST(SignalThread, HeedsItsSignalsWhateverTheLoopIsDoing) {
+  block_signals({SIGUSR1, SIGUSR2});
+  kill(getpid(), SIGUSR1);  // It waits until it is asked for.
+  std::promise<int> first, second;
+  EventLoop loop;
+  loop.schedule(loop.now(), [&] {
+    SignalThread thread({SIGUSR1, SIGUSR2}, [&](int signal) {
+      (signal == SIGUSR1 ? first : second).set_value(signal);
+    });
+    EXPECT_EQ(first.get_future().get(), SIGUSR1);
+    kill(getpid(), SIGUSR2);
+    EXPECT_EQ(second.get_future().get(), SIGUSR2);
+    loop.stop();
+  });
+  loop.run();
 }
 
 }  // namespace
