@@ -67,6 +67,11 @@ std::string to_string(in_addr address) {
   return text.data();
 }
 
+bool operator==(const UdpAddresses& a, const UdpAddresses& b) {
+  return a.own.s_addr == b.own.s_addr && a.broadcast.s_addr == b.broadcast.s_addr &&
+         a.interface == b.interface;
+}
+
 UdpAddresses find_addresses(const std::string& interface, const std::string& address) {
   in_addr wanted{};
   if (!address.empty() && inet_pton(AF_INET, address.c_str(), &wanted) != 1) {
@@ -77,7 +82,7 @@ UdpAddresses find_addresses(const std::string& interface, const std::string& add
     if (one.interface != interface) continue;
     const in_addr own = address.empty() ? one.own : wanted;
     if (!answers_to(one, own)) continue;
-    return {own, in_addr{own.s_addr | ~one.mask.s_addr}};
+    return {own, in_addr{own.s_addr | ~one.mask.s_addr}, if_nametoindex(interface.c_str())};
   }
   throw std::runtime_error(
       fmt::format("no network interface '{}' with {}; there are: {}", interface,

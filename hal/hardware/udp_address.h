@@ -9,8 +9,10 @@ namespace hal::hardware {
 /// Where a node sends from, and where it reaches all its neighbours.
 struct UdpAddresses {
   in_addr own{};
-  in_addr broadcast{};  ///< Of the same network.
+  in_addr broadcast{};     ///< Of the same network.
+  unsigned interface = 0;  ///< Its number: another one when it was away meanwhile.
 };
+bool operator==(const UdpAddresses& a, const UdpAddresses& b);
 
 /// The addresses of a network interface.
 /// @param interface  e.g. "eth0".

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <cstring>
 #include <stdexcept>
 #include <utility>
@@ -20,6 +21,8 @@ namespace {
 constexpr int kOn = 1;
 constexpr const char* kWhere = "radio";
 constexpr std::size_t kBitsPerByte = 8;
+/// Without a network it is looked for this often, though the kernel tells when there is one.
+constexpr Duration kRetryAfter = std::chrono::seconds{1};
 /// Bytes that travel with a datagram: Ethernet 18, IPv4 20 (RFC 791), UDP 8 (RFC 768).
 constexpr std::size_t kHeadersBelow = 46;
 /// Datagrams taken in one go, so that a flood of them does not hold up timers.
@@ -54,30 +57,62 @@ std::uint16_t port_of(int socket) {
 
 }  // namespace
 
-UdpLink::UdpLink(const UdpLinkConfig& config, EventLoop& loop)
-    : config_(config),
-      loop_(loop),
-      addresses_(find_addresses(config.interface, config.address)),
-      own_(open(addresses_.own, false)) {
+UdpLink::UdpLink(const UdpLinkConfig& config, EventLoop& loop) : config_(config), loop_(loop) {
+  open(find_addresses(config_.interface, config_.address));
+  try {
+    interface_watch_.emplace(loop, [this] { renew(); });
+  } catch (...) {
+    close();
+    throw;
+  }
+}
+
+UdpLink::~UdpLink() {
+  loop_.cancel(retry_);
+  close();
+}
+
+/// @throws std::runtime_error  and nothing is open.
+void UdpLink::open(const UdpAddresses& addresses) {
+  addresses_ = addresses;
+  own_ = open_socket(addresses.own, false);
   if (config_.port == 0) config_.port = port_of(own_);
   try {
-    broadcast_ = open(addresses_.broadcast, true);
+    broadcast_ = open_socket(addresses.broadcast, true);
   } catch (...) {
-    ::close(own_);
+    close();
     throw;
   }
   watches_ = {loop_.watch(own_, [this] { receive(own_); }),
               loop_.watch(broadcast_, [this] { receive(broadcast_); })};
 }
 
-UdpLink::~UdpLink() {
-  for (const EventLoop::Watch watch : watches_) loop_.unwatch(watch);
-  ::close(own_);
-  ::close(broadcast_);
+void UdpLink::close() {
+  for (EventLoop::Watch& watch : watches_) loop_.unwatch(std::exchange(watch, 0));
+  for (int* socket : {&own_, &broadcast_}) {
+    if (*socket >= 0) ::close(std::exchange(*socket, -1));
+  }
+}
+
+/// Interfaces have changed; not always this one.
+void UdpLink::renew() {
+  loop_.cancel(std::exchange(retry_, 0));
+  const bool was_open = own_ >= 0;
+  try {
+    const UdpAddresses now = find_addresses(config_.interface, config_.address);
+    if (was_open && now == addresses_) return;
+    close();
+    open(now);
+    log::info(loop_.now(), kWhere, "{} is at {}", config_.interface, own_address());
+  } catch (const std::runtime_error& error) {
+    close();
+    if (was_open) log::warning(loop_.now(), kWhere, "{}", error.what());
+    retry_ = loop_.schedule(loop_.now() + kRetryAfter, [this] { renew(); });
+  }
 }
 
 /// @param shared  with other nodes of this machine: each gets its copy of a broadcast (socket(7)).
-int UdpLink::open(in_addr address, bool shared) const {
+int UdpLink::open_socket(in_addr address, bool shared) const {
   const int socket = ::socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
   if (socket < 0) give_up(socket, "no UDP socket");
   setsockopt(socket, SOL_SOCKET, SO_BROADCAST, &kOn, sizeof kOn);
@@ -108,7 +143,7 @@ void UdpLink::transmit(AgentId next_hop, Bytes frame, routing::LinkTag) {
     }
     to = known->second;
   }
-  if (frame.size() > kMaxFrame) {
+  if (frame.size() > kMaxFrame || own_ < 0) {
     ++counts_.not_sent;
     return;
   }

@@ -6,10 +6,12 @@
 #include <cstdint>
 #include <functional>
 #include <map>
+#include <optional>
 #include <span>
 #include <string>
 
 #include "hal/hardware/event_loop.h"
+#include "hal/hardware/interface_watch.h"
 #include "hal/hardware/udp_address.h"
 #include "hal/routing/ports.h"
 
@@ -40,7 +42,8 @@ struct LinkCounts {
 
 /// One hop over UDP on a network interface, in place of the simulator's MAC. A frame for everyone
 /// goes to the broadcast address of the interface's network; one for a neighbour to the address
-/// that the neighbour's own frames came from.
+/// that the neighbour's own frames came from. When the interface gets another address, or is away
+/// for a while, the link goes on as soon as there is one; what is sent meanwhile is lost.
 ///
 /// It knows neither whether a frame arrived nor how strong it was: capabilities() are false. Nobody
 /// is authenticated: who may send on the network may pretend to be any agent. One thread, the
@@ -75,7 +78,10 @@ class UdpLink final : public routing::Link {
   std::uint16_t port() const { return config_.port; }
 
  private:
-  int open(in_addr address, bool shared) const;
+  void open(const UdpAddresses& addresses);
+  void close();
+  int open_socket(in_addr address, bool shared) const;
+  void renew();
   void receive(int socket);
   void take(std::span<const std::uint8_t> datagram, const sockaddr_in& from);
   bool is_from_here(const sockaddr_in& from) const;
@@ -85,9 +91,11 @@ class UdpLink final : public routing::Link {
   UdpLinkConfig config_;
   EventLoop& loop_;
   UdpAddresses addresses_;
-  int own_ = -1;        ///< Sends; receives what is for this node alone.
+  int own_ = -1;        ///< Sends; receives what is for this node alone. -1: there is no network.
   int broadcast_ = -1;  ///< Receives what is for everyone.
   std::array<EventLoop::Watch, 2> watches_{};
+  std::optional<InterfaceWatch> interface_watch_;
+  EventLoop::Handle retry_ = 0;
   FrameHandler on_frame_;
   std::map<AgentId, sockaddr_in> neighbours_;
   LinkCounts counts_;

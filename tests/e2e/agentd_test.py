@@ -5,11 +5,13 @@ import os
 import random
 import socket
 import subprocess
+import sys
 import time
 import unittest
 
 from baraka import Case, Program, wait_for
-from real_agents import MOTION_CAPTURE, RADIO_PORT, ROBOTS, Network, Place, RealAgents, sha256
+from real_agents import (MOTION_CAPTURE, RADIO_PORT, ROBOTS, Network, Place, Process, RealAgents,
+                         inside, sha256)
 from ros import PEER, needs_peer
 
 # The slow test has more of both.
@@ -260,6 +262,37 @@ class Tmc200Wheels(Wheels, RealAgents):
 
     def make(self, *arguments, **keywords):
         return self.tmc200(*arguments, **keywords)
+
+
+class Radio(RealAgents):
+    def test_goes_on_when_its_interface_gets_another_address_or_was_away(self):
+        network = Network(self, 2)
+        if not network.has_namespaces:
+            self.skipTest("no right to make network namespaces")
+        here, there = network.places
+        there.add_address("10.78.0.2")
+        here.address = None  # whatever the interface has
+        daemon = self.mote(here, "m0", 1, 0, 0)
+        listener = Process(self, there, sys.executable, "-uc", LISTENER)
+        listener.await_text("from 10.77.0.1\n")
+        inside(here.space, "addr", "del", "10.77.0.1/24", "dev", "eth0")
+        here.add_address("10.78.0.1")
+        listener.await_text("from 10.78.0.1\n")
+        inside(here.space, "link", "del", "eth0")
+        daemon.await_text("no network interface 'eth0'", "err")
+        network.plug_in(0, "10.78.0.3")
+        listener.await_text("from 10.78.0.3\n")
+        daemon.send("SIGTERM")
+        self.assertEqual(daemon.finish(), 0, str(daemon))
+
+
+LISTENER = f"""
+import socket
+radio = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)
+radio.bind(("", {RADIO_PORT}))
+while True:
+    print("from", radio.recvfrom(2000)[1][0])
+"""
 
 
 class Garbage(RealAgents):

@@ -25,14 +25,17 @@ class Network:
         self.name = f"bk{os.getpid()}x{random.randrange(1000)}"
         self.has_namespaces = self._may_make_namespaces()
         if self.has_namespaces:
-            self._make_namespaces(case, count)
             self.places = [Place(self._space(i), "eth0", f"10.77.0.{i + 1}") for i in range(count)]
+            self._make_namespaces(case, count)
         else:
             net = random.randrange(1, 255)
             self.places = [Place(None, "lo", f"127.77.{net}.{i + 1}") for i in range(count)]
 
     def _space(self, i):
         return f"{self.name}-{i}"
+
+    def _bridge(self):
+        return f"{self.name}-bridge"
 
     def _may_make_namespaces(self):
         if os.environ.get("BARAKA_NO_NAMESPACES"):
@@ -43,20 +46,22 @@ class Network:
         return ip("netns", "del", probe, check=False) == 0
 
     def _make_namespaces(self, case, count):
-        bridge = f"{self.name}-bridge"
-        for space in [bridge, *map(self._space, range(count))]:
+        for space in [self._bridge(), *map(self._space, range(count))]:
             case.addCleanup(ip, "netns", "del", space, check=False)
             ip("netns", "add", space)
-        inside(bridge, "link", "add", "br0", "type", "bridge")
-        inside(bridge, "link", "set", "br0", "up")
+        inside(self._bridge(), "link", "add", "br0", "type", "bridge")
+        inside(self._bridge(), "link", "set", "br0", "up")
         for i in range(count):
-            space = self._space(i)
-            inside(bridge, "link", "add", f"port{i}", "type", "veth", "peer", "name", "eth0",
-                   "netns", space)
-            inside(bridge, "link", "set", f"port{i}", "master", "br0", "up")
-            inside(space, "link", "set", "lo", "up")
-            inside(space, "addr", "add", f"10.77.0.{i + 1}/24", "brd", "+", "dev", "eth0")
-            inside(space, "link", "set", "eth0", "up")
+            inside(self._space(i), "link", "set", "lo", "up")
+            self.plug_in(i, f"10.77.0.{i + 1}")
+
+    def plug_in(self, i, address):
+        """A new eth0 at place i, on the bridge."""
+        inside(self._bridge(), "link", "add", f"port{i}", "type", "veth", "peer", "name", "eth0",
+               "netns", self._space(i))
+        inside(self._bridge(), "link", "set", f"port{i}", "master", "br0", "up")
+        self.places[i].add_address(address)
+        inside(self._space(i), "link", "set", "eth0", "up")
 
 
 def ip(*arguments, check=True):
@@ -78,6 +83,9 @@ class Place:
 
     def __init__(self, space, interface, address):
         self.space, self.interface, self.address = space, interface, address
+
+    def add_address(self, address):
+        inside(self.space, "addr", "add", f"{address}/24", "brd", "+", "dev", self.interface)
 
     def command(self, *arguments):
         prefix = ["ip", "netns", "exec", self.space] if self.space else []
@@ -174,9 +182,9 @@ class RealAgents(Case):
     def serve(self, place, name, address, text):
         file = self.folder / f"{name}.yaml"
         kind = "mote" if "robot:" not in text else "robot"
+        at = f"address: {place.address}, " if place.address else ""
         file.write_text(f"version: 1\nagent: {{name: {name}, address: {address}, kind: {kind}}}\n"
-                        f"radio: {{interface: {place.interface}, address: {place.address}, "
-                        f"port: {RADIO_PORT}}}\n{text}")
+                        f"radio: {{interface: {place.interface}, {at}port: {RADIO_PORT}}}\n{text}")
         daemon = self.program(place, "baraka-agentd", file)
         daemon.await_text("ready: ")
         return daemon
