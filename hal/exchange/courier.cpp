@@ -16,6 +16,10 @@ bool contains(const std::vector<AgentId>& agents, AgentId id) {
   return std::ranges::find(agents, id) != agents.end();
 }
 
+bool is_same_entry(const Route& a, const Route& b) {
+  return a.destination == b.destination && a.next_hop == b.next_hop && a.topic == b.topic;
+}
+
 }  // namespace
 
 void absorb(Event earlier, Event& later) {
@@ -24,6 +28,13 @@ void absorb(Event earlier, Event& later) {
                           later.readings.end();
     if (!is_newer) later.readings.push_back(std::move(reading));
   }
+  // The last word on a route is all that counts: what waits for a halted controller must not grow
+  // for as long as it is halted.
+  std::erase_if(earlier.routes, [&later](const RouteChange& change) {
+    return std::ranges::any_of(later.routes, [&change](const RouteChange& newer) {
+      return is_same_entry(newer.route, change.route);
+    });
+  });
   earlier.routes.insert(earlier.routes.end(), std::make_move_iterator(later.routes.begin()),
                         std::make_move_iterator(later.routes.end()));
   later.routes = std::move(earlier.routes);

@@ -132,7 +132,7 @@ TEST_F(CourierTest, ASupersededCyclesChangesReachTheNextEventOfItsAgentInOrder) 
   cycle.routes = {{{"help", kB, kB, {}}, false}};
   courier_.post(cycle);
   Event between = message(kA, 150ms);
-  between.routes = {{{"help", kB, kB, {}}, true}};
+  between.routes = {{{"help", kB, kA, {}}, true}};
   courier_.post(between);
   courier_.post(control(kA, 200ms, 2.0));
   port_->answers = true;
@@ -207,6 +207,26 @@ TEST(Absorb, ANeighbourLostThenHeardIsHeardAndOneHeardThenLostIsLost) {
   EXPECT_EQ(later.neighbours, (std::vector<hal::Neighbour>{{AgentId{3}, Time{2s}, -70},
                                                            {AgentId{1}, Time{1s}, -50}}));
   EXPECT_EQ(later.lost_neighbours, (std::vector{AgentId{2}, AgentId{4}}));
+}
+
+TEST(Absorb, OfARouteTheLastWordIsKeptHoweverLongItTakes) {
+  const auto route = [](std::uint16_t destination, std::uint16_t next_hop, std::uint16_t hops) {
+    hal::RouteChange change;
+    change.route = {"help", AgentId{destination}, AgentId{next_hop}, {.hops = hops}};
+    return change;
+  };
+  Event all;
+  for (std::uint16_t hops = 1; hops <= 1000; ++hops) {
+    Event later;
+    later.routes = {route(1, 2, hops), route(1, 3, hops), route(4, 2, hops)};
+    later.routes[1].removed = hops % 2 == 0;
+    absorb(std::exchange(all, {}), later);
+    all = std::move(later);
+  }
+  ASSERT_EQ(all.routes.size(), 3u);
+  EXPECT_EQ(all.routes[0], route(1, 2, 1000));
+  EXPECT_TRUE(all.routes[1].removed);
+  EXPECT_EQ(all.routes[2], route(4, 2, 1000));
 }
 
 }  // namespace
