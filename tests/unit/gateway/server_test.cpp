@@ -18,7 +18,7 @@ using hal::exchange::Action;
 using hal::exchange::Session;
 using hal::exchange::Step;
 
-constexpr hal::Duration kPatience = std::chrono::seconds{10};
+constexpr hal::Duration kPatience = std::chrono::seconds{30};
 const auto kGoOn = [] { return hal::Result<void>{}; };
 
 /// Keeps what it is connected with.

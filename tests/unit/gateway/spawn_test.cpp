@@ -15,7 +15,7 @@
 namespace gateway {
 namespace {
 
-constexpr hal::Duration kPatience = std::chrono::seconds{10};
+constexpr hal::Duration kPatience = std::chrono::seconds{30};
 
 /// A folder of its own for every test.
 class Spawning : public testing::Test {

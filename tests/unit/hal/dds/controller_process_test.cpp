@@ -12,7 +12,7 @@ namespace hal::dds {
 namespace {
 
 using exchange::Cause;
-constexpr Duration kPatience = std::chrono::seconds{10};
+constexpr Duration kPatience = std::chrono::seconds{30};
 
 /// Controllers in a thread of this process.
 class Controllers {

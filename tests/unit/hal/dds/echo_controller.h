@@ -69,9 +69,9 @@ inline hal::exchange::Step step_with(hal::exchange::Cause cause, std::uint64_t s
   return step;
 }
 
-/// The first Hello that reaches the server within 10 s: the machine may be busy.
+/// The first Hello that reaches the server within 30 s: the machine may be busy.
 inline hal::exchange::Hello first_hello(hal::dds::Server& server) {
-  auto hellos = server.hellos(std::chrono::seconds{10});
+  auto hellos = server.hellos(std::chrono::seconds{30});
   if (hellos.empty()) throw std::runtime_error("no Hello came");
   return hellos.front();
 }

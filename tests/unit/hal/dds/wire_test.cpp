@@ -15,7 +15,7 @@ namespace hal::dds {
 namespace {
 
 using exchange::Cause;
-constexpr Duration kPatience = std::chrono::seconds{10};
+constexpr Duration kPatience = std::chrono::seconds{30};
 constexpr Duration kReplyTimeout = std::chrono::milliseconds{300};
 
 /// A server and a client of this process, linked up.

@@ -17,7 +17,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Duration kPatience = 5s;  // of the wall clock: reached by a failing test only
+constexpr Duration kPatience = 30s;  // of the wall clock: reached by a failing test only
 
 sockaddr_in address(const std::string& text, std::uint16_t port) {
   sockaddr_in in{};
