@@ -50,13 +50,19 @@ void Brain::on(const hal::exchange::Session& session) {
 }
 
 void Brain::on(const hal::exchange::Step& step) {
-  hal::exchange::Reply reply;
+  hal::exchange::Reply& reply = replies_[step.server];
+  if (step.sequence == reply.sequence && step.run == reply.run) {  // Late, so it was asked again.
+    [[maybe_unused]] const auto sent = client_.reply(step.server, reply);
+    return;
+  }
+  const std::uint64_t last = reply.sequence;
+  reply = {};
   reply.run = step.run;
   reply.sequence = step.sequence;
   {
     const std::lock_guard lock(mutex_);
     ++steps_;
-    gaps_ += step.sequence == ++sequences_[step.server] ? 0 : 1;
+    gaps_ += step.sequence == last + 1 ? 0 : 1;
     seen_.insert(seen_.end(), step.events.begin(), step.events.end());
   }
   for (std::uint32_t i = 0; i < step.events.size() && rule_; ++i) {

@@ -41,10 +41,10 @@ class Brain {
 
   Rule rule_;
   hal::dds::Client client_;
+  std::map<std::string, hal::exchange::Reply> replies_;  ///< The last one to each server.
   std::atomic<bool> held_ = false, stop_ = false;
   mutable std::mutex mutex_;  ///< Of what follows.
   std::vector<hal::exchange::Event> seen_;
-  std::map<std::string, std::uint64_t> sequences_;  ///< By server.
   std::uint64_t steps_ = 0, gaps_ = 0;
   std::string refusal_;
   std::thread thread_;
