@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -46,6 +47,8 @@ class ContractHost {
   virtual ~ContractHost() = default;
   virtual int domain() const = 0;
   virtual const Sight& sight() const = 0;
+  /// Ends it, if it has not ended. @returns events that found no room while a controller was busy.
+  virtual std::uint64_t end() = 0;
 };
 
 /// What the hosts promise beyond the common contract.

@@ -56,6 +56,7 @@ class Daemon final : public hal::hardware::AgentObserver {
   std::uint16_t port() const { return link_.port(); }
   void stop() { agent_.stop(); }
   bool is_over() const { return agent_.is_over(); }
+  std::uint64_t lost() const { return agent_.counts().overflow; }
 
   void on_state(hal::Time, const std::string& state) override {
     sight_.on_state(file_.address, state);
@@ -87,13 +88,15 @@ class DaemonHost final : public ContractHost {
  public:
   explicit DaemonHost(hal::Duration control_period)
       : thread_([this, control_period] { run(control_period); }) {}
-  ~DaemonHost() override {
-    stop_ = true;
-    thread_.join();
-  }
+  ~DaemonHost() override { end(); }
 
   int domain() const override { return domain_; }
   const Sight& sight() const override { return sight_; }
+  std::uint64_t end() override {
+    stop_ = true;
+    if (thread_.joinable()) thread_.join();
+    return lost_;
+  }
 
  private:
   void run(hal::Duration control_period) {
@@ -105,10 +108,12 @@ class DaemonHost final : public ContractHost {
     mote.stop();
     const hal::Time end = loop.now() + 2s;
     while (!(robot.is_over() && mote.is_over()) && loop.now() < end) loop.run_once(5ms);
+    lost_ = robot.lost() + mote.lost();
   }
 
   Sight sight_;
   std::atomic<bool> stop_ = false;
+  std::uint64_t lost_ = 0;  ///< Of the thread until it has ended.
   int domain_ = test_domain();
   std::thread thread_;
 };

@@ -7,6 +7,7 @@
 #include <thread>
 #include <utility>
 
+#include "hal/exchange/courier.h"
 #include "tests/contract/brain.h"
 #include "tests/contract/contract_host.h"
 #include "tests/unit/hal/dds/child.h"
@@ -75,6 +76,16 @@ class HostContract : public testing::TestWithParam<Implementation> {
     brains_.push_back(std::make_unique<Brain>(host_->domain(), process, std::move(agents),
                                               std::move(rule), version));
     return *brains_.back();
+  }
+
+  /// While another controller is halted: until it is later than `time`, by what the mote is told.
+  /// In lock-step it never is.
+  bool goes_on_until(const Brain& mote, hal::Time time) const {
+    if (promises().waits_for_answers) return true;
+    return until([&] {
+      const auto cycles = mote.seen(kMote, Cause::kControl);
+      return !cycles.empty() && cycles.back().time > time;
+    });
   }
 
   std::vector<std::unique_ptr<Brain>> brains_;  ///< They answer until the host has ended.
@@ -213,18 +224,19 @@ TEST_P(HostContract, WheelsStopWhenNobodyAnswersAndTurnAgainWhenSomebodyDoes) {
 
 TEST_P(HostContract, ACommandThatAnswersWhatIsLongPastMovesNothing) {
   const auto halted = std::make_shared<std::atomic<Brain*>>(nullptr);  // Rules outlive the test.
-  Brain& robot = brain("robot", {"r0"}, [halted](const Event& event) {
+  const auto asked = std::make_shared<std::atomic<hal::Time>>();
+  Brain& robot = brain("robot", {"r0"}, [halted, asked](const Event& event) {
     std::vector<Action> actions;
-    Brain* self = event.cause == Cause::kControl ? halted->exchange(nullptr) : nullptr;
-    if (self == nullptr) return actions;
-    self->hold(true);
+    if (event.cause != Cause::kControl || *halted == nullptr) return actions;
+    *asked = event.time;
+    halted->exchange(nullptr)->hold(true);
     actions.push_back(drive(0.2));
     return actions;
   });
-  brain("mote", {"m0"});
+  const Brain& mote = brain("mote", {"m0"});
   *halted = &robot;
   ASSERT_TRUE(until([&] { return *halted == nullptr; }));
-  std::this_thread::sleep_for(2 * kCommandTimeout);
+  ASSERT_TRUE(goes_on_until(mote, asked->load() + 2 * kCommandTimeout));
   const std::size_t cycles = robot.seen(kRobot, Cause::kControl).size();
   robot.hold(false);
   ASSERT_TRUE(until([&] { return robot.seen(kRobot, Cause::kControl).size() >= cycles + 10; }));
@@ -253,6 +265,39 @@ TEST_P(HostContract, WhatComesWhileAControllerIsBusyReachesItInOrder) {
   for (std::size_t i = 0; i < messages.size(); ++i) {
     EXPECT_EQ(messages[i].message->payload[0], i + 1);
   }
+}
+
+TEST_P(HostContract, WhatFindsNoRoomWhileAControllerIsHaltedIsCounted) {
+  constexpr std::size_t kTimers = hal::exchange::Courier::kCapacity + 500;
+  const auto halts = std::make_shared<std::atomic<Brain*>>(nullptr);
+  const auto due = std::make_shared<std::atomic<hal::Time>>();
+  Brain& robot = brain("robot", {"r0"}, [halts, due](const Event& event) {
+    std::vector<Action> actions;
+    if (event.cause != Cause::kControl || *halts == nullptr) return actions;
+    if (due->load() != hal::Time{}) {  // The cycle after the one that set the timers.
+      halts->exchange(nullptr)->hold(true);
+      return actions;
+    }
+    *due = event.time + 500ms;
+    for (hal::TimerId id = 1; id <= kTimers; ++id) {
+      actions.push_back(action_of(ActionKind::kTimer));
+      actions.back().timer = id;
+      actions.back().at = *due;
+    }
+    return actions;
+  });
+  const Brain& mote = brain("mote", {"m0"});
+  *halts = &robot;
+  ASSERT_TRUE(until([&] { return *halts == nullptr; }));
+  ASSERT_TRUE(goes_on_until(mote, due->load() + 100ms));
+  robot.hold(false);
+  ASSERT_TRUE(until([&] { return robot.seen(kRobot, Cause::kTimer).size() >= kTimers - 1000; }));
+  const std::size_t cycles = robot.seen(kRobot, Cause::kControl).size();
+  ASSERT_TRUE(until([&] { return robot.seen(kRobot, Cause::kControl).size() >= cycles + 3; }));
+  const std::size_t missed = kTimers - robot.seen(kRobot, Cause::kTimer).size();
+  const std::uint64_t lost = host_->end();
+  EXPECT_EQ(missed == 0, promises().waits_for_answers);
+  EXPECT_GE(lost, missed) << "control cycles may be among them";
 }
 
 TEST_P(HostContract, OneProcessMayDriveEverybodyAndNoStepIsMissing) {

@@ -63,13 +63,15 @@ class SimulatedHost final : public ContractHost {
         simulation_(scenario_.simulation, {&observer_}),
         server_(hal::dds::take_domain(test_domain()), simulation_, {.run = 1}),
         thread_([this, lock_step] { run(lock_step); }) {}
-  ~SimulatedHost() override {
-    stop_ = true;
-    thread_.join();
-  }
+  ~SimulatedHost() override { end(); }
 
   int domain() const override { return server_.domain(); }
   const Sight& sight() const override { return sight_; }
+  std::uint64_t end() override {
+    stop_ = true;
+    if (thread_.joinable()) thread_.join();
+    return lost_;
+  }
 
  private:
   void run(bool lock_step) {
@@ -82,13 +84,14 @@ class SimulatedHost final : public ContractHost {
     if (lock_step) {
       simulation_.run(std::nullopt, pace);
     } else {
-      simulation_.follow(std::nullopt, pace);
+      lost_ = simulation_.follow(std::nullopt, pace).real_time->lost_events;
     }
   }
 
   Sight sight_;
   SightObserver observer_{sight_};
   std::atomic<bool> stop_ = false;
+  std::uint64_t lost_ = 0;  ///< Of the thread until it has ended.
   sim::scenario::Scenario scenario_;
   Simulation simulation_;
   gateway::AgentServer server_;
