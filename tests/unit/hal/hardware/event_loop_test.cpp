@@ -20,13 +20,14 @@ TEST(EventLoop, TimersRunByTimeAndThenByOrderOfScheduling) {
   EventLoop loop;
   std::vector<int> order;
   const Time now = loop.now();
-  loop.schedule(now + 3ms, [&] { loop.stop(); });
-  loop.schedule(now + 2ms, [&] { order.push_back(2); });
-  loop.schedule(now + 1ms, [&] { order.push_back(0); });
-  loop.schedule(now + 1ms, [&] { order.push_back(1); });
+  // So long that none is in the past when it is set, on a busy machine, too.
+  loop.schedule(now + 300ms, [&] { loop.stop(); });
+  loop.schedule(now + 200ms, [&] { order.push_back(2); });
+  loop.schedule(now + 100ms, [&] { order.push_back(0); });
+  loop.schedule(now + 100ms, [&] { order.push_back(1); });
   loop.run();
   EXPECT_EQ(order, (std::vector{0, 1, 2}));
-  EXPECT_GE(loop.now(), now + 3ms);
+  EXPECT_GE(loop.now(), now + 300ms);
 }
 
 TEST(EventLoop, ACancelledTimerDoesNotRun) {
