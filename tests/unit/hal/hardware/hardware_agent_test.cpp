@@ -18,7 +18,7 @@ using exchange::Cause;
 using exchange::Event;
 
 constexpr Duration kPatience = 30s;  // of the wall clock: reached by a failing test only
-constexpr Duration kPeriod = 10ms, kTimeout = 60ms;
+constexpr Duration kPeriod = 10ms, kTimeout = 300ms;
 
 RobotFile file_of(int agent) {
   RobotFile file;
