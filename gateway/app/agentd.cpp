@@ -61,7 +61,7 @@ class Agentd {
  private:
   std::unique_ptr<hal::hardware::PoseSource> make_pose_source();
   hal::hardware::Devices devices() const { return {wheels_.get(), infrared_.get(), pose_.get()}; }
-  bool drive_here();
+  void drive_here();
   void set_emergency_stop(bool stop, StopSource source);
 
   void on_stop_signal(int signal);
@@ -89,8 +89,7 @@ class Agentd {
   std::mutex latch_mutex_;
   std::optional<hal::dds::EmergencyStopReader> emergency_stop_;
   std::optional<hal::hardware::SignalThread> stop_signals_;
-  bool driven_here_;  ///< Before the server learns what there is to be driven.
-  AgentServer server_;
+  std::optional<AgentServer> server_;
   std::vector<EventLoop::Watch> watches_;  ///< Of the server's descriptors.
   int signals_to_end_ = 0;
 };
@@ -118,28 +117,27 @@ Agentd::Agentd(const AgentdOptions& options)
             loop_),
       inspection_(file_),
       agent_(file_, {loop_, link_, devices(), inspection_}),
-      latch_(file_.name),
-      driven_here_(drive_here()),
-      server_(hal::dds::join_domain(domain_), agent_,
-              {.run = kOnlyRun, .reply_timeout = {}, .attendance = Attendance::kAnyTime}) {
+      latch_(file_.name) {
   if (latch_.is_set()) agent_.set_emergency_stop(true, StopSource::kOperator);
   // Only now: either may change what is latched.
   emergency_stop_.emplace(participant_, file_.name,
                           [this](bool stop) { set_emergency_stop(stop, StopSource::kTopic); });
   stop_signals_.emplace({SIGUSR1, SIGUSR2}, [this](int signal) { on_stop_signal(signal); });
+  if (file_.program == kTeleop) drive_here();
+  server_.emplace(
+      hal::dds::join_domain(domain_), agent_,
+      ServerSettings{.run = kOnlyRun, .reply_timeout = {}, .attendance = Attendance::kAnyTime});
   if (wheels_) loop_watch_.emplace(loop_, *wheels_, std::min(file_.command_timeout, kLongestHang));
   if (options.shown) inspection_.start(participant_);
 }
 
-/// By what is built in, which then leaves nothing to others.
-bool Agentd::drive_here() {
-  if (file_.program != kTeleop) return false;
+/// By what is built in. Before the server asks what there is to be driven: nothing is left then.
+void Agentd::drive_here() {
   hal::Wants wants;
   if (infrared_) wants.channels.emplace_back("infrared");
   agent_.connect(std::make_shared<TeleopPort>(participant_, file_.name, file_.command_timeout,
                                               file_.control_period),
                  {file_.address}, wants);
-  return true;
 }
 
 /// Any thread.
@@ -201,8 +199,8 @@ void Agentd::stop() {
 /// The descriptors change with the controllers, so they are watched anew each time.
 void Agentd::attend() {
   let_go_of_watches();
-  server_.attend(loop_.now());
-  for (const int descriptor : server_.descriptors()) {
+  server_->attend(loop_.now());
+  for (const int descriptor : server_->descriptors()) {
     if (descriptor >= 0) watches_.push_back(loop_.watch(descriptor, [this] { attend(); }));
   }
 }
@@ -240,7 +238,7 @@ void Agentd::print_summary() const {
              link.received, link.not_sent + link.unknown_neighbour);
   fmt::print("datagrams_malformed: {}\ndatagrams_foreign: {}\nframes_malformed: {}\n",
              link.malformed, link.foreign + link.address_clashes, agent_.malformed_frames());
-  for (const std::string& line : complaints(server_.summary())) {
+  for (const std::string& line : complaints(server_->summary())) {
     fmt::print(stderr, "warning: {}\n", line);
   }
 }

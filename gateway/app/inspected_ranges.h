@@ -11,9 +11,10 @@ namespace gateway::app {
 
 /// The infrared sensors of a robot, simulated or real, as they are shown to DDS tools:
 /// "infrared_0", "infrared_1", ... in the order of the robot's file.
-inline decltype(hal::dds::InspectedRobot::ranges) inspected_ranges(
+inline std::vector<hal::dds::InspectedRange> inspected_ranges(
     const std::vector<hal::devices::InfraredSensor>& sensors) {
-  decltype(hal::dds::InspectedRobot::ranges) ranges;
+  std::vector<hal::dds::InspectedRange> ranges;
+  ranges.reserve(sensors.size());
   for (const hal::devices::InfraredSensor& sensor : sensors) {
     ranges.push_back({.name = fmt::format("infrared_{}", ranges.size()),
                       .field_of_view = 2 * sensor.half_angle,

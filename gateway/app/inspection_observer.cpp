@@ -1,7 +1,5 @@
 #include "gateway/app/inspection_observer.h"
 
-#include <fmt/format.h>
-
 #include <variant>
 
 #include "gateway/app/inspected_ranges.h"

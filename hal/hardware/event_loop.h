@@ -45,8 +45,8 @@ class EventLoop final : public routing::Timers {
   Watch watch(int descriptor, Handler on_readable);
   void unwatch(Watch watch);  ///< One that is not there: no effect.
 
-  /// Takes these signals into the loop, after block_signals(): call it before any thread is
-  /// started, or that function. Once.
+  /// Takes these signals into the loop, which blocks them as block_signals() does: call this or
+  /// that before any thread is started. Once.
   /// @throws std::system_error
   void on_signals(std::initializer_list<int> signals, std::function<void(int signal)> handler);
 

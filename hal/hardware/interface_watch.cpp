@@ -44,8 +44,10 @@ InterfaceWatch::~InterfaceWatch() {
 /// What it says does not matter: interfaces are looked at anew. Nor does it if some of it is lost.
 void InterfaceWatch::drain() const {
   std::array<char, 8192> said;
-  while (recv(socket_, said.data(), said.size(), MSG_DONTWAIT) > 0 || errno == ENOBUFS) {
-  }
+  ssize_t size = 0;
+  do {
+    size = recv(socket_, said.data(), said.size(), MSG_DONTWAIT);
+  } while (size > 0 || (size < 0 && errno == ENOBUFS));
 }
 
 }  // namespace hal::hardware

@@ -8,13 +8,12 @@
 
 namespace hal::hardware {
 
-/// Heeds signals on a thread of its own, for those that must not wait for what a loop is doing: the
-/// loop may hang in a system call, and be it that nobody reads its log.
+/// Heeds signals on a thread of its own: those that must not wait for a loop, which may hang in a
+/// system call, for example because nobody reads its log.
 ///
-///   block_signals({SIGUSR1});                           // before any thread is started
+///   block_signals({SIGUSR1});                       // before any thread is started
 ///   …
-///   SignalThread stops({SIGUSR1}, [&](int) { … });      // those that came meanwhile are heeded
-///   now
+///   SignalThread stops({SIGUSR1}, [&](int) { … });  // also heeds those that came meanwhile
 class SignalThread {
  public:
   /// @param signals  blocked in all threads.  @param handler  is called on the other thread.

@@ -223,19 +223,19 @@ TEST_P(HostContract, WheelsStopWhenNobodyAnswersAndTurnAgainWhenSomebodyDoes) {
 }
 
 TEST_P(HostContract, ACommandThatAnswersWhatIsLongPastMovesNothing) {
-  const auto halted = std::make_shared<std::atomic<Brain*>>(nullptr);  // Rules outlive the test.
+  const auto to_halt = std::make_shared<std::atomic<Brain*>>(nullptr);  // Rules outlive the test.
   const auto asked = std::make_shared<std::atomic<hal::Time>>();
-  Brain& robot = brain("robot", {"r0"}, [halted, asked](const Event& event) {
+  Brain& robot = brain("robot", {"r0"}, [to_halt, asked](const Event& event) {
     std::vector<Action> actions;
-    if (event.cause != Cause::kControl || *halted == nullptr) return actions;
+    if (event.cause != Cause::kControl || *to_halt == nullptr) return actions;
     *asked = event.time;
-    halted->exchange(nullptr)->hold(true);
+    to_halt->exchange(nullptr)->hold(true);
     actions.push_back(drive(0.2));
     return actions;
   });
   const Brain& mote = brain("mote", {"m0"});
-  *halted = &robot;
-  ASSERT_TRUE(until([&] { return *halted == nullptr; }));
+  *to_halt = &robot;
+  ASSERT_TRUE(until([&] { return *to_halt == nullptr; }));
   ASSERT_TRUE(goes_on_until(mote, asked->load() + 2 * kCommandTimeout));
   const std::size_t cycles = robot.seen(kRobot, Cause::kControl).size();
   robot.hold(false);
@@ -269,13 +269,13 @@ TEST_P(HostContract, WhatComesWhileAControllerIsBusyReachesItInOrder) {
 
 TEST_P(HostContract, WhatFindsNoRoomWhileAControllerIsHaltedIsCounted) {
   constexpr std::size_t kTimers = hal::exchange::Courier::kCapacity + 500;
-  const auto halts = std::make_shared<std::atomic<Brain*>>(nullptr);
+  const auto to_halt = std::make_shared<std::atomic<Brain*>>(nullptr);
   const auto due = std::make_shared<std::atomic<hal::Time>>();
-  Brain& robot = brain("robot", {"r0"}, [halts, due](const Event& event) {
+  Brain& robot = brain("robot", {"r0"}, [to_halt, due](const Event& event) {
     std::vector<Action> actions;
-    if (event.cause != Cause::kControl || *halts == nullptr) return actions;
+    if (event.cause != Cause::kControl || *to_halt == nullptr) return actions;
     if (due->load() != hal::Time{}) {  // The cycle after the one that set the timers.
-      halts->exchange(nullptr)->hold(true);
+      to_halt->exchange(nullptr)->hold(true);
       return actions;
     }
     *due = event.time + 500ms;
@@ -287,8 +287,8 @@ TEST_P(HostContract, WhatFindsNoRoomWhileAControllerIsHaltedIsCounted) {
     return actions;
   });
   const Brain& mote = brain("mote", {"m0"});
-  *halts = &robot;
-  ASSERT_TRUE(until([&] { return *halts == nullptr; }));
+  *to_halt = &robot;
+  ASSERT_TRUE(until([&] { return *to_halt == nullptr; }));
   ASSERT_TRUE(goes_on_until(mote, due->load() + 100ms));
   robot.hold(false);
   ASSERT_TRUE(until([&] { return robot.seen(kRobot, Cause::kTimer).size() >= kTimers - 1000; }));
