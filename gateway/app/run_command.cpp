@@ -9,12 +9,15 @@
 #include <utility>
 
 #include "gateway/app/course.h"
+#include "gateway/app/domain_range.h"
 #include "gateway/app/exit_status.h"
 #include "gateway/app/judge_controllers.h"
+#include "gateway/app/last_resort.h"
 #include "gateway/app/results_folder.h"
 #include "gateway/app/run_inspection.h"
 #include "gateway/app/wall_pace.h"
 #include "hal/types/log.h"
+#include "hal/types/printable.h"
 #include "sim/agents/fingerprint_feed.h"
 #include "sim/agents/simulation.h"
 #include "sim/core/log_sink.h"
@@ -32,14 +35,14 @@ using sim::scenario::Scenario;
 
 /// The results that are written, and the observers that write them.
 struct Results {
-  Results(const Scenario& scenario, const std::filesystem::path& out)
+  Results(const Scenario& scenario, const std::filesystem::path& out, hal::log::Level log)
       : folder(out),
         recorder(folder.path() / "run.sqlite", scenario.simulation,
                  {.pose_period = scenario.record.pose_period,
                   .all_frames = scenario.record.frames == sim::scenario::FrameRecord::kAll}) {
     recorder.set("scenario", scenario.name);
     recorder.set("version", BARAKA_VERSION);
-    sim::log_to_file((folder.path() / "run.log").string());
+    sim::log_to_file((folder.path() / "run.log").string(), log);
     std::ofstream(folder.path() / "scenario.resolved.yaml")
         << sim::scenario::resolved_yaml(scenario);
   }
@@ -92,7 +95,9 @@ void print_real_time(const sim::agents::RealTimeSummary& summary) {
 
 /// What went wrong without ending the run, for people.
 void print_complaints(const Outcome& outcome, const std::vector<std::string>& lines) {
-  for (const std::string& line : lines) fmt::print(stderr, "warning: {}\n", line);
+  for (const std::string& line : lines) {
+    fmt::print(stderr, "warning: {}\n", hal::printable(line));
+  }
   if (outcome.refused_actions > 0) {
     fmt::print(stderr, "warning: {} actions refused; run.log names them\n",
                outcome.refused_actions);
@@ -101,7 +106,9 @@ void print_complaints(const Outcome& outcome, const std::vector<std::string>& li
   if (outcome.ode_messages > 0) {
     fmt::print(stderr, "warning: the physics engine complained {} times\n", outcome.ode_messages);
   }
-  if (!outcome.error.empty()) fmt::print(stderr, "error: {}\n", outcome.error);
+  if (!outcome.error.empty()) {
+    fmt::print(stderr, "error: {}\n", hal::printable_lines(outcome.error));
+  }
 }
 
 ExitStatus exit_status(const Outcome& outcome, const std::vector<std::string>& unmet_expectations) {
@@ -117,6 +124,30 @@ ExitStatus exit_status(const Outcome& outcome, const std::vector<std::string>& u
   return unmet_expectations.empty() ? kDone : kExpectationNotMet;
 }
 
+/// Writes and prints how the run ended.
+ExitStatus conclude(Results& results, const Scenario& scenario, const Simulation& simulation,
+                    const Outcome& outcome, const std::vector<std::string>& complaints,
+                    double wall_seconds) {
+  const auto expectations = unmet(scenario, outcome, simulation);
+  const ExitStatus status = exit_status(outcome, expectations);
+  results.finish(scenario, simulation, outcome, status, wall_seconds);
+
+  print_complaints(outcome, complaints);
+  for (const std::string& line : expectations) fmt::print(stderr, "not met: {}\n", line);
+  if (outcome.real_time) print_real_time(*outcome.real_time);
+  print_outcome(outcome, results.fingerprint.fingerprint().total(), wall_seconds);
+  return status;
+}
+
+/// None: the first free one. @throws UsageError
+std::optional<int> domain_of(const RunOptions& options) {
+  const std::vector<int> domains = domains_for(options.domain, 1);
+  if (domains.size() > 1) {
+    throw UsageError("--domain: a range is for --replications with --jobs; this run takes one");
+  }
+  return domains.empty() ? std::nullopt : std::optional(domains.front());
+}
+
 }  // namespace
 
 std::filesystem::path results_path(const RunOptions& options, const std::string& scenario) {
@@ -125,6 +156,7 @@ std::filesystem::path results_path(const RunOptions& options, const std::string&
 }
 
 int run(const RunOptions& options) {
+  const std::optional<int> domain = domain_of(options);
   const Scenario scenario = load_judged(options.scenario, options.overrides);
   catch_interrupts();
   const Course course(options, scenario);
@@ -137,31 +169,34 @@ int run(const RunOptions& options) {
     throw UsageError(
         fmt::format("--repeat: {} would be overwritten; give another --out", options.repeat));
   }
-  Results results(scenario, out);
+  Results results(scenario, out, *hal::log::level_called(options.log));
   Simulation simulation(scenario.simulation,
                         {&results.recorder, &results.fingerprint, &inspection.observer()});
+  std::optional<WallPace> pace;
+  const LastResort last_resort([&](const std::string& what, bool failed) {
+    const Outcome outcome = simulation.cut_short(failed ? what : "");
+    if (pace) pace->end();
+    const auto complaints = failed ? std::vector<std::string>{} : std::vector{what};
+    return conclude(results, scenario, simulation, outcome, complaints,
+                    pace ? pace->wall_seconds() : 0);
+  });
   ControllersOfRun controllers(
       scenario, simulation,
-      {.from = options.controllers, .domain = options.domain, .logs = results.folder.path()});
-  inspection.start(controllers.domain() ? controllers.domain() : options.domain, simulation);
-  WallPace pace({.max_speed = options.max_speed,
-                 .terminal = ::isatty(STDERR_FILENO) != 0,
-                 .processes = controllers.processes(),
-                 .once_a_second = [&results] { results.recorder.commit(); }});
+      {.from = options.controllers, .domain = domain, .logs = results.folder.path()});
+  inspection.start(controllers.domain() ? controllers.domain() : domain, simulation);
+  pace.emplace(WallPace::Settings{.max_speed = options.max_speed,
+                                  .terminal = ::isatty(STDERR_FILENO) != 0,
+                                  .processes = controllers.processes(),
+                                  .once_a_second = [&results] {
+                                    results.recorder.commit();
+                                    sim::flush_log();
+                                  }});
   results.recorder.set("pace", options.repeat.empty() ? options.pace : "repeated");
 
-  const Outcome outcome = course.play(simulation, pace);
-  pace.end();
+  const Outcome outcome = course.play(simulation, *pace);
+  pace->end();
   const auto complaints = controllers.finish(outcome.kind != Outcome::Kind::kFailed);
-  const auto expectations = unmet(scenario, outcome, simulation);
-  const ExitStatus status = exit_status(outcome, expectations);
-  results.finish(scenario, simulation, outcome, status, pace.wall_seconds());
-
-  print_complaints(outcome, complaints);
-  for (const std::string& line : expectations) fmt::print(stderr, "not met: {}\n", line);
-  if (outcome.real_time) print_real_time(*outcome.real_time);
-  print_outcome(outcome, results.fingerprint.fingerprint().total(), pace.wall_seconds());
-  return status;
+  return conclude(results, scenario, simulation, outcome, complaints, pace->wall_seconds());
 }
 
 int check(const std::string& path, const std::vector<std::string>& overrides) {

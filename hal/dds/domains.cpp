@@ -197,7 +197,7 @@ int default_domain() {
       domain <= kLastDomain) {
     return domain;
   }
-  throw std::runtime_error(
+  throw NoSuchDomain(
       fmt::format("BARAKA_DOMAIN is '{}', not a DDS domain from 0 to {}", view, kLastDomain));
 }
 

@@ -153,7 +153,7 @@ void ObjectOf<Interface>::state(std::string_view name) {
 template <class Interface>
 void ObjectOf<Interface>::log(log::Level level, std::string_view text) {
   context_.guard.check("log");
-  context_.log(level, std::string(text));
+  context_.log_of_controller(level, text);
 }
 
 template class ObjectOf<Mote>;

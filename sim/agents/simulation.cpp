@@ -140,6 +140,12 @@ Outcome Simulation::end_of(RealTimeRun& run) {
   return outcome;
 }
 
+Outcome Simulation::cut_short(const std::string& error) {
+  state_->broken_off = true;
+  if (!error.empty()) state_->fail(error);
+  return state_->outcome();
+}
+
 BodyState Simulation::body(hal::AgentId agent) const { return state_->scene.body(agent); }
 
 ContactCounts Simulation::contacts(hal::AgentId agent) const {

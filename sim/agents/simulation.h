@@ -77,6 +77,10 @@ class Simulation final : public hal::exchange::AgentHost {
   /// Repeats a run in real time from its turns: same scenario, seed and controllers, same events.
   Outcome repeat(std::optional<hal::Time> until, std::span<const Turn> turns, Pace& pace);
 
+  /// How the run stands if it ends where it is, in the middle of run() that does not return from a
+  /// controller: failed with `error`, or interrupted if that is empty.
+  Outcome cut_short(const std::string& error);
+
   /// True state, for expectations: m, world frame.
   BodyState body(hal::AgentId agent) const;
   ContactCounts contacts(hal::AgentId agent) const;
