@@ -18,9 +18,9 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kLook = 50ms;
+constexpr auto kLookEvery = 50ms;
 /// A run that is interrupted ends by itself between two exchanges; this is how long one may take.
-constexpr auto kGrace = 2s;
+constexpr auto kInterruptGrace = 2s;
 
 }  // namespace
 
@@ -43,10 +43,10 @@ void LastResort::watch() {
   using Clock = std::chrono::steady_clock;
   std::optional<Clock::time_point> since;
   std::unique_lock lock(mutex_);
-  while (!over_changed_.wait_for(lock, kLook, [this] { return over_; })) {
+  while (!over_changed_.wait_for(lock, kLookEvery, [this] { return over_; })) {
     if (!interrupted()) continue;
     if (!since) since = Clock::now();
-    if (Clock::now() - *since >= kGrace) end_stuck_run();
+    if (Clock::now() - *since >= kInterruptGrace) end_stuck_run();
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "sim/record/database.h"
 #include "sim/record/run_result.h"
+#include "sim/record/schema.h"
 
 namespace sim::record {
 
@@ -51,7 +52,7 @@ RecordedTurns read_turns(const std::filesystem::path& folder) {
   }
   RecordedTurns recorded;
   recorded.ended_at = time_in(run.value("ended_ns"), folder);
-  Database database(folder / "run.sqlite", Database::Mode::kRead);
+  Database database(folder / kResultsFile, Database::Mode::kRead);
   Statement query(database, "SELECT at_ns, process, replied, began FROM turns ORDER BY rowid");
   while (query.next()) {
     check_turn(query.integer(0), recorded, folder);
