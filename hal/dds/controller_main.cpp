@@ -6,6 +6,7 @@
 #include "hal/dds/controller_process.h"
 #include "hal/dds/domains.h"
 #include "hal/runtime/standard_output.h"
+#include "hal/types/printable.h"
 
 /// The program of every controller: controllers/<name> defines baraka_controller() and is linked
 /// with this.
@@ -16,10 +17,10 @@ int main(int argc, char** argv) {
     if (!parsed.options) return hal::runtime::with_output_written(parsed.exit_status);
     return static_cast<int>(hal::dds::run_controllers(kind, *parsed.options));
   } catch (const hal::dds::NoSuchDomain& error) {
-    fmt::print(stderr, "{}: {}\n", argv[0], error.what());
+    fmt::print(stderr, "{}: {}\n", argv[0], hal::printable(error.what()));
     return 2;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "{}: {}\n", argv[0], error.what());
+    fmt::print(stderr, "{}: {}\n", argv[0], hal::printable_lines(error.what()));
     return 1;
   }
 }

@@ -64,7 +64,6 @@ class CommandLine(Case):
         for program, *arguments in (["baraka", "--help"], ["baraka", "--version"],
                                     ["baraka", "check", TWO_MOTES], ["baraka", "report", self.out],
                                     ["baraka", "run", TWO_MOTES, *IN_PROCESS, "--out", self.folder / "full"],
-                                    ["baraka", "topic", "list", "--domain", "99"],
                                     ["baraka", "new-controller", "x", "--to", self.folder],
                                     ["baraka-agentd", "--help"], ["help_mote", "--help"]):
             with self.subTest(program=program, arguments=arguments), open("/dev/full", "w") as full:
