@@ -19,7 +19,7 @@ namespace hal::hardware {
 namespace {
 
 constexpr std::int64_t kNsPerSecond = 1'000'000'000;
-constexpr Duration kLongest = std::chrono::hours{1};  // a sleep; a longer one is two
+constexpr Duration kLongestSleep = std::chrono::hours{1};  // a sleep; a longer one is two
 
 int checked(int result, const char* what) {
   if (result < 0) throw std::system_error(errno, std::generic_category(), what);
@@ -119,7 +119,7 @@ void EventLoop::run_posted() {
 
 void EventLoop::run() {
   stopped_ = false;
-  while (!stopped_) run_once(kLongest);
+  while (!stopped_) run_once(kLongestSleep);
 }
 
 void EventLoop::run_once(Duration at_most) {
