@@ -68,6 +68,8 @@ void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
       ->transform(whole_number(0, hal::dds::kLastDomain));
   run->add_flag("!--no-inspect", options.inspect, "Do not show the run to DDS tools");
   run->add_option("--out", options.out, "Folder for the results; default: results/<name>");
+  run->add_flag("--overwrite", options.overwrite,
+                "Remove an earlier result there; default: keep it as <name>.1, .2, ...");
   run->add_option("--set", options.overrides, "KEY=VALUE, the key as a dotted path")
       ->allow_extra_args(false);
   CLI::Option* replications =

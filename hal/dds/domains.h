@@ -15,8 +15,8 @@ inline constexpr int kFirstFreeDomain = 1, kLastFreeDomain = 100;
 /// 9.6.1.1).
 inline constexpr int kLastDomain = 232;
 
-/// Places of a server in a DDS domain, held until destruction or the death of the process. Each
-/// place is a locked file in the folder for temporary files that names its holder.
+/// Places of a server in a DDS domain, held until destruction or the death of the process: against
+/// everybody in this network namespace, whichever user, as its ports are.
 class DomainHold {
  public:
   ~DomainHold();

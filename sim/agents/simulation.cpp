@@ -81,6 +81,8 @@ Simulation::Simulation(const SimulationConfig& config, std::vector<Observer*> ob
 
 Simulation::~Simulation() = default;
 
+void Simulation::add_observer(Observer& observer) { state_->observers.add(observer); }
+
 std::vector<hal::exchange::AgentOffer> Simulation::offers() const {
   std::vector<hal::exchange::AgentOffer> offers;
   for (const auto& [id, agent] : state_->agents) offers.push_back(agent->offer());
@@ -140,9 +142,9 @@ Outcome Simulation::end_of(RealTimeRun& run) {
   return outcome;
 }
 
-Outcome Simulation::cut_short(const std::string& error) {
+Outcome Simulation::broken_off_by(const std::string& error) {
   state_->broken_off = true;
-  if (!error.empty()) state_->fail(error);
+  if (state_->error.empty()) state_->error = error;
   return state_->outcome();
 }
 
