@@ -35,6 +35,12 @@ int command(int argc, char** argv) {
   app.add_option("--inspect-address", options.inspect_address,
                  "Address of the network interface for the topics; default: 127.0.0.1");
   app.add_flag("!--no-inspect", options.shown, "Do not show the agent to DDS tools");
+  CLI::Option* state = app.add_option(
+      "--state", options.state,
+      "Folder that remembers the emergency stop over a restart; default: STATE_DIRECTORY, else "
+      "baraka in XDG_STATE_HOME, else ~/.local/state/baraka");
+  app.add_flag("!--no-state", options.remembers, "Forget the emergency stop at a restart")
+      ->excludes(state);
   std::string level = "info";
   app.add_option("--log", level, "Least that is told on standard error; default: info")
       ->transform(hal::runtime::one_of({"debug", "info", "warning", "error"}));
@@ -55,6 +61,9 @@ int status_of_command(int argc, char** argv) {
     return command(argc, argv);
   } catch (const hal::config::ConfigErrors& e) {
     std::fprintf(stderr, "%s\n", hal::printable_lines(e.what()).c_str());
+    return gateway::app::kUsage;
+  } catch (const gateway::app::UsageError& e) {
+    std::fprintf(stderr, "error: %s\n", hal::printable_lines(e.what()).c_str());
     return gateway::app::kUsage;
   } catch (const hal::dds::NoSuchDomain& e) {
     std::fprintf(stderr, "error: %s\n", hal::printable(e.what()).c_str());

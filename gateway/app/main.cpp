@@ -34,6 +34,25 @@ constexpr std::int64_t kMostReplications = 1'000'000, kMostJobs = 1000,
 constexpr double kLeastSpeed = 1e-6, kMostSpeed = 1e9;
 constexpr double kLeastTimeout = 1e-3;  // s
 
+/// Which domains and files it uses.
+void add_surroundings(CLI::App* run, RunOptions& options) {
+  run->add_option("--domain", options.domain,
+                  "DDS domain; default: the first free one. With --jobs the first of as many, or "
+                  "FIRST-LAST")
+      ->transform(gateway::app::domains());
+  run->add_option("--inspect-domain", options.inspect_domain,
+                  "DDS domain to show the run in; default: the run's")
+      ->transform(whole_number(0, hal::dds::kLastDomain));
+  run->add_flag("!--no-inspect", options.inspect, "Do not show the run to DDS tools");
+  run->add_option("--out", options.out, "Folder for the results; default: results/<name>");
+  run->add_flag("--overwrite", options.overwrite,
+                "Remove an earlier result there; default: keep it as <name>.1, .2, ...");
+  run->add_option("--set", options.overrides, "KEY=VALUE, the key as a dotted path")
+      ->allow_extra_args(false);
+  run->add_option("--log", options.log, "Least that run.log tells of; default: info")
+      ->transform(hal::runtime::one_of({"debug", "info", "warning", "error"}));
+}
+
 void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
   CLI::App* run = app.add_subcommand("run", "Run a scenario");
   run->add_option("SCENARIO", options.scenario, "Scenario file")->required();
@@ -59,19 +78,7 @@ void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
       run->add_option("--repeat", options.repeat,
                       "Folder of a run in real time: repeat it from its record, without a clock")
           ->excludes(pace);
-  run->add_option("--domain", options.domain,
-                  "DDS domain; default: the first free one. With --jobs the first of as many, or "
-                  "FIRST-LAST")
-      ->transform(gateway::app::domains());
-  run->add_option("--inspect-domain", options.inspect_domain,
-                  "DDS domain to show the run in; default: the run's")
-      ->transform(whole_number(0, hal::dds::kLastDomain));
-  run->add_flag("!--no-inspect", options.inspect, "Do not show the run to DDS tools");
-  run->add_option("--out", options.out, "Folder for the results; default: results/<name>");
-  run->add_flag("--overwrite", options.overwrite,
-                "Remove an earlier result there; default: keep it as <name>.1, .2, ...");
-  run->add_option("--set", options.overrides, "KEY=VALUE, the key as a dotted path")
-      ->allow_extra_args(false);
+  add_surroundings(run, options);
   CLI::Option* replications =
       run->add_option("--replications", options.replications,
                       "Run it so many times, with seeds from the scenario's upwards; those that "
@@ -82,8 +89,6 @@ void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
   run->add_option("--jobs", options.jobs, "Replications at a time; default: 1")
       ->transform(whole_number(1, kMostJobs))
       ->needs(replications);
-  run->add_option("--log", options.log, "Least that run.log tells of; default: info")
-      ->transform(hal::runtime::one_of({"debug", "info", "warning", "error"}));
 }
 
 void add_new_controller(CLI::App& app, gateway::app::NewControllerOptions& options) {

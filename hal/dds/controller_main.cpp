@@ -18,7 +18,7 @@ int main(int argc, char** argv) {
     return static_cast<int>(hal::dds::run_controllers(kind, *parsed.options));
   } catch (const hal::dds::NoSuchDomain& error) {
     fmt::print(stderr, "{}: {}\n", argv[0], hal::printable(error.what()));
-    return 2;
+    return 2;  // as for a wrong option
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}: {}\n", argv[0], hal::printable_lines(error.what()));
     return 1;

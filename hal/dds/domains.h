@@ -55,13 +55,13 @@ int discovery_port(int domain, int place);
 /// @throws std::runtime_error  no port is left, or no file descriptor.
 int free_port();
 
-/// BARAKA_DOMAIN of the environment is wrong: a mistake of the user, as on the command line.
+/// Whoever named a domain named none: a mistake of the command line or the environment.
 struct NoSuchDomain : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 /// The environment's BARAKA_DOMAIN, else 1.
-/// @throws NoSuchDomain
+/// @throws NoSuchDomain  if BARAKA_DOMAIN is none.
 int default_domain();
 
 }  // namespace hal::dds
