@@ -86,7 +86,7 @@ bool is_inside(const RobotDescription& robot, const Vec3& point) {
 }
 
 void check_sensors(Mapping infrared, const RobotDescription& robot) {
-  std::vector<Mapping> mounts = infrared.mappings("mounts");
+  std::vector<Mapping> mounts = infrared.items("mounts");
   for (std::size_t i = 0; i < std::min(mounts.size(), robot.infrared.size()); ++i) {
     if (is_inside(robot, robot.infrared[i].position))
       mounts[i].mistake("", "the sensor is inside the body, where it sees nothing");
@@ -99,8 +99,8 @@ void check_robot(Mapping& in, const RobotDescription& robot) {
   const bool complete =
       robot.wheels.size() >= 3 && !(robot.cylinders.empty() && robot.boxes.empty());
   if (!complete) return;  // that was noted
-  check_wheels(in.mapping("wheels"), robot);
-  check_sensors(in.mapping("infrared"), robot);
+  check_wheels(in.within("wheels"), robot);
+  check_sensors(in.within("infrared"), robot);
 }
 
 }  // namespace hal::description

@@ -41,14 +41,17 @@ const std::string& name_of(AgentId id, const Scenario& scenario) {
 EndCondition read_end(Mapping& in, const Scenario& scenario) {
   EndCondition end;
   if (in.has("agent")) {
-    end.agent = agent_named(in, "agent", in.text("agent"), scenario);
-    end.state = in.text("state");
-    end.after = in.duration("after", kTime, hal::Duration{});
+    end.agent = agent_named(
+        in, "agent",
+        in.text({"agent", "The run ends when this agent's controller enters a state.", "NAME0"}),
+        scenario);
+    end.state = in.text({"state", "That state, as the controller calls it.", "FULFILLED"});
+    end.after = in.duration({"after", "So much later.", "1 s"}, kTime, hal::Duration{});
     in.refuse("at", "cannot stand beside agent");
   } else {
-    end.after = in.duration("at", kTime);
+    end.after = in.duration({"at", "The run ends at this time.", "60 s"}, kTime);
   }
-  end.result = in.text("result");
+  end.result = in.text({"result", "What the run is then called.", "done"});
   in.finish();
   return end;
 }
@@ -56,14 +59,17 @@ EndCondition read_end(Mapping& in, const Scenario& scenario) {
 /// Two different agents from a list of two names.
 ExpectedDistance read_distance(Mapping& in, const Scenario& scenario) {
   ExpectedDistance expected;
-  const std::vector<hal::config::Scalar> names = in.texts("distance");
+  const std::vector<hal::config::Scalar> names =
+      in.texts({"distance", "Two agents whose true distance at the end is judged.",
+                "[NAME0, NAME1]", hal::config::kMustBeGiven});
   if (names.size() == 2) {
     expected.from = agent_named(in, "distance", names[0].text, scenario);
     expected.to = agent_named(in, "distance", names[1].text, scenario);
   } else {
     in.mistake("distance", fmt::format("must name two agents, not {}", names.size()));
   }
-  expected.below = hal::Metres{in.number("below", "m", {0, 1e9})};
+  expected.below =
+      hal::Metres{in.number({"below", "The distance must be smaller.", "10 m"}, "m", {0, 1e9})};
   return expected;
 }
 
@@ -76,7 +82,8 @@ Expectation read_expectation(Mapping& in, const Scenario& scenario) {
   } else if (distance) {
     expectation.condition = read_distance(in, scenario);
   } else {
-    expectation.condition = ExpectedResult{in.text("result")};
+    expectation.condition =
+        ExpectedResult{in.text({"result", "The run must end with this result.", "done"})};
   }
   in.finish();
   return expectation;
@@ -85,7 +92,9 @@ Expectation read_expectation(Mapping& in, const Scenario& scenario) {
 }  // namespace
 
 void read_ends(Mapping& in, Scenario& scenario) {
-  for (Mapping& end : in.mappings("end")) {
+  for (Mapping& end : in.mappings(
+           {"end", "When the run ends; the first condition that is met counts. At least one.",
+            "[{at: 60 s, result: done}]"})) {
     scenario.simulation.ends.push_back(read_end(end, scenario));
   }
   if (scenario.simulation.ends.empty()) {
@@ -94,7 +103,9 @@ void read_ends(Mapping& in, Scenario& scenario) {
 }
 
 void read_expectations(Mapping& in, Scenario& scenario) {
-  for (Mapping& one : in.mappings("expect")) {
+  for (Mapping& one :
+       in.mappings({"expect", "What must hold at the end, else the exit status is 3.",
+                    "[{result: done}]"})) {
     scenario.expectations.push_back(read_expectation(one, scenario));
   }
 }

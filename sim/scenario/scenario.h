@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "hal/config/mapping.h"
 #include "hal/types/agent_id.h"
 #include "hal/types/quantity.h"
 #include "hal/types/time.h"
@@ -64,6 +65,9 @@ struct Scenario {
   hal::Duration wait = 30s;                          ///< For the next controller, before the start.
   RecordOptions record;
 };
+
+/// Reads a scenario from the top level of its file; notes mistakes there.
+Scenario read_scenario(hal::config::Mapping in, const std::filesystem::path& file);
 
 /// Reads a scenario.
 /// @param overrides  "dotted.path=value" in the file's value syntax; they win over the file, later

@@ -14,7 +14,7 @@ class DocumentTest : public Files {
   /// The plain number at a dotted path of two keys.
   static double number(Document& document, const std::string& outer, const std::string& inner) {
     Mapping root = document.root();
-    return root.mapping(outer).number(inner, "1", {-1e9, 1e9}, -1);
+    return root.mapping(key(outer)).number(key(inner), "1", {-1e9, 1e9}, -1);
   }
 };
 
@@ -78,7 +78,7 @@ TEST_F(DocumentTest, PlacesMistakesInTheIncludedFile) {
   const auto found = messages([&] {
     auto document = Document::load(write("a.yaml", "x: {include: base.yaml}\n"));
     Mapping root = document.root();
-    root.mapping("x").number("b", "1", {0, 1});
+    root.mapping(key("x")).number(key("b"), "1", {0, 1});
     document.finish();
   });
   EXPECT_EQ(found, (Lines{"base.yaml:3:4: x.b: 'far' is not a number"}));
@@ -155,14 +155,14 @@ TEST_F(DocumentTest, NamesTheOverrideWhoseValueIsWrong) {
   const auto found = messages([&] {
     auto document = Document::load(write("a.yaml", "x: {a: 1}\n"), {"x.a=1 m", "x.aa=2"});
     Mapping root = document.root();
-    Mapping x = root.mapping("x");
-    x.number("a", "1", {0, 1});
+    Mapping x = root.mapping(key("x"));
+    x.number(key("a"), "1", {0, 1});
     x.finish();
     root.finish();
     document.finish();
   });
   EXPECT_EQ(found, (Lines{"--set x.a: '1 m' must be a plain number, without a unit",
-                          "--set x.aa: is not a known key"}));
+                          "--set x.aa: is not a known key; known here: a"}));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hal/config/document.h"
+#include "hal/config/key.h"
 
 namespace hal::config {
 
@@ -55,5 +56,8 @@ class Files : public testing::Test {
 };
 
 using Lines = std::vector<std::string>;
+
+/// A key of a test, described somehow.
+inline Key key(const std::string& name) { return {name, "Of a test."}; }
 
 }  // namespace hal::config
