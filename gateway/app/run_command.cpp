@@ -164,10 +164,4 @@ int run(const RunOptions& options) {
   return status;
 }
 
-int check(const std::string& path, const std::vector<std::string>& overrides) {
-  load_judged(path, overrides);
-  fmt::print("{}: ok\n", path);
-  return kDone;
-}
-
 }  // namespace gateway::app

@@ -8,15 +8,16 @@
 namespace sim::scenario {
 namespace {
 
-constexpr Range kCoordinate{-1e6, 1e6};  // m
-constexpr Range kAngle{-10, 10};         // rad, more than a full turn either way
-constexpr std::int64_t kMaxSide = 10'000;
+constexpr Range kCoordinate{-1e6, 1e6};       // m
+constexpr Range kAngle{-10, 10};              // rad, more than a full turn either way
+constexpr std::int64_t kMostAgents = 65'534;  // network addresses have 16 bits; 0xffff is everyone
 
 /// Row by row from the origin: x first, then y.
 std::vector<hal::Pose2> read_grid(Mapping in) {
   const std::int64_t columns =
-      in.integer({"columns", "Agents side by side along x.", "5"}, 1, kMaxSide);
-  const std::int64_t rows = in.integer({"rows", "Agents side by side along y.", "5"}, 1, kMaxSide);
+      in.integer({"columns", "Agents side by side along x.", "5"}, 1, kMostAgents);
+  const std::int64_t rows =
+      in.integer({"rows", "Agents side by side along y.", "5"}, 1, kMostAgents);
   const hal::Vec2 spacing =
       in.vec2({"spacing", "Between neighbours along x and y.", "[125 m, 125 m]"}, "m",
               {0, kCoordinate.high});
@@ -25,6 +26,12 @@ std::vector<hal::Pose2> read_grid(Mapping in) {
   const double yaw = in.number({"yaw", "Heading of all of them.", "90 deg"}, "rad", kAngle, 0);
   in.finish();
   std::vector<hal::Pose2> poses;
+  if (columns * rows > kMostAgents) {
+    in.mistake("", fmt::format("{} x {} are {} agents; network addresses have 16 bits, which is "
+                               "enough for {}",
+                               columns, rows, columns * rows, kMostAgents));
+    return poses;
+  }
   for (std::int64_t row = 0; row < rows; ++row) {
     for (std::int64_t column = 0; column < columns; ++column) {
       poses.push_back({origin.x + spacing.x * static_cast<double>(column),
