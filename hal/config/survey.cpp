@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <utility>
 
 namespace hal::config {
 
@@ -62,14 +63,14 @@ const Survey& Explorer::survey_of(const Taken& taken) {
   return found->second;
 }
 
-const Survey::Read* find(const Survey& survey, const std::string& path) {
+const Survey::Read* read_at(const Survey& survey, const std::string& path) {
   for (const Survey::Read& read : survey.read()) {
     if (read.path == path) return &read;
   }
   return nullptr;
 }
 
-Taken with(Taken taken, const Decision& decision, std::size_t option) {
+Taken taking(Taken taken, const Decision& decision, std::size_t option) {
   taken[decision.id()] = option;
   return taken;
 }
@@ -83,7 +84,7 @@ void Explorer::follow(const Taken& taken) {
   for (const Decision& decision : survey.decisions()) {
     if (!decisions_.insert(decision.id()).second) continue;
     for (std::size_t option = 0; option < decision.options.size(); ++option) {
-      if (option != decision.taken) ahead_.push_back(with(taken, decision, option));
+      if (option != decision.taken) ahead_.push_back(taking(taken, decision, option));
     }
   }
   ways_.push_back(std::move(way));
@@ -94,7 +95,7 @@ std::vector<Taken> Explorer::pairs(const Taken& taken) {
   for (const Decision& decision : survey_of(taken).decisions()) {
     if (taken.contains(decision.id())) continue;
     for (std::size_t option = 0; option < decision.options.size(); ++option) {
-      if (option != decision.taken) result.push_back(with(taken, decision, option));
+      if (option != decision.taken) result.push_back(taking(taken, decision, option));
     }
   }
   return result;
@@ -110,7 +111,7 @@ std::optional<Condition> Explorer::condition(const std::string& path, const Take
   Condition condition{decision.path, decision.presence, {}};
   std::vector<KeyDescription::Otherwise> otherwise;
   for (std::size_t option = 0; option < decision.options.size(); ++option) {
-    const Survey::Read* read = find(survey_of(with(taken, decision, option)), path);
+    const Survey::Read* read = read_at(survey_of(taking(taken, decision, option)), path);
     if (read == nullptr) continue;
     condition.values.push_back(decision.options[option]);
     otherwise.push_back({decision.options[option], read->otherwise});
@@ -134,6 +135,13 @@ KeyDescription Explorer::described(const Survey::Read& read, const Taken& taken)
       key.conditions.push_back(std::move(*one));
     }
   }
+  // The value says that it is there.
+  const std::vector<Condition> all = key.conditions;
+  std::erase_if(key.conditions, [&](const Condition& one) {
+    return one.presence && std::any_of(all.begin(), all.end(), [&](const Condition& other) {
+             return !other.presence && other.path == one.path;
+           });
+  });
   return key;
 }
 
@@ -147,7 +155,7 @@ std::vector<std::string> Explorer::never_read() const {
   return {result.begin(), result.end()};
 }
 
-std::string mapping_of(const std::string& path) {
+std::string outer_path(const std::string& path) {
   const std::size_t dot = path.rfind('.');
   return dot == std::string::npos ? "" : path.substr(0, dot);
 }
@@ -161,7 +169,7 @@ void drop_inherited(std::vector<KeyDescription>& keys) {
   std::map<std::string, std::vector<Condition>> all;
   for (KeyDescription& key : keys) {
     all[key.path] = key.conditions;
-    std::string outer = mapping_of(key.path);
+    std::string outer = outer_path(key.path);
     if (outer.ends_with("[]")) outer.resize(outer.size() - 2);
     const std::vector<Condition>& known = all[outer];
     std::erase_if(key.conditions, [&](const Condition& condition) {
@@ -171,13 +179,27 @@ void drop_inherited(std::vector<KeyDescription>& keys) {
   }
 }
 
-/// Each mapping's keys together, mappings in the order in which they were met.
-void group(std::vector<KeyDescription>& keys) {
-  std::map<std::string, std::size_t> rank;
-  for (const KeyDescription& key : keys) rank.emplace(mapping_of(key.path), rank.size());
-  std::stable_sort(keys.begin(), keys.end(), [&](const auto& a, const auto& b) {
-    return rank.at(mapping_of(a.path)) < rank.at(mapping_of(b.path));
-  });
+/// Keys by the mapping they are in.
+using ByMapping = std::map<std::string, std::vector<KeyDescription>>;
+
+void append_keys_of(const std::string& mapping, ByMapping& all, std::vector<KeyDescription>& out) {
+  const auto found = all.find(mapping);
+  if (found == all.end()) return;
+  const std::vector<KeyDescription> keys = std::exchange(found->second, {});
+  out.insert(out.end(), keys.begin(), keys.end());
+  for (const KeyDescription& key : keys) {
+    append_keys_of(key.path, all, out);
+    append_keys_of(key.path + "[]", all, out);
+  }
+}
+
+/// Each mapping's keys together, then those of the mappings in it.
+std::vector<KeyDescription> in_order(const std::vector<KeyDescription>& keys) {
+  ByMapping all;
+  for (const KeyDescription& key : keys) all[outer_path(key.path)].push_back(key);
+  std::vector<KeyDescription> result;
+  append_keys_of("", all, result);
+  return result;
 }
 
 KeyTable Explorer::table() {
@@ -193,7 +215,7 @@ KeyTable Explorer::table() {
       }
     }
   }
-  group(table.keys);
+  table.keys = in_order(table.keys);
   drop_inherited(table.keys);
   table.never_read = never_read();
   return table;

@@ -40,7 +40,7 @@ void acceleration_keys(Io& io, AccelerationLimits& c) {
             kAcceleration, c.angular_down);
 }
 
-BodyCylinder read_cylinder(Mapping& shape, Mapping in) {
+BodyCylinder read_cylinder(Mapping in, double mass) {
   BodyCylinder cylinder;
   cylinder.radius = in.number({"radius", "Of the cylinder.", "18 cm"}, "m", kSize);
   cylinder.z_bottom =
@@ -50,12 +50,12 @@ BodyCylinder read_cylinder(Mapping& shape, Mapping in) {
   if (cylinder.z_top <= cylinder.z_bottom) in.mistake("top", "must be above bottom");
   cylinder.centre = in.vec2(
       {"centre", "Of the cylinder, seen from the body's origin.", "[0 m, 0 m]"}, "m", kOffset, {});
-  cylinder.mass = shape.number(kShapeMass, "kg", kMass);
+  cylinder.mass = mass;
   in.finish();
   return cylinder;
 }
 
-BodyBox read_box(Mapping& shape, Mapping in) {
+BodyBox read_box(Mapping in, double mass) {
   BodyBox box;
   box.size =
       in.vec3({"size", "Of the box along its own axes.", "[20 cm, 10 cm, 5 cm]"}, "m", kSize);
@@ -65,7 +65,7 @@ BodyBox read_box(Mapping& shape, Mapping in) {
   if (box.centre.z < box.size.z / 2) in.mistake("centre", "the box reaches into the ground");
   box.yaw = in.number({"yaw", "By which the box is turned, seen from above.", "45 deg"}, "rad",
                       kAngle, 0);
-  box.mass = shape.number(kShapeMass, "kg", kMass);
+  box.mass = mass;
   in.finish();
   return box;
 }
@@ -76,16 +76,17 @@ void read_link(Mapping in, RobotDescription& robot) {
       kFriction, robot.friction);
   for (Mapping& shape :
        in.mappings({"collision", "Upright, solid shapes that make the body; at least one.",
-                    "[{cylinder: {radius: 18 cm, bottom: 2 cm, top: 21 cm}, mass: 9 kg}]"})) {
+                    "[{cylinder: {radius: 18 cm, bottom: 2 cm, top: 21 cm}, mass: 9 kg}]",
+                    config::kMustBeGiven})) {
+    const double mass = shape.number(kShapeMass, "kg", kMass);
     const bool cylinder = shape.has("cylinder");
     if (cylinder == shape.has("box")) {
       shape.mistake("", "must have either cylinder or box");
-      shape.has("mass");
     } else if (cylinder) {
       robot.cylinders.push_back(
-          read_cylinder(shape, shape.mapping({"cylinder", "An upright cylinder."})));
+          read_cylinder(shape.mapping({"cylinder", "An upright cylinder."}), mass));
     } else {
-      robot.boxes.push_back(read_box(shape, shape.mapping({"box", "A box."})));
+      robot.boxes.push_back(read_box(shape.mapping({"box", "A box."}), mass));
     }
     shape.finish();
   }
@@ -172,7 +173,8 @@ void read_wheels(Mapping in, RobotDescription& robot) {
        in.mappings({"joints",
                     "The wheels, at least three, each where it is and how it differs from `wheel`.",
                     "[{distance: 13 cm, bearing: 60 deg}, {distance: 13 cm, bearing: 180 deg}, "
-                    "{distance: 13 cm, bearing: 300 deg}]"})) {
+                    "{distance: 13 cm, bearing: 300 deg}]",
+                    config::kMustBeGiven})) {
     Wheel wheel = common;
     read_wheel(joint, wheel);
     check_complete(all, joint);

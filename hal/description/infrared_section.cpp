@@ -138,9 +138,9 @@ std::vector<InfraredSensor> read_infrared(Mapping in) {
   read_sensor(all, common);
   all.finish();
   std::vector<InfraredSensor> sensors;
-  for (Mapping& mount : in.mappings(
-           {"mounts", "The sensors, each where it is and how it differs from `sensor`.",
-            "[{distance: 18.5 cm, bearing: 0 deg}, {distance: 18.5 cm, bearing: 60 deg}]"})) {
+  for (Mapping& mount :
+       in.mappings({"mounts", "The sensors, each where it is and how it differs from `sensor`.",
+                    "[{distance: 23 cm, bearing: 0 deg}, {distance: 23 cm, bearing: 60 deg}]"})) {
     InfraredSensor sensor = common;
     read_sensor(mount, sensor);
     const Mounting mounting =

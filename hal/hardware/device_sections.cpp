@@ -143,7 +143,8 @@ IioSettings read_iio(Mapping& in, const RobotFile& file) {
   settings.folder = in.text({"folder", "Of the converter in sysfs (Linux Industrial I/O).",
                              "'/sys/bus/iio/devices/iio:device0'"});
   for (const config::Scalar& channel :
-       in.texts({"channels", "One per infrared sensor of the robot.", "[voltage0, voltage1]",
+       in.texts({"channels", "One per infrared sensor of the robot.",
+                 "[voltage0, voltage1, voltage2, voltage3, voltage4, voltage5]",
                  config::kMustBeGiven})) {
     settings.channels.push_back(channel.text);
     if (is_voltage_channel(channel.text)) continue;

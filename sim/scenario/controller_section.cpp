@@ -95,8 +95,13 @@ void read_controller(Mapping in, Group& group, std::span<AgentConfig> agents) {
        "help_mote"});
   group.program_place = in.place("program");
   const auto most = std::max<std::int64_t>(1, static_cast<std::int64_t>(agents.size()));
-  group.processes = static_cast<int>(
-      in.integer({"processes", "Controller processes that share the agents.", "1"}, 1, most, 1));
+  const std::int64_t processes = in.integer(
+      {"processes", "Controller processes that share the agents; at most one for each.", "1"}, 1,
+      0xfffe, 1);
+  if (processes > most) {
+    in.mistake("processes", fmt::format("{} is above the limit of {}", processes, most));
+  }
+  group.processes = static_cast<int>(std::min(processes, most));
   const std::vector<ParameterText> parameters = read_parameters(in.mapping(
       {"parameters", "Of the controller, for all agents; `baraka describe PROGRAM` shows them.",
        "{help_at: 1 s}"}));

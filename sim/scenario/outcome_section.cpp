@@ -94,7 +94,7 @@ Expectation read_expectation(Mapping& in, const Scenario& scenario) {
 void read_ends(Mapping& in, Scenario& scenario) {
   for (Mapping& end : in.mappings(
            {"end", "When the run ends; the first condition that is met counts. At least one.",
-            "[{at: 60 s, result: done}]"})) {
+            "[{at: 60 s, result: done}]", hal::config::kMustBeGiven})) {
     scenario.simulation.ends.push_back(read_end(end, scenario));
   }
   if (scenario.simulation.ends.empty()) {

@@ -49,8 +49,9 @@ std::vector<hal::Pose2> read_poses(Mapping& in) {
     in.refuse("poses", "cannot stand beside grid");
     return read_grid(in.mapping({"grid", "Places them row by row."}));
   }
-  for (Mapping& pose : in.mappings(
-           {"poses", "Places them one by one.", "[{x: 0 m, y: 0 m}, {x: 100 m, y: 0 m}]"})) {
+  for (Mapping& pose :
+       in.mappings({"poses", "Places them one by one.", "[{x: 0 m, y: 0 m}, {x: 100 m, y: 0 m}]",
+                    hal::config::kMustBeGiven})) {
     poses.push_back(
         {pose.number({"x", "World frame.", "8 m"}, "m", kCoordinate),
          pose.number({"y", "World frame.", "8 m"}, "m", kCoordinate),

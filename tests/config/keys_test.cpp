@@ -5,6 +5,7 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -130,37 +131,49 @@ std::string named(std::string path, const std::string& name) {
   return at == std::string::npos ? path : path.replace(at, 4, name);
 }
 
-/// What the command line must say to give the key its example where it counts.
+/// A way to give a key its example: in a file, for a group, with values of the keys it depends on.
+struct Way {
+  fs::path file;
+  std::string group;
+  std::optional<std::size_t> value;  ///< Of each condition; none: those of the file.
+};
+
+/// What the command line must say.
 Lines overrides_for(const KeyDescription& key, const std::vector<KeyDescription>& all,
-                    const std::string& group) {
+                    const Way& way) {
   Lines overrides;
   for (const KeyDescription& outer : all) {
     const bool holds = key.path == outer.path || key.path.starts_with(outer.path + ".");
     for (const Condition& condition : outer.conditions) {
-      if (!holds || condition.presence) continue;
-      overrides.push_back(named(condition.path, group) + "=" + condition.values.front());
+      if (!holds || condition.presence || !way.value) continue;
+      overrides.push_back(named(condition.path, way.group) + "=" +
+                          condition.values.at(*way.value % condition.values.size()));
     }
   }
   std::string example = key.example;
   for (auto at = example.find("NAME"); at != std::string::npos; at = example.find("NAME")) {
-    example.replace(at, 4, group == "motes" ? "m" : "r");
+    example.replace(at, 4, way.group == "motes" ? "m" : "r");
   }
-  overrides.push_back(named(key.path, group) + "=" + example);
+  overrides.push_back(named(key.path, way.group) + "=" + example);
   return overrides;
 }
 
-/// Whether one of the kind's files, with one of its groups, accepts the example.
+/// Whether one of the kind's files accepts the example in one of those ways.
 testing::AssertionResult is_accepted(const Kind& kind, const KeyDescription& key,
                                      const std::vector<KeyDescription>& all) {
-  Lines last;
+  constexpr std::array<std::optional<std::size_t>, 3> kValues = {std::nullopt, 0, 1};
+  Lines found;
   for (const fs::path& file : kind.files) {
     for (const char* group : {"motes", "robots"}) {
-      last = mistakes(kind, file, overrides_for(key, all, group));
-      if (last.empty()) return testing::AssertionSuccess();
+      for (const auto value : kValues) {
+        const Lines last = mistakes(kind, file, overrides_for(key, all, {file, group, value}));
+        if (last.empty()) return testing::AssertionSuccess();
+        found.insert(found.end(), last.begin(), last.end());
+      }
     }
   }
   testing::AssertionResult failure = testing::AssertionFailure();
-  for (const std::string& line : last) failure << line << "\n";
+  for (const std::string& line : found) failure << line << "\n";
   return failure;
 }
 
