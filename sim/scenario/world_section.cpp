@@ -12,9 +12,7 @@ using physics::WorldConfig;
 
 const Key kRange{"range", "Agents farther away are not reported.", "300 m"};
 
-constexpr Range kCoordinate{-1e6, 1e6};  // m
-constexpr Range kBoxSize{1e-3, 1e5};     // m
-constexpr Range kAngle{-10, 10};         // rad, more than a full turn either way
+constexpr Range kBoxSize{1e-3, 1e5};  // m
 constexpr Range kFriction{0, 100};
 
 template <class Io>
