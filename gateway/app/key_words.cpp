@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -18,29 +19,38 @@ std::string mapping_of(const std::string& path) {
   return dot == std::string::npos ? "" : path.substr(0, dot);
 }
 
+namespace {
+
+/// "7 (disk), 31 (ideal)", or just what all have.
+std::string by_variant(const KeyDescription& key,
+                       const std::function<std::string(const KeyDescription::Variant&)>& words) {
+  std::vector<std::pair<std::string, std::vector<std::string>>> groups;
+  for (const KeyDescription::Variant& variant : key.variants) {
+    const std::string said = words(variant);
+    if (groups.empty() || groups.back().first != said) groups.push_back({said, {}});
+    groups.back().second.push_back(variant.with);
+  }
+  if (groups.size() == 1) return groups.front().first;
+  std::vector<std::string> parts;
+  for (const auto& [said, with] : groups) {
+    parts.push_back(fmt::format("{} ({})", said, fmt::join(with, ", ")));
+  }
+  return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+}  // namespace
+
 std::string value_words(const KeyDescription& key) {
-  const std::string range = limits(key.form);
+  const std::string range = by_variant(key, [](const auto& variant) { return variant.limits; });
   return range.empty() ? expected(key.form) : fmt::format("{}, {}", expected(key.form), range);
 }
 
 std::string default_words(const KeyDescription& key) {
-  const auto said = [&](const std::string& value) -> std::string {
-    if (!value.empty()) return value;
-    return key.optional ? "none" : std::string(hal::config::kMustBeGiven);
-  };
   if (key.form.kind == Form::Kind::kMapping) return "";
-  if (key.otherwise.size() == 1) return said(key.otherwise.front().value);
-  std::vector<std::pair<std::string, std::vector<std::string>>> by_value;
-  for (const KeyDescription::Otherwise& one : key.otherwise) {
-    const std::string value = said(one.value);
-    if (by_value.empty() || by_value.back().first != value) by_value.push_back({value, {}});
-    by_value.back().second.push_back(one.with);
-  }
-  std::vector<std::string> parts;
-  for (const auto& [value, with] : by_value) {
-    parts.push_back(fmt::format("{} ({})", value, fmt::join(with, ", ")));
-  }
-  return fmt::format("{}", fmt::join(parts, ", "));
+  return by_variant(key, [&](const KeyDescription::Variant& variant) -> std::string {
+    if (!variant.otherwise.empty()) return variant.otherwise;
+    return key.optional ? "none" : std::string(hal::config::kMustBeGiven);
+  });
 }
 
 std::string condition_words(const KeyDescription& key) {

@@ -109,17 +109,17 @@ bool lies_in(const std::string& path, const std::string& key) {
 std::optional<Condition> Explorer::condition(const std::string& path, const Taken& taken,
                                              const Decision& decision, KeyDescription& key) {
   Condition condition{decision.path, decision.presence, {}};
-  std::vector<KeyDescription::Otherwise> otherwise;
+  std::vector<KeyDescription::Variant> variants;
   for (std::size_t option = 0; option < decision.options.size(); ++option) {
     const Survey::Read* read = read_at(survey_of(taking(taken, decision, option)), path);
     if (read == nullptr) continue;
     condition.values.push_back(decision.options[option]);
-    otherwise.push_back({decision.options[option], read->otherwise});
+    variants.push_back({decision.options[option], read->otherwise, limits(read->form)});
   }
-  const bool differs = std::any_of(otherwise.begin(), otherwise.end(), [&](const auto& other) {
-    return other.value != otherwise.front().value;
+  const bool differ = std::any_of(variants.begin(), variants.end(), [&](const auto& other) {
+    return other.otherwise != variants.front().otherwise || other.limits != variants.front().limits;
   });
-  if (differs) key.otherwise = std::move(otherwise);
+  if (differ) key.variants = std::move(variants);
   if (condition.values.size() == decision.options.size()) return std::nullopt;
   if (!decision.presence || !lies_in(path, decision.path)) return condition;
   if (path == decision.path) key.optional = true;  // it is there when it is there
@@ -127,8 +127,13 @@ std::optional<Condition> Explorer::condition(const std::string& path, const Take
 }
 
 KeyDescription Explorer::described(const Survey::Read& read, const Taken& taken) {
-  KeyDescription key{
-      read.path, read.meaning, read.example, read.form, false, {{"", read.otherwise}}, {}};
+  KeyDescription key{.path = read.path,
+                     .meaning = read.meaning,
+                     .example = read.example,
+                     .form = read.form,
+                     .optional = false,
+                     .variants = {{"", read.otherwise, limits(read.form)}},
+                     .conditions = {}};
   const std::vector<Decision> decisions = survey_of(taken).decisions();
   for (const Decision& decision : decisions) {
     if (auto one = condition(read.path, taken, decision, key)) {

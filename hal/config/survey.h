@@ -73,17 +73,18 @@ struct Condition {
 
 /// One key of a kind of file.
 struct KeyDescription {
-  /// What counts when the key is absent, where the value of another key (`with`) decides it.
-  struct Otherwise {
-    std::string with;   ///< "ieee80211b"; empty: always.
-    std::string value;  ///< Empty: it must be given.
+  /// Default and limits, where the value of another key (`with`) decides them.
+  struct Variant {
+    std::string with;       ///< "ieee80211b"; empty: always.
+    std::string otherwise;  ///< What counts when the key is absent; empty: it must be given.
+    std::string limits;
   };
 
   std::string path;  ///< Dotted; "[]" behind the name of a list; NAME for a name of one's own.
   std::string meaning, example;
   Form form;
-  bool optional = false;  ///< Absent, it is nothing.
-  std::vector<Otherwise> otherwise;
+  bool optional = false;              ///< Absent, it is nothing.
+  std::vector<Variant> variants;      ///< At least one.
   std::vector<Condition> conditions;  ///< Those that its mapping does not have anyway.
 };
 

@@ -165,5 +165,94 @@ TEST_F(DocumentTest, NamesTheOverrideWhoseValueIsWrong) {
                           "--set x.aa: is not a known key; known here: a"}));
 }
 
+TEST_F(DocumentTest, TellsADirectoryFromAFileThatIsNotThere) {
+  std::filesystem::create_directory(folder_ / "sub");
+  EXPECT_EQ(loading(folder_ / "sub"), (Lines{"sub: is a directory, not a file"}));
+  EXPECT_EQ(loading(write("a.yaml", "x: {include: sub}\n")),
+            (Lines{"a.yaml:1:14: x.include: 'sub' is a directory, not a file"}));
+  EXPECT_EQ(loading("/dev/null"), (Lines{"/dev/null: is not a regular file"}));
+}
+
+TEST_F(DocumentTest, FindsIncludesBesideTheFileThatALinkLeadsTo) {
+  write("real/b.yaml", "a: 1\n");
+  write("links/b.yaml", "a: 2\n");
+  std::filesystem::create_symlink(write("real/a.yaml", "x: {include: b.yaml}\n"),
+                                  folder_ / "links" / "a.yaml");
+  auto document = Document::load(folder_ / "links" / "a.yaml");
+  EXPECT_EQ(number(document, "x", "a"), 1);
+}
+
+/// Seconds would show: without its limit each of these takes minutes or all memory.
+TEST_F(DocumentTest, RefusesIncludesThatDoubleWithoutEnd) {
+  for (int i = 0; i < 40; ++i) {
+    const std::string next = "f" + std::to_string(i + 1) + ".yaml";
+    write("f" + std::to_string(i) + ".yaml",
+          "x: {include: " + next + "}\ny: {include: " + next + "}\n");
+  }
+  write("f40.yaml", "a: 1\n");
+  const Lines found = loading(folder_ / "f0.yaml");
+  ASSERT_FALSE(found.empty());
+  EXPECT_NE(found[0].find("include: is file 1001; at most 1000 are read"), std::string::npos)
+      << found[0];
+}
+
+TEST_F(DocumentTest, RefusesIncludesInMappingsWithoutEnd) {
+  std::string text = "include: last.yaml";
+  for (int i = 0; i < 60; ++i) text = "x: {" + text + "}";
+  write("last.yaml", "a: 1\n");
+  const Lines found = loading(write("a.yaml", text + "\n"));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NE(found[0].find("include: stands in 60 mappings; at most 50 are read"), std::string::npos)
+      << found[0];
+}
+
+TEST_F(DocumentTest, RefusesWhatWouldFillTheMemory) {
+  std::string list = "a: [0";
+  for (int i = 0; i < 600'000; ++i) list += ",0";
+  EXPECT_NE(loading(write("a.yaml", list + "]\n")).at(0).find("has more values than the 500000"),
+            std::string::npos);
+  EXPECT_EQ(loading(write("b.yaml", std::string(9U << 20U, '#'))),
+            (Lines{"b.yaml: has 9437184 bytes; at most 8388608 are read"}));
+  std::string keys;
+  for (int i = 0; i < 10'001; ++i) keys += "k" + std::to_string(i) + ": 0\n";
+  EXPECT_EQ(loading(write("c.yaml", keys)),
+            (Lines{"c.yaml:10001:1: has 10001 keys; at most 10000 are read"}));
+}
+
+TEST_F(DocumentTest, RefusesABombOfAliasesWithoutBuildingIt) {
+  std::string text = "a0: &a0 [x, x]\n";
+  for (int i = 1; i < 60; ++i) {
+    const std::string one = "*a" + std::to_string(i - 1);
+    text += "a" + std::to_string(i) + ": &a" + std::to_string(i) + " [" + one + ", " + one + "]\n";
+  }
+  const Lines found = loading(write("a.yaml", text));
+  EXPECT_EQ(found.size(), 60u + 2 * 59u);
+  EXPECT_EQ(found.at(0), "a.yaml:1:5: anchors (&) are not supported");
+}
+
+TEST_F(DocumentTest, RefusesAnOverrideOfManyParts) {
+  std::string path = "a";
+  for (int i = 1; i < 60'000; ++i) path += ".a";
+  const Lines found = loading(write("a.yaml", "a: 1\n"), {path + "=1"});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NE(found[0].find("has 60000 parts; at most 50 are read"), std::string::npos);
+  EXPECT_LT(found[0].size(), 1500u);
+}
+
+TEST_F(DocumentTest, ShowsTerminalsNeitherControlCharactersNorEndlessWords) {
+  const Lines found = messages([&] {
+    Document document =
+        Document::load(write("a.yaml", "\"\\e[2J\": 1\nb: " + std::string(100'000, 'x') + "\n"));
+    Mapping root = document.root();
+    root.number(key("b"), "1", {0, 1});
+    root.finish();
+    document.finish();
+  });
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0], "a.yaml:1:1: \\x1b[2J: is not a known key; known here: b");
+  EXPECT_NE(found[1].find("...(100002 bytes)..."), std::string::npos);
+  EXPECT_LT(found[1].size(), 700u);
+}
+
 }  // namespace
 }  // namespace hal::config

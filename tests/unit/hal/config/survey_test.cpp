@@ -71,14 +71,14 @@ TEST(SurveyTest, SaysUnderWhatAKeyStands) {
 
 TEST(SurveyTest, KnowsWhatMustBeGivenAndWhatDefaultsDependOn) {
   const KeyTable table = survey(read);
-  EXPECT_EQ(of(table, "mass").otherwise.at(0).value, "");
+  EXPECT_EQ(of(table, "mass").variants.at(0).otherwise, "");
   EXPECT_FALSE(of(table, "mass").optional);
-  EXPECT_EQ(of(table, "radius").otherwise.at(0).value, "3 m");
+  EXPECT_EQ(of(table, "radius").variants.at(0).otherwise, "3 m");
   EXPECT_TRUE(of(table, "label").optional);
-  const auto& friction = of(table, "friction").otherwise;
+  const auto& friction = of(table, "friction").variants;
   ASSERT_EQ(friction.size(), 3U);
-  EXPECT_EQ(friction[0].with + " " + friction[0].value, "ball 0.1");
-  EXPECT_EQ(friction[2].with + " " + friction[2].value, "point 0.5");
+  EXPECT_EQ(friction[0].with + " " + friction[0].otherwise, "ball 0.1");
+  EXPECT_EQ(friction[2].with + " " + friction[2].otherwise, "point 0.5");
 }
 
 TEST(SurveyTest, NoticesAKeyThatIsLookedForButNeverRead) {
