@@ -29,6 +29,9 @@ constexpr std::array kInfraredKinds = {
     Option<InfraredKind>{"robotino_rest", InfraredKind::kRobotinoRest},
     Option<InfraredKind>{"iio", InfraredKind::kIio}};
 
+constexpr std::array kOnLostSensor = {Option<OnLostSensor>{"stop", OnLostSensor::kStop},
+                                      Option<OnLostSensor>{"ignore", OnLostSensor::kIgnore}};
+
 constexpr std::array kReads = {Option<bool>{"metres", false}, Option<bool>{"volts", true}};
 
 DeviceTimes read_times(Mapping& in, DeviceTimes times, double longest_period) {
@@ -188,6 +191,10 @@ void read_devices(Mapping& in, RobotFile& file) {
   read_wheels(in.mapping({"wheels", "The robot's motors."}), file);
   if (in.has("infrared"))
     read_infrared(in.mapping({"infrared", "The robot's infrared sensors."}), file);
+  file.on_lost_sensor = in.choice(
+      {"on_lost_sensor",
+       "Whether the wheels stop while a sensor that the controller wants is silent.", "stop"},
+      kOnLostSensor, file.on_lost_sensor);
   Mapping limits = in.mapping({"limits", "Of the velocity, whatever a controller commands."});
   file.limits.linear = limits.number({"linear", "Largest speed.", "0.6 m/s"}, "m/s",
                                      {0, config::kUnlimited}, file.limits.linear);

@@ -52,8 +52,9 @@ void read_controller(Mapping in, RobotFile& file) {
   in.finish();
 }
 
-RadioSettings read_radio(Mapping in) {
+RadioSettings read_radio(Mapping in, RadioPlaces& places) {
   RadioSettings radio;
+  places = {in.place("interface"), in.place("address"), in.place("port")};
   radio.interface =
       in.text({"interface", "Network interface; the same network for all agents.", "wlan0"});
   if (in.has("address"))
@@ -97,7 +98,7 @@ void read_body(Mapping& in, RobotFile& file) {
     read_devices(in, file);
     return;
   }
-  for (const std::string key : {"robot", "wheels", "infrared", "limits"}) {
+  for (const std::string key : {"robot", "wheels", "infrared", "limits", "on_lost_sensor"}) {
     in.refuse(key, "a mote has none");
   }
 }
@@ -110,7 +111,7 @@ RobotFile RobotFile::read(Mapping in) {
   read_agent(in.mapping({"agent", "Who the agent is."}), file);
   read_controller(in.mapping({"controller", "The program that drives it."}), file);
   read_times(in, file);
-  file.radio = read_radio(in.mapping({"radio", "The UDP radio."}));
+  file.radio = read_radio(in.mapping({"radio", "The UDP radio."}), file.radio_places);
   file.routing = description::read_routing(
       in.mapping({"routing", "How messages find their way over several hops: ant routing."}),
       description::TransmitStatus::kNone);
