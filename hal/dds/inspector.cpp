@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 
 #include "hal/dds/inspection_endpoints.h"
 #include "hal/dds/inspection_values.h"
@@ -47,8 +46,7 @@ TransformStamped_ transform(const std::string& parent, const std::string& child,
 
 class Inspector::Implementation {
  public:
-  Implementation(InspectionParticipant& inspection, const std::vector<InspectedRobot>& robots,
-                 Stamps stamps);
+  Implementation(InspectionParticipant& inspection, const std::vector<InspectedRobot>& robots);
 
   std::atomic<int>& readers(Topic topic) { return readers_[static_cast<std::size_t>(topic)]; }
 
@@ -69,7 +67,7 @@ class Inspector::Implementation {
   InspectionWriter<TFMessage_PubSubType> transforms_static_;
 
  public:
-  std::optional<InspectionWriter<Clock_PubSubType>> clock;  ///< Of simulated time only.
+  InspectionWriter<Clock_PubSubType> clock;
   InspectionWriter<TFMessage_PubSubType> transforms;
   InspectionWriter<MessageFate_PubSubType> fates;
   InspectionWriter<Frame_PubSubType> frames;
@@ -96,19 +94,16 @@ Inspector::Implementation::Robot::Robot(Implementation& all, Participant& partic
 }
 
 Inspector::Implementation::Implementation(InspectionParticipant& inspection,
-                                          const std::vector<InspectedRobot>& described,
-                                          Stamps stamps)
+                                          const std::vector<InspectedRobot>& described)
     : participant_(inspection.participant()),
       transforms_static_(participant_, "rt/tf_static", 1, static_readers_, Keep::kForLatecomers),
+      clock(participant_, "rt/clock", kFewSamples, readers(Topic::kClock)),
       transforms(participant_, "rt/tf", kManySamples, readers(Topic::kTransforms)),
       fates(participant_, "rt/baraka/message_fates", kManySamples, readers(Topic::kFates)),
       frames(participant_, "rt/baraka/frames", kManySamples, readers(Topic::kFrames)),
       routes(participant_, "rt/baraka/routes", kManySamples, readers(Topic::kRoutes)),
       states(participant_, "rt/baraka/controller_states", kManySamples, readers(Topic::kStates)),
       links(participant_, "rt/baraka/link_quality", kManySamples, readers(Topic::kLinks)) {
-  if (stamps == Stamps::kSimulated) {
-    clock.emplace(participant_, "rt/clock", kFewSamples, readers(Topic::kClock));
-  }
   for (const InspectedRobot& robot : described) {
     robots.push_back(std::make_unique<Robot>(*this, participant_, robot));
   }
@@ -132,9 +127,8 @@ void Inspector::Implementation::write_static(const std::vector<InspectedRobot>& 
   transforms_static_.write();
 }
 
-Inspector::Inspector(InspectionParticipant& participant, const std::vector<InspectedRobot>& robots,
-                     Stamps stamps)
-    : implementation_(std::make_unique<Implementation>(participant, robots, stamps)) {}
+Inspector::Inspector(InspectionParticipant& participant, const std::vector<InspectedRobot>& robots)
+    : implementation_(std::make_unique<Implementation>(participant, robots)) {}
 
 Inspector::~Inspector() = default;
 
@@ -151,9 +145,9 @@ bool Inspector::has_readers(Topic topic) const noexcept {
 
 void Inspector::publish_clock(Time now) {
   auto& writer = implementation_->clock;
-  if (!writer || !writer->has_readers()) return;
-  writer->sample().clock(to_ros(now));
-  writer->write();
+  if (!writer.has_readers()) return;
+  writer.sample().clock(to_ros(now));
+  writer.write();
 }
 
 void Inspector::publish_transform(Time at, std::string_view agent, const Pose2& pose) {

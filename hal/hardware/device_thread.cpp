@@ -56,7 +56,9 @@ DeviceCounts DeviceThread::counts() const {
   return counts_;
 }
 
-bool DeviceThread::fresh() const { return BootClock::now() - last_success_ <= rules_.silence; }
+bool DeviceThread::fresh() const {
+  return std::chrono::steady_clock::now() - last_success_ <= rules_.silence;
+}
 
 void DeviceThread::run() {
   block_broken_pipe_signals();
@@ -92,7 +94,7 @@ bool DeviceThread::connect() {
   const std::scoped_lock lock(mutex_);
   connected_ = true;
   ++counts_.connections;
-  last_success_ = BootClock::now();
+  last_success_ = std::chrono::steady_clock::now();
   return true;
 }
 
@@ -116,7 +118,7 @@ void DeviceThread::note(const Error& error) {
 
 void DeviceThread::note_success() {
   const std::scoped_lock lock(mutex_);
-  const BootTime now = BootClock::now();
+  const SteadyTime now = std::chrono::steady_clock::now();
   if (rules_.late > Duration::zero() && now - last_success_ > rules_.late) ++counts_.late_refresh;
   last_success_ = now;
 }

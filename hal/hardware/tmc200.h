@@ -11,8 +11,9 @@ namespace hal::hardware {
 /// `settings.cut_off` without a command; the driver repeats the last one every period. Odometry is
 /// integrated from the speeds the controller measures. A single garbled line is passed over;
 /// silence for the device's time-out is a lost connection.
-/// @param file  of a robot with three wheels: these, limits and command timeout.
+/// @param robot  with three wheels.
 std::unique_ptr<WheelDriver> make_tmc200_wheels(const Tmc200Settings& settings,
-                                                const RobotFile& file);
+                                                const devices::RobotDescription& robot,
+                                                const SpeedLimits& limits);
 
 }  // namespace hal::hardware

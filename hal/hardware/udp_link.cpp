@@ -10,7 +10,6 @@
 #include <chrono>
 #include <cstring>
 #include <stdexcept>
-#include <system_error>
 #include <utility>
 
 #include "hal/hardware/datagram.h"
@@ -44,9 +43,9 @@ const sockaddr* generic(const sockaddr_in& address) {
 sockaddr* generic(sockaddr_in& address) { return reinterpret_cast<sockaddr*>(&address); }
 
 [[noreturn]] void give_up(int socket, const std::string& what) {
-  const int error = errno;
+  const std::string why = std::strerror(errno);
   if (socket >= 0) ::close(socket);
-  throw std::system_error(error, std::generic_category(), what);
+  throw std::runtime_error(fmt::format("{}: {}", what, why));
 }
 
 std::uint16_t port_of(int socket) {
@@ -59,16 +58,10 @@ std::uint16_t port_of(int socket) {
 }  // namespace
 
 UdpLink::UdpLink(const UdpLinkConfig& config, EventLoop& loop) : config_(config), loop_(loop) {
-  try {
-    open(find_addresses(config_.interface, config_.address));
-  } catch (const NoAddressYet& error) {
-    trouble_ = error.what();
-    retry_ = loop_.schedule(loop_.now() + kRetryAfter, [this] { renew(); });
-  }
+  open(find_addresses(config_.interface, config_.address));
   try {
     interface_watch_.emplace(loop, [this] { renew(); });
   } catch (...) {
-    loop_.cancel(retry_);
     close();
     throw;
   }
@@ -110,12 +103,10 @@ void UdpLink::renew() {
     if (was_open && now == addresses_) return;
     close();
     open(now);
-    trouble_.clear();
     log::info(loop_.now(), kWhere, "{} is at {}", config_.interface, own_address());
   } catch (const std::runtime_error& error) {
     close();
-    trouble_ = error.what();
-    if (was_open) log::warning(loop_.now(), kWhere, "{}", trouble_);
+    if (was_open) log::warning(loop_.now(), kWhere, "{}", error.what());
     retry_ = loop_.schedule(loop_.now() + kRetryAfter, [this] { renew(); });
   }
 }
@@ -235,7 +226,7 @@ Duration UdpLink::expected_delay() const { return from_seconds(airtime(last_size
 double UdpLink::transmit_energy(std::size_t bytes) const { return config_.power * airtime(bytes); }
 
 std::string UdpLink::own_address() const {
-  return own_ < 0 ? "nowhere yet" : fmt::format("{}:{}", to_string(addresses_.own), config_.port);
+  return fmt::format("{}:{}", to_string(addresses_.own), config_.port);
 }
 
 }  // namespace hal::hardware

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <map>
-#include <set>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -12,8 +11,7 @@
 
 namespace hal::runtime {
 
-/// The latest values of an agent's channels, held until the next sample, or until the host says
-/// that they are too old.
+/// The latest values of an agent's channels, held until the next sample.
 class Readings {
  public:
   explicit Readings(const std::vector<Channel>& channels) : channels_(channels) {}
@@ -25,7 +23,7 @@ class Readings {
   /// Null: the agent has no such channel, or the controller did not ask for it.
   const Channel* find(std::string_view channel) const;
 
-  /// Errors: kNotAvailable (no such channel, not asked for, not sampled yet, lost).
+  /// Errors: kNotAvailable (no such channel, not asked for, not sampled yet).
   Result<std::span<const double>> values(std::string_view channel) const;
 
   const std::vector<Channel>& channels() const { return channels_; }
@@ -33,7 +31,6 @@ class Readings {
  private:
   std::vector<Channel> channels_;
   std::map<std::uint16_t, std::vector<double>> values_;
-  std::set<std::uint16_t> lost_;
 };
 
 }  // namespace hal::runtime

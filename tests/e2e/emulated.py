@@ -19,10 +19,9 @@ HARDWARE = ROOT / "config/hardware"
 class Process:
     """A program under way, by its pipes."""
 
-    def __init__(self, *arguments, env=None):
+    def __init__(self, *arguments):
         self.process = subprocess.Popen([str(a) for a in arguments], stdin=subprocess.PIPE,
-                                        stdout=subprocess.PIPE, text=True, bufsize=1,
-                                        env={**os.environ, **(env or {})})
+                                        stdout=subprocess.PIPE, text=True, bufsize=1)
 
     def line(self):
         line = self.process.stdout.readline()
@@ -68,8 +67,8 @@ class Robotino(Emulator):
 class Probe(Process):
     """The drivers of a robot's file."""
 
-    def __init__(self, file, *overrides, env=None):
-        super().__init__(os.environ["DRIVER_PROBE"], file, *overrides, env=env)
+    def __init__(self, file, *overrides):
+        super().__init__(os.environ["DRIVER_PROBE"], file, *overrides)
 
     def ask(self, command):
         self.process.stdin.write(command + "\n")
