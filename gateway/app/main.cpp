@@ -13,6 +13,7 @@
 #include "gateway/app/topic_command.h"
 #include "gateway/limits.h"
 #include "hal/config/errors.h"
+#include "hal/dds/domains.h"
 
 namespace {
 
@@ -163,6 +164,9 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "%s\n", e.what());
     return gateway::app::kUsage;
   } catch (const gateway::app::UsageError& e) {
+    std::fprintf(stderr, "error: %s\n", e.what());
+    return gateway::app::kUsage;
+  } catch (const hal::dds::NoSuchDomain& e) {
     std::fprintf(stderr, "error: %s\n", e.what());
     return gateway::app::kUsage;
   } catch (const std::system_error& e) {

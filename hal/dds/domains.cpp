@@ -84,8 +84,7 @@ std::string holder_of(int domain, int place) {
 
 void require_domain(int domain) {
   if (domain >= 0 && domain <= kLastDomain) return;
-  throw std::runtime_error(
-      fmt::format("there is no DDS domain {}: it is 0 to {}", domain, kLastDomain));
+  throw NoSuchDomain(fmt::format("there is no DDS domain {}: it is 0 to {}", domain, kLastDomain));
 }
 
 /// Binds a UDP socket of the loopback interface for a moment. @param port  0: whichever is free.
@@ -213,7 +212,7 @@ int default_domain() {
       domain <= kLastDomain) {
     return domain;
   }
-  throw std::runtime_error(
+  throw NoSuchDomain(
       fmt::format("BARAKA_DOMAIN is '{}', not a DDS domain from 0 to {}", view, kLastDomain));
 }
 
