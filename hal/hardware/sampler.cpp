@@ -42,10 +42,6 @@ void add_infrared(const RobotFile& file, std::vector<Channel>& channels) {
   }
 }
 
-bool asks_for(const Wants& wants, std::string_view channel) {
-  return std::ranges::find(wants.channels, channel) != wants.channels.end();
-}
-
 }  // namespace
 
 exchange::AgentOffer offer_of(const RobotFile& file, const Devices& devices) {
@@ -72,10 +68,10 @@ exchange::AgentOffer offer_of(const RobotFile& file, const Devices& devices) {
 }
 
 void Sampler::set_wants(const Wants& wants) {
-  localisation_ = devices_.pose != nullptr && asks_for(wants, "localisation");
-  odometry_ = devices_.wheels != nullptr && asks_for(wants, "odometry");
-  infrared_ = devices_.infrared != nullptr && asks_for(wants, "infrared");
-  volts_ = devices_.infrared != nullptr && asks_for(wants, "infrared_volts");
+  localisation_ = devices_.pose != nullptr && wants.asks_for("localisation");
+  odometry_ = devices_.wheels != nullptr && wants.asks_for("odometry");
+  infrared_ = devices_.infrared != nullptr && wants.asks_for("infrared");
+  volts_ = devices_.infrared != nullptr && wants.asks_for("infrared_volts");
 }
 
 Sampler::Sample Sampler::take(SteadyTime now) const {
