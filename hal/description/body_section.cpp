@@ -15,11 +15,14 @@ using devices::MoteDescription;
 using devices::RobotDescription;
 using devices::Wheel;
 
-constexpr Range kSize{1e-3, 10};   // m
-constexpr Range kHeight{0, 10};    // m, above the ground
-constexpr Range kOffset{-10, 10};  // m, from the body's origin
-constexpr Range kMass{1e-3, 1e4};  // kg
-constexpr Range kAngle{-10, 10};   // rad, more than a full turn either way
+constexpr Range kSize{1e-3, 10};        // m
+constexpr Range kHeight{0, 10};         // m, above the ground
+constexpr Range kOffset{-10, 10};       // m, from the body's origin
+constexpr Range kMass{1e-3, 1e4};       // kg
+constexpr Range kWheelMass{1e-3, 100};  // kg
+constexpr Range kMoteSize{1e-3, 1};     // m
+constexpr Range kMoteMass{1e-3, 100};   // kg
+constexpr Range kAngle{-10, 10};        // rad, more than a full turn either way
 constexpr Range kFriction{0, 100};
 constexpr Range kAcceleration{1e-3, 1e3};
 
@@ -107,7 +110,7 @@ void write_link(Writer& out, const RobotDescription& robot) {
 template <class Io>
 void wheel_keys(Io& io, Wheel& c) {
   io.number("radius", "m", kSize, c.radius);
-  io.number("mass", "kg", kMass, c.mass);
+  io.number("mass", "kg", kWheelMass, c.mass);
   io.number("mu", "1", {1e-3, 100}, c.mu);
   io.number("mu2", "1", kFriction, c.mu2);
 }
@@ -177,13 +180,13 @@ void write_wheels(Writer& out, const RobotDescription& robot) {
 
 template <class Io>
 void mote_keys(Io& io, MoteDescription& c) {
-  io.number("mass", "kg", kMass, c.mass);
+  io.number("mass", "kg", kMoteMass, c.mass);
   io.number("friction", "1", kFriction, c.friction);
 }
 
 }  // namespace
 
-RobotDescription read_robot(Mapping in) {
+RobotDescription read_robot(Mapping in, double gravity) {
   RobotDescription robot;
   in.integer("version", 1, 1, 1);
   robot.model = in.text("model");
@@ -195,7 +198,7 @@ RobotDescription read_robot(Mapping in) {
   acceleration.finish();
   robot.encoder_steps = static_cast<int>(in.integer("encoder_steps", 0, 1'000'000, 0));
   robot.infrared = read_infrared(in.mapping("infrared"));
-  check_robot(in, robot);
+  check_robot(in, robot, gravity);
   in.finish();
   return robot;
 }
@@ -219,7 +222,7 @@ MoteDescription read_mote(Mapping in) {
   MoteDescription mote;
   in.integer("version", 1, 1, 1);
   mote.model = in.text("model");
-  mote.size = in.vec3("size", "m", kSize);
+  mote.size = in.vec3("size", "m", kMoteSize);
   FieldReader reader(in);
   mote_keys(reader, mote);
   in.finish();

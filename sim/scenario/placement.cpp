@@ -32,15 +32,18 @@ std::vector<hal::Pose2> read_grid(Mapping in) {
 
 }  // namespace
 
-std::vector<hal::Pose2> read_poses(Mapping& in) {
+std::vector<hal::Pose2> read_poses(Mapping& in, std::vector<std::string>& places) {
   std::vector<hal::Pose2> poses;
   if (in.has("grid")) {
     in.refuse("poses", "cannot stand beside grid");
-    return read_grid(in.mapping("grid"));
+    poses = read_grid(in.mapping("grid"));
+    places.assign(poses.size(), in.place("grid"));
+    return poses;
   }
   for (Mapping& pose : in.mappings("poses")) {
     poses.push_back({pose.number("x", "m", kCoordinate), pose.number("y", "m", kCoordinate),
                      pose.number("yaw", "rad", kAngle, 0)});
+    places.push_back(pose.place());
     pose.finish();
   }
   if (poses.empty()) in.mistake("poses", "no agents: give poses or a grid");

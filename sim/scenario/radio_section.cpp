@@ -29,6 +29,8 @@ constexpr std::array kErrorModels = {
     Option<radio::ErrorModel>{"dsss", radio::ErrorModel::kDsss}};
 
 constexpr Range kPowerLevel{-200, 50};      // dBm; thermal noise in 1 Hz is -174
+constexpr Range kSensitivity{-130, 0};      // dBm
+constexpr Range kNoise{-200, 0};            // dBm
 constexpr Range kTxPower{1e-6, 1e5};        // mW
 constexpr Range kBitRate{1e3, 1e9};         // b/s
 constexpr Range kShortTime{1e-6, 1e-2};     // s
@@ -75,14 +77,14 @@ void propagation_keys(Io& io, RadioConfig& c) {
   }
   if (keys.uses("propagation_delay", K::kWaves)) io.flag("propagation_delay", c.propagation_delay);
   if (keys.uses("obstacles", K::kWaves)) io.flag("obstacles", c.obstacles);
-  const auto level = [&](const char* key, hal::Dbm& value) {
-    if (keys.uses(key, K::kWaves)) io.quantity(key, "dBm", kPowerLevel, value);
+  const auto level = [&](const char* key, Range range, hal::Dbm& value) {
+    if (keys.uses(key, K::kWaves)) io.quantity(key, "dBm", range, value);
   };
-  level("sensitivity", c.sensitivity);
-  level("interference_floor", c.interference_floor);
-  level("noise_floor", c.noise_floor);
-  level("cca_threshold", c.cca_threshold);
-  level("energy_detection", c.energy_detection);
+  level("sensitivity", kSensitivity, c.sensitivity);
+  level("interference_floor", kPowerLevel, c.interference_floor);
+  level("noise_floor", kNoise, c.noise_floor);
+  level("cca_threshold", kPowerLevel, c.cca_threshold);
+  level("energy_detection", kPowerLevel, c.energy_detection);
   if (keys.uses("range", K::kRange)) io.quantity("range", "m", {1e-3, kUnlimited}, c.range);
 }
 
@@ -178,6 +180,11 @@ void check(Mapping& in, const RadioConfig& c) {
   if (c.interference_floor > c.sensitivity) {
     in.mistake("interference_floor", fmt::format("{} dBm is above the sensitivity, {} dBm",
                                                  c.interference_floor.value, c.sensitivity.value));
+  }
+  if (c.noise_floor > c.sensitivity) {
+    in.warn("noise_floor", fmt::format("{} dBm is above the sensitivity, {} dBm: what is received "
+                                       "at that level drowns in noise",
+                                       c.noise_floor.value, c.sensitivity.value));
   }
 }
 

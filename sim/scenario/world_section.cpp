@@ -18,7 +18,15 @@ constexpr Range kFriction{0, 100};
 template <class Io>
 void physics_keys(Io& io, WorldConfig& c) {
   io.duration("step", {1e-4, 0.02}, c.step);
-  io.number("gravity", "m/s^2", {0, 100}, c.gravity);
+  // Without gravity no wheel grips: it has to be asked for by name.
+  bool weightless = c.gravity == 0;
+  io.flag("weightless", weightless);
+  if (weightless) {
+    c.gravity = 0;
+    io.unused("gravity", "cannot stand beside 'weightless: true'");
+  } else {
+    io.number("gravity", "m/s^2", {0.01, 100}, c.gravity);
+  }
   io.number("erp", "1", {1e-3, 1}, c.erp);  // 0 would never close a joint that came apart
   io.number("cfm", "1", {0, 0.99}, c.cfm);
   io.number("surface_layer", "m", {0, 0.01}, c.surface_layer);
