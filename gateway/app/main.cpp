@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "gateway/app/exit_status.h"
+#include "gateway/app/export_command.h"
 #include "gateway/app/new_controller.h"
 #include "gateway/app/replications.h"
 #include "gateway/app/report_command.h"
@@ -70,6 +71,14 @@ void add_new_controller(CLI::App& app, gateway::app::NewControllerOptions& optio
   add->add_option("--to", options.to, "Folder for the project's folder; default: this one");
 }
 
+void add_export(CLI::App& app, gateway::app::ExportOptions& options) {
+  CLI::App* add = app.add_subcommand("export", "Tables of a result as CSV");
+  add->add_option("DIR", options.folder, "Folder of a result");
+  add->add_option("TABLE", options.table, "Table to print; default: list them");
+  add->add_option("-o", options.file, "Write to this file");
+  add->add_flag("--describe", options.describe, "What is in a result: every table and column");
+}
+
 struct TopicCommand {
   CLI::App* app;
   int (*act)(const gateway::app::TopicOptions&);
@@ -119,6 +128,8 @@ int command(int argc, char** argv) {
   CLI::App* report = app.add_subcommand("report", "Tables and figures of one or many results");
   report->add_option("DIR", folders, "Folders of results")->required();
   report->add_option("-o", page, "Write a page with the figures to this file, print no tables");
+  gateway::app::ExportOptions export_options;
+  add_export(app, export_options);
   gateway::app::TopicOptions topic_options;
   const std::vector<TopicCommand> topic_commands = add_topic(app, topic_options);
   gateway::app::NewControllerOptions controller;
@@ -134,6 +145,7 @@ int command(int argc, char** argv) {
   }
   if (!seed.empty()) run_options.overrides.push_back("seed=" + seed);
   if (*check) return gateway::app::check(checked, check_overrides);
+  if (app.got_subcommand("export")) return gateway::app::export_results(export_options);
   if (*report) return gateway::app::report(folders, page);
   if (app.got_subcommand("new-controller")) return gateway::app::new_controller(controller);
   return run_options.replications ? gateway::app::run_replications(run_options)

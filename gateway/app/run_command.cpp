@@ -37,6 +37,7 @@ struct Results {
         recorder(folder.path() / "run.sqlite", scenario.simulation,
                  {.pose_period = scenario.record.pose_period,
                   .all_frames = scenario.record.frames == sim::scenario::FrameRecord::kAll}) {
+    recorder.add_settings(sim::scenario::resolved_values(scenario));
     recorder.set("scenario", scenario.name);
     recorder.set("version", BARAKA_VERSION);
     sim::log_to_file((folder.path() / "run.log").string());

@@ -60,6 +60,9 @@ double Statement::real(int column) const { return sqlite3_column_double(handle_,
 bool Statement::is_null(int column) const {
   return sqlite3_column_type(handle_, column) == SQLITE_NULL;
 }
+bool Statement::is_real(int column) const {
+  return sqlite3_column_type(handle_, column) == SQLITE_FLOAT;
+}
 
 std::string Statement::text(int column) const {
   const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(handle_, column));

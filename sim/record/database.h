@@ -67,6 +67,7 @@ class Statement {
   double real(int column) const;
   std::string text(int column) const;
   bool is_null(int column) const;
+  bool is_real(int column) const;
 
  private:
   void bind(int place, std::int64_t value);

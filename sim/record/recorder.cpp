@@ -94,6 +94,11 @@ void Recorder::describe(const agents::SimulationConfig& config) {
   }
 }
 
+void Recorder::add_settings(const std::vector<std::pair<std::string, std::string>>& settings) {
+  Statement insert(database_, "REPLACE INTO settings VALUES (?, ?)");
+  for (const auto& [key, value] : settings) insert.run(key, value);
+}
+
 void Recorder::on_turn(const agents::Turn& turn) {
   insert_turn_.run(hal::to_ns(turn.at), std::uint64_t{turn.port}, turn.replied, turn.began);
   on_rows(turn.at, 1);

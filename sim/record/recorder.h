@@ -1,7 +1,10 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "sim/agents/observer.h"
 #include "sim/agents/simulation.h"
@@ -50,6 +53,9 @@ class Recorder final : public agents::Observer {
   void set(std::string_view key, std::string_view value);
   void set(std::string_view key, double value);
   void set(std::string_view key, std::uint64_t value);
+
+  /// Rows of the table settings.
+  void add_settings(const std::vector<std::pair<std::string, std::string>>& settings);
 
   void add_contacts(hal::AgentId agent, const agents::ContactCounts& contacts) {
     bodies_.on_contacts(agent, contacts);

@@ -117,7 +117,7 @@ TEST_F(ReportTest, LeavesBrokenRunsOutOfTheFigures) {
   const std::string printed = text();
   EXPECT_EQ(line(printed, "runs"), "10|1");
   EXPECT_EQ(line(printed, "runs left out (broken off)"), "2");
-  EXPECT_NE(line(printed, (folder.path() / "b").string()).find("running"), std::string::npos);
+  EXPECT_NE(line(printed, (folder.path() / "b").string()).find("unfinished"), std::string::npos);
 }
 
 TEST_F(ReportTest, SurvivesAGroupWithoutACompleteRun) {
