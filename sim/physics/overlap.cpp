@@ -54,9 +54,9 @@ double seen_from_above(const Shape& a, const Shape& b) {
 
 }  // namespace
 
-double overlap(const Shape& a, const Shape& b) {
-  const double upright = std::min(a.z_high - b.z_low, b.z_high - a.z_low);
-  return std::min(upright, seen_from_above(a, b));
+Overlap overlap(const Shape& a, const Shape& b) {
+  return {.level = seen_from_above(a, b),
+          .upright = std::min(a.z_high - b.z_low, b.z_high - a.z_low)};
 }
 
 }  // namespace sim::physics

@@ -4,9 +4,15 @@
 
 namespace sim::physics {
 
-/// How deep two upright shapes are in each other: the shortest way, level or straight up, that
-/// takes them apart. m; 0 or less: they are apart, by no less than that if one is a cylinder, and
-/// else by no less than that along the sides of one of them.
-double overlap(const Shape& a, const Shape& b);
+/// How deep two upright shapes are in each other. m; where one is 0 or less they are apart.
+struct Overlap {
+  /// The shortest way that takes them apart on the ground. Below 0: they are apart by as much or,
+  /// two boxes corner to corner, by more.
+  double level = 0;
+  double upright = 0;  ///< Of their heights.
+
+  bool is_deeper_than(double depth) const { return level > depth && upright > depth; }
+};
+Overlap overlap(const Shape& a, const Shape& b);
 
 }  // namespace sim::physics

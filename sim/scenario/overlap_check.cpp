@@ -52,14 +52,20 @@ std::vector<Body> bodies_of(std::span<const Shape> shapes) {
   return bodies;
 }
 
-double deepest(const Body& a, const Body& b) {
-  double depth = -std::numeric_limits<double>::infinity();
-  for (const Shape& of_a : a.shapes)
-    for (const Shape& of_b : b.shapes) depth = std::max(depth, physics::overlap(of_a, of_b));
+/// m, on the ground; 0: they touch at most.
+/// @param touching  m, as deep as bodies may be in each other.
+double deepest(const Body& a, const Body& b, double touching) {
+  double depth = 0;
+  for (const Shape& of_a : a.shapes) {
+    for (const Shape& of_b : b.shapes) {
+      const physics::Overlap overlap = physics::overlap(of_a, of_b);
+      if (overlap.is_deeper_than(touching)) depth = std::max(depth, overlap.level);
+    }
+  }
   return depth;
 }
 
-struct Overlap {
+struct Meeting {
   std::size_t body, other;  ///< The later and the earlier declared one.
   double depth;             ///< m
 };
@@ -71,7 +77,7 @@ class Sweep {
   Sweep(const std::vector<Body>& bodies, double touching)
       : bodies_(bodies), touching_(touching), found_(bodies.size(), false) {}
 
-  std::vector<Overlap> run() {
+  std::vector<Meeting> run() {
     std::vector<std::size_t> order(bodies_.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
@@ -84,9 +90,9 @@ class Sweep {
       for (const std::size_t other : reached) compare(next, other);
       reached.push_back(next);
     }
-    std::sort(overlaps_.begin(), overlaps_.end(),
-              [](const Overlap& a, const Overlap& b) { return a.body < b.body; });
-    return std::move(overlaps_);
+    std::sort(meetings_.begin(), meetings_.end(),
+              [](const Meeting& a, const Meeting& b) { return a.body < b.body; });
+    return std::move(meetings_);
   }
 
  private:
@@ -94,16 +100,16 @@ class Sweep {
     const auto [other, body] = std::minmax(a, b);
     if (found_[body] || bodies_[body].is_static()) return;
     if (bodies_[a].high.y < bodies_[b].low.y || bodies_[b].high.y < bodies_[a].low.y) return;
-    const double depth = deepest(bodies_[a], bodies_[b]);
-    if (depth <= touching_) return;
+    const double depth = deepest(bodies_[a], bodies_[b], touching_);
+    if (depth <= 0) return;
     found_[body] = true;
-    overlaps_.push_back({body, other, depth});
+    meetings_.push_back({body, other, depth});
   }
 
   const std::vector<Body>& bodies_;
   double touching_;
   std::vector<bool> found_;  ///< Per body.
-  std::vector<Overlap> overlaps_;
+  std::vector<Meeting> meetings_;
 };
 
 /// Names, groups and places of agents.
@@ -136,20 +142,20 @@ class Directory {
   std::map<hal::AgentId, Entry> entries_;
 };
 
-std::string told(const Overlap& overlap, const std::vector<Body>& bodies, const Scenario& scenario,
+std::string told(const Meeting& meeting, const std::vector<Body>& bodies, const Scenario& scenario,
                  const Directory& directory) {
-  const Body& body = bodies[overlap.body];
-  const Body& other = bodies[overlap.other];
+  const Body& body = bodies[meeting.body];
+  const Body& other = bodies[meeting.other];
   const agents::AgentConfig& agent = directory.config(body);
   const std::string prefix = directory.prefix(body);
   if (other.is_static()) {
     return fmt::format("{}: at the start {} is {:.3g} m deep in '{}'", prefix, agent.name,
-                       overlap.depth, scenario.simulation.walls[overlap.other].name);
+                       meeting.depth, scenario.simulation.walls[meeting.other].name);
   }
   const agents::AgentConfig& earlier = directory.config(other);
   const hal::Vec2 apart{agent.pose.x - earlier.pose.x, agent.pose.y - earlier.pose.y};
   return fmt::format("{}: at the start {} overlaps {} by {:.3g} m; they are {:.3g} m apart", prefix,
-                     agent.name, earlier.name, overlap.depth, std::sqrt(dot(apart, apart)));
+                     agent.name, earlier.name, meeting.depth, std::sqrt(dot(apart, apart)));
 }
 
 }  // namespace
@@ -158,7 +164,7 @@ std::vector<std::string> overlaps(const Scenario& scenario) {
   const auto world = agents::populated_world(scenario.simulation);
   const std::vector<Body> bodies = bodies_of(world->shapes());
   const double touching = std::max(scenario.simulation.world.surface_layer, kRounding);
-  const std::vector<Overlap> found = Sweep(bodies, touching).run();
+  const std::vector<Meeting> found = Sweep(bodies, touching).run();
   const Directory directory(scenario);
   std::vector<std::string> lines;
   for (std::size_t i = 0; i < std::min(found.size(), kMostLines); ++i)
