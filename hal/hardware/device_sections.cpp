@@ -109,9 +109,9 @@ void read_wheels(Mapping in, RobotFile& file) {
 }
 
 bool is_voltage_channel(std::string_view name) {
-  constexpr std::string_view kStart = "voltage";
-  return name.starts_with(kStart) && name.size() > kStart.size() &&
-         std::all_of(name.begin() + kStart.size(), name.end(),
+  constexpr std::string_view kName = "voltage";
+  return name.starts_with(kName) && name.size() > kName.size() &&
+         std::all_of(name.begin() + kName.size(), name.end(),
                      [](char c) { return c >= '0' && c <= '9'; });
 }
 

@@ -19,7 +19,7 @@ namespace hal::hardware {
 namespace {
 
 constexpr std::int64_t kNsPerSecond = 1'000'000'000;
-constexpr Duration kLongest = std::chrono::hours{1};  // a sleep; a longer one is two
+constexpr Duration kLongestSleep = std::chrono::hours{1};  // a sleep; a longer one is two
 
 Duration steady_now() {
   return std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now().time_since_epoch());
@@ -123,7 +123,7 @@ void EventLoop::run_posted() {
 
 void EventLoop::run() {
   stopped_ = false;
-  while (!stopped_) run_once(kLongest);
+  while (!stopped_) run_once(kLongestSleep);
 }
 
 void EventLoop::run_once(Duration at_most) {
