@@ -70,6 +70,7 @@ exchange::AgentOffer offer_of(const RobotFile& file, const Devices& devices) {
 }
 
 void Sampler::set_wants(const Wants& wants) {
+  wants_ = wants;
   localisation_ = devices_.pose != nullptr && wants.asks_for("localisation");
   odometry_ = devices_.wheels != nullptr && wants.asks_for("odometry");
   infrared_ = devices_.infrared != nullptr && wants.asks_for("infrared");
@@ -93,12 +94,13 @@ std::vector<SilentDevice> Sampler::silent(BootTime now) const {
     if (std::string trouble = wheels->trouble(); !trouble.empty()) {
       silent.push_back({"wheels", std::move(trouble), false});  // drive() says so itself
     }
-    ask("odometry", wheels->state(), odometry_);
+    ask("odometry", wheels->state(), wants_.needs("odometry"));
   }
   if (devices_.infrared != nullptr) {
-    ask("infrared", devices_.infrared->latest(), infrared_ || volts_);
+    ask("infrared", devices_.infrared->latest(),
+        wants_.needs("infrared") || wants_.needs("infrared_volts"));
   }
-  if (has_pose()) ask("localisation", pose(now), localisation_);
+  if (has_pose()) ask("localisation", pose(now), wants_.needs("localisation"));
   return silent;
 }
 

@@ -19,15 +19,20 @@ struct Wants {
   /// kNotAvailable.
   std::vector<std::string> optional{};
 
+  /// Whether it cannot do without the channel of that name.
+  bool needs(std::string_view channel) const { return names(channels, channel); }
+
   /// Whether it is to get the channel of that name where there is one.
   bool asks_for(std::string_view channel) const {
-    const auto names = [&](const std::vector<std::string>& list) {
-      return std::find(list.begin(), list.end(), channel) != list.end();
-    };
-    return names(channels) || names(optional);
+    return needs(channel) || names(optional, channel);
   }
 
   bool operator==(const Wants&) const = default;
+
+ private:
+  static bool names(const std::vector<std::string>& list, std::string_view name) {
+    return std::find(list.begin(), list.end(), name) != list.end();
+  }
 };
 
 }  // namespace hal
