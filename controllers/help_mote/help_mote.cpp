@@ -1,5 +1,6 @@
 #include "controllers/help_mote/help_mote.h"
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -8,6 +9,10 @@ namespace {
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kHour = 3600;  // s
+
+/// By State.
+constexpr std::array<std::string_view, 5> kStateNames{"IDLE", "REQUEST", "WAIT", "FULFILLED",
+                                                      "GAVE_UP"};
 
 std::optional<hal::Time> time_or_never(double seconds) {
   if (!std::isfinite(seconds)) return std::nullopt;
@@ -73,9 +78,8 @@ void HelpMote::say(hal::AgentId to, HelpWord word) {
 }
 
 void HelpMote::enter(State state) {
-  constexpr std::string_view kNames[] = {"IDLE", "REQUEST", "WAIT", "FULFILLED", "GAVE_UP"};
   state_ = state;
-  mote_.state(kNames[static_cast<int>(state)]);
+  mote_.state(kStateNames[static_cast<std::size_t>(state)]);
 }
 
 }  // namespace controllers
@@ -88,5 +92,6 @@ BARAKA_CONTROLLER {
                          {"max_repeats", "1", 3, 0, 1000, "Calls after the first one."},
                          {"max_hop", "s", 300, 1, kHour,
                           "How long it waits for a robot that does not say how long it needs."}},
+          .states = {controllers::kStateNames.begin(), controllers::kStateNames.end()},
           .make_for_mote = hal::make_for_mote<controllers::HelpMote>};
 }

@@ -36,6 +36,9 @@ struct ControllerKind {
   std::string name{};  ///< Of the program, e.g. "help_mote".
   Wants wants{};
   std::vector<ParameterSpec> parameters{};
+  /// Every name it calls RealWorldObject::state() with, so that a scenario that waits for another
+  /// one is refused before it runs; other names are refused then. Empty: any name, unchecked.
+  std::vector<std::string> states{};
   MakeForMote make_for_mote = nullptr;    ///< Null: does not run on motes.
   MakeForRobot make_for_robot = nullptr;  ///< Null: does not run on robots.
 };

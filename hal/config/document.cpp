@@ -35,4 +35,6 @@ void Document::finish() const {
   if (!state_->problems.none()) throw ConfigErrors(state_->problems.messages());
 }
 
+std::vector<std::string> Document::warnings() const { return state_->problems.warnings(); }
+
 }  // namespace hal::config

@@ -47,6 +47,9 @@ class Document {
   /// @throws ConfigErrors with all problems found, sorted by position, if there are any.
   void finish() const;
 
+  /// What is allowed and hardly meant, "file:line:column: warning: key: …", sorted by position.
+  std::vector<std::string> warnings() const;
+
  private:
   struct State;
   explicit Document(std::unique_ptr<State> state);

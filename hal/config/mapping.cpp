@@ -347,6 +347,12 @@ void Mapping::mistake(const std::string& key, std::string what) {
   problems_->add(place, path_of(key), std::move(what));
 }
 
+void Mapping::warn(const std::string& key, std::string what) {
+  const Entry* entry = find(key);
+  const Place& place = entry == nullptr ? node_->place : entry->value.place;
+  problems_->warn(place, path_of(key), std::move(what));
+}
+
 void Mapping::refuse(const std::string& key, const std::string& why) {
   if (survey_ != nullptr) survey_->mention(path_of(key));
   known_.insert(key);  // but not into the order

@@ -120,6 +120,8 @@ class Mapping {
 
   /// Notes a mistake of a key's value; at the mapping's place if the key is not there.
   void mistake(const std::string& key, std::string what);
+  /// Notes what is allowed and hardly meant. It is told, and nothing is refused.
+  void warn(const std::string& key, std::string what);
   /// Notes that nobody reads `key` here, saying why, if it is there.
   void refuse(const std::string& key, const std::string& why);
 

@@ -20,9 +20,12 @@ const Key kShapeMass{"mass", "Of the shape, which is solid and homogeneous.", "9
 constexpr std::string_view kInWheelOrJoint =
     "that of `wheel`; there, it may be absent if all `joints` have it";
 
-constexpr Range kSize{1e-3, 10};   // m
-constexpr Range kHeight{0, 10};    // m, above the ground
-constexpr Range kMass{1e-3, 1e4};  // kg
+constexpr Range kSize{1e-3, 10};        // m
+constexpr Range kHeight{0, 10};         // m, above the ground
+constexpr Range kMass{1e-3, 1e4};       // kg
+constexpr Range kWheelMass{1e-3, 100};  // kg
+constexpr Range kMoteSize{1e-3, 1};     // m
+constexpr Range kMoteMass{1e-3, 100};   // kg
 constexpr Range kFriction{0, 100};
 constexpr Range kAcceleration{1e-3, 1e3};
 
@@ -127,7 +130,7 @@ void write_link(Writer& out, const RobotDescription& robot) {
 template <class Io>
 void wheel_keys(Io& io, Wheel& c) {
   io.number({"radius", "Of the wheel.", "4 cm", kInWheelOrJoint}, "m", kSize, c.radius);
-  io.number({"mass", "Of the wheel.", "200 g", kInWheelOrJoint}, "kg", kMass, c.mass);
+  io.number({"mass", "Of the wheel.", "200 g", kInWheelOrJoint}, "kg", kWheelMass, c.mass);
   io.number({"mu", "Friction coefficient along the rolling direction.", "0.6"}, "1", {1e-3, 100},
             c.mu);
   io.number({"mu2", "Friction coefficient along the axle, where the rollers give way.", "0.02"},
@@ -207,13 +210,13 @@ void write_wheels(Writer& out, const RobotDescription& robot) {
 
 template <class Io>
 void mote_keys(Io& io, MoteDescription& c) {
-  io.number({"mass", "Of the mote.", "50 g"}, "kg", kMass, c.mass);
+  io.number({"mass", "Of the mote.", "50 g"}, "kg", kMoteMass, c.mass);
   io.number({"friction", "Coefficient against everything.", "0.6"}, "1", kFriction, c.friction);
 }
 
 }  // namespace
 
-RobotDescription read_robot(Mapping in) {
+RobotDescription read_robot(Mapping in, double gravity) {
   RobotDescription robot;
   in.integer(kVersion, 1, 1, 1);
   robot.model = in.text({"model", "Name of the kind of robot.", "robertino"});
@@ -232,7 +235,7 @@ RobotDescription read_robot(Mapping in) {
       {"encoder_steps", "Steps of the encoder per turn of a wheel; 0: continuous.", "4000"}, 0,
       1'000'000, 0));
   robot.infrared = read_infrared(in.mapping({"infrared", "Infrared rangers around the body."}));
-  check_robot(in, robot);
+  check_robot(in, robot, gravity);
   in.finish();
   return robot;
 }
@@ -256,7 +259,7 @@ MoteDescription read_mote(Mapping in) {
   MoteDescription mote;
   in.integer(kVersion, 1, 1, 1);
   mote.model = in.text({"model", "Name of the kind of mote.", "mote"});
-  mote.size = in.vec3({"size", "Of the box that the mote is.", "[5 cm, 5 cm, 5 cm]"}, "m", kSize);
+  mote.size = in.vec3({"size", "Of the box that the mote is.", "[5 cm, 5 cm, 5 cm]"}, "m", kMoteSize);
   FieldReader reader(in);
   mote_keys(reader, mote);
   in.finish();

@@ -78,6 +78,7 @@ void HardwareAgent::let_go() {
   for (const auto& [id, timer] : controller_timers_) loop_.cancel(timer);
   controller_timers_.clear();
   sent_.clear();
+  topics_ = {};
   counts_ = counts();
   courier_.reset();
   network_.start_anew({});
@@ -251,6 +252,7 @@ Result<void> HardwareAgent::drive(const Action& action) {
 Result<void> HardwareAgent::send(const Action& action) {
   std::string mistake = mistake_in_message(action, file_.address);
   if (!mistake.empty()) return fail(Errc::kInvalidArgument, std::move(mistake));
+  if (auto admitted = topics_.admit(action.topic); !admitted) return admitted;
   sent_[++last_message_] = action.message_id;
   router_.send({.source = file_.address,
                 .destination = action.destination,

@@ -4,12 +4,13 @@
 
 namespace hal::runtime {
 
-AgentContext::AgentContext(const exchange::AgentSession& agent_session, const Wants& wants,
+AgentContext::AgentContext(const exchange::AgentSession& agent_session, const ControllerKind& kind,
                            Outbox& out)
     : session(agent_session),
+      states(kind.states),
       outbox(out),
       readings(agent_session.channels),
-      routes(wants.watched, wants.neighbours),
+      routes(kind.wants.watched, kind.wants.neighbours),
       random(agent_session.seed, agent_session.name + "/controller") {}
 
 void AgentContext::take_in(const exchange::Event& event) {
@@ -25,6 +26,11 @@ tl::unexpected<Error> AgentContext::refuse(const char* call, std::string_view mi
   const std::string text = fmt::format("{}: {}: {}", session.name, call, mistake);
   log(log::Level::kWarning, text);
   return fail(Errc::kInvalidArgument, text);
+}
+
+tl::unexpected<Error> AgentContext::refuse_once(const char* call, std::string_view mistake) {
+  if (refused_calls.insert(call).second) return refuse(call, mistake);
+  return fail(Errc::kInvalidArgument, fmt::format("{}: {}: {}", session.name, call, mistake));
 }
 
 void AgentContext::log(log::Level level, std::string text) {

@@ -1,8 +1,12 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "hal/api/controller.h"
 #include "hal/exchange/session.h"
 #include "hal/runtime/call_guard.h"
 #include "hal/runtime/outbox.h"
@@ -11,13 +15,15 @@
 #include "hal/types/random.h"
 #include "hal/types/result.h"
 #include "hal/types/time.h"
-#include "hal/types/wants.h"
+#include "hal/types/topics.h"
 
 namespace hal::runtime {
 
 /// What one agent knows and keeps between events: all that its Mote or Robot answers from.
 struct AgentContext {
-  AgentContext(const exchange::AgentSession& agent_session, const Wants& wants, Outbox& out);
+  /// @param kind  outlives this.
+  AgentContext(const exchange::AgentSession& agent_session, const ControllerKind& kind,
+               Outbox& out);
 
   /// Updates the knowledge from what an event brings. What is against the rules is logged and left.
   void take_in(const exchange::Event& event);
@@ -25,6 +31,9 @@ struct AgentContext {
   /// Logs that a call was refused, naming the agent and what was wrong, and gives the same as an
   /// error to the caller.
   tl::unexpected<Error> refuse(const char* call, std::string_view mistake);
+
+  /// The same, but logged only the first time for a call: for mistakes that come in thousands.
+  tl::unexpected<Error> refuse_once(const char* call, std::string_view mistake);
 
   /// A log line of this agent's controller process.
   void log(log::Level level, std::string text);
@@ -34,6 +43,7 @@ struct AgentContext {
   bool take_due_timer(TimerId id);
 
   const exchange::AgentSession session;
+  const std::vector<std::string>& states;  ///< That the controller declares; empty: it does not.
   CallGuard guard;
   Outbox& outbox;
   Time now{};
@@ -41,6 +51,8 @@ struct AgentContext {
   RouteView routes;
   RandomStream random;
   MessageId last_message = 0;
+  Topics topics;
+  std::set<std::string_view> refused_calls;  ///< By refuse_once().
   std::map<TimerId, Time> timers;
 };
 

@@ -16,6 +16,9 @@ using MessageId = std::uint32_t;
 
 /// Longest topic, in bytes. A topic names the message class; routing keeps a table per topic.
 inline constexpr std::size_t kMaxTopic = 32;
+/// Topics that one agent may give its messages: each costs a table in every node that routes for
+/// it.
+inline constexpr std::size_t kMaxTopics = 256;
 /// Longest payload a controller may send, in bytes: one MSDU (2304 B, IEEE Std
 /// 802.11-2016, 9.2.4.7) less room for the routing header with the longest path.
 inline constexpr std::size_t kMaxPayload = 2048;

@@ -7,6 +7,7 @@
 
 #include "hal/types/log.h"
 #include "hal/types/random.h"
+#include "sim/agents/agent_offer.h"
 
 namespace sim::agents {
 
@@ -27,32 +28,6 @@ SimulatedAgent::SimulatedAgent(const AgentConfig& config, radio::MacSap& mac,
               hal::RandomStream(surroundings.config.seed, config.name + "/routing"),
               {.link = link_, .timers = timers_, .application = *this, .observer = *this}) {
   link_.attach(router_);
-}
-
-hal::exchange::AgentOffer SimulatedAgent::offer() const {
-  hal::exchange::AgentOffer offer;
-  offer.program = config_.program;
-  offer.session = {.agent = config_.id,
-                   .name = config_.name,
-                   .kind = hal::AgentKind::kMote,
-                   .seed = surroundings_.config.seed,
-                   .control_period = surroundings_.config.control_period,
-                   .parameters = config_.parameters,
-                   .channels = {{.id = kLocalisation,
-                                 .name = "localisation",
-                                 .kind = "relative_position",
-                                 .unit = "address, m",
-                                 .length = 0,
-                                 .period = {},
-                                 .frame = "base",
-                                 .headings = {}}},
-                   .limits = {}};
-  return offer;
-}
-
-bool SimulatedAgent::wants_channel(std::string_view channel) const {
-  return std::find(wants_.channels.begin(), wants_.channels.end(), channel) !=
-         wants_.channels.end();
 }
 
 void SimulatedAgent::start() {
@@ -166,6 +141,7 @@ hal::Result<void> SimulatedAgent::send(const Action& action) {
         fmt::format("send: message {} to agent {}: not to oneself, and numbered from 1",
                     action.message_id, action.destination.value));
   }
+  if (auto admitted = topics_.admit(action.topic); !admitted) return admitted;
   const hal::Message message{.source = id(),
                              .destination = action.destination,
                              .id = action.message_id,

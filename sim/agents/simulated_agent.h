@@ -11,6 +11,7 @@
 #include "hal/exchange/step.h"
 #include "hal/routing/router.h"
 #include "hal/types/result.h"
+#include "hal/types/topics.h"
 #include "sim/agents/inbox.h"
 #include "sim/agents/observer.h"
 #include "sim/agents/queue_timers.h"
@@ -48,11 +49,11 @@ class SimulatedAgent : public hal::routing::Application, public hal::routing::Ro
   SimulatedAgent(const SimulatedAgent&) = delete;
   SimulatedAgent& operator=(const SimulatedAgent&) = delete;
 
+  const AgentConfig& config() const { return config_; }
   hal::AgentId id() const { return config_.id; }
   const std::string& name() const { return config_.name; }
   const std::string& last_state() const { return last_state_; }
 
-  virtual hal::exchange::AgentOffer offer() const;
   /// What the controller asked for. Before start().
   void connect(const hal::Wants& wants) { wants_ = wants; }
 
@@ -82,12 +83,8 @@ class SimulatedAgent : public hal::routing::Application, public hal::routing::Ro
                       hal::Verdict verdict) override;
 
  protected:
-  static constexpr std::uint16_t kLocalisation = 0;
-  static constexpr std::uint16_t kFirstDeviceChannel = 1;
-
-  const AgentConfig& config() const { return config_; }
   Surroundings& surroundings() { return surroundings_; }
-  bool wants_channel(std::string_view channel) const;
+  bool wants_channel(std::string_view channel) const { return wants_.asks_for(channel); }
 
   /// Reads, at each control instant, what is to be read whether or not the controller asks.
   virtual void observe(hal::Time now) { (void)now; }
@@ -113,6 +110,7 @@ class SimulatedAgent : public hal::routing::Application, public hal::routing::Ro
   QueueTimers timers_;
   hal::routing::Router router_;
   hal::Wants wants_;
+  hal::Topics topics_;  ///< That its controller named.
   Inbox inbox_;
   std::set<hal::AgentId> heard_;  ///< Neighbours, if the controller wants them.
   std::map<hal::TimerId, EventQueue::EventId> controller_timers_;

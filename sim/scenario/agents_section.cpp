@@ -50,8 +50,8 @@ constexpr std::array<Option<WheelLevel>, 2> kWheelLevels{
     {{"jointed", WheelLevel::kJointed}, {"contact", WheelLevel::kContact}}};
 
 /// A robot file says what a robot is; how much of its wheels is simulated, the scenario says.
-RobotDescription read_robot_group(Mapping& in) {
-  RobotDescription robot = read_robot(in.mapping(kRobot));
+RobotDescription read_robot_group(Mapping& in, double gravity) {
+  RobotDescription robot = read_robot(in.mapping(kRobot), gravity);
   robot.wheel_level = in.choice(kWheels, kWheelLevels, robot.wheel_level);
   return robot;
 }
@@ -63,14 +63,15 @@ MoteDescription read_mote_group(Mapping& in) {
        "The group's agents are motes of this kind, mostly {include: ../robots/mote.yaml}."}));
 }
 
-auto read_body(Mapping& in) -> decltype(AgentConfig::body) {
+/// @param gravity  m/s^2, of the scenario's world.
+auto read_body(Mapping& in, double gravity) -> decltype(AgentConfig::body) {
   const bool robot = in.has("robot");
   if (robot == in.has("mote")) {
     in.mistake("", "must have either robot or mote");
     if (robot) in.mapping(kRobot);
     return MoteDescription{};
   }
-  if (robot) return read_robot_group(in);
+  if (robot) return read_robot_group(in, gravity);
   return read_mote_group(in);
 }
 
@@ -107,9 +108,9 @@ std::vector<AgentId> take_addresses(Mapping& in, std::size_t count, Taken& taken
 }
 
 void read_group(const std::string& name, Mapping in, Scenario& scenario, Taken& taken) {
-  Group group{.name = name, .agents = {}, .program = {}, .program_place = {}};
-  const auto body = read_body(in);
-  const std::vector<hal::Pose2> poses = read_poses(in);
+  Group group{.name = name, .agents = {}, .places = {}, .program = {}, .program_place = {}};
+  const auto body = read_body(in, scenario.simulation.world.gravity);
+  const std::vector<hal::Pose2> poses = read_poses(in, group.places);
   const std::vector<std::string> names = read_names(in, name, poses.size());
   take_names(in, names, taken);
   group.agents = take_addresses(in, poses.size(), taken);

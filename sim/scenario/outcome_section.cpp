@@ -56,6 +56,18 @@ EndCondition read_end(Mapping& in, const Scenario& scenario) {
   return end;
 }
 
+/// A result that the run can end with: no other is ever judged.
+ExpectedResult read_result(Mapping& in, const Scenario& scenario) {
+  ExpectedResult expected{in.text({"result", "The run must end with this result.", "done"})};
+  std::vector<std::string> results;
+  for (const EndCondition& end : scenario.simulation.ends) results.push_back(end.result);
+  if (std::find(results.begin(), results.end(), expected.result) == results.end()) {
+    in.warn("result", fmt::format("no end condition has the result '{}'{}", expected.result,
+                                  hal::config::suggestion(expected.result, results)));
+  }
+  return expected;
+}
+
 /// Two different agents from a list of two names.
 ExpectedDistance read_distance(Mapping& in, const Scenario& scenario) {
   ExpectedDistance expected;
@@ -82,8 +94,7 @@ Expectation read_expectation(Mapping& in, const Scenario& scenario) {
   } else if (distance) {
     expectation.condition = read_distance(in, scenario);
   } else {
-    expectation.condition =
-        ExpectedResult{in.text({"result", "The run must end with this result.", "done"})};
+    expectation.condition = read_result(in, scenario);
   }
   in.finish();
   return expectation;
@@ -96,6 +107,8 @@ void read_ends(Mapping& in, Scenario& scenario) {
            {"end", "When the run ends; the first condition that is met counts. At least one.",
             "[{at: 60 s, result: done}]", hal::config::kMustBeGiven})) {
     scenario.simulation.ends.push_back(read_end(end, scenario));
+    const bool waits = scenario.simulation.ends.back().agent.has_value();
+    scenario.state_places.push_back(waits ? end.place("state") : std::string{});
   }
   if (scenario.simulation.ends.empty()) {
     in.mistake("end", "must have at least one condition, e.g. {at: 60 s, result: timeout}");

@@ -41,11 +41,13 @@ std::vector<hal::Pose2> read_grid(Mapping in) {
 
 }  // namespace
 
-std::vector<hal::Pose2> read_poses(Mapping& in) {
+std::vector<hal::Pose2> read_poses(Mapping& in, std::vector<std::string>& places) {
   std::vector<hal::Pose2> poses;
   if (in.has("grid")) {
     in.refuse("poses", "cannot stand beside grid");
-    return read_grid(in.mapping({"grid", "Places them row by row."}));
+    poses = read_grid(in.mapping({"grid", "Places them row by row."}));
+    places.assign(poses.size(), in.place("grid"));
+    return poses;
   }
   for (Mapping& pose :
        in.mappings({"poses", "Places them one by one.", "[{x: 0 m, y: 0 m}, {x: 100 m, y: 0 m}]",
@@ -54,6 +56,7 @@ std::vector<hal::Pose2> read_poses(Mapping& in) {
         {pose.number({"x", "World frame.", "8 m"}, "m", kCoordinate),
          pose.number({"y", "World frame.", "8 m"}, "m", kCoordinate),
          pose.number({"yaw", "Heading, from x towards y.", "20 deg"}, "rad", kAngle, 0)});
+    places.push_back(pose.place());
     pose.finish();
   }
   if (poses.empty()) in.mistake("poses", "no agents: give poses or a grid");

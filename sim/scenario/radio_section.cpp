@@ -29,6 +29,8 @@ constexpr std::array kErrorModels = {
     Option<radio::ErrorModel>{"dsss", radio::ErrorModel::kDsss}};
 
 constexpr Range kPowerLevel{-200, 50};      // dBm; thermal noise in 1 Hz is -174
+constexpr Range kSensitivity{-130, 0};      // dBm
+constexpr Range kNoise{-200, 0};            // dBm
 constexpr Range kTxPower{1e-6, 1e5};        // mW
 constexpr Range kBitRate{1e3, 1e9};         // b/s
 constexpr Range kShortTime{1e-6, 1e-2};     // s
@@ -82,19 +84,20 @@ void propagation_keys(Io& io, RadioConfig& c) {
         c.propagation_delay);
   if (keys.uses("obstacles", K::kWaves))
     io.flag({"obstacles", "Whether walls attenuate.", "true"}, c.obstacles);
-  const auto level = [&](const Key& key, hal::Dbm& value) {
-    if (keys.uses(key.name, K::kWaves)) io.quantity(key, "dBm", kPowerLevel, value);
+  const auto level = [&](const Key& key, Range range, hal::Dbm& value) {
+    if (keys.uses(key.name, K::kWaves)) io.quantity(key, "dBm", range, value);
   };
-  level({"sensitivity", "Weaker frames cannot be received.", "-85 dBm"}, c.sensitivity);
+  level({"sensitivity", "Weaker frames cannot be received.", "-85 dBm"}, kSensitivity,
+        c.sensitivity);
   level({"interference_floor", "Weaker frames do not exist; at most the sensitivity.", "-101 dBm"},
-        c.interference_floor);
+        kPowerLevel, c.interference_floor);
   level({"noise_floor", "Thermal noise and noise figure in the bandwidth.", "-110 dBm"},
-        c.noise_floor);
+        kNoise, c.noise_floor);
   level({"cca_threshold", "Carrier sense: a frame of this power makes the medium busy.", "-85 dBm"},
-        c.cca_threshold);
+        kPowerLevel, c.cca_threshold);
   level(
       {"energy_detection", "Carrier sense: so much power in sum makes the medium busy.", "-62 dBm"},
-      c.energy_detection);
+      kPowerLevel, c.energy_detection);
   if (keys.uses("range", K::kRange))
     io.quantity({"range", "Who is nearer hears every frame, who is farther none.", "250 m"}, "m",
                 {1e-3, kUnlimited}, c.range);
@@ -229,6 +232,11 @@ void check(Mapping& in, const RadioConfig& c) {
   if (c.interference_floor > c.sensitivity) {
     in.mistake("interference_floor", fmt::format("{} dBm is above the sensitivity, {} dBm",
                                                  c.interference_floor.value, c.sensitivity.value));
+  }
+  if (c.noise_floor > c.sensitivity) {
+    in.warn("noise_floor", fmt::format("{} dBm is above the sensitivity, {} dBm: what is received "
+                                       "at that level drowns in noise",
+                                       c.noise_floor.value, c.sensitivity.value));
   }
 }
 

@@ -75,6 +75,10 @@ void read_run(Mapping& in, Scenario& scenario) {
   scenario.simulation.controller_latency = kDefaultLatency;
   FieldReader reader(in);
   run_keys(reader, scenario);
+  if (scenario.simulation.command_timeout < scenario.simulation.control_period) {
+    in.mistake("command_timeout",
+               "must not be shorter than control_period: the wheels would stop between commands");
+  }
   scenario.simulation.world.seed = scenario.simulation.seed;
   Mapping record = in.mapping({"record", "What goes into the results."});
   FieldReader record_reader(record);

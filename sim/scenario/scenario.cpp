@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "hal/config/document.h"
 #include "sim/scenario/agents_section.h"
 #include "sim/scenario/fields.h"
 #include "sim/scenario/outcome_section.h"
+#include "sim/scenario/overlap_check.h"
 #include "sim/scenario/radio_section.h"
 #include "sim/scenario/run_section.h"
 #include "sim/scenario/world_section.h"
@@ -60,6 +62,9 @@ Scenario load_scenario(const std::filesystem::path& file,
   auto document = hal::config::Document::load(file, overrides);
   Scenario scenario = read_scenario(document.root(), file);
   document.finish();
+  scenario.warnings = document.warnings();
+  std::vector<std::string> overlapping = overlaps(scenario);
+  if (!overlapping.empty()) throw hal::config::ConfigErrors(std::move(overlapping));
   return scenario;
 }
 

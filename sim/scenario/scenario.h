@@ -21,6 +21,7 @@ using namespace std::chrono_literals;
 struct Group {
   std::string name;
   std::vector<hal::AgentId> agents;  ///< In order of declaration, at least one.
+  std::vector<std::string> places;   ///< "file:line:column" of each one's pose, or of their grid.
   std::string program;               ///< Controller.
   std::string program_place;         ///< "file:line:column" of `program`, for error messages.
   int processes = 1;                 ///< Controller processes that share the agents.
@@ -64,6 +65,8 @@ struct Scenario {
   std::optional<hal::Duration> reply_timeout = 10s;  ///< None: wait for ever.
   hal::Duration wait = 30s;                          ///< For the next controller, before the start.
   RecordOptions record;
+  std::vector<std::string> state_places;  ///< Of each end condition's `state`; empty: it has none.
+  std::vector<std::string> warnings;      ///< What is allowed and hardly meant, a line each.
 };
 
 /// Reads a scenario from the top level of its file; notes mistakes there.
@@ -73,7 +76,8 @@ Scenario read_scenario(hal::config::Mapping in, const std::filesystem::path& fil
 /// @param overrides  "dotted.path=value" in the file's value syntax; they win over the file, later
 ///   ones over earlier ones. A mapping on the right replaces the file's. `include` paths are
 ///   relative to the scenario's folder or, failing that, to the working directory.
-/// @throws hal::config::ConfigErrors with every mistake in all files.
+/// @throws hal::config::ConfigErrors with every mistake in all files or, if there is none, with the
+///   bodies that overlap at the start.
 Scenario load_scenario(const std::filesystem::path& file,
                        const std::vector<std::string>& overrides = {});
 

@@ -18,7 +18,15 @@ constexpr Range kFriction{0, 100};
 template <class Io>
 void physics_keys(Io& io, WorldConfig& c) {
   io.duration({"step", "Of the physics engine.", "10 ms"}, {1e-4, 0.02}, c.step);
-  io.number({"gravity", "Downwards.", "9.81 m/s^2"}, "m/s^2", {0, 100}, c.gravity);
+  // Without gravity no wheel grips: it has to be asked for by name.
+  bool weightless = c.gravity == 0;
+  io.flag({"weightless", "No gravity at all; then no wheel grips.", "false"}, weightless);
+  if (weightless) {
+    c.gravity = 0;
+    io.unused("gravity", "cannot stand beside 'weightless: true'");
+  } else {
+    io.number({"gravity", "Downwards.", "9.81 m/s^2"}, "m/s^2", {0.01, 100}, c.gravity);
+  }
   io.number(
       {"erp", "Share of a joint's error that a step corrects (ODE: error reduction parameter).",
        "0.4"},

@@ -127,6 +127,23 @@ TEST_F(TwoMotes, BodyThatIsLostIsAVerdictOfTheRun) {
   EXPECT_EQ(effects.lost, std::vector<AgentId>{kB});
 }
 
+TEST_F(TwoMotes, TopicsBeyondTheLimitOfAnAgentAreRefusedWhateverItsProcessSays) {
+  std::uint32_t messages = 0;
+  const Outcome outcome = run(Time{450ms}, [&](const Event& event) {
+    std::vector<Action> actions;
+    if (event.agent != kA || event.cause != Cause::kControl) return actions;
+    for (int i = 0; i < 100; ++i) {
+      Action action = send(kB);
+      action.message_id = ++messages;
+      action.topic = "topic " + std::to_string(messages);
+      actions.push_back(action);
+    }
+    return actions;
+  });
+  ASSERT_EQ(messages, 500u);
+  EXPECT_EQ(outcome.refused_actions, 500u - hal::kMaxTopics);
+}
+
 TEST_F(TwoMotes, StartAndTheFirstControlCycleAreOneExchangeByAgentThenCause) {
   run(Time{50ms}, nothing);
   ASSERT_EQ(port->steps.size(), 2u) << "time 0, and the stop";
