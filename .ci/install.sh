@@ -1,3 +1,5 @@
+source "$(dirname "${BASH_SOURCE[0]}")/progress.sh"
+
 # install_missing PACKAGE...: installs the Debian packages that are not there, and says which.
 install_missing() {
   local missing=() package
@@ -15,14 +17,7 @@ install_missing() {
     }
     root=(sudo)
   fi
-  local log
-  log=$(mktemp)
-  if ! { "${root[@]}" apt-get update &&
-    "${root[@]}" env DEBIAN_FRONTEND=noninteractive \
-      apt-get install -y --no-install-recommends "${missing[@]}"; } >"$log" 2>&1; then
-    cat "$log"
-    rm -f "$log"
-    return 1
-  fi
-  rm -f "$log"
+  with_progress "package lists" "${root[@]}" apt-get update
+  with_progress "installing" "${root[@]}" env DEBIAN_FRONTEND=noninteractive \
+    apt-get install -y --no-install-recommends "${missing[@]}"
 }

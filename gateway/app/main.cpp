@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "gateway/app/exit_status.h"
+#include "gateway/app/export_command.h"
 #include "gateway/app/new_controller.h"
 #include "gateway/app/replications.h"
 #include "gateway/app/report_command.h"
@@ -12,6 +13,7 @@
 #include "gateway/app/topic_command.h"
 #include "gateway/limits.h"
 #include "hal/config/errors.h"
+#include "hal/dds/domains.h"
 
 namespace {
 
@@ -47,6 +49,8 @@ void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
       ->check(CLI::Range(0, 232));
   run->add_flag("!--no-inspect", options.inspect, "Do not show the run to DDS tools");
   run->add_option("--out", options.out, "Folder for the results; default: results/<name>");
+  run->add_flag("--overwrite", options.overwrite,
+                "Remove an earlier result there; default: keep it as <name>.1, .2, ...");
   run->add_option("--set", options.overrides, "KEY=VALUE, the key as a dotted path")
       ->allow_extra_args(false);
   CLI::Option* replications =
@@ -68,6 +72,14 @@ void add_new_controller(CLI::App& app, gateway::app::NewControllerOptions& optio
   CLI::Option* mote = add->add_flag("--mote", options.for_mote, "It drives motes");
   add->add_flag("--robot")->description("It drives robots (the default)")->excludes(mote);
   add->add_option("--to", options.to, "Folder for the project's folder; default: this one");
+}
+
+void add_export(CLI::App& app, gateway::app::ExportOptions& options) {
+  CLI::App* add = app.add_subcommand("export", "Tables of a result as CSV");
+  add->add_option("DIR", options.folder, "Folder of a result");
+  add->add_option("TABLE", options.table, "Table to print; default: list them");
+  add->add_option("-o", options.file, "Write to this file");
+  add->add_flag("--describe", options.describe, "What is in a result: every table and column");
 }
 
 struct TopicCommand {
@@ -119,6 +131,8 @@ int command(int argc, char** argv) {
   CLI::App* report = app.add_subcommand("report", "Tables and figures of one or many results");
   report->add_option("DIR", folders, "Folders of results")->required();
   report->add_option("-o", page, "Write a page with the figures to this file, print no tables");
+  gateway::app::ExportOptions export_options;
+  add_export(app, export_options);
   gateway::app::TopicOptions topic_options;
   const std::vector<TopicCommand> topic_commands = add_topic(app, topic_options);
   gateway::app::NewControllerOptions controller;
@@ -134,6 +148,7 @@ int command(int argc, char** argv) {
   }
   if (!seed.empty()) run_options.overrides.push_back("seed=" + seed);
   if (*check) return gateway::app::check(checked, check_overrides);
+  if (app.got_subcommand("export")) return gateway::app::export_results(export_options);
   if (*report) return gateway::app::report(folders, page);
   if (app.got_subcommand("new-controller")) return gateway::app::new_controller(controller);
   return run_options.replications ? gateway::app::run_replications(run_options)
@@ -149,6 +164,9 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "%s\n", e.what());
     return gateway::app::kUsage;
   } catch (const gateway::app::UsageError& e) {
+    std::fprintf(stderr, "error: %s\n", e.what());
+    return gateway::app::kUsage;
+  } catch (const hal::dds::NoSuchDomain& e) {
     std::fprintf(stderr, "error: %s\n", e.what());
     return gateway::app::kUsage;
   } catch (const std::system_error& e) {

@@ -73,6 +73,7 @@ void Writer::line(std::string_view key, std::string_view value) {
   out_ += ": ";
   out_ += value;
   out_ += '\n';
+  values_.emplace_back(path() + std::string(key), value);
   empty_ = false;
 }
 
@@ -105,21 +106,19 @@ void Writer::texts(std::string_view key, const std::vector<std::string>& values)
   line(key, fmt::format("[{}]", fmt::join(scalars, ", ")));
 }
 
-void Writer::open(std::string_view key) {
+void Writer::open(std::string_view key, Kind kind) {
   out_ += indent() + scalar(key) + ":\n";
-  open_.push_back(Level::kMapping);
+  open_.push_back({kind, path() + std::string(key) + "."});
   empty_ = true;
 }
 
-void Writer::open_list(std::string_view key) {
-  out_ += indent() + scalar(key) + ":\n";
-  open_.push_back(Level::kList);
-  empty_ = true;
-}
+void Writer::open(std::string_view key) { open(key, Kind::kMapping); }
+void Writer::open_list(std::string_view key) { open(key, Kind::kList); }
 
 void Writer::open_item() {
-  BARAKA_CHECK(!open_.empty() && open_.back() == Level::kList);
-  open_.push_back(Level::kItem);
+  BARAKA_CHECK(!open_.empty() && open_.back().kind == Kind::kList);
+  const int number = open_.back().items++;
+  open_.push_back({Kind::kItem, fmt::format("{}{}.", path(), number)});
   starts_item_ = true;
   empty_ = false;
 }
@@ -129,9 +128,11 @@ void Writer::close() {
   BARAKA_CHECK(!starts_item_);  // An item without keys would not be written at all.
   const Level level = open_.back();
   open_.pop_back();
-  if (std::exchange(empty_, false) && level != Level::kItem) {
+  if (std::exchange(empty_, false) && level.kind != Kind::kItem) {
     out_.pop_back();  // the line break after the colon
-    out_ += level == Level::kList ? " []\n" : " {}\n";
+    const std::string_view nothing = level.kind == Kind::kList ? "[]" : "{}";
+    out_ += fmt::format(" {}\n", nothing);
+    values_.emplace_back(level.path.substr(0, level.path.size() - 1), nothing);
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "hal/types/time.h"
@@ -40,13 +41,25 @@ class Writer {
   /// @pre everything is closed.
   std::string take();
 
+  /// Every value written so far by its dotted path, items of lists by their number from 0:
+  /// "radio.range" and "250 m", "walls.0.name" and "w0".
+  const std::vector<std::pair<std::string, std::string>>& values() const { return values_; }
+
  private:
-  enum class Level { kMapping, kList, kItem };
+  enum class Kind { kMapping, kList, kItem };
+  struct Level {
+    Kind kind;
+    std::string path;  ///< Ends in a dot.
+    int items = 0;     ///< Of a list, so far.
+  };
 
   void line(std::string_view key, std::string_view value);
+  void open(std::string_view key, Kind kind);
+  std::string path() const { return open_.empty() ? "" : open_.back().path; }
   std::string indent();
 
   std::string out_;
+  std::vector<std::pair<std::string, std::string>> values_;
   std::vector<Level> open_;
   bool empty_ = true;         ///< Nothing was written into what was opened last.
   bool starts_item_ = false;  ///< The next line carries the item's dash.

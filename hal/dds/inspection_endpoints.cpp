@@ -4,7 +4,7 @@ namespace hal::dds {
 namespace {
 
 /// A reader that has not everything yet hears of it this often.
-constexpr Duration kHeartbeatPeriod = std::chrono::milliseconds{100};
+constexpr Duration kInspectionHeartbeat = std::chrono::milliseconds{100};
 constexpr int kReaderDepth = 100;
 
 template <class Qos>
@@ -29,7 +29,7 @@ api::DataWriterQos inspection_writer_qos(int depth, Keep keep) {
   api::DataWriterQos qos = api::DATAWRITER_QOS_DEFAULT;
   set_inspection_qos(qos, api::RELIABLE_RELIABILITY_QOS, keep, depth);
   qos.publish_mode().kind = api::SYNCHRONOUS_PUBLISH_MODE;
-  qos.reliable_writer_qos().times.heartbeatPeriod = to_dds(kHeartbeatPeriod);
+  qos.reliable_writer_qos().times.heartbeatPeriod = to_dds(kInspectionHeartbeat);
   return qos;
 }
 

@@ -11,13 +11,13 @@
 namespace hal::dds {
 namespace {
 
-std::mutex mutex;
+std::mutex log_mutex;
 std::string last_words;
 
 class ToOurLog : public api::LogConsumer {
   void Consume(const api::Log::Entry& entry) override {
     log::debug(Time{}, "Fast DDS", "{} ({})", entry.message, entry.context.category);
-    const std::lock_guard lock(mutex);
+    const std::lock_guard lock(log_mutex);
     last_words = entry.message;
   }
 };
@@ -32,7 +32,7 @@ void take_over_library_log() {
 
 std::string last_words_of_library() {
   api::Log::Flush();  // it is written by a thread of its own
-  const std::lock_guard lock(mutex);
+  const std::lock_guard lock(log_mutex);
   return last_words.empty() ? std::string() : fmt::format(" (Fast DDS: {})", last_words);
 }
 

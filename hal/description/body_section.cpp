@@ -17,9 +17,7 @@ using devices::Wheel;
 
 constexpr Range kSize{1e-3, 10};   // m
 constexpr Range kHeight{0, 10};    // m, above the ground
-constexpr Range kOffset{-10, 10};  // m, from the body's origin
 constexpr Range kMass{1e-3, 1e4};  // kg
-constexpr Range kAngle{-10, 10};   // rad, more than a full turn either way
 constexpr Range kFriction{0, 100};
 constexpr Range kAcceleration{1e-3, 1e3};
 

@@ -20,6 +20,9 @@ using config::Option;
 using config::Range;
 using config::Writer;
 
+constexpr Range kAngle{-10, 10};   ///< rad, more than a full turn either way.
+constexpr Range kOffset{-10, 10};  ///< m, from a body's origin.
+
 /// Reads the fields of a struct from a mapping; what is absent keeps its value. The struct's keys,
 /// units and limits stand once, in a template over FieldReader and FieldWriter, so that what is
 /// written can be read.

@@ -13,9 +13,6 @@ using devices::CurvePoint;
 using devices::InfraredCurve;
 using devices::InfraredSensor;
 
-constexpr Range kOffset{-10, 10};  // m, from the body's origin
-constexpr Range kAngle{-10, 10};   // rad, more than a full turn either way
-
 template <class Io>
 void sensor_keys(Io& io, InfraredSensor& c) {
   io.number("height", "m", {0, 10}, c.position.z);

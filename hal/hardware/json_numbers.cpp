@@ -11,10 +11,10 @@
 namespace hal::hardware {
 namespace {
 
-constexpr std::string_view kBlanks = " \t\r\n";
+constexpr std::string_view kWhiteSpace = " \t\r\n";
 
 void skip_blanks(std::string_view& text) {
-  text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+  text.remove_prefix(std::min(text.find_first_not_of(kWhiteSpace), text.size()));
 }
 
 bool take(std::string_view& text, char expected) {
@@ -62,12 +62,12 @@ std::optional<std::vector<double>> take_array(std::string_view& text) {
 
 /// The start of an answer, fit for one line of a message.
 std::string excerpt(std::string_view text) {
-  constexpr std::size_t kLongest = 60;
-  std::string shown(text.substr(0, kLongest));
+  constexpr std::size_t kShown = 60;
+  std::string shown(text.substr(0, kShown));
   for (char& c : shown) {
     if (c < ' ' || c > '~') c = '?';
   }
-  return text.size() > kLongest ? shown + "…" : shown;
+  return text.size() > kShown ? shown + "…" : shown;
 }
 
 }  // namespace

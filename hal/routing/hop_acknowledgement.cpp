@@ -7,7 +7,7 @@ namespace hal::routing {
 namespace {
 
 /// Of frames that nobody misses. Without transmit status a tag is never given back.
-constexpr LinkTag kNoTag = 0;
+constexpr LinkTag kUnwatched = 0;
 
 }  // namespace
 
@@ -25,7 +25,7 @@ LinkCapabilities HopAcknowledgement::capabilities() const {
 
 void HopAcknowledgement::transmit(AgentId next_hop, Bytes packet, LinkTag tag) {
   if (next_hop == kEveryone) {
-    link_.transmit(kEveryone, std::move(packet), kNoTag);
+    link_.transmit(kEveryone, std::move(packet), kUnwatched);
     return report_soon(tag, Verdict::kDelivered);
   }
   Lane& lane = lanes_[next_hop];
@@ -63,7 +63,7 @@ void HopAcknowledgement::attempt(AgentId next_hop, HopNumber number, InFlight& s
   sent.timer = timers_.schedule(timers_.now() + sent.timeout,
                                 [this, next_hop, number] { on_timeout(next_hop, number); });
   sent.timeout *= 2;
-  link_.transmit(next_hop, sent.frame, kNoTag);
+  link_.transmit(next_hop, sent.frame, kUnwatched);
 }
 
 void HopAcknowledgement::on_timeout(AgentId next_hop, HopNumber number) {
@@ -93,7 +93,7 @@ bool HopAcknowledgement::on_numbered(AgentId from, HopNumber number) {
 }
 
 void HopAcknowledgement::acknowledge(AgentId neighbour, HopNumber number) {
-  link_.transmit(neighbour, encode(HopAck{number}), kNoTag);
+  link_.transmit(neighbour, encode(HopAck{number}), kUnwatched);
 }
 
 void HopAcknowledgement::on_ack(AgentId from, HopNumber number) {

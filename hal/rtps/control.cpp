@@ -8,11 +8,11 @@
 namespace hal::rtps {
 namespace {
 
-constexpr std::size_t kEndpoints = 8;   // octets: the ids of a reader and a writer
-constexpr std::size_t kLocator = 24;    // octets
-constexpr unsigned kGroupFlag = 3;      // of a HEARTBEAT
-constexpr unsigned kNoTimeFlag = 1;     // of an INFO_TS
-constexpr unsigned kMulticastFlag = 1;  // of an INFO_REPLY
+constexpr std::size_t kEndpoints = 8;     // octets: the ids of a reader and a writer
+constexpr std::size_t kLocatorSize = 24;  // octets
+constexpr unsigned kGroupFlag = 3;        // of a HEARTBEAT
+constexpr unsigned kNoTimeFlag = 1;       // of an INFO_TS
+constexpr unsigned kMulticastFlag = 1;    // of an INFO_REPLY
 
 Objection end_of(const Cursor& cursor) {
   return cursor.is_short() ? "it is too short" : Objection{};
@@ -84,8 +84,8 @@ Objection judge_info_source(Cursor& cursor, GuidPrefix& source) {
 
 Objection skip_locators(Cursor& cursor) {
   const std::uint32_t count = cursor.u32();
-  if (count > cursor.left() / kLocator) return "it is too short for its locators";
-  cursor.take(count * kLocator);
+  if (count > cursor.left() / kLocatorSize) return "it is too short for its locators";
+  cursor.take(count * kLocatorSize);
   return end_of(cursor);
 }
 

@@ -24,6 +24,9 @@ class Database {
 
   void execute(const std::string& sql);
 
+  /// Ends a transaction under way and takes its changes back; nothing if there is none.
+  void roll_back();
+
  private:
   friend class Statement;
   [[noreturn]] void fail(std::string_view doing) const;
@@ -67,6 +70,7 @@ class Statement {
   double real(int column) const;
   std::string text(int column) const;
   bool is_null(int column) const;
+  bool is_real(int column) const;
 
  private:
   void bind(int place, std::int64_t value);

@@ -8,7 +8,7 @@ namespace sim::record {
 namespace {
 
 std::vector<std::string> head_of(const RunResult& run) {
-  return {run.folder, run.value("profile"), run.value("seed"), run.value("result"),
+  return {run.folder, run.value("profile"), run.value("seed"), run.ending(),
           number(run.number("simulated_s"), 1)};
 }
 

@@ -14,23 +14,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFile = "run.sqlite";
-
-void check_version(Database& database, const fs::path& folder) {
-  Statement query(database, "PRAGMA user_version");
-  query.next();
-  if (query.integer(0) == kSchemaVersion) return;
-  throw std::runtime_error(fmt::format("{}: {} has version {}; this program reads version {}",
-                                       folder.string(), kFile, query.integer(0), kSchemaVersion));
-}
-
 void read_values(Database& database, RunResult& run) {
   Statement query(database, "SELECT key, value FROM run");
   while (query.next()) run.values[query.text(0)] = query.text(1);
+  Statement settings(database, "SELECT key, value FROM settings");
+  while (settings.next()) run.settings[settings.text(0)] = settings.text(1);
 }
 
 void read_agents(Database& database, RunResult& run) {
-  Statement query(database, "SELECT agent, name, kind, x, y FROM agents ORDER BY agent");
+  Statement query(database, "SELECT agent, name, kind, x_m, y_m FROM agents ORDER BY agent");
   while (query.next()) {
     run.agents.push_back({.agent = static_cast<int>(query.integer(0)),
                           .name = query.text(1),
@@ -47,7 +39,8 @@ std::optional<std::uint64_t> count(const Statement& query, int column) {
 
 void read_bodies(Database& database, RunResult& run) {
   Statement query(database,
-                  "SELECT agent, path, clearance, x, y, wall_steps, object_steps FROM bodies");
+                  "SELECT agent, path_m, clearance_m, x_m, y_m, wall_steps, object_steps"
+                  " FROM bodies");
   while (query.next()) {
     RunResult::Body& body = run.bodies[static_cast<int>(query.integer(0))];
     body.path = query.real(1);
@@ -60,7 +53,8 @@ void read_bodies(Database& database, RunResult& run) {
 }
 
 void read_walls(Database& database, RunResult& run) {
-  Statement query(database, "SELECT name, x, y, yaw, size_x, size_y FROM walls ORDER BY rowid");
+  Statement query(database,
+                  "SELECT name, x_m, y_m, yaw_rad, size_x_m, size_y_m FROM walls ORDER BY rowid");
   while (query.next()) {
     run.walls.push_back({.name = query.text(0),
                          .x = query.real(1),
@@ -73,7 +67,7 @@ void read_walls(Database& database, RunResult& run) {
 
 void read_tracks(Database& database, RunResult& run) {
   Statement query(database,
-                  "SELECT p.agent, p.at_ns, p.x, p.y FROM poses p JOIN agents a USING (agent)"
+                  "SELECT p.agent, p.at_ns, p.x_m, p.y_m FROM poses p JOIN agents a USING (agent)"
                   " WHERE a.kind = 'robot' ORDER BY p.agent, p.at_ns");
   while (query.next()) {
     run.tracks[static_cast<int>(query.integer(0))].push_back(
@@ -141,11 +135,22 @@ void read_goal(Database& database, RunResult& run) {
   if (query.next()) run.goal = static_cast<int>(query.integer(0));
 }
 
+/// Whether it is an earlier result beside its successor ("name.2" beside "name"), or an attempt
+/// that did not start.
+bool is_put_aside(const fs::path& folder) {
+  const std::string end = folder.extension().string();
+  if (end == ".not-started") return true;
+  const bool is_number =
+      end.size() > 1 && end.find_first_not_of("0123456789", 1) == std::string::npos;
+  return is_number && fs::exists(folder.parent_path() / folder.stem() / kResultsFile);
+}
+
 std::vector<fs::path> results_inside(const fs::path& folder) {
   std::vector<fs::path> inside;
   if (!fs::is_directory(folder)) return inside;
   for (const auto& entry : fs::directory_iterator(folder)) {
-    if (fs::exists(entry.path() / kFile)) inside.push_back(entry.path());
+    if (!fs::exists(entry.path() / kResultsFile)) continue;
+    if (!is_put_aside(entry.path())) inside.push_back(entry.path());
   }
   std::sort(inside.begin(), inside.end(), [](const fs::path& a, const fs::path& b) {
     const std::string x = a.string();
@@ -166,14 +171,39 @@ double RunResult::number(const std::string& key) const {
   return std::strtod(value(key).c_str(), nullptr);
 }
 
-bool RunResult::is_complete() const {
+std::string RunResult::ending() const {
   const std::string result = value("result");
-  return result != "running" && result != "failed" && result != "interrupted";
+  return result == "running" ? "unfinished" : result;
+}
+
+bool RunResult::is_complete() const {
+  const std::string result = ending();
+  return result != "unfinished" && result != "failed" && result != "interrupted" &&
+         result != "not started";
+}
+
+std::map<std::string, std::int64_t> count_rows(const fs::path& folder) {
+  Database database(folder / kResultsFile, Database::Mode::kRead);
+  require_version(database, folder);
+  std::map<std::string, std::int64_t> counts;
+  for (const Table& table : tables()) {
+    Statement query(database, fmt::format("SELECT COUNT(*) FROM {}", table.name));
+    query.next();
+    counts[std::string(table.name)] = query.integer(0);
+  }
+  return counts;
+}
+
+bool is_unfinished(const fs::path& folder) {
+  Database database(folder / kResultsFile, Database::Mode::kRead);
+  require_version(database, folder);
+  Statement query(database, "SELECT 1 FROM run WHERE key = 'result' AND value = 'running'");
+  return query.next();
 }
 
 RunResult read_run(const fs::path& folder) {
-  Database database(folder / kFile, Database::Mode::kRead);
-  check_version(database, folder);
+  Database database(folder / kResultsFile, Database::Mode::kRead);
+  require_version(database, folder);
   RunResult run;
   run.folder = folder.string();
   read_values(database, run);
@@ -192,9 +222,10 @@ std::vector<fs::path> find_results(const std::vector<fs::path>& folders) {
   std::vector<fs::path> results;
   for (const fs::path& folder : folders) {
     const std::vector<fs::path> found =
-        fs::exists(folder / kFile) ? std::vector{folder} : results_inside(folder);
+        fs::exists(folder / kResultsFile) ? std::vector{folder} : results_inside(folder);
     if (found.empty()) {
-      throw std::runtime_error(fmt::format("{}: holds no result (no {})", folder.string(), kFile));
+      throw std::runtime_error(
+          fmt::format("{}: holds no result (no {})", folder.string(), kResultsFile));
     }
     results.insert(results.end(), found.begin(), found.end());
   }

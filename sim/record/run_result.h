@@ -43,7 +43,8 @@ struct RunResult {
   };
 
   std::string folder;
-  std::map<std::string, std::string> values;  ///< The table run.
+  std::map<std::string, std::string> values;    ///< The table run.
+  std::map<std::string, std::string> settings;  ///< The table settings.
   std::vector<Agent> agents;
   std::map<int, Body> bodies;
   std::vector<Wall> walls;
@@ -62,6 +63,8 @@ struct RunResult {
   std::string value(const std::string& key) const;
   /// 0 if it is not there.
   double number(const std::string& key) const;
+  /// How it ended, for people: "unfinished" if it never said.
+  std::string ending() const;
   /// Whether the run came to an end of its own: its figures may be pooled with others'.
   bool is_complete() const;
 };
@@ -70,8 +73,16 @@ struct RunResult {
 /// @throws std::runtime_error if it is missing, damaged or of another version.
 RunResult read_run(const std::filesystem::path& folder);
 
+/// How many rows each table of a result has. @throws std::runtime_error  as read_run().
+std::map<std::string, std::int64_t> count_rows(const std::filesystem::path& folder);
+
+/// Whether the run in a folder has not said how it ended: it was killed, or it is still under way.
+/// @throws std::runtime_error  as read_run().
+bool is_unfinished(const std::filesystem::path& folder);
+
 /// The folders that hold a result: each one given, or else the ones in it, by name, short names
-/// first.
+/// first; of those, not what was put aside: earlier results beside their successors, attempts that
+/// did not start.
 /// @throws std::runtime_error if one holds none.
 std::vector<std::filesystem::path> find_results(const std::vector<std::filesystem::path>& folders);
 

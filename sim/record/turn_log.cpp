@@ -6,6 +6,7 @@
 
 #include "sim/record/database.h"
 #include "sim/record/run_result.h"
+#include "sim/record/schema.h"
 
 namespace sim::record {
 
@@ -19,7 +20,7 @@ RecordedTurns read_turns(const std::filesystem::path& folder) {
   }
   RecordedTurns recorded;
   recorded.ended_at = hal::Time{hal::Duration{std::stoll(run.value("ended_ns"))}};
-  Database database(folder / "run.sqlite", Database::Mode::kRead);
+  Database database(folder / kResultsFile, Database::Mode::kRead);
   Statement query(database, "SELECT at_ns, process, replied, began FROM turns ORDER BY rowid");
   while (query.next()) {
     recorded.turns.push_back({hal::Time{hal::Duration{query.integer(0)}},

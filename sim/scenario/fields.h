@@ -11,5 +11,8 @@ using hal::config::Range;
 using hal::config::Writer;
 using hal::description::FieldReader;
 using hal::description::FieldWriter;
+using hal::description::kAngle;
+
+constexpr Range kCoordinate{-1e6, 1e6};  ///< m, world frame.
 
 }  // namespace sim::scenario

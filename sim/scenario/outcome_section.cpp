@@ -30,7 +30,7 @@ AgentId agent_named(Mapping& in, const std::string& key, const std::string& name
   return AgentId{};
 }
 
-const std::string& name_of(AgentId id, const Scenario& scenario) {
+const std::string& declared_name(AgentId id, const Scenario& scenario) {
   const auto& all = scenario.simulation.agents;
   const auto found = std::find_if(
       all.begin(), all.end(), [id](const agents::AgentConfig& agent) { return agent.id == id; });
@@ -104,7 +104,7 @@ void write_ends(Writer& out, const Scenario& scenario) {
   for (const EndCondition& end : scenario.simulation.ends) {
     out.open_item();
     if (end.agent) {
-      out.text("agent", name_of(*end.agent, scenario));
+      out.text("agent", declared_name(*end.agent, scenario));
       out.text("state", end.state);
       out.duration("after", end.after);
     } else {
@@ -121,7 +121,8 @@ void write_expectations(Writer& out, const Scenario& scenario) {
   for (const Expectation& expectation : scenario.expectations) {
     out.open_item();
     if (const auto* distance = std::get_if<ExpectedDistance>(&expectation.condition)) {
-      out.texts("distance", {name_of(distance->from, scenario), name_of(distance->to, scenario)});
+      out.texts("distance",
+                {declared_name(distance->from, scenario), declared_name(distance->to, scenario)});
       out.number("below", distance->below.value, "m");
     } else {
       out.text("result", std::get<ExpectedResult>(expectation.condition).result);

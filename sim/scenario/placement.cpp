@@ -8,8 +8,6 @@
 namespace sim::scenario {
 namespace {
 
-constexpr Range kCoordinate{-1e6, 1e6};  // m
-constexpr Range kAngle{-10, 10};         // rad, more than a full turn either way
 constexpr std::int64_t kMaxSide = 10'000;
 
 /// Row by row from the origin: x first, then y.

@@ -8,9 +8,9 @@
 #include "sim/scenario/world_section.h"
 
 namespace sim::scenario {
+namespace {
 
-std::string resolved_yaml(const Scenario& scenario) {
-  hal::config::Writer out;
+void write(hal::config::Writer& out, const Scenario& scenario) {
   out.integer("version", 1);
   out.text("name", scenario.name);
   write_run(out, scenario);
@@ -21,7 +21,20 @@ std::string resolved_yaml(const Scenario& scenario) {
   write_agents(out, scenario);
   write_ends(out, scenario);
   write_expectations(out, scenario);
+}
+
+}  // namespace
+
+std::string resolved_yaml(const Scenario& scenario) {
+  hal::config::Writer out;
+  write(out, scenario);
   return out.take();
+}
+
+std::vector<std::pair<std::string, std::string>> resolved_values(const Scenario& scenario) {
+  hal::config::Writer out;
+  write(out, scenario);
+  return out.values();
 }
 
 }  // namespace sim::scenario

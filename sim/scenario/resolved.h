@@ -1,6 +1,8 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "sim/scenario/scenario.h"
 
@@ -9,5 +11,8 @@ namespace sim::scenario {
 /// The scenario as one YAML file without includes, every key written out: what is stored with the
 /// results. load_scenario() reads it back to the same values; only the places differ.
 std::string resolved_yaml(const Scenario& scenario);
+
+/// The same, value by value: dotted path (items of lists by number) and value as written there.
+std::vector<std::pair<std::string, std::string>> resolved_values(const Scenario& scenario);
 
 }  // namespace sim::scenario

@@ -10,9 +10,7 @@ namespace {
 using physics::StaticBox;
 using physics::WorldConfig;
 
-constexpr Range kCoordinate{-1e6, 1e6};  // m
-constexpr Range kBoxSize{1e-3, 1e5};     // m
-constexpr Range kAngle{-10, 10};         // rad, more than a full turn either way
+constexpr Range kBoxSize{1e-3, 1e5};  // m
 constexpr Range kFriction{0, 100};
 
 template <class Io>

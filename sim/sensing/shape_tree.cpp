@@ -8,6 +8,15 @@
 #include <cmath>
 
 namespace sim::sensing {
+
+/// One member: a box that stands for the shape's bounds, and for where it may go.
+struct Member {
+  std::size_t shape;
+  std::shared_ptr<fcl::Boxd> box;
+  std::unique_ptr<fcl::CollisionObjectd> object;
+  hal::Vec3 low, high;  ///< Corners of the box, world frame, m.
+};
+
 namespace {
 
 using hal::Vec3;
@@ -29,14 +38,6 @@ hal::Vec2 extent(const Shape& shape) {
 /// m by which a member's box exceeds the shape: the tree is refitted only when a shape has left its
 /// box. A robot at 0.3 m/s does so every 0.7 s, while a sensor looks 1 m and more.
 constexpr double kMargin = 0.2;
-
-/// One member: a box that stands for the shape's bounds, and for where it may go.
-struct Member {
-  std::size_t shape;
-  std::shared_ptr<fcl::Boxd> box;
-  std::unique_ptr<fcl::CollisionObjectd> object;
-  Vec3 low, high;  ///< Corners of the box, world frame, m.
-};
 
 bool contains(const Member& member, const Shape& shape) {
   const hal::Vec2 half = extent(shape);

@@ -36,7 +36,7 @@ class CaseStudy(Case):
             outs.append(self.out)
             times.append(float(finished["simulated_s"]))
             (clearance, path, contacts), = self.query(
-                "SELECT clearance, path, wall_steps FROM bodies JOIN agents USING (agent)"
+                "SELECT clearance_m, path_m, wall_steps FROM bodies JOIN agents USING (agent)"
                 " WHERE name = 'r0'")
             near_the_wall += clearance < 0.8
             paths.append(path)

@@ -1,6 +1,9 @@
 #!/usr/bin/env python3
 """What `baraka` says to those who use it wrongly, and what it does with folders of results."""
+import contextlib
+import csv
 import shutil
+import sqlite3
 import unittest
 
 from baraka import BIN, CASE_STUDY, ROOT, Case, Program
@@ -65,18 +68,6 @@ class CommandLine(Case):
 
 
 class Results(Case):
-    def test_an_earlier_result_is_replaced_and_anything_else_is_left_alone(self):
-        self.run_baraka(TWO_MOTES, *IN_PROCESS)
-        again = self.start(TWO_MOTES, *IN_PROCESS, "--seed", "2", out=self.out).finish()
-        self.assertEqual(again.status, 0, str(again))
-        self.assertEqual(self.query("SELECT value FROM run WHERE key = 'seed'")[0][0], 2)
-
-        (self.out / "thesis.tex").write_text("precious")
-        refused = self.start(TWO_MOTES, *IN_PROCESS, out=self.out).finish()
-        self.assertEqual(refused.status, 1, str(refused))
-        self.assertIn("thesis.tex", refused.err)
-        self.assertTrue((self.out / "run.sqlite").exists())
-
     def test_the_resolved_scenario_repeats_the_run(self):
         first = self.run_baraka(CASE_STUDY, *IN_PROCESS, "--until", "20", "--seed", "5")
         resolved = self.out / "scenario.resolved.yaml"
@@ -107,10 +98,59 @@ class Results(Case):
         self.assertFalse((self.folder / "report.html").exists())
 
 
+class Export(Case):
+    def export(self, *arguments, status=0):
+        finished = Program("baraka", "export", *arguments).finish()
+        self.assertEqual(finished.status, status, str(finished))
+        return finished
+
+    def test_every_table_comes_as_csv_with_its_units(self):
+        self.run_baraka(CASE_STUDY, *IN_PROCESS, "--until", "20")
+        rows = {}
+        for line in self.export(self.out).out.splitlines()[1:]:
+            name, count, _ = line.split(None, 2)
+            rows[name] = int(count)
+        self.assertGreater(rows["poses"], 20)
+        for name, count in rows.items():
+            table = self.folder / f"{name}.csv"
+            self.export(self.out, name, "-o", table)
+            with open(table, newline="") as file:
+                head, *body = csv.reader(file)
+            self.assertEqual(len(body), count, name)
+            columns = [c for c, in self.query(f"SELECT name FROM pragma_table_info('{name}')")]
+            self.assertEqual(head, columns)
+        with open(self.folder / "poses.csv", newline="") as file:
+            head, *body = csv.reader(file)
+        self.assertEqual(head, ["agent", "at_ns", "x_m", "y_m", "theta_rad"])
+        self.assertEqual([tuple(map(float, row)) for row in body], self.query("SELECT * FROM poses"))
+        self.assertEqual(self.export(self.out, "poses").out,
+                         (self.folder / "poses.csv").read_text())
+
+    def test_the_page_of_the_results_is_what_the_program_says(self):
+        self.assertEqual(self.export("--describe").out, (ROOT / "docs/results.md").read_text())
+
+    def test_what_is_wrong_is_named_and_no_file_is_replaced(self):
+        self.run_baraka(TWO_MOTES, *IN_PROCESS)
+        kept = self.folder / "kept.csv"
+        kept.write_text("mine")
+        self.assertIn("'pose' is no table of a result; there are: run, settings, ",
+                      self.export(self.out, "pose", "-o", kept, status=2).err)
+        self.assertIn("nowhere", self.export(self.folder / "nowhere", "poses", "-o", kept, status=1).err)
+        self.export(status=2)
+        with contextlib.closing(sqlite3.connect(self.out / "run.sqlite")) as database:
+            database.execute("PRAGMA user_version = 3")
+        for command in (["export", self.out, "poses", "-o", kept], ["report", self.out]):
+            finished = Program("baraka", *command).finish()
+            self.assertEqual(finished.status, 1, str(finished))
+            self.assertRegex(finished.err, r"run1: run.sqlite has tables of version 3, and this "
+                                           r"baraka reads version \d+ only")
+        self.assertEqual(kept.read_text(), "mine")
+
+
 class Wanderer(Case):
     def test_the_controller_of_the_readme_stays_off_the_walls(self):
         self.run_baraka(ROOT / "config/scenarios/wanderer.yaml")
-        (path, contacts), = self.query("SELECT path, wall_steps FROM bodies")
+        (path, contacts), = self.query("SELECT path_m, wall_steps FROM bodies")
         self.assertGreater(path, 5)
         self.assertEqual(contacts, 0)
 

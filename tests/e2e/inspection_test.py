@@ -73,7 +73,7 @@ class Inspection(Case):
         peer = self.watch()
         robot, = [row[0] for row in self.query("SELECT agent FROM agents WHERE name = 'r0'")]
         self.poses = {at: (x, y, theta) for at, x, y, theta in self.query(
-            f"SELECT at_ns, x, y, theta FROM poses WHERE agent = {robot}")}
+            f"SELECT at_ns, x_m, y_m, theta_rad FROM poses WHERE agent = {robot}")}
         self.check_clock(peer.samples("rt/clock"))
         transforms = [one for sample in peer.samples("rt/tf") for one in sample["transforms"]]
         track = self.check_robot([t for t in transforms if t["child"] == "r0/base_link"])
@@ -105,7 +105,7 @@ class Inspection(Case):
         return {t["t"]: (*t["translation"][:2], heading(t["rotation"])) for t in transforms}
 
     def check_motes(self, transforms):
-        places = dict(self.query("SELECT name || '/base_link', x || ' ' || y FROM agents"))
+        places = dict(self.query("SELECT name || '/base_link', x_m || ' ' || y_m FROM agents"))
         self.assertEqual({t["child"] for t in transforms}, set(places) - {"r0/base_link"})
         for one in transforms:
             expected = [*map(float, places[one["child"]].split()), 0]
@@ -136,7 +136,7 @@ class Inspection(Case):
                   if t["parent"] == "r0/base_link"}
         self.assertEqual({s["frame"] for s in samples}, set(mounts))
         self.assertEqual(len(mounts), 6)
-        boxes = self.query("SELECT x, y, yaw, size_x, size_y FROM walls")
+        boxes = self.query("SELECT x_m, y_m, yaw_rad, size_x_m, size_y_m FROM walls")
         near = far = 0
         for sample in samples:
             *limits, metres = sample["values"]

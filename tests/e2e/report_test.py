@@ -153,7 +153,7 @@ class Page(Case):
             half = (20 + 0.3) / 2 * 0.5 ** 0.5 + 4
             inside = self.number(
                 f"SELECT COUNT(*) FROM poses JOIN agents USING (agent) WHERE kind = 'robot'"
-                f" AND abs(poses.x - 12.2) <= {half} AND abs(poses.y - 12.2) <= {half}", results[0])
+                f" AND abs(poses.x_m - 12.2) <= {half} AND abs(poses.y_m - 12.2) <= {half}", results[0])
             self.assertGreater(inside, 10)
             self.assertEqual(plot.count("body"), inside)
 

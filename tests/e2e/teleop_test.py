@@ -20,7 +20,7 @@ class Teleop(Case):
         """(s, x, y) of the robot so far."""
         try:
             return [(at / 1e9, x, y) for at, x, y in
-                    self.query("SELECT at_ns, x, y FROM poses ORDER BY at_ns")]
+                    self.query("SELECT at_ns, x_m, y_m FROM poses ORDER BY at_ns")]
         except sqlite3.Error:
             return []  # not there yet
 

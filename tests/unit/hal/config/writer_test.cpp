@@ -42,6 +42,13 @@ TEST(WriterText, IsYamlInTheShapePeopleWrite) {
             "    size: [0.3 m, 20 m]\n"
             "routing: {}\n"
             "expect: []\n");
+  using Values = std::vector<std::pair<std::string, std::string>>;
+  EXPECT_EQ(out.values(), (Values{{"version", "1"},
+                                  {"radio.range", "250.16 m"},
+                                  {"walls.0.name", "w 0"},
+                                  {"walls.0.size", "[0.3 m, 20 m]"},
+                                  {"routing", "{}"},
+                                  {"expect", "[]"}}));
 }
 
 TEST_F(WriterTest, QuotesWhatYamlWouldReadAsSomethingElse) {

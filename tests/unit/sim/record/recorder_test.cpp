@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
 #include <memory>
 
@@ -62,8 +63,13 @@ TEST_F(RecorderTest, NamesBodiesThatAreLost) {
 }
 
 TEST_F(RecorderTest, SaysHowTheRunEnded) {
-  Fingerprint fingerprint;
+  std::uint64_t hash = 0;
+  Fingerprint fingerprint([&](const Fingerprint::Row& row) {
+    hash = *row.hash;
+    recorder->add(row);
+  });
   fingerprint.at(Part::kAir, AgentId{1}, Time{1s}).add(std::uint64_t{5});
+  fingerprint.finish();
   recorder->add_contacts(AgentId{3}, {.wall_steps = 4, .object_steps = 5});
   recorder->on_body(Time{}, AgentId{3}, {});
   recorder->finish({.kind = agents::Outcome::Kind::kEnded,
@@ -85,8 +91,44 @@ TEST_F(RecorderTest, SaysHowTheRunEnded) {
   EXPECT_EQ(value("fingerprint"), to_hex(fingerprint.total()));
   EXPECT_EQ(value("fingerprint_air"), to_hex(fingerprint.part(Part::kAir)));
   EXPECT_EQ(asked("SELECT second || part || agent || hash FROM fingerprints"),
-            "1air1" + to_hex(fingerprint.rows().at(0).hash));
+            "1air1" + std::to_string(static_cast<std::int64_t>(hash)));
   EXPECT_EQ(asked("SELECT wall_steps || '/' || object_steps FROM bodies"), "4/5");
+}
+
+TEST_F(RecorderTest, WritesNoKeyThatIsNotDescribed) {
+  agents::Outcome outcome{.kind = agents::Outcome::Kind::kFailed, .result = "failed", .error = "e"};
+  outcome.real_time.emplace();
+  recorder->finish(outcome, Fingerprint{});
+  recorder.reset();
+  Database database(folder.file(), Database::Mode::kRead);
+  Statement query(database, "SELECT key FROM run");
+  int keys = 0;
+  for (; query.next(); ++keys) {
+    const auto is_it = [&](const RunKey& key) { return key.name == query.text(0); };
+    EXPECT_TRUE(std::ranges::any_of(run_keys(), is_it)) << query.text(0);
+  }
+  EXPECT_GT(keys, 20);
+}
+
+TEST_F(RecorderTest, KeepsTheSettings) {
+  recorder->add_settings({{"radio.profile", "disk"}, {"seed", "7"}});
+  EXPECT_EQ(asked("SELECT group_concat(key || '=' || value, ' ') FROM settings"),
+            "radio.profile=disk seed=7");
+}
+
+TEST_F(RecorderTest, ARunThatCouldNotBeWrittenSaysSoAndKeepsWhatWasCommitted) {
+  recorder->on_state(Time{1s}, AgentId{1}, "EARLY");
+  recorder->commit();
+  recorder->on_state(Time{2s}, AgentId{1}, "LATE");
+  recorder->give_up({.kind = agents::Outcome::Kind::kFailed,
+                     .result = "failed",
+                     .error = "the disk is full",
+                     .ended_at = Time{2s}});
+  EXPECT_EQ(asked("SELECT group_concat(value) FROM run WHERE key IN ('result', 'error')"),
+            "the disk is full,failed");
+  EXPECT_EQ(asked("SELECT group_concat(state) FROM states"), "EARLY");
+  recorder.reset();
+  EXPECT_EQ(ask(folder.file(), "PRAGMA journal_mode"), "delete");
 }
 
 TEST_F(RecorderTest, LeavesOnePlainFileBehind) {
@@ -195,21 +237,22 @@ TEST_F(RecorderTest, AddsUpThePathAtEveryControlInstantAndWritesPosesOncePerSeco
   recorder->on_body(Time{500ms}, robot, {.x = 3, .y = 0, .tilt = 0.1, .clearance = 0.5});
   recorder->on_body(Time{1s}, robot, {.x = 3, .y = 4, .clearance = 2});
   recorder->on_body(Time{2s}, robot, {.x = 3, .y = 4, .clearance = 2});
-  EXPECT_EQ(asked("SELECT path || '/' || clearance || '/' || tilt FROM bodies"), "7.0/0.5/0.1");
-  EXPECT_EQ(asked("SELECT x || '/' || y FROM bodies"), "3.0/4.0");
+  EXPECT_EQ(asked("SELECT path_m || '/' || clearance_m || '/' || tilt_rad FROM bodies"),
+            "7.0/0.5/0.1");
+  EXPECT_EQ(asked("SELECT x_m || '/' || y_m FROM bodies"), "3.0/4.0");
   EXPECT_EQ(asked("SELECT group_concat(at_ns) FROM poses"), "0,1000000000");  // no news at 2 s
   EXPECT_EQ(asked("SELECT wall_steps FROM bodies"), "null");
 }
 
 TEST_F(RecorderTest, AWorldWithoutWallsHasNoClearance) {
   recorder->on_body(Time{}, AgentId{3}, {.clearance = std::numeric_limits<double>::infinity()});
-  EXPECT_EQ(asked("SELECT clearance FROM bodies"), "null");
+  EXPECT_EQ(asked("SELECT clearance_m FROM bodies"), "null");
 }
 
 TEST_F(RecorderTest, KeepsWallsAsSeenFromAbove) {
   EXPECT_EQ(
-      asked("SELECT name || '/' || x || '/' || y || '/' || yaw || '/' || size_x || '/' || size_y"
-            " FROM walls"),
+      asked("SELECT name || '/' || x_m || '/' || y_m || '/' || yaw_rad || '/' || size_x_m || '/' ||"
+            " size_y_m FROM walls"),
       "fence/5.0/6.0/0.5/2.0/0.25");
 }
 

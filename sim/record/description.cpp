@@ -1,0 +1,94 @@
+#include "sim/record/description.h"
+
+#include <fmt/format.h>
+
+#include "sim/record/schema.h"
+
+namespace sim::record {
+namespace {
+
+constexpr const char* kFolder = R"(# Results
+
+`baraka run` writes a folder: `results/<scenario>`, or what `--out` says, and names it at its end
+(`results: DIR`).
+
+| file | what it is |
+| --- | --- |
+| `run.sqlite` | the tables below |
+| `scenario.resolved.yaml` | the scenario as it was run, includes and defaults written out; runs again by itself |
+| `run.log` | log lines, stamped with simulated time |
+| `<process>.log` | what a controller process printed |
+| `.baraka-result` | the marker: id of the run, and every file that it may write there |
+
+Until a run has begun (all controllers are there), its folder is `DIR.not-started`; so it stays
+called if the run never begins, with the error in the table `run` and the controllers' words in
+their logs. A run that begins gets `DIR`, and an earlier result there is kept as `DIR.1`, then
+`DIR.2` and so on, the oldest first; `--overwrite` removes it instead, once the new one has begun.
+Folders are renamed as a whole, so whenever a run is killed, each is complete. A run moves and
+removes only what the marker in a folder names: a folder with anything else in it, or without a
+marker, is refused (exit status 2) and stays as it is. Beside the folder, `.DIR.lock` is held while
+a run writes there; a second run is refused meanwhile. `DIR` must lie in a folder that can be
+written, and no file system may be mounted on it.
+
+A run that failed says so (`result`, `error` in the table `run`), also on a disk that has filled up:
+`.reserve` keeps room for that and is gone afterwards. One that was killed still says `running`;
+`baraka report` and `baraka export` call it unfinished.
+
+With `--replications`, `DIR` holds `replications.yaml` (what was asked for), a folder like the above
+for each, `replication-01` and so on, and what each printed, `replication-01.log`.
+
+)";
+
+constexpr const char* kReading = R"(## Reading them
+
+    baraka report DIR...              tables for people; -o PAGE.html draws figures
+    baraka export DIR                 lists the tables of a result
+    baraka export DIR TABLE           one table as CSV (RFC 4180); -o FILE writes it to a file
+    baraka export --describe          this page
+    sqlite3 DIR/run.sqlite .schema    the tables with these meanings as comments
+
+The report pools runs only if their settings are the same but for the seed; it lists the settings in
+which its columns differ, and shows the paper's figures only beside runs of its case study (equal in
+all settings but name, seed, radio, record, expect and number of processes) and says why otherwise.
+Of a folder of results it takes all but those put aside: `NAME.1` beside `NAME`, `NAME.not-started`.
+
+Which agent did something else first in another run, of what kind, and in which second:
+
+    sqlite3 DIR/run.sqlite "ATTACH 'OTHER/run.sqlite' AS o; SELECT second, part, agent FROM (SELECT
+      * FROM (SELECT * FROM fingerprints EXCEPT SELECT * FROM o.fingerprints) UNION SELECT * FROM
+      (SELECT * FROM o.fingerprints EXCEPT SELECT * FROM fingerprints)) ORDER BY 1, 2, 3 LIMIT 1"
+
+In CSV, the first line names the columns, a null is an empty field, an empty text is `""`, and
+numbers are in the shortest form that reads back to the same bits.
+
+)";
+
+std::string cell(std::string_view text) { return std::string(text.empty() ? "-" : text); }
+
+}  // namespace
+
+std::string describe_results() {
+  std::string text = kFolder;
+  text += kReading;
+  text += fmt::format(
+      "## Tables\n\nVersion {} (`PRAGMA user_version`); readers accept this one only.\n\n{}\n",
+      kSchemaVersion, conventions());
+  for (const Table& table : tables()) {
+    text += fmt::format(
+        "\n### {}\n\n{}{}.\n\n| column | type | unit | meaning |\n"
+        "| --- | --- | --- | --- |\n",
+        table.name, table.meaning,
+        table.primary_key.empty() ? "" : fmt::format("; one row per ({})", table.primary_key));
+    for (const Column& column : table.columns) {
+      text += fmt::format("| `{}` | {} | {} | {} |\n", column.name, cell(column.type),
+                          cell(column.unit), column.meaning);
+    }
+  }
+  text += "\n## Keys of the table run\n\n| key | unit | meaning |\n| --- | --- | --- |\n";
+  for (const RunKey& key : run_keys()) {
+    text += fmt::format("| `{}` | {} | {} |\n", key.name, cell(key.unit), key.meaning);
+  }
+  return text;
+}
+
+}  // namespace sim::record
