@@ -60,6 +60,10 @@ std::vector<Network> networks_of(const std::vector<std::string>& addresses) {
     const std::uint32_t address = number_of(text);
     networks.push_back({address, mask_of(address, interfaces)});
   }
+  for (const ifaddrs* one = interfaces; one != nullptr; one = one->ifa_next) {
+    if (one->ifa_addr == nullptr || one->ifa_addr->sa_family != AF_INET) continue;
+    networks.push_back({number_of(one->ifa_addr), kWholeAddress});
+  }
   if (interfaces != nullptr) freeifaddrs(interfaces);
   return networks;
 }

@@ -29,7 +29,9 @@ struct Network {
 };
 
 /// The networks of those interfaces of this host that have one of the addresses: 127.0.0.0/8 for
-/// 127.0.0.1. An address that no interface has is a network by itself.
+/// 127.0.0.1; then each address of this host by itself, as programs here may speak from any, and
+/// nobody beyond can (Linux drops what comes in from its own addresses). An address that no
+/// interface has is a network by itself, too.
 std::vector<Network> networks_of(const std::vector<std::string>& addresses);
 
 /// Which datagrams a participant looks at. Fast DDS 2.9 as Debian 12 has it follows lengths that it

@@ -76,6 +76,13 @@ class Writer {
     return is_ok(writer_->unregister_instance(&sample, rtps::InstanceHandle_t()));
   }
 
+  /// Readers in sight.
+  int readers() const {
+    api::PublicationMatchedStatus status;
+    writer_->get_publication_matched_status(status);
+    return status.current_count;
+  }
+
   /// Waits until every reader has the last sample.
   void flush(Duration timeout) { writer_->wait_for_acknowledgments(to_dds(timeout)); }
 

@@ -55,9 +55,9 @@ TEST_F(StarFilter, DropsGarbageAndTellsHowMuchAndFromWhom) {
 
 TEST_F(StarFilter, DropsWhatComesFromBeyondTheInterface) {
   EXPECT_TRUE(lets_in(heartbeat(1), {0x7f000007, 1}));
-  EXPECT_FALSE(lets_in(heartbeat(2), {0x0a4d0001, 1}));
+  EXPECT_FALSE(lets_in(heartbeat(2), {0xcb007107, 1}));
   EXPECT_EQ(filter_.drops(),
-            "1 datagrams from 10.77.0.1:1: 1 sender: it is beyond the interfaces "
+            "1 datagrams from 203.0.113.7:1: 1 sender: it is beyond the interfaces "
             "of this participant");
 }
 
@@ -109,7 +109,7 @@ TEST(OpenFilter, AllowsSeveralPortsAndRelayedDiscovery) {
 
 TEST(Networks, AreThoseOfTheInterfacesWithTheAddresses) {
   const auto networks = networks_of({"127.0.0.1", "203.0.113.7"});
-  ASSERT_EQ(networks.size(), 2);
+  ASSERT_GE(networks.size(), 3) << "and the addresses of this host, of which 127.0.0.1 is one";
   EXPECT_TRUE(networks[0].holds(0x7f123456)) << "127.0.0.0/8";
   EXPECT_FALSE(networks[0].holds(0x80000001));
   EXPECT_TRUE(networks[1].holds(0xcb007107)) << "nobody has it, so nobody else is near";
