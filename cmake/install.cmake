@@ -27,7 +27,7 @@ foreach(name baraka baraka-agentd)
     install(TARGETS ${name} EXPORT baraka RUNTIME DESTINATION bin)
   endif()
 endforeach()
-install(TARGETS baraka_determinism hal_types hal_config hal_api hal_exchange hal_runtime idl hal_dds
+install(TARGETS baraka_determinism hal_types hal_config hal_api hal_exchange hal_runtime idl hal_rtps hal_dds
   EXPORT baraka ARCHIVE DESTINATION lib/baraka)
 install(DIRECTORY hal/api hal/types DESTINATION include/baraka/hal FILES_MATCHING PATTERN *.h)
 

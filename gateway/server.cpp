@@ -62,7 +62,7 @@ class AgentServer::Implementation {
   void answer_hellos(hal::Duration timeout, hal::Time now);
   void answer(const Hello& hello, hal::Time now);
   void send(const Session& session, hal::Time now);
-  void note_refusal(const Hello& hello, const std::string& reason, hal::Time now);
+  void note_refusal(const std::string& refusal, hal::Time now);
   void release_dead();
   void connect_all();
   void connect(Candidate candidate);
@@ -113,6 +113,7 @@ void AgentServer::Implementation::attend(hal::Time now) {
 
 void AgentServer::Implementation::answer_hellos(hal::Duration timeout, hal::Time now) {
   for (const Hello& hello : server_.hellos(timeout, death_descriptors())) answer(hello, now);
+  for (const std::string& refusal : server_.take_refusals()) note_refusal(refusal, now);
 }
 
 void AgentServer::Implementation::answer(const Hello& hello, hal::Time now) {
@@ -122,7 +123,8 @@ void AgentServer::Implementation::answer(const Hello& hello, hal::Time now) {
       candidates_.contains(hello.instance) ||
       std::ranges::find(connected_, hello.instance, &Connected::instance) != connected_.end();
   if (!session.refusal.empty()) {
-    note_refusal(hello, session.refusal, now);
+    note_refusal(
+        fmt::format("process '{}' (pid {}): {}", hello.process, hello.pid, session.refusal), now);
   } else if (!is_known) {
     Candidate candidate{hello, session,
                         server_.link(hello, settings_.run, settings_.reply_timeout)};
@@ -141,10 +143,7 @@ void AgentServer::Implementation::send(const Session& session, hal::Time now) {
   }
 }
 
-void AgentServer::Implementation::note_refusal(const Hello& hello, const std::string& reason,
-                                               hal::Time now) {
-  const std::string refusal =
-      fmt::format("process '{}' (pid {}): {}", hello.process, hello.pid, reason);
+void AgentServer::Implementation::note_refusal(const std::string& refusal, hal::Time now) {
   if (refusals_.size() < kMostRemembered) refusals_.push_back(refusal);
   log(hal::log::Level::kWarning, now, "refused " + refusal);
 }
