@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "hal/types/log.h"
+#include "hal/types/printable.h"
 #include "sim/core/log_sink.h"
 #include "sim/record/schema.h"
 #include "sim/scenario/plan.h"
@@ -76,7 +77,7 @@ Results::Results(const Scenario& scenario, const RunOptions& options)
       folder_(results_path(options, scenario.name),
               {.files = files_of(scenario), .overwrite = options.overwrite}),
       fingerprint_([this](const sim::Fingerprint::Row& row) { recorder_->add(row); }) {
-  sim::log_to_file((folder_.path() / kLog).string());
+  sim::log_to_file((folder_.path() / kLog).string(), *hal::log::level_called(options.log));
   write_file(folder_.path() / kScenario, sim::scenario::resolved_yaml(scenario));
   reserve_room(folder_.path() / kReserve);
 }
@@ -104,6 +105,11 @@ void Results::begin(sim::agents::Simulation& simulation) {
   simulation.add_observer(fingerprint_);
 }
 
+void Results::commit() {
+  recorder_->commit();
+  sim::flush_log();
+}
+
 void Results::say_not_started(const std::string& error) {
   try {
     fs::remove(folder_.path() / kReserve);
@@ -116,7 +122,7 @@ void Results::say_not_started(const std::string& error) {
     recorder_.reset();
     fmt::print(stderr, "not started; what there is of it: {}\n", folder_.path().string());
   } catch (const std::exception& e) {
-    fmt::print(stderr, "warning: {}\n", e.what());
+    fmt::print(stderr, "warning: {}\n", hal::printable(e.what()));
   }
   sim::flush_log();
 }

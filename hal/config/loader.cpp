@@ -133,8 +133,18 @@ void Loader::resolve(Node& node, const std::string& path, int depth) {
     include(node, target, path);
     if (!complete_) return;
   }
+  if (node.kind == Node::Kind::kList) refuse_items(node);
   for (Node& item : node.items) resolve(item, path, depth + 1);
   for (Entry& entry : node.entries) resolve(entry.value, joined(path, entry.key), depth + 1);
+}
+
+void Loader::refuse_items(Node& list) {
+  const std::size_t size = list.items.size();
+  for (const Entry& entry : std::exchange(list.entries, {})) {
+    problems_.add(entry.place, "",
+                  fmt::format("'{}' is no item: the list has {}{}", entry.key, size,
+                              size > 0 ? fmt::format(", 0 to {}", size - 1) : ""));
+  }
 }
 
 void Loader::give_up(const Node& target, const std::string& path, std::string why) {

@@ -14,10 +14,25 @@ auto position(const Problem& problem) {
   return std::tie(place.order, place.file, place.line, place.column, problem.key, problem.what);
 }
 
+/// "--set a.0.b" without the numbers of items, which keys of problems do not have.
+std::string without_numbers(const std::string& place) {
+  std::string text;
+  std::size_t begin = 0;
+  for (std::size_t end = 0; end != std::string::npos; begin = end + 1) {
+    end = place.find('.', begin);
+    const std::string part = place.substr(begin, end == std::string::npos ? end : end - begin);
+    const bool is_number = part.find_first_not_of("0123456789") == std::string::npos;
+    if (!is_number) text += (text.empty() ? "" : ".") + part;
+  }
+  return text;
+}
+
 /// @param mark  between the place and the key: "" or "warning: ".
 std::string line(const Problem& problem, std::string_view mark) {
   const std::string place = problem.place.text();
-  const bool says_key = problem.key.empty() || place == "--set " + problem.key;
+  const bool is_set = problem.place.line == 0;
+  const bool says_key =
+      problem.key.empty() || (is_set && without_numbers(place) == "--set " + problem.key);
   if (says_key) return fmt::format("{}: {}{}", place, mark, problem.what);
   return fmt::format("{}: {}{}: {}", place, mark, problem.key, problem.what);
 }

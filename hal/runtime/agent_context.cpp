@@ -23,14 +23,18 @@ void AgentContext::take_in(const exchange::Event& event) {
 }
 
 tl::unexpected<Error> AgentContext::refuse(const char* call, std::string_view mistake) {
-  const std::string text = fmt::format("{}: {}: {}", session.name, call, mistake);
-  log(log::Level::kWarning, text);
-  return fail(Errc::kInvalidArgument, text);
+  std::string text = fmt::format("{}: {}: {}", session.name, call, mistake);
+  if (auto line = mistakes.add(text)) log(log::Level::kWarning, std::move(*line));
+  last_refusal = text;
+  return fail(Errc::kInvalidArgument, std::move(text));
 }
 
-tl::unexpected<Error> AgentContext::refuse_once(const char* call, std::string_view mistake) {
-  if (refused_calls.insert(call).second) return refuse(call, mistake);
-  return fail(Errc::kInvalidArgument, fmt::format("{}: {}: {}", session.name, call, mistake));
+void AgentContext::log_mistakes() {
+  for (std::string& line : mistakes.rest()) log(log::Level::kWarning, std::move(line));
+}
+
+void AgentContext::log_of_controller(log::Level level, std::string_view text) {
+  if (text != last_refusal) log(level, std::string(text));
 }
 
 void AgentContext::log(log::Level level, std::string text) {

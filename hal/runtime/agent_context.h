@@ -1,7 +1,6 @@
 #pragma once
 
 #include <map>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,6 +8,7 @@
 #include "hal/api/controller.h"
 #include "hal/exchange/session.h"
 #include "hal/runtime/call_guard.h"
+#include "hal/runtime/mistakes.h"
 #include "hal/runtime/outbox.h"
 #include "hal/runtime/readings.h"
 #include "hal/runtime/route_view.h"
@@ -28,12 +28,16 @@ struct AgentContext {
   /// Updates the knowledge from what an event brings. What is against the rules is logged and left.
   void take_in(const exchange::Event& event);
 
-  /// Logs that a call was refused, naming the agent and what was wrong, and gives the same as an
-  /// error to the caller.
+  /// Logs that a call was refused, naming the agent and what was wrong, as far as Mistakes lets it,
+  /// and gives the same as an error to the caller.
   tl::unexpected<Error> refuse(const char* call, std::string_view mistake);
 
-  /// The same, but logged only the first time for a call: for mistakes that come in thousands.
-  tl::unexpected<Error> refuse_once(const char* call, std::string_view mistake);
+  /// Logs how often mistakes were made that refuse() did not log. To be called in the end.
+  void log_mistakes();
+
+  /// What the controller itself says; what it just says again of an error that refuse() gave it is
+  /// in the log already.
+  void log_of_controller(log::Level level, std::string_view text);
 
   /// A log line of this agent's controller process.
   void log(log::Level level, std::string text);
@@ -52,7 +56,8 @@ struct AgentContext {
   RandomStream random;
   MessageId last_message = 0;
   Topics topics;
-  std::set<std::string_view> refused_calls;  ///< By refuse_once().
+  Mistakes mistakes;
+  std::string last_refusal;  ///< As the controller was told.
   std::map<TimerId, Time> timers;
 };
 

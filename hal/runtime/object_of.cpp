@@ -63,7 +63,7 @@ Result<MessageId> ObjectOf<Interface>::send(AgentId destination, std::string_vie
   const std::string mistake = mistake_in_message(context_, destination, topic, payload.size());
   if (!mistake.empty()) return context_.refuse("send", mistake);
   if (const auto admitted = context_.topics.admit(topic); !admitted) {
-    return context_.refuse_once("send", admitted.error().message);
+    return context_.refuse("send", admitted.error().message);
   }
   exchange::Action& action = context_.outbox.add(exchange::ActionKind::kSend);
   action.message_id = ++context_.last_message;
@@ -154,7 +154,7 @@ void ObjectOf<Interface>::state(std::string_view name) {
   }
   const auto& declared = context_.states;
   if (!declared.empty() && std::ranges::find(declared, name) == declared.end()) {
-    (void)context_.refuse_once(
+    (void)context_.refuse(
         "state", fmt::format("'{}' is not one of the states that the controller declares: {}", name,
                              fmt::join(declared, ", ")));
     return;
@@ -165,7 +165,7 @@ void ObjectOf<Interface>::state(std::string_view name) {
 template <class Interface>
 void ObjectOf<Interface>::log(log::Level level, std::string_view text) {
   context_.guard.check("log");
-  context_.log(level, std::string(text));
+  context_.log_of_controller(level, text);
 }
 
 template class ObjectOf<Mote>;

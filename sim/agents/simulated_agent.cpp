@@ -167,6 +167,7 @@ void SimulatedAgent::set_timer(const Action& action) {
 
 void SimulatedAgent::set_state(const std::string& state) {
   last_state_ = state;
+  hal::log::debug(surroundings_.events.now(), name(), "state {}", state);
   surroundings_.observer.on_state(surroundings_.events.now(), id(), state);
   listener_.on_state(id(), state);
 }
@@ -216,8 +217,10 @@ void SimulatedAgent::on_neighbour_lost(hal::AgentId neighbour) {
 
 void SimulatedAgent::on_discovery(std::string_view topic, hal::AgentId destination,
                                   hal::Duration took, bool found) {
-  surroundings_.observer.on_discovery(surroundings_.events.now(), id(),
-                                      {topic, destination, took, found});
+  const hal::Time now = surroundings_.events.now();
+  hal::log::debug(now, name(), "discovery of {} for '{}': {} after {:.9f} s", destination.value,
+                  topic, found ? "found" : "given up", hal::to_seconds(took));
+  surroundings_.observer.on_discovery(now, id(), {topic, destination, took, found});
 }
 
 void SimulatedAgent::on_message_end(hal::AgentId sent_by, hal::MessageId message, std::string_view,

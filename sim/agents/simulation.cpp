@@ -132,6 +132,7 @@ Outcome Simulation::end_of(RealTimeRun& run) {
 }
 
 Outcome Simulation::broken_off_by(const std::string& error) {
+  state_->broken_off = true;
   if (state_->error.empty()) state_->error = error;
   return state_->outcome();
 }

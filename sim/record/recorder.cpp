@@ -54,7 +54,7 @@ Recorder::~Recorder() {
     if (!is_given_up_) database_.execute("COMMIT");
     database_.execute("PRAGMA journal_mode = DELETE");
   } catch (const std::exception& e) {
-    hal::log::warning(hal::Time{}, "record", "{}", e.what());
+    hal::log::warning(last_, "record", "{}", e.what());
   }
 }
 
@@ -117,6 +117,7 @@ void Recorder::commit() {
 
 void Recorder::on_rows(hal::Time at, int rows) {
   rows_ += rows;
+  last_ = at;
   if (rows_ < kCommitRows && at < next_commit_) return;
   next_commit_ = at + kCommitPeriod;
   commit();

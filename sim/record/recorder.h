@@ -113,6 +113,7 @@ class Recorder final : public agents::Observer {
       insert_frame_end_, insert_fingerprint_;
   int rows_ = 0;  ///< Since the last commit.
   hal::Time next_commit_{kCommitPeriod};
+  hal::Time last_{};  ///< Of the last row.
   bool is_finished_ = false;
   bool is_given_up_ = false;
 };

@@ -147,6 +147,8 @@ class NewController(Package):
     def test_of_a_robot_builds_and_passes_its_own_test_which_can_fail(self):
         project = self.new("wall_finder")
         self.build(project)
+        sections = self.succeed("readelf", "--section-headers", project / "build/wall_finder").out
+        self.assertIn(".debug_info", sections, "a debugger finds its way in it")
         tested = self.ctest(project)
         self.assertEqual(tested.status, 0, str(tested))
         self.assertIn("100% tests passed, 0 tests failed out of 1", tested.out)

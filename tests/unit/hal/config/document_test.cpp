@@ -254,5 +254,46 @@ TEST_F(DocumentTest, ShowsTerminalsNeitherControlCharactersNorEndlessWords) {
   EXPECT_LT(found[1].size(), 700u);
 }
 
+TEST_F(DocumentTest, SetsItemsOfListsByTheirNumber) {
+  const auto file = write("a.yaml", "l: [{a: 1, b: 2}, {a: 3, b: 4}]\nv: [1, 2]\n");
+  auto document = Document::load(file, {"l.1.a=30", "v.0=10"});
+  Mapping root = document.root();
+  std::vector<Mapping> items = root.mappings("l");
+  ASSERT_EQ(items.size(), 2u);
+  EXPECT_EQ(items[0].number("a", "1", {-1e9, 1e9}, -1), 1);
+  EXPECT_EQ(items[1].number("a", "1", {-1e9, 1e9}, -1), 30);
+  EXPECT_EQ(items[1].number("b", "1", {-1e9, 1e9}, -1), 4);
+  EXPECT_EQ(root.vec2("v", "1", {-1e9, 1e9}).x, 10);
+}
+
+TEST_F(DocumentTest, SetsItemsOfListsThatAreIncluded) {
+  write("base.yaml", "l: [{a: 1}, {a: 3}]\n");
+  auto document = Document::load(write("a.yaml", "x: {include: base.yaml}\n"), {"x.l.0={a: 7}"});
+  Mapping root = document.root();
+  EXPECT_EQ(root.mapping("x").mappings("l")[0].number("a", "1", {-1e9, 1e9}, -1), 7);
+}
+
+TEST_F(DocumentTest, NamesTheNumberOfAnItemThatIsNotThere) {
+  const auto file = write("a.yaml", "l: [{a: 1}, {a: 3}]\ne: []\n");
+  EXPECT_EQ(loading(file, {"l.2.a=1"}),
+            (Lines{"--set l.2.a: '2' is no item: the list has 2, 0 to 1"}));
+  EXPECT_EQ(loading(file, {"l.first.a=1"}),
+            (Lines{"--set l.first.a: 'first' is no item: the list has 2, 0 to 1"}));
+  EXPECT_EQ(loading(file, {"l.-1.a=1"}),
+            (Lines{"--set l.-1.a: '-1' is no item: the list has 2, 0 to 1"}));
+  EXPECT_EQ(loading(file, {"e.0.a=1"}), (Lines{"--set e.0.a: '0' is no item: the list has 0"}));
+}
+
+TEST_F(DocumentTest, NamesTheNumberOfAnItemWithAMistake) {
+  const auto file = write("a.yaml", "l: [{a: 1}, {a: 3}]\n");
+  const auto found = messages([&] {
+    auto document = Document::load(file, {"l.1.a=far"});
+    Mapping root = document.root();
+    for (Mapping& item : root.mappings("l")) (void)item.number("a", "1", {-1e9, 1e9}, -1);
+    document.finish();
+  });
+  EXPECT_EQ(found, (Lines{"--set l.1.a: 'far' is not a number"}));
+}
+
 }  // namespace
 }  // namespace hal::config
