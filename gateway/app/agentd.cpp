@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -13,6 +14,8 @@
 #include <variant>
 
 #include "gateway/app/agentd_inspection.h"
+#include "gateway/app/agentd_radio.h"
+#include "gateway/app/agentd_readiness.h"
 #include "gateway/app/emergency_latch.h"
 #include "gateway/app/exit_status.h"
 #include "gateway/app/service_notice.h"
@@ -47,6 +50,18 @@ RobotFile load(const AgentdOptions& options) {
   return file;
 }
 
+/// Motes have nothing to be stopped.
+EmergencyLatch latch_for(const RobotFile& file, const AgentdOptions& options) {
+  if (std::holds_alternative<std::monostate>(file.wheels)) return {};
+  if (options.remembers) {
+    return {file.name,
+            options.state.empty() ? default_state_folder() : std::filesystem::path(options.state)};
+  }
+  hal::log::warning({}, file.name,
+                    "an emergency stop is forgotten when the daemon restarts (--no-state)");
+  return {};
+}
+
 /// Everything of one agent, in the order in which it has to be made. What holds threads comes after
 /// the loop has taken the signals.
 class Agentd {
@@ -62,6 +77,7 @@ class Agentd {
   std::unique_ptr<hal::hardware::PoseSource> make_pose_source();
   hal::hardware::Devices devices() const { return {wheels_.get(), infrared_.get(), pose_.get()}; }
   void drive_here();
+  void stop_as_before();
   void set_emergency_stop(bool stop, StopSource source);
 
   void on_stop_signal(int signal);
@@ -71,10 +87,12 @@ class Agentd {
   void let_go_of_watches();
   void beat();
   void stop();
+  void print_ready() const;
   void print_summary() const;
 
   RobotFile file_;
   int domain_;
+  EmergencyLatch latch_;
   EventLoop loop_;
   bool taking_signals_;
   hal::dds::InspectionParticipant participant_;
@@ -85,18 +103,19 @@ class Agentd {
   AgentInspection inspection_;
   hal::hardware::HardwareAgent agent_;
   std::optional<hal::hardware::LoopWatch> loop_watch_;  ///< None without wheels.
-  EmergencyLatch latch_;
   std::mutex latch_mutex_;
   std::optional<hal::dds::EmergencyStopReader> emergency_stop_;
   std::optional<hal::hardware::SignalThread> stop_signals_;
   std::optional<AgentServer> server_;
   std::vector<EventLoop::Watch> watches_;  ///< Of the server's descriptors.
+  std::optional<Readiness> readiness_;
   int signals_to_end_ = 0;
 };
 
 Agentd::Agentd(const AgentdOptions& options)
     : file_(load(options)),
       domain_(options.domain ? *options.domain : hal::dds::default_domain()),
+      latch_(latch_for(file_, options)),
       taking_signals_([this] {
         hal::hardware::block_signals({SIGUSR1, SIGUSR2});
         loop_.on_signals({SIGTERM, SIGINT}, [this](int) { on_end_signal(); });
@@ -108,17 +127,10 @@ Agentd::Agentd(const AgentdOptions& options)
       wheels_(hal::hardware::make_wheels(file_)),
       infrared_(hal::hardware::make_infrared(file_)),
       pose_(make_pose_source()),
-      link_({.self = file_.address,
-             .interface = file_.radio.interface,
-             .address = file_.radio.address,
-             .port = file_.radio.port,
-             .bit_rate = file_.radio.bit_rate,
-             .power = file_.radio.power},
-            loop_),
+      link_(open_radio(file_, loop_)),
       inspection_(file_),
-      agent_(file_, {loop_, link_, devices(), inspection_}),
-      latch_(file_.name) {
-  if (latch_.is_set()) agent_.set_emergency_stop(true, StopSource::kOperator);
+      agent_(file_, {loop_, link_, devices(), inspection_}) {
+  stop_as_before();
   // Only now: either may change what is latched.
   emergency_stop_.emplace(participant_, file_.name,
                           [this](bool stop) { set_emergency_stop(stop, StopSource::kTopic); });
@@ -129,6 +141,14 @@ Agentd::Agentd(const AgentdOptions& options)
       ServerSettings{.run = kOnlyRun, .reply_timeout = {}, .attendance = Attendance::kAnyTime});
   if (wheels_) loop_watch_.emplace(loop_, *wheels_, std::min(file_.command_timeout, kLongestHang));
   if (options.shown) inspection_.start(participant_);
+}
+
+void Agentd::stop_as_before() {
+  if (!latch_.is_set()) return;
+  agent_.set_emergency_stop(true, StopSource::kOperator);
+  hal::log::warning(loop_.now(), file_.name,
+                    "the emergency stop of an earlier run is in force ({}); SIGUSR2 releases it",
+                    latch_.file().string());
 }
 
 /// By what is built in. Before the server asks what there is to be driven: nothing is left then.
@@ -158,13 +178,18 @@ std::unique_ptr<hal::hardware::PoseSource> Agentd::make_pose_source() {
 int Agentd::run() {
   attend_again();
   if (watchdog_period()) beat();
-  fmt::print("ready: {} ({}, address {}), radio {}, domain {}\n", file_.name,
-             file_.robot ? "robot" : "mote", file_.address.value, link_.own_address(), domain_);
-  std::fflush(stdout);
-  notify_service_manager("READY=1");
+  readiness_.emplace(
+      loop_, file_.name, [this] { return agent_.silent(); }, [this] { print_ready(); });
   loop_.run();
   print_summary();
   return kDone;
+}
+
+void Agentd::print_ready() const {
+  fmt::print("ready: {} ({}, address {}), radio {}, domain {}\n", file_.name,
+             file_.robot ? "robot" : "mote", file_.address.value, link_.own_address(), domain_);
+  std::fflush(stdout);
+  notify_service_manager("READY=1\nSTATUS=serving");
 }
 
 /// On a thread of its own.

@@ -23,7 +23,7 @@ hal::dds::InspectedRobot describe(const hal::hardware::RobotFile& file) {
 TopicPose::TopicPose(hal::dds::InspectionParticipant& participant, const std::string& topic)
     : reader_(participant, topic, [this](const hal::dds::OutsidePose& outside) {
         const std::lock_guard lock(mutex_);
-        fix_ = {outside.pose, std::chrono::steady_clock::now()};
+        fix_ = {outside.pose, hal::hardware::BootClock::now()};
       }) {}
 
 hal::Result<hal::hardware::PoseFix> TopicPose::pose() const {
@@ -35,7 +35,7 @@ hal::Result<hal::hardware::PoseFix> TopicPose::pose() const {
 void AgentInspection::start(hal::dds::InspectionParticipant& participant) {
   std::vector<hal::dds::InspectedRobot> robots;
   if (is_robot()) robots.push_back(describe(file_));
-  inspector_ = std::make_unique<Inspector>(participant, robots);
+  inspector_ = std::make_unique<Inspector>(participant, robots, Inspector::Stamps::kTimeOfDay);
 }
 
 std::string AgentInspection::name_of(hal::AgentId agent) const {
@@ -47,25 +47,26 @@ std::string AgentInspection::name_of(hal::AgentId agent) const {
 }
 
 void AgentInspection::on_cycle(hal::Time at) {
-  if (inspector_) inspector_->publish_clock(at);
+  to_time_of_day_ = std::chrono::system_clock::now().time_since_epoch() - at.time_since_epoch();
 }
 
 void AgentInspection::on_pose(hal::Time at, const hal::Pose2& pose) {
-  if (inspector_) inspector_->publish_transform(at, file_.name, pose);
+  if (inspector_) inspector_->publish_transform(time_of_day(at), file_.name, pose);
 }
 
 void AgentInspection::on_odometry(hal::Time at, const hal::Pose2& pose, const hal::Twist2& twist) {
-  if (inspector_ && is_robot()) inspector_->publish_odometry(at, 0, pose, twist);
+  if (inspector_ && is_robot()) inspector_->publish_odometry(time_of_day(at), 0, pose, twist);
 }
 
 void AgentInspection::on_ranges(hal::Time at, std::span<const double> metres) {
-  if (inspector_ && is_robot()) inspector_->publish_ranges(at, 0, metres);
+  if (inspector_ && is_robot()) inspector_->publish_ranges(time_of_day(at), 0, metres);
 }
 
 void AgentInspection::on_fate(hal::Time at, hal::MessageId id, hal::Fate fate) {
   if (!inspector_ || !inspector_->has_readers(Topic::kFates)) return;
   inspector_->publish_fate(
-      at, {.sender = file_.name, .id = id, .node = file_.name, .fate = fate, .verdict = {}});
+      time_of_day(at),
+      {.sender = file_.name, .id = id, .node = file_.name, .fate = fate, .verdict = {}});
 }
 
 void AgentInspection::on_route_change(hal::Time at, const hal::RouteChange& change) {
@@ -73,12 +74,12 @@ void AgentInspection::on_route_change(hal::Time at, const hal::RouteChange& chan
   const std::string destination = name_of(change.route.destination);
   const std::string next_hop = name_of(change.route.next_hop);
   inspector_->publish_route(
-      at,
+      time_of_day(at),
       {.agent = file_.name, .destination = destination, .next_hop = next_hop, .change = change});
 }
 
 void AgentInspection::on_state(hal::Time at, const std::string& state) {
-  if (inspector_) inspector_->publish_state(at, file_.name, state);
+  if (inspector_) inspector_->publish_state(time_of_day(at), file_.name, state);
 }
 
 }  // namespace gateway::app

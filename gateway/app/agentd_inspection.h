@@ -28,7 +28,9 @@ class TopicPose final : public hal::hardware::PoseSource {
   hal::dds::PoseReader reader_;
 };
 
-/// Shows a real agent to whoever reads the topics of hal::dds::Inspector.
+/// Shows a real agent to whoever reads the topics of hal::dds::Inspector. As ROS 2 expects of a
+/// robot, stamps are the time of day and nobody publishes rt/clock: several robots share a domain,
+/// and programs there have use_sim_time false.
 class AgentInspection final : public hal::hardware::AgentObserver {
  public:
   /// @param file  outlives this object.
@@ -49,9 +51,13 @@ class AgentInspection final : public hal::hardware::AgentObserver {
  private:
   bool is_robot() const { return file_.robot.has_value(); }
   std::string name_of(hal::AgentId agent) const;
+  hal::Time time_of_day(hal::Time at) const { return at + to_time_of_day_; }
 
   const hal::hardware::RobotFile& file_;
   std::unique_ptr<hal::dds::Inspector> inspector_;  ///< Null until start().
+  /// From the loop's time to that since 1970, UTC; anew in each cycle: the day's clock is
+  /// corrected.
+  hal::Duration to_time_of_day_{};
 };
 
 }  // namespace gateway::app

@@ -5,6 +5,7 @@
 #include "gateway/app/agentd.h"
 #include "gateway/app/exit_status.h"
 #include "hal/config/errors.h"
+#include "hal/dds/domains.h"
 
 namespace {
 
@@ -32,6 +33,12 @@ int command(int argc, char** argv) {
   app.add_option("--inspect-address", options.inspect_address,
                  "Address of the network interface for the topics; default: 127.0.0.1");
   app.add_flag("!--no-inspect", options.shown, "Do not show the agent to DDS tools");
+  CLI::Option* state = app.add_option(
+      "--state", options.state,
+      "Folder that remembers the emergency stop over a restart; default: STATE_DIRECTORY, else "
+      "baraka in XDG_STATE_HOME, else ~/.local/state/baraka");
+  app.add_flag("!--no-state", options.remembers, "Forget the emergency stop at a restart")
+      ->excludes(state);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -49,6 +56,12 @@ int main(int argc, char** argv) {
     return command(argc, argv);
   } catch (const hal::config::ConfigErrors& e) {
     std::fprintf(stderr, "%s\n", e.what());
+    return gateway::app::kUsage;
+  } catch (const gateway::app::UsageError& e) {
+    std::fprintf(stderr, "error: %s\n", e.what());
+    return gateway::app::kUsage;
+  } catch (const hal::dds::NoSuchDomain& e) {
+    std::fprintf(stderr, "error: %s\n", e.what());
     return gateway::app::kUsage;
   } catch (const std::exception& e) {
     std::fprintf(stderr, "error: %s\n", e.what());

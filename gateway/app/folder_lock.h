@@ -4,13 +4,12 @@
 
 namespace gateway::app {
 
-/// A folder that this process holds until destruction, or until it dies.
+/// A folder that this process holds until destruction, or until it dies. The lock is a file beside
+/// the folder, so the folder may be renamed or not be there at all.
 class FolderLock {
  public:
-  static constexpr const char* kFile = ".lock";  ///< In the folder; names the holder.
-
-  /// @pre the folder exists. @throws std::runtime_error  if another process holds it, naming that
-  ///   one, or it cannot be written.
+  /// @pre the folder that it is in exists. @throws std::runtime_error  if another process holds it,
+  ///   naming that one, or the lock is no file of this user's, or cannot be written.
   explicit FolderLock(const std::filesystem::path& folder);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;

@@ -13,6 +13,7 @@
 #include "gateway/app/topic_command.h"
 #include "gateway/limits.h"
 #include "hal/config/errors.h"
+#include "hal/dds/domains.h"
 
 namespace {
 
@@ -48,6 +49,8 @@ void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
       ->check(CLI::Range(0, 232));
   run->add_flag("!--no-inspect", options.inspect, "Do not show the run to DDS tools");
   run->add_option("--out", options.out, "Folder for the results; default: results/<name>");
+  run->add_flag("--overwrite", options.overwrite,
+                "Remove an earlier result there; default: keep it as <name>.1, .2, ...");
   run->add_option("--set", options.overrides, "KEY=VALUE, the key as a dotted path")
       ->allow_extra_args(false);
   CLI::Option* replications =
@@ -161,6 +164,9 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "%s\n", e.what());
     return gateway::app::kUsage;
   } catch (const gateway::app::UsageError& e) {
+    std::fprintf(stderr, "error: %s\n", e.what());
+    return gateway::app::kUsage;
+  } catch (const hal::dds::NoSuchDomain& e) {
     std::fprintf(stderr, "error: %s\n", e.what());
     return gateway::app::kUsage;
   } catch (const std::system_error& e) {

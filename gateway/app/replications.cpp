@@ -56,7 +56,8 @@ std::vector<std::string> arguments_for(const RunOptions& options, const Replicat
   std::vector<std::string> arguments{"run",           folder.scenario().string(),
                                      "--seed",        std::to_string(replication.seed),
                                      "--out",         (folder.path() / replication.name()).string(),
-                                     "--controllers", kFrom[static_cast<int>(options.controllers)]};
+                                     "--controllers", kFrom[static_cast<int>(options.controllers)],
+                                     "--overwrite"};  // of one that was cut short
   const auto add = [&](const char* option, const std::string& value) {
     arguments.insert(arguments.end(), {option, value});
   };
@@ -199,6 +200,7 @@ int Replicator::print_outcome() const {
              ends_.size() - failed, failed, kept_);
   for (const auto& [result, count] : results) fmt::print("result {}: {}\n", result, count);
   fmt::print("wall_s: {:.3f}\n", std::chrono::duration<double>(Clock::now() - begin_).count());
+  fmt::print("results: {}\n", folder_.path().string());
   if (ends_.size() < replications_.size()) {
     fmt::print(stderr, "interrupted; the same command goes on from here\n");
     return kInterrupted;
@@ -218,8 +220,9 @@ int run_replications(const RunOptions& options) {
     replications.push_back({k, seed + static_cast<std::uint64_t>(k) - 1});
   }
   catch_interrupts();
-  const ReplicationsFolder folder(results_path(options, scenario.name),
-                                  sim::scenario::resolved_yaml(scenario), options.until);
+  const ReplicationsFolder folder(
+      results_path(options, scenario.name),
+      {sim::scenario::resolved_yaml(scenario), options.until, options.overwrite});
   Replicator replicator(options, folder, replications);
   replicator.run();
   return replicator.print_outcome();

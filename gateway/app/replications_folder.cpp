@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "gateway/app/result_marker.h"
 #include "gateway/app/results_folder.h"
 #include "hal/config/errors.h"
 #include "sim/record/database.h"
@@ -18,11 +19,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kIdentityFile = "replications.yaml";
 constexpr const char* kNewIdentityFile = "replications.yaml.new";
+constexpr const char* kIdentityStart = "# version: ";
 
 std::string identity_of(const std::string& scenario, std::optional<double> until) {
-  return fmt::format("# version: {}\n# until: {}\n{}", BARAKA_VERSION,
+  return fmt::format("{}{}\n# until: {}\n{}", kIdentityStart, BARAKA_VERSION,
                      until ? fmt::format("{} s", *until) : "its end", scenario);
 }
 
@@ -54,17 +55,31 @@ std::map<std::string, std::string> values_of(const fs::path& file) {
 
 std::string Replication::name() const { return fmt::format("replication-{:02}", number); }
 
-ReplicationsFolder::ReplicationsFolder(fs::path path, const std::string& scenario,
-                                       std::optional<double> until)
-    : path_(std::move(path)) {
-  make_folder(path_);
-  if (!fs::exists(this->scenario())) {
-    // Half written by one that was killed.
-    fs::remove(path_ / kNewIdentityFile);
-    const ResultsFolder emptied(path_);
-  }
+ReplicationsFolder::ReplicationsFolder(const fs::path& path, const Settings& settings)
+    : path_(folder_named(path)) {
+  if (path_.has_parent_path()) make_folder(path_.parent_path());
   lock_.emplace(path_);
-  claim(identity_of(scenario, until));
+  finish_set_aside(path_);
+  const auto old = fs::exists(scenario()) ? std::nullopt : make(settings.overwrite);
+  claim(identity_of(settings.scenario, settings.until));
+  if (old && settings.overwrite) remove_result(*old);
+}
+
+/// A folder with nothing in it. @return where an earlier result is now.
+std::optional<fs::path> ReplicationsFolder::make(bool overwrite) {
+  const fs::path half = path_ / kNewIdentityFile;
+  // Half written by one that was killed.
+  const std::string begun = read(half);
+  const std::string_view start = kIdentityStart;
+  if (fs::is_regular_file(fs::symlink_status(half)) &&
+      begun.starts_with(start.substr(0, begun.size()))) {
+    fs::remove(half);
+  }
+  require_result_or_nothing(path_);
+  std::optional<fs::path> old = set_aside(path_, overwrite);
+  make_folder(path_);
+  if (old && !overwrite) fmt::print(stderr, "the earlier result is kept: {}\n", old->string());
+  return old;
 }
 
 void ReplicationsFolder::claim(const std::string& identity) {
@@ -84,7 +99,7 @@ void ReplicationsFolder::claim(const std::string& identity) {
   fs::rename(half, scenario());
 }
 
-fs::path ReplicationsFolder::scenario() const { return path_ / kIdentityFile; }
+fs::path ReplicationsFolder::scenario() const { return path_ / kReplicationsFile; }
 
 std::optional<ReplicationEnd> ReplicationsFolder::end_of(const Replication& replication) const {
   const fs::path file = path_ / replication.name() / "run.sqlite";

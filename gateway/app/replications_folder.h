@@ -27,13 +27,17 @@ struct ReplicationEnd {
 /// belongs to one scenario, `--until` and version: `replications.yaml` tells which.
 class ReplicationsFolder {
  public:
-  /// An earlier result of a single run in the folder is replaced.
-  /// @param scenario  resolved. @param until  simulated seconds.
+  struct Settings {
+    std::string scenario;         ///< Resolved.
+    std::optional<double> until;  ///< Simulated seconds.
+    bool overwrite = false;       ///< Remove an earlier result of a single run there.
+  };
+
+  /// An earlier result of a single run in the folder is kept beside it, as ResultsFolder does.
   /// @throws hal::config::ConfigErrors  if it holds replications of another scenario.
-  /// @throws std::runtime_error  if another run holds it, it has files that are no results, or it
-  ///   cannot be written.
-  ReplicationsFolder(std::filesystem::path path, const std::string& scenario,
-                     std::optional<double> until);
+  /// @throws UsageError  it holds what no run wrote.
+  /// @throws std::runtime_error  if another run holds it, or it cannot be written.
+  ReplicationsFolder(const std::filesystem::path& path, const Settings& settings);
 
   const std::filesystem::path& path() const { return path_; }
 
@@ -48,6 +52,7 @@ class ReplicationsFolder {
 
  private:
   void claim(const std::string& identity);
+  std::optional<std::filesystem::path> make(bool overwrite);
 
   std::filesystem::path path_;
   std::optional<FolderLock> lock_;

@@ -5,12 +5,15 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <stdexcept>
 
 #include "gateway/app/exit_status.h"
 #include "hal/config/shared_folders.h"
 #include "sim/record/report.h"
 #include "sim/record/report_page.h"
+#include "sim/scenario/resolved.h"
+#include "sim/scenario/scenario.h"
 
 namespace gateway::app {
 namespace {
@@ -33,6 +36,19 @@ std::string empty_page() {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+/// Settings of the paper's case study, as it is shipped; none if it is not there.
+std::optional<sim::record::Settings> case_study() {
+  const auto file = hal::config::find_shared("scenarios/case_study.yaml");
+  if (!file) return std::nullopt;
+  try {
+    const auto values = sim::scenario::resolved_values(sim::scenario::load_scenario(*file, {}));
+    return sim::record::Settings(values.begin(), values.end());
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "warning: the paper's figures are left out: {}\n", e.what());
+    return std::nullopt;
+  }
+}
+
 void write(const std::string& path, const std::string& text) {
   std::ofstream file(path, std::ios::binary);
   file << text;
@@ -45,10 +61,10 @@ void write(const std::string& path, const std::string& text) {
 int report(const std::vector<std::string>& folders, const std::string& page) {
   const std::vector<std::filesystem::path> results(folders.begin(), folders.end());
   if (page.empty()) {
-    fmt::print("{}", sim::record::report(results));
+    fmt::print("{}", sim::record::report(results, case_study()));
     return kDone;
   }
-  write(page, sim::record::report_page(results, empty_page()));
+  write(page, sim::record::report_page(results, case_study(), empty_page()));
   fmt::print("page: {}\n", page);
   return kDone;
 }

@@ -3,24 +3,17 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <exception>
 #include <filesystem>
-#include <fstream>
-#include <memory>
-#include <utility>
 
 #include "gateway/app/course.h"
 #include "gateway/app/exit_status.h"
 #include "gateway/app/judge_controllers.h"
-#include "gateway/app/results_folder.h"
+#include "gateway/app/results.h"
 #include "gateway/app/run_inspection.h"
 #include "gateway/app/wall_pace.h"
-#include "hal/types/log.h"
-#include "sim/agents/fingerprint_feed.h"
 #include "sim/agents/simulation.h"
-#include "sim/core/log_sink.h"
-#include "sim/record/recorder.h"
 #include "sim/scenario/judge.h"
-#include "sim/scenario/resolved.h"
 #include "sim/scenario/scenario.h"
 
 namespace gateway::app {
@@ -29,38 +22,6 @@ namespace {
 using sim::agents::Outcome;
 using sim::agents::Simulation;
 using sim::scenario::Scenario;
-
-/// The results that are written, and the observers that write them.
-struct Results {
-  Results(const Scenario& scenario, const std::filesystem::path& out)
-      : folder(out),
-        recorder(folder.path() / "run.sqlite", scenario.simulation,
-                 {.pose_period = scenario.record.pose_period,
-                  .all_frames = scenario.record.frames == sim::scenario::FrameRecord::kAll}) {
-    recorder.add_settings(sim::scenario::resolved_values(scenario));
-    recorder.set("scenario", scenario.name);
-    recorder.set("version", BARAKA_VERSION);
-    sim::log_to_file((folder.path() / "run.log").string());
-    std::ofstream(folder.path() / "scenario.resolved.yaml")
-        << sim::scenario::resolved_yaml(scenario);
-  }
-
-  /// In one transaction: a result either says how the run ended, or that it did not.
-  void finish(const Scenario& scenario, const Simulation& simulation, const Outcome& outcome,
-              ExitStatus status, double wall_seconds) {
-    for (const auto& agent : scenario.simulation.agents) {
-      recorder.add_contacts(agent.id, simulation.contacts(agent.id));
-    }
-    recorder.set("wall_s", wall_seconds);
-    recorder.set("exit_status", std::uint64_t{status});
-    recorder.finish(outcome, fingerprint.fingerprint());
-    sim::flush_log();
-  }
-
-  ResultsFolder folder;
-  sim::record::Recorder recorder;
-  sim::agents::FingerprintFeed fingerprint;
-};
 
 std::vector<std::string> unmet(const Scenario& scenario, const Outcome& outcome,
                                const Simulation& simulation) {
@@ -71,12 +32,14 @@ std::vector<std::string> unmet(const Scenario& scenario, const Outcome& outcome,
   });
 }
 
-void print_outcome(const Outcome& outcome, std::uint64_t fingerprint, double wall_seconds) {
+void print_outcome(const Outcome& outcome, Results& results, double wall_seconds) {
   const double simulated = hal::to_seconds(outcome.ended_at);
-  fmt::print("result: {}\nfingerprint: {}\n", outcome.result, sim::to_hex(fingerprint));
+  fmt::print("result: {}\nfingerprint: {}\n", outcome.result,
+             sim::to_hex(results.fingerprint().fingerprint().total()));
   fmt::print("simulated_s: {:.9f}\nwall_s: {:.3f}\n", simulated, wall_seconds);
   fmt::print("real_time_factor: {:.1f}\n", wall_seconds > 0 ? simulated / wall_seconds : 0.0);
   fmt::print("events: {}\nexchanges: {}\n", outcome.events, outcome.exchanges);
+  fmt::print("results: {}\n", results.folder().path().string());
 }
 
 void print_real_time(const sim::agents::RealTimeSummary& summary) {
@@ -118,6 +81,53 @@ ExitStatus exit_status(const Outcome& outcome, const std::vector<std::string>& u
   return unmet_expectations.empty() ? kDone : kExpectationNotMet;
 }
 
+/// @throws UsageError  the run that is repeated is in the folder that its result is for.
+void check_repeat(const RunOptions& options, const std::string& scenario) {
+  if (options.repeat.empty()) return;
+  std::error_code not_there;
+  if (!std::filesystem::equivalent(options.repeat, results_path(options, scenario), not_there)) {
+    return;
+  }
+  throw UsageError(
+      fmt::format("--repeat: {} would be overwritten; give another --out", options.repeat));
+}
+
+/// To its end, which is a failure if it was broken off by an exception: a full disk, mostly.
+Outcome play(const Course& course, Simulation& simulation, WallPace& pace) {
+  try {
+    return course.play(simulation, pace);
+  } catch (const std::exception& e) {
+    return simulation.broken_off_by(e.what());
+  }
+}
+
+int run(const RunOptions& options, const Scenario& scenario, const Course& course,
+        RunInspection& inspection, Results& results) {
+  Simulation simulation(scenario.simulation, {&inspection.observer()});
+  ControllersOfRun controllers(
+      scenario, simulation,
+      {.from = options.controllers, .domain = options.domain, .logs = results.folder().path()});
+  inspection.start(controllers.domain() ? controllers.domain() : options.domain, simulation);
+  WallPace pace({.max_speed = options.max_speed,
+                 .terminal = ::isatty(STDERR_FILENO) != 0,
+                 .processes = controllers.processes(),
+                 .once_a_second = [&results] { results.commit(); }});
+  results.begin(simulation);
+
+  Outcome outcome = play(course, simulation, pace);
+  pace.end();
+  const auto complaints = controllers.finish(outcome.kind != Outcome::Kind::kFailed);
+  const auto expectations = unmet(scenario, outcome, simulation);
+  const ExitStatus status =
+      results.finish(simulation, outcome, exit_status(outcome, expectations), pace.wall_seconds());
+
+  print_complaints(outcome, complaints);
+  for (const std::string& line : expectations) fmt::print(stderr, "not met: {}\n", line);
+  if (outcome.real_time) print_real_time(*outcome.real_time);
+  print_outcome(outcome, results, pace.wall_seconds());
+  return status;
+}
+
 }  // namespace
 
 std::filesystem::path results_path(const RunOptions& options, const std::string& scenario) {
@@ -132,37 +142,14 @@ int run(const RunOptions& options) {
   RunInspection inspection(scenario, {.shown = options.inspect,
                                       .domain = options.inspect_domain,
                                       .repeated = !options.repeat.empty()});
-  const std::filesystem::path out = results_path(options, scenario.name);
-  std::error_code not_there;
-  if (!options.repeat.empty() && std::filesystem::equivalent(options.repeat, out, not_there)) {
-    throw UsageError(
-        fmt::format("--repeat: {} would be overwritten; give another --out", options.repeat));
+  check_repeat(options, scenario.name);
+  Results results(scenario, options);
+  try {
+    return run(options, scenario, course, inspection, results);
+  } catch (const std::exception& e) {
+    results.say_not_started(e.what());
+    throw;
   }
-  Results results(scenario, out);
-  Simulation simulation(scenario.simulation,
-                        {&results.recorder, &results.fingerprint, &inspection.observer()});
-  ControllersOfRun controllers(
-      scenario, simulation,
-      {.from = options.controllers, .domain = options.domain, .logs = results.folder.path()});
-  inspection.start(controllers.domain() ? controllers.domain() : options.domain, simulation);
-  WallPace pace({.max_speed = options.max_speed,
-                 .terminal = ::isatty(STDERR_FILENO) != 0,
-                 .processes = controllers.processes(),
-                 .once_a_second = [&results] { results.recorder.commit(); }});
-  results.recorder.set("pace", options.repeat.empty() ? options.pace : "repeated");
-
-  const Outcome outcome = course.play(simulation, pace);
-  pace.end();
-  const auto complaints = controllers.finish(outcome.kind != Outcome::Kind::kFailed);
-  const auto expectations = unmet(scenario, outcome, simulation);
-  const ExitStatus status = exit_status(outcome, expectations);
-  results.finish(scenario, simulation, outcome, status, pace.wall_seconds());
-
-  print_complaints(outcome, complaints);
-  for (const std::string& line : expectations) fmt::print(stderr, "not met: {}\n", line);
-  if (outcome.real_time) print_real_time(*outcome.real_time);
-  print_outcome(outcome, results.fingerprint.fingerprint().total(), pace.wall_seconds());
-  return status;
 }
 
 int check(const std::string& path, const std::vector<std::string>& overrides) {

@@ -23,6 +23,7 @@ struct RunOptions {
   bool inspect = true;
   std::optional<int> inspect_domain;  ///< None: the run's.
   std::string out;                    ///< Empty: results/<scenario name>.
+  bool overwrite = false;             ///< An earlier result there is removed, not kept.
   std::optional<int> replications;
   int jobs = 1;  ///< Replications at a time.
 };

@@ -1,5 +1,6 @@
 #include "gateway/app/teleop_port.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace gateway::app {
@@ -25,6 +26,10 @@ hal::Result<void> TeleopPort::begin(const Step& step) {
 
 void TeleopPort::answer(const Event& event, std::uint32_t index) {
   const auto command = commands_.last();
+  const hal::Duration pause = std::max(command_timeout_, 2 * control_period_);
+  if (event.time - last_event_ > pause) deaf_until_ = event.time + command_timeout_;
+  last_event_ = event.time;
+  if (event.time < deaf_until_ && command) obeyed_ = command->number;
   const bool is_new = command && command->number != obeyed_;
   // The next control event would be too late.
   const bool is_old = event.time + control_period_ > obeyed_at_ + command_timeout_;

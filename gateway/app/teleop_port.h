@@ -15,7 +15,10 @@ inline constexpr const char* kTeleop = "teleop";
 
 /// Drives one robot as it is told from outside: at each control event the last velocity since the
 /// event before becomes an action. If none came in time for another control event within the
-/// command timeout, in simulated time, it stops the robot; so it needs a run in real time.
+/// command timeout, in simulated time, it stops the robot; so it needs a run in real time. After a
+/// pause between control events that is longer than that, what came before or during it is not
+/// obeyed: the computer of a real robot may have slept. Nor is what comes within another command
+/// timeout, as some of it may have waited in between.
 class TeleopPort final : public hal::exchange::ControllerPort {
  public:
   /// @throws std::runtime_error  if DDS makes no reader.
@@ -35,6 +38,7 @@ class TeleopPort final : public hal::exchange::ControllerPort {
   hal::dds::TwistReader commands_;
   std::uint64_t obeyed_ = 0;  ///< Number of the last command.
   hal::Time obeyed_at_{};
+  hal::Time last_event_{}, deaf_until_{};
   bool driving_ = false;
   hal::exchange::Reply reply_;
 };

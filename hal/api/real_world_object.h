@@ -66,11 +66,13 @@ class RealWorldObject {
   virtual std::span<const Channel> channels() const = 0;
 
   /// Latest values of a channel, held until the next sample. Valid until the callback returns.
-  /// Errors: kNotAvailable (no such channel, not asked for, or not sampled yet).
+  /// Errors: kNotAvailable (no such channel, not asked for, not sampled yet, or lost: on hardware
+  /// the last sample is older than the `stale_after` of the agent's file).
   virtual Result<std::span<const double>> reading(std::string_view channel) const = 0;
 
   /// Position of another agent relative to this one, in this body's frame [m].
-  /// Errors: kNotAvailable (no localisation on this agent; the other is out of its range).
+  /// Errors: kNotAvailable (no localisation on this agent, or it is lost; the other is out of its
+  /// range).
   virtual Result<Vec2> relative_position(AgentId other) const = 0;
 
   /// State of charge, 0..1. Errors: kNotAvailable (the agent has no battery gauge).

@@ -37,7 +37,8 @@ class Robot : public RealWorldObject {
   /// Errors: kInvalidArgument (count, NaN, beyond the limit: refused, not scaled).
   virtual Result<void> set_wheel_speeds(std::span<const double> speeds) = 0;
 
-  /// Errors: kNotAvailable (no infrared, not asked for, or not sampled yet).
+  /// Errors: kNotAvailable (no infrared, not asked for, not sampled yet, or lost: on hardware the
+  /// sensors have not answered for the `stale_after` of the robot's file).
   virtual Result<std::vector<InfraredReading>> infrared() const = 0;
   virtual Result<Odometry> odometry() const = 0;
 };

@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "hal/dds/controller_process.h"
+#include "hal/dds/domains.h"
 
 /// The program of every controller: controllers/<name> defines baraka_controller() and is linked
 /// with this.
@@ -13,6 +14,9 @@ int main(int argc, char** argv) {
     const auto parsed = hal::runtime::parse_controller_options(argc, argv, kind);
     if (!parsed.options) return parsed.exit_status;
     return static_cast<int>(hal::dds::run_controllers(kind, *parsed.options));
+  } catch (const hal::dds::NoSuchDomain& error) {
+    fmt::print(stderr, "{}: {}\n", argv[0], error.what());
+    return 2;  // as for a wrong option
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}: {}\n", argv[0], error.what());
     return 1;

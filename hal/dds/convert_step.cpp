@@ -10,11 +10,13 @@ static_assert(static_cast<int>(Fate::kFailed) == static_cast<int>(wire::FAILED))
 
 void to_wire(const exchange::Reading& reading, wire::Reading& out) {
   out.channel(reading.channel);
+  out.lost(reading.lost);
   out.values(reading.values);
 }
 
 void from_wire(const wire::Reading& reading, exchange::Reading& out) {
   out.channel = reading.channel();
+  out.lost = reading.lost();
   out.values = reading.values();
 }
 

@@ -1,15 +1,14 @@
 #include "hal/dds/domains.h"
 
-#include <fcntl.h>
 #include <fmt/core.h>
 #include <netinet/in.h>
-#include <sys/file.h>
 #include <sys/socket.h>
-#include <sys/stat.h>
+#include <sys/un.h>
 #include <unistd.h>
 
 #include <cerrno>
 #include <charconv>
+#include <cstddef>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -23,42 +22,69 @@ namespace {
 constexpr int kFirstPort = 7400;      // PB and …
 constexpr int kPortsPerDomain = 250;  // … DG of OMG DDSI-RTPS 2.3, 9.6.1.1
 
-std::string lock_path(int domain, int place) {
-  const auto folder = std::filesystem::temp_directory_path();
-  return folder / fmt::format("baraka-domain-{}-{}.lock", domain, place);
+/// A place of a domain is held by a Unix socket of this name, which is in no folder: whoever is in
+/// this network namespace, where the domain's ports are, sees it, whichever user; it cannot be a
+/// link or be left behind, and the kernel knows who holds it (unix(7), abstract sockets).
+sockaddr_un lock_name(int domain, int place, socklen_t& size) {
+  sockaddr_un address{};
+  address.sun_family = AF_UNIX;
+  const std::string name = fmt::format("baraka-domain-{}-{}", domain, place);
+  name.copy(address.sun_path + 1, sizeof(address.sun_path) - 1);
+  size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
+  return address;
 }
 
-/// @throws std::runtime_error  if the file can be neither opened nor made.
-int open_lock(const std::string& path) {
-  // An existing file must be opened without O_CREAT: in a sticky folder Linux refuses that for
-  // files of other users (proc(5), fs.protected_regular).
-  int file = open(path.c_str(), O_RDWR | O_CLOEXEC);
-  if (file < 0 && errno == ENOENT) {
-    file = open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    if (file >= 0) fchmod(file, 0666);  // Past the umask: every user may hold a domain.
+/// @throws std::runtime_error  no file descriptor is left.
+int unix_socket() {
+  const int descriptor = socket(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+  if (descriptor >= 0) return descriptor;
+  throw std::runtime_error(fmt::format("a Unix socket: {}", std::strerror(errno)));
+}
+
+/// @return a socket that holds the place until it is closed; -1: another one does.
+/// @throws std::runtime_error  it can be had by nobody.
+int hold_place(int domain, int place) {
+  const int descriptor = unix_socket();
+  socklen_t size = 0;
+  const sockaddr_un address = lock_name(domain, place, size);
+  // Only a socket that listens tells who it is.
+  if (bind(descriptor, reinterpret_cast<const sockaddr*>(&address), size) == 0 &&
+      listen(descriptor, SOMAXCONN) == 0) {
+    return descriptor;
   }
-  if (file < 0 && errno == EEXIST) file = open(path.c_str(), O_RDWR | O_CLOEXEC);
-  if (file < 0) throw std::runtime_error(fmt::format("{}: {}", path, std::strerror(errno)));
-  return file;
+  const int error = errno;
+  close(descriptor);
+  if (error == EADDRINUSE) return -1;
+  throw std::runtime_error(fmt::format("DDS domain {}: {}", domain, std::strerror(error)));
 }
 
-std::string this_program() {
+std::string program_of(pid_t pid) {
   std::error_code error;
-  const auto path = std::filesystem::read_symlink("/proc/self/exe", error);
-  return error ? "unknown" : path.filename().string();
+  const auto path = std::filesystem::read_symlink(fmt::format("/proc/{}/exe", pid), error);
+  if (!error) return path.filename().string();
+  std::ifstream file(fmt::format("/proc/{}/comm", pid));  // of another user
+  std::string name;
+  return std::getline(file, name) ? name : "unknown";
 }
 
 /// "pid 12 (baraka)".
 std::string holder_of(int domain, int place) {
-  std::ifstream file(lock_path(domain, place));
-  std::string holder;
-  return std::getline(file, holder) ? holder : "another process";
+  const int descriptor = unix_socket();
+  socklen_t size = 0;
+  const sockaddr_un address = lock_name(domain, place, size);
+  ucred holder{};
+  socklen_t length = sizeof(holder);
+  const bool is_known =
+      connect(descriptor, reinterpret_cast<const sockaddr*>(&address), size) == 0 &&
+      getsockopt(descriptor, SOL_SOCKET, SO_PEERCRED, &holder, &length) == 0 && holder.pid > 0;
+  close(descriptor);
+  if (!is_known) return "another process";
+  return fmt::format("pid {} ({})", holder.pid, program_of(holder.pid));
 }
 
 void require_domain(int domain) {
   if (domain >= 0 && domain <= kLastDomain) return;
-  throw std::runtime_error(
-      fmt::format("there is no DDS domain {}: it is 0 to {}", domain, kLastDomain));
+  throw NoSuchDomain(fmt::format("there is no DDS domain {}: it is 0 to {}", domain, kLastDomain));
 }
 
 /// Binds a UDP socket of the loopback interface for a moment. @param port  0: whichever is free.
@@ -87,8 +113,7 @@ bool is_nobodys(int port) {
 
 bool is_port_free(int port) { return bound_port(port) != 0 || errno != EADDRINUSE; }
 
-/// The port of a domain's places that somebody uses who cannot be seen in the lock files: a program
-/// that is none of ours, or one in a container with folders of its own.
+/// The port of a domain's places that a program uses which is none of ours.
 std::optional<int> port_in_use(int domain) {
   for (int place = 0; place < kPlaces; ++place) {
     if (const int port = discovery_port(domain, place); !is_port_free(port)) return port;
@@ -99,10 +124,9 @@ std::optional<int> port_in_use(int domain) {
 /// The first place of a domain that cannot be had, for the message.
 std::string first_holder(int domain) {
   for (int place = 0; place < kPlaces; ++place) {
-    const int file = open_lock(lock_path(domain, place));
-    const bool is_free = flock(file, LOCK_EX | LOCK_NB) == 0;
-    close(file);
-    if (!is_free) return holder_of(domain, place);
+    const int descriptor = hold_place(domain, place);
+    if (descriptor < 0) return holder_of(domain, place);
+    close(descriptor);
   }
   return "another process";
 }
@@ -132,24 +156,15 @@ DomainHold::DomainHold(DomainHold&& other) noexcept
 }
 
 DomainHold::~DomainHold() {
-  // The files stay: deleting one that another process is about to lock would make two of it.
-  for (const int file : locks_) {
-    if (file >= 0) close(file);
+  for (const int descriptor : locks_) {
+    if (descriptor >= 0) close(descriptor);
   }
 }
 
 bool DomainHold::lock(int place) {
-  const int file = open_lock(lock_path(domain_, place));
-  if (flock(file, LOCK_EX | LOCK_NB) != 0) {
-    close(file);
-    return false;
-  }
-  const std::string holder = fmt::format("pid {} ({})\n", getpid(), this_program());
-  if (ftruncate(file, 0) != 0 || write(file, holder.data(), holder.size()) < 0) {
-    close(file);
-    return false;
-  }
-  locks_.at(static_cast<std::size_t>(place)) = file;
+  const int descriptor = hold_place(domain_, place);
+  if (descriptor < 0) return false;
+  locks_.at(static_cast<std::size_t>(place)) = descriptor;
   return true;
 }
 
@@ -197,7 +212,7 @@ int default_domain() {
       domain <= kLastDomain) {
     return domain;
   }
-  throw std::runtime_error(
+  throw NoSuchDomain(
       fmt::format("BARAKA_DOMAIN is '{}', not a DDS domain from 0 to {}", view, kLastDomain));
 }
 

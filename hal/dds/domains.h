@@ -2,6 +2,7 @@
 
 #include <array>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 namespace hal::dds {
@@ -14,8 +15,8 @@ inline constexpr int kFirstFreeDomain = 1, kLastFreeDomain = 100;
 /// 9.6.1.1).
 inline constexpr int kLastDomain = 232;
 
-/// Places of a server in a DDS domain, held until destruction or the death of the process. Each
-/// place is a locked file in the folder for temporary files that names its holder.
+/// Places of a server in a DDS domain, held until destruction or the death of the process: against
+/// everybody in this network namespace, whichever user, as its ports are.
 class DomainHold {
  public:
   ~DomainHold();
@@ -54,8 +55,13 @@ int discovery_port(int domain, int place);
 /// @throws std::runtime_error  no port is left, or no file descriptor.
 int free_port();
 
+/// Whoever named a domain named none: a mistake of the command line or the environment.
+struct NoSuchDomain : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
 /// The environment's BARAKA_DOMAIN, else 1.
-/// @throws std::runtime_error  if BARAKA_DOMAIN is no domain.
+/// @throws NoSuchDomain  if BARAKA_DOMAIN is none.
 int default_domain();
 
 }  // namespace hal::dds

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "hal/dds/inspection_endpoints.h"
 #include "hal/dds/inspection_values.h"
@@ -46,7 +47,8 @@ TransformStamped_ transform(const std::string& parent, const std::string& child,
 
 class Inspector::Implementation {
  public:
-  Implementation(InspectionParticipant& inspection, const std::vector<InspectedRobot>& robots);
+  Implementation(InspectionParticipant& inspection, const std::vector<InspectedRobot>& robots,
+                 Stamps stamps);
 
   std::atomic<int>& readers(Topic topic) { return readers_[static_cast<std::size_t>(topic)]; }
 
@@ -67,7 +69,7 @@ class Inspector::Implementation {
   InspectionWriter<TFMessage_PubSubType> transforms_static_;
 
  public:
-  InspectionWriter<Clock_PubSubType> clock;
+  std::optional<InspectionWriter<Clock_PubSubType>> clock;  ///< Of simulated time only.
   InspectionWriter<TFMessage_PubSubType> transforms;
   InspectionWriter<MessageFate_PubSubType> fates;
   InspectionWriter<Frame_PubSubType> frames;
@@ -94,16 +96,19 @@ Inspector::Implementation::Robot::Robot(Implementation& all, Participant& partic
 }
 
 Inspector::Implementation::Implementation(InspectionParticipant& inspection,
-                                          const std::vector<InspectedRobot>& described)
+                                          const std::vector<InspectedRobot>& described,
+                                          Stamps stamps)
     : participant_(inspection.participant()),
       transforms_static_(participant_, "rt/tf_static", 1, static_readers_, Keep::kForLatecomers),
-      clock(participant_, "rt/clock", kFewSamples, readers(Topic::kClock)),
       transforms(participant_, "rt/tf", kManySamples, readers(Topic::kTransforms)),
       fates(participant_, "rt/baraka/message_fates", kManySamples, readers(Topic::kFates)),
       frames(participant_, "rt/baraka/frames", kManySamples, readers(Topic::kFrames)),
       routes(participant_, "rt/baraka/routes", kManySamples, readers(Topic::kRoutes)),
       states(participant_, "rt/baraka/controller_states", kManySamples, readers(Topic::kStates)),
       links(participant_, "rt/baraka/link_quality", kManySamples, readers(Topic::kLinks)) {
+  if (stamps == Stamps::kSimulated) {
+    clock.emplace(participant_, "rt/clock", kFewSamples, readers(Topic::kClock));
+  }
   for (const InspectedRobot& robot : described) {
     robots.push_back(std::make_unique<Robot>(*this, participant_, robot));
   }
@@ -127,8 +132,9 @@ void Inspector::Implementation::write_static(const std::vector<InspectedRobot>& 
   transforms_static_.write();
 }
 
-Inspector::Inspector(InspectionParticipant& participant, const std::vector<InspectedRobot>& robots)
-    : implementation_(std::make_unique<Implementation>(participant, robots)) {}
+Inspector::Inspector(InspectionParticipant& participant, const std::vector<InspectedRobot>& robots,
+                     Stamps stamps)
+    : implementation_(std::make_unique<Implementation>(participant, robots, stamps)) {}
 
 Inspector::~Inspector() = default;
 
@@ -145,9 +151,9 @@ bool Inspector::has_readers(Topic topic) const noexcept {
 
 void Inspector::publish_clock(Time now) {
   auto& writer = implementation_->clock;
-  if (!writer.has_readers()) return;
-  writer.sample().clock(to_ros(now));
-  writer.write();
+  if (!writer || !writer->has_readers()) return;
+  writer->sample().clock(to_ros(now));
+  writer->write();
 }
 
 void Inspector::publish_transform(Time at, std::string_view agent, const Pose2& pose) {

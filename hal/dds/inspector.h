@@ -38,7 +38,7 @@ struct InspectedRobot {
 /// exists:
 ///
 /// topic                        type                             what
-/// rt/clock                     rosgraph_msgs/Clock              the run's time
+/// rt/clock                     rosgraph_msgs/Clock              the run's time; not of a robot
 /// rt/tf                        tf2_msgs/TFMessage               world -> <agent>/base_link
 /// rt/tf_static                 tf2_msgs/TFMessage               world -> <agent>/odom, base_link
 /// ->
@@ -96,9 +96,15 @@ class Inspector {
     std::uint32_t delivered = 0, lost = 0;  ///< Frames since the sample before.
   };
 
+  /// Whether the stamps are the time of a simulation, which rt/clock tells; otherwise they are that
+  /// of the day, and nobody may write rt/clock: every program of ROS 2 with use_sim_time in the
+  /// domain would follow it.
+  enum class Stamps : std::uint8_t { kSimulated, kTimeOfDay };
+
   /// @param robots  get topics of their own; in calls they are named by their index here.
   /// @throws std::runtime_error  if DDS makes no writer.
-  Inspector(InspectionParticipant& participant, const std::vector<InspectedRobot>& robots);
+  Inspector(InspectionParticipant& participant, const std::vector<InspectedRobot>& robots,
+            Stamps stamps = Stamps::kSimulated);
   ~Inspector();
   Inspector(const Inspector&) = delete;
   Inspector& operator=(const Inspector&) = delete;
@@ -106,7 +112,7 @@ class Inspector {
   bool has_readers() const noexcept;  ///< Of anything but rt/tf_static.
   bool has_readers(Topic topic) const noexcept;
 
-  void publish_clock(Time now);
+  void publish_clock(Time now);  ///< No effect without rt/clock.
   /// Pose of `<agent>/base_link` in world: m, rad.
   void publish_transform(Time at, std::string_view agent, const Pose2& pose);
   /// @param pose  in `<agent>/odom`: since the start.  @param twist  in the body's frame.

@@ -14,7 +14,7 @@ namespace hal::exchange {
 
 /// Version of the values in this folder as they travel. Two sides of different versions refuse
 /// each other.
-inline constexpr std::uint32_t kProtocolVersion = 2;
+inline constexpr std::uint32_t kProtocolVersion = 3;
 
 /// A parameter as the scenario gives it, with the place of its value for error messages.
 struct ParameterText {

@@ -29,6 +29,8 @@ enum class Cause : std::uint8_t {
 struct Reading {
   std::uint16_t channel = 0;
   std::vector<double> values;
+  /// There are none: the device has fallen silent, what was held is too old. On hardware only.
+  bool lost = false;
   bool operator==(const Reading&) const = default;
 };
 

@@ -29,6 +29,9 @@ constexpr std::array kInfraredKinds = {
     Option<InfraredKind>{"robotino_rest", InfraredKind::kRobotinoRest},
     Option<InfraredKind>{"iio", InfraredKind::kIio}};
 
+constexpr std::array kOnLostSensor = {Option<OnLostSensor>{"stop", OnLostSensor::kStop},
+                                      Option<OnLostSensor>{"ignore", OnLostSensor::kIgnore}};
+
 constexpr std::array kReads = {Option<bool>{"metres", false}, Option<bool>{"volts", true}};
 
 DeviceTimes read_times(Mapping& in, DeviceTimes times, double longest_period) {
@@ -152,6 +155,7 @@ void read_infrared(Mapping in, RobotFile& file) {
 void read_devices(Mapping& in, RobotFile& file) {
   read_wheels(in.mapping("wheels"), file);
   if (in.has("infrared")) read_infrared(in.mapping("infrared"), file);
+  file.on_lost_sensor = in.choice("on_lost_sensor", kOnLostSensor, file.on_lost_sensor);
   Mapping limits = in.mapping("limits");
   file.limits.linear = limits.number("linear", "m/s", {0, config::kUnlimited}, file.limits.linear);
   file.limits.angular =

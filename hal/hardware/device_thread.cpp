@@ -56,9 +56,7 @@ DeviceCounts DeviceThread::counts() const {
   return counts_;
 }
 
-bool DeviceThread::fresh() const {
-  return std::chrono::steady_clock::now() - last_success_ <= rules_.silence;
-}
+bool DeviceThread::fresh() const { return BootClock::now() - last_success_ <= rules_.silence; }
 
 void DeviceThread::run() {
   block_broken_pipe_signals();
@@ -94,7 +92,7 @@ bool DeviceThread::connect() {
   const std::scoped_lock lock(mutex_);
   connected_ = true;
   ++counts_.connections;
-  last_success_ = std::chrono::steady_clock::now();
+  last_success_ = BootClock::now();
   return true;
 }
 
@@ -118,7 +116,7 @@ void DeviceThread::note(const Error& error) {
 
 void DeviceThread::note_success() {
   const std::scoped_lock lock(mutex_);
-  const SteadyTime now = std::chrono::steady_clock::now();
+  const BootTime now = BootClock::now();
   if (rules_.late > Duration::zero() && now - last_success_ > rules_.late) ++counts_.late_refresh;
   last_success_ = now;
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <thread>
 
-#include "hal/hardware/steady_time.h"
+#include "hal/hardware/boot_time.h"
 #include "hal/hardware/wheels.h"
 #include "hal/types/result.h"
 #include "hal/types/time.h"
@@ -79,7 +79,7 @@ class DeviceThread {
   bool ending_ = false;
   std::string trouble_ = "not reached yet";
   DeviceCounts counts_;
-  SteadyTime last_success_{};
+  BootTime last_success_{};
   std::thread thread_;
 };
 

@@ -19,7 +19,7 @@ DriveGuard::~DriveGuard() {
   wheels_.stop();
 }
 
-Result<void> DriveGuard::drive(const Twist2& body) {
+Result<void> DriveGuard::drive(const Twist2& body, Time as_of) {
   if (!std::isfinite(body.vx) || !std::isfinite(body.vy) || !std::isfinite(body.omega)) {
     return fail(Errc::kInvalidArgument,
                 fmt::format("drive: ({}, {}, {}) is not finite", body.vx, body.vy, body.omega));
@@ -30,12 +30,12 @@ Result<void> DriveGuard::drive(const Twist2& body) {
     ++counts_.stopped;
     return fail(Errc::kNotAvailable, "drive: the emergency stop is in force");
   }
-  if (moves && blind_) {
+  if (moves && !blind_because_.empty()) {
     ++counts_.blind;
-    return fail(Errc::kNotAvailable, "drive: a sensor that the controller steers by is silent");
+    return fail(Errc::kNotAvailable, "drive: " + blind_because_);
   }
   if (saturated) ++counts_.limited;
-  auto driven = wheels_.drive(twist);
+  auto driven = wheels_.drive(twist, loop_.on_boot_clock(as_of));
   if (!driven) ++counts_.not_connected;
   // What the driver repeats must not be an older velocity than the one that it did not take.
   if (!driven) wheels_.stop();
@@ -46,7 +46,7 @@ Result<void> DriveGuard::drive(const Twist2& body) {
   return driven;
 }
 
-Result<void> DriveGuard::drive_wheels(std::span<const double> speeds) {
+Result<void> DriveGuard::drive_wheels(std::span<const double> speeds, Time as_of) {
   const devices::WheelDrive& kinematics = wheels_.kinematics();
   if (speeds.size() != kinematics.wheel_count()) {
     return fail(Errc::kInvalidArgument, fmt::format("drive: speeds of {} wheels, the robot has {}",
@@ -58,10 +58,13 @@ Result<void> DriveGuard::drive_wheels(std::span<const double> speeds) {
     return fail(Errc::kInvalidArgument, fmt::format("drive: a wheel at {} rad/s, the limit is {}",
                                                     speed, kinematics.max_wheel_speed()));
   }
-  return drive(kinematics.body_velocity(speeds));
+  return drive(kinematics.body_velocity(speeds), as_of);
 }
 
-void DriveGuard::feed() { fed_ = loop_.now(); }
+void DriveGuard::feed(Time as_of) {
+  fed_ = as_of;
+  wheels_.keep(loop_.on_boot_clock(as_of));
+}
 
 /// One timer that looks now and then, instead of one that is moved with every answer.
 void DriveGuard::watch() {
@@ -82,11 +85,9 @@ void DriveGuard::halt() {
 }
 
 void DriveGuard::set_blind(const std::string& because) {
-  const bool blind = !because.empty();
-  if (std::exchange(blind_, blind) == blind) return;
-  if (blind) halt();
-  if (blind) log::warning(loop_.now(), name_, "blind, the wheels stop: {}", because);
-  if (!blind) log::info(loop_.now(), name_, "no longer blind");
+  const bool saw = blind_because_.empty();
+  blind_because_ = because;
+  if (saw && !because.empty()) halt();
 }
 
 void DriveGuard::set_emergency_stop(bool stop, StopSource source) {

@@ -19,7 +19,7 @@ enum class StopSource : unsigned { kOperator = 1, kTopic = 2 };
 ///   - no emergency stop is in force: it is latched, whoever commands, until it is released;
 ///   - the robot sees: none of the sensors the controller steers by is out of date;
 /// scales it to the operator's limits and the motors', and stops the wheels when the controller has
-/// been silent for the command timeout.
+/// been silent for the command timeout. The driver's own thread does that, too, by its own clock.
 class DriveGuard {
  public:
   struct Counts {
@@ -38,16 +38,17 @@ class DriveGuard {
   DriveGuard(const DriveGuard&) = delete;
   DriveGuard& operator=(const DriveGuard&) = delete;
 
+  /// @param as_of  when the command came in: not now, if anything lies in between.
   /// Errors: kInvalidArgument (not finite), kNotAvailable (emergency stop; blind), kNotConnected.
-  Result<void> drive(const Twist2& body);
+  Result<void> drive(const Twist2& body, Time as_of);
   /// @param speeds  rad/s of each wheel. Errors: those of drive(), and kInvalidArgument for a wrong
   ///   count or a speed beyond the motors' limit.
-  Result<void> drive_wheels(std::span<const double> speeds);
+  Result<void> drive_wheels(std::span<const double> speeds, Time as_of);
 
-  /// The controller has answered: the command timeout begins anew.
-  void feed();
+  /// The controller answered then: the command timeout begins anew.
+  void feed(Time as_of);
   void halt();  ///< Wheels stop; the next command is welcome.
-  /// @param because  a sensor that the controller steers by is silent; empty: none is.
+  /// @param because  which sensor that the controller steers by is silent; empty: none is.
   void set_blind(const std::string& because);
 
   /// Any thread: the wheels are told at once, whatever the loop is doing. In force until each
@@ -65,8 +66,8 @@ class DriveGuard {
   Duration command_timeout_;
   std::string name_;
   std::atomic<unsigned> stops_ = 0;  ///< A bit for each source that stops.
-  bool blind_ = false;
-  bool turning_ = false;  ///< As commanded last.
+  std::string blind_because_;        ///< Empty: it sees.
+  bool turning_ = false;             ///< As commanded last.
   Time fed_{};
   EventLoop::Handle timer_ = 0;
   Counts counts_;

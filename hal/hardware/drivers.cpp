@@ -9,10 +9,10 @@ namespace hal::hardware {
 
 std::unique_ptr<WheelDriver> make_wheels(const RobotFile& file) {
   if (const auto* robotino = std::get_if<RobotinoSettings>(&file.wheels)) {
-    return make_robotino_wheels(*robotino, *file.robot, file.limits);
+    return make_robotino_wheels(*robotino, file);
   }
   if (const auto* tmc200 = std::get_if<Tmc200Settings>(&file.wheels)) {
-    return make_tmc200_wheels(*tmc200, *file.robot, file.limits);
+    return make_tmc200_wheels(*tmc200, file);
   }
   return nullptr;
 }

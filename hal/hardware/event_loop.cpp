@@ -21,10 +21,6 @@ namespace {
 constexpr std::int64_t kNsPerSecond = 1'000'000'000;
 constexpr Duration kLongestSleep = std::chrono::hours{1};  // a sleep; a longer one is two
 
-Duration steady_now() {
-  return std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now().time_since_epoch());
-}
-
 int checked(int result, const char* what) {
   if (result < 0) throw std::system_error(errno, std::generic_category(), what);
   return result;
@@ -47,7 +43,7 @@ void block_signals(std::initializer_list<int> signals) {
 }
 
 EventLoop::EventLoop()
-    : start_(steady_now()),
+    : start_(BootClock::now()),
       wake_up_(checked(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK), "no event descriptor")) {
   watch(wake_up_, [this] { run_posted(); });
 }
@@ -57,7 +53,7 @@ EventLoop::~EventLoop() {
   if (signals_ >= 0) ::close(signals_);
 }
 
-Time EventLoop::now() const { return Time{steady_now() - start_}; }
+Time EventLoop::now() const { return Time{BootClock::now() - start_}; }
 
 EventLoop::Handle EventLoop::schedule(Time at, Handler handler) {
   at = std::max(at, now());

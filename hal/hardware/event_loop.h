@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "hal/hardware/boot_time.h"
 #include "hal/routing/ports.h"
 
 namespace hal::hardware {
@@ -16,8 +17,9 @@ namespace hal::hardware {
 /// an EventLoop takes them they wait. @throws std::system_error
 void block_signals(std::initializer_list<int> signals);
 
-/// The one thread of an agent daemon: timers on the steady clock, descriptors, signals, and what
-/// other threads hand over. Everything runs in run(), one handler at a time.
+/// The one thread of an agent daemon: timers on the BootClock, descriptors, signals, and what other
+/// threads hand over. Everything runs in run(), one handler at a time. A timer that came due while
+/// the computer was suspended comes late, by no more than the loop would still have slept.
 ///
 ///   EventLoop loop;                                     // before any thread is started
 ///   loop.on_signals({SIGTERM}, [&](int) { loop.stop(); });
@@ -36,6 +38,7 @@ class EventLoop final : public routing::Timers {
   EventLoop& operator=(const EventLoop&) = delete;
 
   Time now() const override;
+  BootTime on_boot_clock(Time at) const { return start_ + at.time_since_epoch(); }
   /// A time in the past is now.
   Handle schedule(Time at, Handler handler) override;
   void cancel(Handle handle) override;
@@ -68,7 +71,7 @@ class EventLoop final : public routing::Timers {
   void run_posted();
   void take_signals();
 
-  Duration start_;  ///< On the steady clock.
+  BootTime start_;
   Handle last_ = 0;
   std::map<Due, Handler> timers_;
   std::map<Handle, Time> times_;

@@ -23,6 +23,7 @@ HardwareAgent::HardwareAgent(const RobotFile& file, Surroundings surroundings)
       surroundings_(surroundings),
       loop_(surroundings.loop),
       sampler_(file, surroundings_.devices),
+      sensor_watch_(file),
       router_(file.address, file.routing, RandomStream(file.seed, file.name + "/routing"),
               {.link = surroundings.link,
                .timers = surroundings.loop,
@@ -58,6 +59,7 @@ void HardwareAgent::connect(std::shared_ptr<exchange::ControllerPort> port,
   ++counts_.controllers;
   sampler_.set_wants(wants);
   network_.start_anew(wants);
+  look_at_sensors();
   log::info(loop_.now(), file_.name, "driven by process '{}'", courier_->name());
   post(event(Cause::kStart));
 }
@@ -104,17 +106,25 @@ void HardwareAgent::on_cycle(Time due) {
   const auto left_out = late / file_.control_period;
   counts_.overruns += static_cast<std::uint64_t>(left_out);
   schedule_cycle(due + (left_out + 1) * file_.control_period);
+  look_at_sensors();
   observe();
   if (!courier_ || stopping_) return;
   Event control = event(Cause::kControl);
-  sample(control);
+  control.readings = sampler_.take(BootClock::now());
   post(std::move(control));
 }
 
-void HardwareAgent::sample(Event& control) {
-  Sampler::Sample sample = sampler_.take(std::chrono::steady_clock::now());
-  control.readings = std::move(sample.readings);
-  if (guard_) guard_->set_blind(sample.blind_because);
+std::vector<SilentDevice> HardwareAgent::silent() const {
+  std::vector<SilentDevice> silent = sampler_.silent(BootClock::now());
+  if (std::string trouble = surroundings_.link.trouble(); !trouble.empty()) {
+    silent.push_back({"radio", std::move(trouble), false});
+  }
+  return silent;
+}
+
+void HardwareAgent::look_at_sensors() {
+  const std::string because = sensor_watch_.look(loop_.now(), sampler_.silent(BootClock::now()));
+  if (guard_) guard_->set_blind(because);
 }
 
 void HardwareAgent::observe() {
@@ -122,8 +132,8 @@ void HardwareAgent::observe() {
   const auto& [wheels, infrared, source] = surroundings_.devices;
   const Time now = loop_.now();
   observer.on_cycle(now);
-  if (const auto pose = sampler_.pose(std::chrono::steady_clock::now())) {
-    observer.on_pose(now, *pose);
+  if (sampler_.has_pose()) {
+    if (const auto pose = sampler_.pose(BootClock::now())) observer.on_pose(now, *pose);
   }
   if (wheels != nullptr) {
     if (const auto state = wheels->state()) observer.on_odometry(now, state->pose, state->twist);
@@ -167,9 +177,11 @@ void HardwareAgent::attend() {
 }
 
 void HardwareAgent::take_in(const Courier::Turn& turn) {
-  const bool stale = Courier::is_stale(turn, loop_.now(), file_.command_timeout);
-  if (turn.replied && guard_) guard_->feed();
-  if (stale && guard_) guard_->halt();
+  answered_at_ =
+      loop_.now();  // Whatever holds up this thread from here on makes the answers older.
+  const bool stale = Courier::is_stale(turn, answered_at_, file_.command_timeout);
+  if (guard_ && stale) guard_->halt();
+  if (guard_ && turn.replied && !stale) guard_->feed(answered_at_);
   counts_.refused_actions += turn.refused;
   for (const Courier::Answer& answer : turn.answers) {
     if (!courier_) break;
@@ -194,7 +206,9 @@ void HardwareAgent::apply(const Action& action) {
 
 void HardwareAgent::refuse(const std::string& why) {
   ++counts_.refused_actions;
-  log::warning(loop_.now(), file_.name, "action refused: {}", why);
+  if (const auto line = refusals_.take(loop_.now(), why)) {
+    log::warning(loop_.now(), file_.name, "action refused: {}", *line);
+  }
 }
 
 Result<void> HardwareAgent::take_effect(const Action& action) {
@@ -229,8 +243,9 @@ Result<void> HardwareAgent::take_effect(const Action& action) {
 
 Result<void> HardwareAgent::drive(const Action& action) {
   if (!guard_) return fail(Errc::kInvalidArgument, "drive: the agent has no wheels");
-  if (action.kind == ActionKind::kDriveWheels) return guard_->drive_wheels(action.wheel_speeds);
-  return guard_->drive(action.twist);
+  if (action.kind == ActionKind::kDriveWheels)
+    return guard_->drive_wheels(action.wheel_speeds, answered_at_);
+  return guard_->drive(action.twist, answered_at_);
 }
 
 Result<void> HardwareAgent::send(const Action& action) {

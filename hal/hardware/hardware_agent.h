@@ -14,8 +14,10 @@
 #include "hal/hardware/drive_guard.h"
 #include "hal/hardware/event_loop.h"
 #include "hal/hardware/network_view.h"
+#include "hal/hardware/repeated_lines.h"
 #include "hal/hardware/robot_file.h"
 #include "hal/hardware/sampler.h"
+#include "hal/hardware/sensor_watch.h"
 #include "hal/hardware/udp_link.h"
 #include "hal/routing/router.h"
 
@@ -69,6 +71,9 @@ class HardwareAgent final : public exchange::AgentHost,
 
   bool has_controller() const { return courier_.has_value(); }
 
+  /// Devices, and the network, that give nothing now; empty: the agent is all there.
+  std::vector<SilentDevice> silent() const;
+
   /// Latched until it is released. Any thread.
   void set_emergency_stop(bool stop, StopSource source);
   bool is_emergency_stopped() const { return guard_ && guard_->is_emergency_stopped(); }
@@ -91,7 +96,7 @@ class HardwareAgent final : public exchange::AgentHost,
  private:
   void schedule_cycle(Time at);
   void on_cycle(Time due);
-  void sample(exchange::Event& control);
+  void look_at_sensors();
   void observe();
 
   exchange::Event event(exchange::Cause cause);
@@ -113,6 +118,7 @@ class HardwareAgent final : public exchange::AgentHost,
   EventLoop& loop_;
   std::optional<DriveGuard> guard_;  ///< None without wheels.
   Sampler sampler_;
+  SensorWatch sensor_watch_;
   NetworkView network_;
   routing::Router router_;
   std::optional<exchange::Courier> courier_;  ///< None without a controller.
@@ -124,6 +130,8 @@ class HardwareAgent final : public exchange::AgentHost,
   std::map<MessageId, MessageId> sent_;
   MessageId last_message_ = 0;
   bool stopping_ = false;
+  Time answered_at_{};  ///< When the answers came in that take effect now.
+  RepeatedLines refusals_;
   AgentCounts counts_;
 };
 

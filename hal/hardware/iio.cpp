@@ -109,7 +109,7 @@ Result<void> IioInfrared::work() {
     readings.volts.push_back(volts);
     readings.metres.push_back(sensors_[i].curve.metres(volts));
   }
-  readings.stamp = std::chrono::steady_clock::now();
+  readings.stamp = BootClock::now();
   latest_.set(std::move(readings));
   return {};
 }

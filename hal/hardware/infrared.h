@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "hal/hardware/steady_time.h"
+#include "hal/hardware/boot_time.h"
 #include "hal/hardware/wheels.h"
 #include "hal/types/result.h"
 
@@ -13,7 +13,7 @@ namespace hal::hardware {
 struct InfraredReadings {
   std::vector<double> metres;  ///< NaN: nothing within reach.
   std::vector<double> volts;   ///< As measured, or as the curve gives them for the metres.
-  SteadyTime stamp;
+  BootTime stamp;
 };
 
 /// The infrared sensors of a real robot, measured again and again by a thread of the driver, which

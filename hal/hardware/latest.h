@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "hal/hardware/boot_time.h"
 #include "hal/hardware/device_thread.h"
-#include "hal/hardware/steady_time.h"
 #include "hal/types/result.h"
 #include "hal/types/time.h"
 
@@ -27,7 +27,7 @@ class Latest {
 
   /// Errors: kNotConnected, kNotAvailable, kTimeout.
   Result<T> get(const DeviceThread& thread) const {
-    const auto age_limit = std::chrono::steady_clock::now() - stale_after_;
+    const auto age_limit = BootClock::now() - stale_after_;
     const std::scoped_lock lock(mutex_);
     if (value_ && value_->stamp >= age_limit) return *value_;
     if (const std::string trouble = thread.trouble(); !trouble.empty()) {

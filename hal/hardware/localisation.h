@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "hal/hardware/steady_time.h"
+#include "hal/hardware/boot_time.h"
 #include "hal/types/agent_id.h"
 #include "hal/types/geometry.h"
 #include "hal/types/result.h"
@@ -13,7 +13,7 @@ namespace hal::hardware {
 /// Where this agent is, world frame.
 struct PoseFix {
   Pose2 pose;
-  SteadyTime stamp;  ///< When it came in here.
+  BootTime stamp;  ///< When it came in here.
 };
 
 /// Tells where the agent is: motion capture, a localisation node, or the file of an agent that does
@@ -30,7 +30,7 @@ class PoseSource {
 class StaticPose final : public PoseSource {
  public:
   explicit StaticPose(const Pose2& pose) : pose_(pose) {}
-  Result<PoseFix> pose() const override { return PoseFix{pose_, std::chrono::steady_clock::now()}; }
+  Result<PoseFix> pose() const override { return PoseFix{pose_, BootClock::now()}; }
 
  private:
   Pose2 pose_;

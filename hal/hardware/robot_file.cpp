@@ -45,8 +45,9 @@ void read_controller(Mapping in, RobotFile& file) {
   in.finish();
 }
 
-RadioSettings read_radio(Mapping in) {
+RadioSettings read_radio(Mapping in, RadioPlaces& places) {
   RadioSettings radio;
+  places = {in.place("interface"), in.place("address"), in.place("port")};
   radio.interface = in.text("interface");
   if (in.has("address")) radio.address = in.text("address");
   radio.port = static_cast<std::uint16_t>(in.integer("port", 1, 0xffff, radio.port));
@@ -74,7 +75,7 @@ void read_body(Mapping& in, RobotFile& file) {
     read_devices(in, file);
     return;
   }
-  for (const std::string key : {"robot", "wheels", "infrared", "limits"}) {
+  for (const std::string key : {"robot", "wheels", "infrared", "limits", "on_lost_sensor"}) {
     in.refuse(key, "a mote has none");
   }
 }
@@ -90,7 +91,7 @@ RobotFile RobotFile::load(const std::filesystem::path& path,
   read_agent(in.mapping("agent"), file);
   read_controller(in.mapping("controller"), file);
   read_times(in, file);
-  file.radio = read_radio(in.mapping("radio"));
+  file.radio = read_radio(in.mapping("radio"), file.radio_places);
   file.routing =
       description::read_routing(in.mapping("routing"), description::TransmitStatus::kNone);
   file.localisation = read_localisation(in.mapping("localisation"), file);

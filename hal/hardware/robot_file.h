@@ -32,7 +32,7 @@ struct RadioSettings {
 };
 
 /// What a driver may assume of its device: how long it waits for an answer, how often it asks, and
-/// which age of a reading is too old.
+/// which age of a reading is too old: the channel is lost then.
 struct DeviceTimes {
   Duration period{};       ///< > 0
   Duration timeout{};      ///< > 0
@@ -92,6 +92,17 @@ struct LocalisationSettings {
   bool operator==(const LocalisationSettings&) const = default;
 };
 
+/// What happens to the wheels while a channel that the controller asked for is lost.
+enum class OnLostSensor : std::uint8_t {
+  kStop,    ///< They stand.
+  kIgnore,  ///< They obey: the controller is told and has to know what to do.
+};
+
+/// Places of values, "file:line:column", for mistakes that only this computer can find.
+struct RadioPlaces {
+  std::string interface, address, port;
+};
+
 /// Everything ROBOT.yaml says.
 struct RobotFile {
   std::string name;
@@ -103,12 +114,14 @@ struct RobotFile {
   Duration control_period{100'000'000};
   Duration command_timeout{500'000'000};
   RadioSettings radio;
+  RadioPlaces radio_places;
   routing::RoutingConfig routing;
   LocalisationSettings localisation;
 
   // Robots only.
   std::optional<devices::RobotDescription> robot;
   SpeedLimits limits;
+  OnLostSensor on_lost_sensor = OnLostSensor::kStop;
   std::variant<std::monostate, RobotinoSettings, Tmc200Settings> wheels;
   std::variant<std::monostate, RobotinoSettings, IioSettings> infrared;
 

@@ -11,10 +11,9 @@ namespace hal::hardware {
 /// Wheels of a Robotino. The robot stops when it hears no velocity for 200 ms; the driver repeats
 /// the last one every period. Odometry comes over a connection of its own, so that a slow answer
 /// there holds up no command.
-/// @param robot  its wheels, for the limits.
+/// @param file  of a robot: wheels, limits and command timeout.
 std::unique_ptr<WheelDriver> make_robotino_wheels(const RobotinoSettings& settings,
-                                                  const devices::RobotDescription& robot,
-                                                  const SpeedLimits& limits);
+                                                  const RobotFile& file);
 
 /// The nine infrared sensors of a Robotino as those of `robot`: a sensor of the robot that looks
 /// along one of the array's directions is that one; otherwise it gets the nearer of what its two

@@ -65,7 +65,7 @@ class RobotinoInfrared final : public InfraredDriver, private Device {
     }
     InfraredReadings readings;
     for (const devices::InfraredSensor& sensor : sensors_) add(sensor, *array, readings);
-    readings.stamp = std::chrono::steady_clock::now();
+    readings.stamp = BootClock::now();
     latest_.set(std::move(readings));
     return {};
   }

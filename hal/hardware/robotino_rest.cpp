@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 #include <httplib.h>
 
+#include <algorithm>
 #include <chrono>
+#include <functional>
 #include <utility>
 
 #include "hal/hardware/json_numbers.h"
@@ -45,25 +47,41 @@ class RobotinoRest::Client {
     http_.set_decompress(false);
   }
 
-  Result<std::string> exchange(const char* method, std::string_view name, std::string body) {
+  Result<std::string> get(std::string_view name) {
     httplib::Request request;
-    request.method = method;
+    request.method = "GET";
+    return exchange(name, request);
+  }
+
+  /// @param body  called right before it is written; gives `length` bytes.
+  Result<std::string> put(std::string_view name, std::size_t length,
+                          const std::function<std::string_view()>& body) {
+    httplib::Request request;
+    request.method = "PUT";
+    request.set_header("Content-Type", "application/json");
+    request.content_length_ = length;
+    request.content_provider_ = [&](std::size_t offset, std::size_t, httplib::DataSink& sink) {
+      const std::string_view rest = body().substr(offset);
+      return sink.write(rest.data(), rest.size());
+    };
+    return exchange(name, request);
+  }
+
+ private:
+  Result<std::string> exchange(std::string_view name, httplib::Request& request) {
     request.path = fmt::format("/data/{}?sid={}", name, settings_.session);
-    if (!body.empty()) request.set_header("Content-Type", "application/json");
-    request.body = std::move(body);
-    const auto deadline = std::chrono::steady_clock::now() + 3 * settings_.times.timeout;
+    const auto deadline = BootClock::now() + 3 * settings_.times.timeout;
     std::string answer;
     request.content_receiver = [&](const char* bytes, std::size_t size, std::uint64_t,
                                    std::uint64_t) {
       if (answer.size() + size > kLongestBody) return false;
       answer.append(bytes, size);
-      return std::chrono::steady_clock::now() < deadline;
+      return BootClock::now() < deadline;
     };
     const httplib::Result result = http_.send(request);
     return judged(result, request, std::move(answer));
   }
 
- private:
   Result<std::string> judged(const httplib::Result& result, const httplib::Request& request,
                              std::string answer) const {
     const auto what = [&] {
@@ -88,15 +106,27 @@ RobotinoRest::RobotinoRest(const RobotinoSettings& settings)
     : client_(std::make_unique<Client>(settings)) {}
 RobotinoRest::~RobotinoRest() = default;
 
-Result<void> RobotinoRest::put_velocity(const Twist2& body) {
-  const std::array velocity{body.vx, body.vy, body.omega};
-  const auto answer = client_->exchange("PUT", "omnidrive", json_numbers(velocity));
+Result<Twist2> RobotinoRest::put_velocity(const TimedVelocity& velocity) {
+  const auto text_of = [](const Twist2& t) {
+    return json_numbers(std::array{t.vx, t.vy, t.omega});
+  };
+  std::string moving = text_of(velocity.body);
+  std::string standing = text_of({});
+  // The header tells the length before it is known which of them it will be.
+  const std::size_t length = std::max(moving.size(), standing.size());
+  moving.resize(length, ' ');
+  standing.resize(length, ' ');
+  Twist2 written;
+  const auto answer = client_->put("omnidrive", length, [&]() -> std::string_view {
+    written = velocity.at(BootClock::now());
+    return written == Twist2{} ? standing : moving;
+  });
   if (!answer) return tl::unexpected<Error>(answer.error());
-  return {};
+  return written;
 }
 
 Result<RobotinoRest::Odometry> RobotinoRest::odometry() {
-  const auto answer = client_->exchange("GET", "odometry", {});
+  const auto answer = client_->get("odometry");
   if (!answer) return tl::unexpected<Error>(answer.error());
   const auto numbers = parse_json_numbers(*answer, 7);
   if (!numbers) return fail(numbers.error().code, "odometry: " + numbers.error().message);
@@ -109,7 +139,7 @@ Result<RobotinoRest::Odometry> RobotinoRest::odometry() {
 }
 
 Result<std::vector<double>> RobotinoRest::distances() {
-  const auto answer = client_->exchange("GET", "distancesensorarray", {});
+  const auto answer = client_->get("distancesensorarray");
   if (!answer) return tl::unexpected<Error>(answer.error());
   auto numbers = parse_json_numbers(*answer, kSensors);
   if (!numbers) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hal/hardware/robot_file.h"
+#include "hal/hardware/velocity_command.h"
 #include "hal/types/result.h"
 
 namespace hal::hardware {
@@ -36,7 +37,9 @@ class RobotinoRest {
   RobotinoRest(const RobotinoRest&) = delete;
   RobotinoRest& operator=(const RobotinoRest&) = delete;
 
-  Result<void> put_velocity(const Twist2& body);
+  /// Asks the clock when connection and header are behind it: what is left is one write.
+  /// @return what the velocity was then.
+  Result<Twist2> put_velocity(const TimedVelocity& velocity);
   Result<Odometry> odometry();
   Result<std::vector<double>> distances();
 

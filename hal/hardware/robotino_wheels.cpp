@@ -39,8 +39,8 @@ class RobotinoOdometry final : private Device {
     if (known_ && odometry->sequence == sequence_) return {};
     known_ = true;
     sequence_ = odometry->sequence;
-    latest_.set({frame_.update(odometry->pose, odometry->sequence), odometry->twist,
-                 std::chrono::steady_clock::now()});
+    latest_.set(
+        {frame_.update(odometry->pose, odometry->sequence), odometry->twist, BootClock::now()});
     return {};
   }
 
@@ -57,13 +57,15 @@ class RobotinoWheels final : public WheelDevice {
   explicit RobotinoWheels(const RobotinoSettings& settings)
       : rest_(settings), odometry_(settings) {}
 
-  Result<void> connect() override { return rest_.put_velocity({}); }
+  Result<void> connect() override {
+    if (const auto sent = rest_.put_velocity({}); !sent) return tl::unexpected<Error>(sent.error());
+    return {};
+  }
 
-  Result<bool> send(const Twist2& body) override {
-    if (const auto sent = rest_.put_velocity(body); !sent) {
-      return tl::unexpected<Error>(sent.error());
-    }
-    return true;
+  Result<Sent> send(const TimedVelocity& velocity) override {
+    const auto sent = rest_.put_velocity(velocity);
+    if (!sent) return tl::unexpected<Error>(sent.error());
+    return Sent{.body = *sent, .confirmed = true};
   }
 
   Result<WheelState> state(const DeviceThread&) const override { return odometry_.latest(); }
@@ -77,12 +79,12 @@ class RobotinoWheels final : public WheelDevice {
 }  // namespace
 
 std::unique_ptr<WheelDriver> make_robotino_wheels(const RobotinoSettings& settings,
-                                                  const devices::RobotDescription& robot,
-                                                  const SpeedLimits& limits) {
+                                                  const RobotFile& file) {
   const DeviceThread::Rules rules{settings.times.period, kStopsAfter, silence_of(settings.times)};
   return std::make_unique<ThreadedWheels>(
       std::make_unique<RobotinoWheels>(settings),
-      ThreadedWheels::Setup{devices::WheelDrive(robot.wheels), limits, rules});
+      ThreadedWheels::Setup{devices::WheelDrive(file.robot->wheels), file.limits,
+                            file.command_timeout, rules});
 }
 
 }  // namespace hal::hardware

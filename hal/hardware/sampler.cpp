@@ -1,5 +1,7 @@
 #include "hal/hardware/sampler.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <span>
 #include <utility>
@@ -78,50 +80,65 @@ void Sampler::set_wants(const Wants& wants) {
   volts_ = devices_.infrared != nullptr && asks_for(wants, "infrared_volts");
 }
 
-Sampler::Sample Sampler::take(SteadyTime now) const {
-  Sample sample;
-  if (localisation_) sample.readings.push_back(localisation(now));
-  if (odometry_) take_odometry(sample);
-  if (infrared_ || volts_) take_infrared(sample);
-  return sample;
+std::vector<exchange::Reading> Sampler::take(BootTime now) const {
+  std::vector<exchange::Reading> readings;
+  if (localisation_) readings.push_back(localisation(now));
+  if (odometry_) readings.push_back(odometry());
+  if (infrared_ || volts_) take_infrared(readings);
+  return readings;
 }
 
-std::optional<Pose2> Sampler::pose(SteadyTime now) const {
-  if (devices_.pose == nullptr) return std::nullopt;
+std::vector<SilentDevice> Sampler::silent(BootTime now) const {
+  std::vector<SilentDevice> silent;
+  const auto ask = [&](const char* name, const auto& answer, bool wanted) {
+    if (!answer) silent.push_back({name, answer.error().message, wanted});
+  };
+  if (const WheelDriver* wheels = devices_.wheels) {
+    if (std::string trouble = wheels->trouble(); !trouble.empty()) {
+      silent.push_back({"wheels", std::move(trouble), false});  // drive() says so itself
+    }
+    ask("odometry", wheels->state(), odometry_);
+  }
+  if (devices_.infrared != nullptr) {
+    ask("infrared", devices_.infrared->latest(), infrared_ || volts_);
+  }
+  if (has_pose()) ask("localisation", pose(now), localisation_);
+  return silent;
+}
+
+Result<Pose2> Sampler::pose(BootTime now) const {
   const auto fix = devices_.pose->pose();
-  if (!fix) return std::nullopt;
+  if (!fix) return tl::unexpected<Error>(fix.error());
   const auto* topic = std::get_if<PoseTopicSettings>(&file_.localisation.source);
-  if (topic != nullptr && now - fix->stamp > topic->stale_after) return std::nullopt;
+  if (topic != nullptr && now - fix->stamp > topic->stale_after) {
+    return fail(Errc::kTimeout,
+                fmt::format("no pose for more than {} s", to_seconds(topic->stale_after)));
+  }
   return fix->pose;
 }
 
-/// Empty without a fix: nobody is localised then.
-exchange::Reading Sampler::localisation(SteadyTime now) const {
-  exchange::Reading reading{.channel = kLocalisation, .values = {}};
-  if (const auto self = pose(now)) {
-    reading.values =
-        relative_positions(*self, file_.address, file_.localisation.map, file_.localisation.range);
-  }
-  return reading;
+exchange::Reading Sampler::localisation(BootTime now) const {
+  const auto self = pose(now);
+  if (!self) return {.channel = kLocalisation, .values = {}, .lost = true};
+  const LocalisationSettings& settings = file_.localisation;
+  return {.channel = kLocalisation,
+          .values = relative_positions(*self, file_.address, settings.map, settings.range)};
 }
 
-/// Dead reckoning that is not there leaves the last one standing.
-void Sampler::take_odometry(Sample& sample) const {
+exchange::Reading Sampler::odometry() const {
   const auto state = devices_.wheels->state();
-  if (!state) return;
+  if (!state) return {.channel = kOdometry, .values = {}, .lost = true};
   const auto& [pose, twist, stamp] = *state;
-  sample.readings.push_back(
-      {kOdometry, {pose.x, pose.y, pose.theta, twist.vx, twist.vy, twist.omega}});
+  return {.channel = kOdometry,
+          .values = {pose.x, pose.y, pose.theta, twist.vx, twist.vy, twist.omega}};
 }
 
-void Sampler::take_infrared(Sample& sample) const {
-  auto readings = devices_.infrared->latest();
-  if (!readings) {
-    sample.blind_because = readings.error().message;
-    return;
-  }
-  if (infrared_) sample.readings.push_back({kInfrared, std::move(readings->metres)});
-  if (volts_) sample.readings.push_back({kInfraredVolts, std::move(readings->volts)});
+void Sampler::take_infrared(std::vector<exchange::Reading>& readings) const {
+  auto latest = devices_.infrared->latest();
+  const bool lost = !latest;
+  InfraredReadings all = lost ? InfraredReadings{} : std::move(*latest);
+  if (infrared_) readings.push_back({kInfrared, std::move(all.metres), lost});
+  if (volts_) readings.push_back({kInfraredVolts, std::move(all.volts), lost});
 }
 
 }  // namespace hal::hardware

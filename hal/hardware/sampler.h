@@ -8,6 +8,7 @@
 #include "hal/exchange/ports.h"
 #include "hal/exchange/step.h"
 #include "hal/hardware/robot_file.h"
+#include "hal/hardware/sensor_watch.h"
 #include "hal/types/wants.h"
 
 namespace hal::hardware {
@@ -31,22 +32,21 @@ class Sampler {
 
   void set_wants(const Wants& wants);
 
-  struct Sample {
-    std::vector<exchange::Reading> readings;  ///< Of the channels that were asked for.
-    /// Why there is no infrared reading, or none that is young enough, where one was asked for: the
-    /// controller holds the last one, and would steer by it. Empty: there is.
-    std::string blind_because;
-  };
-  /// @param now  on the clock of the devices.
-  Sample take(SteadyTime now) const;
+  /// Of the channels that were asked for; those that are silent are marked as lost.
+  std::vector<exchange::Reading> take(BootTime now) const;
 
-  /// Where the agent is, world frame; nothing without a fix that is young enough.
-  std::optional<Pose2> pose(SteadyTime now) const;
+  /// The devices, asked for or not, that give nothing young enough now.
+  std::vector<SilentDevice> silent(BootTime now) const;
+
+  /// Where the agent is, world frame. Errors: kNotAvailable, kTimeout (the last fix is too old).
+  /// @pre the agent has a source of poses.
+  Result<Pose2> pose(BootTime now) const;
+  bool has_pose() const { return devices_.pose != nullptr; }
 
  private:
-  exchange::Reading localisation(SteadyTime now) const;
-  void take_odometry(Sample& sample) const;
-  void take_infrared(Sample& sample) const;
+  exchange::Reading localisation(BootTime now) const;
+  exchange::Reading odometry() const;
+  void take_infrared(std::vector<exchange::Reading>& readings) const;
 
   const RobotFile& file_;
   const Devices& devices_;

@@ -11,11 +11,15 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
+#include <thread>
+
+#include "hal/hardware/boot_time.h"
 
 namespace hal::hardware {
 namespace {
 
 constexpr std::size_t kLongestLine = 1024;
+constexpr Duration kDrainPoll = std::chrono::milliseconds{1};
 
 tl::unexpected<Error> failed(const std::string& what) {
   return fail(Errc::kNotConnected, fmt::format("{}: {}", what, std::strerror(errno)));
@@ -50,6 +54,7 @@ Result<void> SerialLine::open(const std::string& device) {
 }
 
 void SerialLine::close() {
+  forget_unsent();
   if (descriptor_ >= 0) ::close(descriptor_);
   descriptor_ = -1;
   received_.clear();
@@ -67,7 +72,7 @@ Result<void> SerialLine::write(std::string_view text) {
 }
 
 Result<std::optional<std::string>> SerialLine::read(Duration at_most) {
-  const auto end = std::chrono::steady_clock::now() + at_most;
+  const auto end = BootClock::now() + at_most;
   while (true) {
     if (auto line = take_line()) return line;
     if (received_.size() > kLongestLine) {
@@ -75,7 +80,7 @@ Result<std::optional<std::string>> SerialLine::read(Duration at_most) {
       return fail(Errc::kProtocol,
                   fmt::format("more than {} bytes without an end of line", kLongestLine));
     }
-    const Duration left = std::max(Duration{}, Duration{end - std::chrono::steady_clock::now()});
+    const Duration left = std::max(Duration{}, Duration{end - BootClock::now()});
     const auto came = receive(left);
     if (!came) return tl::unexpected<Error>(came.error());
     if (!*came) return std::optional<std::string>{};
@@ -107,8 +112,20 @@ std::optional<std::string> SerialLine::take_line() {
   return line;
 }
 
-void SerialLine::drain() {
-  if (descriptor_ >= 0) ::tcdrain(descriptor_);
+std::size_t SerialLine::unsent() const {
+  int bytes = 0;
+  if (descriptor_ < 0 || ::ioctl(descriptor_, TIOCOUTQ, &bytes) != 0) return 0;
+  return static_cast<std::size_t>(std::max(bytes, 0));
+}
+
+void SerialLine::forget_unsent() {
+  if (unsent() > 0) ::tcflush(descriptor_, TCOFLUSH);
+}
+
+/// tcdrain(3) would wait for ever if the line is stuck.
+void SerialLine::drain(Duration at_most) const {
+  const BootTime end = BootClock::now() + at_most;
+  while (unsent() > 0 && BootClock::now() < end) std::this_thread::sleep_for(kDrainPoll);
 }
 
 }  // namespace hal::hardware

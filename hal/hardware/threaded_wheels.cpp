@@ -10,6 +10,7 @@ namespace hal::hardware {
 ThreadedWheels::ThreadedWheels(std::unique_ptr<WheelDevice> device, const Setup& setup)
     : WheelDriver(setup.kinematics, setup.limits),
       device_(std::move(device)),
+      command_(setup.command_timeout),
       thread_(*this, setup.rules) {}
 
 ThreadedWheels::~ThreadedWheels() {
@@ -17,7 +18,7 @@ ThreadedWheels::~ThreadedWheels() {
   thread_.finish();
 }
 
-Result<void> ThreadedWheels::drive(const Twist2& body) {
+Result<void> ThreadedWheels::drive(const Twist2& body, BootTime as_of) {
   if (!std::isfinite(body.vx) || !std::isfinite(body.vy) || !std::isfinite(body.omega)) {
     return fail(Errc::kInvalidArgument,
                 fmt::format("velocity ({}, {}, {}): must be finite", body.vx, body.vy, body.omega));
@@ -26,18 +27,18 @@ Result<void> ThreadedWheels::drive(const Twist2& body) {
     stop();  // else the old velocity would be repeated once the device is heard again
     return fail(Errc::kNotConnected, "wheels: " + trouble);
   }
-  command_.set(limited(body, kinematics(), speed_limits()).twist);
+  command_.set(limited(body, kinematics(), speed_limits()).twist, as_of);
   thread_.wake();
   return {};
 }
 
 void ThreadedWheels::stop() {
-  command_.set({});
+  command_.stop();
   thread_.wake();
 }
 
 Result<void> ThreadedWheels::stop_and_wait(Duration at_most) {
-  const std::uint64_t number = command_.set({});
+  const std::uint64_t number = command_.stop();
   thread_.wake();
   if (const std::string trouble = thread_.trouble(); !trouble.empty()) {
     return fail(Errc::kNotConnected, "wheels: " + trouble);
@@ -56,15 +57,17 @@ DeviceCounts ThreadedWheels::counts() const {
 
 Result<void> ThreadedWheels::connect() {
   // What was asked for while nobody could hear it must not move the robot now.
-  command_.set({});
+  command_.stop();
   return device_->connect();
 }
 
 Result<void> ThreadedWheels::work() {
   const VelocityCommand::Numbered command = command_.current();
-  const auto sent = device_->send(command.body);
+  auto sent = device_->send(command.velocity);
+  const bool shall_stand = command_.current().velocity.at(BootClock::now()) == Twist2{};
+  if (sent && sent->body != Twist2{} && shall_stand) sent = device_->send({});
   if (!sent) return tl::unexpected<Error>(sent.error());
-  if (*sent) command_.confirm(command.number);
+  if (sent->confirmed) command_.confirm(command.number);
   return {};
 }
 

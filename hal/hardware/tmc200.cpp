@@ -21,6 +21,9 @@ using namespace std::chrono_literals;
 /// An answer takes some 5 ms at 57600 baud. One that takes longer is read with the next exchange.
 constexpr Duration kUsualAnswer = 15ms;
 
+/// How long the last word may take to leave.
+constexpr Duration kFarewell = 200ms;
+
 /// Lines read in one go: a line that never stops talking must not keep commands from being sent.
 constexpr int kMostLines = 32;
 
@@ -33,10 +36,10 @@ class Tmc200 final : public WheelDevice {
         odometry_(wheels_),
         angles_(robot.wheels.size(), 0.0),
         latest_(settings.times.stale_after) {}
-  ~Tmc200() override { line_.drain(); }
+  ~Tmc200() override { line_.drain(kFarewell); }
 
   Result<void> connect() override;
-  Result<bool> send(const Twist2& body) override;
+  Result<Sent> send(const TimedVelocity& velocity) override;
   Result<WheelState> state(const DeviceThread& thread) const override {
     return latest_.get(thread);
   }
@@ -44,6 +47,7 @@ class Tmc200 final : public WheelDevice {
 
  private:
   Result<void> ask(const std::string& command);
+  bool is_stuck() const;
   Result<void> read_late_answers();
   Result<bool> take_line(Duration at_most);
   void move(const std::vector<double>& speeds);
@@ -54,9 +58,9 @@ class Tmc200 final : public WheelDevice {
   devices::WheelOdometry odometry_;
   std::vector<double> angles_;  ///< Of the wheels, rad.
   SerialLine line_;
-  int unanswered_ = 0;     ///< SVs.
-  SteadyTime sent_{};      ///< The last SV.
-  SteadyTime answered_{};  ///< The last answer to SV, or the connection.
+  int unanswered_ = 0;   ///< SVs.
+  BootTime sent_{};      ///< The last SV.
+  BootTime answered_{};  ///< The last answer to SV, or the connection.
   Latest<WheelState> latest_;
   std::atomic<std::uint64_t> passed_over_{0};
 };
@@ -69,7 +73,7 @@ Result<void> Tmc200::connect() {
     if (auto done = ask(command); !done) return done;
   }
   unanswered_ = 0;
-  answered_ = std::chrono::steady_clock::now();
+  answered_ = BootClock::now();
   if (const auto sent = send({}); !sent) return tl::unexpected<Error>(sent.error());
   return {};
 }
@@ -77,10 +81,10 @@ Result<void> Tmc200::connect() {
 /// Sends a command of the set-up and waits for its "OK", passing over other lines.
 Result<void> Tmc200::ask(const std::string& command) {
   if (auto sent = line_.write(command); !sent) return sent;
-  const SteadyTime end = std::chrono::steady_clock::now() + settings_.times.timeout;
+  const BootTime end = BootClock::now() + settings_.times.timeout;
   std::string other = "silence";
   while (true) {
-    const Duration left = end - std::chrono::steady_clock::now();
+    const Duration left = end - BootClock::now();
     if (left <= Duration::zero()) break;
     const auto line = line_.read(left);
     if (!line) return tl::unexpected<Error>(line.error());
@@ -93,24 +97,38 @@ Result<void> Tmc200::ask(const std::string& command) {
                                 command.substr(0, command.find_last_not_of(" \n") + 1)));
 }
 
-Result<bool> Tmc200::send(const Twist2& body) {
+Result<WheelDevice::Sent> Tmc200::send(const TimedVelocity& velocity) {
   if (const auto read = read_late_answers(); !read) return tl::unexpected<Error>(read.error());
-  const auto sent = line_.write(protocol_.set_speeds(wheels_.wheel_speeds(body)));
+  std::string moving = protocol_.set_speeds(wheels_.wheel_speeds(velocity.body));
+  std::string standing = protocol_.set_speeds(wheels_.wheel_speeds({}));
+  if (is_stuck()) {
+    // Else the motors would get it whenever the line comes to life again. What is left of a line of
+    // which a part was sent must not become one with the next.
+    line_.forget_unsent();
+    for (std::string* line : {&moving, &standing}) line->insert(line->begin(), '\n');
+  }
+  const Twist2 body = velocity.at(BootClock::now());
+  const auto sent = line_.write(body == Twist2{} ? standing : moving);
   if (!sent) return tl::unexpected<Error>(sent.error());
   ++unanswered_;
-  sent_ = std::chrono::steady_clock::now();
+  sent_ = BootClock::now();
   for (int lines = 0; unanswered_ > 0 && lines < kMostLines; ++lines) {
-    const Duration left = sent_ + kUsualAnswer - std::chrono::steady_clock::now();
+    const Duration left = sent_ + kUsualAnswer - BootClock::now();
     const auto took = take_line(std::max(left, Duration::zero()));
     if (!took) return tl::unexpected<Error>(took.error());
     if (!*took) break;
   }
-  const Duration silence = std::chrono::steady_clock::now() - answered_;
+  const Duration silence = BootClock::now() - answered_;
   if (silence > settings_.times.period + settings_.times.timeout) {
     return fail(Errc::kTimeout,
                 fmt::format("TMC200: no answer to SV for {:.3f} s", to_seconds(silence)));
   }
-  return unanswered_ == 0;
+  return Sent{.body = body, .confirmed = unanswered_ == 0};
+}
+
+/// The last SV is still waiting to be sent.
+bool Tmc200::is_stuck() const {
+  return BootClock::now() - sent_ > kUsualAnswer && line_.unsent() > 0;
 }
 
 /// Reads what came since the last exchange. Answers that have not come by now were lost.
@@ -120,7 +138,7 @@ Result<void> Tmc200::read_late_answers() {
     if (!took) return tl::unexpected<Error>(took.error());
     if (!*took) break;
   }
-  if (std::chrono::steady_clock::now() - sent_ > 2 * kUsualAnswer) unanswered_ = 0;
+  if (BootClock::now() - sent_ > 2 * kUsualAnswer) unanswered_ = 0;
   return {};
 }
 
@@ -143,7 +161,7 @@ Result<bool> Tmc200::take_line(Duration at_most) {
 
 /// The wheels turned at these speeds since the last answer.
 void Tmc200::move(const std::vector<double>& speeds) {
-  const SteadyTime now = std::chrono::steady_clock::now();
+  const BootTime now = BootClock::now();
   const Duration elapsed = std::max(Duration{now - answered_}, Duration{1});
   answered_ = now;
   // What happened in a longer gap nobody measured.
@@ -156,13 +174,13 @@ void Tmc200::move(const std::vector<double>& speeds) {
 }  // namespace
 
 std::unique_ptr<WheelDriver> make_tmc200_wheels(const Tmc200Settings& settings,
-                                                const devices::RobotDescription& robot,
-                                                const SpeedLimits& limits) {
+                                                const RobotFile& file) {
   const DeviceTimes& times = settings.times;
   const DeviceThread::Rules rules{times.period, settings.cut_off, times.period + 3 * times.timeout};
   return std::make_unique<ThreadedWheels>(
-      std::make_unique<Tmc200>(settings, robot),
-      ThreadedWheels::Setup{devices::WheelDrive(robot.wheels), limits, rules});
+      std::make_unique<Tmc200>(settings, *file.robot),
+      ThreadedWheels::Setup{devices::WheelDrive(file.robot->wheels), file.limits,
+                            file.command_timeout, rules});
 }
 
 }  // namespace hal::hardware

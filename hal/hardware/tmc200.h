@@ -11,9 +11,8 @@ namespace hal::hardware {
 /// `settings.cut_off` without a command; the driver repeats the last one every period. Odometry is
 /// integrated from the speeds the controller measures. A single garbled line is passed over;
 /// silence for the device's time-out is a lost connection.
-/// @param robot  with three wheels.
+/// @param file  of a robot with three wheels: these, limits and command timeout.
 std::unique_ptr<WheelDriver> make_tmc200_wheels(const Tmc200Settings& settings,
-                                                const devices::RobotDescription& robot,
-                                                const SpeedLimits& limits);
+                                                const RobotFile& file);
 
 }  // namespace hal::hardware

@@ -78,11 +78,16 @@ UdpAddresses find_addresses(const std::string& interface, const std::string& add
     throw std::runtime_error(fmt::format("'{}' is no IPv4 address", address));
   }
   const std::vector<Assigned> all = assigned_addresses();
+  bool has_address = false;
   for (const Assigned& one : all) {
     if (one.interface != interface) continue;
+    has_address = true;
     const in_addr own = address.empty() ? one.own : wanted;
     if (!answers_to(one, own)) continue;
     return {own, in_addr{own.s_addr | ~one.mask.s_addr}, if_nametoindex(interface.c_str())};
+  }
+  if (!has_address && if_nametoindex(interface.c_str()) != 0) {
+    throw NoAddressYet(fmt::format("network interface '{}' has no IPv4 address yet", interface));
   }
   throw std::runtime_error(
       fmt::format("no network interface '{}' with {}; there are: {}", interface,

@@ -2,6 +2,7 @@
 
 #include <netinet/in.h>
 
+#include <stdexcept>
 #include <string>
 
 namespace hal::hardware {
@@ -18,8 +19,14 @@ bool operator==(const UdpAddresses& a, const UdpAddresses& b);
 /// @param interface  e.g. "eth0".
 /// @param address    one of the interface's IPv4 addresses in dotted form, for a loopback interface
 ///                   any of its network (all of 127.0.0.0/8 answer); empty: the first one.
+/// @throws NoAddressYet
 /// @throws std::runtime_error  naming the interfaces there are, or the interface's addresses.
 UdpAddresses find_addresses(const std::string& interface, const std::string& address);
+
+/// The interface is there and waits for an address: it is not up yet, DHCP has not answered, …
+struct NoAddressYet : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 /// In dotted form.
 std::string to_string(in_addr address);

@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cstring>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "hal/hardware/datagram.h"
@@ -43,9 +44,9 @@ const sockaddr* generic(const sockaddr_in& address) {
 sockaddr* generic(sockaddr_in& address) { return reinterpret_cast<sockaddr*>(&address); }
 
 [[noreturn]] void give_up(int socket, const std::string& what) {
-  const std::string why = std::strerror(errno);
+  const int error = errno;
   if (socket >= 0) ::close(socket);
-  throw std::runtime_error(fmt::format("{}: {}", what, why));
+  throw std::system_error(error, std::generic_category(), what);
 }
 
 std::uint16_t port_of(int socket) {
@@ -58,10 +59,16 @@ std::uint16_t port_of(int socket) {
 }  // namespace
 
 UdpLink::UdpLink(const UdpLinkConfig& config, EventLoop& loop) : config_(config), loop_(loop) {
-  open(find_addresses(config_.interface, config_.address));
+  try {
+    open(find_addresses(config_.interface, config_.address));
+  } catch (const NoAddressYet& error) {
+    trouble_ = error.what();
+    retry_ = loop_.schedule(loop_.now() + kRetryAfter, [this] { renew(); });
+  }
   try {
     interface_watch_.emplace(loop, [this] { renew(); });
   } catch (...) {
+    loop_.cancel(retry_);
     close();
     throw;
   }
@@ -103,10 +110,12 @@ void UdpLink::renew() {
     if (was_open && now == addresses_) return;
     close();
     open(now);
+    trouble_.clear();
     log::info(loop_.now(), kWhere, "{} is at {}", config_.interface, own_address());
   } catch (const std::runtime_error& error) {
     close();
-    if (was_open) log::warning(loop_.now(), kWhere, "{}", error.what());
+    trouble_ = error.what();
+    if (was_open) log::warning(loop_.now(), kWhere, "{}", trouble_);
     retry_ = loop_.schedule(loop_.now() + kRetryAfter, [this] { renew(); });
   }
 }
@@ -226,7 +235,7 @@ Duration UdpLink::expected_delay() const { return from_seconds(airtime(last_size
 double UdpLink::transmit_energy(std::size_t bytes) const { return config_.power * airtime(bytes); }
 
 std::string UdpLink::own_address() const {
-  return fmt::format("{}:{}", to_string(addresses_.own), config_.port);
+  return own_ < 0 ? "nowhere yet" : fmt::format("{}:{}", to_string(addresses_.own), config_.port);
 }
 
 }  // namespace hal::hardware

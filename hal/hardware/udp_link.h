@@ -53,8 +53,10 @@ class UdpLink final : public routing::Link {
   using FrameHandler =
       std::function<void(const routing::Reception&, std::span<const std::uint8_t> frame)>;
 
+  /// An interface that has no address yet is waited for.
   /// @param loop  outlives the link.
-  /// @throws std::runtime_error  no such interface or address; the port is taken.
+  /// @throws std::system_error  the port is taken, or not for this user.
+  /// @throws std::runtime_error  no such interface or address.
   UdpLink(const UdpLinkConfig& config, EventLoop& loop);
   ~UdpLink() override;
   UdpLink(const UdpLink&) = delete;
@@ -74,7 +76,8 @@ class UdpLink final : public routing::Link {
   void set_radio(bool on) { radio_on_ = on; }
 
   const LinkCounts& counts() const { return counts_; }
-  std::string own_address() const;  ///< "10.0.0.1:7300"
+  std::string own_address() const;                         ///< "10.0.0.1:7300"
+  const std::string& trouble() const { return trouble_; }  ///< Why there is no network; or empty.
   std::uint16_t port() const { return config_.port; }
 
  private:
@@ -101,6 +104,7 @@ class UdpLink final : public routing::Link {
   LinkCounts counts_;
   std::size_t last_size_ = 0;
   int last_error_ = 0;
+  std::string trouble_;
   bool radio_on_ = true;
 };
 

@@ -1,27 +1,51 @@
 #pragma once
 
+#include <algorithm>
 #include <condition_variable>
 #include <cstdint>
 #include <mutex>
 
+#include "hal/hardware/boot_time.h"
 #include "hal/types/geometry.h"
 #include "hal/types/time.h"
 
 namespace hal::hardware {
 
+/// A velocity, body frame, and how long it is in force; without more it is zero.
+struct TimedVelocity {
+  Twist2 body;
+  BootTime until{};
+
+  /// What is to be driven at a time. Whoever writes to a device asks right before that: between any
+  /// two instructions the computer may have slept.
+  Twist2 at(BootTime now) const { return now < until ? body : Twist2{}; }
+};
+
 /// The velocity that a device's thread shall send, handed over by other threads.
 class VelocityCommand {
  public:
   struct Numbered {
-    Twist2 body;
+    TimedVelocity velocity;
     std::uint64_t number = 0;
   };
 
+  /// @param holds_for  how long a velocity is in force, > 0.
+  explicit VelocityCommand(Duration holds_for) : holds_for_(holds_for) {}
+
+  /// @param as_of  from when on it is in force.
   /// @return the command's number.
-  std::uint64_t set(const Twist2& body) {
+  std::uint64_t set(const Twist2& body, BootTime as_of) {
     const std::scoped_lock lock(mutex_);
-    current_ = {body, current_.number + 1};
+    current_ = {{body, as_of + holds_for_}, current_.number + 1};
     return current_.number;
+  }
+  std::uint64_t stop() { return set({}, {}); }
+
+  /// The velocity is in force anew from then on, unless it had run out before.
+  void keep(BootTime as_of) {
+    const std::scoped_lock lock(mutex_);
+    BootTime& until = current_.velocity.until;
+    if (as_of < until) until = std::max(until, as_of + holds_for_);
   }
 
   Numbered current() const {
@@ -43,6 +67,7 @@ class VelocityCommand {
   }
 
  private:
+  const Duration holds_for_;
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   Numbered current_;

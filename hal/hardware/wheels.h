@@ -6,8 +6,8 @@
 
 #include "hal/devices/wheel_drive.h"
 #include "hal/exchange/session.h"
+#include "hal/hardware/boot_time.h"
 #include "hal/hardware/speed_limits.h"
-#include "hal/hardware/steady_time.h"
 #include "hal/types/geometry.h"
 #include "hal/types/result.h"
 #include "hal/types/time.h"
@@ -18,7 +18,7 @@ namespace hal::hardware {
 struct WheelState {
   Pose2 pose;    ///< Dead reckoning, in the frame the robot had when the driver first reached it.
   Twist2 twist;  ///< Measured, body frame.
-  SteadyTime stamp;
+  BootTime stamp;
 };
 
 /// How a driver got on with its device since the start.
@@ -33,7 +33,11 @@ struct DeviceCounts {
 /// The wheels of a real robot. Every call returns at once; the driver's own threads talk to the
 /// device, repeat the last velocity as often as the device's rule wants it, and reconnect, waiting
 /// 100 ms, 200 ms, … 2 s between attempts. A velocity does not survive a lost connection: after a
-/// reconnection the wheels stand until the next drive(). Any thread.
+/// reconnection the wheels stand until the next drive().
+///
+/// Nor does it outlive the file's `command_timeout`, by the BootClock as the driver's thread reads
+/// it right before each write: a thread that was halted in between, or a computer that slept, does
+/// not repeat what was true before. Any thread.
 class WheelDriver {
  public:
   /// Stops the wheels, waiting for the device's answer no longer than its time-out.
@@ -42,9 +46,14 @@ class WheelDriver {
   WheelDriver& operator=(const WheelDriver&) = delete;
 
   /// The velocity from now on, body frame; scaled down, direction kept, if it is beyond limits().
+  /// @param as_of  when this was known to be right: the command timeout is counted from then.
   /// Errors: kInvalidArgument (not finite; the old velocity holds), kNotConnected (the wheels
   /// stop once the device is heard again).
-  virtual Result<void> drive(const Twist2& body) = 0;
+  virtual Result<void> drive(const Twist2& body, BootTime as_of) = 0;
+
+  /// The last velocity is still right: the command timeout is counted anew from `as_of`. One that
+  /// had timed out before stays so.
+  virtual void keep(BootTime as_of) = 0;
 
   /// Velocity zero, sent at once, ahead of everything else the driver has to do.
   virtual void stop() = 0;

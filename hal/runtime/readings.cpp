@@ -12,12 +12,18 @@ Result<void> Readings::hold(const exchange::Reading& reading) {
     return fail(Errc::kProtocol, fmt::format("a reading of channel {}, which is not in the session",
                                              reading.channel));
   }
+  if (reading.lost) {
+    values_.erase(reading.channel);
+    lost_.insert(reading.channel);
+    return {};
+  }
   if (channel->length != 0 && channel->length != reading.values.size()) {
     return fail(Errc::kProtocol,
                 fmt::format("a reading of channel '{}' with {} values instead of {}", channel->name,
                             reading.values.size(), channel->length));
   }
   values_[reading.channel] = reading.values;
+  lost_.erase(reading.channel);
   return {};
 }
 
@@ -35,7 +41,10 @@ Result<std::span<const double>> Readings::values(std::string_view channel) const
   }
   const auto held = values_.find(found->id);
   if (held == values_.end()) {
-    return fail(Errc::kNotAvailable, fmt::format("channel '{}' has not been sampled yet", channel));
+    return fail(Errc::kNotAvailable,
+                fmt::format("channel '{}' {}", channel,
+                            lost_.contains(found->id) ? "is lost: its device gives no new reading"
+                                                      : "has not been sampled yet"));
   }
   return std::span<const double>(held->second);
 }

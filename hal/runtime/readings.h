@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <set>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -11,7 +12,8 @@
 
 namespace hal::runtime {
 
-/// The latest values of an agent's channels, held until the next sample.
+/// The latest values of an agent's channels, held until the next sample, or until the host says
+/// that they are too old.
 class Readings {
  public:
   explicit Readings(const std::vector<Channel>& channels) : channels_(channels) {}
@@ -23,7 +25,7 @@ class Readings {
   /// Null: the agent has no such channel, or the controller did not ask for it.
   const Channel* find(std::string_view channel) const;
 
-  /// Errors: kNotAvailable (no such channel, not asked for, not sampled yet).
+  /// Errors: kNotAvailable (no such channel, not asked for, not sampled yet, lost).
   Result<std::span<const double>> values(std::string_view channel) const;
 
   const std::vector<Channel>& channels() const { return channels_; }
@@ -31,6 +33,7 @@ class Readings {
  private:
   std::vector<Channel> channels_;
   std::map<std::uint16_t, std::vector<double>> values_;
+  std::set<std::uint16_t> lost_;
 };
 
 }  // namespace hal::runtime

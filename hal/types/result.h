@@ -9,7 +9,7 @@ namespace hal {
 /// What can go wrong at run time on a healthy robot. A caller must be able to act on each one.
 enum class Errc {
   kInvalidArgument,  ///< A documented precondition does not hold. Fix the caller.
-  kNotAvailable,     ///< This agent has no such sensor, or no reading of it has arrived yet.
+  kNotAvailable,     ///< This agent has no such sensor, or no reading of it that is young enough.
   kNotConnected,     ///< The process at the other end is gone.
   kTimeout,          ///< The process at the other end lives but did not answer in time.
   kProtocol,         ///< The process at the other end sent something that is against the rules.

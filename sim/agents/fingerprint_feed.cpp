@@ -10,14 +10,16 @@ std::uint64_t number(Enum value) {
   return static_cast<std::uint64_t>(value);
 }
 
-void add(Hash& hash, const hal::Bytes& bytes) { hash.add_bytes(bytes.data(), bytes.size()); }
+void add(Fingerprint::Cell& hash, const hal::Bytes& bytes) {
+  hash.add_bytes(bytes.data(), bytes.size());
+}
 
-void add(Hash& hash, const std::vector<double>& values) {
+void add(Fingerprint::Cell& hash, const std::vector<double>& values) {
   hash.add(std::uint64_t{values.size()});
   for (const double value : values) hash.add(value);
 }
 
-void add(Hash& hash, const hal::Route& route) {
+void add(Fingerprint::Cell& hash, const hal::Route& route) {
   hash.add(std::string_view{route.topic});
   hash.add(std::uint64_t{route.destination.value});
   hash.add(std::uint64_t{route.next_hop.value});
@@ -27,7 +29,7 @@ void add(Hash& hash, const hal::Route& route) {
   hash.add(route.path.energy);
 }
 
-void add(Hash& hash, const hal::Message& message) {
+void add(Fingerprint::Cell& hash, const hal::Message& message) {
   hash.add(std::uint64_t{message.source.value});
   hash.add(std::uint64_t{message.destination.value});
   hash.add(std::uint64_t{message.id});
@@ -35,7 +37,7 @@ void add(Hash& hash, const hal::Message& message) {
   add(hash, message.payload);
 }
 
-void add_network(Hash& hash, const hal::exchange::Event& event) {
+void add_network(Fingerprint::Cell& hash, const hal::exchange::Event& event) {
   for (const hal::RouteChange& change : event.routes) {
     hash.add(std::uint64_t{change.removed});
     add(hash, change.route);
@@ -51,7 +53,7 @@ void add_network(Hash& hash, const hal::exchange::Event& event) {
 }  // namespace
 
 void FingerprintFeed::on_frame_start(hal::Time at, const radio::Frame& frame) {
-  Hash& hash = fingerprint_.at(Part::kAir, frame.transmitter, at);
+  Fingerprint::Cell& hash = fingerprint_.at(Part::kAir, frame.transmitter, at);
   hash.add(number(frame.type));
   hash.add(std::uint64_t{frame.receiver.value});
   hash.add(std::int64_t{frame.duration.count()});
@@ -65,19 +67,19 @@ void FingerprintFeed::on_frame_start(hal::Time at, const radio::Frame& frame) {
 
 void FingerprintFeed::on_reception(hal::Time at, const radio::Frame& frame, hal::AgentId receiver,
                                    hal::Verdict verdict, double rssi_dbm) {
-  Hash& hash = fingerprint_.at(Part::kAir, receiver, at);
+  Fingerprint::Cell& hash = fingerprint_.at(Part::kAir, receiver, at);
   hash.add(frame.id);
   hash.add(number(verdict));
   hash.add(rssi_dbm);
 }
 
 void FingerprintFeed::on_body(hal::Time at, hal::AgentId agent, const BodyState& body) {
-  Hash& hash = fingerprint_.at(Part::kBodies, agent, at);
+  Fingerprint::Cell& hash = fingerprint_.at(Part::kBodies, agent, at);
   for (const double value : {body.x, body.y, body.theta, body.tilt}) hash.add(value);
 }
 
 void FingerprintFeed::on_event(const hal::exchange::Event& event) {
-  Hash& hash = fingerprint_.at(Part::kExchange, event.agent, event.time);
+  Fingerprint::Cell& hash = fingerprint_.at(Part::kExchange, event.agent, event.time);
   hash.add(number(event.cause));
   for (const hal::exchange::Reading& reading : event.readings) {
     hash.add(std::uint64_t{reading.channel});
@@ -91,7 +93,7 @@ void FingerprintFeed::on_event(const hal::exchange::Event& event) {
 }
 
 void FingerprintFeed::on_action(hal::Time at, const hal::exchange::Action& action) {
-  Hash& hash = fingerprint_.at(Part::kExchange, action.agent, at);
+  Fingerprint::Cell& hash = fingerprint_.at(Part::kExchange, action.agent, at);
   hash.add(number(action.kind));
   for (const double value : {action.twist.vx, action.twist.vy, action.twist.omega}) hash.add(value);
   add(hash, action.wheel_speeds);
@@ -108,7 +110,7 @@ void FingerprintFeed::on_action(hal::Time at, const hal::exchange::Action& actio
 
 void FingerprintFeed::on_route_change(hal::Time at, hal::AgentId agent,
                                       const hal::RouteChange& change) {
-  Hash& hash = fingerprint_.at(Part::kRouting, agent, at);
+  Fingerprint::Cell& hash = fingerprint_.at(Part::kRouting, agent, at);
   hash.add(std::uint64_t{change.removed});
   add(hash, change.route);
 }

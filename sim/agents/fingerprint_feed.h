@@ -1,5 +1,8 @@
 #pragma once
 
+#include <functional>
+#include <utility>
+
 #include "sim/agents/observer.h"
 #include "sim/core/fingerprint.h"
 
@@ -9,7 +12,13 @@ namespace sim::agents {
 /// the run was computed (wall time, processes, sequence numbers).
 class FingerprintFeed final : public Observer {
  public:
+  FingerprintFeed() = default;
+  /// @param sink  as of the fingerprint.
+  explicit FingerprintFeed(std::function<void(const Fingerprint::Row&)> sink)
+      : fingerprint_(std::move(sink)) {}
+
   const Fingerprint& fingerprint() const { return fingerprint_; }
+  void finish() { fingerprint_.finish(); }
 
   void on_frame_start(hal::Time at, const radio::Frame& frame) override;
   void on_reception(hal::Time at, const radio::Frame& frame, hal::AgentId receiver,

@@ -12,6 +12,8 @@ class ObserverList final : public Observer {
  public:
   explicit ObserverList(std::vector<Observer*> observers) : observers_(std::move(observers)) {}
 
+  void add(Observer& observer) { observers_.push_back(&observer); }
+
   void on_frame_start(hal::Time at, const radio::Frame& frame) override {
     for (Observer* o : observers_) o->on_frame_start(at, frame);
   }

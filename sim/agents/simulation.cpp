@@ -81,6 +81,8 @@ Simulation::Simulation(const SimulationConfig& config, std::vector<Observer*> ob
 
 Simulation::~Simulation() = default;
 
+void Simulation::add_observer(Observer& observer) { state_->observers.add(observer); }
+
 std::vector<hal::exchange::AgentOffer> Simulation::offers() const {
   std::vector<hal::exchange::AgentOffer> offers;
   for (const auto& [id, agent] : state_->agents) offers.push_back(agent->offer());
@@ -138,6 +140,11 @@ Outcome Simulation::end_of(RealTimeRun& run) {
   outcome.exchanges = run.steps();
   outcome.real_time = run.summary();
   return outcome;
+}
+
+Outcome Simulation::broken_off_by(const std::string& error) {
+  if (state_->error.empty()) state_->error = error;
+  return state_->outcome();
 }
 
 BodyState Simulation::body(hal::AgentId agent) const { return state_->scene.body(agent); }

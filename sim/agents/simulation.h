@@ -64,6 +64,9 @@ class Simulation final : public hal::exchange::AgentHost {
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
+  /// One more observer, after the others. @pre the simulation has not run.
+  void add_observer(Observer& observer);
+
   std::vector<hal::exchange::AgentOffer> offers() const override;
   void connect(std::shared_ptr<hal::exchange::ControllerPort> port,
                const std::vector<hal::AgentId>& agents, const hal::Wants& wants) override;
@@ -76,6 +79,10 @@ class Simulation final : public hal::exchange::AgentHost {
 
   /// Repeats a run in real time from its turns: same scenario, seed and controllers, same events.
   Outcome repeat(std::optional<hal::Time> until, std::span<const Turn> turns, Pace& pace);
+
+  /// How the run stands after an exception out of run(), follow() or repeat(): failed with that
+  /// error. It cannot go on.
+  Outcome broken_off_by(const std::string& error);
 
   /// True state, for expectations: m, world frame.
   BodyState body(hal::AgentId agent) const;

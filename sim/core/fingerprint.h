@@ -3,10 +3,13 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <functional>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "hal/types/agent_id.h"
@@ -44,33 +47,80 @@ class Hash {
 
 /// Fingerprint of a run: a hash per part, agent and simulated second, so that two runs can be told
 /// apart to the agent and second. Not fed: wall time, process names, sequence numbers.
+///
+/// Each second is hashed twice: with the times of its observations since the start of the run, for
+/// the totals; and with their times within the second, for the rows. So a second in which the same
+/// happens as in the one before needs no row, and a run in which little happens has few. Seconds
+/// are handed over as they end; the memory needed does not grow with the run.
 class Fingerprint {
  public:
-  /// Where the values of one observation at `time` go; the time itself is already in.
-  Hash& at(Part part, hal::AgentId agent, hal::Time time);
+  /// What happened to one agent in one second.
+  class Cell {
+   public:
+    template <class Value>
+    void add(const Value& value) {
+      since_start_.add(value);
+      within_second_.add(value);
+    }
+    void add_bytes(const void* data, std::size_t size) {
+      since_start_.add_bytes(data, size);
+      within_second_.add_bytes(data, size);
+    }
 
-  struct Row {
-    std::int64_t second;
-    Part part;
-    hal::AgentId agent;
-    std::uint64_t hash;
+   private:
+    friend class Fingerprint;
+    Hash since_start_, within_second_;
   };
-  /// By second, part, agent.
-  std::vector<Row> rows() const;
 
-  /// Of each part over the whole run, of one of them, and of all four.
+  /// From this second on, until the next row of the part and agent, each second has this hash.
+  /// None: nothing was observed.
+  struct Row {
+    std::int64_t second = 0;
+    Part part{};
+    hal::AgentId agent{};
+    std::optional<std::uint64_t> hash;
+    bool operator==(const Row&) const = default;
+  };
+
+  /// An event may be told so much later than it happened: the longest controller latency. What
+  /// comes later still (real time, a busy controller) counts as of the oldest second still open.
+  static constexpr std::int64_t kLateness = 10;  // s
+
+  /// @param sink  gets the rows by second, part, agent; may throw.
+  explicit Fingerprint(std::function<void(const Row&)> sink = [](const Row&) {})
+      : sink_(std::move(sink)) {}
+
+  /// Where the values of one observation at `time` go; the time itself is already in.
+  Cell& at(Part part, hal::AgentId agent, hal::Time time);
+
+  /// The run is over: hands over the seconds that are still open.
+  void finish();
+
+  /// Of each part over the whole run so far, of one of them, and of all four.
   std::array<std::uint64_t, kPartCount> parts() const;
   std::uint64_t part(Part part) const { return parts()[static_cast<std::size_t>(part)]; }
   std::uint64_t total() const;
 
  private:
+  using Key = std::tuple<std::int64_t, Part, hal::AgentId>;
+  using Sums = std::array<Hash, kPartCount>;
   struct Current {
-    std::int64_t second = 0;
-    Hash* hash = nullptr;
+    std::int64_t second = -1;
+    Cell* cell = nullptr;
   };
 
-  std::map<std::tuple<std::int64_t, Part, hal::AgentId>, Hash> hashes_;
+  static void add(Sums& sums, const Key& key, const Cell& cell);
+  void close_before(std::int64_t second);
+  void hand_over(std::int64_t second);
+  void end_rows(std::int64_t second);
+
+  std::function<void(const Row&)> sink_;
+  std::map<Key, Cell> open_;
   std::array<std::vector<Current>, kPartCount> current_;  ///< By address; saves the big look-up.
+  std::int64_t first_open_ = 0;                           ///< Second; those before are handed over.
+  Sums sums_;                                             ///< Of what is handed over.
+  std::map<std::pair<Part, hal::AgentId>, std::uint64_t>
+      last_;  ///< Hash of each one's last second.
 };
 
 /// 16 hexadecimal digits.

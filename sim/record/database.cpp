@@ -34,6 +34,11 @@ void Database::execute(const std::string& sql) {
   if (sqlite3_exec(handle_, sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) fail("execute");
 }
 
+void Database::roll_back() {
+  // Errors like a full disk may have done it already.
+  if (sqlite3_get_autocommit(handle_) == 0) execute("ROLLBACK");
+}
+
 void Database::fail(std::string_view doing) const {
   throw std::runtime_error(fmt::format("{}: {}: {}", name_, doing, sqlite3_errmsg(handle_)));
 }
@@ -50,7 +55,11 @@ Statement::~Statement() { sqlite3_finalize(handle_); }
 bool Statement::next() {
   const int result = sqlite3_step(handle_);
   if (result == SQLITE_ROW) return true;
-  if (result != SQLITE_DONE) database_.fail("step");
+  if (result != SQLITE_DONE) {
+    // The reason outlives the reset: SQLite gives it again.
+    sqlite3_reset(handle_);
+    database_.fail("step");
+  }
   sqlite3_reset(handle_);
   return false;
 }

@@ -24,6 +24,9 @@ class Database {
 
   void execute(const std::string& sql);
 
+  /// Ends a transaction under way and takes its changes back; nothing if there is none.
+  void roll_back();
+
  private:
   friend class Statement;
   [[noreturn]] void fail(std::string_view doing) const;

@@ -18,7 +18,24 @@ constexpr const char* kFolder = R"(# Results
 | `scenario.resolved.yaml` | the scenario as it was run, includes and defaults written out; runs again by itself |
 | `run.log` | log lines, stamped with simulated time |
 | `<process>.log` | what a controller process printed |
-| `.baraka-result` | the marker: id of the run, and every file that it writes there |
+| `.baraka-result` | the marker: id of the run, and every file that it may write there |
+
+Until a run has begun (all controllers are there), its folder is `DIR.not-started`; so it stays
+called if the run never begins, with the error in the table `run` and the controllers' words in
+their logs. A run that begins gets `DIR`, and an earlier result there is kept as `DIR.1`, then
+`DIR.2` and so on, the oldest first; `--overwrite` removes it instead, once the new one has begun.
+Folders are renamed as a whole, so whenever a run is killed, each is complete. A run moves and
+removes only what the marker in a folder names: a folder with anything else in it, or without a
+marker, is refused (exit status 2) and stays as it is. Beside the folder, `.DIR.lock` is held while
+a run writes there; a second run is refused meanwhile. `DIR` must lie in a folder that can be
+written, and no file system may be mounted on it.
+
+A run that failed says so (`result`, `error` in the table `run`), also on a disk that has filled up:
+`.reserve` keeps room for that and is gone afterwards. One that was killed still says `running`;
+`baraka report` and `baraka export` call it unfinished.
+
+With `--replications`, `DIR` holds `replications.yaml` (what was asked for), a folder like the above
+for each, `replication-01` and so on, and what each printed, `replication-01.log`.
 
 )";
 
@@ -29,6 +46,17 @@ constexpr const char* kReading = R"(## Reading them
     baraka export DIR TABLE           one table as CSV (RFC 4180); -o FILE writes it to a file
     baraka export --describe          this page
     sqlite3 DIR/run.sqlite .schema    the tables with these meanings as comments
+
+The report pools runs only if their settings are the same but for the seed; it lists the settings in
+which its columns differ, and shows the paper's figures only beside runs of its case study (equal in
+all settings but name, seed, radio, record, expect and number of processes) and says why otherwise.
+Of a folder of results it takes all but those put aside: `NAME.1` beside `NAME`, `NAME.not-started`.
+
+Which agent did something else first in another run, of what kind, and in which second:
+
+    sqlite3 DIR/run.sqlite "ATTACH 'OTHER/run.sqlite' AS o; SELECT second, part, agent FROM (SELECT
+      * FROM (SELECT * FROM fingerprints EXCEPT SELECT * FROM o.fingerprints) UNION SELECT * FROM
+      (SELECT * FROM o.fingerprints EXCEPT SELECT * FROM fingerprints)) ORDER BY 1, 2, 3 LIMIT 1"
 
 In CSV, the first line names the columns, a null is an empty field, an empty text is `""`, and
 numbers are in the shortest form that reads back to the same bits.

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
-#include <utility>
 
 #include "hal/types/math.h"
 #include "sim/record/paper.h"
@@ -24,10 +22,6 @@ Drive drive_of(const RunResult& run, const RunResult::Agent& robot, const RunRes
   }
   return drive;
 }
-
-using GroupKey = std::pair<std::string, std::string>;
-
-GroupKey key_of(const RunResult& run) { return {run.value("scenario"), run.value("profile")}; }
 
 }  // namespace
 
@@ -76,31 +70,6 @@ std::map<int, std::uint64_t> Group::packets() const {
     for (const auto& [agent, count] : run->packets) sums[agent] += count;
   }
   return sums;
-}
-
-std::vector<Group> group_runs(const std::vector<RunResult>& runs) {
-  std::set<std::string> scenarios;
-  for (const RunResult& run : runs) scenarios.insert(run.value("scenario"));
-  std::vector<std::pair<GroupKey, Group>> keyed;
-  for (const RunResult& run : runs) {
-    const GroupKey key = key_of(run);
-    auto place = std::find_if(keyed.begin(), keyed.end(),
-                              [&key](const auto& entry) { return entry.first == key; });
-    if (place == keyed.end()) {
-      keyed.push_back({key, {}});
-      place = std::prev(keyed.end());
-      place->second.name = scenarios.size() > 1 ? key.first + "/" + key.second : key.second;
-    }
-    if (run.is_complete()) {
-      place->second.runs.push_back(&run);
-    } else {
-      ++place->second.left_out;
-    }
-  }
-  std::vector<Group> groups;
-  groups.reserve(keyed.size());
-  for (auto& [key, group] : keyed) groups.push_back(std::move(group));
-  return groups;
 }
 
 std::optional<double> replica_score(const std::optional<Quantiles>& discovery,

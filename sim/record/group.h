@@ -22,11 +22,19 @@ struct Drive {
 };
 std::vector<Drive> drives(const RunResult& run);
 
-/// The runs of one scenario with one radio profile.
+/// Keys of the table settings and their values.
+using Settings = std::map<std::string, std::string>;
+
+/// The runs of one scenario with the same settings but for the seed.
 struct Group {
-  std::string name;                    ///< The profile, with the scenario if there are several.
+  /// The profile, with the scenario if there are several; where that is the same for several
+  /// groups, with the setting in which they differ, or with a number if they differ in more.
+  std::string name;
+  Settings settings;                   ///< Of each run, the seed left out, with the version.
   std::vector<const RunResult*> runs;  ///< Complete ones.
-  std::size_t left_out = 0;            ///< Runs that were broken off or failed.
+  std::size_t left_out = 0;            ///< Runs that were broken off, failed or did not start.
+  /// Why the paper's figures are not to be compared with these; empty: they are.
+  std::string not_the_papers;
 
   std::vector<double> discoveries() const;  ///< s, pooled.
   std::vector<double> delays() const;       ///< s, pooled.
@@ -35,7 +43,19 @@ struct Group {
 };
 
 /// In order of first appearance.
-std::vector<Group> group_runs(const std::vector<RunResult>& runs);
+/// @param case_study  settings of the paper's case study; none: not known.
+std::vector<Group> group_runs(const std::vector<RunResult>& runs,
+                              const std::optional<Settings>& case_study);
+
+/// A setting that is not the same in all groups, and what it is in each; "-": not set there.
+struct Difference {
+  std::string key;
+  std::vector<std::string> values;
+};
+std::vector<Difference> differences(const std::vector<Group>& groups);
+
+/// Whether any of them is of the paper's case study.
+bool has_the_papers(const std::vector<Group>& groups);
 
 /// Mean of |ln(ours / paper's)| over the quartiles of discovery and delay: 0 is equal. None if a
 /// figure is missing.

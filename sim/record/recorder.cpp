@@ -33,7 +33,8 @@ Recorder::Recorder(const std::filesystem::path& file, const agents::SimulationCo
       insert_state_(database_, "INSERT INTO states VALUES (?, ?, ?)"),
       insert_turn_(database_, "INSERT INTO turns VALUES (?, ?, ?, ?)"),
       insert_frame_(database_, "INSERT INTO frames VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"),
-      insert_frame_end_(database_, "INSERT INTO frame_ends VALUES (?, ?, ?, ?, ?)") {
+      insert_frame_end_(database_, "INSERT INTO frame_ends VALUES (?, ?, ?, ?, ?)"),
+      insert_fingerprint_(database_, "INSERT INTO fingerprints VALUES (?, ?, ?, ?)") {
   database_.execute("BEGIN");
   describe(config);
   commit();
@@ -41,15 +42,17 @@ Recorder::Recorder(const std::filesystem::path& file, const agents::SimulationCo
 
 NewDatabase::NewDatabase(const std::filesystem::path& file) : Database(file, Mode::kCreate) {
   create_tables(*this);
-  // A write-ahead log lets others read while the run goes on.
-  execute("PRAGMA journal_mode = WAL");
+  // A write-ahead log lets others read while the run goes on. It is worked in when it has a hundred
+  // pages, so that little of it is left where a full disk ends the run.
+  execute("PRAGMA journal_mode = WAL; PRAGMA wal_autocheckpoint = 100");
 }
 
 Recorder::~Recorder() {
   try {
-    commit();
+    if (!is_given_up_) commit();
     // One plain file stays, readable also where nothing can be written.
-    database_.execute("COMMIT; PRAGMA journal_mode = DELETE");
+    if (!is_given_up_) database_.execute("COMMIT");
+    database_.execute("PRAGMA journal_mode = DELETE");
   } catch (const std::exception& e) {
     hal::log::warning(hal::Time{}, "record", "{}", e.what());
   }
@@ -105,6 +108,7 @@ void Recorder::on_turn(const agents::Turn& turn) {
 }
 
 void Recorder::commit() {
+  if (is_given_up_) return;
   frames_.write();
   bodies_.write();
   database_.execute("COMMIT; BEGIN");
@@ -118,7 +122,29 @@ void Recorder::on_rows(hal::Time at, int rows) {
   commit();
 }
 
+void Recorder::add(const Fingerprint::Row& row) {
+  std::optional<std::int64_t> hash;
+  if (row.hash) hash = static_cast<std::int64_t>(*row.hash);
+  insert_fingerprint_.run(row.second, sim::name(row.part), row.agent.value, hash);
+  on_rows(hal::Time{std::chrono::seconds{row.second}}, 1);
+}
+
+void Recorder::give_up(const agents::Outcome& outcome) {
+  is_given_up_ = true;
+  database_.roll_back();
+  database_.execute("BEGIN");
+  write(outcome);
+  database_.execute("COMMIT");
+}
+
 void Recorder::finish(const agents::Outcome& outcome, const Fingerprint& fingerprint) {
+  write(outcome);
+  write_totals(fingerprint);
+  is_finished_ = true;
+  commit();
+}
+
+void Recorder::write(const agents::Outcome& outcome) {
   set("result", outcome.result);
   if (!outcome.error.empty()) set("error", outcome.error);
   set("ended_ns", static_cast<std::uint64_t>(hal::to_ns(outcome.ended_at)));
@@ -128,9 +154,6 @@ void Recorder::finish(const agents::Outcome& outcome, const Fingerprint& fingerp
   set("refused_actions", outcome.refused_actions);
   set("ode_messages", outcome.ode_messages);
   if (outcome.real_time) write(*outcome.real_time);
-  write_fingerprint(fingerprint);
-  is_finished_ = true;
-  commit();
 }
 
 void Recorder::write(const agents::RealTimeSummary& summary) {
@@ -143,15 +166,11 @@ void Recorder::write(const agents::RealTimeSummary& summary) {
   set("control_jitter_max_s", hal::to_seconds(summary.jitter_max));
 }
 
-void Recorder::write_fingerprint(const Fingerprint& fingerprint) {
+void Recorder::write_totals(const Fingerprint& fingerprint) {
   set("fingerprint", to_hex(fingerprint.total()));
   const auto parts = fingerprint.parts();
   for (std::size_t i = 0; i < parts.size(); ++i)
     set(fmt::format("fingerprint_{}", sim::name(static_cast<Part>(i))), to_hex(parts[i]));
-  Statement insert(database_, "INSERT INTO fingerprints VALUES (?, ?, ?, ?)");
-  for (const Fingerprint::Row& row : fingerprint.rows()) {
-    insert.run(row.second, sim::name(row.part), row.agent.value, to_hex(row.hash));
-  }
 }
 
 void Recorder::on_start(const std::vector<std::pair<hal::AgentId, hal::AgentId>>& links) {

@@ -32,14 +32,17 @@ class NewDatabase : public Database {
 ///
 ///   Recorder recorder(folder / "run.sqlite", config);
 ///   recorder.set("scenario", "case_study");
-///   Simulation simulation(config, {&recorder, …});
+///   FingerprintFeed feed([&](const auto& row) { recorder.add(row); });
+///   Simulation simulation(config, {&recorder, &feed, …});
 ///   …run…
 ///   recorder.add_contacts(agent, simulation.contacts(agent));   // of each agent
+///   feed.finish();
 ///   recorder.finish(outcome, feed.fingerprint());
 ///
 /// If the process dies, the file holds everything up to the last commit: one every
 /// kCommitPeriod of simulated time, every kCommitRows rows, and at each commit().
-/// Every member throws std::runtime_error if the file cannot be written.
+/// Every member throws std::runtime_error if the file cannot be written; then only give_up() is
+/// left.
 class Recorder final : public agents::Observer {
  public:
   static constexpr hal::Duration kCommitPeriod = std::chrono::seconds{10};
@@ -60,6 +63,12 @@ class Recorder final : public agents::Observer {
   void add_contacts(hal::AgentId agent, const agents::ContactCounts& contacts) {
     bodies_.on_contacts(agent, contacts);
   }
+
+  void add(const Fingerprint::Row& row);
+
+  /// Writes how a run ended that did not begin, or that could not be written to its end: what came
+  /// after the last commit is lost, its end is not if there is room for a few thousand bytes.
+  void give_up(const agents::Outcome& outcome);
 
   /// Writes how the run ended. set() still works, and takes effect, afterwards.
   void finish(const agents::Outcome& outcome, const Fingerprint& fingerprint);
@@ -90,8 +99,9 @@ class Recorder final : public agents::Observer {
   template <class Value>
   void set_value(std::string_view key, const Value& value);
   void describe(const agents::SimulationConfig& config);
+  void write(const agents::Outcome& outcome);
   void write(const agents::RealTimeSummary& summary);
-  void write_fingerprint(const Fingerprint& fingerprint);
+  void write_totals(const Fingerprint& fingerprint);
   void on_rows(hal::Time at, int rows);
 
   NewDatabase database_;
@@ -100,10 +110,11 @@ class Recorder final : public agents::Observer {
   MessageLog messages_;
   BodyLog bodies_;
   Statement set_, insert_discovery_, insert_lost_body_, insert_state_, insert_turn_, insert_frame_,
-      insert_frame_end_;
+      insert_frame_end_, insert_fingerprint_;
   int rows_ = 0;  ///< Since the last commit.
   hal::Time next_commit_{kCommitPeriod};
   bool is_finished_ = false;
+  bool is_given_up_ = false;
 };
 
 }  // namespace sim::record

@@ -4,13 +4,15 @@
 
 namespace sim::record {
 
-std::string report(const std::vector<std::filesystem::path>& folders) {
+std::string report(const std::vector<std::filesystem::path>& folders,
+                   const std::optional<Settings>& case_study) {
   std::vector<RunResult> runs;
   for (const std::filesystem::path& folder : find_results(folders)) {
     runs.push_back(read_run(folder));
   }
-  const std::vector<Group> groups = group_runs(runs);
+  const std::vector<Group> groups = group_runs(runs, case_study);
   std::string text = runs_section(runs) + "\n" + comparison_section(groups);
+  if (groups.size() > 1) text += "\n" + differences_section(groups);
   for (const Group& group : groups) {
     if (group.runs.empty()) continue;
     text +=

@@ -217,7 +217,8 @@ std::vector<Figure> packet_figures() {
 std::vector<Figure> all_figures() {
   std::vector<Figure> all = run_figures();
   const std::vector<Figure> score = {
-      {"replica score", "0", [](const Group& g) {
+      {"replica score", "0", [](const Group& g) -> std::string {
+         if (!g.not_the_papers.empty()) return "-";
          return number(replica_score(quantiles(g.discoveries()), quantiles(g.delays())), 3);
        }}};
   for (const auto& part :
@@ -227,6 +228,16 @@ std::vector<Figure> all_figures() {
     all.insert(all.end(), part.begin(), part.end());
   }
   return all;
+}
+
+/// Which columns the paper's does not belong beside.
+std::string why_no_paper(const std::vector<Group>& groups) {
+  std::string text;
+  for (const Group& group : groups) {
+    if (group.not_the_papers.empty()) continue;
+    text += fmt::format("{}: not the paper's case study: {}\n", group.name, group.not_the_papers);
+  }
+  return text;
 }
 
 }  // namespace
@@ -241,20 +252,35 @@ std::vector<ComparisonRow> comparison_rows(const std::vector<Group>& groups) {
 }
 
 std::string comparison_section(const std::vector<Group>& groups) {
-  std::vector<std::string> head = {"figure", "paper"};
+  const bool has_paper = has_the_papers(groups);
+  std::vector<std::string> head = {"figure"};
+  if (has_paper) head.emplace_back("paper");
   for (const Group& group : groups) head.push_back(group.name);
   TextTable table(head);
   for (const ComparisonRow& row : comparison_rows(groups)) {
-    std::vector<std::string> cells = {row.figure, row.paper};
+    std::vector<std::string> cells = {row.figure};
+    if (has_paper) cells.push_back(row.paper);
     cells.insert(cells.end(), row.ours.begin(), row.ours.end());
     table.add_row(cells);
   }
-  return "Figures, pooled over the runs of a profile (quartiles of type 7; delay: of messages to "
-         "one "
-         "agent,\nwaiting for a route included; replica score: mean |ln(ours / paper's)| of the "
-         "six "
-         "quartiles)\n" +
-         table.text();
+  return "Figures, pooled over the runs of the same settings but for the seed (quartiles of type "
+         "7; "
+         "delay: of\nmessages to one agent, waiting for a route included; replica score: mean "
+         "|ln(ours "
+         "/ paper's)| of the\nsix quartiles)\n" +
+         table.text() + why_no_paper(groups);
+}
+
+std::string differences_section(const std::vector<Group>& groups) {
+  std::vector<std::string> head = {"setting"};
+  for (const Group& group : groups) head.push_back(group.name);
+  TextTable table(head);
+  for (const Difference& difference : differences(groups)) {
+    std::vector<std::string> cells = {difference.key};
+    cells.insert(cells.end(), difference.values.begin(), difference.values.end());
+    table.add_row(cells);
+  }
+  return "Settings in which these differ\n" + table.text();
 }
 
 }  // namespace sim::record

@@ -105,11 +105,16 @@ std::string packets_section(const Group& group) {
       grid_text(motes, [&](const Agent& mote) { return number(total(mote), 0); }) +
       "mean per run\n" +
       grid_text(motes, [&](const Agent& mote) { return number(total(mote) / runs, 1); });
-  TextTable extremes({"", "total", "per run", "paper's total of 10 runs"});
+  const bool has_paper = group.not_the_papers.empty();
+  TextTable extremes(
+      has_paper ? std::vector<std::string>{"", "total", "per run", "paper's total of 10 runs"}
+                : std::vector<std::string>{"", "total", "per run"});
   for (const auto& [name, mote, paper] : {std::tuple{"most: ", *most, paper::kMostPackets},
                                           {"least: ", *least, paper::kLeastPackets}}) {
-    extremes.add_row({name + place_of(motes, mote), number(total(mote), 0),
-                      number(total(mote) / runs, 1), number(paper, 0)});
+    std::vector<std::string> row = {name + place_of(motes, mote), number(total(mote), 0),
+                                    number(total(mote) / runs, 1)};
+    if (has_paper) row.push_back(number(paper, 0));
+    extremes.add_row(row);
   }
   return text + extremes.text();
 }

@@ -122,7 +122,10 @@ Json walls_json(const RunResult& run) {
 }
 
 Json to_json(const Group& group) {
-  Json json = {{"name", group.name}, {"left_out", group.left_out}, {"runs", Json::array()}};
+  Json json = {{"name", group.name},
+               {"not_the_papers", group.not_the_papers},
+               {"left_out", group.left_out},
+               {"runs", Json::array()}};
   if (group.runs.empty()) return json;
   for (const RunResult* run : group.runs) json["runs"].push_back(to_json(*run));
   json["scenario"] = group.runs.front()->value("scenario");
@@ -146,7 +149,8 @@ Json paper_json() {
 
 std::string report_json(const std::vector<Group>& groups) {
   Json json = {
-      {"paper", paper_json()},
+      {"paper", has_the_papers(groups) ? paper_json() : Json(nullptr)},
+      {"differences", Json::array()},
       {"comparison", Json::array()},
       {"histogram", {{"low_s", LogHistogram::kLow}, {"high_s", LogHistogram::kHigh}}},
       {"groups", Json::array()},
@@ -155,19 +159,23 @@ std::string report_json(const std::vector<Group>& groups) {
     json["comparison"].push_back(
         {{"figure", row.figure}, {"paper", row.paper}, {"ours", row.ours}});
   }
+  for (const Difference& difference : differences(groups)) {
+    json["differences"].push_back({{"key", difference.key}, {"values", difference.values}});
+  }
   for (const Group& group : groups) json["groups"].push_back(to_json(group));
   // Folders may be named in any encoding.
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string report_page(const std::vector<std::filesystem::path>& folders, std::string page) {
+std::string report_page(const std::vector<std::filesystem::path>& folders,
+                        const std::optional<Settings>& case_study, std::string page) {
   constexpr std::string_view kPlace = "\"BARAKA FIGURES\"";
   const std::size_t place = page.find(kPlace);
   if (place == std::string::npos) throw std::runtime_error("the page has no place for figures");
   std::vector<RunResult> runs;
   for (const std::filesystem::path& folder : find_results(folders))
     runs.push_back(read_run(folder));
-  std::string json = report_json(group_runs(runs));
+  std::string json = report_json(group_runs(runs, case_study));
   // No name may end the script element that holds the JSON: "<" is "\u003c" there.
   for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos;) {
     json.replace(at, 1, "\\u003c");

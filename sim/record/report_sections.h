@@ -20,8 +20,12 @@ struct ComparisonRow {
 };
 std::vector<ComparisonRow> comparison_rows(const std::vector<Group>& groups);
 
-/// One line per figure, a column for the paper and for each group.
+/// One line per figure, a column for each group, and one for the paper if one of them is of its
+/// case study; else why there is none.
 std::string comparison_section(const std::vector<Group>& groups);
+
+/// One line per setting that is not the same in all groups, a column for each.
+std::string differences_section(const std::vector<Group>& groups);
 
 /// Links between motes and how many each has, at the start: Fig. 2 of the paper.
 std::string links_section(const Group& group);

@@ -135,11 +135,22 @@ void read_goal(Database& database, RunResult& run) {
   if (query.next()) run.goal = static_cast<int>(query.integer(0));
 }
 
+/// Whether it is an earlier result beside its successor ("name.2" beside "name"), or an attempt
+/// that did not start.
+bool is_put_aside(const fs::path& folder) {
+  const std::string end = folder.extension().string();
+  if (end == ".not-started") return true;
+  const bool is_number =
+      end.size() > 1 && end.find_first_not_of("0123456789", 1) == std::string::npos;
+  return is_number && fs::exists(folder.parent_path() / folder.stem() / kResultsFile);
+}
+
 std::vector<fs::path> results_inside(const fs::path& folder) {
   std::vector<fs::path> inside;
   if (!fs::is_directory(folder)) return inside;
   for (const auto& entry : fs::directory_iterator(folder)) {
-    if (fs::exists(entry.path() / kResultsFile)) inside.push_back(entry.path());
+    if (!fs::exists(entry.path() / kResultsFile)) continue;
+    if (!is_put_aside(entry.path())) inside.push_back(entry.path());
   }
   std::sort(inside.begin(), inside.end(), [](const fs::path& a, const fs::path& b) {
     const std::string x = a.string();

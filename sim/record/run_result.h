@@ -81,7 +81,8 @@ std::map<std::string, std::int64_t> count_rows(const std::filesystem::path& fold
 bool is_unfinished(const std::filesystem::path& folder);
 
 /// The folders that hold a result: each one given, or else the ones in it, by name, short names
-/// first.
+/// first; of those, not what was put aside: earlier results beside their successors, attempts that
+/// did not start.
 /// @throws std::runtime_error if one holds none.
 std::vector<std::filesystem::path> find_results(const std::vector<std::filesystem::path>& folders);
 

@@ -12,7 +12,7 @@ std::vector<Table> setup_tables() {
         {"value", "", "", "a number or a text"}},
        "key"},
       {"settings",
-       "the resolved scenario, value by value",
+       "the resolved scenario, value by value, and --until and --pace of the command line",
        {{"key", "TEXT NOT NULL", "", "dotted path in scenario.resolved.yaml, items from 0"},
         {"value", "TEXT NOT NULL", "", "as written there, with its unit"}},
        "key"},
@@ -164,12 +164,14 @@ std::vector<Table> trace_tables() {
         {"replied", "INTEGER NOT NULL", "", "1: its answer took effect ..."},
         {"began", "INTEGER NOT NULL", "", "1: ... and then it was given what waited"}}},
       {"fingerprints",
-       "hashes of what was observed, per part, agent and second: two runs differ first where these "
-       "rows do",
+       "hashes of what was observed, per part, agent and second, where they change from one second "
+       "to the next: two runs differ first where these rows do",
        {{"second", "INTEGER NOT NULL", "", "number of the simulated second, from 0"},
         {"part", "TEXT NOT NULL", "", "'air', 'bodies', 'exchange' or 'routing'"},
         {"agent", "INTEGER NOT NULL", "", "who"},
-        {"hash", "TEXT NOT NULL", "", "64 bits in hexadecimal"}},
+        {"hash", "INTEGER", "",
+         "64 bits, of this second and those that follow until the next row of the part and agent; "
+         "times are counted within the second; null: nothing was observed"}},
        "second, part, agent"},
       {"frames",
        "each frame; only with record: {frames: all}",

@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
 """Real robots and motes, but for their devices, which are emulated: daemons, controllers and the
 network are what they would be."""
+import math
 import os
 import random
+import re
 import socket
 import subprocess
 import sys
@@ -10,12 +12,13 @@ import time
 import unittest
 
 from baraka import Case, Program, wait_for
-from real_agents import (MOTION_CAPTURE, RADIO_PORT, ROBOTS, Network, Place, Process, RealAgents,
-                         inside, sha256)
+from real_agents import (EMULATORS, MOTION_CAPTURE, RADIO_PORT, ROBOTS, Device, Network, Place,
+                         Process, RealAgents, inside, sha256)
 from ros import PEER, needs_peer
 
 # The slow test has more of both.
 TRIALS = int(os.environ.get("BARAKA_TRIALS", "5"))
+SUSPENSIONS = int(os.environ.get("BARAKA_SUSPENSIONS", "4"))
 GARBAGE = int(os.environ.get("BARAKA_GARBAGE", "50000"))
 COMMAND_TIMEOUT = 0.5  # s, of the robots' files
 WANDERS = "controller: {program: wanderer}"
@@ -55,9 +58,13 @@ class OneFileTwoWorlds(RealAgents):
         scenario.write_text(SCENARIO)
         return self.run_baraka(scenario, "--controllers", "spawn")
 
-    def localised(self, name, pose_of_mote):
+    def localised(self, place, name, pose_of_mote):
+        """The rest of a robot's file, given the robot."""
         x, y = pose_of_mote
-        return f"""
+
+        def file(device):
+            self.capture_motion(place, name, device)
+            return f"""
 controller:
   program: help_robot
   parameters: {{speed: 0.4 m/s, near: 0.6 m, reached: 0.5 m}}
@@ -67,6 +74,7 @@ localisation:
   map: [{{name: m0, address: 3, x: {x} m, y: {y} m}}]
 limits: {{linear: 0.4 m/s, angular: 1 rad/s}}
 """
+        return file
 
     def arrives(self, place_of_robot, robot, device, place_of_mote, mote):
         """A mote calls for help and the robot comes, each with a controller of its own."""
@@ -93,11 +101,9 @@ limits: {{linear: 0.4 m/s, angular: 1 rad/s}}
             print("no right to make network namespaces: on loopback addresses", flush=True)
         at_r0, at_r1, at_m0 = network.places
         mote = self.mote(at_m0, "m0", 3, 2, 0, "help_at: 1 s")
-        r0, robotino = self.robotino(at_r0, "r0", 1, more=self.localised("r0", (2, 0)))
+        r0, robotino = self.robotino(at_r0, "r0", 1, more=self.localised(at_r0, "r0", (2, 0)))
         r1, tmc200 = self.tmc200(at_r1, "r1", 2, pose=(0.5, 1, 1),
-                                 more=self.localised("r1", (2, 0)))
-        self.capture_motion(at_r0, "r0", robotino)
-        self.capture_motion(at_r1, "r1", tmc200)
+                                 more=self.localised(at_r1, "r1", (2, 0)))
 
         self.assertLess(self.arrives(at_r0, "r0", robotino, at_m0, mote), 0.8)
         self.assertEqual(tmc200.state()["pose"][:2], [0.5, 1], "nobody drove the other one")
@@ -163,6 +169,29 @@ class Wheels:
         # One on a busy machine may be late.
         self.assertLess(sorted(took)[1], COMMAND_TIMEOUT + 0.1, took)
 
+    def test_after_a_suspension_no_old_command_moves_them(self):
+        """Daemon and controller are halted, as by a computer that sleeps; the daemon wakes first."""
+        moved = []
+        for trial in range(SUSPENSIONS):
+            controller = self.wander()
+            halted = [self.daemon, controller]
+            for one in halted if trial % 2 else reversed(halted):  # either has the last word
+                one.send("SIGSTOP")
+            self.device.await_standing()
+            time.sleep(COMMAND_TIMEOUT + random.uniform(0, 0.1))
+            before = self.device.state()
+            self.daemon.send("SIGCONT")
+            wait_for(lambda: self.device.state()["commands"] > before["commands"])
+            self.check_standing()
+            moved.append(math.dist(before["pose"][:2], self.device.state()["pose"][:2]))
+            controller.send("SIGCONT")
+            self.await_moving(controller)
+            controller.end()
+            self.device.await_standing()
+        print(f"moved {1e3 * max(moved):.1f} mm at most in {len(moved)} suspensions, at all in "
+              f"{sum(map(bool, moved))}", flush=True)
+        self.assertEqual(moved, [0] * SUSPENSIONS)
+
     def test_after_the_daemon_is_killed_they_stand_by_the_rule_of_the_device(self):
         self.wander()
         killed = self.daemon.send("SIGKILL")
@@ -208,15 +237,13 @@ class Wheels:
         self.check_emergency_stop(lambda: press("1"), lambda: press("0"))
 
     def test_an_emergency_stop_outlives_the_daemon(self):
-        """Where the service manager keeps a folder for it."""
-        self.daemon.end()
-        self.environment["RUNTIME_DIRECTORY"] = str(self.folder)
-        self.daemon = self.serve_again()
         self.wander()
         self.daemon.send("SIGUSR1")
         self.device.await_standing()
-        self.daemon.end()
+        wait_for((self.folder / "state/baraka/r0.emergency_stop").exists)
+        self.daemon.end()  # as kill -9
         self.daemon = self.serve_again()
+        self.daemon.await_text("the emergency stop of an earlier run is in force", "err")
         controller = self.program(self.place, "wanderer", "--agents", "r0")
         self.daemon.await_text("action refused", "err")
         self.check_standing()
@@ -226,8 +253,8 @@ class Wheels:
         self.daemon = self.serve_again()
         self.wander()
 
-    def serve_again(self):
-        daemon = self.program(self.place, "baraka-agentd", self.folder / "r0.yaml")
+    def serve_again(self, *arguments):
+        daemon = self.program(self.place, "baraka-agentd", self.folder / "r0.yaml", *arguments)
         daemon.await_text("ready: ")
         return daemon
 
@@ -257,6 +284,48 @@ class Wheels:
 class RobotinoWheels(Wheels, RealAgents):
     rule = 0.2
 
+    def test_a_daemon_that_shall_forget_says_so(self):
+        self.daemon.end()
+        self.daemon = self.serve_again("--no-state")
+        self.daemon.await_text("an emergency stop is forgotten when the daemon restarts", "err")
+        self.daemon.send("SIGUSR1")
+        self.daemon.await_text("EMERGENCY STOP", "err")
+        self.daemon.end()
+        self.daemon = self.serve_again("--no-state")
+        self.wander()
+
+    @needs_peer
+    def test_after_a_suspension_nothing_moves_them_that_was_sent_by_hand_before(self):
+        self.daemon.end()
+        self.daemon, self.device = self.make(self.place, "r0", 1, more="controller: {program: teleop}")
+        for _ in range(SUSPENSIONS):
+            hand = Process(self, self.place, PEER, "write", self.domain, "Twist", "rt/r0/cmd_vel", 20,
+                           0.2, 0, 0, env=self.environment)
+            self.device.await_moving()
+            self.daemon.send("SIGSTOP")
+            time.sleep(0.1)  # what it sends meanwhile waits
+            hand.end()
+            self.device.await_standing()
+            time.sleep(COMMAND_TIMEOUT)
+            before = self.device.state()
+            self.daemon.send("SIGCONT")
+            wait_for(lambda: self.device.state()["commands"] > before["commands"] + 10)
+            self.assertEqual(self.device.state()["pose"], before["pose"])
+
+    def test_it_is_no_clock_of_others_and_its_stamps_are_the_time_of_day(self):
+        """Of ROS 2's programs here none has use_sim_time."""
+        other = self.mote(Place(self.place.space, "lo", "127.81.0.1"), "m0", 3, 0, 0)
+        look = self.program(self.place, "baraka", "topic", "list")
+        self.assertEqual(look.finish(), 0)
+        self.assertIn("rt/r0/odom", look.out.read_text())
+        self.assertNotIn("rt/clock", look.out.read_text())
+        echo = self.program(self.place, "baraka", "topic", "echo", "rt/r0/odom", "--count", 3)
+        self.assertEqual(echo.finish(60), 0, str(echo))
+        stamps = [int(n) for n in re.findall(r"\bsec: (\d+)", echo.out.read_text())]
+        self.assertEqual(len(stamps), 3, str(echo))
+        self.assertTrue(all(abs(stamp - time.time()) < 60 for stamp in stamps), stamps)
+        other.end()
+
     def make(self, *arguments, **keywords):
         return self.robotino(*arguments, **keywords)
 
@@ -266,6 +335,197 @@ class Tmc200Wheels(Wheels, RealAgents):
 
     def make(self, *arguments, **keywords):
         return self.tmc200(*arguments, **keywords)
+
+
+class LostSensors:
+    """A channel that the controller asked for falls silent while the wheels turn, and comes back."""
+    localisation = "{driver: static, pose: {x: 0 m, y: 0 m}}"
+
+    def begin(self, rule, localisation=localisation, capture=False):
+        self.place = Network(self, 1).places[0]
+        rule = "" if rule == "the default" else f"on_lost_sensor: {rule}\n"
+
+        def file(device):
+            if capture:
+                self.capture = self.capture_motion(self.place, "r0", device)
+            return f"controller: {{program: sensing}}\n{rule}localisation: {localisation}\n"
+        self.daemon, self.device = self.make(self.place, "r0", 1, more=file)
+        self.controller = self.program(self.place, "sensing", "--agents", "r0")
+        self.daemon.await_text("state has odometry infrared localisation", "err")
+        self.device.await_moving()
+
+    def check(self, rule, channel, lose, bring_back):
+        lost = time.monotonic()
+        lose()
+        log = self.daemon.err
+        has = [name for name in ("odometry", "infrared", "localisation") if name != channel]
+        self.daemon.await_text(f"state has {' '.join(has)}\n", "err")
+        self.assertEqual(log.read_text().count(f"{channel}: lost ("), 1, str(self.daemon))
+        if rule == "ignore":
+            self.assertIn("the wheels may turn", log.read_text())
+            time.sleep(0.5)
+            self.assertTrue(self.device.state()["moving"])
+        else:
+            self.assertIn("the wheels stand until it is back", log.read_text())
+            took = self.device.await_standing() - lost
+            print(f"{channel} lost: stood after {1e3 * took:.0f} ms", flush=True)
+            self.assertEqual(self.device.state()["stops_by_rule"], 0, "by a command")
+            time.sleep(0.5)
+            self.assertFalse(self.device.state()["moving"])
+            self.daemon.await_text(f"action refused: drive: no {channel}", "err")
+        self.assertEqual(log.read_text().count(f"{channel}: back"), 0)
+        bring_back()
+        self.daemon.await_text(f"{channel}: back", "err")
+        self.device.await_moving()
+        self.assertEqual(log.read_text().count(f"{channel}: lost ("), 1)
+        self.assertEqual(log.read_text().count(f"{channel}: back"), 1)
+
+
+class RobotinoLostSensors(LostSensors, RealAgents):
+    def make(self, *arguments, **keywords):
+        return self.robotino(*arguments, **keywords)
+
+    def check_fault(self, rule, channel, path, kind):
+        self.begin(rule)
+        self.check(rule, channel, lambda: self.set_fault(path, kind), self.faults.unlink)
+
+    def set_fault(self, path, kind):
+        whole = self.folder / "new_faults.json"
+        whole.write_text(f'{{"{path}": "{kind}"}}')
+        whole.rename(self.faults)
+
+    def test_without_odometry_the_wheels_stand(self):
+        self.check_fault("the default", "odometry", "odometry", "stall")
+
+    def test_without_odometry_the_wheels_turn_if_that_is_to_be_ignored(self):
+        self.check_fault("ignore", "odometry", "odometry", "status_500")
+
+    def test_odometry_that_does_not_advance_is_lost(self):
+        self.check_fault("stop", "odometry", "odometry", "frozen")
+
+    def test_without_infrared_the_wheels_stand(self):
+        self.check_fault("stop", "infrared", "distancesensorarray", "stall")
+
+    def test_without_infrared_the_wheels_turn_if_that_is_to_be_ignored(self):
+        self.check_fault("ignore", "infrared", "distancesensorarray", "bad_json")
+
+    def check_poses(self, rule):
+        self.begin(rule, "{driver: pose_topic, topic: /mocap/r0/pose}", capture=True)
+        self.check(rule, "localisation", lambda: self.capture.send("SIGSTOP"),
+                   lambda: self.capture.send("SIGCONT"))
+
+    @unittest.skipUnless(MOTION_CAPTURE.exists(), "no motion capture: no Cyclone DDS")
+    def test_without_poses_the_wheels_stand(self):
+        self.check_poses("stop")
+
+    @unittest.skipUnless(MOTION_CAPTURE.exists(), "no motion capture: no Cyclone DDS")
+    def test_without_poses_the_wheels_turn_if_that_is_to_be_ignored(self):
+        self.check_poses("ignore")
+
+    def test_what_the_controller_does_not_ask_for_stops_nothing(self):
+        self.place = Network(self, 1).places[0]
+        self.daemon, self.device = self.make(self.place, "r0", 1, more=WANDERS)
+        self.program(self.place, "wanderer", "--agents", "r0")
+        self.device.await_moving()
+        self.set_fault("odometry", "stall")
+        self.daemon.await_text("odometry: lost (", "err")
+        time.sleep(0.5)
+        self.assertTrue(self.device.state()["moving"])
+
+
+class Tmc200LostSensors(LostSensors, RealAgents):
+    def make(self, *arguments, **keywords):
+        return self.tmc200(*arguments, **keywords)
+
+    def check_converter(self, rule):
+        self.begin(rule)
+        folder, away = self.folder / "iio-r0", self.folder / "away"
+        self.check(rule, "infrared", lambda: folder.rename(away),
+                   lambda: away.rename(folder))
+
+    def test_without_the_converter_the_wheels_stand(self):
+        self.check_converter("stop")
+
+    def test_without_the_converter_the_wheels_turn_if_that_is_to_be_ignored(self):
+        self.check_converter("ignore")
+
+
+class Readiness(RealAgents):
+    """Ready is who has heard all its devices."""
+
+    def setUp(self):
+        super().setUp()
+        self.manager = socket.socket(socket.AF_UNIX, socket.SOCK_DGRAM)
+        self.addCleanup(self.manager.close)
+        self.manager.bind(str(self.folder / "notify"))
+        self.manager.settimeout(30)
+        self.environment["NOTIFY_SOCKET"] = str(self.folder / "notify")
+
+    def await_notice(self, start):
+        while True:
+            notice = self.manager.recv(1000).decode()
+            if notice.startswith(start):
+                return notice
+            self.assertFalse(notice.startswith("READY"), notice)
+
+    def check_waits(self, daemon, *devices):
+        """Says twice what it waits for, and is not ready."""
+        for device in devices:
+            self.assertRegex(self.await_notice("STATUS=waiting for"), device + r" \(.+\)")
+        wait_for(lambda: daemon.err.read_text().count("waiting for") >= 2)
+        self.assertEqual(daemon.out.read_text(), "")
+
+    def test_a_robot_that_is_switched_on_later_is_waited_for(self):
+        place = Place(None, "lo", f"127.79.{random.randrange(1, 255)}.1")
+        with socket.socket() as reserved:
+            reserved.bind(("127.0.0.1", 0))
+            port = reserved.getsockname()[1]
+        daemon = self.start_serving(place, "r0", 1, f"""
+robot: {{include: {ROBOTS}/robotino.yaml}}
+wheels: {{driver: robotino_rest, host: 127.0.0.1, port: {port}}}
+infrared: {{driver: robotino_rest, host: 127.0.0.1, port: {port}}}
+{WANDERS}
+""")
+        controller = self.program(place, "wanderer", "--agents", "r0")
+        self.check_waits(daemon, "wheels", "infrared")
+        robot = Device(self, place, "robotino.py", "--port", port, ready="listening: ")
+        self.await_notice("READY=1")
+        daemon.await_text("ready: r0 (robot, address 1)")
+        robot.await_moving()  # its controller has been there all the time
+        controller.end()
+
+    def test_one_sensor_is_enough_to_wait_for(self):
+        place = Place(None, "lo", f"127.79.{random.randrange(1, 255)}.1")
+        device = Device(self, place, "tmc200.py", ready="device: ")
+        adc = self.folder / "iio-late"
+        daemon = self.start_serving(place, "r0", 1, f"""
+robot: {{include: {ROBOTS}/robertino.yaml}}
+wheels:
+  driver: tmc200
+  device: {device.announced}
+  motor: {{encoder_lines: 500, gear: 16, max_speed: 3600 rpm}}
+infrared:
+  driver: iio
+  folder: "{adc}"
+  channels: [voltage0, voltage1, voltage2, voltage3, voltage4, voltage5]
+""")
+        self.check_waits(daemon, "infrared")
+        Process(self, place, sys.executable, EMULATORS / "iio.py", adc)
+        self.await_notice("READY=1")
+        daemon.await_text("ready: ")
+
+    def test_an_interface_that_has_no_address_yet_is_waited_for(self):
+        network = Network(self, 1)
+        if not network.has_namespaces:
+            self.skipTest("no right to make network namespaces")
+        here, = network.places
+        inside(here.space, "addr", "del", "10.77.0.1/24", "dev", "eth0")
+        here.address = None
+        daemon = self.start_serving(here, "m0", 1, "localisation: {driver: none}\n")
+        self.check_waits(daemon, "radio")
+        here.add_address("10.78.0.1")
+        self.await_notice("READY=1")
+        daemon.await_text("radio 10.78.0.1:7300")
 
 
 class Radio(RealAgents):
@@ -349,10 +609,64 @@ class CommandLine(Case):
                            r"robot\.yaml:2:\d+: .*address", r"robot\.yaml:2:\d+: .*kind",
                            r"robot\.yaml:4:1: .*speed")
 
-    def test_an_interface_that_is_not_there_is_named_with_those_that_are(self):
+    def check_radio_refused(self, radio, *expected):
         self.check_refused("version: 1\nagent: {name: m0, address: 7, kind: mote}\n"
-                           "radio: {interface: nowhere0}\n", r"nowhere0.*lo \(127\.0\.0\.1\)",
-                           status=1)
+                           f"radio: {radio}\n", *expected)
+
+    def test_an_interface_that_is_not_there_is_named_with_those_that_are(self):
+        self.check_radio_refused("{interface: nowhere0}",
+                                 r"robot\.yaml:3:20: radio\.interface: .*nowhere0.*lo \(127\.0\.0\.1\)")
+
+    def test_an_address_that_the_interface_does_not_have_has_its_place(self):
+        self.check_radio_refused("{interface: lo, address: 10.9.9.9}",
+                                 r"robot\.yaml:3:33: radio\.address: .*10\.9\.9\.9")
+        self.check_radio_refused("{interface: lo, address: here}",
+                                 r"robot\.yaml:3:33: radio\.address: 'here' is no IPv4 address")
+
+    def test_a_port_that_is_taken_may_be_free_in_a_moment(self):
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as holder:
+            holder.bind(("127.0.0.1", 0))
+            port = holder.getsockname()[1]
+            self.check_refused("version: 1\nagent: {name: m0, address: 7, kind: mote}\n"
+                               f"radio: {{interface: lo, port: {port}}}\n",
+                               f"127.0.0.1:{port}.*in use", status=1)
+
+    def test_a_domain_that_is_none_is_a_usage_error(self):
+        file = self.folder / "mote.yaml"
+        file.write_text("version: 1\nagent: {name: m0, address: 7, kind: mote}\n"
+                        "radio: {interface: lo}\n")
+        for program in (["baraka-agentd", file], ["baraka", "topic", "list"],
+                        ["help_mote", "--agents", "m0"]):
+            for domain in ("red", "233", "-1"):
+                finished = Program(*program, env={"BARAKA_DOMAIN": domain}).finish()
+                self.assertEqual(finished.status, 2, str(finished))
+                self.assertIn(f"BARAKA_DOMAIN is '{domain}'", finished.err)
+
+    def test_a_file_that_cannot_be_read_is_a_usage_error(self):
+        for file in (self.folder, self.folder / "none.yaml"):
+            finished = Program("baraka-agentd", file).finish()
+            self.assertEqual(finished.status, 2, str(finished))
+            self.assertIn(str(file), finished.err)
+
+    def test_without_a_folder_for_the_emergency_stop_it_does_not_start(self):
+        robot = self.folder / "r0.yaml"
+        robot.write_text(f"""version: 1
+agent: {{name: r0, address: 7, kind: robot}}
+radio: {{interface: lo}}
+robot: {{include: {ROBOTS}/robotino.yaml}}
+wheels: {{driver: robotino_rest, host: 127.0.0.1}}
+""")
+        no_folder = self.folder / "file"
+        no_folder.write_text("")
+        nowhere = {"STATE_DIRECTORY": "", "XDG_STATE_HOME": "", "HOME": ""}
+        for arguments, environment in (([], {**nowhere, "XDG_STATE_HOME": str(no_folder)}),
+                                       ([], {**nowhere, "HOME": str(no_folder)}),
+                                       ([], {**nowhere, "STATE_DIRECTORY": f"{no_folder}/r0:/x"}),
+                                       ([], nowhere),
+                                       (["--state", no_folder / "r0"], {})):
+            finished = Program("baraka-agentd", robot, *arguments, env=environment).finish()
+            self.assertEqual(finished.status, 2, str(finished))
+            self.assertRegex(finished.err, "emergency stop would be forgotten.*--state.*--no-state")
 
     def test_no_file_is_a_usage_error(self):
         self.assertEqual(Program("baraka-agentd").finish().status, 2)

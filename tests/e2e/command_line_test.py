@@ -68,18 +68,6 @@ class CommandLine(Case):
 
 
 class Results(Case):
-    def test_an_earlier_result_is_replaced_and_anything_else_is_left_alone(self):
-        self.run_baraka(TWO_MOTES, *IN_PROCESS)
-        again = self.start(TWO_MOTES, *IN_PROCESS, "--seed", "2", out=self.out).finish()
-        self.assertEqual(again.status, 0, str(again))
-        self.assertEqual(self.query("SELECT value FROM run WHERE key = 'seed'")[0][0], 2)
-
-        (self.out / "thesis.tex").write_text("precious")
-        refused = self.start(TWO_MOTES, *IN_PROCESS, out=self.out).finish()
-        self.assertEqual(refused.status, 1, str(refused))
-        self.assertIn("thesis.tex", refused.err)
-        self.assertTrue((self.out / "run.sqlite").exists())
-
     def test_the_resolved_scenario_repeats_the_run(self):
         first = self.run_baraka(CASE_STUDY, *IN_PROCESS, "--until", "20", "--seed", "5")
         resolved = self.out / "scenario.resolved.yaml"

@@ -2,6 +2,9 @@
 """The drivers against emulated devices, each a process of its own."""
 import json
 import math
+import os
+import signal
+import sys
 import time
 import unittest
 
@@ -23,9 +26,11 @@ class Wheels:
     rule = None       # s, of the device
     tolerance = None  # of velocities, m/s and rad/s
 
-    def begin(self):
+    command_timeout = "60 s"  # longer than a test, but where it is about that
+
+    def begin(self, env=None):
         self.emulate()
-        self.probe = self.started(self.drivers())
+        self.probe = self.started(self.drivers(env=env))
         self.await_connection()
 
     def await_connection(self):
@@ -56,6 +61,53 @@ class Wheels:
         self.assertEqual(self.probe.ask("stop_and_wait 5"), "ok")
         self.assertFalse(self.truth()["moving"])
         self.assertEqual(self.truth()["rejected"], 0)
+
+    def test_a_command_holds_for_the_command_timeout_unless_it_is_kept(self):
+        self.command_timeout = "500 ms"
+        self.begin()
+        self.probe.ask("drive 0.2 0 0")
+        self.await_moving()
+        for _ in range(12):
+            self.probe.ask("keep")
+            time.sleep(0.1)
+        self.assertTrue(self.truth()["moving"], "kept for more than twice as long")
+        truth = self.await_standing()
+        self.assertEqual(truth["stops_by_rule"], 0, "by a command, not by silence")
+        self.probe.ask("keep")
+        time.sleep(0.3)
+        self.assertFalse(self.truth()["moving"], "one that ran out does not come back")
+        self.probe.ask("drive 0.2 0 0")
+        self.await_moving()
+
+    def test_no_command_from_before_a_suspension_is_sent_after_it(self):
+        """The computer sleeps for ten seconds while the wheels turn; its other clocks stand."""
+        asleep = self.folder / "asleep"
+        asleep.write_bytes(bytes(8))
+        self.command_timeout = "500 ms"
+        self.begin(env={"LD_PRELOAD": os.environ["SUSPEND"], "SUSPENDED": str(asleep)})
+        for slept in range(10, 60, 10):
+            self.probe.ask("drive 0.2 0 0")
+            self.await_moving()
+            self.probe.process.send_signal(signal.SIGSTOP)
+            self.await_nothing_under_way()
+            asleep.write_bytes(slept.to_bytes(8, sys.byteorder))
+            before = len(self.commands())
+            self.probe.process.send_signal(signal.SIGCONT)
+            self.wait_for(lambda: len(self.commands()) > before + 3, "the driver goes on")
+            self.assertEqual([any(c) for c in self.commands()[before:]].count(True), 0,
+                             self.commands()[before:])
+
+    def await_nothing_under_way(self):
+        seen = -1
+        while seen != len(self.commands()):
+            seen = len(self.commands())
+            time.sleep(0.02)
+
+    def commands(self):
+        """Velocities that the device was told, in order."""
+        lines = self.log.read_text().splitlines(keepends=True)
+        events = [json.loads(line) for line in lines if line.endswith("\n")]
+        return [e["velocity"] for e in events if e["event"] == "command"]
 
     def test_the_device_stops_when_the_driver_is_killed(self):
         self.begin()
@@ -132,7 +184,9 @@ class RobotinoWheels(Wheels, Case):
     port = 0
 
     def emulate(self):
-        self.robot = self.started(Robotino("--pose", *self.start, port=self.port))
+        self.log = self.folder / "log"
+        self.robot = self.started(Robotino("--pose", *self.start, "--log", self.log,
+                                           port=self.port))
         self.port = self.robot.port
 
     def lose_device(self):
@@ -141,10 +195,11 @@ class RobotinoWheels(Wheels, Case):
     def truth(self):
         return self.robot.state()
 
-    def drivers(self):
+    def drivers(self, env=None):
         return Probe(HARDWARE / "robotino.yaml", "wheels.host=127.0.0.1",
                      f"wheels.port={self.port}", "infrared.host=127.0.0.1",
-                     f"infrared.port={self.port}", "limits={linear: 0.5 m/s, angular: 1 rad/s}")
+                     f"infrared.port={self.port}", "limits={linear: 0.5 m/s, angular: 1 rad/s}",
+                     f"command_timeout={self.command_timeout}", env=env)
 
     def test_odometry_follows_the_truth(self):
         self.check_odometry_follows_the_truth(1e-6)
@@ -247,9 +302,11 @@ class Tmc200Wheels(Wheels, Case):
         self.state = self.folder / "state.json"
         self.control = self.folder / "control"
         self.line = self.folder / "tty"
+        self.log = self.folder / "log"
         self.state.unlink(missing_ok=True)
         self.board = self.started(Emulator("tmc200.py", "--link", self.line, "--pose", *self.start,
-                                           "--state", self.state, "--control", self.control))
+                                           "--state", self.state, "--control", self.control,
+                                           "--log", self.log))
 
     def lose_device(self):
         self.board.kill()
@@ -261,9 +318,10 @@ class Tmc200Wheels(Wheels, Case):
         asked = time.monotonic()
         return self.wait_for(fresh, "a fresh state")
 
-    def drivers(self):
+    def drivers(self, env=None):
         return Probe(HARDWARE / "tmc200.yaml", f"wheels.device={self.line}", "infrared={driver: none}",
-                     "limits={linear: 0.5 m/s, angular: 1 rad/s}", *self.overrides)
+                     "limits={linear: 0.5 m/s, angular: 1 rad/s}",
+                     f"command_timeout={self.command_timeout}", *self.overrides, env=env)
 
     overrides = ()
 

@@ -19,9 +19,10 @@ HARDWARE = ROOT / "config/hardware"
 class Process:
     """A program under way, by its pipes."""
 
-    def __init__(self, *arguments):
+    def __init__(self, *arguments, env=None):
         self.process = subprocess.Popen([str(a) for a in arguments], stdin=subprocess.PIPE,
-                                        stdout=subprocess.PIPE, text=True, bufsize=1)
+                                        stdout=subprocess.PIPE, text=True, bufsize=1,
+                                        env={**os.environ, **(env or {})})
 
     def line(self):
         line = self.process.stdout.readline()
@@ -67,8 +68,8 @@ class Robotino(Emulator):
 class Probe(Process):
     """The drivers of a robot's file."""
 
-    def __init__(self, file, *overrides):
-        super().__init__(os.environ["DRIVER_PROBE"], file, *overrides)
+    def __init__(self, file, *overrides, env=None):
+        super().__init__(os.environ["DRIVER_PROBE"], file, *overrides, env=env)
 
     def ask(self, command):
         self.process.stdin.write(command + "\n")

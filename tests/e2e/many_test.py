@@ -63,7 +63,7 @@ class Many(Case):
         said = self.limited(resource.RLIMIT_NOFILE, 96, 100)
         self.assertRegex(said, r"error: 100 controller processes need \d+ open files, the limit is 96: "
                                r"raise it with 'ulimit -Hn \d+'")
-        self.assertEqual(list((self.folder / "out").glob("motes-*.log")), [])
+        self.assertEqual(list((self.folder / "out.not-started").glob("motes-*.log")), [])
 
     def test_too_few_processes_are_named_with_the_limit(self):
         if os.geteuid() == 0:

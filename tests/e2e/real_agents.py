@@ -14,7 +14,8 @@ from ros import LOOPBACK
 
 EMULATORS = ROOT / "tests/e2e/emulators"
 ROBOTS = ROOT / "config/robots"
-MOTION_CAPTURE = BIN.parent / "tests/motion_capture"
+TESTS = BIN.parent / "tests"
+MOTION_CAPTURE = TESTS / "motion_capture"
 RADIO_PORT = 7300
 
 
@@ -174,20 +175,31 @@ class RealAgents(Case):
         super().setUp()
         self.processes = 0
         self.domain = some_domain(self)
-        self.environment = {"BARAKA_DOMAIN": str(self.domain), "CYCLONEDDS_URI": LOOPBACK}
+        self.environment = {"BARAKA_DOMAIN": str(self.domain), "CYCLONEDDS_URI": LOOPBACK,
+                            "XDG_STATE_HOME": str(self.folder / "state")}
+
+    @property
+    def faults(self):
+        """Of the Robotino: see emulators/robotino.py."""
+        return self.folder / "faults.json"
 
     def program(self, place, name, *arguments):
-        return Process(self, place, BIN / name, *arguments, env=self.environment)
+        folder = BIN if (BIN / name).exists() else TESTS
+        return Process(self, place, folder / name, *arguments, env=self.environment)
 
     def serve(self, place, name, address, text):
+        daemon = self.start_serving(place, name, address, text)
+        daemon.await_text("ready: ")
+        return daemon
+
+    def start_serving(self, place, name, address, text):
+        """Without waiting until it is ready."""
         file = self.folder / f"{name}.yaml"
         kind = "mote" if "robot:" not in text else "robot"
         at = f"address: {place.address}, " if place.address else ""
         file.write_text(f"version: 1\nagent: {{name: {name}, address: {address}, kind: {kind}}}\n"
                         f"radio: {{interface: {place.interface}, {at}port: {RADIO_PORT}}}\n{text}")
-        daemon = self.program(place, "baraka-agentd", file)
-        daemon.await_text("ready: ")
-        return daemon
+        return self.program(place, "baraka-agentd", file)
 
     def mote(self, place, name, address, x, y, parameters=""):
         return self.serve(place, name, address, f"""
@@ -197,8 +209,10 @@ localisation: {{driver: static, pose: {{x: {x} m, y: {y} m}}}}
 
     def robotino(self, place, name, address, *, pose=(0, 0, 0), more=""):
         """A Robotino in its REST interface. @return its daemon and itself."""
-        device = Device(self, place, "robotino.py", "--pose", *pose, ready="listening: ")
+        device = Device(self, place, "robotino.py", "--pose", *pose, "--faults", self.faults,
+                        ready="listening: ")
         host, port = device.announced.split(":")
+        more = more(device) if callable(more) else more
         daemon = self.serve(place, name, address, f"""
 robot: {{include: {ROBOTS}/robotino.yaml}}
 wheels: {{driver: robotino_rest, host: {host}, port: {port}}}
@@ -212,6 +226,7 @@ infrared: {{driver: robotino_rest, host: {host}, port: {port}}}
         sensors = Process(self, place, sys.executable, EMULATORS / "iio.py",
                           self.folder / f"iio-{name}", "--pose-from", device.state_file)
         sensors.await_text("folder: ")
+        more = more(device) if callable(more) else more
         daemon = self.serve(place, name, address, f"""
 robot: {{include: {ROBOTS}/robertino.yaml}}
 wheels:

@@ -9,7 +9,7 @@ from baraka import CASE_STUDY, ROOT, Case, Program, send, wait_for
 
 IN_PROCESS = ["--controllers", "in-process"]
 FAULTY = ROOT / "tests/e2e/faulty.yaml"
-MARK = "kept.log"  # a run that starts again empties its folder of logs
+MARK = "kept.log"  # a run that starts again has a new folder
 
 
 class Replications(Case):
@@ -120,7 +120,7 @@ class Outcomes(Replications):
                 refused = self.replicate(*change, "--replications", "1", out=self.out, status=2)
                 self.assertIn("another scenario", refused.err)
         self.assertIn("control_period", refused.err)
-        single = self.replicate("--until", "2", out=self.out, status=1)
+        single = self.replicate("--until", "2", out=self.out, status=2)
         self.assertIn("replications.yaml", single.err)
 
     def test_failed_ones_are_listed_with_their_errors_and_run_again(self):

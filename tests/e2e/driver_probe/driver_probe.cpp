@@ -14,15 +14,14 @@
 
 /// The drivers of a ROBOT.yaml by hand: one command a line on standard input, one answer a line.
 ///
-///   drive VX VY OMEGA | stop | stop_and_wait SECONDS | state | infrared | wheels | sensors | quit
+///   drive VX VY OMEGA | keep | stop | stop_and_wait SECONDS | state | infrared | wheels | sensors
+///   | quit
 namespace {
 
 using namespace hal;
 using namespace hal::hardware;
 
-double age(SteadyTime stamp) {
-  return to_seconds(Duration{std::chrono::steady_clock::now() - stamp});
-}
+double age(BootTime stamp) { return to_seconds(Duration{BootClock::now() - stamp}); }
 
 std::string error(const Error& e) {
   return fmt::format("error {} {}", static_cast<int>(e.code), e.message);
@@ -68,7 +67,11 @@ std::string obey(const std::string& line, WheelDriver* wheels, InfraredDriver* s
   if (command == "drive") {
     const double vx = number(words);
     const double vy = number(words);
-    return done(wheels->drive({vx, vy, number(words)}));
+    return done(wheels->drive({vx, vy, number(words)}, BootClock::now()));
+  }
+  if (command == "keep") {
+    wheels->keep(BootClock::now());
+    return "ok";
   }
   if (command == "stop") {
     wheels->stop();

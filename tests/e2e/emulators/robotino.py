@@ -14,12 +14,15 @@ and is counted. For tests, not part of the robot:
   POST /emulator/fault     {"path": "odometry", "kind": KIND}; KIND: none, status_500, bad_json,
                            short, truncated, huge, stall, trickle, frozen
 
+So may a file of faults: {"odometry": KIND}.
+
 Prints "listening: ADDRESS:PORT", and then works until it is killed.
 """
 import argparse
 import http.server
 import json
 import math
+import pathlib
 import socket
 import socketserver
 import time
@@ -43,16 +46,24 @@ class Robot:
         self.start = list(options.pose)
         self.world = body.World(options.world)
         self.rejected = 0
-        self.faults = {}
+        self.posted_faults = {}
+        self.faults_file = options.faults and pathlib.Path(options.faults)
         self.requests = {}
         self.sequence = 0
+
+    def fault(self, name):
+        """The KIND of what goes wrong."""
+        in_file = {}
+        if self.faults_file and self.faults_file.exists():
+            in_file = json.loads(self.faults_file.read_text())
+        return in_file.get(name, self.posted_faults.get(name, "none"))
 
     def odometry(self):
         state = self.body.state()
         x, y, theta = self.start
         dx, dy = state["pose"][0] - x, state["pose"][1] - y
         turned = state["pose"][2] - theta
-        if self.faults.get("odometry") != "frozen":
+        if self.fault("odometry") != "frozen":
             self.sequence += 1
         return [dx * math.cos(theta) + dy * math.sin(theta),
                 dy * math.cos(theta) - dx * math.sin(theta),
@@ -113,7 +124,7 @@ class Handler(http.server.BaseHTTPRequestHandler):
         if path == "/emulator/fault":
             fault = json.loads(text)
             assert fault["kind"] in KINDS, fault
-            self.robot.faults[fault["path"]] = fault["kind"]
+            self.robot.posted_faults[fault["path"]] = fault["kind"]
             self.send(200, b"{}")
         elif path != "/data/omnidrive":
             self.reject(404 if not path.startswith("/data/") else 405, "not for writing")
@@ -128,7 +139,7 @@ class Handler(http.server.BaseHTTPRequestHandler):
         except ValueError as error:
             self.reject(400, str(error))
             return
-        if self.robot.faults.get("omnidrive", "none") == "none":
+        if self.robot.fault("omnidrive") == "none":
             self.robot.body.command(velocity)
         self.answer(path, {})
 
@@ -140,7 +151,7 @@ class Handler(http.server.BaseHTTPRequestHandler):
         name = path.rsplit("/", 1)[1]
         self.robot.requests[name] = self.robot.requests.get(name, 0) + 1
         text = json.dumps(value).encode()
-        kind = self.robot.faults.get(name, "none")
+        kind = self.robot.fault(name)
         if kind in ("none", "frozen"):
             self.send(200, text)
         else:
@@ -202,6 +213,7 @@ def main():
     parser.add_argument("--pose", type=float, nargs=3, default=[0, 0, 0], metavar=("X", "Y", "YAW"))
     parser.add_argument("--world", help="JSON file with walls and cylinders")
     parser.add_argument("--log", help="JSON lines of what happened")
+    parser.add_argument("--faults", help="file of faults; may change, as a whole")
     parser.add_argument("--state", help="file with /emulator/state, written again and again")
     options = parser.parse_args()
     robot = Robot(options)

@@ -13,18 +13,34 @@ function head(main, figures) {
   main.append("h1").text("BARAKA report");
   main.append("p").attr("class", "lead").text(`${plural(complete, "complete run")} of `
     + `${figures.groups.map((g) => g.name).join(", ")}${left_out ? `; ${left_out} broken off, left out` : ""}. `
-    + "The paper: T. H. Labella, I. Dietrich, F. Dressler, “Hybrid simulation of Sensor and Actor "
-    + "Networks with BARAKA”, 2009.");
+    + (figures.paper ? "The paper: T. H. Labella, I. Dietrich, F. Dressler, “Hybrid simulation of Sensor and Actor "
+    + "Networks with BARAKA”, 2009." : ""));
+  for (const g of figures.groups.filter((one) => one.not_the_papers)) {
+    main.append("p").attr("class", "caption").text(
+      `${g.name}: not the paper's case study: ${g.not_the_papers}.`);
+  }
 }
 
 function comparison(figures) {
-  const part = section("comparison", "The paper's figures beside ours", "Pooled over the runs of a "
-    + "profile. Quartiles are of type 7; delays are of messages to one agent, waiting for a route "
+  const title = figures.paper ? "The paper's figures beside ours" : "Figures";
+  const part = section("comparison", title, "Pooled over the runs of the same settings but for the "
+    + "seed. Quartiles are of type 7; delays are of messages to one agent, waiting for a route "
     + "included; replica score: mean |ln(ours / paper's)| of the six quartiles, 0 is equal.", "wide");
-  const columns = ["figure", "paper", ...figures.groups.map((g) => g.name)];
-  const rows = figures.comparison.map((row) => [row.figure, row.paper, ...row.ours]);
-  table(part.panels, columns, rows, ["", "paper"]);
+  const paper = (text) => (figures.paper ? [text] : []);
+  const columns = ["figure", ...paper("paper"), ...figures.groups.map((g) => g.name)];
+  const rows = figures.comparison.map((row) => [row.figure, ...paper(row.paper), ...row.ours]);
+  table(part.panels, columns, rows, ["", ...paper("paper")]);
   download(part.downloads, "comparison.csv", columns, rows);
+  return part.element;
+}
+
+function differences(figures) {
+  const part = section("differences", "Settings in which they differ", "Runs are pooled only where "
+    + "nothing but the seed differs.", "wide");
+  const columns = ["setting", ...figures.groups.map((g) => g.name)];
+  const rows = figures.differences.map((one) => [one.key, ...one.values]);
+  table(part.panels, columns, rows);
+  download(part.downloads, "differences.csv", columns, rows);
   return part.element;
 }
 
@@ -46,6 +62,7 @@ function draw(figures) {
   head(main, figures);
   const groups = figures.groups.filter((g) => g.runs.length);
   const parts = [comparison(figures)];
+  if (figures.groups.length > 1) parts.push(differences(figures));
   // Each figure shows the groups that have something to show, or is left out.
   const add = (plot, is_there) => {
     const shown = groups.filter(is_there);

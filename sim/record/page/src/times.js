@@ -100,7 +100,7 @@ function draw_histogram(parent, name, group, times, theirs, histogram) {
     .attr("class", "halo outside").attr("text-anchor", "middle").attr("x", (b) => (b[0] + b[1]) / 2)
     .attr("y", (b) => y(b[2]) - 4).text((b) => thousands(b[2]));
   draw_box(on, 12, "ours", group.series, times.quantiles);
-  draw_box(on, 12 + kRow, "paper", "paper", theirs);
+  if (theirs) draw_box(on, 12 + kRow, "paper", "paper", theirs);
 }
 
 function quantile_rows(name, quantiles, count, zeros) {
@@ -125,17 +125,18 @@ function files(part, key, groups, histogram) {
 /** @param key  of the times in a group and in the paper's figures: discovery or delay */
 export function times(key, title, label, caption, groups, figures) {
   const part = section(key, title, `${caption} Bins are equally wide on the logarithmic axis; dashed `
-    + "lines and the box: our quartiles; whiskers: minimum and maximum; grey: the paper's. Zeros have "
-    + "no place on such an axis and are counted beside it.", "wide");
+    + "lines and the box: our quartiles; whiskers: minimum and maximum" + (figures.paper ? "; grey: the paper's" : "")
+    + ". Zeros have no place on such an axis and are counted beside it.", "wide");
   groups.forEach((group) => {
     const sample = group[key];
     const count = sum(sample.runs_ns, (run) => run.length);
     const { element } = panel(part.panels, group.series, group.name,
       `${plural(count, "time")} from ${plural(group.runs.length, "run")}`);
-    draw_histogram(element, label, group, sample, figures.paper[key], figures.histogram);
+    const theirs = group.not_the_papers ? null : figures.paper?.[key];
+    draw_histogram(element, label, group, sample, theirs, figures.histogram);
     table(element, kColumns, [
       quantile_rows("ours", sample.quantiles, thousands(count), thousands(sample.zeros)),
-      quantile_rows("paper", figures.paper[key], "–", "–")]);
+      ...(theirs ? [quantile_rows("paper", theirs, "–", "–")] : [])]);
   });
   files(part, key, groups, figures.histogram);
   return part.element;
@@ -143,16 +144,17 @@ export function times(key, title, label, caption, groups, figures) {
 
 /** Box plots of all groups over one axis, the paper's first. */
 export function profiles(groups, figures) {
-  const part = section("profiles", "What the radio model changes", "Each profile's minimum, quartiles "
-    + "and maximum over one axis: what disappears when the radio is a disk or ideal.", "wide");
+  const part = section("profiles", "What the settings change", "Minimum, quartiles and maximum of "
+    + "each column over one axis: what disappears when the radio is a disk or ideal.", "wide");
   for (const [key, label] of [["discovery", "time to discover a route"], ["delay", "end-to-end delay"]]) {
     const on = time_plot(part.panels.append("div").attr("class", "series-paper"), label,
       (groups.length + 1) * 28 + 10, figures.histogram, 24 + 7.5 * max(groups, (g) => g.name.length));
-    draw_box(on, 18, "paper", "paper", figures.paper[key]);
-    groups.forEach((g, i) => draw_box(on, 18 + 28 * (i + 1), g.name, g.series, g[key].quantiles));
+    const shown = [...(figures.paper ? [{ name: "paper", series: "paper", [key]: { quantiles: figures.paper[key] } }]
+      : []), ...groups];
+    shown.forEach((g, i) => draw_box(on, 18 + 28 * i, g.name, g.series, g[key].quantiles));
   }
   download(part.downloads, "quartiles.csv", ["what", "profile", ...kQuantiles.map((q) => `${q}_s`)],
-    ["discovery", "delay"].flatMap((key) => [{ name: "paper", [key]: { quantiles: figures.paper[key] } },
+    ["discovery", "delay"].flatMap((key) => [{ name: "paper", [key]: { quantiles: figures.paper?.[key] } },
       ...groups].filter((g) => g[key].quantiles)
       .map((g) => [key, g.name, ...kQuantiles.map((q) => g[key].quantiles[q])])));
   return part.element;

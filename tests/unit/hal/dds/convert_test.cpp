@@ -126,7 +126,9 @@ exchange::Event any_event(Anything& any) {
   event.agent = any.agent();
   event.time = any.time();
   event.cause = any.enumerator(exchange::Cause::kStop);
-  event.readings = any.list([&] { return exchange::Reading{any.u16(), any.numbers()}; });
+  event.readings = any.list([&] {
+    return exchange::Reading{any.u16(), any.numbers(), any.flag()};
+  });
   if (any.flag()) event.message = {any.agent(), any.agent(), any.u32(), any.text(), any.bytes()};
   event.timer = any.u32();
   event.noticed = any.u32();

@@ -1,11 +1,15 @@
 #include "hal/dds/domains.h"
 
+#include <fmt/core.h>
 #include <gtest/gtest.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <stdexcept>
 #include <vector>
 
@@ -65,7 +69,41 @@ TEST(Domains, SimulatorSharesItsDomainWithNobody) {
   EXPECT_NE(message_of([&] { join_domain(hold.domain()); }), "");
 }
 
-// Lock files do not show who holds a domain from within a container.
+// Whatever lies in the folder for temporary files, by whomever: nothing there is opened.
+TEST(Domains, NoFileIsOpenedForThem) {
+  const std::filesystem::path folder =
+      std::filesystem::temp_directory_path() / ("baraka_domains_" + std::to_string(getpid()));
+  std::filesystem::create_directories(folder);
+  const std::filesystem::path precious = folder / "precious";
+  std::ofstream(precious) << "thesis";
+  setenv("TMPDIR", folder.c_str(), 1);
+  const int domain = test_domain();
+  for (int place = 0; place < kPlaces; ++place) {
+    std::filesystem::create_symlink(
+        precious, folder / fmt::format("baraka-domain-{}-{}.lock", domain, place));
+  }
+  EXPECT_EQ(take_domain(domain).domain(), domain);
+  unsetenv("TMPDIR");
+  EXPECT_EQ(std::filesystem::file_size(precious), 6u);
+  std::filesystem::remove_all(folder);
+}
+
+// Another user's server is seen, too, and named.
+TEST(Domains, UsersExcludeEachOther) {
+  if (geteuid() != 0) GTEST_SKIP() << "needs the right to become another user";
+  const DomainHold hold = take_domain(std::nullopt);
+  const pid_t child = fork();
+  if (child == 0) {
+    constexpr uid_t kNobody = 65534;
+    if (setuid(kNobody) != 0) _exit(2);
+    const std::string message = message_of([&] { take_domain(hold.domain()); });
+    _exit(message.find("pid " + std::to_string(getppid())) != std::string::npos ? 0 : 1);
+  }
+  int status = -1;
+  waitpid(child, &status, 0);
+  EXPECT_EQ(status, 0);
+}
+
 TEST(Domains, OneWhosePortsAreInUseIsBusy) {
   const int domain = test_domain();
   const int foreign = socket(AF_INET, SOCK_DGRAM, 0);

@@ -21,7 +21,7 @@ class FakeDevice final : public Device {
  public:
   Result<void> connect() override {
     const std::scoped_lock lock(mutex_);
-    attempts_.push_back(std::chrono::steady_clock::now());
+    attempts_.push_back(BootClock::now());
     return answer();
   }
   Result<void> work() override {
@@ -31,7 +31,7 @@ class FakeDevice final : public Device {
   void on_lost() override { ++lost; }
   void leave() override { ++left; }
 
-  std::vector<SteadyTime> attempts() const {
+  std::vector<BootTime> attempts() const {
     const std::scoped_lock lock(mutex_);
     return attempts_;
   }
@@ -46,7 +46,7 @@ class FakeDevice final : public Device {
   }
 
   mutable std::mutex mutex_;
-  std::vector<SteadyTime> attempts_;
+  std::vector<BootTime> attempts_;
 };
 
 constexpr DeviceThread::Rules kRules{.period = 1ms, .late = {}, .silence = 10s};

@@ -34,12 +34,17 @@ class RecordedWheels final : public WheelDriver {
   explicit RecordedWheels(SpeedLimits limits = {})
       : WheelDriver(devices::WheelDrive(three_wheels()), limits) {}
 
-  Result<void> drive(const Twist2& body) override {
+  Result<void> drive(const Twist2& body, BootTime at) override {
     if (!reachable) return fail(Errc::kNotConnected, "cable");
     const std::lock_guard lock(mutex_);
     twist = body;
+    as_of = at;
     ++commands;
     return {};
+  }
+  void keep(BootTime at) override {
+    const std::lock_guard lock(mutex_);
+    kept = at;
   }
   void stop() override {
     const std::lock_guard lock(mutex_);
@@ -51,15 +56,17 @@ class RecordedWheels final : public WheelDriver {
     return {};
   }
   Result<WheelState> state() const override {
-    return WheelState{{1, 2, 3}, twist, std::chrono::steady_clock::now()};
+    if (!odometry) return fail(Errc::kTimeout, "too old");
+    return WheelState{{1, 2, 3}, twist, BootClock::now()};
   }
   bool connected() const override { return reachable; }
   std::string trouble() const override { return reachable ? "" : "cable"; }
   DeviceCounts counts() const override { return {}; }
 
   Twist2 twist;
+  BootTime as_of, kept;  ///< Of the last drive() and keep().
   int commands = 0, stops = 0;
-  bool reachable = true;
+  bool reachable = true, odometry = true;
 
  private:
   std::mutex mutex_;  ///< Of what is written; tests read when nobody writes.
@@ -70,7 +77,7 @@ class FixedInfrared final : public InfraredDriver {
  public:
   Result<InfraredReadings> latest() const override {
     if (!metres) return fail(Errc::kTimeout, "too old");
-    return InfraredReadings{{*metres}, {0.5}, std::chrono::steady_clock::now()};
+    return InfraredReadings{{*metres}, {0.5}, BootClock::now()};
   }
   bool connected() const override { return metres.has_value(); }
   std::string trouble() const override { return {}; }

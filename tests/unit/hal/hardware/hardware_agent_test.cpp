@@ -204,6 +204,63 @@ TEST_F(HardwareAgents, WithoutAnInfraredReadingTheRobotStands) {
   EXPECT_TRUE(until([&] { return wheels_.twist != Twist2{}; }));
 }
 
+/// The channels that the last control cycle marked as lost.
+std::vector<std::uint16_t> lost_of(const ScriptedPort& port) {
+  std::vector<std::uint16_t> lost;
+  const auto cycles = port.of(Cause::kControl);
+  if (cycles.empty()) return lost;
+  for (const exchange::Reading& reading : cycles.back().readings) {
+    if (reading.lost) lost.push_back(reading.channel);
+  }
+  return lost;
+}
+
+TEST_F(HardwareAgents, WithoutOdometryTheRobotStandsIfTheControllerAskedForIt) {
+  const auto port = connect(robot_, {.channels = {"odometry", "infrared_volts"}}, [](const Event&) {
+    return std::vector{drive_action({0.1, 0, 0})};
+  });
+  ASSERT_TRUE(until([&] { return wheels_.twist != Twist2{}; }));
+  EXPECT_TRUE(lost_of(*port).empty());
+  wheels_.odometry = false;
+  ASSERT_TRUE(until([&] { return wheels_.twist == Twist2{}; }));
+  ASSERT_TRUE(until([&] { return lost_of(*port) == std::vector<std::uint16_t>{1}; }));
+  EXPECT_EQ(wheels_.twist, Twist2{});
+  infrared_.metres.reset();
+  ASSERT_TRUE(until([&] { return lost_of(*port) == (std::vector<std::uint16_t>{1, 3}); }));
+  wheels_.odometry = true;
+  run_for(3 * kPeriod);
+  EXPECT_EQ(wheels_.twist, Twist2{}) << "the other one is still away";
+  infrared_.metres = 1;
+  ASSERT_TRUE(until([&] { return wheels_.twist != Twist2{}; }));
+  EXPECT_TRUE(lost_of(*port).empty());
+}
+
+TEST_F(HardwareAgents, WithoutOdometryItDrivesOnIfTheFileSaysSoOrNobodyAskedForIt) {
+  const auto drives = [](const Event&) { return std::vector{drive_action({0.1, 0, 0})}; };
+  wheels_.odometry = false;
+  {
+    const auto port = connect(robot_, {.channels = {"infrared"}}, drives);
+    ASSERT_TRUE(until([&] { return wheels_.twist != Twist2{}; }));
+    agent().disconnect({AgentId{1}});
+    ASSERT_TRUE(until([&] { return wheels_.twist == Twist2{}; }));
+  }
+  robot_.file.on_lost_sensor = OnLostSensor::kIgnore;
+  const auto port = connect(robot_, {.channels = {"odometry"}}, drives);
+  ASSERT_TRUE(until([&] { return lost_of(*port) == std::vector<std::uint16_t>{1}; }));
+  EXPECT_TRUE(until([&] { return wheels_.twist != Twist2{}; }));
+  EXPECT_EQ(agent().guard()->counts().blind, 0u);
+}
+
+TEST_F(HardwareAgents, ACommandIsAsOldAsTheAnswerItCameWith) {
+  const auto port = connect(robot_, {}, [](const Event&) {
+    return std::vector{drive_action({0.1, 0, 0})};
+  });
+  ASSERT_TRUE(until([&] { return wheels_.commands > 3; }));
+  EXPECT_LE(wheels_.as_of, BootClock::now());
+  EXPECT_LT(BootClock::now() - wheels_.as_of, kPatience);
+  EXPECT_EQ(wheels_.kept, wheels_.as_of) << "one reading of the clock for the whole answer";
+}
+
 TEST_F(HardwareAgents, StopStandsTheWheelsFirstAndThenTellsTheController) {
   const auto port = connect(robot_, {}, [](const Event& event) -> std::vector<Action> {
     Action state;

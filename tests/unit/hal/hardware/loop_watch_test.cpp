@@ -15,7 +15,7 @@ TEST(LoopWatch, StopsTheWheelsWhileTheLoopHangs) {
   EventLoop loop;
   RecordedWheels wheels;
   const LoopWatch watch(loop, wheels, kLimit);
-  ASSERT_TRUE(wheels.drive({0.1, 0, 0}));
+  ASSERT_TRUE(wheels.drive({0.1, 0, 0}, BootClock::now()));
   loop.schedule(loop.now(), [&] {
     for (int i = 0; i < 500 && watch.hangs() == 0; ++i) std::this_thread::sleep_for(10ms);
   });

@@ -156,6 +156,20 @@ TEST_F(RobotFileTest, DevicesMustKeepTheirOwnRules) {
       }));
 }
 
+TEST_F(RobotFileTest, ALostSensorStopsTheWheelsUnlessTheFileSaysOtherwise) {
+  const auto rule_of = [](const std::vector<std::string>& overrides) {
+    return RobotFile::load(kHardware / "robotino.yaml", overrides).on_lost_sensor;
+  };
+  EXPECT_EQ(rule_of({}), OnLostSensor::kStop);
+  EXPECT_EQ(rule_of({"on_lost_sensor=stop"}), OnLostSensor::kStop);
+  EXPECT_EQ(rule_of({"on_lost_sensor=ignore"}), OnLostSensor::kIgnore);
+  EXPECT_EQ(device_mistakes("wheels: {driver: none}\non_lost_sensor: halt\n"),
+            (Lines{"6:17: on_lost_sensor: 'halt' is not one of stop, ignore"}));
+  EXPECT_EQ(mistakes("version: 1\nagent: {name: m0, address: 1, kind: mote}\n"
+                     "radio: {interface: lo}\non_lost_sensor: stop\n"),
+            (Lines{"4:1: on_lost_sensor: a mote has none"}));
+}
+
 TEST_F(RobotFileTest, UnknownDriversAreNamedWithTheirLikes) {
   EXPECT_EQ(device_mistakes("wheels: {driver: robotino, host: r}\n"),
             (Lines{"5:18: wheels.driver: 'robotino' is not one of none, robotino_rest, tmc200"}));

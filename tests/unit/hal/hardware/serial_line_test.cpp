@@ -2,12 +2,40 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/ioctl.h>
+#include <sys/syscall.h>
 #include <termios.h>
 #include <unistd.h>
 
 #include <array>
+#include <cstdarg>
 #include <cstdlib>
 #include <string>
+
+namespace {
+
+/// Bytes that a line seems to hold back: a pseudo-terminal holds none. Below 0: as it is.
+int stuck_bytes = -1;
+int flushed = 0;
+
+}  // namespace
+
+// In place of the C library's, for this program.
+extern "C" int ioctl(int descriptor, unsigned long request, ...) noexcept {
+  va_list arguments;
+  va_start(arguments, request);
+  void* const argument = va_arg(arguments, void*);
+  va_end(arguments);
+  if (request == TIOCOUTQ && stuck_bytes >= 0) {
+    *static_cast<int*>(argument) = stuck_bytes;
+    return 0;
+  }
+  return static_cast<int>(::syscall(SYS_ioctl, descriptor, request, argument));
+}
+extern "C" int tcflush(int descriptor, int queue) noexcept {
+  if (queue == TCOFLUSH) ++flushed;
+  return static_cast<int>(::syscall(SYS_ioctl, descriptor, TCFLSH, queue));
+}
 
 namespace hal::hardware {
 namespace {
@@ -93,6 +121,20 @@ TEST_F(SerialLineTest, NoticesThatTheFarEndIsGone) {
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().code, Errc::kNotConnected);
   EXPECT_FALSE(line_.write("x"));
+}
+
+TEST_F(SerialLineTest, ThatIsStuckHoldsNobodyUp) {
+  ASSERT_TRUE(line_.open(device_));
+  EXPECT_EQ(line_.unsent(), 0u);
+  line_.drain(1h);  // nothing to wait for
+  stuck_bytes = 20;
+  flushed = 0;
+  EXPECT_EQ(line_.unsent(), 20u);
+  line_.drain(20ms);
+  EXPECT_EQ(flushed, 0);
+  line_.close();
+  EXPECT_EQ(flushed, 1) << "else close(2) waits for it";
+  stuck_bytes = -1;
 }
 
 TEST_F(SerialLineTest, ADeviceThatIsNotThereIsNamed) {

@@ -175,6 +175,19 @@ TEST(Readings, AreHeldUntilTheNextSample) {
   EXPECT_EQ(charges, (std::vector{0.9, 0.9, 0.8}));
 }
 
+TEST(Readings, ThatAreLostAreNotAvailableUntilTheyAreBack) {
+  const hal::exchange::Reading odometry{2, {1, 2, 3, 4, 5, 6}}, places{1, {3, 10, 11}};
+  const hal::exchange::Reading no_odometry{2, {}, true}, no_places{1, {}, true};
+  with_readings({odometry, places, no_odometry, no_places}, [](hal::Robot& robot) {
+    EXPECT_EQ(robot.odometry().error().code, Errc::kNotAvailable);
+    EXPECT_EQ(robot.relative_position(hal::AgentId{3}).error().code, Errc::kNotAvailable);
+    EXPECT_EQ(robot.reading("odometry").error().message,
+              "channel 'odometry' is lost: its device gives no new reading");
+  });
+  with_readings({no_odometry, odometry},
+                [](hal::Robot& robot) { EXPECT_EQ(robot.odometry()->pose.x, 1); });
+}
+
 TEST(Readings, OfAnotherLengthOrChannelAreLoggedAndLeftOut) {
   Scripted::next() = {};
   tests::OneAgent agent(Scripted::kind(), tests::robot_session());

@@ -63,8 +63,13 @@ TEST_F(RecorderTest, NamesBodiesThatAreLost) {
 }
 
 TEST_F(RecorderTest, SaysHowTheRunEnded) {
-  Fingerprint fingerprint;
+  std::uint64_t hash = 0;
+  Fingerprint fingerprint([&](const Fingerprint::Row& row) {
+    hash = *row.hash;
+    recorder->add(row);
+  });
   fingerprint.at(Part::kAir, AgentId{1}, Time{1s}).add(std::uint64_t{5});
+  fingerprint.finish();
   recorder->add_contacts(AgentId{3}, {.wall_steps = 4, .object_steps = 5});
   recorder->on_body(Time{}, AgentId{3}, {});
   recorder->finish({.kind = agents::Outcome::Kind::kEnded,
@@ -86,7 +91,7 @@ TEST_F(RecorderTest, SaysHowTheRunEnded) {
   EXPECT_EQ(value("fingerprint"), to_hex(fingerprint.total()));
   EXPECT_EQ(value("fingerprint_air"), to_hex(fingerprint.part(Part::kAir)));
   EXPECT_EQ(asked("SELECT second || part || agent || hash FROM fingerprints"),
-            "1air1" + to_hex(fingerprint.rows().at(0).hash));
+            "1air1" + std::to_string(static_cast<std::int64_t>(hash)));
   EXPECT_EQ(asked("SELECT wall_steps || '/' || object_steps FROM bodies"), "4/5");
 }
 
@@ -109,6 +114,21 @@ TEST_F(RecorderTest, KeepsTheSettings) {
   recorder->add_settings({{"radio.profile", "disk"}, {"seed", "7"}});
   EXPECT_EQ(asked("SELECT group_concat(key || '=' || value, ' ') FROM settings"),
             "radio.profile=disk seed=7");
+}
+
+TEST_F(RecorderTest, ARunThatCouldNotBeWrittenSaysSoAndKeepsWhatWasCommitted) {
+  recorder->on_state(Time{1s}, AgentId{1}, "EARLY");
+  recorder->commit();
+  recorder->on_state(Time{2s}, AgentId{1}, "LATE");
+  recorder->give_up({.kind = agents::Outcome::Kind::kFailed,
+                     .result = "failed",
+                     .error = "the disk is full",
+                     .ended_at = Time{2s}});
+  EXPECT_EQ(asked("SELECT group_concat(value) FROM run WHERE key IN ('result', 'error')"),
+            "the disk is full,failed");
+  EXPECT_EQ(asked("SELECT group_concat(state) FROM states"), "EARLY");
+  recorder.reset();
+  EXPECT_EQ(ask(folder.file(), "PRAGMA journal_mode"), "delete");
 }
 
 TEST_F(RecorderTest, LeavesOnePlainFileBehind) {

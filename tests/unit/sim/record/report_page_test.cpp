@@ -42,7 +42,9 @@ class ReportPageTest : public testing::Test {
   void add(const std::string& name, const std::string& sql) {
     make_result(folder.path() / name, sql);
   }
-  std::string page(const std::string& empty) const { return report_page({folder.path()}, empty); }
+  std::string page(const std::string& empty) const {
+    return report_page({folder.path()}, Settings{}, empty);
+  }
   Json figures() const { return Json::parse(page("\"BARAKA FIGURES\"")); }
 
   Folder folder;
@@ -108,6 +110,17 @@ TEST_F(ReportPageTest, SetsThePapersFiguresBesideOurs) {
       {"figure", "delay, median ms"}, {"paper", "2.520"}, {"ours", {"1.000", "0.000"}}};
   EXPECT_NE(std::find(all["comparison"].begin(), all["comparison"].end(), row),
             all["comparison"].end());
+}
+
+TEST_F(ReportPageTest, LeavesThePaperOutWhereItDoesNotBelongAndShowsWhatDiffers) {
+  add("a", run_sql("ideal", 1, 0) + "INSERT INTO settings VALUES ('agents.x','9')");
+  EXPECT_TRUE(figures()["paper"].is_null());
+  EXPECT_EQ(figures()["groups"][0]["not_the_papers"], "agents.x is 9, not -");
+  add("b", run_sql("ideal", 1, 0));
+  EXPECT_EQ(figures()["groups"][1]["not_the_papers"], "");
+  EXPECT_FALSE(figures()["paper"].is_null());
+  EXPECT_EQ(figures()["differences"],
+            Json::parse(R"([{"key": "agents.x", "values": ["9", "-"]}])"));
 }
 
 TEST_F(ReportPageTest, LeavesBrokenRunsOut) {

@@ -58,7 +58,10 @@ class ReportTest : public testing::Test {
   void add(const std::string& name, const std::string& sql) {
     make_result(folder.path() / name, sql);
   }
-  std::string text() const { return report({folder.path()}); }
+  /// The runs are made of few settings, and so is the case study that they are of.
+  std::string text(const std::optional<Settings>& case_study = Settings{}) const {
+    return report({folder.path()}, case_study);
+  }
 
   Folder folder;
 };
@@ -93,6 +96,78 @@ TEST_F(ReportTest, SetsTheProfilesSideBySideWithThePaper) {
   EXPECT_EQ(line(printed, "delivered %"), "75.00|75.00");
   EXPECT_EQ(line(printed, "agents reached per flood"), "2.00|2.00");
   EXPECT_EQ(line(printed, "routes given up"), "2|1");
+}
+
+/// The lines of the section that begins with `head`.
+std::string section(const std::string& text, const std::string& head) {
+  const std::size_t at = text.find("\n" + head);
+  return at == std::string::npos ? "" : text.substr(at + 1, text.find("\n\n", at) - at);
+}
+
+TEST_F(ReportTest, NeverPoolsRunsOfDifferentSettings) {
+  const auto with = [](int seed, const std::string& speed) {
+    return run_sql("ideal", seed) +
+           fmt::format(
+               "INSERT INTO settings VALUES ('agents.robots.controller.parameters.speed','{}'),"
+               " ('seed','{}'), ('radio.profile','ideal');",
+               speed, seed);
+  };
+  add("a", with(1, "0.5 m/s"));
+  add("b", with(2, "0.9 m/s"));
+  add("c", with(3, "0.5 m/s"));
+  const std::string printed = text(std::nullopt);
+  EXPECT_EQ(line(printed, "figure"), "ideal, speed 0.5 m/s|ideal, speed 0.9 m/s");
+  EXPECT_EQ(line(printed, "runs"), "2|1");
+  EXPECT_EQ(
+      line(section(printed, "Settings in which"), "agents.robots.controller.parameters.speed"),
+      "0.5 m/s|0.9 m/s");
+  EXPECT_EQ(section(printed, "Settings in which").find("seed"), std::string::npos);
+}
+
+TEST_F(ReportTest, GroupsThatDifferInMoreAreNumberedAndListed) {
+  add("a", run_sql("ideal", 1) + "INSERT INTO settings VALUES ('a','1'), ('b','1')");
+  add("b", run_sql("ideal", 1) + "INSERT INTO settings VALUES ('a','2')");
+  add("c", run_sql("disk", 1) + "INSERT INTO settings VALUES ('a','1'), ('b','1')");
+  const std::string printed = text();
+  EXPECT_EQ(line(printed, "figure"), "ideal (1)|ideal (2)|disk");
+  const std::string settings = section(printed, "Settings in which");
+  EXPECT_EQ(line(settings, "a"), "1|2|1");
+  EXPECT_EQ(line(settings, "b"), "1|-|1");
+}
+
+TEST_F(ReportTest, SetsThePaperBesideItsCaseStudyOnlyAndSaysWhy) {
+  const Settings case_study = {
+      {"seed", "1"}, {"radio.profile", "ideal"}, {"world.walls.0.name", "w"}};
+  const std::string same =
+      "INSERT INTO settings VALUES ('seed','5'), ('radio.profile','disk'), ('--until','2 s'),"
+      " ('world.walls.0.name','w');";
+  add("a", run_sql("disk", 5) + same);
+  EXPECT_EQ(line(text(case_study), "figure"), "paper|disk");
+  EXPECT_EQ(line(text(case_study), "most: m1"), "25|25.0|4272");
+
+  add("a", run_sql("disk", 5) + same + "UPDATE settings SET value = 'v' WHERE value = 'w'");
+  std::string printed = text(case_study);
+  EXPECT_EQ(line(printed, "figure"), "disk");
+  EXPECT_EQ(line(printed, "replica score"), "-");
+  EXPECT_EQ(line(printed, "most: m1"), "25|25.0");
+  EXPECT_NE(printed.find("disk: not the paper's case study: world.walls.0.name is v, not w\n"),
+            std::string::npos);
+
+  add("a", run_sql("disk", 5) + "INSERT INTO settings VALUES ('agents.x','9')");
+  printed = text(case_study);
+  EXPECT_NE(printed.find("agents.x is 9, not -, and 1 more settings differ\n"), std::string::npos);
+  EXPECT_EQ(line(text(std::nullopt), "figure"), "disk");
+}
+
+TEST_F(ReportTest, LeavesOutWhatWasPutAsideUnlessItIsNamed) {
+  for (const char* name : {"a", "a.1", "b.2", "a.not-started"}) add(name, run_sql("ideal", 1));
+  const std::string printed = text();
+  for (const char* name : {"a", "b.2"}) {
+    EXPECT_NE(printed.find("\n" + (folder.path() / name).string() + " "), std::string::npos)
+        << name;
+  }
+  EXPECT_EQ(line(printed, "runs"), "10|2");
+  EXPECT_EQ(line(report({folder.path() / "a.1"}, Settings{}), "runs"), "10|1");
 }
 
 // Delays 1, 2, 4 ms: type 7 quartiles 1.5, 2, 3. Twice the sample (two runs): positions 1.25, 2.5,

@@ -3,9 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
-#include <iterator>
 #include <map>
 #include <set>
+#include <sstream>
+#include <string>
 
 #include "sim/record/description.h"
 #include "tests/unit/sim/record/test_run.h"
@@ -59,8 +60,13 @@ TEST(Schema, SqliteHasTheTablesAsDescribed) {
 // If it fails: build/release/bin/baraka export --describe -o docs/results.md
 TEST(Schema, ThePageOfTheResultsIsTheirDescription) {
   std::ifstream file(std::string(TESTS_DIR) + "/../docs/results.md");
-  const std::string page{std::istreambuf_iterator<char>(file), {}};
-  EXPECT_EQ(page, describe_results());
+  std::istringstream description(describe_results());
+  std::string written, described;
+  for (int line = 1; std::getline(description, described); ++line) {
+    ASSERT_TRUE(std::getline(file, written)) << "docs/results.md ends at line " << line;
+    ASSERT_EQ(written, described) << "docs/results.md:" << line;
+  }
+  EXPECT_FALSE(std::getline(file, written)) << written;
 }
 
 }  // namespace
