@@ -10,6 +10,7 @@
 #include "gateway/app/teleop_port.h"
 #include "gateway/find_program.h"
 #include "hal/config/errors.h"
+#include "hal/config/shared_folders.h"
 #include "hal/config/suggest.h"
 #include "hal/exchange/ports.h"
 #include "hal/runtime/check_parameters.h"
@@ -131,7 +132,8 @@ ControllerJudgement judge_controllers(const sim::scenario::Scenario& scenario) {
 
 sim::scenario::Scenario load_judged(const std::string& path,
                                     const std::vector<std::string>& overrides) {
-  sim::scenario::Scenario scenario = sim::scenario::load_scenario(path, overrides);
+  const auto file = hal::config::named_file(path, {"scenarios"});
+  sim::scenario::Scenario scenario = sim::scenario::load_scenario(file, overrides);
   ControllerJudgement judgement = judge_controllers(scenario);
   if (!judgement.mistakes.empty()) {
     throw hal::config::ConfigErrors(std::move(judgement.mistakes));
