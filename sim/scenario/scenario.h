@@ -20,11 +20,11 @@ using namespace std::chrono_literals;
 /// Agents that were declared together: one key under `agents:`.
 struct Group {
   std::string name;
-  std::vector<hal::AgentId> agents;  ///< In order of declaration, at least one.
-  std::vector<std::string> places;   ///< "file:line:column" of each one's pose, or of their grid.
-  std::string program;               ///< Controller.
-  std::string program_place;         ///< "file:line:column" of `program`, for error messages.
-  int processes = 1;                 ///< Controller processes that share the agents.
+  std::vector<hal::AgentId> agents;   ///< In order of declaration, at least one.
+  std::vector<std::string> places{};  ///< "file:line:column" of each one's pose, or of their grid.
+  std::string program;                ///< Controller.
+  std::string program_place;          ///< "file:line:column" of `program`, for error messages.
+  int processes = 1;                  ///< Controller processes that share the agents.
 };
 
 /// The run must end with this result.
