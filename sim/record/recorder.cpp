@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <exception>
 #include <string>
 #include <variant>
@@ -54,7 +55,7 @@ Recorder::~Recorder() {
     if (!is_given_up_) database_.execute("COMMIT");
     database_.execute("PRAGMA journal_mode = DELETE");
   } catch (const std::exception& e) {
-    hal::log::warning(last_, "record", "{}", e.what());
+    hal::log::warning(now_, "record", "{}", e.what());
   }
 }
 
@@ -117,7 +118,7 @@ void Recorder::commit() {
 
 void Recorder::on_rows(hal::Time at, int rows) {
   rows_ += rows;
-  last_ = at;
+  now_ = std::max(now_, at);
   if (rows_ < kCommitRows && at < next_commit_) return;
   next_commit_ = at + kCommitPeriod;
   commit();
@@ -146,6 +147,7 @@ void Recorder::finish(const agents::Outcome& outcome, const Fingerprint& fingerp
 }
 
 void Recorder::write(const agents::Outcome& outcome) {
+  now_ = outcome.ended_at;
   set("result", outcome.result);
   if (!outcome.error.empty()) set("error", outcome.error);
   set("ended_ns", static_cast<std::uint64_t>(hal::to_ns(outcome.ended_at)));

@@ -111,9 +111,9 @@ class Recorder final : public agents::Observer {
   BodyLog bodies_;
   Statement set_, insert_discovery_, insert_lost_body_, insert_state_, insert_turn_, insert_frame_,
       insert_frame_end_, insert_fingerprint_;
-  int rows_ = 0;  ///< Since the last commit.
+  int rows_ = 0;     ///< Since the last commit.
+  hal::Time now_{};  ///< Of the latest row, or of the end.
   hal::Time next_commit_{kCommitPeriod};
-  hal::Time last_{};  ///< Of the last row.
   bool is_finished_ = false;
   bool is_given_up_ = false;
 };

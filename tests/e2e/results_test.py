@@ -351,6 +351,7 @@ class FullDisk(Folders):
                 self.assertEqual(done.returncode, 1, done.stderr)
                 self.assertIn("result: failed", done.stdout)
                 self.assertRegex(done.stderr, "error: .*run.sqlite: .*full")
+                self.assertNotIn("   0.000000000]", done.stderr)
                 self.assertEqual(self.run_value("result"), "failed")
                 self.assertIn("full", self.run_value("error"))
                 self.assertEqual(self.run_value("exit_status"), 1)
