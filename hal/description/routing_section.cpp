@@ -28,6 +28,7 @@ void routing_keys(Io& io, RoutingConfig& c, TransmitStatus status) {
   io.number("direct_weight", "1", {1, 1e12}, c.direct_weight);
   io.duration("jitter_max", {0, 10}, c.jitter_max);
   io.duration("retry_period", {1e-3, 3600}, c.retry_period);
+  io.number("retry_jitter", "1", {0, 1}, c.retry_jitter);
   io.count("retries", 1, 100, c.retries);
   io.number("acceptance", "1", {1, 100}, c.acceptance);
   io.flag("accept_anywhere", c.accept_anywhere);
