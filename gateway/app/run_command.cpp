@@ -23,10 +23,10 @@ using sim::agents::Outcome;
 using sim::agents::Simulation;
 using sim::scenario::Scenario;
 
-std::vector<std::string> unmet(const Scenario& scenario, const Outcome& outcome,
+std::vector<std::string> unmet(const sim::scenario::Judge& judge, const Outcome& outcome,
                                const Simulation& simulation) {
   if (outcome.kind != Outcome::Kind::kEnded) return {};
-  return sim::scenario::unmet_expectations(scenario, outcome.result, [&](hal::AgentId agent) {
+  return judge.unmet(outcome.result, [&](hal::AgentId agent) {
     const sim::agents::BodyState body = simulation.body(agent);
     return hal::Vec2{body.x, body.y};
   });
@@ -103,7 +103,8 @@ Outcome play(const Course& course, Simulation& simulation, WallPace& pace) {
 
 int run(const RunOptions& options, const Scenario& scenario, const Course& course,
         RunInspection& inspection, Results& results) {
-  Simulation simulation(scenario.simulation, {&inspection.observer()});
+  sim::scenario::Judge judge(scenario);
+  Simulation simulation(scenario.simulation, {&judge, &inspection.observer()});
   ControllersOfRun controllers(
       scenario, simulation,
       {.from = options.controllers, .domain = options.domain, .logs = results.folder().path()});
@@ -117,7 +118,7 @@ int run(const RunOptions& options, const Scenario& scenario, const Course& cours
   Outcome outcome = play(course, simulation, pace);
   pace.end();
   const auto complaints = controllers.finish(outcome.kind != Outcome::Kind::kFailed);
-  const auto expectations = unmet(scenario, outcome, simulation);
+  const auto expectations = unmet(judge, outcome, simulation);
   const ExitStatus status =
       results.finish(simulation, outcome, exit_status(outcome, expectations), pace.wall_seconds());
 
