@@ -86,7 +86,9 @@ void HelpRobot::wait_for_answer() {
   if (repeats_ == static_cast<int>(parameters_["max_repeats"])) return give_up();
   ++repeats_;
   deadline_ = robot_.now() + reply_timeout_;
-  if (state_ == State::kRequestNextHop) (void)robot_.network().invalidate(kHelpTopic, destination_);
+  // No answer: the way there or the way back is not what the network believes. A new search teaches
+  // the nodes on it both.
+  (void)robot_.network().invalidate(kHelpTopic, destination_);
   say(HelpWord::kAsk);
 }
 

@@ -42,6 +42,10 @@ void routing_keys(Io& io, RoutingConfig& c, TransmitStatus status) {
               c.jitter_max);
   io.duration({"retry_period", "Between two discoveries of one destination.", "5 s"}, {1e-3, 3600},
               c.retry_period);
+  io.number({"retry_jitter",
+             "Largest share of retry_period by which a repeated discovery comes early, at random.",
+             "0.25"},
+            "1", {0, 1}, c.retry_jitter);
   io.count({"retries", "Discoveries in all before a destination is given up.", "3"}, 1, 100,
            c.retries);
   io.number({"acceptance",

@@ -8,7 +8,6 @@
 
 #include "hal/types/check.h"
 #include "hal/types/log.h"
-#include "hal/types/random.h"
 
 namespace hal::hardware {
 
@@ -24,7 +23,7 @@ HardwareAgent::HardwareAgent(const RobotFile& file, Surroundings surroundings)
       loop_(surroundings.loop),
       sampler_(file, surroundings_.devices),
       sensor_watch_(file),
-      router_(file.address, file.routing, RandomStream(file.seed, file.name + "/routing"),
+      router_(file.address, file.routing, {file.seed, file.name},
               {.link = surroundings.link,
                .timers = surroundings.loop,
                .application = *this,

@@ -35,10 +35,12 @@ struct Message {
 
 /// What became of a message at its sender.
 enum class Fate : std::uint8_t {
-  kHandedOver,  ///< The next hop acknowledged it, or, for a flood, it left the antenna.
-  kNoRoute,     ///< Discovery failed, or it waited too long for a route.
-  kQueueFull,   ///< A queue of the sender had no room.
-  kFailed,      ///< No next hop acknowledged it, or the radio was off.
+  /// The next hop acknowledged it. A flood: it left the antenna; nobody acknowledges that, and it
+  /// may have reached nobody at all.
+  kHandedOver,
+  kNoRoute,    ///< Discovery failed, or it waited too long for a route.
+  kQueueFull,  ///< A queue of the sender had no room.
+  kFailed,     ///< No next hop acknowledged it, or the radio was off.
 };
 
 }  // namespace hal

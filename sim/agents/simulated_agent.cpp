@@ -24,22 +24,30 @@ SimulatedAgent::SimulatedAgent(const AgentConfig& config, radio::MacSap& mac,
       mac_(mac),
       link_(mac, surroundings.config.link),
       timers_(surroundings.events, config.id),
-      router_(config.id, surroundings.config.routing,
-              hal::RandomStream(surroundings.config.seed, config.name + "/routing"),
+      router_(config.id, surroundings.config.routing, {surroundings.config.seed, config.name},
               {.link = link_, .timers = timers_, .application = *this, .observer = *this}) {
   link_.attach(router_);
 }
 
 void SimulatedAgent::start() {
   EventQueue& events = surroundings_.events;
-  events.schedule(hal::Time{}, Rank::kScenario, id(), [this] { add(event(Cause::kStart)); });
   hal::Time first{};
   if (surroundings_.config.control_phase == ControlPhase::kUniform) {
     hal::RandomStream random(surroundings_.config.seed, name() + "/control");
     const double period = hal::to_seconds(surroundings_.config.control_period);
     first += hal::from_seconds(random.uniform() * period);
   }
+  events.schedule(first, Rank::kScenario, id(), [this] { start_controller(); });
   events.schedule(first, Rank::kControl, id(), [this] { on_control(); });
+}
+
+void SimulatedAgent::start_controller() {
+  if (std::exchange(started_, true)) return;
+  add(event(Cause::kStart));
+  for (Event& early : std::exchange(early_, {})) {
+    early.time = surroundings_.events.now();
+    add(std::move(early));
+  }
 }
 
 void SimulatedAgent::on_control() {
@@ -82,11 +90,18 @@ Event SimulatedAgent::event(Cause cause) const {
 
 void SimulatedAgent::add(Event event) {
   if (silent_) return;
+  if (!started_) {
+    early_.push_back(std::move(event));
+    return;
+  }
   inbox_.add(std::move(event));
   listener_.on_inbox(id());
 }
 
-void SimulatedAgent::add_stop_event() { add(event(Cause::kStop)); }
+void SimulatedAgent::add_stop_event() {
+  start_controller();
+  add(event(Cause::kStop));
+}
 
 std::vector<Event> SimulatedAgent::take_events() {
   std::vector<Event> events = inbox_.take();

@@ -57,8 +57,10 @@ class SimulatedAgent : public hal::routing::Application, public hal::routing::Ro
   /// What the controller asked for. Before start().
   void connect(const hal::Wants& wants) { wants_ = wants; }
 
-  /// Schedules the start event and the control cycle.
+  /// Schedules the start event and the control cycle: both at the agent's phase. What is there for
+  /// the controller before that (radio and routing are up from time 0) is handed over with it.
   void start();
+  /// The last event. A controller that was not started yet is started first.
   void add_stop_event();
   std::vector<hal::exchange::Event> take_events();
 
@@ -95,6 +97,7 @@ class SimulatedAgent : public hal::routing::Application, public hal::routing::Ro
   virtual void halt() {}
 
  private:
+  void start_controller();
   void on_control();
   void add(hal::exchange::Event event);
   hal::exchange::Event event(hal::exchange::Cause cause) const;
@@ -115,6 +118,8 @@ class SimulatedAgent : public hal::routing::Application, public hal::routing::Ro
   std::set<hal::AgentId> heard_;  ///< Neighbours, if the controller wants them.
   std::map<hal::TimerId, EventQueue::EventId> controller_timers_;
   std::string last_state_;
+  bool started_ = false;
+  std::vector<hal::exchange::Event> early_;  ///< Before the start.
   bool silent_ = false;
 };
 

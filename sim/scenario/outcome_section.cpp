@@ -6,6 +6,7 @@
 
 #include "hal/config/suggest.h"
 #include "hal/types/check.h"
+#include "hal/types/pattern.h"
 #include "sim/scenario/fields.h"
 
 namespace sim::scenario {
@@ -68,17 +69,49 @@ ExpectedResult read_result(Mapping& in, const Scenario& scenario) {
   return expected;
 }
 
-/// Two different agents from a list of two names.
+std::vector<AgentId> agents_like(const std::string& pattern, const Scenario& scenario) {
+  std::vector<AgentId> matching;
+  for (const agents::AgentConfig& agent : scenario.simulation.agents) {
+    if (hal::matches(pattern, agent.name)) matching.push_back(agent.id);
+  }
+  return matching;
+}
+
+/// The first of the two: a name or, with `entered`, a pattern.
+void read_whose(Mapping& in, const std::string& whose, const Scenario& scenario,
+                ExpectedDistance& expected) {
+  expected.whose = whose;
+  expected.which = agents_like(whose, scenario);
+  if (in.has("entered")) {
+    expected.entered = in.text(
+        {"entered", "Of the agents of a pattern, the last one to enter this state is meant.",
+         "FULFILLED"});
+  }
+  const bool is_pattern = whose.find_first_of("*?") != std::string::npos;
+  if (!is_pattern) {
+    expected.which = {agent_named(in, "distance", whose, scenario)};
+  } else if (!in.has("entered")) {
+    in.mistake("distance",
+               fmt::format("'{}' is a pattern: 'entered: STATE' must say which of its agents is "
+                           "meant, the last one to enter that state",
+                           whose));
+  } else if (expected.which.empty()) {
+    in.mistake("distance", fmt::format("'{}' matches no agent", whose));
+  }
+}
+
+/// Two agents from a list of two names.
 ExpectedDistance read_distance(Mapping& in, const Scenario& scenario) {
   ExpectedDistance expected;
   const std::vector<hal::config::Scalar> names =
       in.texts({"distance", "Two agents whose true distance at the end is judged.",
                 "[NAME0, NAME1]", hal::config::kMustBeGiven});
   if (names.size() == 2) {
-    expected.from = agent_named(in, "distance", names[0].text, scenario);
+    read_whose(in, names[0].text, scenario, expected);
     expected.to = agent_named(in, "distance", names[1].text, scenario);
   } else {
     in.mistake("distance", fmt::format("must name two agents, not {}", names.size()));
+    in.has("entered");
   }
   expected.below =
       hal::Metres{in.number({"below", "The distance must be smaller.", "10 m"}, "m", {0, 1e9})};
@@ -90,7 +123,7 @@ Expectation read_expectation(Mapping& in, const Scenario& scenario) {
   const bool distance = in.has("distance");
   if (distance == in.has("result")) {
     in.mistake("", "must have either result or distance");
-    in.has("below");
+    for (const char* key : {"below", "entered"}) in.has(key);
   } else if (distance) {
     expectation.condition = read_distance(in, scenario);
   } else {
@@ -145,9 +178,9 @@ void write_expectations(Writer& out, const Scenario& scenario) {
   for (const Expectation& expectation : scenario.expectations) {
     out.open_item();
     if (const auto* distance = std::get_if<ExpectedDistance>(&expectation.condition)) {
-      out.texts("distance",
-                {declared_name(distance->from, scenario), declared_name(distance->to, scenario)});
+      out.texts("distance", {distance->whose, declared_name(distance->to, scenario)});
       out.number("below", distance->below.value, "m");
+      if (!distance->entered.empty()) out.text("entered", distance->entered);
     } else {
       out.text("result", std::get<ExpectedResult>(expectation.condition).result);
     }

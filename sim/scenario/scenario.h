@@ -34,8 +34,13 @@ struct ExpectedResult {
 
 /// The true distance between two agents at the end of the run must be below a limit.
 struct ExpectedDistance {
-  hal::AgentId from, to;
+  std::string whose;                ///< Name of the first one or, with `entered`, a pattern.
+  std::vector<hal::AgentId> which;  ///< The agents it names: one, or with `entered` at least one.
+  hal::AgentId to;
   hal::Metres below;
+  /// Not empty: of these agents the one whose controller was the last to enter this state, e.g.
+  /// whichever robot the task fell to.
+  std::string entered = {};
 };
 
 /// One entry of `expect:`.
