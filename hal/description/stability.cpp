@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <tuple>
 #include <vector>
 
@@ -82,6 +83,7 @@ double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 /// Algorithm for Convex Hulls in Two Dimensions", 1979).
 std::vector<Vec2> support(const std::vector<Wheel>& wheels) {
   std::vector<Vec2> points;
+  points.reserve(wheels.size());
   for (const Wheel& wheel : wheels) points.push_back(wheel.position);
   std::sort(points.begin(), points.end(),
             [](Vec2 a, Vec2 b) { return a.x < b.x || (a.x == b.x && a.y < b.y); });
@@ -115,6 +117,7 @@ std::vector<double> loads(const std::vector<Wheel>& wheels, Vec2 centre) {
   const double det = xx * yy - xy * xy;  // above 0: not all wheels on one line
   const Vec2 slope{(yy * off.x - xy * off.y) / det, (xx * off.y - xy * off.x) / det};
   std::vector<double> shares;
+  shares.reserve(wheels.size());
   for (const Wheel& wheel : wheels)
     shares.push_back(std::max(0.0, 1 / n + dot(slope, wheel.position - mean)));
   return shares;
@@ -163,29 +166,32 @@ struct Push {
   double seconds;
 };
 
+/// m/s^2 at a time [s]; nothing after the last push.
+std::optional<double> push_at(double time, const std::vector<Push>& pushes) {
+  double end = 0;
+  for (const Push& push : pushes) {
+    end += push.seconds;
+    if (time < end) return push.acceleration;
+  }
+  return std::nullopt;
+}
+
 /// Whether the body, at rest on the ground at first, goes over the edge.
 bool goes_over(const Pivot& pivot, const std::vector<Push>& pushes) {
   constexpr double kStep = 1e-3;   // s; bodies of a metre take some tenths of a second to fall
   constexpr double kLongest = 10;  // s
   const double balance = math::atan2(pivot.inside, pivot.height);  // rad, where it stands on edge
-  double tilt = 0, rate = 0, time = 0;
-  std::size_t stretch = 0;
-  double ends = pushes.front().seconds;
-  while (time < kLongest) {
-    while (stretch < pushes.size() && time >= ends)
-      ends += ++stretch < pushes.size() ? pushes[stretch].seconds : 0;
-    const double push = stretch < pushes.size() ? pushes[stretch].acceleration : 0;
+  double tilt = 0, rate = 0;
+  for (double time = 0; time < kLongest; time += kStep) {
+    const std::optional<double> push = push_at(time, pushes);
+    if (!push && tilt == 0) return false;
     const double c = math::cos(tilt), s = math::sin(tilt);
     const double lever = pivot.inside * c - pivot.height * s;
     const double height = pivot.inside * s + pivot.height * c;
-    rate += kStep * (push * height - pivot.gravity * lever) / pivot.inertia;
+    rate += kStep * (push.value_or(0) * height - pivot.gravity * lever) / pivot.inertia;
     tilt += kStep * rate;
     if (tilt > balance) return true;
-    if (tilt <= 0) {
-      if (stretch == pushes.size()) return false;
-      tilt = rate = 0;
-    }
-    time += kStep;
+    if (tilt <= 0) tilt = rate = 0;
   }
   return false;
 }
