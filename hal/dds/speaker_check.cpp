@@ -24,11 +24,13 @@ bool is_there(std::int64_t pid) {
 }
 
 /// The inode of the socket that has a UDP port, as /proc/net/udp tells it; empty: nobody has it.
-std::string socket_at(const UdpSender& sender) {
+/// Nothing if there is no such file.
+std::optional<std::string> socket_at(const UdpSender& sender) {
   // The address is in the order of the network, read as a number of this machine; or any.
   const std::string one = fmt::format("{:08X}:{:04X}", htonl(sender.address), sender.port);
   const std::string any = fmt::format("{:08X}:{:04X}", 0, sender.port);
   std::ifstream sockets("/proc/net/udp");
+  if (!sockets) return std::nullopt;
   std::string line;
   std::getline(sockets, line);
   while (std::getline(sockets, line)) {
@@ -40,7 +42,7 @@ std::string socket_at(const UdpSender& sender) {
     fields >> inode;
     return inode;
   }
-  return {};
+  return std::string();
 }
 
 /// Whether a process has a socket open; nothing if this one may not know.
@@ -81,8 +83,9 @@ Result<void> check_speaker(const ProcessIdentity& claimed, const std::optional<U
   const auto start_time = start_time_of(claimed.pid);
   if (start_time && *start_time != claimed.start_time) return refuse("has started at another time");
   if (!sender) return {};
-  const std::string inode = socket_at(*sender);
-  if (inode.empty() || has_socket(claimed.pid, inode) == false) {
+  const std::optional<std::string> socket = socket_at(*sender);
+  if (!socket) return {};
+  if (socket->empty() || has_socket(claimed.pid, *socket) == false) {
     return refuse(fmt::format("has not the port {} that it speaks from", sender->text()));
   }
   return {};
