@@ -276,6 +276,17 @@ class Places(Folders):
         self.assertEqual((self.run_value("seed"), self.run_value("seed", real.with_name("real.1"))),
                          (2, 1))
 
+    def test_however_the_folder_is_written_it_is_the_same(self):
+        self.run_to("--seed", "1", out=f"{self.folder}/./x/../out/")
+        self.run_to("--seed", "2", out=f"{self.folder}//out")
+        self.out = self.folder / "out"
+        self.assertEqual(self.names(), ["out", "out.1"])
+        done = subprocess.run([BIN / "baraka", "run", TWO_MOTES, *IN_PROCESS, "--seed", "3", "--out", "."],
+                              cwd=self.out, capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn(f"results: {self.out}\n", done.stdout)
+        self.assertEqual([self.run_value("seed", self.beside(s)) for s in (".1", ".2", "")], [1, 2, 3])
+
     def test_what_is_no_folder_is_refused(self):
         self.out.write_text("precious")
         self.assertIn("no folder", self.run_to(status=2).err)
