@@ -118,9 +118,9 @@ Outcome play(const Course& course, Simulation& simulation, WallPace& pace) {
 }
 
 /// Writes and prints how the run ended.
-ExitStatus conclude(Results& results, const sim::scenario::Judge& judge, const Simulation& simulation,
-                    Outcome outcome, const std::vector<std::string>& complaints,
-                    double wall_seconds) {
+ExitStatus conclude(Results& results, const sim::scenario::Judge& judge,
+                    const Simulation& simulation, Outcome outcome,
+                    const std::vector<std::string>& complaints, double wall_seconds) {
   const auto expectations = unmet(judge, outcome, simulation);
   const ExitStatus status =
       results.finish(simulation, outcome, exit_status(outcome, expectations), wall_seconds);

@@ -259,7 +259,8 @@ MoteDescription read_mote(Mapping in) {
   MoteDescription mote;
   in.integer(kVersion, 1, 1, 1);
   mote.model = in.text({"model", "Name of the kind of mote.", "mote"});
-  mote.size = in.vec3({"size", "Of the box that the mote is.", "[5 cm, 5 cm, 5 cm]"}, "m", kMoteSize);
+  mote.size =
+      in.vec3({"size", "Of the box that the mote is.", "[5 cm, 5 cm, 5 cm]"}, "m", kMoteSize);
   FieldReader reader(in);
   mote_keys(reader, mote);
   in.finish();

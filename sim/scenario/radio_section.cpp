@@ -91,8 +91,8 @@ void propagation_keys(Io& io, RadioConfig& c) {
         c.sensitivity);
   level({"interference_floor", "Weaker frames do not exist; at most the sensitivity.", "-101 dBm"},
         kPowerLevel, c.interference_floor);
-  level({"noise_floor", "Thermal noise and noise figure in the bandwidth.", "-110 dBm"},
-        kNoise, c.noise_floor);
+  level({"noise_floor", "Thermal noise and noise figure in the bandwidth.", "-110 dBm"}, kNoise,
+        c.noise_floor);
   level({"cca_threshold", "Carrier sense: a frame of this power makes the medium busy.", "-85 dBm"},
         kPowerLevel, c.cca_threshold);
   level(

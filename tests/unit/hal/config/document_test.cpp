@@ -258,19 +258,19 @@ TEST_F(DocumentTest, SetsItemsOfListsByTheirNumber) {
   const auto file = write("a.yaml", "l: [{a: 1, b: 2}, {a: 3, b: 4}]\nv: [1, 2]\n");
   auto document = Document::load(file, {"l.1.a=30", "v.0=10"});
   Mapping root = document.root();
-  std::vector<Mapping> items = root.mappings("l");
+  std::vector<Mapping> items = root.mappings(key("l"));
   ASSERT_EQ(items.size(), 2u);
-  EXPECT_EQ(items[0].number("a", "1", {-1e9, 1e9}, -1), 1);
-  EXPECT_EQ(items[1].number("a", "1", {-1e9, 1e9}, -1), 30);
-  EXPECT_EQ(items[1].number("b", "1", {-1e9, 1e9}, -1), 4);
-  EXPECT_EQ(root.vec2("v", "1", {-1e9, 1e9}).x, 10);
+  EXPECT_EQ(items[0].number(key("a"), "1", {-1e9, 1e9}, -1), 1);
+  EXPECT_EQ(items[1].number(key("a"), "1", {-1e9, 1e9}, -1), 30);
+  EXPECT_EQ(items[1].number(key("b"), "1", {-1e9, 1e9}, -1), 4);
+  EXPECT_EQ(root.vec2(key("v"), "1", {-1e9, 1e9}).x, 10);
 }
 
 TEST_F(DocumentTest, SetsItemsOfListsThatAreIncluded) {
   write("base.yaml", "l: [{a: 1}, {a: 3}]\n");
   auto document = Document::load(write("a.yaml", "x: {include: base.yaml}\n"), {"x.l.0={a: 7}"});
   Mapping root = document.root();
-  EXPECT_EQ(root.mapping("x").mappings("l")[0].number("a", "1", {-1e9, 1e9}, -1), 7);
+  EXPECT_EQ(root.mapping(key("x")).mappings(key("l"))[0].number(key("a"), "1", {-1e9, 1e9}, -1), 7);
 }
 
 TEST_F(DocumentTest, NamesTheNumberOfAnItemThatIsNotThere) {
@@ -289,7 +289,7 @@ TEST_F(DocumentTest, NamesTheNumberOfAnItemWithAMistake) {
   const auto found = messages([&] {
     auto document = Document::load(file, {"l.1.a=far"});
     Mapping root = document.root();
-    for (Mapping& item : root.mappings("l")) (void)item.number("a", "1", {-1e9, 1e9}, -1);
+    for (Mapping& item : root.mappings(key("l"))) (void)item.number(key("a"), "1", {-1e9, 1e9}, -1);
     document.finish();
   });
   EXPECT_EQ(found, (Lines{"--set l.1.a: 'far' is not a number"}));
