@@ -27,9 +27,13 @@ std::string presentable(const std::string& message) {
     word.clear();
   };
   for (const char c : message) {
+    if (c == ' ') {
+      end_word();
+      result += c;
+      continue;
+    }
     const auto byte = static_cast<unsigned char>(c);
     word += byte < 0x20 || byte == 0x7f ? fmt::format("\\x{:02x}", byte) : std::string(1, c);
-    if (c == ' ') end_word();
   }
   end_word();
   shorten(result, kLongestMessage);

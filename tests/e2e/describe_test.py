@@ -29,7 +29,7 @@ class Describe(unittest.TestCase):
             self.assertRegex(finished.out, rf"(?m)^  {kind} ")
 
     def test_a_kind_shows_its_keys(self):
-        self.assertRegex(describe("radio").out, r"(?m)^tx_power\n.*\n.*(mW), 1e-06 mW .. 100000 mW$")
+        self.assertRegex(describe("radio").out, r"(?m)^tx_power\n.*\n.*\(mW\), 1e-06 mW .. 100000 mW$")
 
     def test_a_key_is_found_by_its_path_its_end_and_its_name(self):
         for what in ("agents.robots.grid.columns", "grid.columns", "columns"):
