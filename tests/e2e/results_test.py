@@ -38,6 +38,12 @@ class Folders(Case):
         rows = self.query(f"SELECT value FROM run WHERE key = '{key}'", out)
         return rows[0][0] if rows else None
 
+    def has_poses(self):
+        try:
+            return self.query("SELECT COUNT(*) FROM poses")[0][0] > 0
+        except sqlite3.OperationalError:
+            return False  # not even the tables are there
+
     def names(self):
         return sorted(path.name for path in self.folder.iterdir())
 
@@ -252,8 +258,7 @@ class Killed(Folders):
 
     def test_one_that_was_killed_is_called_unfinished(self):
         program = self.start(CASE_STUDY, *IN_PROCESS, "--max-speed", "2", out=self.out)
-        wait_for(lambda: self.out.exists() and (self.out / "run.sqlite").exists()
-                 and self.query("SELECT COUNT(*) FROM poses")[0][0] > 0)
+        wait_for(self.has_poses)
         send(program.process.pid, "SIGKILL")
         program.finish()
         self.assertEqual(self.run_value("result"), "running")
