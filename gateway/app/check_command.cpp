@@ -8,6 +8,7 @@
 #include "gateway/app/exit_status.h"
 #include "gateway/app/file_kinds.h"
 #include "hal/config/errors.h"
+#include "hal/config/shared_folders.h"
 
 namespace gateway::app {
 namespace {
@@ -27,8 +28,10 @@ int check(const CheckOptions& options) {
   int status = kDone;
   for (const std::string& file : options.files) {
     try {
-      const FileKind& kind = wanted != nullptr ? *wanted : recognised(file, options.overrides);
-      kind.judge(file, options.overrides);
+      const std::string path =
+          hal::config::named_file(file, {"scenarios", "robots", "radios", "hardware"});
+      const FileKind& kind = wanted != nullptr ? *wanted : recognised(path, options.overrides);
+      kind.judge(path, options.overrides);
       fmt::print("{}: ok\n", file);
     } catch (const hal::config::ConfigErrors& errors) {
       std::fflush(stdout);

@@ -163,7 +163,8 @@ void Loader::include(Node& mapping, const Node& target, const std::string& path)
                                files_ + 1, kMostFiles));
   }
   const fs::path file = located(target);
-  const std::string absent = fmt::format("there is no file '{}'", file.string());
+  const std::string absent = fmt::format("there is no file '{}', nor in the shared folders ({})",
+                                         file.string(), listed_shared_folders());
   if (const auto why = obstacle(file, absent)) {
     return give_up(target, path,
                    *why == absent ? absent : fmt::format("'{}' {}", file.string(), *why));

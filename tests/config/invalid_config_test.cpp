@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hal/config/errors.h"
+#include "hal/config/shared_folders.h"
 #include "sim/scenario/scenario.h"
 
 /// Each file in config/invalid says in its first lines what is wrong with it:
@@ -57,7 +58,8 @@ std::string without(std::string text, const std::string& part) {
   return text;
 }
 
-/// Messages of loading a file as `# expect:` writes them: without the folder and the file's name.
+/// Messages of loading a file as `# expect:` writes them: without the folder, the file's name and
+/// the shared folders.
 Lines messages(const fs::path& file, const Lines& overrides) {
   try {
     load_scenario(file, overrides);
@@ -66,8 +68,9 @@ Lines messages(const fs::path& file, const Lines& overrides) {
     for (const std::string& message : errors.messages()) {
       const std::string own = file.string() + ":";
       const bool is_own = message.rfind(own, 0) == 0;
-      lines.push_back(
-          without(is_own ? message.substr(own.size()) : message, kFolder.string() + "/"));
+      const std::string line =
+          without(is_own ? message.substr(own.size()) : message, kFolder.string() + "/");
+      lines.push_back(without(line, hal::config::listed_shared_folders()));
     }
     return lines;
   }

@@ -94,8 +94,9 @@ class Packages(Case):
             self.assertIn(package_of[dependency], depends)
 
     def test_case_study_runs_by_its_name_from_any_folder(self):
-        checked = self.baraka("check", "case_study.yaml")
-        self.assertEqual(checked.status, 0, str(checked))
+        for file in ("case_study.yaml", "robertino.yaml", "ieee80211b.yaml", "tmc200.yaml"):
+            checked = self.baraka("check", file)
+            self.assertEqual(checked.status, 0, str(checked))
         ran = self.baraka("run", "case_study.yaml", "--controllers", "in-process")
         self.assertEqual(ran.status, 0, str(ran))
         self.assertEqual(ran["result"], "arrived")

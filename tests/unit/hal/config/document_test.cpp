@@ -102,9 +102,10 @@ TEST_F(DocumentTest, MayIncludeOneFileTwice) {
 }
 
 TEST_F(DocumentTest, NamesTheIncludeThatLeadsNowhere) {
-  EXPECT_EQ(loading(write("a.yaml", "x:\n  include: no.yaml\ny: {include: [1]}\n")),
-            (Lines{"a.yaml:2:12: x.include: there is no file 'no.yaml'",
-                   "a.yaml:3:14: y.include: must be the path of a file, not a list of 1"}));
+  EXPECT_EQ(
+      loading(write("a.yaml", "x:\n  include: no.yaml\ny: {include: [1]}\n")),
+      (Lines{"a.yaml:2:12: x.include: there is no file 'no.yaml', nor in the shared folders ()",
+             "a.yaml:3:14: y.include: must be the path of a file, not a list of 1"}));
 }
 
 TEST_F(DocumentTest, LetsTheCommandLineWinOverFileAndIncludes) {
