@@ -7,8 +7,6 @@
 #include <memory>
 #include <stdexcept>
 
-#include "hal/types/log.h"
-
 namespace sim {
 namespace {
 
@@ -40,10 +38,10 @@ void write(hal::log::Level level, hal::Time at, std::string_view where, std::str
 
 }  // namespace
 
-void log_to_file(const std::string& path) {
+void log_to_file(const std::string& path, hal::log::Level lowest) {
   try {
-    auto file = std::make_shared<spdlog::sinks::basic_file_sink_st>(path, true);
-    auto standard_error = std::make_shared<spdlog::sinks::stderr_sink_st>();
+    auto file = std::make_shared<spdlog::sinks::basic_file_sink_mt>(path, true);
+    auto standard_error = std::make_shared<spdlog::sinks::stderr_sink_mt>();
     standard_error->set_level(spdlog::level::warn);
     logger() = std::make_unique<spdlog::logger>(
         "baraka", spdlog::sinks_init_list{std::move(file), std::move(standard_error)});
@@ -52,6 +50,8 @@ void log_to_file(const std::string& path) {
   }
   logger()->set_level(spdlog::level::debug);
   logger()->set_pattern("%v");
+  logger()->flush_on(spdlog::level::warn);
+  hal::log::set_level(lowest);
   hal::log::set_sink(write);
 }
 
