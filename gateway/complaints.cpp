@@ -24,6 +24,10 @@ void complain(const ProcessSummary& process, std::vector<std::string>& lines) {
   add(process.malformed_actions, "malformed actions");
   add(process.stale_replies, "replies to a Step that is not under way");
   add(process.malformed_replies, "malformed replies");
+  if (process.foreign_replies == 0) return;
+  lines.push_back(fmt::format(
+      "dropped {} replies that participant {} and perhaps others gave for process '{}' (pid {})",
+      process.foreign_replies, process.foreign_participant, process.name, process.pid));
 }
 
 }  // namespace

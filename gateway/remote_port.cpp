@@ -93,6 +93,8 @@ ProcessSummary RemotePort::summary() const {
   if (!link_) return summary;
   summary.stale_replies = link_->dropped().stale;
   summary.malformed_replies = link_->dropped().malformed;
+  summary.foreign_replies = link_->dropped().foreign;
+  summary.foreign_participant = link_->dropped().first_foreign;
   return summary;
 }
 

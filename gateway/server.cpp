@@ -123,6 +123,9 @@ void AgentServer::Implementation::attend(hal::Time now) {
 
 void AgentServer::Implementation::answer_hellos(hal::Duration timeout, hal::Time now) {
   for (const Hello& hello : server_.hellos(timeout, death_descriptors())) answer(hello, now);
+  for (const std::string& refusal : server_.take_refusals()) {
+    log(hal::log::Level::kWarning, now, "refused " + refusal);
+  }
 }
 
 void AgentServer::Implementation::answer(const Hello& hello, hal::Time now) {

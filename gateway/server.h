@@ -36,6 +36,8 @@ struct ProcessSummary {
   std::uint64_t malformed_actions = 0;       ///< Dropped: not a number, too long, no such event.
   std::uint64_t stale_replies = 0;           ///< Dropped: an old or unknown sequence number.
   std::uint64_t malformed_replies = 0;       ///< Dropped: values outside their enumerations.
+  std::uint64_t foreign_replies = 0;         ///< Dropped: of another participant …
+  std::string foreign_participant;           ///< … such as this one, by its GUID prefix.
 };
 
 struct GatewaySummary {

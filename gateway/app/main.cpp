@@ -5,9 +5,12 @@
 #include <map>
 #include <system_error>
 
+#include "gateway/app/check_command.h"
+#include "gateway/app/describe_command.h"
 #include "gateway/app/domain_range.h"
 #include "gateway/app/exit_status.h"
 #include "gateway/app/export_command.h"
+#include "gateway/app/file_kinds.h"
 #include "gateway/app/new_controller.h"
 #include "gateway/app/replications.h"
 #include "gateway/app/report_command.h"
@@ -100,6 +103,43 @@ void add_new_controller(CLI::App& app, gateway::app::NewControllerOptions& optio
   add->add_option("--to", options.to, "Folder for the project's folder; default: this one");
 }
 
+/// @return the command `baraka check`.
+const CLI::App* add_check(CLI::App& app, gateway::app::CheckOptions& options) {
+  CLI::App* check = app.add_subcommand(
+      "check", "Find every mistake in scenario, hardware, robot, mote or radio files");
+  check->add_option("FILE", options.files, "Files")->required();
+  check->add_option("--set", options.overrides, "KEY=VALUE, the key as a dotted path")
+      ->allow_extra_args(false);
+  std::vector<std::string> kinds;
+  for (const auto& kind : gateway::app::file_kinds()) kinds.push_back(kind.name);
+  check->add_option("--kind", options.kind, "Of the files; default: recognised by their keys")
+      ->check(CLI::IsMember(kinds));
+  return check;
+}
+
+struct DescribeOptions {
+  std::string what;
+  bool markdown = false;
+
+  int act() const {
+    if (!markdown) return gateway::app::describe(what);
+    std::fputs(gateway::app::keys_page().c_str(), stdout);
+    return gateway::app::kDone;
+  }
+};
+
+/// @return the command `baraka describe`.
+const CLI::App* add_describe(CLI::App& app, DescribeOptions& options) {
+  CLI::App* describe =
+      app.add_subcommand("describe", "Say what keys of files and parameters of controllers mean");
+  CLI::Option* what =
+      describe->add_option("WHAT", options.what, "A kind of file, a key or a controller");
+  describe
+      ->add_flag("--markdown", options.markdown, "All keys of all files as the page docs/keys.md")
+      ->excludes(what);
+  return describe;
+}
+
 void add_export(CLI::App& app, gateway::app::ExportOptions& options) {
   CLI::App* add = app.add_subcommand("export", "Tables of a result as CSV");
   add->add_option("DIR", options.folder, "Folder of a result");
@@ -146,11 +186,10 @@ int command(int argc, char** argv) {
   RunOptions run_options;
   std::string seed;
   add_run(app, run_options, seed);
-  std::string checked;
-  std::vector<std::string> check_overrides;
-  CLI::App* check = app.add_subcommand("check", "Find every mistake in a scenario");
-  check->add_option("SCENARIO", checked, "Scenario file")->required();
-  check->add_option("--set", check_overrides, "KEY=VALUE")->allow_extra_args(false);
+  gateway::app::CheckOptions check_options;
+  const CLI::App* check = add_check(app, check_options);
+  DescribeOptions describe_options;
+  const CLI::App* describe = add_describe(app, describe_options);
   std::vector<std::string> folders;
   std::string page;
   CLI::App* report = app.add_subcommand("report", "Tables and figures of one or many results");
@@ -172,7 +211,8 @@ int command(int argc, char** argv) {
     if (*topic.app) return topic.act(topic_options);
   }
   if (!seed.empty()) run_options.overrides.push_back("seed=" + seed);
-  if (*check) return gateway::app::check(checked, check_overrides);
+  if (*check) return gateway::app::check(check_options);
+  if (*describe) return describe_options.act();
   if (app.got_subcommand("export")) return gateway::app::export_results(export_options);
   if (*report) return gateway::app::report(folders, page);
   if (app.got_subcommand("new-controller")) return gateway::app::new_controller(controller);

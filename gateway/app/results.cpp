@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -66,6 +67,20 @@ std::vector<std::pair<std::string, std::string>> settings_of(const Scenario& sce
   settings.emplace_back("--pace", options.repeat.empty() ? options.pace : "repeated");
   settings.emplace_back("--until", options.until ? fmt::format("{} s", *options.until) : "its end");
   return settings;
+}
+
+/// To the log, and so to stderr.
+void warn_of_unheard_topics(sim::record::Recorder& recorder, hal::Time at) {
+  constexpr std::size_t kMostLines = 10;
+  const auto unheard = recorder.unheard_topics();
+  const std::size_t lines = std::min(kMostLines, unheard.size());
+  for (std::size_t i = 0; i < lines; ++i) {
+    hal::log::warning(at, "run", "{}", sim::record::to_line(unheard[i]));
+  }
+  if (lines < unheard.size()) {
+    hal::log::warning(at, "run", "{} more topics of which nothing arrived: see the table messages",
+                      unheard.size() - lines);
+  }
 }
 
 }  // namespace
@@ -138,6 +153,7 @@ ExitStatus Results::finish(const sim::agents::Simulation& simulation, Outcome& o
     recorder_->set("wall_s", wall_seconds);
     recorder_->set("exit_status", std::uint64_t{status});
     recorder_->finish(outcome, fingerprint_.fingerprint());
+    warn_of_unheard_topics(*recorder_, outcome.ended_at);
   } catch (const std::exception& e) {
     outcome.kind = Outcome::Kind::kFailed;
     outcome.result = "failed";

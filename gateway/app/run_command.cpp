@@ -26,10 +26,10 @@ using sim::agents::Outcome;
 using sim::agents::Simulation;
 using sim::scenario::Scenario;
 
-std::vector<std::string> unmet(const Scenario& scenario, const Outcome& outcome,
+std::vector<std::string> unmet(const sim::scenario::Judge& judge, const Outcome& outcome,
                                const Simulation& simulation) {
   if (outcome.kind != Outcome::Kind::kEnded) return {};
-  return sim::scenario::unmet_expectations(scenario, outcome.result, [&](hal::AgentId agent) {
+  return judge.unmet(outcome.result, [&](hal::AgentId agent) {
     const sim::agents::BodyState body = simulation.body(agent);
     return hal::Vec2{body.x, body.y};
   });
@@ -118,10 +118,10 @@ Outcome play(const Course& course, Simulation& simulation, WallPace& pace) {
 }
 
 /// Writes and prints how the run ended.
-ExitStatus conclude(Results& results, const Scenario& scenario, const Simulation& simulation,
-                    Outcome outcome, const std::vector<std::string>& complaints,
-                    double wall_seconds) {
-  const auto expectations = unmet(scenario, outcome, simulation);
+ExitStatus conclude(Results& results, const sim::scenario::Judge& judge,
+                    const Simulation& simulation, Outcome outcome,
+                    const std::vector<std::string>& complaints, double wall_seconds) {
+  const auto expectations = unmet(judge, outcome, simulation);
   const ExitStatus status =
       results.finish(simulation, outcome, exit_status(outcome, expectations), wall_seconds);
 
@@ -135,7 +135,8 @@ ExitStatus conclude(Results& results, const Scenario& scenario, const Simulation
 int run(const RunOptions& options, const Scenario& scenario, const Course& course,
         RunInspection& inspection, Results& results) {
   const std::optional<int> domain = domain_of(options);
-  Simulation simulation(scenario.simulation, {&inspection.observer()});
+  sim::scenario::Judge judge(scenario);
+  Simulation simulation(scenario.simulation, {&judge, &inspection.observer()});
   std::optional<WallPace> pace;
   const LastResort last_resort([&](const std::string& what, bool failed) -> int {
     if (!results.has_begun()) {
@@ -144,7 +145,7 @@ int run(const RunOptions& options, const Scenario& scenario, const Course& cours
       return failed ? kRunFailed : kInterrupted;
     }
     pace->end();
-    return conclude(results, scenario, simulation, simulation.broken_off_by(failed ? what : ""),
+    return conclude(results, judge, simulation, simulation.broken_off_by(failed ? what : ""),
                     failed ? std::vector<std::string>{} : std::vector{what}, pace->wall_seconds());
   });
   ControllersOfRun controllers(
@@ -160,7 +161,7 @@ int run(const RunOptions& options, const Scenario& scenario, const Course& cours
   const Outcome outcome = play(course, simulation, *pace);
   pace->end();
   const auto complaints = controllers.finish(outcome.kind != Outcome::Kind::kFailed);
-  return conclude(results, scenario, simulation, outcome, complaints, pace->wall_seconds());
+  return conclude(results, judge, simulation, outcome, complaints, pace->wall_seconds());
 }
 
 }  // namespace
@@ -186,12 +187,6 @@ int run(const RunOptions& options) {
     results.say_not_started(e.what());
     throw;
   }
-}
-
-int check(const std::string& path, const std::vector<std::string>& overrides) {
-  load_judged(path, overrides);
-  fmt::print("{}: ok\n", path);
-  return kDone;
 }
 
 }  // namespace gateway::app

@@ -36,7 +36,4 @@ std::filesystem::path results_path(const RunOptions& options, const std::string&
 /// @return exit status. @throws hal::config::ConfigErrors, std::runtime_error
 int run(const RunOptions& options);
 
-/// Prints every mistake in a scenario; "ok" if there is none. @return exit status.
-int check(const std::string& scenario, const std::vector<std::string>& overrides);
-
 }  // namespace gateway::app

@@ -8,11 +8,14 @@
 #include <map>
 #include <mutex>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <utility>
 #include <vector>
 
 #include "hal/dds/link_parts.h"
+#include "hal/dds/speaker_check.h"
+#include "hal/types/log.h"
 
 namespace hal::dds {
 namespace {
@@ -67,9 +70,12 @@ class Client::Implementation {
   std::optional<Arrival> arrived();
   std::optional<exchange::Session> take_session();
   std::optional<exchange::Step> take_step();
-  void take_in(const wire::Step& sample);
+  bool is_good(const exchange::Session& session, const ProcessIdentity& server);
+  void take_in(const wire::Step& sample, const Origin& origin);
+  void complain(const std::string& what, const Origin& origin);
   void hand_over(const Answerer& answerer, const exchange::Step& step);
   std::optional<ServerGone> take_departure();
+  void forget_reply_to(const std::string& server);
   bool is_gone(const Granted& server, const std::vector<Origin>& left,
                const std::vector<Origin>& silent) const;
   bool wait(Duration timeout);
@@ -83,6 +89,8 @@ class Client::Implementation {
   /// Guards the Reply that was written last, whose memory is used again.
   std::mutex reply_mutex_;
   wire::Reply reply_;
+  std::mutex strangers_mutex_;
+  std::set<hal::rtps::GuidPrefix> strangers_;  ///< That were complained of.
   std::optional<HandlingReader<wire::Step>> steps_;
 };
 
@@ -115,7 +123,7 @@ std::optional<exchange::Session> Client::Implementation::take_session() {
   while (const wire::Session* sample = sessions_.take()) {
     if (sample->instance() != hello_.instance) continue;
     Result<exchange::Session> session = from_wire(*sample);
-    if (!session) continue;
+    if (!session || !is_good(*session, from_wire(sample->identity()))) continue;
     if (!session->refusal.empty()) return std::move(*session);
     const auto known = granted_.find(session->server);
     if (known != granted_.end() && known->second.run == session->run) continue;  // Sent twice.
@@ -127,8 +135,9 @@ std::optional<exchange::Session> Client::Implementation::take_session() {
       granted_[session->server] = {session->run, sessions_.origin(), std::move(watch)};
     }
     if (!steps_) {
-      steps_.emplace(participant_, step_topic(hello_.process),
-                     [this](const wire::Step& step) { take_in(step); });
+      steps_.emplace(
+          participant_, step_topic(hello_.process),
+          [this](const wire::Step& step, const Origin& origin) { take_in(step, origin); });
     }
     return std::move(*session);
   }
@@ -143,10 +152,39 @@ std::optional<exchange::Step> Client::Implementation::take_step() {
   return step;
 }
 
-void Client::Implementation::take_in(const wire::Step& sample) {
+/// Whether a Session is from the server that it names, as far as that can be known.
+bool Client::Implementation::is_good(const exchange::Session& session,
+                                     const ProcessIdentity& server) {
+  const Origin& origin = sessions_.origin();
+  const auto known = granted_.find(session.server);
+  if (known != granted_.end() && known->second.origin != origin) {
+    complain("sends a Session of another server", origin);
+    return false;
+  }
+  const auto sender = participant_.filter().sender_of(participant_of(origin));
+  auto checked = check_speaker(server, sender);
+  if (checked) checked = check_user(server);
+  if (!checked) complain("sends a Session: " + checked.error().message, origin);
+  return checked.has_value();
+}
+
+/// Once of each.
+void Client::Implementation::complain(const std::string& what, const Origin& origin) {
+  constexpr std::size_t kMost = 100;
+  const hal::rtps::GuidPrefix participant = participant_of(origin);
+  const std::lock_guard lock(strangers_mutex_);
+  if (strangers_.size() == kMost || !strangers_.insert(participant).second) return;
+  log::warning(Time{}, hello_.process, "participant {} {}; it is not listened to",
+               text_of(participant), what);
+}
+
+void Client::Implementation::take_in(const wire::Step& sample, const Origin& origin) {
   const std::lock_guard lock(mutex_);
   const auto server = granted_.find(sample.server());
   if (server == granted_.end() || server->second.run != sample.run()) return;
+  if (participant_of(origin) != participant_of(server->second.origin)) {
+    return complain("sends a Step of another server", origin);
+  }
   if (!from_wire(sample, step_)) return;
   if (server->second.answerer) return hand_over(server->second.answerer, step_);
   // As in DDS itself, the newest win over a reader that cannot keep up.
@@ -182,9 +220,19 @@ std::optional<ServerGone> Client::Implementation::take_departure() {
       std::ranges::find_if(granted_, [](const auto& entry) { return entry.second.gone; });
   if (first == granted_.end()) return std::nullopt;
   ServerGone departure{first->first};
+  forget_reply_to(departure.server);
   const std::lock_guard lock(mutex_);
   granted_.erase(first);
   return departure;
+}
+
+/// The last Reply to a server that is gone is kept for nobody.
+void Client::Implementation::forget_reply_to(const std::string& server) {
+  if (!replies_) return;
+  wire::Reply key;
+  key.server(server);
+  // It is not there if no Step came.
+  [[maybe_unused]] const bool was_there = replies_->dispose(key);
 }
 
 bool Client::Implementation::is_gone(const Granted& server, const std::vector<Origin>& left,

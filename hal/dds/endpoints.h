@@ -13,32 +13,40 @@
 #include "exchangePubSubTypes.h"
 #include "hal/dds/convert.h"
 #include "hal/dds/guarded_type.h"
+#include "hal/dds/origin.h"
 #include "hal/dds/participant.h"
+#include "hal/dds/quota.h"
 #include "hal/dds/waiting.h"
 
 namespace hal::dds {
 
+/// @tparam Wire  generated for a topic. kMostInstances: those that a participant may have of it at
+///   one reader.
 template <class Wire>
 struct PubSubTypeOf;
 template <>
 struct PubSubTypeOf<wire::Hello> {
   using Type = wire::HelloPubSubType;
   static constexpr Presence kPresence = Presence::kWatched;
+  static constexpr std::size_t kMostInstances = 8;  // a controller says one
 };
 template <>
 struct PubSubTypeOf<wire::Session> {
   using Type = wire::SessionPubSubType;
   static constexpr Presence kPresence = Presence::kWatched;
+  static constexpr std::size_t kMostInstances = kMaxInstances;  // one for each controller
 };
 template <>
 struct PubSubTypeOf<wire::Step> {
   using Type = wire::StepPubSubType;
   static constexpr Presence kPresence = Presence::kIgnored;
+  static constexpr std::size_t kMostInstances = 64;  // a server writes one
 };
 template <>
 struct PubSubTypeOf<wire::Reply> {
   using Type = wire::ReplyPubSubType;
   static constexpr Presence kPresence = Presence::kIgnored;
+  static constexpr std::size_t kMostInstances = 64;  // one for each server
 };
 
 /// The writer of a topic, and the topic.
@@ -62,9 +70,17 @@ class Writer {
   Writer& operator=(const Writer&) = delete;
 
   [[nodiscard]] bool write(Wire& sample) { return writer_->write(&sample); }
-  /// Later readers do not get the sample's instance any more.
+  /// Later readers do not get the sample's instance any more, and once those here know it is gone
+  /// it takes no room.
   [[nodiscard]] bool dispose(Wire& sample) {
-    return is_ok(writer_->dispose(&sample, rtps::InstanceHandle_t()));
+    return is_ok(writer_->unregister_instance(&sample, rtps::InstanceHandle_t()));
+  }
+
+  /// Readers in sight.
+  int readers() const {
+    api::PublicationMatchedStatus status;
+    writer_->get_publication_matched_status(status);
+    return status.current_count;
   }
 
   /// Waits until every reader has the last sample.
@@ -75,9 +91,6 @@ class Writer {
   api::Topic* topic_;
   api::DataWriter* writer_;
 };
-
-/// Whom a sample came from.
-using Origin = rtps::InstanceHandle_t;
 
 /// Notes that writers come and go, and tells a waiting thread.
 class PresenceListener : public api::DataReaderListener {
@@ -126,10 +139,10 @@ class PresenceListener : public api::DataReaderListener {
 /// Hands every sample that a reader has to `use(value, info)`, which may move it away.
 /// @param value  each of them in turn.
 template <class Wire, class Use>
-void take_all(api::DataReader& reader, Wire& value, const Use& use) {
+void take_all(api::DataReader& reader, Quota& quota, Wire& value, const Use& use) {
   api::SampleInfo info;
   while (is_ok(reader.take_next_sample(&value, &info))) {
-    if (info.valid_data) use(value, info);
+    if (quota.admits(info)) use(value, info);
   }
 }
 
@@ -143,14 +156,20 @@ class Inbox : public PresenceListener {
     Wire value;
     Origin origin;
   };
-  using PresenceListener::PresenceListener;
+  Inbox(Signal& signal, DatagramFilter& filter)
+      : PresenceListener(signal), quota_(filter, PubSubTypeOf<Wire>::kMostInstances) {}
 
+  void on_subscription_matched(api::DataReader* reader,
+                               const api::SubscriptionMatchedStatus& status) override {
+    if (status.current_count_change < 0) quota_.leave(status.last_publication_handle);
+    PresenceListener::on_subscription_matched(reader, status);
+  }
   void on_data_available(api::DataReader* reader) override {
     Wire value;
-    take_all(*reader, value, [this](Wire& sample, const api::SampleInfo& info) {
+    take_all(*reader, quota_, value, [this](Wire& sample, const api::SampleInfo& info) {
       const std::lock_guard lock(mutex_);
       // As in DDS itself, the newest win over a reader that cannot keep up.
-      if (samples_.size() == kMaxInstances) samples_.pop_front();
+      if (samples_.size() == kMostWaiting) samples_.pop_front();
       samples_.push_back({std::move(sample), Origin(info.publication_handle)});
     });
     if (!is_empty()) signal_.raise();  // Else it was told that an instance is disposed of.
@@ -169,6 +188,9 @@ class Inbox : public PresenceListener {
   }
 
  private:
+  static constexpr std::size_t kMostWaiting = kMaxInstances;
+
+  Quota quota_;
   std::deque<Sample> samples_;
 };
 
@@ -204,7 +226,7 @@ class Reader {
  public:
   /// @throws std::runtime_error
   Reader(Participant& participant, const std::string& topic, Signal& signal)
-      : inbox_(signal), reader_(participant, topic, inbox_) {}
+      : inbox_(signal, participant.filter()), reader_(participant, topic, inbox_) {}
 
   /// The next sample, good until the next call; null if there is none.
   const Wire* take() {
@@ -228,22 +250,31 @@ class Reader {
 template <class Wire>
 class HandlingReader {
  public:
-  using Handle = std::function<void(const Wire&)>;
+  using Handle = std::function<void(const Wire&, const Origin&)>;
   /// @throws std::runtime_error
   HandlingReader(Participant& participant, const std::string& topic, Handle handle)
-      : listener_(std::move(handle)), reader_(participant, topic, listener_) {}
+      : listener_(std::move(handle), participant.filter()),
+        reader_(participant, topic, listener_) {}
 
  private:
   class Listener : public api::DataReaderListener {
    public:
-    explicit Listener(Handle handle) : handle_(std::move(handle)) {}
+    Listener(Handle handle, DatagramFilter& filter)
+        : handle_(std::move(handle)), quota_(filter, PubSubTypeOf<Wire>::kMostInstances) {}
     void on_data_available(api::DataReader* reader) override {
-      take_all(*reader, value_,
-               [this](const Wire& value, const api::SampleInfo&) { handle_(value); });
+      take_all(*reader, quota_, value_, [this](const Wire& value, const api::SampleInfo& info) {
+        handle_(value, Origin(info.publication_handle));
+      });
+    }
+    void on_subscription_matched(api::DataReader* reader,
+                                 const api::SubscriptionMatchedStatus& status) override {
+      (void)reader;
+      if (status.current_count_change < 0) quota_.leave(status.last_publication_handle);
     }
 
    private:
     Handle handle_;
+    Quota quota_;
     Wire value_;  ///< The last sample: its memory is used again.
   };
   Listener listener_;

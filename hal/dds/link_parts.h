@@ -24,6 +24,7 @@ inline constexpr const char* kSessionTopic = "baraka/session";
 struct LinkSettings {
   std::string server;
   exchange::Hello hello;
+  hal::rtps::GuidPrefix participant;  ///< Whose Hello it was, and whose Replies count.
   std::uint64_t run = 0;
   std::optional<Duration> reply_timeout;
   /// Whether the process was not heard for the liveliness lease. Asked if it is on another host.
@@ -48,6 +49,7 @@ class ProcessLink::Implementation {
   /// The Reply that is waited for, if it is there. Drops others.
   std::optional<exchange::Reply> take_reply();
   bool answers_step(const wire::Reply& reply) const;
+  bool is_of_the_process(const Origin& origin);
   Result<void> write();
   void wait(const Deadline& deadline) const;
   bool is_dead() const;
@@ -62,6 +64,7 @@ class ProcessLink::Implementation {
   Deadline resend_;  ///< … and when it is written again.
   std::uint64_t sequence_ = 0;
   std::uint64_t callers_sequence_ = 0;
+  Time at_{};  ///< Of the Step under way.
   DroppedReplies dropped_;
 };
 

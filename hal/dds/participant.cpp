@@ -3,13 +3,14 @@
 #include <fmt/core.h>
 
 #include <atomic>
-#include <cstdio>
 #include <memory>
 #include <mutex>
 #include <stdexcept>
 #include <utility>
 
 #include "hal/dds/domains.h"
+#include "hal/dds/filtering_transport.h"
+#include "hal/dds/library_log.h"
 
 namespace hal::dds {
 namespace {
@@ -31,18 +32,9 @@ constexpr Duration kNackSuppression = std::chrono::milliseconds{10};
 constexpr Duration kFirstAcknack = std::chrono::milliseconds{50};
 constexpr std::uint32_t kSocketBuffer = 4U << 20U;
 
-/// What Fast DDS has to say, as plain lines.
-class PlainLog : public api::LogConsumer {
-  void Consume(const api::Log::Entry& entry) override {
-    fmt::print(stderr, "Fast DDS: {} ({})\n", entry.message, entry.context.category);
-  }
-};
-
 /// Once per process, before the first participant.
 void configure_library() {
-  api::Log::ClearConsumers();
-  api::Log::RegisterConsumer(std::make_unique<PlainLog>());
-  api::Log::SetVerbosity(api::Log::Kind::Error);
+  take_over_library_log();
   // Two participants in one process talk like those in two: tests then test the real path.
   eprosima::fastrtps::LibrarySettingsAttributes settings;
   settings.intraprocess_delivery = eprosima::fastrtps::INTRAPROCESS_OFF;
@@ -69,7 +61,8 @@ rtps::Locator_t discovery_locator(int domain, int place) {
   return locator_of(discovery_port(domain, place));
 }
 
-api::DomainParticipantQos udp_qos(int participant_id, const std::vector<std::string>& addresses) {
+api::DomainParticipantQos udp_qos(int participant_id, const std::vector<std::string>& addresses,
+                                  const std::shared_ptr<DatagramFilter>& filter) {
   static std::once_flag configured;
   std::call_once(configured, configure_library);
 
@@ -80,13 +73,21 @@ api::DomainParticipantQos udp_qos(int participant_id, const std::vector<std::str
   udp->sendBufferSize = kSocketBuffer;
   udp->receiveBufferSize = kSocketBuffer;
   qos.transport().use_builtin_transports = false;
-  qos.transport().user_transports.assign(1, udp);
+  qos.transport().user_transports.assign(
+      1, std::make_shared<FilteringTransportDescriptor>(udp, filter));
   qos.wire_protocol().participant_id = participant_id;
   return qos;
 }
 
-api::DomainParticipantQos star_qos(int participant_id, const rtps::Locator_t& discovery) {
-  api::DomainParticipantQos qos = udp_qos(participant_id, {kLoopback});
+std::shared_ptr<DatagramFilter> filter_for(const std::vector<std::string>& addresses,
+                                           bool is_star) {
+  return std::make_shared<DatagramFilter>(
+      DatagramFilter::Settings{.networks = networks_of(addresses), .is_star = is_star});
+}
+
+api::DomainParticipantQos star_qos(int participant_id, const rtps::Locator_t& discovery,
+                                   const std::shared_ptr<DatagramFilter>& filter) {
+  api::DomainParticipantQos qos = udp_qos(participant_id, {kLoopback}, filter);
   auto& builtin = qos.wire_protocol().builtin;
   builtin.metatrafficUnicastLocatorList.push_back(discovery);
   builtin.avoid_builtin_multicast = true;
@@ -96,14 +97,14 @@ api::DomainParticipantQos star_qos(int participant_id, const rtps::Locator_t& di
 }
 
 template <class Qos>
-void set_common_qos(Qos& qos, Presence presence) {
+void set_common_qos(Qos& qos, Presence presence, std::int32_t max_instances) {
   qos.reliability().kind = api::RELIABLE_RELIABILITY_QOS;
   qos.durability().kind = api::TRANSIENT_LOCAL_DURABILITY_QOS;
   qos.history().kind = api::KEEP_LAST_HISTORY_QOS;
   qos.history().depth = 1;
-  qos.resource_limits().max_instances = kMaxInstances;
+  qos.resource_limits().max_instances = max_instances;
   qos.resource_limits().max_samples_per_instance = 1;
-  qos.resource_limits().max_samples = kMaxInstances;
+  qos.resource_limits().max_samples = max_instances;
   qos.resource_limits().allocated_samples = 4;
   qos.endpoint().history_memory_policy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
   qos.data_sharing().off();
@@ -116,14 +117,16 @@ void set_common_qos(Qos& qos, Presence presence) {
 }  // namespace
 
 Participant Participant::server(int domain, int place) {
-  api::DomainParticipantQos qos = star_qos(place, discovery_locator(domain, place));
+  const auto filter = filter_for({kLoopback}, true);
+  api::DomainParticipantQos qos = star_qos(place, discovery_locator(domain, place), filter);
   qos.name("baraka server");
-  return {domain, qos};
+  return {domain, qos, filter};
 }
 
 Participant Participant::controller(int domain) {
   // Any free ports: those of the ids of a domain would do for 112 controllers.
-  api::DomainParticipantQos qos = star_qos(next_participant_id(), locator_of(free_port()));
+  const auto filter = filter_for({kLoopback}, true);
+  api::DomainParticipantQos qos = star_qos(next_participant_id(), locator_of(free_port()), filter);
   qos.wire_protocol().default_unicast_locator_list.push_back(locator_of(free_port()));
   qos.name("baraka controller");
   auto& builtin = qos.wire_protocol().builtin;
@@ -132,35 +135,40 @@ Participant Participant::controller(int domain) {
   }
   builtin.discovery_config.initial_announcements.count = 20;
   builtin.discovery_config.initial_announcements.period = to_dds(std::chrono::milliseconds{20});
-  return {domain, qos};
+  return {domain, qos, filter};
 }
 
 Participant Participant::inspection(int domain, const std::vector<std::string>& addresses,
                                     const std::string& name,
                                     api::DomainParticipantListener* listener) {
   // Not on the ports of a server's places: controllers would find it there.
-  api::DomainParticipantQos qos = udp_qos(next_participant_id(), addresses);
+  const auto filter = filter_for(addresses, false);
+  api::DomainParticipantQos qos = udp_qos(next_participant_id(), addresses, filter);
   qos.name(name);
-  return {domain, qos, listener};
+  return {domain, qos, filter, listener};
 }
 
 Participant::Participant(int domain, const api::DomainParticipantQos& qos,
+                         std::shared_ptr<DatagramFilter> filter,
                          api::DomainParticipantListener* listener)
-    : participant_(api::DomainParticipantFactory::get_instance()->create_participant(
+    : filter_(std::move(filter)),
+      participant_(api::DomainParticipantFactory::get_instance()->create_participant(
           static_cast<std::uint32_t>(domain), qos, listener, api::StatusMask::none())) {
   if (participant_ == nullptr) {
     throw std::runtime_error(
-        fmt::format("Fast DDS cannot join domain {}: is another program on its ports?", domain));
+        fmt::format("Fast DDS cannot join domain {}: is another program on its ports?{}", domain,
+                    last_words_of_library()));
   }
   publisher_ = participant_->create_publisher(api::PUBLISHER_QOS_DEFAULT);
   subscriber_ = participant_->create_subscriber(api::SUBSCRIBER_QOS_DEFAULT);
   if (publisher_ == nullptr || subscriber_ == nullptr) {
-    throw std::runtime_error("Fast DDS makes no publisher or subscriber");
+    throw std::runtime_error("Fast DDS makes no publisher or subscriber" + last_words_of_library());
   }
 }
 
 Participant::Participant(Participant&& other) noexcept
-    : participant_(std::exchange(other.participant_, nullptr)),
+    : filter_(std::move(other.filter_)),
+      participant_(std::exchange(other.participant_, nullptr)),
       publisher_(other.publisher_),
       subscriber_(other.subscriber_) {}
 
@@ -186,7 +194,7 @@ void Participant::remove_topic(api::Topic* topic) { participant_->delete_topic(t
 
 api::DataWriterQos writer_qos(Presence presence) {
   api::DataWriterQos qos = api::DATAWRITER_QOS_DEFAULT;
-  set_common_qos(qos, presence);
+  set_common_qos(qos, presence, kMaxWritten);
   qos.publish_mode().kind = api::SYNCHRONOUS_PUBLISH_MODE;
   // With every sample, a heartbeat and the end of NACK suppression (0 by default) would each wake
   // up the timer threads: measured 13 context switches and 120 us per exchange, without 6 and 72
@@ -202,7 +210,7 @@ api::DataWriterQos writer_qos(Presence presence) {
 
 api::DataReaderQos reader_qos(Presence presence) {
   api::DataReaderQos qos = api::DATAREADER_QOS_DEFAULT;
-  set_common_qos(qos, presence);
+  set_common_qos(qos, presence, kMaxInstances);
   qos.reliable_reader_qos().times.initialAcknackDelay = to_dds(kFirstAcknack);
   qos.reliable_reader_qos().times.heartbeatResponseDelay = to_dds(Duration::zero());
   return qos;

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "hal/dds/datagram_filter.h"
 #include "hal/dds/fastdds.h"
 #include "hal/types/time.h"
 
@@ -36,13 +38,18 @@ class Participant {
   api::Topic* add_topic(const std::string& name, const api::TypeSupport& type);
   void remove_topic(api::Topic* topic);
 
+  /// What comes in passes it.
+  DatagramFilter& filter() { return *filter_; }
+
   api::Publisher& publisher() { return *publisher_; }
   api::Subscriber& subscriber() { return *subscriber_; }
 
  private:
   Participant(int domain, const api::DomainParticipantQos& qos,
+              std::shared_ptr<DatagramFilter> filter,
               api::DomainParticipantListener* listener = nullptr);
 
+  std::shared_ptr<DatagramFilter> filter_;
   api::DomainParticipant* participant_;
   api::Publisher* publisher_;
   api::Subscriber* subscriber_;
@@ -53,8 +60,11 @@ class Participant {
 inline constexpr Duration kLivelinessLease = std::chrono::milliseconds{1500};
 inline constexpr Duration kLivelinessPeriod = std::chrono::milliseconds{300};
 
-/// Most writers' last samples that a reader keeps.
+/// Most writers' last samples that a reader keeps. Those whose writers are gone make room.
 inline constexpr std::int32_t kMaxInstances = 4096;
+/// The same of a writer. Those that were disposed of stay until every reader knows, also those of
+/// processes that were killed, which DDS forgets late.
+inline constexpr std::int32_t kMaxWritten = 1 << 20;
 
 /// Whether the readers of a topic notice the silence of its writers. Not for what is written often:
 /// every sample would wake up the thread that keeps the time of the lease (measured: 3 of 13

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "hal/dds/link_parts.h"
+#include "hal/types/log.h"
 
 namespace hal::dds {
 namespace {
@@ -33,6 +34,7 @@ ProcessLink::Implementation::Implementation(Participant& participant, LinkSettin
 Result<void> ProcessLink::Implementation::begin(const exchange::Step& step) {
   if (is_dead()) return death();
   callers_sequence_ = step.sequence;
+  at_ = step.events.empty() ? step.until : step.events.front().time;
   to_wire(step, step_);
   step_.server(settings_.server);
   step_.run(settings_.run);
@@ -75,6 +77,9 @@ void ProcessLink::Implementation::wait(const Deadline& deadline) const {
 
 std::optional<exchange::Reply> ProcessLink::Implementation::take_reply() {
   while (const wire::Reply* sample = replies_.take()) {
+    // The process may serve other servers, too, and a Reply to one that is gone may still be kept.
+    if (sample->server() != settings_.server) continue;
+    if (!is_of_the_process(replies_.origin())) continue;
     if (!answers_step(*sample)) {
       // The second answer to a Step that was written twice is in order.
       const bool is_echo =
@@ -94,8 +99,20 @@ std::optional<exchange::Reply> ProcessLink::Implementation::take_reply() {
 }
 
 bool ProcessLink::Implementation::answers_step(const wire::Reply& reply) const {
-  return reply.server() == settings_.server && reply.process() == settings_.hello.process &&
-         reply.run() == settings_.run && reply.sequence_number() == sequence_;
+  return reply.process() == settings_.hello.process && reply.run() == settings_.run &&
+         reply.sequence_number() == sequence_;
+}
+
+bool ProcessLink::Implementation::is_of_the_process(const Origin& origin) {
+  const hal::rtps::GuidPrefix participant = participant_of(origin);
+  if (participant == settings_.participant) return true;
+  if (++dropped_.foreign > 1) return false;
+  dropped_.first_foreign = text_of(participant);
+  log::warning(at_, "dds",
+               "participant {} answers for process '{}' (pid {}), which is participant {}: its "
+               "replies are dropped",
+               dropped_.first_foreign, name(), settings_.hello.pid, text_of(settings_.participant));
+  return false;
 }
 
 Result<void> ProcessLink::Implementation::write() {

@@ -13,6 +13,8 @@ namespace hal::dds {
 struct DroppedReplies {
   std::uint64_t stale = 0;      ///< An old or unknown sequence number, another run or process.
   std::uint64_t malformed = 0;  ///< Values outside their enumerations.
+  std::uint64_t foreign = 0;    ///< Of another participant than the one that was granted agents …
+  std::string first_foreign;    ///< … such as this one.
 };
 
 /// The server's end of the exchange with one controller process: topics baraka/<process>/step and

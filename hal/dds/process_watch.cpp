@@ -17,7 +17,17 @@
 namespace hal::dds {
 namespace {
 
-/// Field 22 of /proc/<pid>/stat; nothing if there is no such process.
+std::string this_host() {
+  std::array<char, 256> name{};
+  gethostname(name.data(), name.size() - 1);
+  // A pid means nothing outside its namespace (pid_namespaces(7)).
+  struct stat pid_namespace {};
+  stat("/proc/self/ns/pid", &pid_namespace);
+  return fmt::format("{}#{}", name.data(), pid_namespace.st_ino);
+}
+
+}  // namespace
+
 std::optional<std::uint64_t> start_time_of(std::int64_t pid) {
   std::ifstream file(fmt::format("/proc/{}/stat", pid));
   std::string line;
@@ -32,17 +42,6 @@ std::optional<std::uint64_t> start_time_of(std::int64_t pid) {
   if (!(rest >> start_time)) return std::nullopt;
   return start_time;
 }
-
-std::string this_host() {
-  std::array<char, 256> name{};
-  gethostname(name.data(), name.size() - 1);
-  // A pid means nothing outside its namespace (pid_namespaces(7)).
-  struct stat pid_namespace {};
-  stat("/proc/self/ns/pid", &pid_namespace);
-  return fmt::format("{}#{}", name.data(), pid_namespace.st_ino);
-}
-
-}  // namespace
 
 ProcessIdentity this_process() {
   const pid_t pid = getpid();

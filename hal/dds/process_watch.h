@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace hal::dds {
@@ -14,6 +15,10 @@ struct ProcessIdentity {
 };
 
 ProcessIdentity this_process();
+
+/// Field 22 of /proc/<pid>/stat; nothing if there is no such process, or none that may be looked
+/// at.
+std::optional<std::uint64_t> start_time_of(std::int64_t pid);
 
 /// Notices the death of another process on this host, and nothing else: a process that a debugger
 /// or SIGSTOP has halted is not dead.

@@ -34,6 +34,9 @@ class Server {
   /// Hellos that came since the last call; waits for the first one, up to `timeout`. `watched`:
   /// further descriptors that end the wait when they become readable. -1 is skipped.
   std::vector<exchange::Hello> hellos(Duration timeout, const std::vector<int>& watched = {});
+  /// Hellos since the last call that hellos() left out, because they are not what they say or come
+  /// from another user: "process 'x' (pid 7): reason". Their participants are not heard any more.
+  std::vector<std::string> take_refusals();
   int descriptor() const;   ///< Readable when Hellos may have come.
   bool has_hellos() const;  ///< Without waiting, and cheap.
 
@@ -41,7 +44,8 @@ class Server {
   /// Errors: kNotConnected (DDS refuses the sample).
   Result<void> answer(exchange::Session session);
 
-  /// The link to an admitted process. To be made before the Session is sent.
+  /// The link to an admitted process, one of hellos(). To be made before the Session is sent. Only
+  /// Replies of the participant that said the Hello count.
   /// @param reply_timeout  of every exchange; none: wait for ever.
   /// @throws std::runtime_error  if DDS cannot create the topics.
   std::unique_ptr<ProcessLink> link(const exchange::Hello& hello, std::uint64_t run,

@@ -37,7 +37,7 @@ std::string mistake_in(const ControllerKind& kind, const exchange::AgentSession&
 }  // namespace
 
 Agent::Agent(const ControllerKind& kind, const exchange::AgentSession& session, Outbox& outbox)
-    : context_(session, kind.wants, outbox), who_("controller of " + session.name) {}
+    : context_(session, kind, outbox), who_("controller of " + session.name) {}
 
 void Agent::make_controller(const ControllerKind& kind) {
   const Parameters parameters = read_parameters(kind, context_.session.parameters);

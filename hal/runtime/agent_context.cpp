@@ -4,12 +4,13 @@
 
 namespace hal::runtime {
 
-AgentContext::AgentContext(const exchange::AgentSession& agent_session, const Wants& wants,
+AgentContext::AgentContext(const exchange::AgentSession& agent_session, const ControllerKind& kind,
                            Outbox& out)
     : session(agent_session),
+      states(kind.states),
       outbox(out),
       readings(agent_session.channels),
-      routes(wants.watched, wants.neighbours),
+      routes(kind.wants.watched, kind.wants.neighbours),
       random(agent_session.seed, agent_session.name + "/controller") {}
 
 void AgentContext::take_in(const exchange::Event& event) {

@@ -2,7 +2,10 @@
 
 #include <map>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "hal/api/controller.h"
 #include "hal/exchange/session.h"
 #include "hal/runtime/call_guard.h"
 #include "hal/runtime/mistakes.h"
@@ -12,13 +15,15 @@
 #include "hal/types/random.h"
 #include "hal/types/result.h"
 #include "hal/types/time.h"
-#include "hal/types/wants.h"
+#include "hal/types/topics.h"
 
 namespace hal::runtime {
 
 /// What one agent knows and keeps between events: all that its Mote or Robot answers from.
 struct AgentContext {
-  AgentContext(const exchange::AgentSession& agent_session, const Wants& wants, Outbox& out);
+  /// @param kind  outlives this.
+  AgentContext(const exchange::AgentSession& agent_session, const ControllerKind& kind,
+               Outbox& out);
 
   /// Updates the knowledge from what an event brings. What is against the rules is logged and left.
   void take_in(const exchange::Event& event);
@@ -42,6 +47,7 @@ struct AgentContext {
   bool take_due_timer(TimerId id);
 
   const exchange::AgentSession session;
+  const std::vector<std::string>& states;  ///< That the controller declares; empty: it does not.
   CallGuard guard;
   Outbox& outbox;
   Time now{};
@@ -49,6 +55,7 @@ struct AgentContext {
   RouteView routes;
   RandomStream random;
   MessageId last_message = 0;
+  Topics topics;
   Mistakes mistakes;
   std::string last_refusal;  ///< As the controller was told.
   std::map<TimerId, Time> timers;

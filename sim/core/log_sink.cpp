@@ -40,8 +40,8 @@ void write(hal::log::Level level, hal::Time at, std::string_view where, std::str
 
 void log_to_file(const std::string& path, hal::log::Level lowest) {
   try {
-    auto file = std::make_shared<spdlog::sinks::basic_file_sink_st>(path, true);
-    auto standard_error = std::make_shared<spdlog::sinks::stderr_sink_st>();
+    auto file = std::make_shared<spdlog::sinks::basic_file_sink_mt>(path, true);
+    auto standard_error = std::make_shared<spdlog::sinks::stderr_sink_mt>();
     standard_error->set_level(spdlog::level::warn);
     logger() = std::make_unique<spdlog::logger>(
         "baraka", spdlog::sinks_init_list{std::move(file), std::move(standard_error)});

@@ -6,8 +6,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <cstdint>
+#include <fstream>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -80,6 +82,17 @@ void exchange_once(Processes& processes, const hal::exchange::Step& step) {
   for (const auto& link : processes.links) require(link->finish());
 }
 
+/// UDP datagrams that this network namespace has received: also those of other programs in it.
+double datagrams() {
+  std::ifstream counters("/proc/net/snmp");
+  for (std::string line; std::getline(counters, line);) {
+    if (line.starts_with("Udp: ") && std::isdigit(static_cast<unsigned char>(line[5])) != 0) {
+      return std::stod(line.substr(5));
+    }
+  }
+  return 0;
+}
+
 void measure(int count, int agents, int exchanges) {
   Processes processes;
   start(processes, count, agents);
@@ -90,17 +103,20 @@ void measure(int count, int agents, int exchanges) {
     step.events[i].readings = {{kChannel, std::vector<double>(kReadings, 0.1)}};
   }
   std::vector<double> microseconds;
+  const double before = datagrams();
   for (int i = 0; i < exchanges; ++i) {
     const auto begin = Clock::now();
     exchange_once(processes, step);
     microseconds.push_back(std::chrono::duration<double, std::micro>(Clock::now() - begin).count());
   }
+  const double each = (datagrams() - before) / exchanges;
   std::ranges::sort(microseconds);
   const auto quantile = [&](double q) {
     return microseconds[static_cast<std::size_t>(q * static_cast<double>(exchanges - 1))];
   };
-  fmt::print("{:2} processes, {:4} agents each: median {:.1f} us, 99 % {:.1f} us\n", count, agents,
-             quantile(0.5), quantile(0.99));
+  fmt::print(
+      "{:2} processes, {:4} agents each: median {:.1f} us, 99 % {:.1f} us, {:.2f} datagrams\n",
+      count, agents, quantile(0.5), quantile(0.99), each);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
     cmake --build build/release --target programs benches
     tests/bench/run.py [--build DIR] [--peer DIR] [--lockstep DIR] [--repeat N] [BENCH...]
 
-BENCH is one of event_queue, exchange, case_study, driving; default: all. A peer that is not there is
+BENCH is one of event_queue, exchange, walker, case_study, driving; default: all. A peer that is not there is
 skipped with a message. --peer: a folder with ns3/eventcore.cc, which needs libns3-dev, and
 ode/speed.cpp, which needs libode-dev. --lockstep: a folder with lockstep.cpp, the exchange in bare
 Fast DDS, and its CMakeLists.txt. They are built into DIR/peers; the programs themselves may lie
@@ -162,6 +162,18 @@ def exchange(options):
         show(f"{processes} processes, {agents} agents each", found["ours"], "us", note)
 
 
+def walker(options):
+    """Nanoseconds that a datagram is looked at before Fast DDS gets it, and the share of an exchange."""
+    bench, exchanges = options.build / "tests/walker_bench", options.build / "tests/exchange_bench"
+    found = medians(options.repeat, {
+        "a datagram": lambda: value(output(bench), "ns"),
+        "datagrams": lambda: float(re.search(r"([\d.]+) datagrams", output(exchanges, 5000, 1, 1)).group(1)),
+        "exchange": lambda: float(re.search(r"median ([\d.]+) us", output(exchanges, 5000, 1, 1)).group(1))})
+    share = 0.1 * found["a datagram"] * found["datagrams"] / found["exchange"]
+    show("validation and filter", found["a datagram"], "ns",
+         f"x {found['datagrams']:.2f} datagrams: {share:.2f} % of {found['exchange']:.1f} us")
+
+
 def case_study(options):
     """Times real time, start-up excluded."""
     baraka = options.build / "bin/baraka"
@@ -195,7 +207,7 @@ def driving(options):
             show(f"{wheels}: {name}", figure, "ms/s", note)
 
 
-BENCHES = {"event_queue": event_queue, "exchange": exchange, "case_study": case_study,
+BENCHES = {"event_queue": event_queue, "exchange": exchange, "walker": walker, "case_study": case_study,
            "driving": driving}
 
 

@@ -128,7 +128,8 @@ class Includes(Package):
     def test_one_that_is_nowhere_is_named(self):
         finished = self.check("robots/mole.yaml")
         self.assertEqual(finished.status, 2)
-        self.assertRegex(finished.err, r"scenario.yaml:\d+:\d+: .*include: there is no file '.*robots/mole.yaml'")
+        self.assertRegex(finished.err, r"scenario.yaml:\d+:\d+: .*include: there is no file '.*robots/mole.yaml', "
+                         rf"nor in the shared folders \(.*{re.escape(str(self.prefix))}/share/baraka\)")
 
 
 class NewController(Package):

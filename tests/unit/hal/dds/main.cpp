@@ -33,11 +33,12 @@ extern "C" const char* __asan_default_options() {  // NOLINT(bugprone-reserved-i
   return "new_delete_type_mismatch=0";
 }
 
-/// Tests, or one of the roles of a Child: "controller DOMAIN NAME", "server DOMAIN".
+/// Tests, or one of the roles of a Child: "controller DOMAIN NAME", "server DOMAIN", "sleep".
 int main(int argc, char** argv) {
-  const std::string role = argc > 2 ? argv[1] : "";
-  if (role == "controller") return be_controller(std::stoi(argv[2]), argv[3]);
-  if (role == "server") return be_server(std::stoi(argv[2]));
+  const std::string role = argc > 1 ? argv[1] : "";
+  if (role == "sleep") return pause();
+  if (role == "controller" && argc == 4) return be_controller(std::stoi(argv[2]), argv[3]);
+  if (role == "server" && argc == 3) return be_server(std::stoi(argv[2]));
   testing::InitGoogleTest(&argc, argv);
   return RUN_ALL_TESTS();
 }

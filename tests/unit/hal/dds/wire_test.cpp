@@ -7,6 +7,7 @@
 #include "hal/dds/endpoints.h"
 #include "hal/dds/link_parts.h"
 #include "tests/support/test_domain.h"
+#include "tests/unit/hal/dds/child.h"
 #include "tests/unit/hal/dds/echo_controller.h"
 
 // What happens when the other end does not keep to the rules.
@@ -98,6 +99,133 @@ TEST_F(LinkedClient, AStepOfAThousandEventsArrivesWhole) {
   big.events.resize(1000, big.events[0]);  // About 400 kB: several UDP datagrams.
   ASSERT_TRUE(link_->begin(big));
   EXPECT_EQ(next_step().events, big.events);
+}
+
+/// Another participant that writes what it likes.
+class Forger {
+ public:
+  explicit Forger(int domain) : participant_(Participant::controller(domain)) {}
+  Participant& participant() { return participant_; }
+
+ private:
+  Participant participant_;
+};
+
+/// Waits until as many readers are in sight.
+template <class Wire>
+void await_readers(const Writer<Wire>& writer, int count) {
+  const Deadline deadline(kPatience);
+  while (writer.readers() < count && !deadline.has_passed()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds{5});
+  }
+  ASSERT_EQ(writer.readers(), count);
+}
+
+/// Writes until somebody has heard it.
+template <class Wire, class Heard>
+void write_until(Writer<Wire>& writer, Wire& sample, const Heard& is_heard) {
+  const Deadline deadline(kPatience);
+  while (!is_heard() && !deadline.has_passed()) {
+    ASSERT_TRUE(writer.write(sample));
+    std::this_thread::sleep_for(std::chrono::milliseconds{5});
+  }
+  ASSERT_TRUE(is_heard());
+}
+
+TEST_F(LinkedClient, RepliesOfAnotherParticipantAreDroppedAndNamed) {
+  Forger forger(server_.domain());
+  Writer<wire::Reply> forged(forger.participant(), reply_topic("rogue"));
+  ASSERT_TRUE(link_->begin(step_with(Cause::kStart, 1)));
+  const exchange::Step step = next_step();
+  exchange::Reply reply = reply_to(step);
+  reply.actions.resize(1);
+  reply.actions[0].text = "forged";
+  wire::Reply sample;
+  to_wire(reply, step.server, sample);
+  sample.process("rogue");
+  write_until(forged, sample, [this] {
+    EXPECT_FALSE(*link_->try_finish());
+    return link_->dropped().foreign > 0;
+  });
+  EXPECT_EQ(link_->dropped().first_foreign.size(), 24);
+  EXPECT_EQ(link_->dropped().stale, 0);
+  ASSERT_TRUE(client_.reply(step.server, reply_to(step)));
+  const auto answer = link_->finish();
+  ASSERT_TRUE(answer) << answer.error().message;
+  EXPECT_TRUE(answer->actions.empty());
+}
+
+TEST_F(LinkedClient, RepliesForOtherServersAreNobodysFault) {
+  ASSERT_TRUE(link_->begin(step_with(Cause::kStart, 1)));
+  const exchange::Step step = next_step();
+  ASSERT_TRUE(client_.reply("another server", reply_to(step)));
+  ASSERT_TRUE(client_.reply(step.server, reply_to(step)));
+  EXPECT_TRUE(link_->finish());
+  EXPECT_EQ(link_->dropped().stale, 0);
+}
+
+TEST_F(LinkedClient, StepsOfAnotherParticipantAreNotAnswered) {
+  Participant rival = Participant::server(server_.domain(), 7);
+  Writer<wire::Step> steps(rival, step_topic("rogue"));
+  exchange::Step forged = step_with(Cause::kControl, 1);
+  forged.server = server_.name();
+  forged.run = 7;
+  wire::Step sample;
+  to_wire(forged, sample);
+  await_readers(steps, 1);
+  ASSERT_TRUE(steps.write(sample));
+  steps.flush(kPatience);
+  EXPECT_TRUE(std::holds_alternative<Silence>(client_.next(std::chrono::milliseconds{100})));
+  ASSERT_TRUE(link_->begin(step_with(Cause::kStart, 1)));
+  EXPECT_EQ(next_step().events.at(0).cause, Cause::kStart);
+}
+
+TEST_F(LinkedClient, ASessionOfAnotherParticipantForTheSameServerIsNotHeard) {
+  Participant rival = Participant::server(server_.domain(), 7);
+  Writer<wire::Session> sessions(rival, kSessionTopic);
+  exchange::Session refusal;
+  refusal.instance = hello_.instance;
+  refusal.server = server_.name();
+  refusal.refusal = "forged";
+  wire::Session sample = to_wire(refusal, this_process());
+  await_readers(sessions, 1);
+  ASSERT_TRUE(sessions.write(sample));
+  sessions.flush(kPatience);
+  EXPECT_TRUE(std::holds_alternative<Silence>(client_.next(std::chrono::milliseconds{100})));
+}
+
+TEST_F(LinkedClient, AHelloInTheNameOfAnotherIsNotAnsweredAndNamed) {
+  Forger forger(server_.domain());
+  Writer<wire::Hello> hellos(forger.participant(), kHelloTopic);
+  wire::Hello sample = to_wire(hello_);
+  std::vector<std::string> refusals;
+  write_until(hellos, sample, [&] {
+    EXPECT_TRUE(server_.hellos(Duration::zero()).empty());
+    for (std::string& one : server_.take_refusals()) refusals.push_back(std::move(one));
+    return !refusals.empty();
+  });
+  EXPECT_NE(refusals[0].find("process 'rogue'"), std::string::npos);
+  EXPECT_NE(refusals[0].find("it says to be instance '" + hello_.instance), std::string::npos);
+  EXPECT_NE(link_, nullptr);
+  EXPECT_TRUE(link_->check_alive());
+}
+
+TEST_F(LinkedClient, AHelloOfAProcessThatDoesNotSpeakFromThatPortIsNotAnswered) {
+  const Child child({"sleep"});
+  Forger forger(server_.domain());
+  Writer<wire::Hello> hellos(forger.participant(), kHelloTopic);
+  exchange::Hello hello = hello_;
+  hello.instance = "other";
+  hello.pid = child.pid();
+  hello.pid_start_time = start_time_of(child.pid()).value_or(0);
+  wire::Hello sample = to_wire(hello);
+  std::vector<std::string> refusals;
+  write_until(hellos, sample, [&] {
+    EXPECT_TRUE(server_.hellos(Duration::zero()).empty());
+    for (std::string& one : server_.take_refusals()) refusals.push_back(std::move(one));
+    return !refusals.empty();
+  });
+  EXPECT_NE(refusals[0].find("that it speaks from"), std::string::npos) << refusals[0];
 }
 
 TEST(Withdrawal, ServersThatStartAfterItDoNotSeeTheHello) {

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hal/rtps/cursor.h"
+#include "hal/rtps/entity_id.h"
+
+namespace hal::dds {
+
+/// A UDP port of an IPv4 address, both as numbers.
+struct UdpSender {
+  std::uint32_t address = 0;
+  std::uint16_t port = 0;
+  auto operator<=>(const UdpSender&) const = default;
+  std::string text() const;  ///< "127.0.0.1:7660"
+};
+
+/// The addresses from which an interface is reached without a router.
+struct Network {
+  std::uint32_t address = 0, mask = 0;
+  bool holds(std::uint32_t other) const { return (address & mask) == (other & mask); }
+};
+
+/// The networks of those interfaces of this host that have one of the addresses: 127.0.0.0/8 for
+/// 127.0.0.1; then each address of this host by itself, as programs here may speak from any, and
+/// nobody beyond can (Linux drops what comes in from its own addresses). An address that no
+/// interface has is a network by itself, too.
+std::vector<Network> networks_of(const std::vector<std::string>& addresses);
+
+/// Which datagrams a participant looks at. Fast DDS 2.9 as Debian 12 has it follows lengths that it
+/// has not checked (CVE-2024-28231 and others), so nothing that hal/rtps refuses gets there; nor
+/// does what comes from beyond the participant's own interfaces: Linux hands a datagram of a
+/// multicast group to every socket on its port, whichever interface the socket has joined the group
+/// on (ip(7), IP_MULTICAST_ALL), so that a LAN reached participants of 127.0.0.1.
+///
+/// On the loopback interface it also binds a participant to the port it speaks from, which no other
+/// program can have meanwhile: its GUID alone could be anyone's.
+///
+/// What is dropped is counted by reason and sender's address; the first of an address is logged,
+/// and at the end how many there were. Any thread.
+class DatagramFilter {
+ public:
+  struct Settings {
+    std::vector<Network> networks;
+    /// Whether everybody speaks for himself from one port: in the star of the exchange, where all
+    /// are of this project. Others may use several ports, and relay discovery.
+    bool is_star = false;
+  };
+  explicit DatagramFilter(Settings settings);
+  ~DatagramFilter();  ///< Logs how many were dropped, if any.
+  DatagramFilter(const DatagramFilter&) = delete;
+  DatagramFilter& operator=(const DatagramFilter&) = delete;
+
+  /// Whether to hand the datagram on.
+  bool lets_in(hal::rtps::Octets datagram, const UdpSender& sender);
+
+  /// From now on nothing of a participant is let in.
+  void ignore(const hal::rtps::GuidPrefix& participant);
+
+  /// Where a participant speaks from; none if it was not heard lately, or not in a star.
+  std::optional<UdpSender> sender_of(const hal::rtps::GuidPrefix& participant) const;
+
+  /// "3 datagrams from 127.0.0.1:7660 and others: 2 DATA: its payload is too short; 1 header: …";
+  /// empty if there were none.
+  std::string drops() const;
+
+ private:
+  struct Speaker {
+    UdpSender sender;
+    std::uint64_t heard = 0;   ///< Number of the datagram it was heard with last.
+    std::int64_t highest = 0;  ///< Of its sequence numbers.
+    bool is_ignored = false;
+  };
+  /// Part of a datagram and what is wrong with it; empty: nothing.
+  struct Reason {
+    std::string_view part, what;
+    auto operator<=>(const Reason&) const = default;
+  };
+
+  bool is_near(std::uint32_t address) const;
+  Reason objection_to(hal::rtps::Octets datagram, const UdpSender& sender);
+  void meet(const hal::rtps::GuidPrefix& participant, const Speaker& speaker);
+  void drop(const Reason& reason, const UdpSender& sender);
+
+  const Settings settings_;
+  mutable std::mutex mutex_;
+  std::map<hal::rtps::GuidPrefix, Speaker> speakers_;
+  std::uint64_t heard_ = 0;
+  std::map<Reason, std::uint64_t> drops_;
+  std::vector<UdpSender> named_;  ///< The first of each address that something was dropped from.
+};
+
+}  // namespace hal::dds

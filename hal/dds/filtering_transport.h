@@ -1,0 +1,28 @@
+#pragma once
+
+#include <fastdds/rtps/network/SenderResource.h>
+#include <fastdds/rtps/transport/ChainingTransport.h>
+#include <fastdds/rtps/transport/ChainingTransportDescriptor.h>
+
+#include <memory>
+
+#include "hal/dds/datagram_filter.h"
+#include "hal/dds/fastdds.h"
+
+namespace hal::dds {
+
+/// UDP whose datagrams a filter sees before Fast DDS does.
+///
+///   qos.transport().user_transports.assign(
+///       1, std::make_shared<FilteringTransportDescriptor>(udp, filter));
+struct FilteringTransportDescriptor : eprosima::fastdds::rtps::ChainingTransportDescriptor {
+  FilteringTransportDescriptor(
+      std::shared_ptr<eprosima::fastdds::rtps::UDPv4TransportDescriptor> udp,
+      std::shared_ptr<DatagramFilter> datagram_filter)
+      : ChainingTransportDescriptor(std::move(udp)), filter(std::move(datagram_filter)) {}
+  eprosima::fastdds::rtps::TransportInterface* create_transport() const override;
+
+  std::shared_ptr<DatagramFilter> filter;
+};
+
+}  // namespace hal::dds

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+
+#include "hal/rtps/fault.h"
+#include "hal/rtps/limits.h"
+#include "hal/rtps/submessage.h"
+
+namespace hal::rtps {
+
+/// What a DATA or DATA_FRAG carries (OMG DDSI-RTPS 2.5, 9.4.5.3 and 9.4.5.4).
+struct Data {
+  EntityId reader, writer;
+  std::int64_t sequence_number = 0;
+  Octets payload;  ///< With its encapsulation; of a DATA_FRAG, a part of it. May be empty.
+  bool is_key = false;
+  std::uint32_t first_fragment = 0, fragments = 0, fragment_size = 0;  ///< 0 in DATA.
+  std::uint32_t sample_size = 0;                                       ///< The same.
+};
+
+/// Reads a DATA or DATA_FRAG and judges it: sequence number, fragments, bounds of inline QoS and
+/// payload, and what discovery says.
+/// @param source  participant of the writer.
+/// @param[out] data  what was read; whole if nothing is wrong.
+Objection judge_data(const Submessage& submessage, const GuidPrefix& source, const Limits& limits,
+                     Data& data);
+
+}  // namespace hal::rtps

@@ -1,0 +1,120 @@
+#include "hal/dds/datagram_filter.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/unit/hal/rtps/datagrams.h"
+
+namespace hal::dds {
+namespace {
+
+constexpr std::uint32_t kLocalhost = 0x7f000001;
+const UdpSender kSender{kLocalhost, 40000};
+
+/// A HEARTBEAT of a participant whose GUID prefix ends with a number.
+hal::rtps::Datagram heartbeat(std::uint8_t participant, std::uint8_t first = 1) {
+  hal::rtps::Datagram datagram = hal::rtps::datagram(
+      "0701 1c00 00000107 00000102 00000000 01000000 00000000 ff000000 01000000");
+  datagram[19] = participant;
+  datagram[36] = first;
+  return datagram;
+}
+
+hal::rtps::GuidPrefix prefix_of(const hal::rtps::Datagram& datagram) {
+  hal::rtps::GuidPrefix prefix;
+  std::ranges::copy(hal::rtps::octets_of(datagram).subspan(8, 12), prefix.octets.begin());
+  return prefix;
+}
+
+class StarFilter : public testing::Test {
+ protected:
+  bool lets_in(const hal::rtps::Datagram& datagram, const UdpSender& sender = kSender) {
+    return filter_.lets_in(hal::rtps::octets_of(datagram), sender);
+  }
+  DatagramFilter filter_{{.networks = networks_of({"127.0.0.1"}), .is_star = true}};
+};
+
+TEST_F(StarFilter, LetsInWhatRealParticipantsSend) {
+  for (const hal::rtps::Datagram& one : hal::rtps::recorded("fast_dds")) {
+    EXPECT_TRUE(lets_in(one, {kLocalhost, one[19]}));  // each participant from its own port
+  }
+  EXPECT_EQ(filter_.drops(), "");
+}
+
+TEST_F(StarFilter, DropsGarbageAndTellsHowMuchAndFromWhom) {
+  hal::rtps::Datagram cut = heartbeat(1);
+  cut.resize(40);
+  EXPECT_FALSE(lets_in(cut));
+  EXPECT_FALSE(lets_in(cut, {kLocalhost, 40001}));
+  EXPECT_FALSE(lets_in({1, 2, 3}));
+  EXPECT_EQ(filter_.drops(),
+            "3 datagrams from 127.0.0.1:40000: 2 submessage: it is longer than the datagram; "
+            "1 header: it is shorter than 20 octets");
+}
+
+TEST_F(StarFilter, DropsWhatComesFromBeyondTheInterface) {
+  EXPECT_TRUE(lets_in(heartbeat(1), {0x7f000007, 1}));
+  EXPECT_FALSE(lets_in(heartbeat(2), {0xcb007107, 1}));
+  EXPECT_EQ(filter_.drops(),
+            "1 datagrams from 203.0.113.7:1: 1 sender: it is beyond the interfaces "
+            "of this participant");
+}
+
+TEST_F(StarFilter, BindsAParticipantToThePortItSpeaksFrom) {
+  EXPECT_TRUE(lets_in(heartbeat(1)));
+  EXPECT_FALSE(lets_in(heartbeat(1), {kLocalhost, 40001}));
+  EXPECT_TRUE(lets_in(heartbeat(1)));
+  EXPECT_TRUE(lets_in(heartbeat(2), {kLocalhost, 40001}));
+  EXPECT_EQ(filter_.sender_of(prefix_of(heartbeat(1))), kSender);
+  EXPECT_EQ(filter_.sender_of(prefix_of(heartbeat(3))), std::nullopt);
+}
+
+TEST_F(StarFilter, WhatWasDroppedBindsNobody) {
+  hal::rtps::Datagram cut = heartbeat(1);
+  cut.resize(40);
+  EXPECT_FALSE(lets_in(cut, {kLocalhost, 40001}));
+  EXPECT_TRUE(lets_in(heartbeat(1)));
+}
+
+TEST_F(StarFilter, HearsNobodyWhoIsIgnored) {
+  filter_.ignore(prefix_of(heartbeat(1)));
+  EXPECT_FALSE(lets_in(heartbeat(1)));
+  EXPECT_TRUE(lets_in(heartbeat(2)));
+}
+
+TEST_F(StarFilter, NumbersThatReceiversWouldCountUpToMustBeNear) {
+  hal::rtps::Datagram far = heartbeat(1);
+  far[36] = 0, far[39] = 0x04;  // 2^26
+  EXPECT_TRUE(lets_in(far));
+  far[39] = 0x09;
+  EXPECT_FALSE(lets_in(far)) << "2^26 above the last";
+  far[39] = 0x08;
+  EXPECT_TRUE(lets_in(far));
+  EXPECT_FALSE(lets_in([] {
+    hal::rtps::Datagram first = heartbeat(2);
+    first[39] = 0x7f;
+    return first;
+  }()));
+}
+
+TEST(OpenFilter, AllowsSeveralPortsAndRelayedDiscovery) {
+  DatagramFilter filter({.networks = networks_of({"127.0.0.1"}), .is_star = false});
+  EXPECT_TRUE(filter.lets_in(hal::rtps::octets_of(heartbeat(1)), kSender));
+  EXPECT_TRUE(filter.lets_in(hal::rtps::octets_of(heartbeat(1)), {kLocalhost, 40001}));
+  for (const hal::rtps::Datagram& one : hal::rtps::recorded("cyclone_dds")) {
+    EXPECT_TRUE(filter.lets_in(hal::rtps::octets_of(one), kSender));
+  }
+}
+
+TEST(Networks, AreThoseOfTheInterfacesWithTheAddresses) {
+  const auto networks = networks_of({"127.0.0.1", "203.0.113.7"});
+  ASSERT_GE(networks.size(), 3) << "and the addresses of this host, of which 127.0.0.1 is one";
+  EXPECT_TRUE(networks[0].holds(0x7f123456)) << "127.0.0.0/8";
+  EXPECT_FALSE(networks[0].holds(0x80000001));
+  EXPECT_TRUE(networks[1].holds(0xcb007107)) << "nobody has it, so nobody else is near";
+  EXPECT_FALSE(networks[1].holds(0xcb007108));
+}
+
+}  // namespace
+}  // namespace hal::dds
