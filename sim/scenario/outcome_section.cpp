@@ -82,15 +82,10 @@ void read_whose(Mapping& in, const std::string& whose, const Scenario& scenario,
                 ExpectedDistance& expected) {
   expected.whose = whose;
   expected.which = agents_like(whose, scenario);
-  if (in.has("entered")) {
-    expected.entered = in.text(
-        {"entered", "Of the agents of a pattern, the last one to enter this state is meant.",
-         "FULFILLED"});
-  }
   const bool is_pattern = whose.find_first_of("*?") != std::string::npos;
   if (!is_pattern) {
     expected.which = {agent_named(in, "distance", whose, scenario)};
-  } else if (!in.has("entered")) {
+  } else if (expected.entered.empty()) {
     in.mistake("distance",
                fmt::format("'{}' is a pattern: 'entered: STATE' must say which of its agents is "
                            "meant, the last one to enter that state",
@@ -103,6 +98,11 @@ void read_whose(Mapping& in, const std::string& whose, const Scenario& scenario,
 /// Two agents from a list of two names.
 ExpectedDistance read_distance(Mapping& in, const Scenario& scenario) {
   ExpectedDistance expected;
+  if (in.has("entered")) {
+    expected.entered = in.text(
+        {"entered", "Of the agents of a pattern, the last one to enter this state is meant.",
+         "FULFILLED"});
+  }
   const std::vector<hal::config::Scalar> names =
       in.texts({"distance", "Two agents whose true distance at the end is judged.",
                 "[NAME0, NAME1]", hal::config::kMustBeGiven});
@@ -111,7 +111,6 @@ ExpectedDistance read_distance(Mapping& in, const Scenario& scenario) {
     expected.to = agent_named(in, "distance", names[1].text, scenario);
   } else {
     in.mistake("distance", fmt::format("must name two agents, not {}", names.size()));
-    in.has("entered");
   }
   expected.below =
       hal::Metres{in.number({"below", "The distance must be smaller.", "10 m"}, "m", {0, 1e9})};

@@ -47,7 +47,10 @@ const std::vector<Kind> kKinds = {
       kConfig / "hardware/mote.yaml"}},
     {"robot", read_robot, {kConfig / "robots/robertino.yaml"}},
     {"mote", read_mote, {kConfig / "robots/mote.yaml"}},
-    {"radio", read_radio, {kConfig / "radios/ieee80211b.yaml"}}};
+    {"radio",
+     read_radio,
+     {kConfig / "radios/ieee80211b.yaml", kConfig / "radios/mobility_framework.yaml",
+      kConfig / "radios/disk.yaml", kConfig / "radios/ideal.yaml"}}};
 
 /// Mistakes of a file with overrides.
 Lines mistakes(const Kind& kind, const fs::path& file, const Lines& overrides) {
