@@ -123,6 +123,14 @@ bool Admission::is_complete() const {
   return std::ranges::none_of(places_, [](const Place& place) { return place.holder.empty(); });
 }
 
+std::vector<hal::AgentId> Admission::free_agents() const {
+  std::vector<hal::AgentId> agents;
+  for (const Place& place : places_) {
+    if (place.holder.empty()) agents.push_back(place.offer.session.agent);
+  }
+  return agents;
+}
+
 std::vector<std::string> Admission::missing() const {
   std::vector<std::string> names;
   for (const Place& place : places_) {

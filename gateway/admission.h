@@ -39,6 +39,8 @@ class Admission {
   void close() { closed_ = true; }            ///< The run begins: nobody joins.
 
   bool is_complete() const;
+  /// Agents without a controller, by address.
+  std::vector<hal::AgentId> free_agents() const;
   /// Agents without a controller, with the program that should drive them if it is named:
   /// "m1 (help_mote)".
   std::vector<std::string> missing() const;

@@ -35,7 +35,6 @@ void complain(const ProcessSummary& process, std::vector<std::string>& lines) {
 std::vector<std::string> complaints(const GatewaySummary& summary) {
   std::vector<std::string> lines;
   for (const ProcessSummary& process : summary.processes) complain(process, lines);
-  for (const std::string& refusal : summary.refusals) lines.push_back("refused " + refusal);
   return lines;
 }
 

@@ -1,7 +1,11 @@
 #include "gateway/remote_port.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <utility>
+
+#include "hal/exchange/foreign_call.h"
 
 namespace gateway {
 namespace {
@@ -20,7 +24,10 @@ using hal::exchange::Step;
 RemotePort::RemotePort(std::unique_ptr<hal::dds::ProcessLink> link,
                        const hal::exchange::Hello& hello, const hal::exchange::Session& session,
                        std::function<void(hal::Time)> before_begin)
-    : link_(std::move(link)), granted_(session.agents), before_begin_(std::move(before_begin)) {
+    : link_(std::move(link)),
+      granted_(session.agents),
+      before_begin_(std::move(before_begin)),
+      who_(fmt::format("process '{}'", hello.process)) {
   summary_.name = hello.process;
   summary_.pid = hello.pid;
   for (const auto& agent : granted_) summary_.agents.push_back(agent.name);
@@ -28,7 +35,8 @@ RemotePort::RemotePort(std::unique_ptr<hal::dds::ProcessLink> link,
 
 hal::Result<void> RemotePort::begin(const Step& step) {
   if (!link_) return disconnected();
-  before_begin_(step.events.empty() ? step.until : step.events.front().time);
+  step_time_ = step.events.empty() ? step.until : step.events.front().time;
+  before_begin_(step_time_);
   asked_.clear();
   for (const Event& event : step.events) asked_.push_back({event.agent, event.time});
   return link_->begin(step);
@@ -36,6 +44,7 @@ hal::Result<void> RemotePort::begin(const Step& step) {
 
 hal::Result<Reply> RemotePort::finish() {
   if (!link_) return disconnected();
+  const hal::exchange::ForeignCall call(who_, "the answer", step_time_);
   hal::Result<Reply> reply = link_->finish();
   if (reply) *reply = checked(std::move(*reply));
   return reply;

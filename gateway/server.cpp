@@ -27,6 +27,15 @@ void log(hal::log::Level level, hal::Time at, const std::string& text) {
   hal::log::write(level, at, "gateway", text);
 }
 
+void log_session(const Hello& hello, const Session& session) {
+  if (!hal::log::is_on(hal::log::Level::kDebug)) return;
+  std::vector<std::string> names;
+  for (const auto& agent : session.agents) names.push_back(agent.name);
+  log(hal::log::Level::kDebug, hal::Time{},
+      fmt::format("session: process '{}' (pid {} on {}, program {}) drives {}", hello.process,
+                  hello.pid, hello.host, hello.program, fmt::join(names, ", ")));
+}
+
 }  // namespace
 
 class AgentServer::Implementation {
@@ -49,6 +58,7 @@ class AgentServer::Implementation {
   hal::Result<void> gather(const std::function<hal::Result<void>()>& keep_waiting);
   void attend(hal::Time now);
   std::vector<int> descriptors() const;
+  std::vector<hal::AgentId> missing() const { return admission_.free_agents(); }
   GatewaySummary summary() const;
 
  private:
@@ -62,7 +72,7 @@ class AgentServer::Implementation {
   void answer_hellos(hal::Duration timeout, hal::Time now);
   void answer(const Hello& hello, hal::Time now);
   void send(const Session& session, hal::Time now);
-  void note_refusal(const std::string& refusal, hal::Time now);
+  void note_refusal(const Hello& hello, const std::string& reason, hal::Time now);
   void release_dead();
   void connect_all();
   void connect(Candidate candidate);
@@ -81,8 +91,8 @@ class AgentServer::Implementation {
     std::shared_ptr<RemotePort> port;
   };
   std::vector<Connected> connected_;
-  std::vector<ProcessSummary> past_;  ///< Of processes that were let go.
-  std::vector<std::string> refusals_;
+  std::vector<ProcessSummary> past_;             ///< Of processes that were let go.
+  std::map<std::string, std::string> refusals_;  ///< The last that was told, by instance.
 };
 
 hal::Result<void> AgentServer::Implementation::gather(
@@ -113,18 +123,24 @@ void AgentServer::Implementation::attend(hal::Time now) {
 
 void AgentServer::Implementation::answer_hellos(hal::Duration timeout, hal::Time now) {
   for (const Hello& hello : server_.hellos(timeout, death_descriptors())) answer(hello, now);
-  for (const std::string& refusal : server_.take_refusals()) note_refusal(refusal, now);
+  for (const std::string& refusal : server_.take_refusals()) {
+    log(hal::log::Level::kWarning, now, "refused " + refusal);
+  }
 }
 
 void AgentServer::Implementation::answer(const Hello& hello, hal::Time now) {
+  if (hal::log::is_on(hal::log::Level::kDebug)) {
+    log(hal::log::Level::kDebug, now,
+        fmt::format("Hello of process '{}' (pid {}) for {}", hello.process, hello.pid,
+                    fmt::join(hello.patterns, ", ")));
+  }
   if (admission_.is_for_others(hello)) return;
   const Session session = admission_.decide(hello);
   const bool is_known =
       candidates_.contains(hello.instance) ||
       std::ranges::find(connected_, hello.instance, &Connected::instance) != connected_.end();
   if (!session.refusal.empty()) {
-    note_refusal(
-        fmt::format("process '{}' (pid {}): {}", hello.process, hello.pid, session.refusal), now);
+    note_refusal(hello, session.refusal, now);
   } else if (!is_known) {
     Candidate candidate{hello, session,
                         server_.link(hello, settings_.run, settings_.reply_timeout)};
@@ -143,9 +159,12 @@ void AgentServer::Implementation::send(const Session& session, hal::Time now) {
   }
 }
 
-void AgentServer::Implementation::note_refusal(const std::string& refusal, hal::Time now) {
-  if (refusals_.size() < kMostRemembered) refusals_.push_back(refusal);
-  log(hal::log::Level::kWarning, now, "refused " + refusal);
+void AgentServer::Implementation::note_refusal(const Hello& hello, const std::string& reason,
+                                               hal::Time now) {
+  if (refusals_.size() >= kMostRemembered) refusals_.clear();
+  if (std::exchange(refusals_[hello.instance], reason) == reason) return;
+  log(hal::log::Level::kWarning, now,
+      fmt::format("refused process '{}' (pid {}): {}", hello.process, hello.pid, reason));
 }
 
 void AgentServer::Implementation::release_dead() {
@@ -203,6 +222,7 @@ void AgentServer::Implementation::connect(Candidate candidate) {
   // Latecomers are refused between exchanges, on this thread: no locks, and no process waits
   // longer for its answer than one exchange takes.
   const bool is_closed = settings_.attendance == Attendance::kBeforeTheRun;
+  log_session(candidate.hello, candidate.session);
   auto port = std::make_shared<RemotePort>(std::move(candidate.link), candidate.hello,
                                            candidate.session, [this, is_closed](hal::Time now) {
                                              if (is_closed && server_.has_hellos())
@@ -216,7 +236,6 @@ GatewaySummary AgentServer::Implementation::summary() const {
   GatewaySummary summary;
   summary.processes = past_;
   for (const Connected& one : connected_) summary.processes.push_back(one.port->summary());
-  summary.refusals = refusals_;
   return summary;
 }
 
@@ -233,6 +252,8 @@ hal::Result<void> AgentServer::gather(const std::function<hal::Result<void>()>& 
 
 void AgentServer::attend(hal::Time now) { implementation_->attend(now); }
 std::vector<int> AgentServer::descriptors() const { return implementation_->descriptors(); }
+
+std::vector<hal::AgentId> AgentServer::missing() const { return implementation_->missing(); }
 
 GatewaySummary AgentServer::summary() const { return implementation_->summary(); }
 

@@ -42,10 +42,10 @@ struct ProcessSummary {
 
 struct GatewaySummary {
   std::vector<ProcessSummary> processes;  ///< By lowest address of their agents.
-  std::vector<std::string> refusals;      ///< "process 'x' (pid n): reason", in order of arrival.
 };
 
-/// One line per thing that was dropped or refused, naming who sent it; empty if nothing was.
+/// One line per thing that was dropped, naming who sent it; empty if nothing was. Refusals are not
+/// among them: each was a warning in the log at once.
 std::vector<std::string> complaints(const GatewaySummary& summary);
 
 /// Serves the agents of a host to controller processes over DDS.
@@ -83,6 +83,9 @@ class AgentServer {
 
   /// For poll(): one is readable when attend() has something to do. -1 is to be skipped.
   std::vector<int> descriptors() const;
+
+  /// Agents that have no controller now.
+  std::vector<hal::AgentId> missing() const;
 
   GatewaySummary summary() const;
 

@@ -1,5 +1,6 @@
 #include "controllers/help_robot/help_robot.h"
 
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -9,6 +10,16 @@
 namespace controllers {
 namespace {
 
+/// By State.
+constexpr std::array<std::string_view, 9> kStateNames{"IDLE",
+                                                      "SELECT_DESTINATION",
+                                                      "REQUEST_ASSIGNMENT",
+                                                      "FIND_NEXT_HOP",
+                                                      "REQUEST_NEXT_HOP",
+                                                      "GO_TO_NEXT_HOP",
+                                                      "GO_TO_DESTINATION",
+                                                      "GIVE_UP",
+                                                      "ARRIVED"};
 constexpr double kRoomToPass = 0.15;  // m between the body's rim and the centre of a mote
 
 }  // namespace
@@ -75,7 +86,9 @@ void HelpRobot::wait_for_answer() {
   if (repeats_ == static_cast<int>(parameters_["max_repeats"])) return give_up();
   ++repeats_;
   deadline_ = robot_.now() + reply_timeout_;
-  if (state_ == State::kRequestNextHop) (void)robot_.network().invalidate(kHelpTopic, destination_);
+  // No answer: the way there or the way back is not what the network believes. A new search teaches
+  // the nodes on it both.
+  (void)robot_.network().invalidate(kHelpTopic, destination_);
   say(HelpWord::kAsk);
 }
 
@@ -192,17 +205,8 @@ void HelpRobot::say(HelpWord word) {
 }
 
 void HelpRobot::enter(State state) {
-  constexpr std::string_view kNames[] = {"IDLE",
-                                         "SELECT_DESTINATION",
-                                         "REQUEST_ASSIGNMENT",
-                                         "FIND_NEXT_HOP",
-                                         "REQUEST_NEXT_HOP",
-                                         "GO_TO_NEXT_HOP",
-                                         "GO_TO_DESTINATION",
-                                         "GIVE_UP",
-                                         "ARRIVED"};
   state_ = state;
-  robot_.state(kNames[static_cast<int>(state)]);
+  robot_.state(kStateNames[static_cast<std::size_t>(state)]);
 }
 
 }  // namespace controllers
@@ -225,5 +229,6 @@ BARAKA_CONTROLLER {
                {"body_radius", "m", 0.185, 0.01, 2, "From the middle to the infrared sensors."},
                {"wall_gap", "m", 0.265, 0.1, 2, "Between the body and a wall it follows."},
                {"clear_for", "s", 1.2, 0, 60, "Time the way is clear before it is taken again."}},
+          .states = {controllers::kStateNames.begin(), controllers::kStateNames.end()},
           .make_for_robot = hal::make_for_robot<controllers::HelpRobot>};
 }

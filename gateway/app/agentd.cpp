@@ -25,6 +25,7 @@
 #include "hal/hardware/hardware_agent.h"
 #include "hal/hardware/loop_watch.h"
 #include "hal/hardware/signal_thread.h"
+#include "hal/hardware/udp_address.h"
 #include "hal/types/log.h"
 
 namespace gateway::app {
@@ -48,6 +49,16 @@ RobotFile load(const AgentdOptions& options) {
   // Others remember the numbers of this node's packets for a while, also when it restarts.
   file.routing.first_sequence = std::random_device{}() >> 1U;
   return file;
+}
+
+/// Fast DDS would go without topics, and without that of the emergency stop.
+std::string address_for_topics(const AgentdOptions& options) {
+  try {
+    hal::hardware::require_address(options.inspect_address);
+  } catch (const std::runtime_error& error) {
+    throw UsageError(fmt::format("--inspect-address: {}", error.what()));
+  }
+  return options.inspect_address;
 }
 
 /// Motes have nothing to be stopped.
@@ -122,7 +133,7 @@ Agentd::Agentd(const AgentdOptions& options)
         return true;
       }()),
       participant_({.domain = options.inspect_domain.value_or(domain_),
-                    .addresses = {options.inspect_address},
+                    .addresses = {address_for_topics(options)},
                     .name = "baraka-agentd " + file_.name}),
       wheels_(hal::hardware::make_wheels(file_)),
       infrared_(hal::hardware::make_infrared(file_)),

@@ -6,12 +6,14 @@
 #include "gateway/app/exit_status.h"
 #include "hal/config/errors.h"
 #include "hal/dds/domains.h"
+#include "hal/runtime/command_line.h"
+#include "hal/runtime/standard_output.h"
+#include "hal/types/log.h"
+#include "hal/types/printable.h"
 
 namespace {
 
 using gateway::app::AgentdOptions;
-
-constexpr int kLastDomain = 232;
 
 /// @return exit status. @throws std::exception
 int command(int argc, char** argv) {
@@ -23,13 +25,13 @@ int command(int argc, char** argv) {
   std::string name;
   app.add_option("ROBOT", options.file, "File of the robot or mote")->required();
   app.add_option("--domain", options.domain, "DDS domain; default: BARAKA_DOMAIN, else 1")
-      ->check(CLI::Range(0, kLastDomain));
+      ->transform(hal::runtime::whole_number(0, hal::dds::kLastDomain));
   app.add_option("--name", name, "Name of the agent, instead of the file's");
   app.add_option("--set", options.overrides, "KEY=VALUE, the key as a dotted path")
       ->allow_extra_args(false);
   app.add_option("--inspect-domain", options.inspect_domain,
                  "DDS domain of the topics; default: that of the controllers")
-      ->check(CLI::Range(0, kLastDomain));
+      ->transform(hal::runtime::whole_number(0, hal::dds::kLastDomain));
   app.add_option("--inspect-address", options.inspect_address,
                  "Address of the network interface for the topics; default: 127.0.0.1");
   app.add_flag("!--no-inspect", options.shown, "Do not show the agent to DDS tools");
@@ -39,32 +41,41 @@ int command(int argc, char** argv) {
       "baraka in XDG_STATE_HOME, else ~/.local/state/baraka");
   app.add_flag("!--no-state", options.remembers, "Forget the emergency stop at a restart")
       ->excludes(state);
+  std::string level = "info";
+  app.add_option("--log", level, "Least that is told on standard error; default: info")
+      ->transform(hal::runtime::one_of({"debug", "info", "warning", "error"}));
+  hal::runtime::complete(app, "baraka-agentd");
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    const int status = app.exit(e);
-    return status == 0 ? gateway::app::kDone : gateway::app::kUsage;
+    return hal::runtime::end_of_parsing(app, e);
   }
+  hal::log::set_level(*hal::log::level_called(level));
   if (!name.empty()) options.overrides.push_back("agent.name=" + name);
   return gateway::app::serve(options);
+}
+
+/// The same with what was thrown as an exit status.
+int status_of_command(int argc, char** argv) {
+  try {
+    return command(argc, argv);
+  } catch (const hal::config::ConfigErrors& e) {
+    std::fprintf(stderr, "%s\n", hal::printable_lines(e.what()).c_str());
+    return gateway::app::kUsage;
+  } catch (const gateway::app::UsageError& e) {
+    std::fprintf(stderr, "error: %s\n", hal::printable_lines(e.what()).c_str());
+    return gateway::app::kUsage;
+  } catch (const hal::dds::NoSuchDomain& e) {
+    std::fprintf(stderr, "error: %s\n", hal::printable(e.what()).c_str());
+    return gateway::app::kUsage;
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "error: %s\n", hal::printable_lines(e.what()).c_str());
+    return gateway::app::kRunFailed;
+  }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return command(argc, argv);
-  } catch (const hal::config::ConfigErrors& e) {
-    std::fprintf(stderr, "%s\n", e.what());
-    return gateway::app::kUsage;
-  } catch (const gateway::app::UsageError& e) {
-    std::fprintf(stderr, "error: %s\n", e.what());
-    return gateway::app::kUsage;
-  } catch (const hal::dds::NoSuchDomain& e) {
-    std::fprintf(stderr, "error: %s\n", e.what());
-    return gateway::app::kUsage;
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "error: %s\n", e.what());
-    return gateway::app::kRunFailed;
-  }
+  return hal::runtime::with_output_written(status_of_command(argc, argv));
 }

@@ -10,8 +10,11 @@
 namespace gateway::app {
 namespace {
 
+/// @param place  from the command line it names the key itself.
 [[noreturn]] void refuse(const std::string& place, const char* key, const char* what) {
-  throw hal::config::ConfigErrors({fmt::format("{}: radio.{}: {}", place, key, what)});
+  const bool is_in_file = !place.starts_with("--set");
+  throw hal::config::ConfigErrors(
+      {fmt::format("{}: {}{}", place, is_in_file ? fmt::format("radio.{}: ", key) : "", what)});
 }
 
 }  // namespace

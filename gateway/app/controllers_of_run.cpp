@@ -6,7 +6,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "gateway/app/exit_status.h"
 #include "gateway/app/teleop_port.h"
+#include "gateway/app/waiting_notice.h"
 #include "gateway/app/wall_pace.h"
 #include "gateway/find_program.h"
 #include "gateway/limits.h"
@@ -103,14 +105,18 @@ void ControllersOfRun::serve(const std::vector<ProcessPlan>& plans, const Scenar
       ServerSettings{kOnlyRun, scenario.wait, scenario.reply_timeout});
   fmt::print(stderr, "domain: {}\n", server_->domain());
   if (!external) spawn(plans, scenario, settings);
-  const auto keep_waiting = [this]() -> hal::Result<void> {
+  std::optional<WaitingNotice> notice;
+  if (external) notice.emplace(plans, simulation.offers(), server_->domain(), scenario.wait);
+  const auto keep_waiting = [&]() -> hal::Result<void> {
     if (interrupted()) return hal::fail(hal::Errc::kNotConnected, "interrupted");
+    if (notice) notice->say(server_->missing());
     return spawner_.check();
   };
+  if (notice) notice->say(server_->missing());
   if (const auto gathered = server_->gather(keep_waiting); !gathered) {
-    std::string lines = gathered.error().message;
-    for (const std::string& refusal : server_->summary().refusals) lines += "\n" + refusal;
-    throw std::runtime_error(lines);
+    const std::string& why = gathered.error().message;
+    if (interrupted()) throw Interrupted(why + " while waiting for controllers");
+    throw std::runtime_error(why);
   }
   processes_ = server_->summary().processes.size();
 }

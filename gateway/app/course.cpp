@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <fstream>
 #include <iterator>
 #include <string_view>
 
 #include "gateway/app/exit_status.h"
 #include "gateway/app/real_time_clock.h"
+#include "hal/config/value.h"
 #include "sim/scenario/resolved.h"
 
 namespace gateway::app {
@@ -22,17 +22,15 @@ std::optional<double> real_time_factor(const std::string& pace) {
   if (pace == "lockstep") return std::nullopt;
   if (pace == "realtime") return 1;
   constexpr std::string_view kPrefix = "realtime:";
-  double factor = 0;
-  const char* const end = pace.data() + pace.size();
-  const auto [rest, error] =
-      std::from_chars(pace.data() + std::min(kPrefix.size(), pace.size()), end, factor);
-  const bool is_factor = factor >= kLeastFactor && factor <= kMostFactor;  // not NaN
-  if (!pace.starts_with(kPrefix) || error != std::errc() || rest != end || !is_factor) {
+  const std::string_view text = pace;
+  const auto factor = hal::config::parse_value(text.substr(std::min(kPrefix.size(), text.size())),
+                                               "1", kLeastFactor, kMostFactor);
+  if (!text.starts_with(kPrefix) || !factor) {
     throw UsageError(fmt::format(
         "--pace: '{}' is not one of lockstep, realtime, realtime:F with F from {} to {}", pace,
         kLeastFactor, kMostFactor));
   }
-  return factor;
+  return *factor;
 }
 
 void check_same(const std::filesystem::path& folder, const sim::scenario::Scenario& scenario) {

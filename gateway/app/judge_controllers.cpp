@@ -10,8 +10,12 @@
 #include "gateway/app/teleop_port.h"
 #include "gateway/find_program.h"
 #include "hal/config/errors.h"
+#include "hal/config/shared_folders.h"
+#include "hal/config/suggest.h"
+#include "hal/exchange/ports.h"
 #include "hal/runtime/check_parameters.h"
 #include "hal/runtime/plugin.h"
+#include "sim/agents/agent_offer.h"
 
 namespace gateway::app {
 namespace {
@@ -40,6 +44,41 @@ void judge_group(const sim::scenario::Scenario& scenario, const sim::scenario::G
     for (std::string& mistake : hal::runtime::check_parameters(kind, agent.parameters)) {
       if (said.insert(mistake).second) mistakes.push_back(std::move(mistake));
     }
+  }
+}
+
+/// Whether each agent offers what the controller cannot do without.
+void judge_channels(const sim::scenario::Scenario& scenario, const sim::scenario::Group& group,
+                    const hal::ControllerKind& kind, std::vector<std::string>& mistakes) {
+  for (const hal::AgentId id : group.agents) {
+    const sim::agents::AgentConfig& agent = config_of(scenario, id);
+    if (!drives(kind, agent)) continue;
+    const auto offer = sim::agents::offer_of(agent, scenario.simulation);
+    const auto session = hal::exchange::session_for(offer, kind.wants);
+    if (session) continue;
+    mistakes.push_back(fmt::format("{}: program: '{}' cannot do without a channel: {}",
+                                   group.program_place, group.program, session.error().message));
+    return;  // the others have the same body
+  }
+}
+
+/// Whether the controller enters the states that end conditions wait for.
+void judge_states(const sim::scenario::Scenario& scenario, const sim::scenario::Group& group,
+                  std::string_view program, const std::vector<std::string>& states,
+                  ControllerJudgement& judgement) {
+  bool unknown = false;
+  for (std::size_t i = 0; i < scenario.simulation.ends.size(); ++i) {
+    const sim::agents::EndCondition& end = scenario.simulation.ends[i];
+    if (!end.agent || std::ranges::find(group.agents, *end.agent) == group.agents.end()) continue;
+    if (states.empty()) unknown = true;
+    if (states.empty() || std::ranges::find(states, end.state) != states.end()) continue;
+    judgement.mistakes.push_back(fmt::format("{}: end.state: {} declares no state '{}'{}",
+                                             scenario.state_places[i], program, end.state,
+                                             hal::config::suggestion(end.state, states)));
+  }
+  if (unknown) {
+    judgement.not_checked.push_back(
+        fmt::format("states of {}: not checked, it declares none", program));
   }
 }
 
@@ -73,11 +112,15 @@ ControllerJudgement judge_controllers(const sim::scenario::Scenario& scenario) {
     const auto kind = hal::runtime::load_plugin(group.program, hal::runtime::controller_folders());
     if (kind) {
       judge_group(scenario, group, **kind, judgement.mistakes);
+      judge_channels(scenario, group, **kind, judgement.mistakes);
+      judge_states(scenario, group, group.program, (*kind)->states, judgement);
     } else if (kind.error().code != hal::Errc::kNotAvailable) {
       judgement.mistakes.push_back(
           fmt::format("{}: program: {}", group.program_place, kind.error().message));
     } else if (find_program(group.program, hal::runtime::controller_folders())) {
-      judgement.not_checked.push_back(group.program);
+      judgement.not_checked.push_back(fmt::format(
+          "parameters, channels and states of {}: not checked, its plug-in is not there",
+          group.program));
     } else {
       judgement.mistakes.push_back(fmt::format("{}: program: '{}' is no known controller: {}",
                                                group.program_place, group.program,
@@ -89,14 +132,14 @@ ControllerJudgement judge_controllers(const sim::scenario::Scenario& scenario) {
 
 sim::scenario::Scenario load_judged(const std::string& path,
                                     const std::vector<std::string>& overrides) {
-  sim::scenario::Scenario scenario = sim::scenario::load_scenario(path, overrides);
+  const auto file = hal::config::named_file(path, {"scenarios"});
+  sim::scenario::Scenario scenario = sim::scenario::load_scenario(file, overrides);
   ControllerJudgement judgement = judge_controllers(scenario);
   if (!judgement.mistakes.empty()) {
     throw hal::config::ConfigErrors(std::move(judgement.mistakes));
   }
-  for (const std::string& program : judgement.not_checked) {
-    fmt::print(stderr, "parameters of {}: not checked, its plug-in is not there\n", program);
-  }
+  for (const std::string& warning : scenario.warnings) fmt::print(stderr, "{}\n", warning);
+  for (const std::string& line : judgement.not_checked) fmt::print(stderr, "{}\n", line);
   return scenario;
 }
 

@@ -85,8 +85,8 @@ void write_project(const fs::path& folder, const NewControllerOptions& options) 
     const auto relative = fs::path("templates") / part;
     const auto templates = hal::config::find_shared(relative);
     if (!templates) {
-      throw std::runtime_error(fmt::format("no {} in {}", relative.string(),
-                                           hal::config::shared_folders().back().string()));
+      throw std::runtime_error(
+          fmt::format("no {} in {}", relative.string(), hal::config::listed_shared_folders()));
     }
     for (const auto& entry : fs::directory_iterator(*templates)) {
       if (entry.path().extension() == ".in") write_filled_in(entry.path(), folder, options);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "gateway/app/exit_status.h"
+#include "hal/types/printable.h"
 
 namespace gateway::app {
 namespace {
@@ -39,8 +40,8 @@ void ReplicationProgress::on_end(const Replication& replication, const Replicati
   took_ += took;
   if (std::exchange(line_open_, false)) fmt::print(stderr, "\r\033[K");
   const std::string what = end.status == kRunFailed ? "failed: " + end.error : end.result;
-  fmt::print(stderr, "{} (seed {}): {}, {:.1f} s; {}\n", replication.name(), replication.seed, what,
-             took, summary(now));
+  fmt::print(stderr, "{} (seed {}): {}, {:.1f} s; {}\n", replication.name(), replication.seed,
+             hal::printable(what), took, summary(now));
 }
 
 void ReplicationProgress::show(Clock::time_point now) {

@@ -13,6 +13,7 @@
 #include <thread>
 #include <vector>
 
+#include "gateway/app/domain_range.h"
 #include "gateway/app/exit_status.h"
 #include "gateway/app/judge_controllers.h"
 #include "gateway/app/replication_progress.h"
@@ -21,6 +22,7 @@
 #include "gateway/spawn.h"
 #include "hal/config/errors.h"
 #include "hal/dds/domains.h"
+#include "hal/types/printable.h"
 #include "sim/scenario/resolved.h"
 
 namespace gateway::app {
@@ -41,17 +43,16 @@ void check_options(const RunOptions& options, std::uint64_t seed) {
     mistakes.push_back(
         fmt::format("--replications: from seed {}, there are no {} seeds", seed, last + 1));
   }
-  if (options.jobs > 1 && (options.domain || options.controllers == ControllersFrom::kExternal)) {
+  if (options.jobs > 1 && options.controllers == ControllersFrom::kExternal) {
     mistakes.push_back(
-        "--jobs: runs side by side need domains and controllers of their own, so no "
-        "--domain and no --controllers external");
+        "--jobs: runs side by side need controllers of their own, so no --controllers external");
   }
   if (!mistakes.empty()) throw hal::config::ConfigErrors(std::move(mistakes));
 }
 
 /// What `baraka` is started with for one replication.
 std::vector<std::string> arguments_for(const RunOptions& options, const ReplicationsFolder& folder,
-                                       const Replication& replication) {
+                                       const Replication& replication, std::optional<int> domain) {
   constexpr const char* kFrom[] = {"spawn", "external", "in-process"};
   std::vector<std::string> arguments{"run",           folder.scenario().string(),
                                      "--seed",        std::to_string(replication.seed),
@@ -63,7 +64,8 @@ std::vector<std::string> arguments_for(const RunOptions& options, const Replicat
   };
   if (options.until) add("--until", fmt::format("{}", *options.until));
   if (std::isfinite(options.max_speed)) add("--max-speed", fmt::format("{}", options.max_speed));
-  if (options.domain) add("--domain", std::to_string(*options.domain));
+  if (domain) add("--domain", std::to_string(*domain));
+  add("--log", options.log);
   if (options.inspect_domain) add("--inspect-domain", std::to_string(*options.inspect_domain));
   if (!options.inspect) arguments.emplace_back("--no-inspect");
   return arguments;
@@ -84,6 +86,7 @@ class Replicator {
  private:
   struct Job {
     Replication replication;
+    std::optional<int> domain;  ///< None: it takes a free one.
     Spawner process;
   };
 
@@ -95,6 +98,7 @@ class Replicator {
   const ReplicationsFolder& folder_;
   std::vector<Replication> replications_;
   std::deque<Replication> waiting_;
+  std::vector<int> free_domains_;  ///< Of those that the user gave.
   std::list<Job> running_;
   std::map<int, ReplicationEnd> ends_;  ///< By number.
   std::size_t kept_ = 0;
@@ -104,7 +108,11 @@ class Replicator {
 
 Replicator::Replicator(const RunOptions& options, const ReplicationsFolder& folder,
                        const std::vector<Replication>& replications)
-    : options_(options), folder_(folder), replications_(replications), progress_(0, 1, false) {
+    : options_(options),
+      folder_(folder),
+      replications_(replications),
+      free_domains_(domains_for(options.domain, options.jobs)),
+      progress_(0, 1, false) {
   for (const Replication& replication : replications_) {
     const auto end = folder_.end_of(replication);
     if (end && is_final(*end)) {
@@ -148,8 +156,12 @@ void Replicator::start(const Replication& replication) {
   std::filesystem::remove(log);
   Job& job = running_.emplace_back();
   job.replication = replication;
+  if (!free_domains_.empty()) {
+    job.domain = free_domains_.back();
+    free_domains_.pop_back();
+  }
   job.process.start({.program = std::filesystem::read_symlink("/proc/self/exe"),
-                     .arguments = arguments_for(options_, folder_, replication),
+                     .arguments = arguments_for(options_, folder_, replication, job.domain),
                      .domain = hal::dds::default_domain(),
                      .log = log});
   progress_.on_start(replication, Clock::now());
@@ -161,6 +173,7 @@ void Replicator::collect() {
       ++job;
     } else {
       finish(*job);
+      if (job->domain) free_domains_.push_back(*job->domain);
       job = running_.erase(job);
     }
   }
@@ -181,7 +194,8 @@ void Replicator::finish(Job& job) {
 
 void print_bad_end(const Replication& replication, const ReplicationEnd& end) {
   fmt::print(stderr, "{}: {} (seed {}): {}\n", is_final(end) ? "expectation not met" : "failed",
-             replication.name(), replication.seed, is_final(end) ? end.result : end.error);
+             replication.name(), replication.seed,
+             hal::printable(is_final(end) ? end.result : end.error));
 }
 
 int Replicator::print_outcome() const {
@@ -215,6 +229,7 @@ int run_replications(const RunOptions& options) {
   const sim::scenario::Scenario scenario = load_judged(options.scenario, options.overrides);
   const std::uint64_t seed = scenario.simulation.seed;
   check_options(options, seed);
+  (void)domains_for(options.domain, options.jobs);  // before anything is written
   std::vector<Replication> replications;
   for (int k = 1; k <= *options.replications; ++k) {
     replications.push_back({k, seed + static_cast<std::uint64_t>(k) - 1});

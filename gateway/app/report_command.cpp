@@ -27,10 +27,11 @@ std::string empty_page() {
   std::ifstream file(path, std::ios::binary);
   if (!file) {
     throw std::runtime_error(fmt::format(
-        "{} is missing: the report page is bundled with npm when that is installed; "
+        "{} is missing, and no report_page.html is in {}: the report page is bundled with npm when "
+        "that is installed; "
         "./setup report_page installs it and builds the page. Without -o, report prints "
         "its tables",
-        path.string()));
+        path.string(), hal::config::listed_shared_folders()));
   }
   return {std::istreambuf_iterator<char>(file), {}};
 }

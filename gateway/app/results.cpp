@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -11,6 +12,7 @@
 #include <stdexcept>
 
 #include "hal/types/log.h"
+#include "hal/types/printable.h"
 #include "sim/core/log_sink.h"
 #include "sim/record/schema.h"
 #include "sim/scenario/plan.h"
@@ -67,6 +69,20 @@ std::vector<std::pair<std::string, std::string>> settings_of(const Scenario& sce
   return settings;
 }
 
+/// To the log, and so to stderr.
+void warn_of_unheard_topics(sim::record::Recorder& recorder, hal::Time at) {
+  constexpr std::size_t kMostLines = 10;
+  const auto unheard = recorder.unheard_topics();
+  const std::size_t lines = std::min(kMostLines, unheard.size());
+  for (std::size_t i = 0; i < lines; ++i) {
+    hal::log::warning(at, "run", "{}", sim::record::to_line(unheard[i]));
+  }
+  if (lines < unheard.size()) {
+    hal::log::warning(at, "run", "{} more topics of which nothing arrived: see the table messages",
+                      unheard.size() - lines);
+  }
+}
+
 }  // namespace
 
 Results::Results(const Scenario& scenario, const RunOptions& options)
@@ -76,7 +92,7 @@ Results::Results(const Scenario& scenario, const RunOptions& options)
       folder_(results_path(options, scenario.name),
               {.files = files_of(scenario), .overwrite = options.overwrite}),
       fingerprint_([this](const sim::Fingerprint::Row& row) { recorder_->add(row); }) {
-  sim::log_to_file((folder_.path() / kLog).string());
+  sim::log_to_file((folder_.path() / kLog).string(), *hal::log::level_called(options.log));
   write_file(folder_.path() / kScenario, sim::scenario::resolved_yaml(scenario));
   reserve_room(folder_.path() / kReserve);
 }
@@ -104,6 +120,11 @@ void Results::begin(sim::agents::Simulation& simulation) {
   simulation.add_observer(fingerprint_);
 }
 
+void Results::commit() {
+  recorder_->commit();
+  sim::flush_log();
+}
+
 void Results::say_not_started(const std::string& error) {
   try {
     fs::remove(folder_.path() / kReserve);
@@ -116,7 +137,7 @@ void Results::say_not_started(const std::string& error) {
     recorder_.reset();
     fmt::print(stderr, "not started; what there is of it: {}\n", folder_.path().string());
   } catch (const std::exception& e) {
-    fmt::print(stderr, "warning: {}\n", e.what());
+    fmt::print(stderr, "warning: {}\n", hal::printable(e.what()));
   }
   sim::flush_log();
 }
@@ -132,6 +153,7 @@ ExitStatus Results::finish(const sim::agents::Simulation& simulation, Outcome& o
     recorder_->set("wall_s", wall_seconds);
     recorder_->set("exit_status", std::uint64_t{status});
     recorder_->finish(outcome, fingerprint_.fingerprint());
+    warn_of_unheard_topics(*recorder_, outcome.ended_at);
   } catch (const std::exception& e) {
     outcome.kind = Outcome::Kind::kFailed;
     outcome.result = "failed";

@@ -24,11 +24,13 @@ class Results {
   /// @throws std::runtime_error  the tables cannot be made, or as ResultsFolder::begin().
   void begin(sim::agents::Simulation& simulation);
 
+  bool has_begun() const { return recorder_.has_value(); }
+
   /// The run did not come to begin(): the folder says so. Never throws.
   void say_not_started(const std::string& error);
 
   /// Makes what there is so far readable for others.
-  void commit() { recorder_->commit(); }
+  void commit();
 
   /// Writes how the run ended; if that cannot be written, it becomes a failed one, and as much of
   /// that as can be. @return exit status.

@@ -7,11 +7,14 @@
 #include <filesystem>
 
 #include "gateway/app/course.h"
+#include "gateway/app/domain_range.h"
 #include "gateway/app/exit_status.h"
 #include "gateway/app/judge_controllers.h"
+#include "gateway/app/last_resort.h"
 #include "gateway/app/results.h"
 #include "gateway/app/run_inspection.h"
 #include "gateway/app/wall_pace.h"
+#include "hal/types/printable.h"
 #include "sim/agents/simulation.h"
 #include "sim/scenario/judge.h"
 #include "sim/scenario/scenario.h"
@@ -23,10 +26,10 @@ using sim::agents::Outcome;
 using sim::agents::Simulation;
 using sim::scenario::Scenario;
 
-std::vector<std::string> unmet(const Scenario& scenario, const Outcome& outcome,
+std::vector<std::string> unmet(const sim::scenario::Judge& judge, const Outcome& outcome,
                                const Simulation& simulation) {
   if (outcome.kind != Outcome::Kind::kEnded) return {};
-  return sim::scenario::unmet_expectations(scenario, outcome.result, [&](hal::AgentId agent) {
+  return judge.unmet(outcome.result, [&](hal::AgentId agent) {
     const sim::agents::BodyState body = simulation.body(agent);
     return hal::Vec2{body.x, body.y};
   });
@@ -56,7 +59,9 @@ void print_real_time(const sim::agents::RealTimeSummary& summary) {
 
 /// What went wrong without ending the run, for people.
 void print_complaints(const Outcome& outcome, const std::vector<std::string>& lines) {
-  for (const std::string& line : lines) fmt::print(stderr, "warning: {}\n", line);
+  for (const std::string& line : lines) {
+    fmt::print(stderr, "warning: {}\n", hal::printable(line));
+  }
   if (outcome.refused_actions > 0) {
     fmt::print(stderr, "warning: {} actions refused; run.log names them\n",
                outcome.refused_actions);
@@ -65,7 +70,9 @@ void print_complaints(const Outcome& outcome, const std::vector<std::string>& li
   if (outcome.ode_messages > 0) {
     fmt::print(stderr, "warning: the physics engine complained {} times\n", outcome.ode_messages);
   }
-  if (!outcome.error.empty()) fmt::print(stderr, "error: {}\n", outcome.error);
+  if (!outcome.error.empty()) {
+    fmt::print(stderr, "error: {}\n", hal::printable_lines(outcome.error));
+  }
 }
 
 ExitStatus exit_status(const Outcome& outcome, const std::vector<std::string>& unmet_expectations) {
@@ -92,6 +99,15 @@ void check_repeat(const RunOptions& options, const std::string& scenario) {
       fmt::format("--repeat: {} would be overwritten; give another --out", options.repeat));
 }
 
+/// None: the first free one. @throws UsageError
+std::optional<int> domain_of(const RunOptions& options) {
+  const std::vector<int> domains = domains_for(options.domain, 1);
+  if (domains.size() > 1) {
+    throw UsageError("--domain: a range is for --replications with --jobs; this run takes one");
+  }
+  return domains.empty() ? std::nullopt : std::optional(domains.front());
+}
+
 /// To its end, which is a failure if it was broken off by an exception: a full disk, mostly.
 Outcome play(const Course& course, Simulation& simulation, WallPace& pace) {
   try {
@@ -101,31 +117,51 @@ Outcome play(const Course& course, Simulation& simulation, WallPace& pace) {
   }
 }
 
-int run(const RunOptions& options, const Scenario& scenario, const Course& course,
-        RunInspection& inspection, Results& results) {
-  Simulation simulation(scenario.simulation, {&inspection.observer()});
-  ControllersOfRun controllers(
-      scenario, simulation,
-      {.from = options.controllers, .domain = options.domain, .logs = results.folder().path()});
-  inspection.start(controllers.domain() ? controllers.domain() : options.domain, simulation);
-  WallPace pace({.max_speed = options.max_speed,
-                 .terminal = ::isatty(STDERR_FILENO) != 0,
-                 .processes = controllers.processes(),
-                 .once_a_second = [&results] { results.commit(); }});
-  results.begin(simulation);
-
-  Outcome outcome = play(course, simulation, pace);
-  pace.end();
-  const auto complaints = controllers.finish(outcome.kind != Outcome::Kind::kFailed);
-  const auto expectations = unmet(scenario, outcome, simulation);
+/// Writes and prints how the run ended.
+ExitStatus conclude(Results& results, const sim::scenario::Judge& judge,
+                    const Simulation& simulation, Outcome outcome,
+                    const std::vector<std::string>& complaints, double wall_seconds) {
+  const auto expectations = unmet(judge, outcome, simulation);
   const ExitStatus status =
-      results.finish(simulation, outcome, exit_status(outcome, expectations), pace.wall_seconds());
+      results.finish(simulation, outcome, exit_status(outcome, expectations), wall_seconds);
 
   print_complaints(outcome, complaints);
   for (const std::string& line : expectations) fmt::print(stderr, "not met: {}\n", line);
   if (outcome.real_time) print_real_time(*outcome.real_time);
-  print_outcome(outcome, results, pace.wall_seconds());
+  print_outcome(outcome, results, wall_seconds);
   return status;
+}
+
+int run(const RunOptions& options, const Scenario& scenario, const Course& course,
+        RunInspection& inspection, Results& results) {
+  const std::optional<int> domain = domain_of(options);
+  sim::scenario::Judge judge(scenario);
+  Simulation simulation(scenario.simulation, {&judge, &inspection.observer()});
+  std::optional<WallPace> pace;
+  const LastResort last_resort([&](const std::string& what, bool failed) -> int {
+    if (!results.has_begun()) {
+      results.say_not_started(what);
+      fmt::print(stderr, "error: {}\n", hal::printable(what));
+      return failed ? kRunFailed : kInterrupted;
+    }
+    pace->end();
+    return conclude(results, judge, simulation, simulation.broken_off_by(failed ? what : ""),
+                    failed ? std::vector<std::string>{} : std::vector{what}, pace->wall_seconds());
+  });
+  ControllersOfRun controllers(
+      scenario, simulation,
+      {.from = options.controllers, .domain = domain, .logs = results.folder().path()});
+  inspection.start(controllers.domain() ? controllers.domain() : domain, simulation);
+  pace.emplace(WallPace::Settings{.max_speed = options.max_speed,
+                                  .terminal = ::isatty(STDERR_FILENO) != 0,
+                                  .processes = controllers.processes(),
+                                  .once_a_second = [&results] { results.commit(); }});
+  results.begin(simulation);
+
+  const Outcome outcome = play(course, simulation, *pace);
+  pace->end();
+  const auto complaints = controllers.finish(outcome.kind != Outcome::Kind::kFailed);
+  return conclude(results, judge, simulation, outcome, complaints, pace->wall_seconds());
 }
 
 }  // namespace
@@ -139,6 +175,7 @@ int run(const RunOptions& options) {
   const Scenario scenario = load_judged(options.scenario, options.overrides);
   catch_interrupts();
   const Course course(options, scenario);
+  (void)domain_of(options);  // before anything is written
   RunInspection inspection(scenario, {.shown = options.inspect,
                                       .domain = options.inspect_domain,
                                       .repeated = !options.repeat.empty()});
@@ -150,12 +187,6 @@ int run(const RunOptions& options) {
     results.say_not_started(e.what());
     throw;
   }
-}
-
-int check(const std::string& path, const std::vector<std::string>& overrides) {
-  load_judged(path, overrides);
-  fmt::print("{}: ok\n", path);
-  return kDone;
 }
 
 }  // namespace gateway::app

@@ -14,6 +14,7 @@
 #include "gateway/app/wall_pace.h"
 #include "hal/dds/domains.h"
 #include "hal/dds/topic_browser.h"
+#include "hal/types/printable.h"
 
 namespace gateway::app {
 namespace {
@@ -61,11 +62,13 @@ std::optional<SeenTopic> wait_for(const TopicBrowser& browser, const TopicOption
 
 int complain(const TopicBrowser& browser, const TopicOptions& options) {
   if (interrupted()) return kInterrupted;
-  fmt::print(stderr, "error: nobody writes a topic '{}' in domain {}", options.topic,
-             domain_of(options));
+  fmt::print(stderr, "error: nobody writes a topic '{}' in domain {}",
+             hal::printable(options.topic), domain_of(options));
   const auto topics = browser.topics();
   fmt::print(stderr, "; {}\n", topics.empty() ? "there are no topics" : "there are:");
-  for (const SeenTopic& topic : topics) fmt::print(stderr, "  {}\n", topic.name);
+  for (const SeenTopic& topic : topics) {
+    fmt::print(stderr, "  {}\n", hal::printable(topic.name));
+  }
   return kRunFailed;
 }
 
@@ -91,7 +94,8 @@ int take_samples(const TopicOptions& options,
       fmt::print(stderr, "the last writer has left\n");
       return options.count ? kRunFailed : kDone;
     } else if (Clock::now() - last > Seconds(options.timeout)) {
-      fmt::print(stderr, "error: no sample of {} within {} s\n", topic->name, options.timeout);
+      fmt::print(stderr, "error: no sample of {} within {} s\n", hal::printable(topic->name),
+                 options.timeout);
       return kRunFailed;
     }
     idle();
@@ -111,7 +115,7 @@ void print_sample(const RawSample& sample, const SeenTopic& topic) {
   if (const auto text = hal::dds::to_yaml(topic.type, sample.bytes)) {
     fmt::print("{}---\n", *text);
   } else {
-    fmt::print("type: {}\n", topic.type);
+    fmt::print("type: {}\n", hal::printable(topic.type));
     print_hexadecimal(sample);
     fmt::print("---\n");
   }
@@ -176,8 +180,8 @@ int list_topics(const TopicOptions& options) {
   const TopicBrowser browser(domain_of(options));
   std::this_thread::sleep_for(kLook);
   for (const SeenTopic& topic : browser.topics()) {
-    fmt::print("{}  {}  writers: {}  readers: {}\n", topic.name, topic.type, topic.count(true),
-               topic.count(false));
+    fmt::print("{}  {}  writers: {}  readers: {}\n", hal::printable(topic.name),
+               hal::printable(topic.type), topic.count(true), topic.count(false));
   }
   return kDone;
 }
@@ -188,13 +192,15 @@ int topic_info(const TopicOptions& options) {
   if (!wait_for(browser, options, false)) return complain(browser, options);
   std::this_thread::sleep_for(kAsk);  // endpoints announce themselves one by one
   const SeenTopic topic = find(browser, options.topic).value_or(SeenTopic{});
-  fmt::print("topic: {}\ntype: {}\nkeyed: {}\n", topic.name, topic.type, topic.has_key);
+  fmt::print("topic: {}\ntype: {}\nkeyed: {}\n", hal::printable(topic.name),
+             hal::printable(topic.type), topic.has_key);
   for (const bool writers : {true, false}) {
     fmt::print("{}:{}\n", writers ? "writers" : "readers", topic.count(writers) == 0 ? " []" : "");
     for (const auto& one : topic.endpoints) {
       if (one.is_writer != writers) continue;
-      fmt::print("  - {{participant: {}, reliability: {}, durability: {}}}\n", one.participant,
-                 one.is_reliable ? "reliable" : "best_effort", one.durability);
+      fmt::print("  - {{participant: {}, reliability: {}, durability: {}}}\n",
+                 hal::printable(one.participant), one.is_reliable ? "reliable" : "best_effort",
+                 one.durability);
     }
   }
   return kDone;

@@ -17,8 +17,10 @@ namespace hal {
 class Controller {
  public:
   virtual ~Controller() = default;
-  virtual void start() {}  ///< Once, at time 0.
-  virtual void step() {}   ///< Once per control cycle.
+  /// Once, before all other calls. In the simulator at time 0 or, with `control_phase: uniform`, at
+  /// the agent's own phase of less than a control period: timers set here differ between agents.
+  virtual void start() {}
+  virtual void step() {}  ///< Once per control cycle.
   virtual void receive(const Message& message) { (void)message; }
   virtual void timer(TimerId id) { (void)id; }
   virtual void notice(MessageId id, Fate fate) { (void)id, (void)fate; }
@@ -36,6 +38,9 @@ struct ControllerKind {
   std::string name{};  ///< Of the program, e.g. "help_mote".
   Wants wants{};
   std::vector<ParameterSpec> parameters{};
+  /// Every name it calls RealWorldObject::state() with, so that a scenario that waits for another
+  /// one is refused before it runs; other names are refused then. Empty: any name, unchecked.
+  std::vector<std::string> states{};
   MakeForMote make_for_mote = nullptr;    ///< Null: does not run on motes.
   MakeForRobot make_for_robot = nullptr;  ///< Null: does not run on robots.
 };

@@ -51,7 +51,8 @@ class RealWorldObject {
   /// Sends `payload` to one agent over as many hops as it takes, or to kEveryone in a flood. What
   /// became of it comes back in Controller::notice.
   /// @param topic    message class, 1..kMaxTopic bytes.   @param payload  0..kMaxPayload bytes.
-  /// Errors: kInvalidArgument (sizes; destination is this agent itself).
+  /// Errors: kInvalidArgument (sizes; destination is this agent itself; a topic more than the
+  /// kMaxTopics that one agent may use).
   virtual Result<MessageId> send(AgentId destination, std::string_view topic,
                                  std::span<const std::uint8_t> payload) = 0;
 
@@ -85,7 +86,8 @@ class RealWorldObject {
   virtual RandomStream& random() = 0;
 
   /// Names the state the controller is in, for the record and for end conditions.
-  /// @param name  1..64 bytes, longer names are cut.
+  /// @param name  1..64 bytes, longer names are cut. One of ControllerKind::states, if it declares
+  ///   any: others are refused, which is logged once.
   virtual void state(std::string_view name) = 0;
 
   virtual void log(log::Level level, std::string_view text) = 0;

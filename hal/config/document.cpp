@@ -22,9 +22,9 @@ Document Document::load(const std::filesystem::path& file,
   auto state = std::make_unique<State>();
   Node top = read_overrides(overrides, state->problems);
   const bool overrides_readable = state->problems.none();
-  Loader loader(file.parent_path(), state->problems);
+  Loader loader(file, state->problems);
   state->root = merged(loader.load(file, Layer::kFile, ""), std::move(top));
-  loader.resolve(state->root, "");
+  if (loader.complete()) loader.resolve(state->root, "");
   if (!overrides_readable || !loader.complete()) throw ConfigErrors(state->problems.messages());
   return Document(std::move(state));
 }
@@ -34,5 +34,7 @@ Mapping Document::root() { return {state_->root, "", state_->problems}; }
 void Document::finish() const {
   if (!state_->problems.none()) throw ConfigErrors(state_->problems.messages());
 }
+
+std::vector<std::string> Document::warnings() const { return state_->problems.warnings(); }
 
 }  // namespace hal::config

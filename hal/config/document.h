@@ -20,11 +20,14 @@ namespace hal::config {
 ///   document.finish();  // throws if anything was wrong
 ///
 /// `include: other.yaml` in any mapping puts the keys of that file under the mapping's own. The
-/// path is relative to the file it stands in; on the command line, to the folder of the first file
-/// or, failing that, the working directory. A file that is not there is looked for in the folders
+/// path is relative to the folder that really holds the file it stands in, whatever symbolic links
+/// lead there; on the command line, to that of the first file or, failing that, the working
+/// directory. A file that is not there is looked for in the folders
 /// of shared_folders.h, where the robots that come with BARAKA are. Where both set a key, the
 /// mapping's own value counts, mappings being united level by level; but what the command line
 /// includes wins over the file.
+///
+/// What would exhaust a reader is refused: see document_limits.h.
 class Document {
  public:
   /// @param overrides  "dotted.path=value", the value as it would stand in the file. Later ones win
@@ -43,6 +46,9 @@ class Document {
 
   /// @throws ConfigErrors with all problems found, sorted by position, if there are any.
   void finish() const;
+
+  /// What is allowed and hardly meant, "file:line:column: warning: key: …", sorted by position.
+  std::vector<std::string> warnings() const;
 
  private:
   struct State;

@@ -6,7 +6,8 @@
 
 namespace hal::config {
 
-/// Every mistake in a set of files, in the order of their positions. what(): one per line.
+/// Every mistake in a set of files, in the order of their positions. what(): one per line. Control
+/// characters of the files are written as \x1b, what is very long is shortened.
 class ConfigErrors : public std::runtime_error {
  public:
   explicit ConfigErrors(std::vector<std::string> messages);

@@ -2,13 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <cerrno>
 #include <fstream>
 #include <iterator>
 #include <optional>
+#include <system_error>
 #include <utility>
 
+#include "hal/config/document_limits.h"
 #include "hal/config/shared_folders.h"
 #include "hal/config/yaml.h"
+#include "hal/types/result.h"
 
 namespace hal::config {
 
@@ -28,27 +32,56 @@ std::vector<std::string> names(const std::vector<std::string>& files) {
   return result;
 }
 
-std::optional<std::string> content(const fs::path& file) {
+/// Why a file is not read; nothing if it may be. @param absent  in words.
+std::optional<std::string> obstacle(const fs::path& file, std::string absent) {
   std::error_code error;
-  if (!fs::is_regular_file(file, error)) return std::nullopt;
+  const fs::file_status status = fs::status(file, error);
+  if (!fs::exists(status)) {
+    const bool unknown = error && error != std::errc::no_such_file_or_directory &&
+                         error != std::errc::not_a_directory;
+    return unknown ? "cannot be read: " + error.message() : std::move(absent);
+  }
+  if (fs::is_directory(status)) return "is a directory, not a file";
+  if (!fs::is_regular_file(status)) return "is not a regular file";
+  const std::uintmax_t bytes = fs::file_size(file, error);
+  if (error || bytes <= kMostBytes) return std::nullopt;
+  return fmt::format("has {} bytes; at most {} are read", bytes, kMostBytes);
+}
+
+/// The file's text, or why there is none.
+Result<std::string> content(const fs::path& file) {
+  if (auto why = obstacle(file, "there is no such file")) {
+    return fail(Errc::kInvalidArgument, std::move(*why));
+  }
   std::ifstream stream(file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (!stream.good() && !stream.eof()) return std::nullopt;
-  return text;
+  if (stream.is_open() && !stream.bad()) return text;
+  return fail(Errc::kInvalidArgument, "cannot be read: " + std::generic_category().message(errno));
+}
+
+/// The folder that holds a file, whatever links lead there.
+fs::path real_folder(const fs::path& file) {
+  std::error_code error;
+  const fs::path real = fs::canonical(file, error);
+  const fs::path named = fs::absolute(file, error).lexically_normal();
+  return error || real == named ? file.parent_path() : real.parent_path();
 }
 
 }  // namespace
+
+Loader::Loader(const fs::path& first, Problems& problems)
+    : folder_(real_folder(first)), problems_(problems) {}
 
 Node Loader::load(const fs::path& file, Layer layer, const std::string& path) {
   const Place origin{files_++, file.string(), 1, 1, layer};
   const auto text = content(file);
   if (!text) {
-    problems_.add({origin.order, origin.file, 0, 0, layer}, "", "there is no such file");
+    problems_.add({origin.order, origin.file, 0, 0, layer}, "", text.error().message);
     complete_ = false;
     return {};
   }
   std::vector<Problem> found;
-  Node root = parse_yaml(*text, origin, found);
+  Node root = parse_yaml(*text, origin, found, values_left_);
   if (!found.empty()) complete_ = false;
   problems_.add(std::move(found), "");
   if (root.kind == Node::Kind::kNull) {
@@ -71,6 +104,13 @@ void Loader::check_repeated(Node& node, const std::string& path) {
   for (Entry& entry : node.entries) {
     const std::string key = joined(path, entry.key);
     const auto [first, is_new] = lines.emplace(entry.key, entry.place.line);
+    if (kept.size() == kMostKeys) {
+      problems_.add(
+          entry.place, path,
+          fmt::format("has {} keys; at most {} are read", node.entries.size(), kMostKeys));
+      complete_ = false;
+      break;
+    }
     if (is_new) {
       check_repeated(entry.value, key);
       kept.push_back(std::move(entry));
@@ -81,14 +121,30 @@ void Loader::check_repeated(Node& node, const std::string& path) {
   node.entries = std::move(kept);
 }
 
-void Loader::resolve(Node& node, const std::string& path) {
+void Loader::resolve(Node& node, const std::string& path, int depth) {
   for (auto at = node.find("include"); at != nullptr; at = node.find("include")) {
     const Node target = std::move(at->value);
     node.entries.erase(node.entries.begin() + (at - node.entries.data()));
+    if (depth > kDeepestInclude) {
+      return give_up(
+          target, path,
+          fmt::format("stands in {} mappings; at most {} are read", depth, kDeepestInclude));
+    }
     include(node, target, path);
+    if (!complete_) return;
   }
-  for (Node& item : node.items) resolve(item, path);
-  for (Entry& entry : node.entries) resolve(entry.value, joined(path, entry.key));
+  if (node.kind == Node::Kind::kList) refuse_items(node);
+  for (Node& item : node.items) resolve(item, path, depth + 1);
+  for (Entry& entry : node.entries) resolve(entry.value, joined(path, entry.key), depth + 1);
+}
+
+void Loader::refuse_items(Node& list) {
+  const std::size_t size = list.items.size();
+  for (const Entry& entry : std::exchange(list.entries, {})) {
+    problems_.add(entry.place, "",
+                  fmt::format("'{}' is no item: the list has {}{}", entry.key, size,
+                              size > 0 ? fmt::format(", 0 to {}", size - 1) : ""));
+  }
 }
 
 void Loader::give_up(const Node& target, const std::string& path, std::string why) {
@@ -100,10 +156,18 @@ void Loader::include(Node& mapping, const Node& target, const std::string& path)
   if (target.kind != Node::Kind::kScalar) {
     return give_up(target, path, "must be the path of a file, not " + kind_name(target));
   }
+  if (files_ >= kMostFiles) {
+    return give_up(target, path,
+                   fmt::format("is file {}; at most {} are read: do they include "
+                               "each other more than once?",
+                               files_ + 1, kMostFiles));
+  }
   const fs::path file = located(target);
-  std::error_code error;
-  if (!fs::is_regular_file(file, error)) {
-    return give_up(target, path, fmt::format("there is no file '{}'", file.string()));
+  const std::string absent = fmt::format("there is no file '{}', nor in the shared folders ({})",
+                                         file.string(), listed_shared_folders());
+  if (const auto why = obstacle(file, absent)) {
+    return give_up(target, path,
+                   *why == absent ? absent : fmt::format("'{}' {}", file.string(), *why));
   }
   const bool in_file = target.place.line > 0;
   const auto circle = in_file ? graph_.add(real_name(target.place.file), real_name(file))
@@ -119,7 +183,7 @@ void Loader::include(Node& mapping, const Node& target, const std::string& path)
 
 fs::path Loader::located(const Node& target) const {
   const bool in_file = target.place.line > 0;
-  const fs::path folder = in_file ? fs::path(target.place.file).parent_path() : folder_;
+  const fs::path folder = in_file ? real_folder(target.place.file) : folder_;
   fs::path file = (folder / target.text).lexically_normal();
   std::error_code error;
   if (fs::exists(file, error)) return file;

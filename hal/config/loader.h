@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "hal/config/document_limits.h"
 #include "hal/config/node.h"
 #include "hal/config/problems.h"
 
@@ -46,8 +47,8 @@ class IncludeGraph {
 /// Reads files and puts what they include in place.
 class Loader {
  public:
-  Loader(std::filesystem::path folder, Problems& problems)
-      : folder_(std::move(folder)), problems_(problems) {}
+  /// @param first  the file whose folder counts for includes of the command line.
+  Loader(const std::filesystem::path& first, Problems& problems);
 
   /// False as soon as a file could not be read: the keys in it would all seem to be missing.
   bool complete() const { return complete_; }
@@ -57,11 +58,13 @@ class Loader {
 
   /// Replaces each `include` in and under the node, outermost first: what an outer mapping says
   /// about an inner one's `include` counts.
-  void resolve(Node& node, const std::string& path);
+  /// @param depth  mappings and lists around the node.
+  void resolve(Node& node, const std::string& path, int depth = 0);
 
  private:
   void check_repeated(Node& node, const std::string& path);
   void include(Node& mapping, const Node& target, const std::string& path);
+  void refuse_items(Node& list);
   void give_up(const Node& target, const std::string& path, std::string why);
   std::filesystem::path located(const Node& target) const;
 
@@ -69,6 +72,7 @@ class Loader {
   Problems& problems_;
   IncludeGraph graph_;
   int files_ = 0;
+  std::size_t values_left_ = kMostValues;
   bool complete_ = true;
 };
 

@@ -9,28 +9,56 @@
 #include "hal/config/node.h"
 #include "hal/config/problems.h"
 #include "hal/config/suggest.h"
+#include "hal/config/survey.h"
 #include "hal/config/value.h"
+#include "hal/config/writer.h"
 
 namespace hal::config {
 
 using Kind = Node::Kind;
 
-Mapping::Mapping(const Node& node, std::string path, Problems& problems)
-    : node_(&node), path_(std::move(path)), problems_(&problems) {}
+namespace {
+
+constexpr std::size_t kThere = 0;  // of the options of a presence
+
+Form number_form(std::string_view unit, Range range) {
+  return {.kind = Form::Kind::kNumber, .unit = unit, .range = range};
+}
+
+Form whole_form(std::int64_t low, std::int64_t high) {
+  return {.kind = Form::Kind::kWhole, .low = low, .high = high};
+}
+
+Form vector_form(std::string_view unit, Range range, std::size_t size) {
+  return {.kind = Form::Kind::kVector, .unit = unit, .range = range, .size = size};
+}
+
+}  // namespace
+
+Mapping::Mapping(const Node& node, std::string path, Problems& problems, Survey* survey)
+    : node_(&node), path_(std::move(path)), problems_(&problems), survey_(survey) {}
 
 std::string Mapping::path_of(const std::string& key) const { return joined(path_, key); }
 
 const Entry* Mapping::find(const std::string& key) {
-  known_.insert(key);
+  if (known_.insert(key).second) order_.push_back(key);
   return node_->find(key);
 }
 
-bool Mapping::has(const std::string& key) { return find(key) != nullptr; }
+bool Mapping::has(const std::string& key) {
+  if (survey_ == nullptr) return find(key) != nullptr;
+  survey_->mention(path_of(key));
+  return survey_->decide({path_of(key), true, {"there", "absent"}, kThere}) == kThere;
+}
 
-const Node* Mapping::required(const std::string& key) {
-  const Entry* entry = find(key);
+void Mapping::note(const Key& key, const Form& form, const std::string& otherwise) {
+  if (survey_ != nullptr) survey_->note(path_of(key.name), key, form, otherwise);
+}
+
+const Node* Mapping::required(const Key& key, const Form& form) {
+  const Entry* entry = find(key.name);
   if (entry != nullptr) return &entry->value;
-  if (!broken_) problems_->add(node_->place, path_of(key), "is missing");
+  if (!broken_) problems_->add(node_->place, path_of(key.name), missing(key, form));
   return nullptr;
 }
 
@@ -42,166 +70,203 @@ const std::string* Mapping::scalar(const Node& node, const std::string& key,
   return nullptr;
 }
 
-std::optional<double> Mapping::parsed(const Node& node, const std::string& key,
-                                      std::string_view unit, Range range) {
-  const std::string expected =
-      unit == "1" ? "a plain number" : fmt::format("a number with its unit ({})", unit);
-  const std::string* text = scalar(node, key, expected);
+std::optional<double> Mapping::parsed(const Node& node, const Key& key, const Form& form) {
+  const std::string* text = scalar(node, key.name, expected(number_form(form.unit, form.range)));
   if (text == nullptr) return std::nullopt;
-  const auto value = parse_value(*text, unit, range.low, range.high);
+  const auto value = parse_value(*text, form.unit, form.range.low, form.range.high);
   if (value) return *value;
-  problems_->add(node.place, path_of(key), value.error().message);
+  problems_->add(node.place, path_of(key.name), value.error().message);
   return std::nullopt;
 }
 
-double Mapping::number(const std::string& key, std::string_view unit, Range range) {
-  const Node* node = required(key);
-  return node == nullptr ? range.low : parsed(*node, key, unit, range).value_or(range.low);
+double Mapping::number(const Key& key, std::string_view unit, Range range) {
+  const Form form = number_form(unit, range);
+  note(key, form);
+  const Node* node = required(key, form);
+  return node == nullptr ? range.low : parsed(*node, key, form).value_or(range.low);
 }
 
-double Mapping::number(const std::string& key, std::string_view unit, Range range,
-                       double otherwise) {
-  const Entry* entry = find(key);
-  return entry == nullptr ? otherwise : parsed(entry->value, key, unit, range).value_or(otherwise);
+double Mapping::number(const Key& key, std::string_view unit, Range range, double otherwise) {
+  const Form form = number_form(unit, range);
+  if (survey_ != nullptr) note(key, form, readable(otherwise, unit));
+  const Entry* entry = find(key.name);
+  return entry == nullptr ? otherwise : parsed(entry->value, key, form).value_or(otherwise);
 }
 
-std::optional<std::int64_t> Mapping::whole(const Node& node, const std::string& key,
-                                           std::int64_t low, std::int64_t high) {
-  const std::string* text = scalar(node, key, "a whole number");
+std::optional<std::int64_t> Mapping::whole(const Node& node, const Key& key, const Form& form) {
+  const std::string* text = scalar(node, key.name, expected(form));
   if (text == nullptr) return std::nullopt;
   std::int64_t value = 0;
   const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), value);
   const bool is_whole = end == text->data() + text->size();
   if (!is_whole || error == std::errc::invalid_argument) {
-    problems_->add(node.place, path_of(key), fmt::format("'{}' is not a whole number", *text));
+    problems_->add(node.place, path_of(key.name), fmt::format("'{}' is not a whole number", *text));
     return std::nullopt;
   }
   const bool too_long = error != std::errc{};
-  const bool above = too_long ? !text->starts_with('-') : value > high;
-  const bool below = too_long ? text->starts_with('-') : value < low;
+  const bool above = too_long ? !text->starts_with('-') : value > form.high;
+  const bool below = too_long ? text->starts_with('-') : value < form.low;
   if (!above && !below) return value;
-  problems_->add(node.place, path_of(key),
+  problems_->add(node.place, path_of(key.name),
                  fmt::format("{} is {} the limit of {}", *text, above ? "above" : "below",
-                             above ? high : low));
+                             above ? form.high : form.low));
   return std::nullopt;
 }
 
-std::int64_t Mapping::integer(const std::string& key, std::int64_t low, std::int64_t high) {
-  const Node* node = required(key);
-  return node == nullptr ? low : whole(*node, key, low, high).value_or(low);
+std::int64_t Mapping::integer(const Key& key, std::int64_t low, std::int64_t high) {
+  const Form form = whole_form(low, high);
+  note(key, form);
+  const Node* node = required(key, form);
+  return node == nullptr ? low : whole(*node, key, form).value_or(low);
 }
 
-std::int64_t Mapping::integer(const std::string& key, std::int64_t low, std::int64_t high,
+std::int64_t Mapping::integer(const Key& key, std::int64_t low, std::int64_t high,
                               std::int64_t otherwise) {
-  const Entry* entry = find(key);
-  return entry == nullptr ? otherwise : whole(entry->value, key, low, high).value_or(otherwise);
+  const Form form = whole_form(low, high);
+  if (survey_ != nullptr) note(key, form, fmt::format("{}", otherwise));
+  const Entry* entry = find(key.name);
+  return entry == nullptr ? otherwise : whole(entry->value, key, form).value_or(otherwise);
 }
 
-Duration Mapping::duration(const std::string& key, Range seconds) {
+Duration Mapping::duration(const Key& key, Range seconds) {
   return from_seconds(number(key, "s", seconds));
 }
 
-Duration Mapping::duration(const std::string& key, Range seconds, Duration otherwise) {
-  const Entry* entry = find(key);
+Duration Mapping::duration(const Key& key, Range seconds, Duration otherwise) {
+  const Form form = number_form("s", seconds);
+  if (survey_ != nullptr) note(key, form, format_duration(otherwise));
+  const Entry* entry = find(key.name);
   if (entry == nullptr) return otherwise;
-  const auto value = parsed(entry->value, key, "s", seconds);
+  const auto value = parsed(entry->value, key, form);
   return value ? from_seconds(*value) : otherwise;
 }
 
-std::optional<Duration> Mapping::optional_duration(const std::string& key, double low,
+std::optional<Duration> Mapping::optional_duration(const Key& key, double low,
                                                    std::optional<Duration> otherwise) {
-  if (!has(key)) return otherwise;
-  const double seconds = number(key, "s", {low, kUnlimited});
+  const Form form = number_form("s", {low, kUnlimited});
+  if (survey_ != nullptr) note(key, form, otherwise ? format_duration(*otherwise) : "none");
+  const Entry* entry = find(key.name);
+  if (entry == nullptr) return otherwise;
+  const double seconds = parsed(entry->value, key, form).value_or(low);
   if (std::isinf(seconds)) return std::nullopt;
   if (seconds <= kLongestDuration) return from_seconds(seconds);
-  mistake(key, fmt::format("must be at most {} s or 'none'", kLongestDuration));
+  mistake(key.name, fmt::format("must be at most {} s or 'none'", kLongestDuration));
   return std::nullopt;
 }
 
-bool Mapping::flag(const std::string& key, bool otherwise) {
-  if (!has(key)) return otherwise;
-  const Node& node = *required(key);
+bool Mapping::flag(const Key& key, bool otherwise) {
+  const Form form{.kind = Form::Kind::kFlag};
+  note(key, form, otherwise ? "true" : "false");
+  const Entry* entry = find(key.name);
+  if (entry == nullptr) return otherwise;
+  const Node& node = entry->value;
   const bool plain = node.kind == Kind::kScalar && !node.quoted;
   if (plain && node.text == "true") return true;
   if (plain && node.text == "false") return false;
-  problems_->add(node.place, path_of(key), "must be true or false, not " + kind_name(node));
+  problems_->add(node.place, path_of(key.name),
+                 fmt::format("must be {}, not {}", expected(form), kind_name(node)));
   return otherwise;
 }
 
-std::string Mapping::text(const std::string& key) {
-  const Node* node = required(key);
-  const std::string* text = node == nullptr ? nullptr : scalar(*node, key, "text");
+std::string Mapping::text(const Key& key) {
+  const Form form{.kind = Form::Kind::kText};
+  note(key, form);
+  const Node* node = required(key, form);
+  const std::string* text = node == nullptr ? nullptr : scalar(*node, key.name, expected(form));
   if (text == nullptr) return "";
-  if (text->empty()) problems_->add(node->place, path_of(key), "must not be empty");
+  if (text->empty()) problems_->add(node->place, path_of(key.name), "must not be empty");
   return *text;
 }
 
-std::string Mapping::text(const std::string& key, const std::string& otherwise) {
-  return has(key) ? text(key) : otherwise;
+std::string Mapping::text(const Key& key, const std::string& otherwise) {
+  note(key, {.kind = Form::Kind::kText}, otherwise);
+  if (find(key.name) == nullptr) return otherwise;
+  return text(key);
 }
 
-std::vector<double> Mapping::vector(const std::string& key, std::string_view unit, Range range,
-                                    std::size_t size) {
-  std::vector<double> values(size, range.low);
-  const Node* node = required(key);
+std::vector<double> Mapping::vector(const Key& key, const Form& form, const Node* node) {
+  std::vector<double> values(form.size, form.range.low);
   if (node == nullptr) return values;
-  if (node->kind != Kind::kList || node->items.size() != size) {
-    problems_->add(node->place, path_of(key),
-                   fmt::format("must be a list of {} values, not {}", size, kind_name(*node)));
+  if (node->kind != Kind::kList || node->items.size() != form.size) {
+    problems_->add(
+        node->place, path_of(key.name),
+        fmt::format("must be a list of {} values, {}, not {}", form.size,
+                    key.example.empty() ? expected(form) : fmt::format("e.g. {}", key.example),
+                    kind_name(*node)));
     return values;
   }
-  for (std::size_t i = 0; i < size; ++i) {
-    values[i] = parsed(node->items[i], key, unit, range).value_or(range.low);
+  for (std::size_t i = 0; i < form.size; ++i) {
+    values[i] = parsed(node->items[i], key, form).value_or(form.range.low);
   }
   return values;
 }
 
-Vec2 Mapping::vec2(const std::string& key, std::string_view unit, Range range) {
-  const auto values = vector(key, unit, range, 2);
+Vec2 Mapping::vec2(const Key& key, std::string_view unit, Range range) {
+  const Form form = vector_form(unit, range, 2);
+  note(key, form);
+  const auto values = vector(key, form, required(key, form));
   return {values[0], values[1]};
 }
 
-Vec2 Mapping::vec2(const std::string& key, std::string_view unit, Range range, Vec2 otherwise) {
-  return has(key) ? vec2(key, unit, range) : otherwise;
+Vec2 Mapping::vec2(const Key& key, std::string_view unit, Range range, Vec2 otherwise) {
+  const Form form = vector_form(unit, range, 2);
+  if (survey_ != nullptr) {
+    note(key, form,
+         fmt::format("[{}, {}]", readable(otherwise.x, unit), readable(otherwise.y, unit)));
+  }
+  const Entry* entry = find(key.name);
+  if (entry == nullptr) return otherwise;
+  const auto values = vector(key, form, &entry->value);
+  return {values[0], values[1]};
 }
 
-Vec3 Mapping::vec3(const std::string& key, std::string_view unit, Range range) {
-  const auto values = vector(key, unit, range, 3);
+Vec3 Mapping::vec3(const Key& key, std::string_view unit, Range range) {
+  const Form form = vector_form(unit, range, 3);
+  note(key, form);
+  const auto values = vector(key, form, required(key, form));
   return {values[0], values[1], values[2]};
 }
 
-std::optional<std::size_t> Mapping::chosen(const std::string& key,
-                                           const std::vector<std::string>& names) {
-  const Node* node = required(key);
-  const std::string* text = node == nullptr ? nullptr : scalar(*node, key, "a name");
+std::optional<std::size_t> Mapping::chosen(const Key& key, std::vector<std::string> names,
+                                           std::optional<std::size_t> otherwise) {
+  const Form form{.kind = Form::Kind::kChoice, .options = std::move(names)};
+  if (survey_ != nullptr) {
+    note(key, form, otherwise ? form.options[*otherwise] : "");
+    return survey_->decide({path_of(key.name), false, form.options, otherwise.value_or(0)});
+  }
+  const Entry* entry = find(key.name);
+  if (otherwise && entry == nullptr) return std::nullopt;
+  const Node* node = required(key, form);
+  const std::string* text = node == nullptr ? nullptr : scalar(*node, key.name, "a name");
   if (text == nullptr) return std::nullopt;
-  const auto found = std::find(names.begin(), names.end(), *text);
-  if (found != names.end()) return static_cast<std::size_t>(found - names.begin());
-  problems_->add(node->place, path_of(key),
-                 fmt::format("'{}' is not one of {}{}", *text, fmt::join(names, ", "),
-                             suggestion(*text, names)));
+  const auto found = std::find(form.options.begin(), form.options.end(), *text);
+  if (found != form.options.end()) return static_cast<std::size_t>(found - form.options.begin());
+  problems_->add(
+      node->place, path_of(key.name),
+      fmt::format("'{}' is not {}{}", *text, expected(form), suggestion(*text, form.options)));
   return std::nullopt;
 }
 
-std::vector<Scalar> Mapping::texts(const std::string& key) {
+std::vector<Scalar> Mapping::texts(const Key& key) {
+  note(key, {.kind = Form::Kind::kTexts}, "none");
   std::vector<Scalar> result;
-  const Entry* entry = find(key);
+  const Entry* entry = find(key.name);
   if (entry == nullptr) return result;
   if (entry->value.kind != Kind::kList) {
-    problems_->add(entry->value.place, path_of(key),
+    problems_->add(entry->value.place, path_of(key.name),
                    "must be a list, not " + kind_name(entry->value));
     return result;
   }
   for (const Node& item : entry->value.items) {
-    const std::string* text = scalar(item, key, "text");
+    const std::string* text = scalar(item, key.name, "text");
     if (text != nullptr) result.push_back({"", *text, item.place.text()});
   }
   return result;
 }
 
-Mapping Mapping::inner(const Node& node, const std::string& path) {
-  if (node.kind == Kind::kMapping) return {node, path, *problems_};
-  Mapping empty{problems_->empty_mapping(node.place), path, *problems_};
+Mapping Mapping::inner(const Node& node, const std::string& path, Survey* survey) {
+  if (node.kind == Kind::kMapping) return {node, path, *problems_, survey};
+  Mapping empty{problems_->empty_mapping(node.place), path, *problems_, survey};
   if (node.kind != Kind::kNull) {
     problems_->add(node.place, path, "must be a mapping, not " + kind_name(node));
     empty.broken_ = true;
@@ -209,28 +274,50 @@ Mapping Mapping::inner(const Node& node, const std::string& path) {
   return empty;
 }
 
-Mapping Mapping::mapping(const std::string& key) {
+Mapping Mapping::inner_of(const std::string& key, Survey* survey) {
   const Entry* entry = find(key);
-  if (entry != nullptr) return inner(entry->value, path_of(key));
-  Mapping absent{problems_->empty_mapping(node_->place), path_of(key), *problems_};
+  if (entry != nullptr) return inner(entry->value, path_of(key), survey);
+  Mapping absent{problems_->empty_mapping(node_->place), path_of(key), *problems_, survey};
   absent.broken_ = broken_;
   return absent;
 }
 
-std::vector<Mapping> Mapping::mappings(const std::string& key) {
+std::vector<Mapping> Mapping::inner_list(const std::string& key) {
   std::vector<Mapping> result;
   const Entry* entry = find(key);
   if (entry == nullptr) return result;
   const Node& list = entry->value;
   if (list.kind == Kind::kList) {
-    for (const Node& item : list.items) result.push_back(inner(item, path_of(key)));
+    for (const Node& item : list.items) result.push_back(inner(item, path_of(key), nullptr));
   } else if (list.kind != Kind::kNull) {
     problems_->add(list.place, path_of(key), "must be a list, not " + kind_name(list));
   }
   return result;
 }
 
+Mapping Mapping::mapping(const Key& key) {
+  note(key, {.kind = Form::Kind::kMapping}, "none");
+  return inner_of(key.name, survey_);
+}
+
+std::vector<Mapping> Mapping::mappings(const Key& key) {
+  note(key, {.kind = Form::Kind::kMappings}, "none");
+  if (survey_ == nullptr) return inner_list(key.name);
+  return {Mapping{problems_->empty_mapping({}), path_of(key.name) + "[]", *problems_, survey_}};
+}
+
+Mapping Mapping::within(const std::string& key) {
+  if (survey_ != nullptr) survey_->mention(path_of(key));
+  return inner_of(key, nullptr);
+}
+
+std::vector<Mapping> Mapping::items(const std::string& key) {
+  if (survey_ != nullptr) survey_->mention(path_of(key));
+  return inner_list(key);
+}
+
 std::vector<std::string> Mapping::keys() const {
+  if (survey_ != nullptr) return {"NAME"};
   std::vector<std::string> result;
   for (const Entry& entry : node_->entries) result.push_back(entry.key);
   return result;
@@ -239,7 +326,7 @@ std::vector<std::string> Mapping::keys() const {
 std::vector<Scalar> Mapping::scalars() {
   std::vector<Scalar> result;
   for (const Entry& entry : node_->entries) {
-    known_.insert(entry.key);
+    find(entry.key);
     const std::string* text = scalar(entry.value, entry.key, "a single value");
     if (text != nullptr) result.push_back({entry.key, *text, entry.value.place.text()});
   }
@@ -254,22 +341,34 @@ std::string Mapping::place(const std::string& key) const {
 std::string Mapping::place() const { return node_->place.text(); }
 
 void Mapping::mistake(const std::string& key, std::string what) {
-  const Entry* entry = find(key);
+  known_.insert(key);
+  const Entry* entry = node_->find(key);
   const Place& place = entry == nullptr ? node_->place : entry->value.place;
   problems_->add(place, path_of(key), std::move(what));
 }
 
-void Mapping::refuse(const std::string& key, const std::string& why) {
+void Mapping::warn(const std::string& key, std::string what) {
   const Entry* entry = find(key);
+  const Place& place = entry == nullptr ? node_->place : entry->value.place;
+  problems_->warn(place, path_of(key), std::move(what));
+}
+
+void Mapping::refuse(const std::string& key, const std::string& why) {
+  if (survey_ != nullptr) survey_->mention(path_of(key));
+  known_.insert(key);  // but not into the order
+  const Entry* entry = node_->find(key);
   if (entry != nullptr) problems_->add(entry->place, path_of(key), why);
 }
 
 void Mapping::finish() {
-  const std::vector<std::string> known(known_.begin(), known_.end());
   for (const Entry& entry : node_->entries) {
     if (known_.contains(entry.key)) continue;
-    problems_->add(entry.place, path_of(entry.key),
-                   "is not a known key" + suggestion(entry.key, known));
+    const std::string meant = suggestion(entry.key, order_);
+    const std::string others =
+        order_.empty()
+            ? "; nothing may stand here"
+            : fmt::format("{}nown here: {}", meant.empty() ? "; k" : " K", fmt::join(order_, ", "));
+    problems_->add(entry.place, path_of(entry.key), "is not a known key" + meant + others);
   }
 }
 

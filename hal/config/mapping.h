@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <set>
 #include <string>
@@ -10,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "hal/config/key.h"
 #include "hal/types/geometry.h"
 #include "hal/types/time.h"
 
@@ -19,14 +19,7 @@ struct Node;
 struct Entry;
 struct Place;
 class Problems;
-
-/// Inclusive limits in the unit that is asked for. An infinite `high` admits "none" and "never".
-struct Range {
-  double low = 0;
-  double high = 0;
-};
-
-inline constexpr double kUnlimited = std::numeric_limits<double>::infinity();
+class Survey;
 
 /// Longest time a file may name, s: some 31 years, well within Duration.
 inline constexpr double kLongestDuration = 1e9;
@@ -49,56 +42,67 @@ struct Option {
 /// noted with its place and the call returns something harmless, so that reading goes on and all
 /// mistakes are found. A call without `otherwise` requires the key; one with it returns that for a
 /// wrong value, so that a mistake does not make others that are none.
+///
+/// Each reading call takes a Key, which describes it: survey() calls the readers with a mapping
+/// that writes down what they ask for.
 class Mapping {
  public:
-  Mapping(const Node& node, std::string path, Problems& problems);
+  Mapping(const Node& node, std::string path, Problems& problems, Survey* survey = nullptr);
 
   /// A value with a unit (see value.h), in that unit.
-  double number(const std::string& key, std::string_view unit, Range range);
-  double number(const std::string& key, std::string_view unit, Range range, double otherwise);
+  double number(const Key& key, std::string_view unit, Range range);
+  double number(const Key& key, std::string_view unit, Range range, double otherwise);
 
   /// A whole plain number.
-  std::int64_t integer(const std::string& key, std::int64_t low, std::int64_t high);
-  std::int64_t integer(const std::string& key, std::int64_t low, std::int64_t high,
-                       std::int64_t otherwise);
+  std::int64_t integer(const Key& key, std::int64_t low, std::int64_t high);
+  std::int64_t integer(const Key& key, std::int64_t low, std::int64_t high, std::int64_t otherwise);
 
   /// A time, to the nanosecond; limits in seconds.
-  Duration duration(const std::string& key, Range seconds);
-  Duration duration(const std::string& key, Range seconds, Duration otherwise);
+  Duration duration(const Key& key, Range seconds);
+  Duration duration(const Key& key, Range seconds, Duration otherwise);
   /// The same without an upper limit: "none" and "never" give nothing.
-  std::optional<Duration> optional_duration(const std::string& key, double low,
+  std::optional<Duration> optional_duration(const Key& key, double low,
                                             std::optional<Duration> otherwise);
 
   /// true or false, nothing else.
-  bool flag(const std::string& key, bool otherwise);
+  bool flag(const Key& key, bool otherwise);
 
   /// Text that is not empty.
-  std::string text(const std::string& key);
-  std::string text(const std::string& key, const std::string& otherwise);
+  std::string text(const Key& key);
+  std::string text(const Key& key, const std::string& otherwise);
 
   /// Two, or three, values of one unit: [1 m, 2 m].
-  Vec2 vec2(const std::string& key, std::string_view unit, Range range);
-  Vec2 vec2(const std::string& key, std::string_view unit, Range range, Vec2 otherwise);
-  Vec3 vec3(const std::string& key, std::string_view unit, Range range);
+  Vec2 vec2(const Key& key, std::string_view unit, Range range);
+  Vec2 vec2(const Key& key, std::string_view unit, Range range, Vec2 otherwise);
+  Vec3 vec3(const Key& key, std::string_view unit, Range range);
 
   /// A list of texts; absent: empty.
-  std::vector<Scalar> texts(const std::string& key);
+  std::vector<Scalar> texts(const Key& key);
 
   /// One of several names; nothing if it is missing or none of them.
   template <class E, std::size_t kSize>
-  std::optional<E> choice(const std::string& key, const std::array<Option<E>, kSize>& options) {
-    const auto index = chosen(key, names(options));
+  std::optional<E> choice(const Key& key, const std::array<Option<E>, kSize>& options) {
+    const auto index = chosen(key, names(options), std::nullopt);
     return index ? std::optional<E>{options[*index].value} : std::nullopt;
   }
   template <class E, std::size_t kSize>
-  E choice(const std::string& key, const std::array<Option<E>, kSize>& options, E otherwise) {
-    return has(key) ? choice(key, options).value_or(otherwise) : otherwise;
+  E choice(const Key& key, const std::array<Option<E>, kSize>& options, E otherwise) {
+    std::size_t other = 0;
+    for (std::size_t i = 0; i < kSize; ++i) {
+      if (options[i].value == otherwise) other = i;
+    }
+    const auto index = chosen(key, names(options), other);
+    return index ? options[*index].value : otherwise;
   }
 
   /// A mapping inside; absent: an empty one, all of whose required keys are missing.
-  Mapping mapping(const std::string& key);
+  Mapping mapping(const Key& key);
   /// A list of mappings; absent: empty.
-  std::vector<Mapping> mappings(const std::string& key);
+  std::vector<Mapping> mappings(const Key& key);
+
+  /// The same of keys that were read before.
+  Mapping within(const std::string& key);
+  std::vector<Mapping> items(const std::string& key);
 
   /// Whether the key is there. It counts as known from now on.
   bool has(const std::string& key);
@@ -116,6 +120,8 @@ class Mapping {
 
   /// Notes a mistake of a key's value; at the mapping's place if the key is not there.
   void mistake(const std::string& key, std::string what);
+  /// Notes what is allowed and hardly meant. It is told, and nothing is refused.
+  void warn(const std::string& key, std::string what);
   /// Notes that nobody reads `key` here, saying why, if it is there.
   void refuse(const std::string& key, const std::string& why);
 
@@ -131,23 +137,28 @@ class Mapping {
     return result;
   }
 
-  Mapping inner(const Node& node, const std::string& path);
+  Mapping inner(const Node& node, const std::string& path, Survey* survey);
+  Mapping inner_of(const std::string& key, Survey* survey);
+  std::vector<Mapping> inner_list(const std::string& key);
   std::string path_of(const std::string& key) const;
   const Entry* find(const std::string& key);
-  const Node* required(const std::string& key);
+  /// Tells the survey, if there is one. @param otherwise  empty: the key must be there.
+  void note(const Key& key, const Form& form, const std::string& otherwise = {});
+  const Node* required(const Key& key, const Form& form);
   const std::string* scalar(const Node& node, const std::string& key, std::string_view expected);
-  std::optional<double> parsed(const Node& node, const std::string& key, std::string_view unit,
-                               Range range);
-  std::optional<std::int64_t> whole(const Node& node, const std::string& key, std::int64_t low,
-                                    std::int64_t high);
-  std::vector<double> vector(const std::string& key, std::string_view unit, Range range,
-                             std::size_t size);
-  std::optional<std::size_t> chosen(const std::string& key, const std::vector<std::string>& names);
+  std::optional<double> parsed(const Node& node, const Key& key, const Form& form);
+  std::optional<std::int64_t> whole(const Node& node, const Key& key, const Form& form);
+  std::vector<double> vector(const Key& key, const Form& form, const Node* node);
+  std::optional<std::size_t> chosen(const Key& key, std::vector<std::string> names,
+                                    std::optional<std::size_t> otherwise);
 
   const Node* node_;
   std::string path_;
   Problems* problems_;
+  Survey* survey_;
   std::set<std::string> known_;
+  std::vector<std::string>
+      order_;            ///< Of reading: the known keys but those that mean nothing here.
   bool broken_ = false;  ///< Stands in for something else, which was noted: nothing is missing.
 };
 

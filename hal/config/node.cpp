@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
+#include <optional>
+#include <system_error>
 #include <utility>
 
 namespace hal::config {
@@ -10,7 +13,34 @@ namespace {
 
 bool is_mapping(const Node& node) { return node.kind == Node::Kind::kMapping; }
 
+Node decided(Node below, Node own);
+
+/// The item of a list that a key of the command line names: "0", "1", …
+std::optional<std::size_t> index_of(const std::string& key, std::size_t items) {
+  std::size_t index = 0;
+  const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), index);
+  const bool is_number = error == std::errc{} && end == key.data() + key.size();
+  return is_number && index < items ? std::optional(index) : std::nullopt;
+}
+
+/// A list of which the command line sets items, or something in them. What is no item stays with
+/// the list as an entry, for the Loader to refuse.
+Node with_items_set(Node list, Node own) {
+  for (Entry& entry : own.entries) {
+    if (const auto index = index_of(entry.key, list.items.size())) {
+      Node& item = list.items[*index];
+      item = decided(std::move(item), std::move(entry.value));
+    } else {
+      list.entries.push_back(std::move(entry));
+    }
+  }
+  return list;
+}
+
 Node decided(Node below, Node own) {
+  const bool reaches_into_list = below.kind == Node::Kind::kList && is_mapping(own) && !own.whole &&
+                                 own.place.layer == Layer::kCommandLine;
+  if (reaches_into_list) return with_items_set(std::move(below), std::move(own));
   const bool own_counts = own.place.layer >= below.place.layer;
   Node& winner = own_counts ? own : below;
   if (is_mapping(below) && is_mapping(own) && !winner.whole) {

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "hal/config/document_limits.h"
 #include "hal/config/yaml.h"
 
 namespace hal::config {
@@ -41,7 +42,8 @@ Node nested(const std::vector<std::string>& parts, Node value) {
   return value;
 }
 
-std::optional<Node> read_override(const std::string& text, Problems& problems) {
+std::optional<Node> read_override(const std::string& text, Problems& problems,
+                                  std::size_t& values_left) {
   Place place{.order = kBeforeAllFiles, .file = "--set " + text, .layer = Layer::kCommandLine};
   const std::size_t equals = text.find('=');
   const std::string path = text.substr(0, equals);
@@ -51,8 +53,13 @@ std::optional<Node> read_override(const std::string& text, Problems& problems) {
     return std::nullopt;
   }
   place.file = "--set " + path;
+  if (parts->size() > kMostParts) {
+    problems.add(place, path,
+                 fmt::format("has {} parts; at most {} are read", parts->size(), kMostParts));
+    return std::nullopt;
+  }
   std::vector<Problem> found;
-  Node value = parse_yaml(text.substr(equals + 1), place, found);
+  Node value = parse_yaml(text.substr(equals + 1), place, found, values_left);
   value.place = place;
   value.whole = true;
   const bool readable = found.empty();
@@ -67,8 +74,10 @@ Node read_overrides(const std::vector<std::string>& overrides, Problems& problem
   Node all;
   all.kind = Node::Kind::kMapping;
   all.place = {.order = kBeforeAllFiles, .file = "--set", .layer = Layer::kCommandLine};
+  std::size_t values_left = kMostValues;
   for (const std::string& text : overrides) {
-    if (auto one = read_override(text, problems)) all = merged(std::move(all), std::move(*one));
+    if (auto one = read_override(text, problems, values_left))
+      all = merged(std::move(all), std::move(*one));
   }
   return all;
 }

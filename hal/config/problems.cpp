@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 #include <tuple>
 
 namespace hal::config {
@@ -13,11 +14,37 @@ auto position(const Problem& problem) {
   return std::tie(place.order, place.file, place.line, place.column, problem.key, problem.what);
 }
 
-std::string line(const Problem& problem) {
+/// "--set a.0.b" without the numbers of items, which keys of problems do not have.
+std::string without_numbers(const std::string& place) {
+  std::string text;
+  std::size_t begin = 0;
+  for (std::size_t end = 0; end != std::string::npos; begin = end + 1) {
+    end = place.find('.', begin);
+    const std::string part = place.substr(begin, end == std::string::npos ? end : end - begin);
+    const bool is_number = part.find_first_not_of("0123456789") == std::string::npos;
+    if (!is_number) text += (text.empty() ? "" : ".") + part;
+  }
+  return text;
+}
+
+/// @param mark  between the place and the key: "" or "warning: ".
+std::string line(const Problem& problem, std::string_view mark) {
   const std::string place = problem.place.text();
-  const bool says_key = problem.key.empty() || place == "--set " + problem.key;
-  if (says_key) return fmt::format("{}: {}", place, problem.what);
-  return fmt::format("{}: {}: {}", place, problem.key, problem.what);
+  const bool is_set = problem.place.line == 0;
+  const bool says_key =
+      problem.key.empty() || (is_set && without_numbers(place) == "--set " + problem.key);
+  if (says_key) return fmt::format("{}: {}{}", place, mark, problem.what);
+  return fmt::format("{}: {}{}: {}", place, mark, problem.key, problem.what);
+}
+
+std::vector<std::string> lines(std::vector<Problem> problems, std::string_view mark) {
+  std::sort(problems.begin(), problems.end(),
+            [](const Problem& a, const Problem& b) { return position(a) < position(b); });
+  std::vector<std::string> lines;
+  lines.reserve(problems.size());
+  for (const Problem& problem : problems) lines.push_back(line(problem, mark));
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+  return lines;
 }
 
 }  // namespace
@@ -29,16 +56,9 @@ void Problems::add(std::vector<Problem> problems, const std::string& path) {
   }
 }
 
-std::vector<std::string> Problems::messages() const {
-  std::vector<Problem> sorted = found_;
-  std::sort(sorted.begin(), sorted.end(),
-            [](const Problem& a, const Problem& b) { return position(a) < position(b); });
-  std::vector<std::string> lines;
-  lines.reserve(sorted.size());
-  for (const Problem& problem : sorted) lines.push_back(line(problem));
-  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
-  return lines;
-}
+std::vector<std::string> Problems::messages() const { return lines(found_, ""); }
+
+std::vector<std::string> Problems::warnings() const { return lines(warnings_, "warning: "); }
 
 const Node& Problems::empty_mapping(const Place& place) {
   Node& node = empty_.emplace_back();

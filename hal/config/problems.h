@@ -18,16 +18,23 @@ class Problems {
   }
   void add(std::vector<Problem> problems, const std::string& path);
 
+  /// Notes what is allowed and hardly meant: no mistake.
+  void warn(const Place& place, std::string key, std::string what) {
+    warnings_.push_back({place, std::move(key), std::move(what)});
+  }
+
   bool none() const { return found_.empty(); }
 
-  /// One line each, sorted by position.
+  /// One line each, sorted by position; the same of warnings, "file:line:column: warning: …".
   std::vector<std::string> messages() const;
+  std::vector<std::string> warnings() const;
 
   /// A mapping without entries that lives as long as the problems do.
   const Node& empty_mapping(const Place& place);
 
  private:
   std::vector<Problem> found_;
+  std::vector<Problem> warnings_;
   std::deque<Node> empty_;
 };
 

@@ -1,8 +1,12 @@
 #include "hal/config/shared_folders.h"
 
+#include <fmt/format.h>
+
 #include <cstdlib>
 #include <sstream>
 #include <string>
+
+#include "hal/config/errors.h"
 
 namespace hal::config {
 
@@ -27,6 +31,27 @@ std::optional<fs::path> find_shared(const fs::path& relative) {
     if (fs::exists(folder / relative, error)) return folder / relative;
   }
   return std::nullopt;
+}
+
+std::string listed_shared_folders() {
+  std::string list;
+  for (const fs::path& folder : shared_folders()) {
+    list += (list.empty() ? "" : ", ") + folder.string();
+  }
+  return list;
+}
+
+fs::path named_file(const fs::path& given, const std::vector<std::string>& kinds) {
+  std::error_code error;
+  if (given.is_absolute() || given.empty() || fs::exists(given, error)) return given;
+  std::vector<fs::path> folders{""};
+  folders.insert(folders.end(), kinds.begin(), kinds.end());
+  for (const fs::path& folder : folders) {
+    if (const auto found = find_shared(folder / given)) return *found;
+  }
+  throw ConfigErrors(
+      {fmt::format("{}: there is no such file here, nor in {} or its {}", given.string(),
+                   listed_shared_folders(), fmt::join(kinds, ", "))});
 }
 
 }  // namespace hal::config

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace hal::config {
@@ -13,5 +14,15 @@ std::vector<std::filesystem::path> shared_folders();
 
 /// The first of them that has a file or folder of that relative path; nothing if none has.
 std::optional<std::filesystem::path> find_shared(const std::filesystem::path& relative);
+
+/// All of them in one line, for messages: "a, b".
+std::string listed_shared_folders();
+
+/// The file that a user means: as given, seen from the current folder; else the first that a shared
+/// folder has of that path, in itself or in one of its folders `kinds`. So `case_study.yaml` is
+/// found in share/baraka/scenarios. An absolute path is only itself.
+/// @throws ConfigErrors that names every place where it was looked for.
+std::filesystem::path named_file(const std::filesystem::path& given,
+                                 const std::vector<std::string>& kinds);
 
 }  // namespace hal::config

@@ -9,7 +9,9 @@
 #include <system_error>
 
 #include "hal/config/units.h"
+#include "hal/config/writer.h"
 #include "hal/types/check.h"
+#include "hal/types/time.h"
 
 namespace hal::config {
 namespace {
@@ -94,6 +96,16 @@ Result<double> parse_value(std::string_view text, std::string_view unit, double 
 std::string format_value(double value, std::string_view unit) {
   if (std::isinf(value)) return unit == "s" ? "never" : "none";
   return with_unit(value, unit);
+}
+
+std::string readable(double value, std::string_view unit) {
+  const std::string exact = format_value(value, unit);
+  if (std::isinf(value)) return exact;
+  if (unit == "s") return format_duration(from_seconds(value));
+  if (unit != "rad") return exact;
+  const std::string degrees =
+      format_value(converted(value, *find_unit("rad"), *find_unit("deg")), "deg");
+  return degrees.size() < exact.size() ? degrees : exact;
 }
 
 bool is_unit(std::string_view unit) { return find_unit(unit) != nullptr; }

@@ -23,6 +23,9 @@ Result<double> parse_value(std::string_view text, std::string_view unit, double 
 /// The value as parse_value() reads it back to the same bits: "0.25 s", "never", "3".
 std::string format_value(double value, std::string_view unit);
 
+/// The same for people, in the unit of the dimension that reads best: "100 ms", "30 deg".
+std::string readable(double value, std::string_view unit);
+
 /// Whether parse_value() knows the unit.
 bool is_unit(std::string_view unit);
 

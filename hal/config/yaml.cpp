@@ -1,5 +1,6 @@
 #include "hal/config/yaml.h"
 
+#include <fmt/format.h>
 #include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/exceptions.h>
 #include <yaml-cpp/mark.h>
@@ -8,14 +9,21 @@
 #include <sstream>
 #include <utility>
 
+#include "hal/config/document_limits.h"
+
 namespace hal::config {
 namespace {
+
+/// There are more values than may be read.
+struct TooManyValues {
+  Place place;
+};
 
 /// Builds the tree from the parser's events.
 class Builder final : public YAML::EventHandler {
  public:
-  Builder(const Place& origin, std::vector<Problem>& problems)
-      : origin_(origin), problems_(problems) {}
+  Builder(const Place& origin, std::vector<Problem>& problems, std::size_t& values_left)
+      : origin_(origin), problems_(problems), values_left_(values_left) {}
 
   Node take_root() { return std::move(root_); }
 
@@ -67,7 +75,9 @@ class Builder final : public YAML::EventHandler {
     here.column = mark.column + 1;
     return here;
   }
-  Node node(Node::Kind kind, const YAML::Mark& mark) const {
+  Node node(Node::Kind kind, const YAML::Mark& mark) {
+    if (values_left_ == 0) throw TooManyValues{place(mark)};
+    --values_left_;
     Node made;
     made.kind = kind;
     made.place = place(mark);
@@ -116,6 +126,7 @@ class Builder final : public YAML::EventHandler {
 
   const Place& origin_;
   std::vector<Problem>& problems_;
+  std::size_t& values_left_;
   std::vector<Open> open_;
   Node root_;
   int documents_ = 0;
@@ -123,13 +134,20 @@ class Builder final : public YAML::EventHandler {
 
 }  // namespace
 
-Node parse_yaml(const std::string& text, const Place& origin, std::vector<Problem>& problems) {
-  Builder builder(origin, problems);
+Node parse_yaml(const std::string& text, const Place& origin, std::vector<Problem>& problems,
+                std::size_t& values_left) {
+  Builder builder(origin, problems, values_left);
   try {
     std::istringstream stream(text);
     YAML::Parser parser(stream);
     while (parser.HandleNextDocument(builder)) {
     }
+  } catch (const TooManyValues& error) {
+    problems.push_back({error.place, "",
+                        fmt::format("has more values than the {} that are read "
+                                    "of a file and all that it includes",
+                                    kMostValues)});
+    return {};
   } catch (const YAML::Exception& error) {
     Place here = origin;
     here.line = origin.layer == Layer::kCommandLine ? 0 : error.mark.line + 1;

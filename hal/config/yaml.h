@@ -17,7 +17,9 @@ struct Problem {
 /// Reads one YAML document. Repeated keys stay in the tree, for the caller to judge. Tags, anchors,
 /// aliases and further documents are problems: they hide where a value comes from.
 /// @param origin  file, order and layer of all places.
+/// @param values_left  of all files; those of this one are taken off. One too many is a problem.
 /// @return the root; null if the text is not YAML, which is then the last problem.
-Node parse_yaml(const std::string& text, const Place& origin, std::vector<Problem>& problems);
+Node parse_yaml(const std::string& text, const Place& origin, std::vector<Problem>& problems,
+                std::size_t& values_left);
 
 }  // namespace hal::config

@@ -1,6 +1,7 @@
 #include "hal/dds/controller_process.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -13,15 +14,21 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "hal/dds/domains.h"
+#include "hal/runtime/exit_watch.h"
+#include "hal/types/log.h"
+#include "hal/types/printable.h"
 
 namespace hal::dds {
 namespace {
 
 /// How long the last Reply may take to reach the server before the process ends.
 constexpr Duration kFlushTimeout = std::chrono::seconds{2};
+/// The same where the thread that would hear of it is the one that waits.
+constexpr Duration kLinger = std::chrono::milliseconds{300};
 
 /// What one server has given this process to do.
 struct Assignment {
@@ -74,11 +81,16 @@ class ControllerProcess {
   void end(Outcome outcome);
   std::optional<Outcome> outcome();
   bool is_running() const;
+  int on_exit_called(const runtime::ExitCall& call);
 
   template <class... Args>
   void say(fmt::format_string<Args...> format, Args&&... args) const {
-    fmt::print(stderr, "{}: {}\n", client_.hello().process,
-               fmt::format(format, std::forward<Args>(args)...));
+    fmt::print(stderr, "{}: {}\n", printable(client_.hello().process),
+               printable_lines(fmt::format(format, std::forward<Args>(args)...)));
+  }
+  template <class... Args>
+  void say_for_debugging(fmt::format_string<Args...> format, Args&&... args) const {
+    if (log::is_on(log::Level::kDebug)) say(format, std::forward<Args>(args)...);
   }
 
   const ControllerKind& kind_;
@@ -91,6 +103,11 @@ class ControllerProcess {
   std::mutex mutex_;
   std::map<std::string, Assignment> assignments_;  ///< By server.
   std::optional<Outcome> outcome_;
+  const exchange::Step* step_ = nullptr;     ///< That controllers are working on …
+  runtime::ControllerHost* host_ = nullptr;  ///< … and theirs.
+
+  const runtime::ExitWatch exit_watch_{
+      [this](const runtime::ExitCall& call) { return on_exit_called(call); }};
 };
 
 std::optional<Outcome> ControllerProcess::outcome() {
@@ -118,7 +135,13 @@ void ControllerProcess::on(const exchange::Session& session) {
 
 void ControllerProcess::accept(const exchange::Session& session) {
   Assignment assignment;
-  for (const exchange::AgentSession& agent : session.agents) assignment.running.insert(agent.agent);
+  std::vector<std::string> names;
+  for (const exchange::AgentSession& agent : session.agents) {
+    assignment.running.insert(agent.agent);
+    names.push_back(agent.name);
+  }
+  say_for_debugging("session with server '{}', run {}: {}", session.server, session.run,
+                    fmt::join(names, ", "));
   auto host = runtime::ControllerHost::create(kind_, session);
   if (host) {
     assignment.host = std::move(*host);
@@ -166,6 +189,8 @@ void ControllerProcess::work_off(const exchange::Step& step) {
   }
   if (step.sequence > assignment.sequence) assignment.reply = reply_to(step, assignment);
   assignment.sequence = step.sequence;
+  say_for_debugging("Step {}: {} events until {:.9f} s, {} actions", step.sequence,
+                    step.events.size(), to_seconds(step.until), assignment.reply.actions.size());
   const auto sent = client_.reply(step.server, assignment.reply);
   if (!sent) say("{}", sent.error().message);
   if (!assignment.host) outcome_ = Outcome::kRefused;
@@ -178,7 +203,10 @@ exchange::Reply ControllerProcess::reply_to(const exchange::Step& step, Assignme
   }
   exchange::Reply reply;
   if (assignment.host) {
-    reply = assignment.host->answer(step);
+    step_ = &step;
+    host_ = assignment.host.get();
+    reply = host_->answer(step);
+    step_ = nullptr;
   } else if (!step.events.empty()) {
     exchange::Action error;
     error.agent = step.events.front().agent;
@@ -189,6 +217,17 @@ exchange::Reply ControllerProcess::reply_to(const exchange::Step& step, Assignme
   reply.run = step.run;
   reply.sequence = step.sequence;
   return reply;
+}
+
+/// In the middle of exit(), with whatever locks its thread holds: in a callback those of answer()
+/// and of the client. The answer goes out on this thread; that it has arrived cannot be heard here.
+int ControllerProcess::on_exit_called(const runtime::ExitCall& call) {
+  say("{}", call.text());
+  if (step_ != nullptr) {
+    const auto sent = client_.reply(step_->server, host_->broken_off(*step_, "it " + call.what()));
+    if (sent) std::this_thread::sleep_for(kLinger);
+  }
+  return static_cast<int>(Outcome::kFailed);
 }
 
 void ControllerProcess::on(const ServerGone& departure) {
@@ -270,6 +309,7 @@ Outcome run_controllers(const ControllerKind& kind, const runtime::ControllerOpt
 Outcome run_controllers(const ControllerKind& kind, const runtime::ControllerOptions& options) {
   runtime::ControllerOptions resolved = options;
   resolved.domain = options.domain ? *options.domain : default_domain();
+  log::set_level(options.level);
   Client client(*resolved.domain, hello_of(kind, resolved));
   const Interruptible interruptible(client);
   return run_controllers(kind, resolved, client);

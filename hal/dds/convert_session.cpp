@@ -21,11 +21,12 @@ wire::Wants to_wire(const Wants& wants) {
   out.channels(wants.channels);
   out.watched(wants.watched);
   out.neighbours(wants.neighbours);
+  out.optional_channels(wants.optional);
   return out;
 }
 
 Wants from_wire(const wire::Wants& wants) {
-  return {wants.channels(), wants.watched(), wants.neighbours()};
+  return {wants.channels(), wants.watched(), wants.neighbours(), wants.optional_channels()};
 }
 
 wire::Channel to_wire(const Channel& channel) {

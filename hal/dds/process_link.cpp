@@ -50,8 +50,9 @@ Result<exchange::Reply> ProcessLink::Implementation::finish() {
     if (*reply) return std::move(**reply);
     if (deadline.has_passed()) {
       return fail(Errc::kTimeout,
-                  fmt::format("process '{}' (pid {}) did not answer within {} s", name(),
-                              settings_.hello.pid, to_seconds(*settings_.reply_timeout)));
+                  fmt::format("process '{}' (pid {}) did not answer within {} s: --set "
+                              "reply_timeout=none waits for ever, as debugging needs",
+                              name(), settings_.hello.pid, to_seconds(*settings_.reply_timeout)));
     }
     wait(deadline);
   }

@@ -5,6 +5,7 @@
 
 #include "hal/dds/fastdds.h"
 #include "hal/dds/topic_browser.h"
+#include "hal/types/printable.h"
 #include "inspectPubSubTypes.h"
 
 namespace hal::dds {
@@ -29,8 +30,9 @@ class Lines {
     std::string quoted;
     for (const char c : text) {
       if (c == '"' || c == '\\') quoted += '\\';
-      quoted += static_cast<unsigned char>(c) < ' ' ? '?' : c;
+      quoted += c;
     }
+    quoted = printable(quoted);
     line(fmt::format("{}: \"{}\"", key, quoted));
   }
   void put(std::string_view key, bool flag) { line(fmt::format("{}: {}", key, flag)); }

@@ -15,54 +15,79 @@ using devices::MoteDescription;
 using devices::RobotDescription;
 using devices::Wheel;
 
-constexpr Range kSize{1e-3, 10};   // m
-constexpr Range kHeight{0, 10};    // m, above the ground
-constexpr Range kMass{1e-3, 1e4};  // kg
+const Key kVersion{"version", "Of the format of this file.", "1"};
+const Key kShapeMass{"mass", "Of the shape, which is solid and homogeneous.", "9 kg"};
+constexpr std::string_view kInWheelOrJoint =
+    "that of `wheel`; there, it may be absent if all `joints` have it";
+
+constexpr Range kSize{1e-3, 10};        // m
+constexpr Range kHeight{0, 10};         // m, above the ground
+constexpr Range kMass{1e-3, 1e4};       // kg
+constexpr Range kWheelMass{1e-3, 100};  // kg
+constexpr Range kMoteSize{1e-3, 1};     // m
+constexpr Range kMoteMass{1e-3, 100};   // kg
 constexpr Range kFriction{0, 100};
 constexpr Range kAcceleration{1e-3, 1e3};
 
 template <class Io>
 void acceleration_keys(Io& io, AccelerationLimits& c) {
-  io.number("linear_up", "m/s^2", kAcceleration, c.linear_up);
-  io.number("linear_down", "m/s^2", kAcceleration, c.linear_down);
-  io.number("angular_up", "rad/s^2", kAcceleration, c.angular_up);
-  io.number("angular_down", "rad/s^2", kAcceleration, c.angular_down);
+  io.number({"linear_up", "How fast the speed may grow.", "0.8 m/s^2"}, "m/s^2", kAcceleration,
+            c.linear_up);
+  io.number({"linear_down", "How fast the speed may fall.", "1.5 m/s^2"}, "m/s^2", kAcceleration,
+            c.linear_down);
+  io.number({"angular_up", "How fast the rate of turn may grow.", "1.6 rad/s^2"}, "rad/s^2",
+            kAcceleration, c.angular_up);
+  io.number({"angular_down", "How fast the rate of turn may fall.", "3.14 rad/s^2"}, "rad/s^2",
+            kAcceleration, c.angular_down);
 }
 
-BodyCylinder read_cylinder(Mapping& shape, Mapping in) {
+BodyCylinder read_cylinder(Mapping in, double mass) {
   BodyCylinder cylinder;
-  cylinder.radius = in.number("radius", "m", kSize);
-  cylinder.z_bottom = in.number("bottom", "m", kHeight);
-  cylinder.z_top = in.number("top", "m", kHeight);
+  cylinder.radius = in.number({"radius", "Of the cylinder.", "18 cm"}, "m", kSize);
+  cylinder.z_bottom =
+      in.number({"bottom", "Height of its lower face above the ground.", "2 cm"}, "m", kHeight);
+  cylinder.z_top =
+      in.number({"top", "Height of its upper face, above `bottom`.", "21 cm"}, "m", kHeight);
   if (cylinder.z_top <= cylinder.z_bottom) in.mistake("top", "must be above bottom");
-  cylinder.centre = in.vec2("centre", "m", kOffset, {});
-  cylinder.mass = shape.number("mass", "kg", kMass);
+  cylinder.centre = in.vec2(
+      {"centre", "Of the cylinder, seen from the body's origin.", "[0 m, 0 m]"}, "m", kOffset, {});
+  cylinder.mass = mass;
   in.finish();
   return cylinder;
 }
 
-BodyBox read_box(Mapping& shape, Mapping in) {
+BodyBox read_box(Mapping in, double mass) {
   BodyBox box;
-  box.size = in.vec3("size", "m", kSize);
-  box.centre = in.vec3("centre", "m", kOffset);
+  box.size =
+      in.vec3({"size", "Of the box along its own axes.", "[20 cm, 10 cm, 5 cm]"}, "m", kSize);
+  box.centre = in.vec3(
+      {"centre", "Of the box, seen from the body's origin on the ground.", "[5 cm, 0 m, 10 cm]"},
+      "m", kOffset);
   if (box.centre.z < box.size.z / 2) in.mistake("centre", "the box reaches into the ground");
-  box.yaw = in.number("yaw", "rad", kAngle, 0);
-  box.mass = shape.number("mass", "kg", kMass);
+  box.yaw = in.number({"yaw", "By which the box is turned, seen from above.", "45 deg"}, "rad",
+                      kAngle, 0);
+  box.mass = mass;
   in.finish();
   return box;
 }
 
 void read_link(Mapping in, RobotDescription& robot) {
-  robot.friction = in.number("friction", "1", kFriction, robot.friction);
-  for (Mapping& shape : in.mappings("collision")) {
+  robot.friction = in.number(
+      {"friction", "Coefficient of the body against walls, motes and other robots.", "0.3"}, "1",
+      kFriction, robot.friction);
+  for (Mapping& shape :
+       in.mappings({"collision", "Upright, solid shapes that make the body; at least one.",
+                    "[{cylinder: {radius: 18 cm, bottom: 2 cm, top: 21 cm}, mass: 9 kg}]",
+                    config::kMustBeGiven})) {
+    const double mass = shape.number(kShapeMass, "kg", kMass);
     const bool cylinder = shape.has("cylinder");
     if (cylinder == shape.has("box")) {
       shape.mistake("", "must have either cylinder or box");
-      shape.has("mass");
     } else if (cylinder) {
-      robot.cylinders.push_back(read_cylinder(shape, shape.mapping("cylinder")));
+      robot.cylinders.push_back(
+          read_cylinder(shape.mapping({"cylinder", "An upright cylinder."}), mass));
     } else {
-      robot.boxes.push_back(read_box(shape, shape.mapping("box")));
+      robot.boxes.push_back(read_box(shape.mapping({"box", "A box."}), mass));
     }
     shape.finish();
   }
@@ -104,22 +129,26 @@ void write_link(Writer& out, const RobotDescription& robot) {
 /// Common to all wheels; a joint may deviate.
 template <class Io>
 void wheel_keys(Io& io, Wheel& c) {
-  io.number("radius", "m", kSize, c.radius);
-  io.number("mass", "kg", kMass, c.mass);
-  io.number("mu", "1", {1e-3, 100}, c.mu);
-  io.number("mu2", "1", kFriction, c.mu2);
+  io.number({"radius", "Of the wheel.", "4 cm", kInWheelOrJoint}, "m", kSize, c.radius);
+  io.number({"mass", "Of the wheel.", "200 g", kInWheelOrJoint}, "kg", kWheelMass, c.mass);
+  io.number({"mu", "Friction coefficient along the rolling direction.", "0.6"}, "1", {1e-3, 100},
+            c.mu);
+  io.number({"mu2", "Friction coefficient along the axle, where the rollers give way.", "0.02"},
+            "1", kFriction, c.mu2);
 }
 
 template <class Io>
 void limit_keys(Io& io, Wheel& c) {
-  io.number("effort", "N m", {1e-3, 1e4}, c.max_torque);
-  io.number("velocity", "rad/s", {1e-3, 1e4}, c.max_speed);
+  io.number({"effort", "Largest torque of the motor at the wheel.", "1 N m", kInWheelOrJoint},
+            "N m", {1e-3, 1e4}, c.max_torque);
+  io.number({"velocity", "Largest speed of the wheel.", "23.5 rad/s", kInWheelOrJoint}, "rad/s",
+            {1e-3, 1e4}, c.max_speed);
 }
 
 void read_wheel(Mapping& in, Wheel& wheel) {
   FieldReader reader(in);
   wheel_keys(reader, wheel);
-  Mapping limit = in.mapping("limit");
+  Mapping limit = in.mapping({"limit", "What the wheel's motor can do."});
   FieldReader limit_reader(limit);
   limit_keys(limit_reader, wheel);
   limit.finish();
@@ -128,24 +157,30 @@ void read_wheel(Mapping& in, Wheel& wheel) {
 /// Every key is given for all wheels or for this one.
 void check_complete(Mapping& all, Mapping& joint) {
   const auto check = [](Mapping common, Mapping own, const std::string& key) {
-    if (!common.has(key) && !own.has(key)) own.mistake(key, "is missing");
+    if (!common.has(key) && !own.has(key)) own.mistake(key, "is missing, here and in wheel");
   };
   check(all, joint, "radius");
   check(all, joint, "mass");
-  check(all.mapping("limit"), joint.mapping("limit"), "effort");
-  check(all.mapping("limit"), joint.mapping("limit"), "velocity");
+  check(all.within("limit"), joint.within("limit"), "effort");
+  check(all.within("limit"), joint.within("limit"), "velocity");
 }
 
 void read_wheels(Mapping in, RobotDescription& robot) {
   Wheel common;
-  Mapping all = in.mapping("wheel");
+  Mapping all = in.mapping({"wheel", "What all wheels have in common."});
   read_wheel(all, common);
   all.finish();
-  for (Mapping& joint : in.mappings("joints")) {
+  for (Mapping& joint :
+       in.mappings({"joints",
+                    "The wheels, at least three, each where it is and how it differs from `wheel`.",
+                    "[{distance: 13 cm, bearing: 60 deg}, {distance: 13 cm, bearing: 180 deg}, "
+                    "{distance: 13 cm, bearing: 300 deg}]",
+                    config::kMustBeGiven})) {
     Wheel wheel = common;
     read_wheel(joint, wheel);
     check_complete(all, joint);
-    const Mounting mounting = read_mounting(joint, "axis");
+    const Mounting mounting = read_mounting(
+        joint, {"axis", "Direction of the axle.", "60 deg", "the bearing of the position"});
     wheel.position = mounting.position;
     wheel.axle_heading = mounting.heading;
     robot.wheels.push_back(wheel);
@@ -175,25 +210,32 @@ void write_wheels(Writer& out, const RobotDescription& robot) {
 
 template <class Io>
 void mote_keys(Io& io, MoteDescription& c) {
-  io.number("mass", "kg", kMass, c.mass);
-  io.number("friction", "1", kFriction, c.friction);
+  io.number({"mass", "Of the mote.", "50 g"}, "kg", kMoteMass, c.mass);
+  io.number({"friction", "Coefficient against everything.", "0.6"}, "1", kFriction, c.friction);
 }
 
 }  // namespace
 
-RobotDescription read_robot(Mapping in) {
+RobotDescription read_robot(Mapping in, double gravity) {
   RobotDescription robot;
-  in.integer("version", 1, 1, 1);
-  robot.model = in.text("model");
-  read_link(in.mapping("link"), robot);
-  read_wheels(in.mapping("wheels"), robot);
-  Mapping acceleration = in.mapping("acceleration");
+  in.integer(kVersion, 1, 1, 1);
+  robot.model = in.text({"model", "Name of the kind of robot.", "robertino"});
+  read_link(in.mapping({"link", "The body: shapes that touch things, and their mass."}), robot);
+  read_wheels(
+      in.mapping(
+          {"wheels",
+           "What the robot drives on: omnidirectional (90 degree Swedish) wheels with motors."}),
+      robot);
+  Mapping acceleration = in.mapping(
+      {"acceleration", "How fast the motor controller lets a commanded velocity change."});
   FieldReader reader(acceleration);
   acceleration_keys(reader, robot.acceleration);
   acceleration.finish();
-  robot.encoder_steps = static_cast<int>(in.integer("encoder_steps", 0, 1'000'000, 0));
-  robot.infrared = read_infrared(in.mapping("infrared"));
-  check_robot(in, robot);
+  robot.encoder_steps = static_cast<int>(in.integer(
+      {"encoder_steps", "Steps of the encoder per turn of a wheel; 0: continuous.", "4000"}, 0,
+      1'000'000, 0));
+  robot.infrared = read_infrared(in.mapping({"infrared", "Infrared rangers around the body."}));
+  check_robot(in, robot, gravity);
   in.finish();
   return robot;
 }
@@ -215,9 +257,10 @@ void write_robot(Writer& out, const RobotDescription& robot) {
 
 MoteDescription read_mote(Mapping in) {
   MoteDescription mote;
-  in.integer("version", 1, 1, 1);
-  mote.model = in.text("model");
-  mote.size = in.vec3("size", "m", kSize);
+  in.integer(kVersion, 1, 1, 1);
+  mote.model = in.text({"model", "Name of the kind of mote.", "mote"});
+  mote.size =
+      in.vec3({"size", "Of the box that the mote is.", "[5 cm, 5 cm, 5 cm]"}, "m", kMoteSize);
   FieldReader reader(in);
   mote_keys(reader, mote);
   in.finish();

@@ -14,6 +14,7 @@
 
 namespace hal::description {
 
+using config::Key;
 using config::kUnlimited;
 using config::Mapping;
 using config::Option;
@@ -30,39 +31,38 @@ class FieldReader {
  public:
   explicit FieldReader(Mapping& in) : in_(in) {}
 
-  void number(const std::string& key, std::string_view unit, Range range, double& value) {
+  void number(const Key& key, std::string_view unit, Range range, double& value) {
     value = in_.number(key, unit, range, value);
   }
   /// Must be there.
-  void needed(const std::string& key, std::string_view unit, Range range, double& value) {
+  void needed(const Key& key, std::string_view unit, Range range, double& value) {
     value = in_.number(key, unit, range);
   }
   /// A Quantity or a Dbm.
   template <class Q>
-  void quantity(const std::string& key, std::string_view unit, Range range, Q& value) {
+  void quantity(const Key& key, std::string_view unit, Range range, Q& value) {
     value = Q{in_.number(key, unit, range, value.value)};
   }
   /// "none" gives nothing.
   template <class Q>
-  void optional(const std::string& key, std::string_view unit, double low,
-                std::optional<Q>& value) {
+  void optional(const Key& key, std::string_view unit, double low, std::optional<Q>& value) {
     const double absent = kUnlimited;
     const double given = in_.number(key, unit, {low, kUnlimited}, value ? value->value : absent);
     value = given == absent ? std::nullopt : std::optional<Q>{given};
   }
   template <class Integer>
-  void count(const std::string& key, std::int64_t low, std::int64_t high, Integer& value) {
+  void count(const Key& key, std::int64_t low, std::int64_t high, Integer& value) {
     value = static_cast<Integer>(in_.integer(key, low, high, static_cast<std::int64_t>(value)));
   }
-  void duration(const std::string& key, Range seconds, Duration& value) {
+  void duration(const Key& key, Range seconds, Duration& value) {
     value = in_.duration(key, seconds, value);
   }
-  void optional_duration(const std::string& key, double low, std::optional<Duration>& value) {
+  void optional_duration(const Key& key, double low, std::optional<Duration>& value) {
     value = in_.optional_duration(key, low, value);
   }
-  void flag(const std::string& key, bool& value) { value = in_.flag(key, value); }
+  void flag(const Key& key, bool& value) { value = in_.flag(key, value); }
   template <class E, std::size_t kSize>
-  void choice(const std::string& key, const std::array<Option<E>, kSize>& options, E& value) {
+  void choice(const Key& key, const std::array<Option<E>, kSize>& options, E& value) {
     value = in_.choice(key, options, value);
   }
   /// A key that has no meaning here.
@@ -77,38 +77,37 @@ class FieldWriter {
  public:
   explicit FieldWriter(Writer& out) : out_(out) {}
 
-  void number(const std::string& key, std::string_view unit, Range, double value) {
-    out_.number(key, value, unit);
+  void number(const Key& key, std::string_view unit, Range, double value) {
+    out_.number(key.name, value, unit);
   }
-  void needed(const std::string& key, std::string_view unit, Range, double value) {
-    out_.number(key, value, unit);
-  }
-  template <class Q>
-  void quantity(const std::string& key, std::string_view unit, Range, const Q& value) {
-    out_.number(key, value.value, unit);
+  void needed(const Key& key, std::string_view unit, Range, double value) {
+    out_.number(key.name, value, unit);
   }
   template <class Q>
-  void optional(const std::string& key, std::string_view unit, double,
-                const std::optional<Q>& value) {
-    out_.number(key, value ? value->value : kUnlimited, unit);
+  void quantity(const Key& key, std::string_view unit, Range, const Q& value) {
+    out_.number(key.name, value.value, unit);
+  }
+  template <class Q>
+  void optional(const Key& key, std::string_view unit, double, const std::optional<Q>& value) {
+    out_.number(key.name, value ? value->value : kUnlimited, unit);
   }
   template <class Integer>
-  void count(const std::string& key, std::int64_t, std::int64_t, Integer value) {
-    out_.integer(key, static_cast<std::int64_t>(value));
+  void count(const Key& key, std::int64_t, std::int64_t, Integer value) {
+    out_.integer(key.name, static_cast<std::int64_t>(value));
   }
-  void duration(const std::string& key, Range, Duration value) { out_.duration(key, value); }
-  void optional_duration(const std::string& key, double, const std::optional<Duration>& value) {
+  void duration(const Key& key, Range, Duration value) { out_.duration(key.name, value); }
+  void optional_duration(const Key& key, double, const std::optional<Duration>& value) {
     if (value) {
-      out_.duration(key, *value);
+      out_.duration(key.name, *value);
     } else {
-      out_.text(key, "none");
+      out_.text(key.name, "none");
     }
   }
-  void flag(const std::string& key, bool value) { out_.flag(key, value); }
+  void flag(const Key& key, bool value) { out_.flag(key.name, value); }
   template <class E, std::size_t kSize>
-  void choice(const std::string& key, const std::array<Option<E>, kSize>& options, E value) {
+  void choice(const Key& key, const std::array<Option<E>, kSize>& options, E value) {
     for (const Option<E>& option : options) {
-      if (option.value == value) out_.text(key, option.name);
+      if (option.value == value) out_.text(key.name, option.name);
     }
   }
   void unused(const std::string&, const std::string&) {}

@@ -16,8 +16,8 @@ struct Mounting {
 };
 
 /// `position: [x, y]`, or `distance` and `bearing` from the body's origin.
-/// @param heading_key  key of the heading; absent: the bearing of the position.
-Mounting read_mounting(config::Mapping& in, const std::string& heading_key);
+/// @param heading  key of the heading; absent: the bearing of the position.
+Mounting read_mounting(config::Mapping& in, const config::Key& heading);
 
 /// `infrared:` of a robot: `sensor`, what all have in common, and `mounts`, one per sensor, which
 /// may deviate.

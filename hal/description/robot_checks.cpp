@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "hal/description/stability.h"
 #include "hal/devices/wheel_drive.h"
 #include "hal/types/math.h"
 
@@ -22,45 +23,41 @@ using devices::RobotDescription;
 /// A sensor flush with the surface may be this deep inside by rounding of the file's numbers, m.
 constexpr double kFlush = 1e-3;
 
-Vec2 centre_of_mass(const RobotDescription& robot) {
-  double mass = 0;
-  Vec2 moment;
-  const auto add = [&](double m, Vec2 at) {
-    mass += m;
-    moment = moment + m * at;
-  };
-  for (const auto& cylinder : robot.cylinders) add(cylinder.mass, cylinder.centre);
-  for (const auto& box : robot.boxes) add(box.mass, {box.centre.x, box.centre.y});
-  for (const auto& wheel : robot.wheels) add(wheel.mass, wheel.position);
-  return (1 / mass) * moment;
+/// Wheels are lifted by bumps and by others that push: what the motors do alone must leave this
+/// share of what it takes.
+constexpr double kSpare = 0.2;
+
+std::string lifts(const Stability& s) {
+  return fmt::format(
+      "{:.2f} m/s^2 lift wheels off the ground (the centre of mass is {:.3f} m high and {:.3f} m "
+      "inside the line between two wheels), and the motors give {:.2f} m/s^2",
+      s.lifting, s.centre_of_mass.z, s.inside, s.driving);
 }
 
-/// Whether the wheels stand on all sides of a point: seen from it, no gap between neighbours
-/// reaches half a turn.
-bool carry(const RobotDescription& robot, Vec2 point) {
-  std::vector<double> bearings;
-  for (const auto& wheel : robot.wheels) {
-    const Vec2 to = wheel.position - point;
-    bearings.push_back(math::atan2(to.y, to.x));
+void check_stability(Mapping& wheels, const RobotDescription& robot, double gravity) {
+  const Stability stability = stability_of(robot, gravity > 0 ? gravity : kEarthGravity);
+  const Vec3& centre = stability.centre_of_mass;
+  if (stability.inside < kFlush) {
+    wheels.mistake(
+        "joints", fmt::format("the centre of mass at ({:.3f}, {:.3f}) m is {} the wheels: the "
+                              "robot would tip over",
+                              centre.x, centre.y,
+                              stability.inside < 0 ? "not between" : "on the line between two of"));
+  } else if (gravity > 0 && stability.tips_over) {
+    wheels.mistake("joints", "the robot would tip over when it reverses: " + lifts(stability));
+  } else if (gravity > 0 && stability.driving > (1 - kSpare) * stability.lifting) {
+    wheels.warn("joints",
+                "the robot is close to tipping over when it reverses: " + lifts(stability));
   }
-  std::sort(bearings.begin(), bearings.end());
-  double gap = bearings.front() + 2 * math::kPi - bearings.back();
-  for (std::size_t i = 1; i < bearings.size(); ++i)
-    gap = std::max(gap, bearings[i] - bearings[i - 1]);
-  return gap < math::kPi;
 }
 
-void check_wheels(Mapping wheels, const RobotDescription& robot) {
+void check_wheels(Mapping wheels, const RobotDescription& robot, double gravity) {
   try {
     const devices::WheelDrive drive(robot.wheels);
   } catch (const std::invalid_argument& error) {
     wheels.mistake("joints", error.what());
   }
-  const Vec2 centre = centre_of_mass(robot);
-  if (carry(robot, centre)) return;
-  wheels.mistake("joints", fmt::format("the centre of mass at ({:.3f}, {:.3f}) m is not between "
-                                       "the wheels: the robot would tip over",
-                                       centre.x, centre.y));
+  check_stability(wheels, robot, gravity);
 }
 
 bool contains(const BodyCylinder& part, const Vec3& point) {
@@ -86,7 +83,7 @@ bool is_inside(const RobotDescription& robot, const Vec3& point) {
 }
 
 void check_sensors(Mapping infrared, const RobotDescription& robot) {
-  std::vector<Mapping> mounts = infrared.mappings("mounts");
+  std::vector<Mapping> mounts = infrared.items("mounts");
   for (std::size_t i = 0; i < std::min(mounts.size(), robot.infrared.size()); ++i) {
     if (is_inside(robot, robot.infrared[i].position))
       mounts[i].mistake("", "the sensor is inside the body, where it sees nothing");
@@ -95,12 +92,12 @@ void check_sensors(Mapping infrared, const RobotDescription& robot) {
 
 }  // namespace
 
-void check_robot(Mapping& in, const RobotDescription& robot) {
+void check_robot(Mapping& in, const RobotDescription& robot, double gravity) {
   const bool complete =
       robot.wheels.size() >= 3 && !(robot.cylinders.empty() && robot.boxes.empty());
   if (!complete) return;  // that was noted
-  check_wheels(in.mapping("wheels"), robot);
-  check_sensors(in.mapping("infrared"), robot);
+  check_wheels(in.within("wheels"), robot, gravity);
+  check_sensors(in.within("infrared"), robot);
 }
 
 }  // namespace hal::description

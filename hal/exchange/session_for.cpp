@@ -7,10 +7,6 @@
 namespace hal::exchange {
 namespace {
 
-bool asked_for(const Channel& channel, const Wants& wants) {
-  return std::ranges::find(wants.channels, channel.name) != wants.channels.end();
-}
-
 std::string names_of(const std::vector<Channel>& channels) {
   std::string names;
   for (const Channel& channel : channels) names += (names.empty() ? "" : ", ") + channel.name;
@@ -27,7 +23,7 @@ Result<AgentSession> session_for(const AgentOffer& offer, const Wants& wants) {
                                                  offer.session.name, name, names_of(offered)));
   }
   AgentSession session = offer.session;
-  std::erase_if(session.channels, [&](const Channel& c) { return !asked_for(c, wants); });
+  std::erase_if(session.channels, [&](const Channel& c) { return !wants.asks_for(c.name); });
   return session;
 }
 

@@ -35,9 +35,14 @@ constexpr std::array kOnLostSensor = {Option<OnLostSensor>{"stop", OnLostSensor:
 constexpr std::array kReads = {Option<bool>{"metres", false}, Option<bool>{"volts", true}};
 
 DeviceTimes read_times(Mapping& in, DeviceTimes times, double longest_period) {
-  times.period = in.duration("period", {1e-3, longest_period}, times.period);
-  times.timeout = in.duration("timeout", {1e-3, 10}, times.timeout);
-  times.stale_after = in.duration("stale_after", {1e-3, 60}, times.stale_after);
+  times.period =
+      in.duration({"period", "Between two commands to, or questions of, the device.", "50 ms"},
+                  {1e-3, longest_period}, times.period);
+  times.timeout = in.duration({"timeout", "How long to wait for an answer.", "150 ms"}, {1e-3, 10},
+                              times.timeout);
+  times.stale_after =
+      in.duration({"stale_after", "Older readings are not used; longer than `period`.", "500 ms"},
+                  {1e-3, 60}, times.stale_after);
   if (times.stale_after <= times.period) {
     in.mistake("stale_after", "must be longer than period: no reading would ever be fresh");
   }
@@ -46,9 +51,12 @@ DeviceTimes read_times(Mapping& in, DeviceTimes times, double longest_period) {
 
 RobotinoSettings read_robotino(Mapping& in) {
   RobotinoSettings settings;
-  settings.host = in.text("host");
-  settings.port = static_cast<std::uint16_t>(in.integer("port", 1, 0xffff, settings.port));
-  settings.session = in.text("session", settings.session);
+  settings.host = in.text({"host", "Name or address of the robot.", "192.168.0.1"});
+  settings.port = static_cast<std::uint16_t>(
+      in.integer({"port", "Of its HTTP server.", "80"}, 1, 0xffff, settings.port));
+  settings.session =
+      in.text({"session", "`sid` of the requests; none of & # ? / % and blanks.", "baraka"},
+              settings.session);
   const auto is_plain = [](char c) {
     return std::string_view("&#?/% ").find(c) == std::string::npos;
   };
@@ -62,10 +70,16 @@ RobotinoSettings read_robotino(Mapping& in) {
 
 Tmc200Settings::Motor read_motor(Mapping in) {
   Tmc200Settings::Motor motor;
-  motor.encoder_lines = static_cast<int>(in.integer("encoder_lines", 1, 25'000));
-  motor.gear = in.number("gear", "1", {1e-2, 1e4});
-  motor.max_speed = in.number("max_speed", "rad/s", {1, 2'000});
-  motor.inverted = in.flag("inverted", false);
+  motor.encoder_lines = static_cast<int>(in.integer(
+      {"encoder_lines", "Of the encoder, per turn of the motor shaft.", "500"}, 1, 25'000));
+  motor.gear =
+      in.number({"gear", "Turns of the motor per turn of the wheel.", "16"}, "1", {1e-2, 1e4});
+  motor.max_speed =
+      in.number({"max_speed", "Of the motor shaft: the controller's full scale.", "3600 rpm"},
+                "rad/s", {1, 2'000});
+  motor.inverted = in.flag(
+      {"inverted", "Whether the motors turn against the wheels' positive direction.", "true"},
+      false);
   in.finish();
   return motor;
 }
@@ -88,9 +102,14 @@ void check_motor(Mapping& in, const Tmc200Settings& settings, const RobotFile& f
 
 Tmc200Settings read_tmc200(Mapping& in, const RobotFile& file) {
   Tmc200Settings settings;
-  settings.device = in.text("device");
-  settings.motor = read_motor(in.mapping("motor"));
-  settings.cut_off = in.duration("cut_off", {0.01, 2.55}, 200ms);
+  settings.device = in.text({"device", "The serial line.", "/dev/ttyUSB0"});
+  settings.motor =
+      read_motor(in.mapping({"motor", "All three are alike, in the order of the robot's wheels."}));
+  settings.cut_off = in.duration({"cut_off",
+                                  "The controller stops the motors after this silence: a multiple "
+                                  "of 10 ms, at least twice `period`.",
+                                  "200 ms"},
+                                 {0.01, 2.55}, 200ms);
   if (settings.cut_off % 10ms != 0ns) {
     in.mistake("cut_off", "must be a multiple of 10 ms, which is what the controller counts in");
   }
@@ -105,7 +124,11 @@ Tmc200Settings read_tmc200(Mapping& in, const RobotFile& file) {
 }
 
 void read_wheels(Mapping in, RobotFile& file) {
-  const auto driver = in.choice("driver", kWheelsDrivers);
+  const auto driver = in.choice(
+      {"driver",
+       "A Festo Robotino's REST interface, a Fraunhofer TMC200 motor controller, or none.",
+       "robotino_rest"},
+      kWheelsDrivers);
   if (driver == WheelsDriver::kRobotinoRest) file.wheels = read_robotino(in);
   if (driver == WheelsDriver::kTmc200) file.wheels = read_tmc200(in, file);
   if (driver) in.finish();  // else every key would seem to be wrong
@@ -120,8 +143,12 @@ bool is_voltage_channel(std::string_view name) {
 
 IioSettings read_iio(Mapping& in, const RobotFile& file) {
   IioSettings settings;
-  settings.folder = in.text("folder");
-  for (const config::Scalar& channel : in.texts("channels")) {
+  settings.folder = in.text({"folder", "Of the converter in sysfs (Linux Industrial I/O).",
+                             "'/sys/bus/iio/devices/iio:device0'"});
+  for (const config::Scalar& channel :
+       in.texts({"channels", "One per infrared sensor of the robot.",
+                 "[voltage0, voltage1, voltage2, voltage3, voltage4, voltage5]",
+                 config::kMustBeGiven})) {
     settings.channels.push_back(channel.text);
     if (is_voltage_channel(channel.text)) continue;
     in.mistake("channels",
@@ -136,11 +163,19 @@ IioSettings read_iio(Mapping& in, const RobotFile& file) {
 }
 
 void read_infrared(Mapping in, RobotFile& file) {
-  const auto driver = in.choice("driver", kInfraredKinds);
+  const auto driver = in.choice({"driver",
+                                 "A Festo Robotino's REST interface, an analog-to-digital "
+                                 "converter of Linux's Industrial I/O, or none.",
+                                 "robotino_rest"},
+                                kInfraredKinds);
   if (driver == InfraredKind::kRobotinoRest) {
     RobotinoSettings settings = read_robotino(in);
-    settings.in_volts = in.choice("reads", kReads, false);
-    settings.clockwise = in.flag("clockwise", false);
+    settings.in_volts =
+        in.choice({"reads", "What the array gives; firmware differs.", "metres"}, kReads, false);
+    settings.clockwise =
+        in.flag({"clockwise",
+                 "Whether sensor 1 looks to the right of sensor 0 instead of to its left.", "true"},
+                false);
     file.infrared = settings;
   }
   if (driver == InfraredKind::kIio) file.infrared = read_iio(in, file);
@@ -153,13 +188,18 @@ void read_infrared(Mapping in, RobotFile& file) {
 }  // namespace
 
 void read_devices(Mapping& in, RobotFile& file) {
-  read_wheels(in.mapping("wheels"), file);
-  if (in.has("infrared")) read_infrared(in.mapping("infrared"), file);
-  file.on_lost_sensor = in.choice("on_lost_sensor", kOnLostSensor, file.on_lost_sensor);
-  Mapping limits = in.mapping("limits");
-  file.limits.linear = limits.number("linear", "m/s", {0, config::kUnlimited}, file.limits.linear);
-  file.limits.angular =
-      limits.number("angular", "rad/s", {0, config::kUnlimited}, file.limits.angular);
+  read_wheels(in.mapping({"wheels", "The robot's motors."}), file);
+  if (in.has("infrared"))
+    read_infrared(in.mapping({"infrared", "The robot's infrared sensors."}), file);
+  file.on_lost_sensor = in.choice(
+      {"on_lost_sensor",
+       "Whether the wheels stop while a sensor that the controller wants is silent.", "stop"},
+      kOnLostSensor, file.on_lost_sensor);
+  Mapping limits = in.mapping({"limits", "Of the velocity, whatever a controller commands."});
+  file.limits.linear = limits.number({"linear", "Largest speed.", "0.6 m/s"}, "m/s",
+                                     {0, config::kUnlimited}, file.limits.linear);
+  file.limits.angular = limits.number({"angular", "Largest rate of turn.", "1.5 rad/s"}, "rad/s",
+                                      {0, config::kUnlimited}, file.limits.angular);
   limits.finish();
 }
 

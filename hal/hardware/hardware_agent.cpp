@@ -8,7 +8,6 @@
 
 #include "hal/types/check.h"
 #include "hal/types/log.h"
-#include "hal/types/random.h"
 
 namespace hal::hardware {
 
@@ -24,7 +23,7 @@ HardwareAgent::HardwareAgent(const RobotFile& file, Surroundings surroundings)
       loop_(surroundings.loop),
       sampler_(file, surroundings_.devices),
       sensor_watch_(file),
-      router_(file.address, file.routing, RandomStream(file.seed, file.name + "/routing"),
+      router_(file.address, file.routing, {file.seed, file.name},
               {.link = surroundings.link,
                .timers = surroundings.loop,
                .application = *this,
@@ -78,6 +77,7 @@ void HardwareAgent::let_go() {
   for (const auto& [id, timer] : controller_timers_) loop_.cancel(timer);
   controller_timers_.clear();
   sent_.clear();
+  topics_ = {};
   counts_ = counts();
   courier_.reset();
   network_.start_anew({});
@@ -251,6 +251,7 @@ Result<void> HardwareAgent::drive(const Action& action) {
 Result<void> HardwareAgent::send(const Action& action) {
   std::string mistake = mistake_in_message(action, file_.address);
   if (!mistake.empty()) return fail(Errc::kInvalidArgument, std::move(mistake));
+  if (auto admitted = topics_.admit(action.topic); !admitted) return admitted;
   sent_[++last_message_] = action.message_id;
   router_.send({.source = file_.address,
                 .destination = action.destination,

@@ -20,6 +20,7 @@
 #include "hal/hardware/sensor_watch.h"
 #include "hal/hardware/udp_link.h"
 #include "hal/routing/router.h"
+#include "hal/types/topics.h"
 
 namespace hal::hardware {
 
@@ -128,6 +129,7 @@ class HardwareAgent final : public exchange::AgentHost,
   /// A controller numbers its messages from 1, as the one before it did; for the network they are
   /// numbered on. By the network's number.
   std::map<MessageId, MessageId> sent_;
+  Topics topics_;  ///< That the controller named.
   MessageId last_message_ = 0;
   bool stopping_ = false;
   Time answered_at_{};  ///< When the answers came in that take effect now.

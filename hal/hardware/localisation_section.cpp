@@ -24,23 +24,31 @@ constexpr std::array kDrivers = {Option<Driver>{"none", Driver::kNone},
                                  Option<Driver>{"static", Driver::kStatic}};
 
 Pose2 read_pose(Mapping in) {
-  const Pose2 pose{in.number("x", "m", kCoordinate), in.number("y", "m", kCoordinate),
-                   math::wrap_angle(in.number("yaw", "rad", kAngle, 0))};
+  const Pose2 pose{in.number({"x", "World frame.", "5 m"}, "m", kCoordinate),
+                   in.number({"y", "World frame.", "0 m"}, "m", kCoordinate),
+                   math::wrap_angle(in.number({"yaw", "Heading, from x towards y.", "90 deg"},
+                                              "rad", kAngle, 0))};
   in.finish();
   return pose;
 }
 
 void read_source(Mapping& in, LocalisationSettings& settings) {
-  const Driver driver = in.choice("driver", kDrivers, Driver::kNone);
+  const Driver driver = in.choice({"driver",
+                                   "How the agent knows where it is: from a DDS topic, from this "
+                                   "file because it stands still, or not at all.",
+                                   "static"},
+                                  kDrivers, Driver::kNone);
   if (driver == Driver::kPoseTopic) {
     settings.source = PoseTopicSettings{
-        .topic = in.text("topic"), .stale_after = in.duration("stale_after", {1e-3, 60}, 500ms)};
+        .topic = in.text({"topic", "Of geometry_msgs/PoseStamped, as in ROS 2.", "/mocap/r0/pose"}),
+        .stale_after =
+            in.duration({"stale_after", "An older pose is none.", "500 ms"}, {1e-3, 60}, 500ms)};
   } else {
     in.refuse("topic", "only driver 'pose_topic' has one");
     in.refuse("stale_after", "only driver 'pose_topic' has one");
   }
   if (driver == Driver::kStatic) {
-    settings.source = read_pose(in.mapping("pose"));
+    settings.source = read_pose(in.mapping({"pose", "Where the agent stands."}));
   } else {
     in.refuse("pose", "only driver 'static' has one");
   }
@@ -49,9 +57,11 @@ void read_source(Mapping& in, LocalisationSettings& settings) {
 void read_landmark(Mapping& in, LocalisationSettings& settings,
                    std::map<AgentId, std::string>& known) {
   Landmark landmark;
-  landmark.name = in.text("name");
-  landmark.agent = AgentId{static_cast<std::uint16_t>(in.integer("address", 1, 0xfffe))};
-  landmark.position = {in.number("x", "m", kCoordinate), in.number("y", "m", kCoordinate)};
+  landmark.name = in.text({"name", "Of the agent.", "m0"});
+  landmark.agent = AgentId{
+      static_cast<std::uint16_t>(in.integer({"address", "Its network address.", "1"}, 1, 0xfffe))};
+  landmark.position = {in.number({"x", "World frame.", "5 m"}, "m", kCoordinate),
+                       in.number({"y", "World frame.", "0 m"}, "m", kCoordinate)};
   const auto [taken, is_new] = known.emplace(landmark.agent, landmark.name);
   if (!is_new) {
     in.mistake("address",
@@ -66,9 +76,12 @@ void read_landmark(Mapping& in, LocalisationSettings& settings,
 LocalisationSettings read_localisation(Mapping in, const RobotFile& file) {
   LocalisationSettings settings;
   read_source(in, settings);
-  settings.range = in.number("range", "m", {0, config::kUnlimited}, settings.range);
+  settings.range = in.number({"range", "Agents of the map farther away are not reported.", "300 m"},
+                             "m", {0, config::kUnlimited}, settings.range);
   std::map<AgentId, std::string> known;
-  for (Mapping& landmark : in.mappings("map")) read_landmark(landmark, settings, known);
+  for (Mapping& landmark : in.mappings({"map", "Agents that are known to stand somewhere.",
+                                        "[{name: m0, address: 1, x: 0 m, y: 0 m}]"}))
+    read_landmark(landmark, settings, known);
   const auto self = known.find(file.address);
   if (self != known.end() && self->second != file.name) {
     in.mistake("map", fmt::format("gives the address {} of this agent to '{}'", file.address.value,

@@ -15,6 +15,7 @@
 namespace hal::hardware {
 namespace {
 
+using config::Key;
 using config::Mapping;
 using config::Option;
 
@@ -24,21 +25,27 @@ constexpr std::array kKinds = {Option<AgentKind>{"robot", AgentKind::kRobot},
                                Option<AgentKind>{"mote", AgentKind::kMote}};
 
 void read_agent(Mapping in, RobotFile& file) {
-  file.name = in.text("name");
+  file.name = in.text({"name", "Of the agent: letters, digits, '_' and '-' after a letter.", "r0"});
   if (!file.name.empty() && !description::may_be_named(file.name)) {
     in.mistake("name",
                fmt::format("'{}' must be letters, digits, '_' and '-' after a letter", file.name));
   }
   // A mistaken address is nobody's: it must not seem to be taken by a landmark.
-  if (!in.has("address")) in.mistake("address", "is missing");
-  file.address = AgentId{static_cast<std::uint16_t>(in.integer("address", 1, kLastAddress, 0))};
-  file.kind = in.choice("kind", kKinds).value_or(AgentKind::kMote);
+  const Key address{"address", "Network address, the same as in the simulator's scenario.", "26",
+                    config::kMustBeGiven};
+  if (!in.has("address")) in.integer(address, 1, kLastAddress);
+  file.address = AgentId{static_cast<std::uint16_t>(in.integer(address, 1, kLastAddress, 0))};
+  file.kind = in.choice({"kind", "What the agent is.", "robot"}, kKinds).value_or(AgentKind::kMote);
   in.finish();
 }
 
 void read_controller(Mapping in, RobotFile& file) {
-  if (in.has("program")) file.program = in.text("program");
-  Mapping parameters = in.mapping("parameters");
+  if (in.has("program"))
+    file.program =
+        in.text({"program", "The controller this agent is for; others are refused.", "help_robot"});
+  Mapping parameters =
+      in.mapping({"parameters", "Of the controller; `baraka describe PROGRAM` shows them.",
+                  "{speed: 0.5 m/s}"});
   for (const config::Scalar& scalar : parameters.scalars()) {
     file.parameters.push_back({scalar.key, scalar.text, scalar.place});
   }
@@ -48,20 +55,34 @@ void read_controller(Mapping in, RobotFile& file) {
 RadioSettings read_radio(Mapping in, RadioPlaces& places) {
   RadioSettings radio;
   places = {in.place("interface"), in.place("address"), in.place("port")};
-  radio.interface = in.text("interface");
-  if (in.has("address")) radio.address = in.text("address");
-  radio.port = static_cast<std::uint16_t>(in.integer("port", 1, 0xffff, radio.port));
-  radio.bit_rate = in.number("bit_rate", "b/s", {1, 1e12}, radio.bit_rate);
-  radio.power = in.number("power", "W", {0, 100}, radio.power);
+  radio.interface =
+      in.text({"interface", "Network interface; the same network for all agents.", "wlan0"});
+  if (in.has("address"))
+    radio.address = in.text(
+        {"address", "One of the interface's addresses; absent: its first one.", "192.168.0.5"});
+  radio.port = static_cast<std::uint16_t>(
+      in.integer({"port", "UDP port, the same for all agents.", "7300"}, 1, 0xffff, radio.port));
+  radio.bit_rate = in.number({"bit_rate", "Nominal, for the delay statistics of routes.", "6 Mb/s"},
+                             "b/s", {1, 1e12}, radio.bit_rate);
+  radio.power =
+      in.number({"power", "Of the transmitter, for the energy statistics of routes.", "100 mW"},
+                "W", {0, 100}, radio.power);
   in.finish();
   return radio;
 }
 
 void read_times(Mapping& in, RobotFile& file) {
   file.seed = static_cast<std::uint64_t>(
-      in.integer("seed", 0, std::numeric_limits<std::int64_t>::max(), 1));
-  file.control_period = in.duration("control_period", {1e-3, 10}, file.control_period);
-  file.command_timeout = in.duration("command_timeout", {1e-3, 3600}, file.command_timeout);
+      in.integer({"seed", "Of the controller's and the router's random streams.", "1"}, 0,
+                 std::numeric_limits<std::int64_t>::max(), 1));
+  file.control_period =
+      in.duration({"control_period", "Between two calls of the controller's step().", "100 ms"},
+                  {1e-3, 10}, file.control_period);
+  file.command_timeout = in.duration(
+      {"command_timeout",
+       "Without a command for so long the wheels stop; not shorter than `control_period`.",
+       "500 ms"},
+      {1e-3, 3600}, file.command_timeout);
   if (file.command_timeout < file.control_period) {
     in.mistake("command_timeout",
                "must not be shorter than control_period: the wheels would stop between commands");
@@ -71,7 +92,9 @@ void read_times(Mapping& in, RobotFile& file) {
 /// A robot has a body and devices, a mote has neither.
 void read_body(Mapping& in, RobotFile& file) {
   if (file.kind == AgentKind::kRobot) {
-    file.robot = description::read_robot(in.mapping("robot"));
+    file.robot = description::read_robot(in.mapping(
+        {"robot",
+         "Geometry of body, wheels and sensors, mostly {include: ../robots/robotino.yaml}."}));
     read_devices(in, file);
     return;
   }
@@ -82,21 +105,27 @@ void read_body(Mapping& in, RobotFile& file) {
 
 }  // namespace
 
+RobotFile RobotFile::read(Mapping in) {
+  RobotFile file;
+  in.integer({"version", "Of the format of this file.", "1"}, 1, 1);
+  read_agent(in.mapping({"agent", "Who the agent is."}), file);
+  read_controller(in.mapping({"controller", "The program that drives it."}), file);
+  read_times(in, file);
+  file.radio = read_radio(in.mapping({"radio", "The UDP radio."}), file.radio_places);
+  file.routing = description::read_routing(
+      in.mapping({"routing", "How messages find their way over several hops: ant routing."}),
+      description::TransmitStatus::kNone);
+  file.localisation = read_localisation(
+      in.mapping({"localisation", "How the agent knows where it and the others are."}), file);
+  read_body(in, file);
+  in.finish();
+  return file;
+}
+
 RobotFile RobotFile::load(const std::filesystem::path& path,
                           const std::vector<std::string>& overrides) {
   auto document = config::Document::load(path, overrides);
-  Mapping in = document.root();
-  RobotFile file;
-  in.integer("version", 1, 1);
-  read_agent(in.mapping("agent"), file);
-  read_controller(in.mapping("controller"), file);
-  read_times(in, file);
-  file.radio = read_radio(in.mapping("radio"), file.radio_places);
-  file.routing =
-      description::read_routing(in.mapping("routing"), description::TransmitStatus::kNone);
-  file.localisation = read_localisation(in.mapping("localisation"), file);
-  read_body(in, file);
-  in.finish();
+  RobotFile file = read(document.root());
   document.finish();
   return file;
 }

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "hal/config/mapping.h"
 #include "hal/devices/robot_description.h"
 #include "hal/exchange/session.h"
 #include "hal/hardware/infrared.h"
@@ -124,6 +125,9 @@ struct RobotFile {
   OnLostSensor on_lost_sensor = OnLostSensor::kStop;
   std::variant<std::monostate, RobotinoSettings, Tmc200Settings> wheels;
   std::variant<std::monostate, RobotinoSettings, IioSettings> infrared;
+
+  /// Reads the top level of a file; notes mistakes there.
+  static RobotFile read(config::Mapping in);
 
   /// Reads and checks a file.
   /// @param overrides  "dotted.path=value", as of `baraka run --set`.

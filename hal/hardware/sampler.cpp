@@ -44,10 +44,6 @@ void add_infrared(const RobotFile& file, std::vector<Channel>& channels) {
   }
 }
 
-bool asks_for(const Wants& wants, std::string_view channel) {
-  return std::ranges::find(wants.channels, channel) != wants.channels.end();
-}
-
 }  // namespace
 
 exchange::AgentOffer offer_of(const RobotFile& file, const Devices& devices) {
@@ -74,10 +70,11 @@ exchange::AgentOffer offer_of(const RobotFile& file, const Devices& devices) {
 }
 
 void Sampler::set_wants(const Wants& wants) {
-  localisation_ = devices_.pose != nullptr && asks_for(wants, "localisation");
-  odometry_ = devices_.wheels != nullptr && asks_for(wants, "odometry");
-  infrared_ = devices_.infrared != nullptr && asks_for(wants, "infrared");
-  volts_ = devices_.infrared != nullptr && asks_for(wants, "infrared_volts");
+  wants_ = wants;
+  localisation_ = devices_.pose != nullptr && wants.asks_for("localisation");
+  odometry_ = devices_.wheels != nullptr && wants.asks_for("odometry");
+  infrared_ = devices_.infrared != nullptr && wants.asks_for("infrared");
+  volts_ = devices_.infrared != nullptr && wants.asks_for("infrared_volts");
 }
 
 std::vector<exchange::Reading> Sampler::take(BootTime now) const {
@@ -97,12 +94,13 @@ std::vector<SilentDevice> Sampler::silent(BootTime now) const {
     if (std::string trouble = wheels->trouble(); !trouble.empty()) {
       silent.push_back({"wheels", std::move(trouble), false});  // drive() says so itself
     }
-    ask("odometry", wheels->state(), odometry_);
+    ask("odometry", wheels->state(), wants_.needs("odometry"));
   }
   if (devices_.infrared != nullptr) {
-    ask("infrared", devices_.infrared->latest(), infrared_ || volts_);
+    ask("infrared", devices_.infrared->latest(),
+        wants_.needs("infrared") || wants_.needs("infrared_volts"));
   }
-  if (has_pose()) ask("localisation", pose(now), localisation_);
+  if (has_pose()) ask("localisation", pose(now), wants_.needs("localisation"));
   return silent;
 }
 

@@ -50,6 +50,7 @@ class Sampler {
 
   const RobotFile& file_;
   const Devices& devices_;
+  Wants wants_;
   bool localisation_ = false, odometry_ = false, infrared_ = false, volts_ = false;
 };
 

@@ -13,7 +13,7 @@ namespace hal::hardware {
 struct SilentDevice {
   std::string name;     ///< "wheels", or the channel it feeds.
   std::string because;  ///< For people.
-  bool wanted = false;  ///< The controller asked for its channel.
+  bool wanted = false;  ///< The controller cannot do without its channel.
 };
 
 /// Tells in the log, once, that a device was lost, and once that it is back; and judges what that

@@ -51,6 +51,12 @@ bool answers_to(const Assigned& assigned, in_addr address) {
   return assigned.loopback && (differs & assigned.mask.s_addr) == 0;
 }
 
+in_addr dotted(const std::string& address) {
+  in_addr parsed{};
+  if (inet_pton(AF_INET, address.c_str(), &parsed) == 1) return parsed;
+  throw std::runtime_error(fmt::format("'{}' is no IPv4 address", address));
+}
+
 std::string names_of(const std::vector<Assigned>& all) {
   std::string names;
   for (const Assigned& one : all) {
@@ -72,11 +78,18 @@ bool operator==(const UdpAddresses& a, const UdpAddresses& b) {
          a.interface == b.interface;
 }
 
-UdpAddresses find_addresses(const std::string& interface, const std::string& address) {
-  in_addr wanted{};
-  if (!address.empty() && inet_pton(AF_INET, address.c_str(), &wanted) != 1) {
-    throw std::runtime_error(fmt::format("'{}' is no IPv4 address", address));
+void require_address(const std::string& address) {
+  const in_addr wanted = dotted(address);
+  const std::vector<Assigned> all = assigned_addresses();
+  for (const Assigned& one : all) {
+    if (answers_to(one, wanted)) return;
   }
+  throw std::runtime_error(fmt::format("no network interface has the address {}; there are: {}",
+                                       address, names_of(all)));
+}
+
+UdpAddresses find_addresses(const std::string& interface, const std::string& address) {
+  const in_addr wanted = address.empty() ? in_addr{} : dotted(address);
   const std::vector<Assigned> all = assigned_addresses();
   bool has_address = false;
   for (const Assigned& one : all) {

@@ -28,6 +28,10 @@ struct NoAddressYet : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// @param address  in dotted form.
+/// @throws std::runtime_error  if no interface has it, naming those there are.
+void require_address(const std::string& address);
+
 /// In dotted form.
 std::string to_string(in_addr address);
 

@@ -30,9 +30,18 @@ void Discovery::try_once(const Target& target, Search& search) {
                        .started = node_.now(),
                        .path = {node_.self},
                        .way = {}};
-  search.retry = node_.timers.schedule(node_.now() + node_.config.retry_period,
+  search.retry = node_.timers.schedule(node_.now() + wait_after(search.tries),
                                        [this, target] { on_retry(target); });
   outbox_.send_ant(kEveryone, ant);
+}
+
+/// Until the next try or, after the last one, until the search is given up.
+Duration Discovery::wait_after(int tries) {
+  const Duration period = node_.config.retry_period;
+  const double share = node_.config.retry_jitter;
+  if (share <= 0 || tries >= node_.config.retries) return period;
+  const double early = share * static_cast<double>(period.count());
+  return period - Duration{static_cast<std::int64_t>(node_.retry_random.uniform() * early)};
 }
 
 void Discovery::on_retry(const Target& target) {

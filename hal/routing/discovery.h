@@ -12,8 +12,11 @@ namespace hal::routing {
 /// Looks for routes, and keeps the messages that wait for them.
 ///
 ///   wait() --> forward ant, t0 --retry_period--> forward ant --retry_period--> … --> given up
-///                   |                                |
+///                   |            less jitter         |         less jitter
 ///                   +------------- backward ant -----+--> found, took now - t0
+///
+/// The first ant leaves at once, each further one after retry_period less a random share of it:
+/// nodes that began in one instant, and lost their ants to each other, come apart.
 class Discovery {
  public:
   /// What to do with a message that waited in vain.
@@ -48,6 +51,7 @@ class Discovery {
 
   void begin(const Target& target);
   void try_once(const Target& target, Search& search);
+  Duration wait_after(int tries);
   void on_retry(const Target& target);
   void give_up(const Target& target);
   void on_expiry(const Target& target, Sequence place);

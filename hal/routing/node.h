@@ -13,6 +13,7 @@ struct Node {
   AgentId self;
   RoutingConfig config;
   RandomStream random;
+  RandomStream retry_random;
   RouterPorts ports;
   OwnTimers timers;
   Sequence last_sequence = config.first_sequence;

@@ -3,6 +3,7 @@
 namespace hal::routing {
 
 void RouteTable::install(const Route& route) {
+  if (classes_.size() >= kMostClasses && !classes_.contains(route.topic)) return;
   Paths& paths = classes_[route.topic][route.destination];
   const auto [entry, is_new] = paths.try_emplace(route.next_hop, route.path);
   if (!is_new && entry->second == route.path) return;
@@ -14,6 +15,7 @@ void RouteTable::remove(std::string_view topic, AgentId destination) {
   const auto destinations = classes_.find(topic);
   if (destinations == classes_.end()) return;
   const auto removed = destinations->second.extract(destination);
+  if (destinations->second.empty()) classes_.erase(destinations);
   if (removed.empty()) return;
   for (const auto& [next_hop, path] : removed.mapped()) {
     report_removed(topic, destination, next_hop);
@@ -25,7 +27,9 @@ void RouteTable::remove_via(AgentId next_hop) {
     for (auto& [destination, paths] : destinations) {
       if (paths.erase(next_hop) > 0) report_removed(topic, destination, next_hop);
     }
+    std::erase_if(destinations, [](const auto& entry) { return entry.second.empty(); });
   }
+  std::erase_if(classes_, [](const auto& entry) { return entry.second.empty(); });
 }
 
 std::vector<Route> RouteTable::routes(std::string_view topic, AgentId destination) const {

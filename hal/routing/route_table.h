@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hal/routing/ports.h"
+#include "hal/types/message.h"
 #include "hal/types/route.h"
 
 namespace hal::routing {
@@ -16,7 +17,12 @@ class RouteTable {
  public:
   explicit RouteTable(RoutingObserver& observer) : observer_(observer) {}
 
-  /// Adds an entry, or replaces the path of the one with this next hop.
+  /// Message classes that a node keeps routes of: those of 64 agents with as many topics as they
+  /// may have. Ants come from anybody; without a limit they could fill the memory.
+  static constexpr std::size_t kMostClasses = 64 * kMaxTopics;
+
+  /// Adds an entry, or replaces the path of the one with this next hop. No effect if it would be
+  /// the first of a class and there are kMostClasses.
   void install(const Route& route);
 
   /// Removes every route of a class to a destination.

@@ -16,7 +16,8 @@ namespace {
 /// Whether every value is in the range its comment gives.
 bool is_valid(const RoutingConfig& config) {
   return config.beta >= 1 && config.direct_weight > 0 && config.jitter_max >= Duration::zero() &&
-         config.retry_period > Duration::zero() && config.retries >= 1 && config.acceptance >= 1 &&
+         config.retry_period > Duration::zero() && config.retry_jitter >= 0 &&
+         config.retry_jitter <= 1 && config.retries >= 1 && config.acceptance >= 1 &&
          config.hop_limit >= 1 && config.hop_limit <= static_cast<int>(kMaxPath) &&
          config.buffer_age > Duration::zero() && config.ack_timeout > Duration::zero() &&
          config.ack_attempts >= 1 && config.ack_attempts <= 16 && config.hello_limit >= 1 &&
@@ -28,10 +29,14 @@ bool is_valid(const RoutingConfig& config) {
 /// The parts of a router, and the way of a frame between them. Over a link without transmit status
 /// the parts send through `hop`, which has one.
 struct Router::State final : OutboxListener {
-  State(AgentId self, const RoutingConfig& config, RandomStream random, RouterPorts ports)
+  State(AgentId self, const RoutingConfig& config, const RouterStreams& streams, RouterPorts ports)
       : has_status(ports.link.capabilities().tx_status),
         hop(config, ports.link, ports.timers, [this](const auto& t) { outbox.on_transmitted(t); }),
-        node{self, config, random, ports_over(has_status ? ports.link : hop, ports),
+        node{self,
+             config,
+             streams.random,
+             streams.retries,
+             ports_over(has_status ? ports.link : hop, ports),
              OwnTimers(ports.timers)},
         table(ports.observer),
         hellos(node, ports.link, [this](AgentId neighbour) { on_silence(neighbour); }) {
@@ -113,9 +118,10 @@ struct Router::State final : OutboxListener {
   std::uint64_t malformed = 0;
 };
 
-Router::Router(AgentId self, const RoutingConfig& config, RandomStream random, RouterPorts ports) {
+Router::Router(AgentId self, const RoutingConfig& config, const RouterStreams& streams,
+               RouterPorts ports) {
   BARAKA_CHECK(is_valid(config));
-  state_ = std::make_unique<State>(self, config, random, ports);
+  state_ = std::make_unique<State>(self, config, streams, ports);
 }
 
 Router::~Router() = default;

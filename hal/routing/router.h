@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -21,6 +23,15 @@ struct RouterPorts {
   RoutingObserver& observer;
 };
 
+/// What one router draws from. A search that has to be repeated draws from a stream of its own, so
+/// that it does not shift what the others see.
+struct RouterStreams {
+  RandomStream random;   ///< "<agent>/routing": jitter of relays and hellos, choice of next hops.
+  RandomStream retries;  ///< "<agent>/routing/retries": jitter of repeated searches.
+  RouterStreams(std::uint64_t run_seed, const std::string& agent)
+      : random(run_seed, agent + "/routing"), retries(run_seed, agent + "/routing/retries") {}
+};
+
 /// Ant routing of one node: routes are found on demand by ants that flood out and walk back, kept
 /// per message class with every next hop that leads to the destination, and data picks among them
 /// at random (Labella, Dietrich, Dressler, "Hybrid simulation of Sensor and Actor Networks with
@@ -33,7 +44,8 @@ struct RouterPorts {
 /// Portable node code: time, radio and randomness are handed in. One thread.
 class Router {
  public:
-  Router(AgentId self, const RoutingConfig& config, RandomStream random, RouterPorts ports);
+  Router(AgentId self, const RoutingConfig& config, const RouterStreams& streams,
+         RouterPorts ports);
   ~Router();
   Router(const Router&) = delete;
   Router& operator=(const Router&) = delete;

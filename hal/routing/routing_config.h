@@ -15,7 +15,11 @@ struct RoutingConfig {
       1e6;  ///< > 0: r of a neighbour that is the destination; else r = 1 / hops.
   Duration jitter_max = 100ms;  ///< Rebroadcasts wait U(0, jitter_max); >= 0.
   Duration retry_period = 5s;   ///< Between discoveries of one destination; > 0.
-  int retries = 3;              ///< Discoveries in all before the route is given up, >= 1.
+  /// 0..1: each retry comes earlier than that by U(0, retry_jitter) of it. Nodes whose first ants
+  /// collided would otherwise repeat them together for ever (RFC 5148, 5.1). Earlier, not later, so
+  /// that the messages that wait still profit from it.
+  double retry_jitter = 0.25;
+  int retries = 3;  ///< Discoveries in all before the route is given up, >= 1.
   double acceptance =
       1.5;  ///< >= 1: later copies of an ant: at most this times the best, in hops …
   bool accept_anywhere = false;     ///< … at every node; else only at the destination.

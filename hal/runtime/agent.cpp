@@ -4,6 +4,7 @@
 
 #include <exception>
 
+#include "hal/exchange/foreign_call.h"
 #include "hal/runtime/check_parameters.h"
 #include "hal/runtime/object_of.h"
 #include "hal/runtime/robot_object.h"
@@ -12,6 +13,12 @@ namespace hal::runtime {
 namespace {
 
 constexpr const char* kUnknownException = "threw something that is no std::exception";
+
+std::string_view name_of(exchange::Cause cause) {
+  constexpr std::string_view kNames[] = {"start()", "receive()", "timer()", "notice()",
+                                         "",        "step()",    "stop()"};
+  return kNames[static_cast<int>(cause)];
+}
 
 std::string mistake_in(const ControllerKind& kind, const exchange::AgentSession& session) {
   const bool is_mote = session.kind == AgentKind::kMote;
@@ -30,10 +37,11 @@ std::string mistake_in(const ControllerKind& kind, const exchange::AgentSession&
 }  // namespace
 
 Agent::Agent(const ControllerKind& kind, const exchange::AgentSession& session, Outbox& outbox)
-    : context_(session, kind.wants, outbox) {}
+    : context_(session, kind, outbox), who_("controller of " + session.name) {}
 
 void Agent::make_controller(const ControllerKind& kind) {
   const Parameters parameters = read_parameters(kind, context_.session.parameters);
+  const exchange::ForeignCall call(who_, "its constructor", Time{});
   if (context_.session.kind == AgentKind::kMote) {
     auto mote = std::make_unique<MoteObject>(context_);
     controller_ = kind.make_for_mote(*mote, parameters);
@@ -65,6 +73,7 @@ void Agent::handle(const exchange::Event& event) {
   if (over_) return;
   context_.take_in(event);
   try {
+    const exchange::ForeignCall call(who_, name_of(event.cause), event.time);
     const CallGuard::Callback running(context_.guard);
     call_back(event);
   } catch (const std::exception& e) {
@@ -91,7 +100,8 @@ void Agent::call_back(const exchange::Event& event) {
       return controller_->step();
     case exchange::Cause::kStop:
       over_ = true;
-      return controller_->stop();
+      controller_->stop();
+      return context_.log_mistakes();
   }
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "hal/api/controller.h"
 #include "hal/runtime/agent_context.h"
@@ -29,6 +30,7 @@ class Agent {
   void die(const char* message);
 
   AgentContext context_;
+  const std::string who_;  ///< For people.
   std::unique_ptr<RealWorldObject> object_;
   std::unique_ptr<Controller> controller_;  ///< Goes before the object it refers to.
   bool over_ = false;

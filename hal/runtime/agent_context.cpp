@@ -4,12 +4,13 @@
 
 namespace hal::runtime {
 
-AgentContext::AgentContext(const exchange::AgentSession& agent_session, const Wants& wants,
+AgentContext::AgentContext(const exchange::AgentSession& agent_session, const ControllerKind& kind,
                            Outbox& out)
     : session(agent_session),
+      states(kind.states),
       outbox(out),
       readings(agent_session.channels),
-      routes(wants.watched, wants.neighbours),
+      routes(kind.wants.watched, kind.wants.neighbours),
       random(agent_session.seed, agent_session.name + "/controller") {}
 
 void AgentContext::take_in(const exchange::Event& event) {
@@ -22,9 +23,18 @@ void AgentContext::take_in(const exchange::Event& event) {
 }
 
 tl::unexpected<Error> AgentContext::refuse(const char* call, std::string_view mistake) {
-  const std::string text = fmt::format("{}: {}: {}", session.name, call, mistake);
-  log(log::Level::kWarning, text);
-  return fail(Errc::kInvalidArgument, text);
+  std::string text = fmt::format("{}: {}: {}", session.name, call, mistake);
+  if (auto line = mistakes.add(text)) log(log::Level::kWarning, std::move(*line));
+  last_refusal = text;
+  return fail(Errc::kInvalidArgument, std::move(text));
+}
+
+void AgentContext::log_mistakes() {
+  for (std::string& line : mistakes.rest()) log(log::Level::kWarning, std::move(line));
+}
+
+void AgentContext::log_of_controller(log::Level level, std::string_view text) {
+  if (text != last_refusal) log(level, std::string(text));
 }
 
 void AgentContext::log(log::Level level, std::string text) {

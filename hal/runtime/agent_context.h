@@ -2,29 +2,42 @@
 
 #include <map>
 #include <string>
+#include <string_view>
+#include <vector>
 
+#include "hal/api/controller.h"
 #include "hal/exchange/session.h"
 #include "hal/runtime/call_guard.h"
+#include "hal/runtime/mistakes.h"
 #include "hal/runtime/outbox.h"
 #include "hal/runtime/readings.h"
 #include "hal/runtime/route_view.h"
 #include "hal/types/random.h"
 #include "hal/types/result.h"
 #include "hal/types/time.h"
-#include "hal/types/wants.h"
+#include "hal/types/topics.h"
 
 namespace hal::runtime {
 
 /// What one agent knows and keeps between events: all that its Mote or Robot answers from.
 struct AgentContext {
-  AgentContext(const exchange::AgentSession& agent_session, const Wants& wants, Outbox& out);
+  /// @param kind  outlives this.
+  AgentContext(const exchange::AgentSession& agent_session, const ControllerKind& kind,
+               Outbox& out);
 
   /// Updates the knowledge from what an event brings. What is against the rules is logged and left.
   void take_in(const exchange::Event& event);
 
-  /// Logs that a call was refused, naming the agent and what was wrong, and gives the same as an
-  /// error to the caller.
+  /// Logs that a call was refused, naming the agent and what was wrong, as far as Mistakes lets it,
+  /// and gives the same as an error to the caller.
   tl::unexpected<Error> refuse(const char* call, std::string_view mistake);
+
+  /// Logs how often mistakes were made that refuse() did not log. To be called in the end.
+  void log_mistakes();
+
+  /// What the controller itself says; what it just says again of an error that refuse() gave it is
+  /// in the log already.
+  void log_of_controller(log::Level level, std::string_view text);
 
   /// A log line of this agent's controller process.
   void log(log::Level level, std::string text);
@@ -34,6 +47,7 @@ struct AgentContext {
   bool take_due_timer(TimerId id);
 
   const exchange::AgentSession session;
+  const std::vector<std::string>& states;  ///< That the controller declares; empty: it does not.
   CallGuard guard;
   Outbox& outbox;
   Time now{};
@@ -41,6 +55,9 @@ struct AgentContext {
   RouteView routes;
   RandomStream random;
   MessageId last_message = 0;
+  Topics topics;
+  Mistakes mistakes;
+  std::string last_refusal;  ///< As the controller was told.
   std::map<TimerId, Time> timers;
 };
 

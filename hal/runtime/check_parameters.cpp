@@ -3,8 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
+#include "hal/config/mapping.h"
 #include "hal/config/suggest.h"
 #include "hal/config/units.h"
 #include "hal/config/value.h"
@@ -24,6 +26,15 @@ Result<double> parse(const ParameterSpec& spec, const ParameterText& text) {
   return config::parse_value(text.value, spec.unit, spec.low, spec.high);
 }
 
+/// A time that no Duration holds: the controller would compute with garbage.
+/// @param value  in the unit of `spec`.
+bool is_beyond_time(const ParameterSpec& spec, double value) {
+  const config::Unit& unit = *config::find_unit(spec.unit);
+  if (unit.dimension != config::Dimension::kTime || std::isinf(value)) return false;
+  const double seconds = config::converted(value, unit, *config::find_unit("s"));
+  return std::abs(seconds) > config::kLongestDuration;
+}
+
 std::string unknown(const ControllerKind& kind, const std::string& name) {
   std::vector<std::string> names;
   for (const ParameterSpec& spec : kind.parameters) names.push_back(spec.name);
@@ -38,7 +49,13 @@ std::string mistake_in(const ControllerKind& kind, const ParameterText& text) {
                        kind.name, spec->unit);
   }
   const Result<double> value = parse(*spec, text);
-  return value ? std::string{} : value.error().message;
+  if (!value) return value.error().message;
+  if (!is_beyond_time(*spec, *value)) return {};
+  if (*value < 0) {
+    return fmt::format("{} is below the limit of {} s", text.value, -config::kLongestDuration);
+  }
+  return fmt::format("{} is above the limit of {} s{}", text.value, config::kLongestDuration,
+                     std::isinf(spec->high) ? "; 'never' and 'none' are without end" : "");
 }
 
 }  // namespace

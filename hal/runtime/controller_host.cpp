@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include <utility>
+
 #include "hal/runtime/agent.h"
 #include "hal/runtime/outbox.h"
 
@@ -50,6 +52,15 @@ exchange::Reply ControllerHost::answer(const exchange::Step& step) {
         fmt::format("step {} has an event for agent {}, which is not of the session", step.sequence,
                     event.agent.value);
   }
+  return gathered(step);
+}
+
+exchange::Reply ControllerHost::broken_off(const exchange::Step& step, std::string message) {
+  outbox_->add(exchange::ActionKind::kError).text = std::move(message);
+  return gathered(step);
+}
+
+exchange::Reply ControllerHost::gathered(const exchange::Step& step) {
   exchange::Reply reply;
   reply.run = step.run;
   reply.sequence = step.sequence;

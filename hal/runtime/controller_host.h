@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <string>
 
 #include "hal/api/controller.h"
 #include "hal/exchange/session.h"
@@ -37,8 +38,13 @@ class ControllerHost {
   /// the session leaves a kError naming it. `Reply::process` is for the caller to fill in.
   exchange::Reply answer(const exchange::Step& step);
 
+  /// Instead of the rest of answer(step), for a callback that does not return: what there is of the
+  /// Reply, with a kError of `message` for the agent of that callback.
+  exchange::Reply broken_off(const exchange::Step& step, std::string message);
+
  private:
   ControllerHost();
+  exchange::Reply gathered(const exchange::Step& step);
 
   std::unique_ptr<Outbox> outbox_;  ///< Outlives the agents, which write into it.
   std::map<AgentId, std::unique_ptr<Agent>> agents_;

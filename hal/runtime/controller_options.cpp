@@ -3,10 +3,9 @@
 #include <fmt/core.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
-#include <limits>
 
 #include "hal/config/value.h"
+#include "hal/runtime/command_line.h"
 
 namespace hal::runtime {
 namespace {
@@ -23,14 +22,11 @@ std::string footer(const ControllerKind& kind) {
   return kind.parameters.empty() ? std::string{} : text;
 }
 
-/// "30 s", "500 ms", "none", or a plain number of seconds, as is usual on a command line.
 Duration parse_wait(const std::string& text) {
-  constexpr double kForEver = std::numeric_limits<double>::infinity();
-  Result<double> seconds = config::parse_value(text, "1", 0, kForEver);
-  if (!seconds) seconds = config::parse_value(text, "s", 0, kForEver);
-  if (!seconds) throw CLI::ValidationError("--wait", seconds.error().message);
-  constexpr double kLongest = 9e9;  // s, what from_seconds() takes
-  return *seconds < kLongest ? from_seconds(*seconds) : Duration::max();
+  if (text == "none") return Duration::max();
+  const Result<double> value = parse_seconds(text, 0);
+  if (!value) throw CLI::ValidationError("--wait", value.error().message);
+  return from_seconds(*value);
 }
 
 }  // namespace
@@ -45,17 +41,23 @@ ParsedOptions parse_controller_options(int argc, const char* const* argv,
   app.add_option("--agents", options.agents, "Names or patterns (* and ?), may be repeated")
       ->required();
   app.add_option("--domain", options.domain, "DDS domain (default: BARAKA_DOMAIN, else 1)")
-      ->check(CLI::Range(0, kHighestDomain));
+      ->transform(whole_number(0, kHighestDomain));
   app.add_option("--name", options.name, "Name of this process (default: program.pid)");
   app.add_flag("--stay", options.stay, "Wait for the next run after this one");
-  app.add_option("--wait", wait, "How long to wait for a server, e.g. 30 s; none: for ever")
+  app.add_option("--wait", wait,
+                 "How long to wait for a server: 500 ms, 1 min, 30 (in s); none: for ever")
       ->capture_default_str();
+  std::string level = "warning";
+  app.add_option("--log", level, "What to say on standard error")
+      ->transform(one_of({"debug", "info", "warning", "error"}))
+      ->capture_default_str();
+  complete(app, kind.name);
   try {
     app.parse(argc, argv);
     options.wait = parse_wait(wait);
+    options.level = *log::level_called(level);
   } catch (const CLI::ParseError& e) {
-    constexpr int kUsage = 2;
-    return {.options = {}, .exit_status = app.exit(e) == 0 ? 0 : kUsage};
+    return {.options = {}, .exit_status = end_of_parsing(app, e)};
   }
   return {.options = options, .exit_status = 0};
 }

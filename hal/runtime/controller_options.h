@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hal/api/controller.h"
+#include "hal/types/log.h"
 #include "hal/types/time.h"
 
 namespace hal::runtime {
@@ -16,6 +17,7 @@ struct ControllerOptions {
   std::string name;                 ///< Of the process; empty: program.pid.
   bool stay = false;                ///< After a run, wait for the next one.
   Duration wait = std::chrono::seconds{30};  ///< For a server; Duration::max(): for ever.
+  log::Level level = log::Level::kWarning;   ///< Of what the process says by itself.
 };
 
 /// Options, or nothing: then help or the mistake has been printed and the program ends with

@@ -1,6 +1,8 @@
 #include "hal/runtime/object_of.h"
 
-#include <fmt/core.h>
+#include <fmt/format.h>
+
+#include <algorithm>
 
 namespace hal::runtime {
 namespace {
@@ -60,6 +62,9 @@ Result<MessageId> ObjectOf<Interface>::send(AgentId destination, std::string_vie
   context_.guard.check("send");
   const std::string mistake = mistake_in_message(context_, destination, topic, payload.size());
   if (!mistake.empty()) return context_.refuse("send", mistake);
+  if (const auto admitted = context_.topics.admit(topic); !admitted) {
+    return context_.refuse("send", admitted.error().message);
+  }
   exchange::Action& action = context_.outbox.add(exchange::ActionKind::kSend);
   action.message_id = ++context_.last_message;
   action.destination = destination;
@@ -147,13 +152,20 @@ void ObjectOf<Interface>::state(std::string_view name) {
                           fmt::format("name is empty, 1 to {} bytes are allowed", kMaxState));
     return;
   }
+  const auto& declared = context_.states;
+  if (!declared.empty() && std::ranges::find(declared, name) == declared.end()) {
+    (void)context_.refuse(
+        "state", fmt::format("'{}' is not one of the states that the controller declares: {}", name,
+                             fmt::join(declared, ", ")));
+    return;
+  }
   context_.outbox.add(exchange::ActionKind::kState).text = cut(name, kMaxState);
 }
 
 template <class Interface>
 void ObjectOf<Interface>::log(log::Level level, std::string_view text) {
   context_.guard.check("log");
-  context_.log(level, std::string(text));
+  context_.log_of_controller(level, text);
 }
 
 template class ObjectOf<Mote>;

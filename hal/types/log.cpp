@@ -1,6 +1,9 @@
 #include "hal/types/log.h"
 
 #include <cstdio>
+#include <string>
+
+#include "hal/types/printable.h"
 
 namespace hal::log {
 namespace {
@@ -19,7 +22,14 @@ void set_level(Level level) { lowest_level = level; }
 bool is_on(Level level) { return level >= lowest_level; }
 
 void write(Level level, Time at, std::string_view where, std::string_view text) {
-  if (is_on(level)) current_sink(level, at, where, text);
+  if (is_on(level)) current_sink(level, at, printable(where), printable(text));
+}
+
+std::optional<Level> level_called(std::string_view name) {
+  for (const Level level : {Level::kDebug, Level::kInfo, Level::kWarning, Level::kError}) {
+    if (log::name(level) == name) return level;
+  }
+  return std::nullopt;
 }
 
 std::string_view name(Level level) {

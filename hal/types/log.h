@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <optional>
 #include <string_view>
 #include <utility>
 
@@ -24,6 +25,7 @@ void set_sink(Sink sink);
 void set_level(Level level);
 bool is_on(Level level);
 
+/// @param where, text  of whatever origin: they are made printable (hal/types/printable.h).
 void write(Level level, Time at, std::string_view where, std::string_view text);
 
 template <class... Args>
@@ -48,5 +50,7 @@ void warning(Time at, std::string_view where, fmt::format_string<Args...> f, Arg
 }
 
 std::string_view name(Level level);
+/// The level of that name; none if there is none.
+std::optional<Level> level_called(std::string_view name);
 
 }  // namespace hal::log

@@ -16,6 +16,9 @@ using MessageId = std::uint32_t;
 
 /// Longest topic, in bytes. A topic names the message class; routing keeps a table per topic.
 inline constexpr std::size_t kMaxTopic = 32;
+/// Topics that one agent may give its messages: each costs a table in every node that routes for
+/// it.
+inline constexpr std::size_t kMaxTopics = 256;
 /// Longest payload a controller may send, in bytes: one MSDU (2304 B, IEEE Std
 /// 802.11-2016, 9.2.4.7) less room for the routing header with the longest path.
 inline constexpr std::size_t kMaxPayload = 2048;
@@ -32,10 +35,12 @@ struct Message {
 
 /// What became of a message at its sender.
 enum class Fate : std::uint8_t {
-  kHandedOver,  ///< The next hop acknowledged it, or, for a flood, it left the antenna.
-  kNoRoute,     ///< Discovery failed, or it waited too long for a route.
-  kQueueFull,   ///< A queue of the sender had no room.
-  kFailed,      ///< No next hop acknowledged it, or the radio was off.
+  /// The next hop acknowledged it. A flood: it left the antenna; nobody acknowledges that, and it
+  /// may have reached nobody at all.
+  kHandedOver,
+  kNoRoute,    ///< Discovery failed, or it waited too long for a route.
+  kQueueFull,  ///< A queue of the sender had no room.
+  kFailed,     ///< No next hop acknowledged it, or the radio was off.
 };
 
 }  // namespace hal

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "hal/types/check.h"
+#include "hal/types/log.h"
 
 namespace sim::agents {
 namespace {
@@ -55,6 +56,7 @@ Controllers::Round Controllers::exchange(std::vector<hal::exchange::Event> event
     auto reply = ports_[i].port->finish();
     if (reply) {
       ++exchanges_;
+      log_exchange(ports_[i], *reply);
       sort_out(ports_[i], std::move(*reply), round);
     } else {
       round.failures.push_back({i, reply.error()});
@@ -65,6 +67,14 @@ Controllers::Round Controllers::exchange(std::vector<hal::exchange::Event> event
   if (!std::is_sorted(round.answers.begin(), round.answers.end(), before))
     std::stable_sort(round.answers.begin(), round.answers.end(), before);
   return round;
+}
+
+void Controllers::log_exchange(const Connection& connection, const hal::exchange::Reply& reply) {
+  const hal::exchange::Step& step = connection.step;
+  hal::log::debug(step.events.front().time, "exchange",
+                  "Step {} to {}: {} events until {:.9f} s, answered with {} actions",
+                  step.sequence, connection.port->name(), step.events.size(),
+                  hal::to_seconds(step.until), reply.actions.size());
 }
 
 void Controllers::sort_out(Connection& connection, hal::exchange::Reply reply, Round& round) {

@@ -64,6 +64,7 @@ class Controllers {
     bool dropped = false;
   };
 
+  static void log_exchange(const Connection& connection, const hal::exchange::Reply& reply);
   void sort_out(Connection& connection, hal::exchange::Reply reply, Round& round);
 
   std::vector<Connection> ports_;

@@ -132,6 +132,9 @@ void Simulation::RealTimeRun::attend(hal::Time now) {
 void Simulation::RealTimeRun::take_in(const Turn& turn, const Courier::Turn& brought) {
   s_.events.advance_to(turn.at);
   s_.observers.on_turn(turn);
+  hal::log::debug(turn.at, "exchange", "{}: {} actions took effect{}",
+                  s_.controllers.port_name(turn.port), brought.answers.size(),
+                  turn.began ? ", the next Step was handed over" : "");
   s_.refused += brought.refused;
   const bool stale = Courier::is_stale(brought, turn.at, s_.config.command_timeout);
   for (const hal::AgentId agent : brought.answered) {

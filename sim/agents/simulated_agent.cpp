@@ -7,6 +7,7 @@
 
 #include "hal/types/log.h"
 #include "hal/types/random.h"
+#include "sim/agents/agent_offer.h"
 
 namespace sim::agents {
 
@@ -23,48 +24,30 @@ SimulatedAgent::SimulatedAgent(const AgentConfig& config, radio::MacSap& mac,
       mac_(mac),
       link_(mac, surroundings.config.link),
       timers_(surroundings.events, config.id),
-      router_(config.id, surroundings.config.routing,
-              hal::RandomStream(surroundings.config.seed, config.name + "/routing"),
+      router_(config.id, surroundings.config.routing, {surroundings.config.seed, config.name},
               {.link = link_, .timers = timers_, .application = *this, .observer = *this}) {
   link_.attach(router_);
 }
 
-hal::exchange::AgentOffer SimulatedAgent::offer() const {
-  hal::exchange::AgentOffer offer;
-  offer.program = config_.program;
-  offer.session = {.agent = config_.id,
-                   .name = config_.name,
-                   .kind = hal::AgentKind::kMote,
-                   .seed = surroundings_.config.seed,
-                   .control_period = surroundings_.config.control_period,
-                   .parameters = config_.parameters,
-                   .channels = {{.id = kLocalisation,
-                                 .name = "localisation",
-                                 .kind = "relative_position",
-                                 .unit = "address, m",
-                                 .length = 0,
-                                 .period = {},
-                                 .frame = "base",
-                                 .headings = {}}},
-                   .limits = {}};
-  return offer;
-}
-
-bool SimulatedAgent::wants_channel(std::string_view channel) const {
-  return std::find(wants_.channels.begin(), wants_.channels.end(), channel) !=
-         wants_.channels.end();
-}
-
 void SimulatedAgent::start() {
   EventQueue& events = surroundings_.events;
-  events.schedule(hal::Time{}, Rank::kScenario, id(), [this] { add(event(Cause::kStart)); });
   hal::Time first{};
   if (surroundings_.config.control_phase == ControlPhase::kUniform) {
     hal::RandomStream random(surroundings_.config.seed, name() + "/control");
     const double period = hal::to_seconds(surroundings_.config.control_period);
     first += hal::from_seconds(random.uniform() * period);
   }
+  events.schedule(first, Rank::kScenario, id(), [this] { start_controller(); });
   events.schedule(first, Rank::kControl, id(), [this] { on_control(); });
+}
+
+void SimulatedAgent::start_controller() {
+  if (std::exchange(started_, true)) return;
+  add(event(Cause::kStart));
+  for (Event& early : std::exchange(early_, {})) {
+    early.time = surroundings_.events.now();
+    add(std::move(early));
+  }
 }
 
 void SimulatedAgent::on_control() {
@@ -107,11 +90,18 @@ Event SimulatedAgent::event(Cause cause) const {
 
 void SimulatedAgent::add(Event event) {
   if (silent_) return;
+  if (!started_) {
+    early_.push_back(std::move(event));
+    return;
+  }
   inbox_.add(std::move(event));
   listener_.on_inbox(id());
 }
 
-void SimulatedAgent::add_stop_event() { add(event(Cause::kStop)); }
+void SimulatedAgent::add_stop_event() {
+  start_controller();
+  add(event(Cause::kStop));
+}
 
 std::vector<Event> SimulatedAgent::take_events() {
   std::vector<Event> events = inbox_.take();
@@ -166,6 +156,7 @@ hal::Result<void> SimulatedAgent::send(const Action& action) {
         fmt::format("send: message {} to agent {}: not to oneself, and numbered from 1",
                     action.message_id, action.destination.value));
   }
+  if (auto admitted = topics_.admit(action.topic); !admitted) return admitted;
   const hal::Message message{.source = id(),
                              .destination = action.destination,
                              .id = action.message_id,
@@ -191,6 +182,7 @@ void SimulatedAgent::set_timer(const Action& action) {
 
 void SimulatedAgent::set_state(const std::string& state) {
   last_state_ = state;
+  hal::log::debug(surroundings_.events.now(), name(), "state {}", state);
   surroundings_.observer.on_state(surroundings_.events.now(), id(), state);
   listener_.on_state(id(), state);
 }
@@ -240,8 +232,10 @@ void SimulatedAgent::on_neighbour_lost(hal::AgentId neighbour) {
 
 void SimulatedAgent::on_discovery(std::string_view topic, hal::AgentId destination,
                                   hal::Duration took, bool found) {
-  surroundings_.observer.on_discovery(surroundings_.events.now(), id(),
-                                      {topic, destination, took, found});
+  const hal::Time now = surroundings_.events.now();
+  hal::log::debug(now, name(), "discovery of {} for '{}': {} after {:.9f} s", destination.value,
+                  topic, found ? "found" : "given up", hal::to_seconds(took));
+  surroundings_.observer.on_discovery(now, id(), {topic, destination, took, found});
 }
 
 void SimulatedAgent::on_message_end(hal::AgentId sent_by, hal::MessageId message, std::string_view,

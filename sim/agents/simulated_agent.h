@@ -11,6 +11,7 @@
 #include "hal/exchange/step.h"
 #include "hal/routing/router.h"
 #include "hal/types/result.h"
+#include "hal/types/topics.h"
 #include "sim/agents/inbox.h"
 #include "sim/agents/observer.h"
 #include "sim/agents/queue_timers.h"
@@ -48,16 +49,18 @@ class SimulatedAgent : public hal::routing::Application, public hal::routing::Ro
   SimulatedAgent(const SimulatedAgent&) = delete;
   SimulatedAgent& operator=(const SimulatedAgent&) = delete;
 
+  const AgentConfig& config() const { return config_; }
   hal::AgentId id() const { return config_.id; }
   const std::string& name() const { return config_.name; }
   const std::string& last_state() const { return last_state_; }
 
-  virtual hal::exchange::AgentOffer offer() const;
   /// What the controller asked for. Before start().
   void connect(const hal::Wants& wants) { wants_ = wants; }
 
-  /// Schedules the start event and the control cycle.
+  /// Schedules the start event and the control cycle: both at the agent's phase. What is there for
+  /// the controller before that (radio and routing are up from time 0) is handed over with it.
   void start();
+  /// The last event. A controller that was not started yet is started first.
   void add_stop_event();
   std::vector<hal::exchange::Event> take_events();
 
@@ -82,12 +85,8 @@ class SimulatedAgent : public hal::routing::Application, public hal::routing::Ro
                       hal::Verdict verdict) override;
 
  protected:
-  static constexpr std::uint16_t kLocalisation = 0;
-  static constexpr std::uint16_t kFirstDeviceChannel = 1;
-
-  const AgentConfig& config() const { return config_; }
   Surroundings& surroundings() { return surroundings_; }
-  bool wants_channel(std::string_view channel) const;
+  bool wants_channel(std::string_view channel) const { return wants_.asks_for(channel); }
 
   /// Reads, at each control instant, what is to be read whether or not the controller asks.
   virtual void observe(hal::Time now) { (void)now; }
@@ -98,6 +97,7 @@ class SimulatedAgent : public hal::routing::Application, public hal::routing::Ro
   virtual void halt() {}
 
  private:
+  void start_controller();
   void on_control();
   void add(hal::exchange::Event event);
   hal::exchange::Event event(hal::exchange::Cause cause) const;
@@ -113,10 +113,13 @@ class SimulatedAgent : public hal::routing::Application, public hal::routing::Ro
   QueueTimers timers_;
   hal::routing::Router router_;
   hal::Wants wants_;
+  hal::Topics topics_;  ///< That its controller named.
   Inbox inbox_;
   std::set<hal::AgentId> heard_;  ///< Neighbours, if the controller wants them.
   std::map<hal::TimerId, EventQueue::EventId> controller_timers_;
   std::string last_state_;
+  bool started_ = false;
+  std::vector<hal::exchange::Event> early_;  ///< Before the start.
   bool silent_ = false;
 };
 

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "hal/types/check.h"
+#include "sim/agents/agent_offer.h"
 
 namespace sim::agents {
 
@@ -20,40 +21,6 @@ SimulatedRobot::SimulatedRobot(const AgentConfig& config, radio::MacSap& mac,
       drive_(surroundings.world.drive(config.id)),
       odometry_(drive_, description_.encoder_steps),
       infrared_(config.id, description_.infrared, surroundings.config.seed, config.name) {}
-
-hal::exchange::AgentOffer SimulatedRobot::offer() const {
-  hal::exchange::AgentOffer offer = SimulatedAgent::offer();
-  hal::exchange::AgentSession& session = offer.session;
-  session.kind = hal::AgentKind::kRobot;
-  session.limits = {.body_to_wheel = drive_.body_to_wheel(),
-                    .wheel_speed = drive_.max_wheel_speed()};
-  session.channels.push_back({.id = kOdometry,
-                              .name = "odometry",
-                              .kind = "odometry",
-                              .unit = "m, rad, m/s",
-                              .length = 6,
-                              .period = {},
-                              .frame = "base",
-                              .headings = {}});
-  if (description_.infrared.empty()) return offer;
-  hal::Channel infrared{.id = kInfrared,
-                        .name = "infrared",
-                        .kind = "range",
-                        .unit = "m",
-                        .length = static_cast<std::uint32_t>(description_.infrared.size()),
-                        .period = description_.infrared.front().hold_period,
-                        .frame = "base",
-                        .headings = {}};
-  for (const auto& sensor : description_.infrared) infrared.headings.push_back(sensor.heading);
-  hal::Channel volts = infrared;
-  volts.id = kInfraredVolts;
-  volts.name = "infrared_volts";
-  volts.kind = "voltage";
-  volts.unit = "V";
-  session.channels.push_back(std::move(infrared));
-  session.channels.push_back(std::move(volts));
-  return offer;
-}
 
 void SimulatedRobot::sample(Event& event) {
   SimulatedAgent::sample(event);

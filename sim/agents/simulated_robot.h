@@ -13,14 +13,9 @@ class SimulatedRobot final : public SimulatedAgent {
   SimulatedRobot(const AgentConfig& config, radio::MacSap& mac, Surroundings surroundings,
                  AgentListener& listener);
 
-  hal::exchange::AgentOffer offer() const override;
   bool has_wheels() const override { return true; }
 
  private:
-  static constexpr std::uint16_t kOdometry = kFirstDeviceChannel;
-  static constexpr std::uint16_t kInfrared = kFirstDeviceChannel + 1;
-  static constexpr std::uint16_t kInfraredVolts = kFirstDeviceChannel + 2;
-
   void observe(hal::Time now) override;
   void sample(hal::exchange::Event& event) override;
   hal::Result<void> drive(const hal::exchange::Action& action) override;

@@ -5,26 +5,14 @@
 #include <variant>
 
 #include "hal/types/check.h"
+#include "sim/agents/agent_offer.h"
+#include "sim/agents/populated_world.h"
 #include "sim/agents/real_time_run.h"
 #include "sim/agents/simulated_robot.h"
 #include "sim/agents/simulation_state.h"
 
 namespace sim::agents {
 namespace {
-
-/// A world with every body. Order of declaration is part of the run's identity.
-std::unique_ptr<physics::World> populated(const SimulationConfig& config) {
-  auto world = std::make_unique<physics::World>(config.world);
-  for (const physics::StaticBox& wall : config.walls) world->add_wall(wall);
-  for (const AgentConfig& agent : config.agents) {
-    if (const auto* mote = std::get_if<hal::devices::MoteDescription>(&agent.body)) {
-      world->add_mote(agent.id, *mote, agent.pose);
-    } else {
-      world->add_robot(agent.id, std::get<hal::devices::RobotDescription>(agent.body), agent.pose);
-    }
-  }
-  return world;
-}
 
 /// Bound on the speed of every body, m/s: twice the fastest robot's, for what a robot pushes; 0 if
 /// there is no robot.
@@ -55,7 +43,7 @@ std::vector<radio::RadioNetwork::Station> stations(const SimulationConfig& confi
 Simulation::State::State(const SimulationConfig& the_config, std::vector<Observer*> the_observers)
     : config(the_config),
       observers(std::move(the_observers)),
-      world(populated(the_config)),
+      world(populated_world(the_config)),
       scene(*world, ids(config)),
       positions(*world, speed_bound(*world, config)),
       obstacles(*world),
@@ -85,7 +73,8 @@ void Simulation::add_observer(Observer& observer) { state_->observers.add(observ
 
 std::vector<hal::exchange::AgentOffer> Simulation::offers() const {
   std::vector<hal::exchange::AgentOffer> offers;
-  for (const auto& [id, agent] : state_->agents) offers.push_back(agent->offer());
+  for (const auto& [id, agent] : state_->agents)
+    offers.push_back(offer_of(agent->config(), state_->config));
   return offers;
 }
 
@@ -143,6 +132,7 @@ Outcome Simulation::end_of(RealTimeRun& run) {
 }
 
 Outcome Simulation::broken_off_by(const std::string& error) {
+  state_->broken_off = true;
   if (state_->error.empty()) state_->error = error;
   return state_->outcome();
 }
@@ -151,8 +141,7 @@ BodyState Simulation::body(hal::AgentId agent) const { return state_->scene.body
 
 ContactCounts Simulation::contacts(hal::AgentId agent) const {
   const physics::Contacts& contacts = state_->world->contacts(agent);
-  return {.wall_steps = contacts.walls.steps,
-          .object_steps = contacts.motes.steps + contacts.robots.steps};
+  return {.wall_steps = contacts.walls.steps, .object_steps = contacts.bodies.steps};
 }
 
 const std::string& Simulation::state(hal::AgentId agent) const {

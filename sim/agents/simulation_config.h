@@ -19,8 +19,9 @@
 namespace sim::agents {
 
 enum class ControlPhase : std::uint8_t {
-  kAligned,  ///< All control cycles start together.
-  kUniform,  ///< Each agent's starts at a phase drawn from its stream "<name>/control".
+  kAligned,  ///< All agents start at 0, and so do all control cycles.
+  kUniform,  ///< Each agent starts, and so does its control cycle, at a phase of less than one
+             ///< control period, drawn from its stream "<name>/control".
 };
 
 /// What a controller process that died, or does not answer, does to the run.

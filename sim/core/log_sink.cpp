@@ -7,8 +7,6 @@
 #include <memory>
 #include <stdexcept>
 
-#include "hal/types/log.h"
-
 namespace sim {
 namespace {
 
@@ -40,7 +38,7 @@ void write(hal::log::Level level, hal::Time at, std::string_view where, std::str
 
 }  // namespace
 
-void log_to_file(const std::string& path) {
+void log_to_file(const std::string& path, hal::log::Level lowest) {
   try {
     auto file = std::make_shared<spdlog::sinks::basic_file_sink_mt>(path, true);
     auto standard_error = std::make_shared<spdlog::sinks::stderr_sink_mt>();
@@ -52,6 +50,8 @@ void log_to_file(const std::string& path) {
   }
   logger()->set_level(spdlog::level::debug);
   logger()->set_pattern("%v");
+  logger()->flush_on(spdlog::level::warn);
+  hal::log::set_level(lowest);
   hal::log::set_sink(write);
 }
 

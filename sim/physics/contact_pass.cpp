@@ -38,7 +38,7 @@ bool is_awake(dBodyID body) { return body != nullptr && dBodyIsEnabled(body) != 
 
 void ContactPass::run(hal::Time now) {
   now_ = now;
-  if (!islands_.empty() || touched_.size() != objects_.size()) forget();
+  if (!islands_.empty() || resting_ || touched_.size() != objects_.size()) forget();
   if (clearance_.may_touch(objects_)) {
     dSpaceCollide(world_.space(), this, [](void* self, dGeomID a, dGeomID b) {
       static_cast<ContactPass*>(self)->touch(a, b);
@@ -57,7 +57,28 @@ void ContactPass::forget() {
   islands_.reset(objects_.size());
   for (std::size_t i = 0; i < objects_.size(); ++i)
     if (objects_[i]->drivetrain != nullptr) islands_.mark_robot(i);
-  touched_.assign(objects_.size(), {});
+  touched_.resize(objects_.size());
+  resting_ = false;
+  for (std::size_t i = 0; i < objects_.size(); ++i) count_rest(i);
+}
+
+/// A body falls asleep where it is: what it touched in that step it touches until something that is
+/// awake touches it, which wakes it.
+void ContactPass::count_rest(std::size_t object) {
+  std::array<bool, 3>& touched = touched_[object];
+  Object& sleeper = *objects_[object];
+  if (sleeper.awake() || sleeper.frozen) touched = {};
+  const auto [wall, robot, mote] = touched;  // in the order of Solid::Kind
+  if (wall) ++sleeper.contacts.walls.steps;
+  if (robot) ++sleeper.contacts.robots.steps;
+  if (mote) ++sleeper.contacts.motes.steps;
+  if (robot || mote) ++sleeper.contacts.bodies.steps;
+  resting_ = resting_ || wall || robot || mote;
+}
+
+void ContactPass::note(ContactRecord& record) const {
+  ++record.steps;
+  if (!record.first) record.first = now_;
 }
 
 void ContactPass::touch(dGeomID a, dGeomID b) {
@@ -79,14 +100,16 @@ void ContactPass::record(const Solid& self, const Solid& other) {
   if (self.kind == Solid::Kind::kWall) return;
   Object& object = *objects_[self.object];
   if (!object.awake()) object.wake();
-  bool& known = touched_[self.object][static_cast<std::size_t>(other.kind)];
+  std::array<bool, 3>& touched = touched_[self.object];
+  bool& known = touched[static_cast<std::size_t>(other.kind)];
   if (known) return;
+  const bool first_body = !touched[static_cast<std::size_t>(Solid::Kind::kRobot)] &&
+                          !touched[static_cast<std::size_t>(Solid::Kind::kMote)];
   known = true;
-  ContactRecord& record = other.kind == Solid::Kind::kWall   ? object.contacts.walls
-                          : other.kind == Solid::Kind::kMote ? object.contacts.motes
-                                                             : object.contacts.robots;
-  ++record.steps;
-  if (!record.first) record.first = now_;
+  Contacts& contacts = object.contacts;
+  if (other.kind == Solid::Kind::kWall) return note(contacts.walls);
+  note(other.kind == Solid::Kind::kMote ? contacts.motes : contacts.robots);
+  if (first_body) note(contacts.bodies);
 }
 
 void ContactPass::count(const Solid& a, const Solid& b, int contacts) {

@@ -28,8 +28,10 @@ class ContactPass {
 
  private:
   void forget();
+  void count_rest(std::size_t object);
   void touch(dGeomID a, dGeomID b);
   void record(const Solid& self, const Solid& other);
+  void note(ContactRecord& record) const;
   void count(const Solid& a, const Solid& b, int contacts);
   void stand_on_ground(const Object& mote);
 
@@ -41,6 +43,7 @@ class ContactPass {
   hal::Time now_{};
   double deepest_ = 0;
   std::vector<std::array<bool, 3>> touched_;  ///< Per object and kind: recorded in this step.
+  bool resting_ = false;                      ///< Some sleeper is in contact.
 };
 
 }  // namespace sim::physics

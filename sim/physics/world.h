@@ -62,7 +62,7 @@ struct BodyVelocity {
 
 /// How often a body touched one kind of thing.
 struct ContactRecord {
-  std::uint64_t steps = 0;         ///< Physics steps with at least one contact.
+  std::uint64_t steps = 0;         ///< Physics steps in contact, asleep or not.
   std::optional<hal::Time> first;  ///< Since the start of the world.
 };
 
@@ -71,6 +71,7 @@ struct Contacts {
   ContactRecord walls;
   ContactRecord motes;
   ContactRecord robots;
+  ContactRecord bodies;  ///< Motes or robots: a step in contact with both counts once.
 };
 
 /// What became of a body that no robot or mote should get into.

@@ -45,7 +45,9 @@ void FrameCounts::write() {
   });
   requests_.write_changes([this](const auto& key, std::uint64_t count) {
     const auto& [pair, verdict] = key;
-    put_request_.run(pair.first.value, pair.second.value, hal::name(verdict), count);
+    const bool unknown = pair.second == hal::kEveryone && verdict == hal::Verdict::kDelivered;
+    put_request_.run(pair.first.value, pair.second.value,
+                     unknown ? "transmitted" : hal::name(verdict), count);
   });
 }
 

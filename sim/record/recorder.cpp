@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <exception>
 #include <string>
 #include <variant>
@@ -26,6 +27,7 @@ Recorder::Recorder(const std::filesystem::path& file, const agents::SimulationCo
       options_(options),
       frames_(database_),
       messages_(database_),
+      broadcasts_([this](auto... end) { messages_.on_end(end...); }),
       bodies_(database_, options.pose_period),
       set_(database_, "REPLACE INTO run VALUES (?, ?)"),
       insert_discovery_(database_, "INSERT INTO discoveries VALUES (?, ?, ?, ?, ?, ?)"),
@@ -54,7 +56,7 @@ Recorder::~Recorder() {
     if (!is_given_up_) database_.execute("COMMIT");
     database_.execute("PRAGMA journal_mode = DELETE");
   } catch (const std::exception& e) {
-    hal::log::warning(hal::Time{}, "record", "{}", e.what());
+    hal::log::warning(now_, "record", "{}", e.what());
   }
 }
 
@@ -117,6 +119,7 @@ void Recorder::commit() {
 
 void Recorder::on_rows(hal::Time at, int rows) {
   rows_ += rows;
+  now_ = std::max(now_, at);
   if (rows_ < kCommitRows && at < next_commit_) return;
   next_commit_ = at + kCommitPeriod;
   commit();
@@ -138,6 +141,7 @@ void Recorder::give_up(const agents::Outcome& outcome) {
 }
 
 void Recorder::finish(const agents::Outcome& outcome, const Fingerprint& fingerprint) {
+  broadcasts_.finish(outcome.ended_at);
   write(outcome);
   write_totals(fingerprint);
   is_finished_ = true;
@@ -145,6 +149,7 @@ void Recorder::finish(const agents::Outcome& outcome, const Fingerprint& fingerp
 }
 
 void Recorder::write(const agents::Outcome& outcome) {
+  now_ = outcome.ended_at;
   set("result", outcome.result);
   if (!outcome.error.empty()) set("error", outcome.error);
   set("ended_ns", static_cast<std::uint64_t>(hal::to_ns(outcome.ended_at)));
@@ -180,6 +185,7 @@ void Recorder::on_start(const std::vector<std::pair<hal::AgentId, hal::AgentId>>
 
 void Recorder::on_frame_start(hal::Time at, const radio::Frame& frame) {
   frames_.on_frame_start(frame);
+  broadcasts_.on_frame_start(at, frame);
   if (!options_.all_frames) return;
   insert_frame_.run(frame.id, hal::to_ns(at), class_of(frame), frame.transmitter.value,
                     frame.receiver.value, frame.sequence, frame.retry,
@@ -190,6 +196,7 @@ void Recorder::on_frame_start(hal::Time at, const radio::Frame& frame) {
 void Recorder::on_reception(hal::Time at, const radio::Frame& frame, hal::AgentId receiver,
                             hal::Verdict verdict, double rssi_dbm) {
   frames_.on_reception(frame, receiver, verdict);
+  broadcasts_.on_reception(frame, verdict);
   if (!options_.all_frames) return;
   insert_frame_end_.run(frame.id, receiver.value, hal::to_ns(at), hal::name(verdict), rssi_dbm);
   on_rows(at, 1);

@@ -11,9 +11,11 @@
 #include "sim/agents/simulation_config.h"
 #include "sim/core/fingerprint.h"
 #include "sim/record/body_log.h"
+#include "sim/record/broadcast_watch.h"
 #include "sim/record/database.h"
 #include "sim/record/frame_counts.h"
 #include "sim/record/message_log.h"
+#include "sim/record/unheard_topics.h"
 
 namespace sim::record {
 
@@ -73,6 +75,9 @@ class Recorder final : public agents::Observer {
   /// Writes how the run ended. set() still works, and takes effect, afterwards.
   void finish(const agents::Outcome& outcome, const Fingerprint& fingerprint);
 
+  /// Message classes of which nothing arrived at anyone. After finish().
+  std::vector<UnheardTopic> unheard_topics() { return record::unheard_topics(database_); }
+
   /// Makes everything so far readable for others.
   void commit();
 
@@ -108,10 +113,12 @@ class Recorder final : public agents::Observer {
   RecorderOptions options_;
   FrameCounts frames_;
   MessageLog messages_;
+  BroadcastWatch broadcasts_;
   BodyLog bodies_;
   Statement set_, insert_discovery_, insert_lost_body_, insert_state_, insert_turn_, insert_frame_,
       insert_frame_end_, insert_fingerprint_;
-  int rows_ = 0;  ///< Since the last commit.
+  int rows_ = 0;     ///< Since the last commit.
+  hal::Time now_{};  ///< Of the latest row, or of the end.
   hal::Time next_commit_{kCommitPeriod};
   bool is_finished_ = false;
   bool is_given_up_ = false;

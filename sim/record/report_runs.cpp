@@ -33,7 +33,7 @@ std::string runs_section(const std::vector<RunResult>& runs) {
     if (robots.empty()) table.add_row(head_of(run));
   }
   return "Runs (clearance: robot's centre to the nearest wall's surface; contacts: physics "
-         "steps)\n" +
+         "steps in touch, at rest too)\n" +
          table.text();
 }
 

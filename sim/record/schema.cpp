@@ -13,6 +13,9 @@ std::string unit_of(const Column& column) {
 }
 
 std::string to_sql(const Table& table) {
+  if (!table.query.empty()) {
+    return fmt::format("CREATE VIEW {} AS  -- {}\n{};\n\n", table.name, table.meaning, table.query);
+  }
   std::string sql = fmt::format("CREATE TABLE {} (  -- {}\n", table.name, table.meaning);
   for (const Column& column : table.columns) {
     const bool last = &column == &table.columns.back() && table.primary_key.empty();

@@ -30,6 +30,7 @@ struct Table {
   std::string_view meaning;
   std::vector<Column> columns;
   std::string_view primary_key = "";  ///< Columns, separated by ", "; "" for none.
+  std::string_view query = "";        ///< Not "": a view that selects the columns with this.
 };
 
 /// A key of the table `run`; its name ends in the unit as a column's does.

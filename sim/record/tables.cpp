@@ -75,7 +75,9 @@ std::vector<Table> count_tables() {
        "how the link did with what it was asked to send",
        {{"agent", "INTEGER NOT NULL", "", "sender"},
         {"peer", "INTEGER NOT NULL", "", "destination"},
-        {"verdict", "TEXT NOT NULL", "", "how it ended"},
+        {"verdict", "TEXT NOT NULL", "",
+         "how it ended; a broadcast that left the antenna is 'transmitted': the link cannot know "
+         "who got it, receptions tells"},
         {"count", "INTEGER NOT NULL", "", "requests"}},
        "agent, peer, verdict"},
   };
@@ -95,8 +97,23 @@ std::vector<Table> message_tables() {
         {"fate_ns", "INTEGER", "ns", "when it was told"},
         {"verdict", "TEXT", "",
          "how it ended; 'delivered' wins over the end of another copy; null: on its way at the "
-         "end of the run"}},
+         "end of the run; of a broadcast that nobody got: why most radios lost it, 'below "
+         "sensitivity' if none was in range"}},
        "sender, id"},
+      {"broadcasts",
+       "the messages to everyone: how many got them",
+       {{"sender", "INTEGER", "", "agent"},
+        {"id", "INTEGER", "", "of the message, by its sender"},
+        {"topic", "TEXT", "", "class of the message"},
+        {"sent_ns", "INTEGER", "ns", "when the controller sent it"},
+        {"addressees", "INTEGER", "", "all other agents"},
+        {"reached", "INTEGER", "", "so many of them got it"},
+        {"verdict", "TEXT", "", "as in messages"}},
+       "sender, id",
+       "SELECT sender, id, topic, sent_ns,"
+       " (SELECT COUNT(*) FROM agents WHERE agent <> m.sender) AS addressees,"
+       " (SELECT COUNT(*) FROM deliveries d WHERE d.sender = m.sender AND d.id = m.id) AS reached,"
+       " verdict FROM messages m WHERE destination = 65535"},
       {"deliveries",
        "messages handed to a controller; a flood once per agent",
        {{"sender", "INTEGER NOT NULL", "", "of the message"},

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
+
+#include "hal/types/printable.h"
 
 namespace sim::record {
 namespace {
@@ -29,6 +32,11 @@ std::string line_of(const Row& row, const std::vector<std::size_t>& widths) {
 }
 
 }  // namespace
+
+void TextTable::add_row(std::vector<std::string> cells) {
+  for (std::string& cell : cells) cell = hal::printable(cell);
+  rows_.push_back(std::move(cells));
+}
 
 std::string TextTable::text() const {
   const std::vector<std::size_t> widths = widths_of(rows_);

@@ -11,7 +11,8 @@ class TextTable {
   explicit TextTable(std::vector<std::string> head) { add_row(std::move(head)); }
   TextTable() = default;
 
-  void add_row(std::vector<std::string> cells) { rows_.push_back(std::move(cells)); }
+  /// Cells become printable: their text may be a controller's.
+  void add_row(std::vector<std::string> cells);
 
   /// One line per row, each ending with a line feed and without blanks before it.
   std::string text() const;

@@ -27,6 +27,16 @@ using hal::devices::MoteDescription;
 using hal::devices::RobotDescription;
 using hal::devices::WheelLevel;
 
+const Key kRobot{
+    "robot",
+    "The group's agents are robots of this kind, mostly {include: ../robots/robertino.yaml}."};
+
+const Key kWheels{
+    "wheels",
+    "How much of the wheels is simulated: bodies on hinges with motors, or only where "
+    "they touch the ground, which is some 3.5 times faster.",
+    "jointed"};
+
 constexpr std::int64_t kLastAddress = 0xfffe;  // 0xffff is everyone
 
 /// Addresses and names given away so far.
@@ -40,25 +50,28 @@ constexpr std::array<Option<WheelLevel>, 2> kWheelLevels{
     {{"jointed", WheelLevel::kJointed}, {"contact", WheelLevel::kContact}}};
 
 /// A robot file says what a robot is; how much of its wheels is simulated, the scenario says.
-RobotDescription read_robot_group(Mapping& in) {
-  RobotDescription robot = read_robot(in.mapping("robot"));
-  robot.wheel_level = in.choice("wheels", kWheelLevels, robot.wheel_level);
+RobotDescription read_robot_group(Mapping& in, double gravity) {
+  RobotDescription robot = read_robot(in.mapping(kRobot), gravity);
+  robot.wheel_level = in.choice(kWheels, kWheelLevels, robot.wheel_level);
   return robot;
 }
 
 MoteDescription read_mote_group(Mapping& in) {
   in.refuse("wheels", "a mote has none");
-  return read_mote(in.mapping("mote"));
+  return read_mote(in.mapping(
+      {"mote",
+       "The group's agents are motes of this kind, mostly {include: ../robots/mote.yaml}."}));
 }
 
-auto read_body(Mapping& in) -> decltype(AgentConfig::body) {
+/// @param gravity  m/s^2, of the scenario's world.
+auto read_body(Mapping& in, double gravity) -> decltype(AgentConfig::body) {
   const bool robot = in.has("robot");
   if (robot == in.has("mote")) {
     in.mistake("", "must have either robot or mote");
-    if (robot) in.mapping("robot");
+    if (robot) in.mapping(kRobot);
     return MoteDescription{};
   }
-  if (robot) return read_robot_group(in);
+  if (robot) return read_robot_group(in, gravity);
   return read_mote_group(in);
 }
 
@@ -72,7 +85,10 @@ void take_names(Mapping& in, const std::vector<std::string>& names, Taken& taken
 
 /// Addresses for `count` agents, from `address` or the first free one.
 std::vector<AgentId> take_addresses(Mapping& in, std::size_t count, Taken& taken) {
-  const std::int64_t first = in.integer("address", 1, kLastAddress, taken.next);
+  const std::int64_t first =
+      in.integer({"address", "Network address of the group's first agent; the others count on.",
+                  "1", "the first free one"},
+                 1, kLastAddress, taken.next);
   taken.next = first + static_cast<std::int64_t>(count);
   if (taken.next - 1 > kLastAddress) {
     in.mistake("address", fmt::format("{} is above the limit of {} for the last of {} agents",
@@ -92,9 +108,9 @@ std::vector<AgentId> take_addresses(Mapping& in, std::size_t count, Taken& taken
 }
 
 void read_group(const std::string& name, Mapping in, Scenario& scenario, Taken& taken) {
-  Group group{.name = name, .agents = {}, .program = {}, .program_place = {}};
-  const auto body = read_body(in);
-  const std::vector<hal::Pose2> poses = read_poses(in);
+  Group group{.name = name, .agents = {}, .places = {}, .program = {}, .program_place = {}};
+  const auto body = read_body(in, scenario.simulation.world.gravity);
+  const std::vector<hal::Pose2> poses = read_poses(in, group.places);
   const std::vector<std::string> names = read_names(in, name, poses.size());
   take_names(in, names, taken);
   group.agents = take_addresses(in, poses.size(), taken);
@@ -102,7 +118,7 @@ void read_group(const std::string& name, Mapping in, Scenario& scenario, Taken& 
   for (std::size_t i = 0; i < group.agents.size(); ++i) {
     agents.push_back({group.agents[i], names[i], poses[i], body, {}, {}});
   }
-  read_controller(in.mapping("controller"), group, agents);
+  read_controller(in.mapping({"controller", "The program that drives the agents."}), group, agents);
   in.finish();
   auto& all = scenario.simulation.agents;
   all.insert(all.end(), agents.begin(), agents.end());
@@ -134,7 +150,7 @@ void write_group(Writer& out, const Group& group, std::span<const AgentConfig> a
   out.text("name", name_pattern(agents));
   out.integer("address", agents.front().id.value);
   if (const auto* robot = std::get_if<RobotDescription>(&agents.front().body)) {
-    FieldWriter(out).choice("wheels", kWheelLevels, robot->wheel_level);
+    FieldWriter(out).choice(kWheels, kWheelLevels, robot->wheel_level);
     write_robot(out, *robot);
   } else {
     write_mote(out, std::get<MoteDescription>(agents.front().body));
@@ -159,7 +175,9 @@ void read_agents(Mapping in, Scenario& scenario) {
   const std::vector<std::string> names = in.keys();
   if (names.empty()) in.mistake("", "there must be at least one group of agents");
   for (const std::string& name : names) {
-    Mapping group = in.mapping(name);
+    Mapping group = in.mapping(
+        {name,
+         "A group of agents with one kind of body and one controller, under a name of your own."});
     if (is_reached_for(group)) {
       std::vector<std::string> others = names;
       std::erase(others, name);

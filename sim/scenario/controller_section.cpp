@@ -36,8 +36,10 @@ void set(std::vector<ParameterText>& parameters, const ParameterText& parameter)
 using Overridden = std::map<std::string, std::string>;  // name of an agent -> pattern
 
 void apply_override(Mapping& in, std::span<AgentConfig> agents, Overridden& overridden) {
-  const std::string pattern = in.text("agents");
-  const std::vector<ParameterText> parameters = read_parameters(in.mapping("parameters"));
+  const std::string pattern =
+      in.text({"agents", "Name of the agent, or a pattern with * of several.", "NAME0"});
+  const std::vector<ParameterText> parameters =
+      read_parameters(in.mapping({"parameters", "Those in which they differ.", "{help_at: 1 s}"}));
   in.finish();
   bool matched = false;
   std::string clash;
@@ -88,17 +90,30 @@ void write_parameters(Writer& out, const std::vector<ParameterText>& parameters)
 }  // namespace
 
 void read_controller(Mapping in, Group& group, std::span<AgentConfig> agents) {
-  group.program = in.text("program");
+  group.program = in.text(
+      {"program", "The controller: one of ours, one of yours in BARAKA_CONTROLLER_PATH, or teleop.",
+       "help_mote"});
   group.program_place = in.place("program");
   const auto most = std::max<std::int64_t>(1, static_cast<std::int64_t>(agents.size()));
-  group.processes = static_cast<int>(in.integer("processes", 1, most, 1));
-  const std::vector<ParameterText> parameters = read_parameters(in.mapping("parameters"));
+  const std::int64_t processes = in.integer(
+      {"processes", "Controller processes that share the agents; at most one for each.", "1"}, 1,
+      0xfffe, 1);
+  if (processes > most) {
+    in.mistake("processes", fmt::format("{} is above the limit of {}", processes, most));
+  }
+  group.processes = static_cast<int>(std::min(processes, most));
+  const std::vector<ParameterText> parameters = read_parameters(in.mapping(
+      {"parameters", "Of the controller, for all agents; `baraka describe PROGRAM` shows them.",
+       "{help_at: 1 s}"}));
   for (AgentConfig& agent : agents) {
     agent.program = group.program;
     agent.parameters = parameters;
   }
   Overridden overridden;
-  for (Mapping& one : in.mappings("overrides")) apply_override(one, agents, overridden);
+  for (Mapping& one :
+       in.mappings({"overrides", "Parameters for some of the agents; no agent twice.",
+                    "[{agents: NAME0, parameters: {help_at: 1 s}}]"}))
+    apply_override(one, agents, overridden);
   in.finish();
 }
 

@@ -4,6 +4,7 @@
 
 namespace sim::scenario {
 
+using hal::config::Key;
 using hal::config::kUnlimited;
 using hal::config::Mapping;
 using hal::config::Option;

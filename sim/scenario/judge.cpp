@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace sim::scenario {
 namespace {
@@ -16,34 +15,56 @@ std::string name_of(hal::AgentId id, const Scenario& scenario) {
   return fmt::format("{}", id.value);
 }
 
-std::optional<std::string> unmet(const ExpectedResult& expected, std::string_view result) {
-  if (expected.result == result) return std::nullopt;
-  return fmt::format("the result is '{}', expected '{}'", result, expected.result);
-}
-
-std::optional<std::string> unmet(const ExpectedDistance& expected, const Scenario& scenario,
-                                 const TruePosition& position) {
-  const hal::Vec2 apart = position(expected.to) - position(expected.from);
-  const double distance = std::sqrt(dot(apart, apart));
-  if (distance < expected.below.value) return std::nullopt;
-  return fmt::format("{} is {:.3f} m from {}, expected below {} m",
-                     name_of(expected.from, scenario), distance, name_of(expected.to, scenario),
-                     expected.below.value);
-}
-
 }  // namespace
 
-std::vector<std::string> unmet_expectations(const Scenario& scenario, std::string_view result,
-                                            const TruePosition& position) {
-  std::vector<std::string> lines;
+Judge::Judge(const Scenario& scenario) : scenario_(scenario) {
   for (const Expectation& expectation : scenario.expectations) {
     const auto* distance = std::get_if<ExpectedDistance>(&expectation.condition);
+    const bool is_fixed = distance != nullptr && distance->entered.empty();
+    who_.push_back(is_fixed ? std::optional(distance->which.front()) : std::nullopt);
+  }
+}
+
+void Judge::on_state(hal::Time, hal::AgentId agent, std::string_view state) {
+  for (std::size_t i = 0; i < who_.size(); ++i) {
+    const auto* distance = std::get_if<ExpectedDistance>(&scenario_.expectations[i].condition);
+    if (distance == nullptr || distance->entered != state) continue;
+    if (std::ranges::find(distance->which, agent) != distance->which.end()) who_[i] = agent;
+  }
+}
+
+std::vector<std::string> Judge::unmet(std::string_view result, const TruePosition& position) const {
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < who_.size(); ++i) {
+    const Expectation& expectation = scenario_.expectations[i];
+    const auto* distance = std::get_if<ExpectedDistance>(&expectation.condition);
     const auto line = distance != nullptr
-                          ? unmet(*distance, scenario, position)
+                          ? unmet(*distance, who_[i], position)
                           : unmet(std::get<ExpectedResult>(expectation.condition), result);
     if (line) lines.push_back(fmt::format("{}: expect: {}", expectation.place, *line));
   }
   return lines;
+}
+
+std::optional<std::string> Judge::unmet(const ExpectedResult& expected,
+                                        std::string_view result) const {
+  if (expected.result == result) return std::nullopt;
+  return fmt::format("the result is '{}', expected '{}'", result, expected.result);
+}
+
+std::optional<std::string> Judge::unmet(const ExpectedDistance& expected,
+                                        std::optional<hal::AgentId> who,
+                                        const TruePosition& position) const {
+  const std::string wanted = fmt::format("expected below {} m", expected.below.value);
+  if (!who) {
+    return fmt::format("no agent of '{}' has entered {}, {} from {}", expected.whose,
+                       expected.entered, wanted, name_of(expected.to, scenario_));
+  }
+  const hal::Vec2 apart = position(expected.to) - position(*who);
+  const double distance = std::sqrt(dot(apart, apart));
+  if (distance < expected.below.value) return std::nullopt;
+  return fmt::format("{} is {:.3f} m from {}, {}", name_of(*who, scenario_), distance,
+                     name_of(expected.to, scenario_), wanted);
 }
 
 }  // namespace sim::scenario

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "hal/types/geometry.h"
+#include "sim/agents/observer.h"
 #include "sim/scenario/scenario.h"
 
 namespace sim::scenario {
@@ -13,9 +15,33 @@ namespace sim::scenario {
 /// True position of an agent at the end of the run [m, world frame].
 using TruePosition = std::function<hal::Vec2(hal::AgentId)>;
 
-/// The expectations that do not hold, one line each: "place: expect: what was seen and what was
-/// expected". Empty: all hold.
-std::vector<std::string> unmet_expectations(const Scenario& scenario, std::string_view result,
-                                            const TruePosition& position);
+/// Judges a run by the expectations of its scenario. An observer, because a run's end does not show
+/// which agents went through which states.
+///
+///   Judge judge(scenario);
+///   Simulation simulation(scenario.simulation, {&judge, …});
+///   …run…
+///   const auto lines = judge.unmet(outcome.result, position);
+class Judge final : public agents::Observer {
+ public:
+  /// @param scenario  outlives the judge.
+  explicit Judge(const Scenario& scenario);
+
+  void on_state(hal::Time at, hal::AgentId agent, std::string_view state) override;
+
+  /// The expectations that do not hold, one line each: "place: expect: what was seen and what was
+  /// expected". Empty: all hold.
+  std::vector<std::string> unmet(std::string_view result, const TruePosition& position) const;
+
+ private:
+  std::optional<std::string> unmet(const ExpectedResult& expected, std::string_view result) const;
+  std::optional<std::string> unmet(const ExpectedDistance& expected,
+                                   std::optional<hal::AgentId> who,
+                                   const TruePosition& position) const;
+
+  const Scenario& scenario_;
+  /// By expectation: whom it is about. With `entered`, nobody until somebody enters that state.
+  std::vector<std::optional<hal::AgentId>> who_;
+};
 
 }  // namespace sim::scenario

@@ -6,6 +6,7 @@
 
 #include "hal/config/suggest.h"
 #include "hal/types/check.h"
+#include "hal/types/pattern.h"
 #include "sim/scenario/fields.h"
 
 namespace sim::scenario {
@@ -41,29 +42,79 @@ const std::string& declared_name(AgentId id, const Scenario& scenario) {
 EndCondition read_end(Mapping& in, const Scenario& scenario) {
   EndCondition end;
   if (in.has("agent")) {
-    end.agent = agent_named(in, "agent", in.text("agent"), scenario);
-    end.state = in.text("state");
-    end.after = in.duration("after", kTime, hal::Duration{});
+    end.agent = agent_named(
+        in, "agent",
+        in.text({"agent", "The run ends when this agent's controller enters a state.", "NAME0"}),
+        scenario);
+    end.state = in.text({"state", "That state, as the controller calls it.", "FULFILLED"});
+    end.after = in.duration({"after", "So much later.", "1 s"}, kTime, hal::Duration{});
     in.refuse("at", "cannot stand beside agent");
   } else {
-    end.after = in.duration("at", kTime);
+    end.after = in.duration({"at", "The run ends at this time.", "60 s"}, kTime);
   }
-  end.result = in.text("result");
+  end.result = in.text({"result", "What the run is then called.", "done"});
   in.finish();
   return end;
 }
 
-/// Two different agents from a list of two names.
+/// A result that the run can end with: no other is ever judged.
+ExpectedResult read_result(Mapping& in, const Scenario& scenario) {
+  ExpectedResult expected{in.text({"result", "The run must end with this result.", "done"})};
+  std::vector<std::string> results;
+  for (const EndCondition& end : scenario.simulation.ends) results.push_back(end.result);
+  if (std::find(results.begin(), results.end(), expected.result) == results.end()) {
+    in.warn("result", fmt::format("no end condition has the result '{}'{}", expected.result,
+                                  hal::config::suggestion(expected.result, results)));
+  }
+  return expected;
+}
+
+std::vector<AgentId> agents_like(const std::string& pattern, const Scenario& scenario) {
+  std::vector<AgentId> matching;
+  for (const agents::AgentConfig& agent : scenario.simulation.agents) {
+    if (hal::matches(pattern, agent.name)) matching.push_back(agent.id);
+  }
+  return matching;
+}
+
+/// The first of the two: a name or, with `entered`, a pattern.
+void read_whose(Mapping& in, const std::string& whose, const Scenario& scenario,
+                ExpectedDistance& expected) {
+  expected.whose = whose;
+  expected.which = agents_like(whose, scenario);
+  if (in.has("entered")) {
+    expected.entered = in.text(
+        {"entered", "Of the agents of a pattern, the last one to enter this state is meant.",
+         "FULFILLED"});
+  }
+  const bool is_pattern = whose.find_first_of("*?") != std::string::npos;
+  if (!is_pattern) {
+    expected.which = {agent_named(in, "distance", whose, scenario)};
+  } else if (!in.has("entered")) {
+    in.mistake("distance",
+               fmt::format("'{}' is a pattern: 'entered: STATE' must say which of its agents is "
+                           "meant, the last one to enter that state",
+                           whose));
+  } else if (expected.which.empty()) {
+    in.mistake("distance", fmt::format("'{}' matches no agent", whose));
+  }
+}
+
+/// Two agents from a list of two names.
 ExpectedDistance read_distance(Mapping& in, const Scenario& scenario) {
   ExpectedDistance expected;
-  const std::vector<hal::config::Scalar> names = in.texts("distance");
+  const std::vector<hal::config::Scalar> names =
+      in.texts({"distance", "Two agents whose true distance at the end is judged.",
+                "[NAME0, NAME1]", hal::config::kMustBeGiven});
   if (names.size() == 2) {
-    expected.from = agent_named(in, "distance", names[0].text, scenario);
+    read_whose(in, names[0].text, scenario, expected);
     expected.to = agent_named(in, "distance", names[1].text, scenario);
   } else {
     in.mistake("distance", fmt::format("must name two agents, not {}", names.size()));
+    in.has("entered");
   }
-  expected.below = hal::Metres{in.number("below", "m", {0, 1e9})};
+  expected.below =
+      hal::Metres{in.number({"below", "The distance must be smaller.", "10 m"}, "m", {0, 1e9})};
   return expected;
 }
 
@@ -72,11 +123,11 @@ Expectation read_expectation(Mapping& in, const Scenario& scenario) {
   const bool distance = in.has("distance");
   if (distance == in.has("result")) {
     in.mistake("", "must have either result or distance");
-    in.has("below");
+    for (const char* key : {"below", "entered"}) in.has(key);
   } else if (distance) {
     expectation.condition = read_distance(in, scenario);
   } else {
-    expectation.condition = ExpectedResult{in.text("result")};
+    expectation.condition = read_result(in, scenario);
   }
   in.finish();
   return expectation;
@@ -85,8 +136,12 @@ Expectation read_expectation(Mapping& in, const Scenario& scenario) {
 }  // namespace
 
 void read_ends(Mapping& in, Scenario& scenario) {
-  for (Mapping& end : in.mappings("end")) {
+  for (Mapping& end : in.mappings(
+           {"end", "When the run ends; the first condition that is met counts. At least one.",
+            "[{at: 60 s, result: done}]", hal::config::kMustBeGiven})) {
     scenario.simulation.ends.push_back(read_end(end, scenario));
+    const bool waits = scenario.simulation.ends.back().agent.has_value();
+    scenario.state_places.push_back(waits ? end.place("state") : std::string{});
   }
   if (scenario.simulation.ends.empty()) {
     in.mistake("end", "must have at least one condition, e.g. {at: 60 s, result: timeout}");
@@ -94,7 +149,9 @@ void read_ends(Mapping& in, Scenario& scenario) {
 }
 
 void read_expectations(Mapping& in, Scenario& scenario) {
-  for (Mapping& one : in.mappings("expect")) {
+  for (Mapping& one :
+       in.mappings({"expect", "What must hold at the end, else the exit status is 3.",
+                    "[{result: done}]"})) {
     scenario.expectations.push_back(read_expectation(one, scenario));
   }
 }
@@ -121,9 +178,9 @@ void write_expectations(Writer& out, const Scenario& scenario) {
   for (const Expectation& expectation : scenario.expectations) {
     out.open_item();
     if (const auto* distance = std::get_if<ExpectedDistance>(&expectation.condition)) {
-      out.texts("distance",
-                {declared_name(distance->from, scenario), declared_name(distance->to, scenario)});
+      out.texts("distance", {distance->whose, declared_name(distance->to, scenario)});
       out.number("below", distance->below.value, "m");
+      if (!distance->entered.empty()) out.text("entered", distance->entered);
     } else {
       out.text("result", std::get<ExpectedResult>(expectation.condition).result);
     }

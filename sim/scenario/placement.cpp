@@ -8,17 +8,28 @@
 namespace sim::scenario {
 namespace {
 
-constexpr std::int64_t kMaxSide = 10'000;
+constexpr std::int64_t kMostAgents = 65'534;  // network addresses have 16 bits; 0xffff is everyone
 
 /// Row by row from the origin: x first, then y.
 std::vector<hal::Pose2> read_grid(Mapping in) {
-  const std::int64_t columns = in.integer("columns", 1, kMaxSide);
-  const std::int64_t rows = in.integer("rows", 1, kMaxSide);
-  const hal::Vec2 spacing = in.vec2("spacing", "m", {0, kCoordinate.high});
-  const hal::Vec2 origin = in.vec2("origin", "m", kCoordinate, {});
-  const double yaw = in.number("yaw", "rad", kAngle, 0);
+  const std::int64_t columns =
+      in.integer({"columns", "Agents side by side along x.", "5"}, 1, kMostAgents);
+  const std::int64_t rows =
+      in.integer({"rows", "Agents side by side along y.", "5"}, 1, kMostAgents);
+  const hal::Vec2 spacing =
+      in.vec2({"spacing", "Between neighbours along x and y.", "[125 m, 125 m]"}, "m",
+              {0, kCoordinate.high});
+  const hal::Vec2 origin = in.vec2(
+      {"origin", "Where the first one stands, world frame.", "[0 m, 0 m]"}, "m", kCoordinate, {});
+  const double yaw = in.number({"yaw", "Heading of all of them.", "90 deg"}, "rad", kAngle, 0);
   in.finish();
   std::vector<hal::Pose2> poses;
+  if (columns * rows > kMostAgents) {
+    in.mistake("", fmt::format("{} x {} are {} agents; network addresses have 16 bits, which is "
+                               "enough for {}",
+                               columns, rows, columns * rows, kMostAgents));
+    return poses;
+  }
   for (std::int64_t row = 0; row < rows; ++row) {
     for (std::int64_t column = 0; column < columns; ++column) {
       poses.push_back({origin.x + spacing.x * static_cast<double>(column),
@@ -30,15 +41,22 @@ std::vector<hal::Pose2> read_grid(Mapping in) {
 
 }  // namespace
 
-std::vector<hal::Pose2> read_poses(Mapping& in) {
+std::vector<hal::Pose2> read_poses(Mapping& in, std::vector<std::string>& places) {
   std::vector<hal::Pose2> poses;
   if (in.has("grid")) {
     in.refuse("poses", "cannot stand beside grid");
-    return read_grid(in.mapping("grid"));
+    poses = read_grid(in.mapping({"grid", "Places them row by row."}));
+    places.assign(poses.size(), in.place("grid"));
+    return poses;
   }
-  for (Mapping& pose : in.mappings("poses")) {
-    poses.push_back({pose.number("x", "m", kCoordinate), pose.number("y", "m", kCoordinate),
-                     pose.number("yaw", "rad", kAngle, 0)});
+  for (Mapping& pose :
+       in.mappings({"poses", "Places them one by one.", "[{x: 0 m, y: 0 m}, {x: 100 m, y: 0 m}]",
+                    hal::config::kMustBeGiven})) {
+    poses.push_back(
+        {pose.number({"x", "World frame.", "8 m"}, "m", kCoordinate),
+         pose.number({"y", "World frame.", "8 m"}, "m", kCoordinate),
+         pose.number({"yaw", "Heading, from x towards y.", "20 deg"}, "rad", kAngle, 0)});
+    places.push_back(pose.place());
     pose.finish();
   }
   if (poses.empty()) in.mistake("poses", "no agents: give poses or a grid");
@@ -46,7 +64,11 @@ std::vector<hal::Pose2> read_poses(Mapping& in) {
 }
 
 std::vector<std::string> read_names(Mapping& in, const std::string& group, std::size_t count) {
-  const std::string pattern = in.text("name", group + "{}");
+  const std::string pattern = in.text({"name",
+                                       "Of the agents: letters, digits, '_' and '-' after a "
+                                       "letter, with {} for their numbers from 0.",
+                                       "'m{}'", "the group's with {} behind it"},
+                                      group + "{}");
   const std::size_t hole = pattern.find("{}");
   std::string letters = pattern;
   if (hole != std::string::npos) letters.erase(hole, 2);

@@ -9,7 +9,8 @@
 namespace sim::scenario {
 
 /// Where the agents of a group stand: `grid` or `poses`, one of which must be there.
-std::vector<hal::Pose2> read_poses(hal::config::Mapping& in);
+/// @param places  gets "file:line:column" of each pose, or of the grid, for error messages.
+std::vector<hal::Pose2> read_poses(hal::config::Mapping& in, std::vector<std::string>& places);
 
 /// `name`: for one agent its name; for several a pattern with one {} for their numbers from 0.
 /// Absent: the group's name and {}.

@@ -29,6 +29,8 @@ constexpr std::array kErrorModels = {
     Option<radio::ErrorModel>{"dsss", radio::ErrorModel::kDsss}};
 
 constexpr Range kPowerLevel{-200, 50};      // dBm; thermal noise in 1 Hz is -174
+constexpr Range kSensitivity{-130, 0};      // dBm
+constexpr Range kNoise{-200, 0};            // dBm
 constexpr Range kTxPower{1e-6, 1e5};        // mW
 constexpr Range kBitRate{1e3, 1e9};         // b/s
 constexpr Range kShortTime{1e-6, 1e-2};     // s
@@ -67,47 +69,92 @@ void propagation_keys(Io& io, RadioConfig& c) {
   using K = Keys<Io>;
   K keys(io, c.profile);
   if (keys.uses("tx_power", K::kWaves | K::kDisk)) {
-    io.quantity("tx_power", "mW", kTxPower, c.tx_power);
+    io.quantity({"tx_power", "Of a transmitter.", "2 mW"}, "mW", kTxPower, c.tx_power);
   }
-  if (keys.uses("wavelength", K::kWaves)) io.quantity("wavelength", "m", {1e-3, 10}, c.wavelength);
+  if (keys.uses("wavelength", K::kWaves))
+    io.quantity({"wavelength", "Of the carrier.", "0.125 m"}, "m", {1e-3, 10}, c.wavelength);
   if (keys.uses("path_loss_exponent", K::kWaves)) {
-    io.number("path_loss_exponent", "1", {1, 8}, c.path_loss_exponent);
+    io.number(
+        {"path_loss_exponent", "Of the power law (2: free space, Friis), reference 1 m.", "2"}, "1",
+        {1, 8}, c.path_loss_exponent);
   }
-  if (keys.uses("propagation_delay", K::kWaves)) io.flag("propagation_delay", c.propagation_delay);
-  if (keys.uses("obstacles", K::kWaves)) io.flag("obstacles", c.obstacles);
-  const auto level = [&](const char* key, hal::Dbm& value) {
-    if (keys.uses(key, K::kWaves)) io.quantity(key, "dBm", kPowerLevel, value);
+  if (keys.uses("propagation_delay", K::kWaves))
+    io.flag(
+        {"propagation_delay", "Whether waves take time: distance over the speed of light.", "true"},
+        c.propagation_delay);
+  if (keys.uses("obstacles", K::kWaves))
+    io.flag({"obstacles", "Whether walls attenuate.", "true"}, c.obstacles);
+  const auto level = [&](const Key& key, Range range, hal::Dbm& value) {
+    if (keys.uses(key.name, K::kWaves)) io.quantity(key, "dBm", range, value);
   };
-  level("sensitivity", c.sensitivity);
-  level("interference_floor", c.interference_floor);
-  level("noise_floor", c.noise_floor);
-  level("cca_threshold", c.cca_threshold);
-  level("energy_detection", c.energy_detection);
-  if (keys.uses("range", K::kRange)) io.quantity("range", "m", {1e-3, kUnlimited}, c.range);
+  level({"sensitivity", "Weaker frames cannot be received.", "-85 dBm"}, kSensitivity,
+        c.sensitivity);
+  level({"interference_floor", "Weaker frames do not exist; at most the sensitivity.", "-101 dBm"},
+        kPowerLevel, c.interference_floor);
+  level({"noise_floor", "Thermal noise and noise figure in the bandwidth.", "-110 dBm"}, kNoise,
+        c.noise_floor);
+  level({"cca_threshold", "Carrier sense: a frame of this power makes the medium busy.", "-85 dBm"},
+        kPowerLevel, c.cca_threshold);
+  level(
+      {"energy_detection", "Carrier sense: so much power in sum makes the medium busy.", "-62 dBm"},
+      kPowerLevel, c.energy_detection);
+  if (keys.uses("range", K::kRange))
+    io.quantity({"range", "Who is nearer hears every frame, who is farther none.", "250 m"}, "m",
+                {1e-3, kUnlimited}, c.range);
 }
 
 template <class Io>
 void phy_keys(Io& io, RadioConfig& c) {
   using K = Keys<Io>;
   K keys(io, c.profile);
-  const auto rate = [&](const char* key, auto mask, hal::BitsPerSecond& value) {
-    if (keys.uses(key, mask)) io.quantity(key, "b/s", kBitRate, value);
+  const auto rate = [&](const Key& key, auto mask, hal::BitsPerSecond& value) {
+    if (keys.uses(key.name, mask)) io.quantity(key, "b/s", kBitRate, value);
   };
-  rate("data_rate", K::kWaves | K::kDisk, c.data_rate);
-  rate("control_rate", K::kWaves, c.control_rate);
-  rate("broadcast_rate", K::kWaves, c.broadcast_rate);
-  if (keys.uses("preamble", K::kWaves)) io.choice("preamble", kPreambles, c.preamble);
-  if (keys.uses("rounding", K::kWaves)) io.choice("rounding", kRoundings, c.rounding);
-  io.choice("lengths", kLengths, c.lengths);
-  io.count("fixed_header_bits", 0, kMaxBits, c.fixed_header_bits);
-  io.count("fixed_payload_bits", 0, kMaxBits, c.fixed_payload_bits);
-  if (keys.uses("error_model", K::kWaves)) io.choice("error_model", kErrorModels, c.error_model);
-  if (keys.uses("min_sinr", K::kWaves)) io.quantity("min_sinr", "dB", {-50, 50}, c.min_sinr);
+  rate({"data_rate", "Of data frames; 1, 2, 5.5 or 11 Mb/s where waves are modelled.", "11 Mb/s"},
+       K::kWaves | K::kDisk, c.data_rate);
+  rate({"control_rate", "Of RTS, CTS and ACK; 1, 2, 5.5 or 11 Mb/s.", "2 Mb/s"}, K::kWaves,
+       c.control_rate);
+  rate({"broadcast_rate", "Of broadcast frames; 1, 2, 5.5 or 11 Mb/s.", "2 Mb/s"}, K::kWaves,
+       c.broadcast_rate);
+  if (keys.uses("preamble", K::kWaves))
+    io.choice({"preamble", "Of the PHY; a short one not for frames at 1 Mb/s.", "long"}, kPreambles,
+              c.preamble);
+  if (keys.uses("rounding", K::kWaves))
+    io.choice(
+        {"rounding",
+         "Of airtimes: none below a nanosecond, or up to whole microseconds as in the standard.",
+         "microsecond"},
+        kRoundings, c.rounding);
+  io.choice(
+      {"lengths", "Of frames: what the codec puts on the air, or the fixed ones below.", "bytes"},
+      kLengths, c.lengths);
+  io.count(
+      {"fixed_header_bits", "With `lengths: fixed`: MAC header and FCS of a data frame.", "272"}, 0,
+      kMaxBits, c.fixed_header_bits);
+  io.count({"fixed_payload_bits", "With `lengths: fixed`: a network packet.", "1024"}, 0, kMaxBits,
+           c.fixed_payload_bits);
+  if (keys.uses("error_model", K::kWaves))
+    io.choice({"error_model", "When a frame is lost to noise and interference.", "dsss"},
+              kErrorModels, c.error_model);
+  if (keys.uses("min_sinr", K::kWaves))
+    io.quantity({"min_sinr",
+                 "Lowest usable signal to interference and noise: of the whole frame with "
+                 "`error_model: mobility_framework`, of the preamble with `dsss`.",
+                 "4 dB"},
+                "dB", {-50, 50}, c.min_sinr);
   if (keys.uses("preamble_window", K::kWaves)) {
-    io.duration("preamble_window", {0, 1e-3}, c.preamble_window);
+    io.duration({"preamble_window",
+                 "The receiver takes the strongest frame that starts within this time of the "
+                 "first; 0 s: the first.",
+                 "4 us"},
+                {0, 1e-3}, c.preamble_window);
   }
   if (keys.uses("capture_margin", K::kWaves)) {
-    io.optional("capture_margin", "dB", 0, c.capture_margin);
+    io.optional({"capture_margin",
+                 "A frame that much stronger takes the receiver over during the other one's "
+                 "preamble and PLCP header.",
+                 "10 dB"},
+                "dB", 0, c.capture_margin);
   }
 }
 
@@ -115,23 +162,30 @@ template <class Io>
 void mac_keys(Io& io, RadioConfig& c) {
   using K = Keys<Io>;
   K keys(io, c.profile);
-  const auto time = [&](const char* key, hal::Duration& value) {
-    if (keys.uses(key, K::kWaves)) io.duration(key, kShortTime, value);
+  const auto time = [&](const Key& key, hal::Duration& value) {
+    if (keys.uses(key.name, K::kWaves)) io.duration(key, kShortTime, value);
   };
-  const auto count = [&](const char* key, auto mask, Range range, std::uint32_t& value) {
+  const auto count = [&](const Key& key, auto mask, Range range, std::uint32_t& value) {
     const auto low = static_cast<std::int64_t>(range.low);
     const auto high = static_cast<std::int64_t>(range.high);
-    if (keys.uses(key, mask)) io.count(key, low, high, value);
+    if (keys.uses(key.name, mask)) io.count(key, low, high, value);
   };
-  time("slot", c.slot);
-  time("sifs", c.sifs);
-  count("cw_min", K::kWaves, {0, kMaxWindow}, c.cw_min);
-  count("cw_max", K::kWaves, {0, kMaxWindow}, c.cw_max);
-  count("cw_broadcast", K::kMf, {0, kMaxWindow}, c.cw_broadcast);
-  count("rts_threshold", K::kWaves, {0, 1e6}, c.rts_threshold);
-  count("short_retry_limit", K::kWaves, {1, 255}, c.short_retry_limit);
-  count("long_retry_limit", K::kB, {1, 255}, c.long_retry_limit);
-  count("queue_limit", K::kWaves | K::kDisk, {1, 1e6}, c.queue_limit);
+  time({"slot", "Of the backoff.", "20 us"}, c.slot);
+  time({"sifs", "Short interframe space.", "10 us"}, c.sifs);
+  count({"cw_min", "Smallest contention window, one less than a power of two.", "31"}, K::kWaves,
+        {0, kMaxWindow}, c.cw_min);
+  count({"cw_max", "Largest contention window, one less than a power of two.", "1023"}, K::kWaves,
+        {0, kMaxWindow}, c.cw_max);
+  count({"cw_broadcast", "Contention window of broadcast frames.", "31"}, K::kMf, {0, kMaxWindow},
+        c.cw_broadcast);
+  count({"rts_threshold", "Bytes; larger frames use RTS/CTS.", "2347"}, K::kWaves, {0, 1e6},
+        c.rts_threshold);
+  count({"short_retry_limit", "Transmissions of a frame, or of its RTS, in all.", "7"}, K::kWaves,
+        {1, 255}, c.short_retry_limit);
+  count({"long_retry_limit", "Transmissions of a data frame after RTS/CTS in all.", "4"}, K::kB,
+        {1, 255}, c.long_retry_limit);
+  count({"queue_limit", "Frames that may wait in a station.", "14"}, K::kWaves | K::kDisk, {1, 1e6},
+        c.queue_limit);
 }
 
 template <class Io>
@@ -179,13 +233,23 @@ void check(Mapping& in, const RadioConfig& c) {
     in.mistake("interference_floor", fmt::format("{} dBm is above the sensitivity, {} dBm",
                                                  c.interference_floor.value, c.sensitivity.value));
   }
+  if (c.noise_floor > c.sensitivity) {
+    in.warn("noise_floor", fmt::format("{} dBm is above the sensitivity, {} dBm: what is received "
+                                       "at that level drowns in noise",
+                                       c.noise_floor.value, c.sensitivity.value));
+  }
 }
 
 }  // namespace
 
 RadioConfig read_radio(Mapping in) {
-  in.integer("version", 1, 1, 1);
-  const std::optional<Profile> profile = in.choice("profile", kProfiles);
+  in.integer({"version", "Of the format of this file.", "1"}, 1, 1, 1);
+  const std::optional<Profile> profile =
+      in.choice({"profile",
+                 "The model: the paper's network card, the 802.11b standard, a range and a bit "
+                 "rate, or instant and lossless. It sets the defaults.",
+                 "ieee80211b"},
+                kProfiles);
   if (!profile) return {};  // which of the other keys are right depends on it
   RadioConfig config = radio::profile_defaults(*profile);
   FieldReader reader(in);

@@ -26,21 +26,47 @@ constexpr hal::Duration kDefaultLatency = 10ms;
 template <class Io>
 void run_keys(Io& io, Scenario& scenario) {
   agents::SimulationConfig& c = scenario.simulation;
-  io.count("seed", 0, std::numeric_limits<std::int64_t>::max(), c.seed);
-  io.duration("controller_latency", {0, 10}, c.controller_latency);
-  io.choice("control_phase", kPhases, c.control_phase);
-  io.duration("control_period", {1e-3, 10}, c.control_period);
-  io.duration("command_timeout", {1e-3, 3600}, c.command_timeout);
-  io.choice("on_death", kDeaths, c.on_death);
-  io.optional_duration("reply_timeout", 1e-3, scenario.reply_timeout);
-  io.duration("wait", {0, 3600}, scenario.wait);
-  io.choice("link", kLinks, c.link);
+  io.count({"seed", "Of all random streams: equal files and seeds give equal runs.", "1"}, 0,
+           std::numeric_limits<std::int64_t>::max(), c.seed);
+  io.duration({"controller_latency", "An action takes effect this long after the event it answers.",
+               "10 ms"},
+              {0, 10}, c.controller_latency);
+  io.choice({"control_phase",
+             "Whether all control cycles start together, or each agent's at a phase drawn for it.",
+             "uniform"},
+            kPhases, c.control_phase);
+  io.duration({"control_period", "Between two calls of a controller's step().", "100 ms"},
+              {1e-3, 10}, c.control_period);
+  io.duration({"command_timeout",
+               "Without a command for so long an agent stops driving: in real time, or with "
+               "`on_death: silence`.",
+               "500 ms"},
+              {1e-3, 3600}, c.command_timeout);
+  io.choice(
+      {"on_death", "A controller that dies or does not answer fails the run, or only falls silent.",
+       "fail"},
+      kDeaths, c.on_death);
+  io.optional_duration({"reply_timeout",
+                        "A controller that takes longer to answer, by the wall clock, counts as "
+                        "dead; none: it may take for ever, as under a debugger.",
+                        "10 s"},
+                       1e-3, scenario.reply_timeout);
+  io.duration({"wait", "How long to wait, by the wall clock, for the controllers before the start.",
+               "30 s"},
+              {0, 3600}, scenario.wait);
+  io.choice({"link",
+             "What routing learns of its frames: all that the MAC knows, or as little as a UDP "
+             "socket tells.",
+             "mac"},
+            kLinks, c.link);
 }
 
 template <class Io>
 void record_keys(Io& io, RecordOptions& c) {
-  io.choice("frames", kFrames, c.frames);
-  io.duration("pose_period", {1e-3, 3600}, c.pose_period);
+  io.choice({"frames", "Frames in the results: counted, or a row for each as well.", "counts"},
+            kFrames, c.frames);
+  io.duration({"pose_period", "Between two rows of an agent's pose in the results.", "1 s"},
+              {1e-3, 3600}, c.pose_period);
 }
 
 }  // namespace
@@ -49,8 +75,12 @@ void read_run(Mapping& in, Scenario& scenario) {
   scenario.simulation.controller_latency = kDefaultLatency;
   FieldReader reader(in);
   run_keys(reader, scenario);
+  if (scenario.simulation.command_timeout < scenario.simulation.control_period) {
+    in.mistake("command_timeout",
+               "must not be shorter than control_period: the wheels would stop between commands");
+  }
   scenario.simulation.world.seed = scenario.simulation.seed;
-  Mapping record = in.mapping("record");
+  Mapping record = in.mapping({"record", "What goes into the results."});
   FieldReader record_reader(record);
   record_keys(record_reader, scenario.record);
   record.finish();

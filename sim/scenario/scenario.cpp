@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "hal/config/document.h"
 #include "sim/scenario/agents_section.h"
 #include "sim/scenario/fields.h"
 #include "sim/scenario/outcome_section.h"
+#include "sim/scenario/overlap_check.h"
 #include "sim/scenario/radio_section.h"
 #include "sim/scenario/run_section.h"
 #include "sim/scenario/world_section.h"
@@ -17,7 +19,10 @@ namespace {
 
 /// The name becomes that of the results' folder.
 std::string read_name(Mapping& in, const std::string& otherwise) {
-  std::string name = in.text("name", otherwise);
+  std::string name = in.text(
+      {"name", "Of the scenario and of the folder of its results: letters, digits, '_' and '-'.",
+       "two_motes", "the file's without its ending"},
+      otherwise);
   const bool allowed = std::all_of(name.begin(), name.end(), [](char c) {
     const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
     return letter || (c >= '0' && c <= '9') || c == '_' || c == '-';
@@ -30,24 +35,36 @@ std::string read_name(Mapping& in, const std::string& otherwise) {
 
 }  // namespace
 
-Scenario load_scenario(const std::filesystem::path& file,
-                       const std::vector<std::string>& overrides) {
-  auto document = hal::config::Document::load(file, overrides);
-  Mapping in = document.root();
+Scenario read_scenario(Mapping in, const std::filesystem::path& file) {
   Scenario scenario;
-  in.integer("version", 1, 1);
+  in.integer({"version", "Of the format of this file.", "1"}, 1, 1);
   scenario.name = read_name(in, file.stem().string());
   read_run(in, scenario);
-  read_world(in.mapping("world"), scenario.simulation);
-  scenario.simulation.radio = read_radio(in.mapping("radio"));
-  scenario.simulation.routing =
-      read_routing(in.mapping("routing"), transmit_status(scenario.simulation.link));
-  scenario.simulation.localisation = read_localisation(in.mapping("localisation"));
-  read_agents(in.mapping("agents"), scenario);
+  read_world(in.mapping({"world", "Walls, boxes and the physics engine."}), scenario.simulation);
+  scenario.simulation.radio = read_radio(in.mapping({"radio", "The radio that all agents have."}));
+  scenario.simulation.routing = read_routing(
+      in.mapping({"routing", "How messages find their way over several hops: ant routing."}),
+      transmit_status(scenario.simulation.link));
+  scenario.simulation.localisation = read_localisation(
+      in.mapping({"localisation", "What controllers are told of where the others are."}));
+  read_agents(
+      in.mapping(
+          {"agents", "Groups of agents, each under a name of its own (here NAME); at least one."}),
+      scenario);
   read_ends(in, scenario);
   read_expectations(in, scenario);
   in.finish();
+  return scenario;
+}
+
+Scenario load_scenario(const std::filesystem::path& file,
+                       const std::vector<std::string>& overrides) {
+  auto document = hal::config::Document::load(file, overrides);
+  Scenario scenario = read_scenario(document.root(), file);
   document.finish();
+  scenario.warnings = document.warnings();
+  std::vector<std::string> overlapping = overlaps(scenario);
+  if (!overlapping.empty()) throw hal::config::ConfigErrors(std::move(overlapping));
   return scenario;
 }
 

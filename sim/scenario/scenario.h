@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "hal/config/mapping.h"
 #include "hal/types/agent_id.h"
 #include "hal/types/quantity.h"
 #include "hal/types/time.h"
@@ -19,10 +20,11 @@ using namespace std::chrono_literals;
 /// Agents that were declared together: one key under `agents:`.
 struct Group {
   std::string name;
-  std::vector<hal::AgentId> agents;  ///< In order of declaration, at least one.
-  std::string program;               ///< Controller.
-  std::string program_place;         ///< "file:line:column" of `program`, for error messages.
-  int processes = 1;                 ///< Controller processes that share the agents.
+  std::vector<hal::AgentId> agents;   ///< In order of declaration, at least one.
+  std::vector<std::string> places{};  ///< "file:line:column" of each one's pose, or of their grid.
+  std::string program;                ///< Controller.
+  std::string program_place;          ///< "file:line:column" of `program`, for error messages.
+  int processes = 1;                  ///< Controller processes that share the agents.
 };
 
 /// The run must end with this result.
@@ -32,8 +34,13 @@ struct ExpectedResult {
 
 /// The true distance between two agents at the end of the run must be below a limit.
 struct ExpectedDistance {
-  hal::AgentId from, to;
+  std::string whose;                ///< Name of the first one or, with `entered`, a pattern.
+  std::vector<hal::AgentId> which;  ///< The agents it names: one, or with `entered` at least one.
+  hal::AgentId to;
   hal::Metres below;
+  /// Not empty: of these agents the one whose controller was the last to enter this state, e.g.
+  /// whichever robot the task fell to.
+  std::string entered = {};
 };
 
 /// One entry of `expect:`.
@@ -63,13 +70,19 @@ struct Scenario {
   std::optional<hal::Duration> reply_timeout = 10s;  ///< None: wait for ever.
   hal::Duration wait = 30s;                          ///< For the next controller, before the start.
   RecordOptions record;
+  std::vector<std::string> state_places;  ///< Of each end condition's `state`; empty: it has none.
+  std::vector<std::string> warnings;      ///< What is allowed and hardly meant, a line each.
 };
+
+/// Reads a scenario from the top level of its file; notes mistakes there.
+Scenario read_scenario(hal::config::Mapping in, const std::filesystem::path& file);
 
 /// Reads a scenario.
 /// @param overrides  "dotted.path=value" in the file's value syntax; they win over the file, later
 ///   ones over earlier ones. A mapping on the right replaces the file's. `include` paths are
 ///   relative to the scenario's folder or, failing that, to the working directory.
-/// @throws hal::config::ConfigErrors with every mistake in all files.
+/// @throws hal::config::ConfigErrors with every mistake in all files or, if there is none, with the
+///   bodies that overlap at the start.
 Scenario load_scenario(const std::filesystem::path& file,
                        const std::vector<std::string>& overrides = {});
 

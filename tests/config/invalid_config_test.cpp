@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hal/config/errors.h"
+#include "hal/config/shared_folders.h"
 #include "sim/scenario/scenario.h"
 
 /// Each file in config/invalid says in its first lines what is wrong with it:
@@ -16,6 +17,10 @@
 ///   # expect: parts/other.yaml:line:column: …     in an included file
 ///   # expect: --set KEY: …                        in an override
 ///   # expect-check: …           found only with the controller's plug-in, by `baraka check`
+///
+/// Files in config/doubtful are accepted, with the warnings that their first lines name:
+///
+///   # warns: line:column: warning: key: what is doubtful
 namespace sim::scenario {
 namespace {
 
@@ -23,10 +28,11 @@ namespace fs = std::filesystem;
 using Lines = std::vector<std::string>;
 
 const fs::path kFolder = fs::path(CONFIG_DIR) / "invalid";
+const fs::path kDoubtful = fs::path(CONFIG_DIR) / "doubtful";
 
-std::vector<std::string> files() {
+std::vector<std::string> files(const fs::path& folder) {
   std::vector<std::string> names;
-  for (const auto& entry : fs::directory_iterator(kFolder)) {
+  for (const auto& entry : fs::directory_iterator(folder)) {
     if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
   }
   std::sort(names.begin(), names.end());
@@ -52,7 +58,8 @@ std::string without(std::string text, const std::string& part) {
   return text;
 }
 
-/// Messages of loading a file as `# expect:` writes them: without the folder and the file's name.
+/// Messages of loading a file as `# expect:` writes them: without the folder, the file's name and
+/// the shared folders.
 Lines messages(const fs::path& file, const Lines& overrides) {
   try {
     load_scenario(file, overrides);
@@ -61,8 +68,9 @@ Lines messages(const fs::path& file, const Lines& overrides) {
     for (const std::string& message : errors.messages()) {
       const std::string own = file.string() + ":";
       const bool is_own = message.rfind(own, 0) == 0;
-      lines.push_back(
-          without(is_own ? message.substr(own.size()) : message, kFolder.string() + "/"));
+      const std::string line =
+          without(is_own ? message.substr(own.size()) : message, kFolder.string() + "/");
+      lines.push_back(without(line, hal::config::listed_shared_folders()));
     }
     return lines;
   }
@@ -79,7 +87,23 @@ TEST_P(InvalidConfig, IsRefusedWithTheMessagesItNames) {
   EXPECT_EQ(messages(file, comments(file, "set")), expected);
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, InvalidConfig, testing::ValuesIn(files()),
+INSTANTIATE_TEST_SUITE_P(Files, InvalidConfig, testing::ValuesIn(files(kFolder)),
+                         [](const auto& c) { return c.param; });
+
+class DoubtfulConfig : public testing::TestWithParam<std::string> {};
+
+TEST_P(DoubtfulConfig, IsAcceptedWithTheWarningsItNames) {
+  const fs::path file = kDoubtful / (GetParam() + ".yaml");
+  const Lines expected = comments(file, "warns");
+  ASSERT_FALSE(expected.empty()) << file << " does not say what is doubtful about it";
+  Lines warnings;
+  for (const std::string& warning : load_scenario(file).warnings) {
+    warnings.push_back(without(warning, file.string() + ":"));
+  }
+  EXPECT_EQ(warnings, expected);
+}
+
+INSTANTIATE_TEST_SUITE_P(Files, DoubtfulConfig, testing::ValuesIn(files(kDoubtful)),
                          [](const auto& c) { return c.param; });
 
 // What users start from must load.
@@ -87,6 +111,7 @@ TEST(ShippedConfig, Loads) {
   int scenarios = 0;
   for (const auto& entry : fs::directory_iterator(fs::path(CONFIG_DIR) / "scenarios")) {
     EXPECT_EQ(messages(entry.path(), {}), Lines{}) << entry.path();
+    EXPECT_EQ(load_scenario(entry.path()).warnings, Lines{}) << entry.path();
     ++scenarios;
   }
   EXPECT_GE(scenarios, 2);

@@ -4,6 +4,7 @@ import contextlib
 import csv
 import shutil
 import sqlite3
+import subprocess
 import unittest
 
 from baraka import BIN, CASE_STUDY, ROOT, Case, Program
@@ -25,6 +26,51 @@ class CommandLine(Case):
         finished = Program("baraka", "run", "--help").finish()
         self.assertEqual(finished.status, 0)
         self.assertIn("--max-speed", finished.out)
+
+    def test_a_word_that_is_nearly_right_is_found(self):
+        for arguments, what in ((["ruin"], "'ruin' is no command; did you mean 'run'?"),
+                                (["topic", "ecko"], "'ecko' is no command; did you mean 'echo'?"),
+                                (["run", TWO_MOTES, "--sed", "1"], "'--sed' is no option; did you mean '--seed'?"),
+                                (["run", TWO_MOTES, "--controllers", "externl"],
+                                 "'externl' is not one of spawn, external, in-process; did you mean 'external'?")):
+            with self.subTest(arguments=arguments):
+                finished = Program("baraka", *arguments).finish()
+                self.assertEqual(finished.status, 2, str(finished))
+                self.assertIn(what, finished.err)
+
+    def test_every_program_tells_its_version(self):
+        for program in ("baraka", "baraka-agentd", "help_mote"):
+            finished = Program(program, "--version").finish()
+            self.assertEqual(finished.status, 0, str(finished))
+            self.assertRegex(finished.out, rf"^{program} \(BARAKA \d+\.\d+\.\d+\)\n$")
+
+    def test_help_names_what_can_be_chosen(self):
+        help_text = Program("baraka", "run", "--help").finish().out
+        self.assertIn("spawn|external|in-process", help_text)
+        self.assertNotIn("ENUM", help_text)
+
+    def test_items_of_lists_can_be_set(self):
+        pose = "agents.robots.poses.0.x"
+        self.run_baraka(CASE_STUDY, *IN_PROCESS, "--until", "1", "--set", f"{pose}=3 m")
+        self.assertEqual(self.query("SELECT x_m FROM agents WHERE name = 'r0'"), [(3,)])
+        finished = Program("baraka", "check", CASE_STUDY, "--set", "agents.robots.poses.7.x=3 m").finish()
+        self.assertEqual(finished.status, 2, str(finished))
+        self.assertIn("--set agents.robots.poses.7.x: '7' is no item: the list has 1, 0 to 0", finished.err)
+        finished = Program("baraka", "check", CASE_STUDY, "--set", f"{pose}=far").finish()
+        self.assertIn(f"--set {pose}: 'far' is not a number", finished.err)
+
+    def test_what_cannot_be_printed_is_a_failure(self):
+        self.run_baraka(TWO_MOTES, *IN_PROCESS)
+        for program, *arguments in (["baraka", "--help"], ["baraka", "--version"],
+                                    ["baraka", "check", TWO_MOTES], ["baraka", "report", self.out],
+                                    ["baraka", "run", TWO_MOTES, *IN_PROCESS, "--out", self.folder / "full"],
+                                    ["baraka", "new-controller", "x", "--to", self.folder],
+                                    ["baraka-agentd", "--help"], ["help_mote", "--help"]):
+            with self.subTest(program=program, arguments=arguments), open("/dev/full", "w") as full:
+                finished = subprocess.run([BIN / program, *map(str, arguments)], stdout=full,
+                                          stderr=subprocess.PIPE, text=True)
+                self.assertEqual(finished.returncode, 1, finished.stderr)
+                self.assertRegex(finished.stderr, "error: (standard output: |.*No space left on device)")
 
     def test_check_finds_every_mistake_and_places_it(self):
         self.assertEqual(Program("baraka", "check", CASE_STUDY).finish().status, 0)

@@ -128,7 +128,8 @@ class Includes(Package):
     def test_one_that_is_nowhere_is_named(self):
         finished = self.check("robots/mole.yaml")
         self.assertEqual(finished.status, 2)
-        self.assertRegex(finished.err, r"scenario.yaml:\d+:\d+: .*include: there is no file '.*robots/mole.yaml'")
+        self.assertRegex(finished.err, r"scenario.yaml:\d+:\d+: .*include: there is no file '.*robots/mole.yaml', "
+                         rf"nor in the shared folders \(.*{re.escape(str(self.prefix))}/share/baraka\)")
 
 
 class NewController(Package):
@@ -147,6 +148,8 @@ class NewController(Package):
     def test_of_a_robot_builds_and_passes_its_own_test_which_can_fail(self):
         project = self.new("wall_finder")
         self.build(project)
+        sections = self.succeed("readelf", "--section-headers", project / "build/wall_finder").out
+        self.assertIn(".debug_info", sections, "a debugger finds its way in it")
         tested = self.ctest(project)
         self.assertEqual(tested.status, 0, str(tested))
         self.assertIn("100% tests passed, 0 tests failed out of 1", tested.out)

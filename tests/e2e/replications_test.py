@@ -148,7 +148,7 @@ class Outcomes(Replications):
 
     def test_wrong_options_are_usage_errors(self):
         for options in (["--replications", "0"], ["--jobs", "2"],
-                        ["--replications", "2", "--jobs", "2", "--domain", "9"]):
+                        ["--replications", "2", "--jobs", "2", "--domain", "9-9"]):
             with self.subTest(options=options):
                 self.replicate(*options, status=2)
 

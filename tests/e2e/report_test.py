@@ -199,6 +199,24 @@ class Page(Case):
         self.assertEqual(median.children[1].text, "2.520")
         self.assertEqual(self.document.section("profiles").count("box"), 2 * 3)
 
+    def test_what_differs_is_listed_and_the_paper_left_out_where_it_does_not_belong(self):
+        keys = [row.children[0].text for row in self.document.section("differences").all("tr")]
+        self.assertIn("radio.profile", keys)
+        self.run_baraka(CASE_STUDY, "--controllers", "in-process", "--until", "5", "--set",
+                        "agents.robots.controller.parameters.speed=0.5 m/s")
+        page = self.folder / "slow.html"
+        self.report(page, self.out)
+        document = Document(chromium(self.folder, page, "--dump-dom"))
+        head = next(document.section("comparison").all("tr"))
+        self.assertEqual([cell.text for cell in head.children], ["figure", "mobility_framework"])
+        reasons = [p.text for p in document.root.all("caption") if "case study" in p.text]
+        self.assertEqual(len(reasons), 1)
+        self.assertIn("speed is 0.5 m/s, not 0.94 m/s", reasons[0])
+        for name in ("discovery", "delay"):
+            for section in document.root.all("section"):
+                if section["id"] == name:
+                    self.assertNotIn("paper", [cell.text for cell in section.all("td")])
+
     def test_it_needs_nothing_but_itself(self):
         source = Document(self.page.read_text()).root
         for element in [*source.all("script"), *source.all("link"), *source.all("img")]:

@@ -38,6 +38,12 @@ class Folders(Case):
         rows = self.query(f"SELECT value FROM run WHERE key = '{key}'", out)
         return rows[0][0] if rows else None
 
+    def has_poses(self):
+        try:
+            return self.query("SELECT COUNT(*) FROM poses")[0][0] > 0
+        except sqlite3.OperationalError:
+            return False  # not even the tables are there
+
     def names(self):
         return sorted(path.name for path in self.folder.iterdir())
 
@@ -252,8 +258,7 @@ class Killed(Folders):
 
     def test_one_that_was_killed_is_called_unfinished(self):
         program = self.start(CASE_STUDY, *IN_PROCESS, "--max-speed", "2", out=self.out)
-        wait_for(lambda: self.out.exists() and (self.out / "run.sqlite").exists()
-                 and self.query("SELECT COUNT(*) FROM poses")[0][0] > 0)
+        wait_for(self.has_poses)
         send(program.process.pid, "SIGKILL")
         program.finish()
         self.assertEqual(self.run_value("result"), "running")
@@ -275,6 +280,17 @@ class Places(Folders):
         self.assertTrue(self.out.is_symlink())
         self.assertEqual((self.run_value("seed"), self.run_value("seed", real.with_name("real.1"))),
                          (2, 1))
+
+    def test_however_the_folder_is_written_it_is_the_same(self):
+        self.run_to("--seed", "1", out=f"{self.folder}/./x/../out/")
+        self.run_to("--seed", "2", out=f"{self.folder}//out")
+        self.out = self.folder / "out"
+        self.assertEqual(self.names(), ["out", "out.1"])
+        done = subprocess.run([BIN / "baraka", "run", TWO_MOTES, *IN_PROCESS, "--seed", "3", "--out", "."],
+                              cwd=self.out, capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn(f"results: {self.out}\n", done.stdout)
+        self.assertEqual([self.run_value("seed", self.beside(s)) for s in (".1", ".2", "")], [1, 2, 3])
 
     def test_what_is_no_folder_is_refused(self):
         self.out.write_text("precious")
@@ -351,6 +367,7 @@ class FullDisk(Folders):
                 self.assertEqual(done.returncode, 1, done.stderr)
                 self.assertIn("result: failed", done.stdout)
                 self.assertRegex(done.stderr, "error: .*run.sqlite: .*full")
+                self.assertNotIn("   0.000000000]", done.stderr)
                 self.assertEqual(self.run_value("result"), "failed")
                 self.assertIn("full", self.run_value("error"))
                 self.assertEqual(self.run_value("exit_status"), 1)

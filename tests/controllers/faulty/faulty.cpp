@@ -1,4 +1,6 @@
 #include <chrono>
+#include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <stdexcept>
 #include <thread>
@@ -14,6 +16,19 @@ class Faulty : public hal::Controller {
   void step() override {
     if (is_due("throw_at")) throw std::runtime_error("the wheels have come off");
     if (is_due("hang_at")) std::this_thread::sleep_for(std::chrono::hours(1));
+    if (is_due("exit_at")) std::exit(0);
+    if (is_due("thread_exit_at")) {
+      std::thread([] { std::exit(0); }).join();
+    }
+    if (is_due("shout_at")) {
+      robot_.log(hal::log::Level::kWarning, "\033[2Jshouted\n[   0.000000000] error r1: forged");
+      robot_.state("\033]0;LOUD\007");
+    }
+    if (is_due("throw_loudly_at")) throw std::runtime_error("\033[2Jthe wheels are green");
+    if (hal::to_seconds(robot_.now()) >= parameters_["nan_from"]) {
+      const auto refused = robot_.set_body_velocity({.omega = std::nan("")});
+      if (!refused) robot_.log(hal::log::Level::kWarning, refused.error().message);
+    }
     if (is_due("nan_at")) {
       const auto refused =
           robot_.set_body_velocity({.vx = std::numeric_limits<double>::quiet_NaN()});
@@ -44,6 +59,11 @@ BARAKA_CONTROLLER {
           .wants = {},
           .parameters = {{"throw_at", "s", never, 0, never, "Throws."},
                          {"hang_at", "s", never, 0, never, "Does not return."},
+                         {"exit_at", "s", never, 0, never, "Calls exit(0)."},
+                         {"thread_exit_at", "s", never, 0, never, "The same on another thread."},
+                         {"shout_at", "s", never, 0, never, "Says escape sequences."},
+                         {"throw_loudly_at", "s", never, 0, never, "Throws an escape sequence."},
+                         {"nan_from", "s", never, 0, never, "Drives with NaN in every cycle."},
                          {"nan_at", "s", never, 0, never, "Drives with NaN."},
                          {"beyond_at", "s", never, 0, never, "Turns a wheel too fast."}},
           .make_for_robot = hal::make_for_robot<Faulty>};

@@ -14,7 +14,7 @@ class DocumentTest : public Files {
   /// The plain number at a dotted path of two keys.
   static double number(Document& document, const std::string& outer, const std::string& inner) {
     Mapping root = document.root();
-    return root.mapping(outer).number(inner, "1", {-1e9, 1e9}, -1);
+    return root.mapping(key(outer)).number(key(inner), "1", {-1e9, 1e9}, -1);
   }
 };
 
@@ -78,7 +78,7 @@ TEST_F(DocumentTest, PlacesMistakesInTheIncludedFile) {
   const auto found = messages([&] {
     auto document = Document::load(write("a.yaml", "x: {include: base.yaml}\n"));
     Mapping root = document.root();
-    root.mapping("x").number("b", "1", {0, 1});
+    root.mapping(key("x")).number(key("b"), "1", {0, 1});
     document.finish();
   });
   EXPECT_EQ(found, (Lines{"base.yaml:3:4: x.b: 'far' is not a number"}));
@@ -102,9 +102,10 @@ TEST_F(DocumentTest, MayIncludeOneFileTwice) {
 }
 
 TEST_F(DocumentTest, NamesTheIncludeThatLeadsNowhere) {
-  EXPECT_EQ(loading(write("a.yaml", "x:\n  include: no.yaml\ny: {include: [1]}\n")),
-            (Lines{"a.yaml:2:12: x.include: there is no file 'no.yaml'",
-                   "a.yaml:3:14: y.include: must be the path of a file, not a list of 1"}));
+  EXPECT_EQ(
+      loading(write("a.yaml", "x:\n  include: no.yaml\ny: {include: [1]}\n")),
+      (Lines{"a.yaml:2:12: x.include: there is no file 'no.yaml', nor in the shared folders ()",
+             "a.yaml:3:14: y.include: must be the path of a file, not a list of 1"}));
 }
 
 TEST_F(DocumentTest, LetsTheCommandLineWinOverFileAndIncludes) {
@@ -155,14 +156,144 @@ TEST_F(DocumentTest, NamesTheOverrideWhoseValueIsWrong) {
   const auto found = messages([&] {
     auto document = Document::load(write("a.yaml", "x: {a: 1}\n"), {"x.a=1 m", "x.aa=2"});
     Mapping root = document.root();
-    Mapping x = root.mapping("x");
-    x.number("a", "1", {0, 1});
+    Mapping x = root.mapping(key("x"));
+    x.number(key("a"), "1", {0, 1});
     x.finish();
     root.finish();
     document.finish();
   });
   EXPECT_EQ(found, (Lines{"--set x.a: '1 m' must be a plain number, without a unit",
-                          "--set x.aa: is not a known key"}));
+                          "--set x.aa: is not a known key; known here: a"}));
+}
+
+TEST_F(DocumentTest, TellsADirectoryFromAFileThatIsNotThere) {
+  std::filesystem::create_directory(folder_ / "sub");
+  EXPECT_EQ(loading(folder_ / "sub"), (Lines{"sub: is a directory, not a file"}));
+  EXPECT_EQ(loading(write("a.yaml", "x: {include: sub}\n")),
+            (Lines{"a.yaml:1:14: x.include: 'sub' is a directory, not a file"}));
+  EXPECT_EQ(loading("/dev/null"), (Lines{"/dev/null: is not a regular file"}));
+}
+
+TEST_F(DocumentTest, FindsIncludesBesideTheFileThatALinkLeadsTo) {
+  write("real/b.yaml", "a: 1\n");
+  write("links/b.yaml", "a: 2\n");
+  std::filesystem::create_symlink(write("real/a.yaml", "x: {include: b.yaml}\n"),
+                                  folder_ / "links" / "a.yaml");
+  auto document = Document::load(folder_ / "links" / "a.yaml");
+  EXPECT_EQ(number(document, "x", "a"), 1);
+}
+
+/// Seconds would show: without its limit each of these takes minutes or all memory.
+TEST_F(DocumentTest, RefusesIncludesThatDoubleWithoutEnd) {
+  for (int i = 0; i < 40; ++i) {
+    const std::string next = "f" + std::to_string(i + 1) + ".yaml";
+    write("f" + std::to_string(i) + ".yaml",
+          "x: {include: " + next + "}\ny: {include: " + next + "}\n");
+  }
+  write("f40.yaml", "a: 1\n");
+  const Lines found = loading(folder_ / "f0.yaml");
+  ASSERT_FALSE(found.empty());
+  EXPECT_NE(found[0].find("include: is file 1001; at most 1000 are read"), std::string::npos)
+      << found[0];
+}
+
+TEST_F(DocumentTest, RefusesIncludesInMappingsWithoutEnd) {
+  std::string text = "include: last.yaml";
+  for (int i = 0; i < 60; ++i) text = "x: {" + text + "}";
+  write("last.yaml", "a: 1\n");
+  const Lines found = loading(write("a.yaml", text + "\n"));
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NE(found[0].find("include: stands in 60 mappings; at most 50 are read"), std::string::npos)
+      << found[0];
+}
+
+TEST_F(DocumentTest, RefusesWhatWouldFillTheMemory) {
+  std::string list = "a: [0";
+  for (int i = 0; i < 600'000; ++i) list += ",0";
+  EXPECT_NE(loading(write("a.yaml", list + "]\n")).at(0).find("has more values than the 500000"),
+            std::string::npos);
+  EXPECT_EQ(loading(write("b.yaml", std::string(9U << 20U, '#'))),
+            (Lines{"b.yaml: has 9437184 bytes; at most 8388608 are read"}));
+  std::string keys;
+  for (int i = 0; i < 10'001; ++i) keys += "k" + std::to_string(i) + ": 0\n";
+  EXPECT_EQ(loading(write("c.yaml", keys)),
+            (Lines{"c.yaml:10001:1: has 10001 keys; at most 10000 are read"}));
+}
+
+TEST_F(DocumentTest, RefusesABombOfAliasesWithoutBuildingIt) {
+  std::string text = "a0: &a0 [x, x]\n";
+  for (int i = 1; i < 60; ++i) {
+    const std::string one = "*a" + std::to_string(i - 1);
+    text += "a" + std::to_string(i) + ": &a" + std::to_string(i) + " [" + one + ", " + one + "]\n";
+  }
+  const Lines found = loading(write("a.yaml", text));
+  EXPECT_EQ(found.size(), 60u + 2 * 59u);
+  EXPECT_EQ(found.at(0), "a.yaml:1:5: anchors (&) are not supported");
+}
+
+TEST_F(DocumentTest, RefusesAnOverrideOfManyParts) {
+  std::string path = "a";
+  for (int i = 1; i < 60'000; ++i) path += ".a";
+  const Lines found = loading(write("a.yaml", "a: 1\n"), {path + "=1"});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NE(found[0].find("has 60000 parts; at most 50 are read"), std::string::npos);
+  EXPECT_LT(found[0].size(), 1500u);
+}
+
+TEST_F(DocumentTest, ShowsTerminalsNeitherControlCharactersNorEndlessWords) {
+  const Lines found = messages([&] {
+    Document document =
+        Document::load(write("a.yaml", "\"\\e[2J\": 1\nb: " + std::string(100'000, 'x') + "\n"));
+    Mapping root = document.root();
+    root.number(key("b"), "1", {0, 1});
+    root.finish();
+    document.finish();
+  });
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0], "a.yaml:1:1: \\x1b[2J: is not a known key; known here: b");
+  EXPECT_NE(found[1].find("...(100002 bytes)..."), std::string::npos);
+  EXPECT_LT(found[1].size(), 700u);
+}
+
+TEST_F(DocumentTest, SetsItemsOfListsByTheirNumber) {
+  const auto file = write("a.yaml", "l: [{a: 1, b: 2}, {a: 3, b: 4}]\nv: [1, 2]\n");
+  auto document = Document::load(file, {"l.1.a=30", "v.0=10"});
+  Mapping root = document.root();
+  std::vector<Mapping> items = root.mappings(key("l"));
+  ASSERT_EQ(items.size(), 2u);
+  EXPECT_EQ(items[0].number(key("a"), "1", {-1e9, 1e9}, -1), 1);
+  EXPECT_EQ(items[1].number(key("a"), "1", {-1e9, 1e9}, -1), 30);
+  EXPECT_EQ(items[1].number(key("b"), "1", {-1e9, 1e9}, -1), 4);
+  EXPECT_EQ(root.vec2(key("v"), "1", {-1e9, 1e9}).x, 10);
+}
+
+TEST_F(DocumentTest, SetsItemsOfListsThatAreIncluded) {
+  write("base.yaml", "l: [{a: 1}, {a: 3}]\n");
+  auto document = Document::load(write("a.yaml", "x: {include: base.yaml}\n"), {"x.l.0={a: 7}"});
+  Mapping root = document.root();
+  EXPECT_EQ(root.mapping(key("x")).mappings(key("l"))[0].number(key("a"), "1", {-1e9, 1e9}, -1), 7);
+}
+
+TEST_F(DocumentTest, NamesTheNumberOfAnItemThatIsNotThere) {
+  const auto file = write("a.yaml", "l: [{a: 1}, {a: 3}]\ne: []\n");
+  EXPECT_EQ(loading(file, {"l.2.a=1"}),
+            (Lines{"--set l.2.a: '2' is no item: the list has 2, 0 to 1"}));
+  EXPECT_EQ(loading(file, {"l.first.a=1"}),
+            (Lines{"--set l.first.a: 'first' is no item: the list has 2, 0 to 1"}));
+  EXPECT_EQ(loading(file, {"l.-1.a=1"}),
+            (Lines{"--set l.-1.a: '-1' is no item: the list has 2, 0 to 1"}));
+  EXPECT_EQ(loading(file, {"e.0.a=1"}), (Lines{"--set e.0.a: '0' is no item: the list has 0"}));
+}
+
+TEST_F(DocumentTest, NamesTheNumberOfAnItemWithAMistake) {
+  const auto file = write("a.yaml", "l: [{a: 1}, {a: 3}]\n");
+  const auto found = messages([&] {
+    auto document = Document::load(file, {"l.1.a=far"});
+    Mapping root = document.root();
+    for (Mapping& item : root.mappings(key("l"))) (void)item.number(key("a"), "1", {-1e9, 1e9}, -1);
+    document.finish();
+  });
+  EXPECT_EQ(found, (Lines{"--set l.1.a: 'far' is not a number"}));
 }
 
 }  // namespace

@@ -9,6 +9,8 @@
 #include <vector>
 
 #include "hal/config/document.h"
+#include "hal/config/key.h"
+#include "hal/config/shared_folders.h"
 
 namespace hal::config {
 
@@ -32,7 +34,8 @@ class Files : public testing::Test {
     return path;
   }
 
-  /// Runs `read` and gives the messages of the errors it throws, without the folder's name.
+  /// Runs `read` and gives the messages of the errors it throws, without the names of its folder
+  /// and of the shared ones.
   template <class Read>
   std::vector<std::string> messages(Read read) const {
     try {
@@ -40,9 +43,10 @@ class Files : public testing::Test {
     } catch (const ConfigErrors& errors) {
       std::vector<std::string> result;
       for (std::string message : errors.messages()) {
-        const std::string prefix = folder_.string() + "/";
-        for (auto at = message.find(prefix); at != std::string::npos; at = message.find(prefix)) {
-          message.erase(at, prefix.size());
+        for (const std::string& part : {folder_.string() + "/", listed_shared_folders()}) {
+          for (auto at = message.find(part); at != std::string::npos; at = message.find(part)) {
+            message.erase(at, part.size());
+          }
         }
         result.push_back(message);
       }
@@ -55,5 +59,8 @@ class Files : public testing::Test {
 };
 
 using Lines = std::vector<std::string>;
+
+/// A key of a test, described somehow.
+inline Key key(const std::string& name) { return {name, "Of a test."}; }
 
 }  // namespace hal::config

@@ -31,64 +31,65 @@ TEST_F(MappingTest, ReadsEveryKindOfValue) {
       "3}]\n"
       "timeout: none\n",
       [](Mapping& in) {
-        EXPECT_EQ(in.number("power", "dBm", {-30, 30}), 20);
-        EXPECT_EQ(in.integer("count", 0, 12), 12);
-        EXPECT_EQ(in.duration("wait", {0, 1}), 250ms);
-        EXPECT_TRUE(in.flag("on", false));
-        EXPECT_EQ(in.text("name"), "m{}");
-        EXPECT_EQ(in.vec2("at", "m", {-5, 5}), (Vec2{1, -0.02}));
-        EXPECT_EQ(in.vec3("size", "m", {0, 5}), (Vec3{1, 2, 3}));
-        EXPECT_EQ(in.choice("phase", kPhases), 2);
-        EXPECT_EQ(in.texts("list").at(1).text, "b");
-        Mapping inner = in.mapping("inner");
-        EXPECT_EQ(inner.number("x", "1", {0, 1}), 1);
-        EXPECT_EQ(in.mappings("items").at(1).number("y", "1", {0, 9}), 3);
-        EXPECT_EQ(in.optional_duration("timeout", 0, 1s), std::nullopt);
+        EXPECT_EQ(in.number(key("power"), "dBm", {-30, 30}), 20);
+        EXPECT_EQ(in.integer(key("count"), 0, 12), 12);
+        EXPECT_EQ(in.duration(key("wait"), {0, 1}), 250ms);
+        EXPECT_TRUE(in.flag(key("on"), false));
+        EXPECT_EQ(in.text(key("name")), "m{}");
+        EXPECT_EQ(in.vec2(key("at"), "m", {-5, 5}), (Vec2{1, -0.02}));
+        EXPECT_EQ(in.vec3(key("size"), "m", {0, 5}), (Vec3{1, 2, 3}));
+        EXPECT_EQ(in.choice(key("phase"), kPhases), 2);
+        EXPECT_EQ(in.texts(key("list")).at(1).text, "b");
+        Mapping inner = in.mapping(key("inner"));
+        EXPECT_EQ(inner.number(key("x"), "1", {0, 1}), 1);
+        EXPECT_EQ(in.mappings(key("items")).at(1).number(key("y"), "1", {0, 9}), 3);
+        EXPECT_EQ(in.optional_duration(key("timeout"), 0, 1s), std::nullopt);
       });
   EXPECT_EQ(none, Lines{});
 }
 
 TEST_F(MappingTest, KeepsWhatIsOtherwiseTrueForAbsentKeys) {
   const auto none = mistakes("{}\n", [](Mapping& in) {
-    EXPECT_EQ(in.number("power", "dBm", {-30, 30}, 7), 7);
-    EXPECT_EQ(in.integer("count", 0, 12, 3), 3);
-    EXPECT_EQ(in.duration("wait", {0, 1}, 5s), 5s);
-    EXPECT_TRUE(in.flag("on", true));
-    EXPECT_EQ(in.text("name", "x"), "x");
-    EXPECT_EQ(in.optional_duration("timeout", 0, 1s), 1s);
-    EXPECT_EQ(in.choice("phase", kPhases, 9), 9);
-    EXPECT_TRUE(in.mappings("items").empty());
-    EXPECT_TRUE(in.texts("list").empty());
+    EXPECT_EQ(in.number(key("power"), "dBm", {-30, 30}, 7), 7);
+    EXPECT_EQ(in.integer(key("count"), 0, 12, 3), 3);
+    EXPECT_EQ(in.duration(key("wait"), {0, 1}, 5s), 5s);
+    EXPECT_TRUE(in.flag(key("on"), true));
+    EXPECT_EQ(in.text(key("name"), "x"), "x");
+    EXPECT_EQ(in.optional_duration(key("timeout"), 0, 1s), 1s);
+    EXPECT_EQ(in.choice(key("phase"), kPhases, 9), 9);
+    EXPECT_TRUE(in.mappings(key("items")).empty());
+    EXPECT_TRUE(in.texts(key("list")).empty());
   });
   EXPECT_EQ(none, Lines{});
 }
 
 TEST_F(MappingTest, ReportsAllMistakesSortedByPosition) {
   const auto found = mistakes("z: 9 m\na: nan\nunknown: 1\nb: {c: 99}\n", [](Mapping& in) {
-    Mapping b = in.mapping("b");
-    b.integer("c", 0, 10);
-    b.number("d", "s", {0, 1});
+    Mapping b = in.mapping(key("b"));
+    b.integer(key("c"), 0, 10);
+    b.number(key("d"), "s", {0, 1});
     b.finish();
-    in.number("a", "1", {0, 1});
-    in.number("z", "m", {0, 1});
+    in.number(key("a"), "1", {0, 1});
+    in.number(key("z"), "m", {0, 1});
   });
   EXPECT_EQ(found, (Lines{"a.yaml:1:4: z: 9 m is above the limit of 1 m",
                           "a.yaml:2:4: a: 'nan' is not a number",
-                          "a.yaml:3:1: unknown: is not a known key", "a.yaml:4:4: b.d: is missing",
+                          "a.yaml:3:1: unknown: is not a known key; known here: b, a, z",
+                          "a.yaml:4:4: b.d: is missing: a number with its unit (s), 0 s .. 1 s",
                           "a.yaml:4:8: b.c: 99 is above the limit of 10"}));
 }
 
 TEST_F(MappingTest, SuggestsTheKeyThatWasMeantAmongThoseAskedFor) {
   const auto found = mistakes("cca_treshold: -80 dBm\n", [](Mapping& in) {
-    in.number("cca_threshold", "dBm", {-99, 0}, 0);
+    in.number(key("cca_threshold"), "dBm", {-99, 0}, 0);
   });
   EXPECT_EQ(found, (Lines{"a.yaml:1:1: cca_treshold: is not a known key; did you mean "
-                          "'cca_threshold'?"}));
+                          "'cca_threshold'? Known here: cca_threshold"}));
 }
 
 TEST_F(MappingTest, TakesOnlyPlainTrueAndFalseAsFlags) {
   const auto found = mistakes("a: yes\nb: \"true\"\nc: 1\nd: True\n", [](Mapping& in) {
-    for (const char* key : {"a", "b", "c", "d"}) in.flag(key, false);
+    for (const char* name : {"a", "b", "c", "d"}) in.flag(key(name), false);
   });
   EXPECT_EQ(found, (Lines{"a.yaml:1:4: a: must be true or false, not 'yes'",
                           "a.yaml:2:4: b: must be true or false, not 'true'",
@@ -99,8 +100,8 @@ TEST_F(MappingTest, TakesOnlyPlainTrueAndFalseAsFlags) {
 TEST_F(MappingTest, TakesOnlyWholeDecimalNumbersAsIntegers) {
   const auto found = mistakes("a: 1.5\nb: 0x10\nc: 99999999999999999999\nd: -5\ne: ten\nf: 5 s\n",
                               [](Mapping& in) {
-                                for (const std::string key : {"a", "b", "c", "d", "e", "f"}) {
-                                  in.integer(key, 0, 100);
+                                for (const char* name : {"a", "b", "c", "d", "e", "f"}) {
+                                  in.integer(key(name), 0, 100);
                                 }
                               });
   EXPECT_EQ(found, (Lines{"a.yaml:1:4: a: '1.5' is not a whole number",
@@ -113,20 +114,22 @@ TEST_F(MappingTest, TakesOnlyWholeDecimalNumbersAsIntegers) {
 
 TEST_F(MappingTest, NamesTheKindThatWasExpected) {
   const auto found = mistakes("a: [1 m]\nb: 3\nc: {x: 1}\nd:\ne: [1 m]\nf: x\n", [](Mapping& in) {
-    in.number("a", "m", {0, 1});
-    Mapping b = in.mapping("b");
-    b.number("never_missed", "1", {0, 1});  // what is not a mapping lacks no keys
-    in.mappings("c");
-    in.number("d", "1", {0, 1});
-    in.vec2("e", "m", {0, 1});
-    EXPECT_EQ(in.choice("f", kPhases), std::nullopt);
+    in.number(key("a"), "m", {0, 1});
+    Mapping b = in.mapping(key("b"));
+    b.number(key("never_missed"), "1", {0, 1});  // what is not a mapping lacks no keys
+    in.mappings(key("c"));
+    in.number(key("d"), "1", {0, 1});
+    in.vec2(key("e"), "m", {0, 1});
+    EXPECT_EQ(in.choice(key("f"), kPhases), std::nullopt);
   });
-  EXPECT_EQ(found, (Lines{"a.yaml:1:4: a: must be a number with its unit (m), not a list of 1",
-                          "a.yaml:2:4: b: must be a mapping, not '3'",
-                          "a.yaml:3:4: c: must be a list, not a mapping",
-                          "a.yaml:4:1: d: must be a plain number, not nothing",
-                          "a.yaml:5:4: e: must be a list of 2 values, not a list of 1",
-                          "a.yaml:6:4: f: 'x' is not one of aligned, uniform"}));
+  EXPECT_EQ(found,
+            (Lines{"a.yaml:1:4: a: must be a number with its unit (m), not a list of 1",
+                   "a.yaml:2:4: b: must be a mapping, not '3'",
+                   "a.yaml:3:4: c: must be a list, not a mapping",
+                   "a.yaml:4:1: d: must be a plain number, not nothing",
+                   "a.yaml:5:4: e: must be a list of 2 values, [x, y], each a number with its "
+                   "unit (m), not a list of 1",
+                   "a.yaml:6:4: f: 'x' is not one of aligned, uniform"}));
 }
 
 TEST_F(MappingTest, RefusesAKeyWithItsReason) {
@@ -149,8 +152,8 @@ TEST_F(MappingTest, GivesTheRawScalarsOfAMappingWithTheirPlaces) {
 }
 
 TEST_F(MappingTest, LimitsAnOptionalTimeToWhatADurationHolds) {
-  const auto found =
-      mistakes("timeout: 1e30 s\n", [](Mapping& in) { in.optional_duration("timeout", 0, 1s); });
+  const auto found = mistakes("timeout: 1e30 s\n",
+                              [](Mapping& in) { in.optional_duration(key("timeout"), 0, 1s); });
   EXPECT_EQ(found, (Lines{"a.yaml:1:10: timeout: must be at most 1000000000 s or 'none'"}));
 }
 

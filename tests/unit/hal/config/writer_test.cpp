@@ -60,7 +60,7 @@ TEST_F(WriterTest, QuotesWhatYamlWouldReadAsSomethingElse) {
   auto document = Document::load(write("a.yaml", out.take()));
   Mapping root = document.root();
   for (std::size_t i = 0; i < texts.size(); ++i) {
-    EXPECT_EQ(root.text("k" + std::to_string(i)), texts[i]);
+    EXPECT_EQ(root.text(key("k" + std::to_string(i))), texts[i]);
   }
   document.finish();
 }
@@ -74,7 +74,7 @@ TEST_F(WriterTest, KeepsEveryDurationToTheNanosecond) {
   auto document = Document::load(write("a.yaml", out.take()));
   Mapping root = document.root();
   for (std::size_t i = 0; i < durations.size(); ++i) {
-    EXPECT_EQ(root.duration("k" + std::to_string(i), {0, kLongestDuration}), durations[i]);
+    EXPECT_EQ(root.duration(key("k" + std::to_string(i)), {0, kLongestDuration}), durations[i]);
   }
 }
 

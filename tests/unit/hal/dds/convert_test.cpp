@@ -94,7 +94,7 @@ exchange::Hello any_hello(Anything& any) {
   hello.patterns = any.texts();
   hello.kind = any.enumerator(AgentKind::kRobot);
   hello.both_kinds = any.flag();
-  hello.wants = {any.texts(), any.texts(), any.flag()};
+  hello.wants = {any.texts(), any.texts(), any.flag(), any.texts()};
   return hello;
 }
 

@@ -47,6 +47,20 @@ TEST(SessionFor, GivesNoChannelsToAControllerThatAskedForNone) {
   EXPECT_TRUE(session->channels.empty());
 }
 
+TEST(SessionFor, GivesOptionalChannelsWhereTheyAreAndDoesWithoutThemElsewhere) {
+  const hal::Wants wants{.channels = {"odometry"}, .optional = {"infrared", "battery"}};
+  const auto sees = session_for(offer_with({"infrared", "odometry", "localisation"}), wants);
+  ASSERT_TRUE(sees.has_value());
+  ASSERT_EQ(sees->channels.size(), 2U);
+  EXPECT_EQ(sees->channels[0].name, "infrared");
+  EXPECT_EQ(sees->channels[1].name, "odometry");
+  const auto blind = session_for(offer_with({"odometry", "localisation"}), wants);
+  ASSERT_TRUE(blind.has_value());
+  ASSERT_EQ(blind->channels.size(), 1U);
+  EXPECT_EQ(blind->channels[0].name, "odometry");
+  EXPECT_FALSE(session_for(offer_with({"infrared"}), wants).has_value());
+}
+
 TEST(SessionFor, NamesAChannelThatDoesNotExistAndThoseThatDo) {
   const auto session = session_for(offer_with({"infrared", "odometry"}), {.channels = {"lidar"}});
   ASSERT_FALSE(session.has_value());

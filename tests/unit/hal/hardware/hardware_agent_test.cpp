@@ -251,6 +251,39 @@ TEST_F(HardwareAgents, WithoutOdometryItDrivesOnIfTheFileSaysSoOrNobodyAskedForI
   EXPECT_EQ(agent().guard()->counts().blind, 0u);
 }
 
+TEST_F(HardwareAgents, WithoutAChannelThatTheControllerCanDoWithoutItDrivesOn) {
+  const auto port =
+      connect(robot_, {.channels = {"infrared"}, .optional = {"odometry"}}, [](const Event&) {
+        return std::vector{drive_action({0.1, 0, 0})};
+      });
+  ASSERT_TRUE(until([&] { return wheels_.twist != Twist2{}; }));
+  wheels_.odometry = false;
+  ASSERT_TRUE(until([&] { return lost_of(*port) == std::vector<std::uint16_t>{1}; }));
+  run_for(3 * kPeriod);
+  EXPECT_NE(wheels_.twist, Twist2{});
+  EXPECT_EQ(agent().guard()->counts().blind, 0u);
+}
+
+TEST_F(HardwareAgents, EachControllerMayUseSoManyTopicsAndNoMore) {
+  const auto invent = [count = 0](const Event& event) mutable {
+    std::vector<Action> actions;
+    if (event.cause != Cause::kStart) return actions;
+    for (std::size_t i = 0; i < kMaxTopics + 3; ++i) {
+      Action& action = actions.emplace_back();
+      action.kind = ActionKind::kSend;
+      action.message_id = static_cast<MessageId>(i + 1);
+      action.destination = AgentId{2};
+      action.topic = "topic " + std::to_string(++count);
+    }
+    return actions;
+  };
+  for (std::uint64_t controllers = 1; controllers <= 2; ++controllers) {
+    const auto port = connect(robot_, {}, invent);
+    EXPECT_TRUE(until([&] { return agent().counts().refused_actions == 3 * controllers; }));
+    agent().disconnect({AgentId{1}});
+  }
+}
+
 TEST_F(HardwareAgents, ACommandIsAsOldAsTheAnswerItCameWith) {
   const auto port = connect(robot_, {}, [](const Event&) {
     return std::vector{drive_action({0.1, 0, 0})};

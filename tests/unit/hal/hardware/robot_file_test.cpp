@@ -83,13 +83,14 @@ TEST(HardwareExamples, OfAMoteNeedNoBodyAndKnowTheirPlace) {
 }
 
 TEST_F(RobotFileTest, EmptyFilesLackEverything) {
-  EXPECT_EQ(mistakes("{}\n"), (Lines{
-                                  "1:1: agent.address: is missing",
-                                  "1:1: agent.kind: is missing",
-                                  "1:1: agent.name: is missing",
-                                  "1:1: radio.interface: is missing",
-                                  "1:1: version: is missing",
-                              }));
+  EXPECT_EQ(mistakes("{}\n"),
+            (Lines{
+                "1:1: agent.address: is missing: a whole number, 1 .. 65534, e.g. 26",
+                "1:1: agent.kind: is missing: one of robot, mote",
+                "1:1: agent.name: is missing: text, e.g. r0",
+                "1:1: radio.interface: is missing: text, e.g. wlan0",
+                "1:1: version: is missing: a whole number, 1",
+            }));
 }
 
 TEST_F(RobotFileTest, EveryMistakeIsNamedAtOnce) {
@@ -114,15 +115,17 @@ TEST_F(RobotFileTest, EveryMistakeIsNamedAtOnce) {
                 "4:18: command_timeout: must not be shorter than control_period: the wheels would "
                 "stop between "
                 "commands",
-                "5:8: radio.interface: is missing",
-                "5:9: radio.interfce: is not a known key; did you mean 'interface'?",
+                "5:8: radio.interface: is missing: text, e.g. wlan0",
+                "5:9: radio.interfce: is not a known key; did you mean 'interface'? Known here: "
+                "interface, address, port, bit_rate, power",
                 "5:31: radio.port: 0 is below the limit of 1",
                 "5:41: radio.power: '1 m' must be written in W, e.g. '1 W'",
                 "6:1: limits: a mote has none",
                 "9:3: localisation.topic: only driver 'pose_topic' has one",
                 "12:27: localisation.map.address: the address 1 is taken by 'm0'",
                 "12:41: localisation.map.y: '0' must be written in m, e.g. '0 m'",
-                "13:1: sped: is not a known key; did you mean 'seed'?",
+                "13:1: sped: is not a known key; did you mean 'seed'? Known here: version, agent, "
+                "controller, seed, control_period, command_timeout, radio, routing, localisation",
             }));
 }
 
@@ -173,7 +176,8 @@ TEST_F(RobotFileTest, ALostSensorStopsTheWheelsUnlessTheFileSaysOtherwise) {
 TEST_F(RobotFileTest, UnknownDriversAreNamedWithTheirLikes) {
   EXPECT_EQ(device_mistakes("wheels: {driver: robotino, host: r}\n"),
             (Lines{"5:18: wheels.driver: 'robotino' is not one of none, robotino_rest, tmc200"}));
-  EXPECT_EQ(device_mistakes(""), (Lines{"1:1: wheels.driver: is missing"}));
+  EXPECT_EQ(device_mistakes(""),
+            (Lines{"1:1: wheels.driver: is missing: one of none, robotino_rest, tmc200"}));
 }
 
 TEST_F(RobotFileTest, OverridesReachEveryKey) {

@@ -145,7 +145,7 @@ TEST(Discovery, RelaysForwardACopyOnlyOnceUnlessTheBandHoldsEverywhere) {
 }
 
 TEST(Discovery, IsRepeatedAndItsTimeCountsFromTheFirstTry) {
-  Network network(2);
+  Network network(2, {.retry_jitter = 0});
   connect_chain(network);
   int ants = 0;
   network.is_lost = [&](AgentId from, AgentId) { return from == id(1) && ++ants <= 2; };
@@ -157,7 +157,7 @@ TEST(Discovery, IsRepeatedAndItsTimeCountsFromTheFirstTry) {
 }
 
 TEST(Discovery, IsGivenUpOnePeriodAfterTheLastTry) {
-  Network network(2, {.buffer_age = 60s});
+  Network network(2, {.retry_jitter = 0, .buffer_age = 60s});
   const MessageId message = network.send(1, 2);
   network.run(20s);
   EXPECT_EQ(network.sent.size(), 3u);  // retries = 3 in all

@@ -273,7 +273,7 @@ TEST(HopAcknowledgement, ANodeThatRestartsIsHeardIfItsNumbersStartElsewhere) {
     RoutingConfig second_life = kConfig;
     second_life.first_sequence = elsewhere ? 1'000'000 : 0;
     TestNode& node = network.node(1);
-    node.router = std::make_unique<Router>(node.self, second_life, RandomStream(2, "second life"),
+    node.router = std::make_unique<Router>(node.self, second_life, RouterStreams(2, "second life"),
                                            RouterPorts{node, network.clock, node, node});
     network.send(1, 2);
     network.run(10s);

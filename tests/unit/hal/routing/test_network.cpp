@@ -6,9 +6,9 @@ namespace hal::routing::test {
 
 TestNode::TestNode(Network& network, AgentId own, const RoutingConfig& config, std::uint64_t seed)
     : self(own), network_(network) {
-  router = std::make_unique<Router>(
-      self, config, RandomStream(seed, "n" + std::to_string(self.value) + "/routing"),
-      RouterPorts{*this, network.clock, *this, *this});
+  router =
+      std::make_unique<Router>(self, config, RouterStreams(seed, "n" + std::to_string(self.value)),
+                               RouterPorts{*this, network.clock, *this, *this});
 }
 
 LinkCapabilities TestNode::capabilities() const { return network_.capabilities; }

@@ -61,6 +61,44 @@ TEST(Send, NumbersMessagesFromOneAndSkipsRefusedOnes) {
   EXPECT_EQ(actions[2].message_id, 2U);
 }
 
+TEST(Send, TakesTheTopicsThatAnAgentMayUseAndTellsOnceOfThoseTooMany) {
+  int granted = 0, refused = 0;
+  std::string why;
+  const Actions actions = actions_of([&](hal::Robot& robot) {
+    for (int round = 0; round < 2; ++round) {  // a topic that was granted stays granted
+      for (std::size_t i = 0; i < hal::kMaxTopics + 10; ++i) {
+        const auto sent = robot.send(AgentId{3}, "topic " + std::to_string(i), {});
+        ++(sent ? granted : refused);
+        if (sent) continue;
+        EXPECT_EQ(sent.error().code, Errc::kInvalidArgument);
+        if (why.empty()) why = sent.error().message;
+      }
+    }
+  });
+  EXPECT_EQ(granted, 2 * static_cast<int>(hal::kMaxTopics));
+  EXPECT_EQ(refused, 20);
+  EXPECT_EQ(why, "r0: send: 'topic 256' would be topic 257 of this agent, at most 256 are allowed");
+  EXPECT_EQ(tests::texts(actions, ActionKind::kLog), std::vector<std::string>{why});
+}
+
+TEST(State, OneThatIsNotDeclaredIsRefusedAndToldOnce) {
+  Scripted::next() = {.step = [](hal::Robot& robot) {
+    robot.state("GOES");
+    robot.state("FLIES");
+    robot.state("FLIES");
+    robot.state("SWIMS");
+    robot.state("STANDS");
+  }};
+  hal::ControllerKind kind = Scripted::kind();
+  kind.states = {"STANDS", "GOES"};
+  tests::OneAgent agent(kind, tests::robot_session());
+  const Actions actions = agent.control();
+  EXPECT_EQ(tests::states(actions), (std::vector<std::string>{"GOES", "STANDS"}));
+  EXPECT_EQ(tests::texts(actions, ActionKind::kLog),
+            std::vector<std::string>{"r0: state: 'FLIES' is not one of the states that the "
+                                     "controller declares: STANDS, GOES"});
+}
+
 TEST(Send, TakesTheLongestTopicAndPayloadAndRefusesOneByteMore) {
   const hal::Bytes longest(hal::kMaxPayload);
   const hal::Bytes too_long(hal::kMaxPayload + 1);

@@ -44,6 +44,23 @@ TEST(StartUp, AParameterDeclaredInWhatIsNoUnitIsAMistakeOfTheController) {
                                      "unit (\"1\" is that of a plain number)"});
 }
 
+TEST(CheckParameters, RefusesTimesThatNoClockOfOursHolds) {
+  hal::ControllerKind kind = idle();
+  kind.parameters = {{"help_at", "s", kNever, 0, kNever, "When."},
+                     {"rest", "ms", 0, -1e300, 1e300, "How long."}};
+  const auto mistakes = check_parameters(
+      kind, {{"help_at", "1e300 s", "a.yaml:1:2"}, {"rest", "-3e12 ms", "a.yaml:2:2"}});
+  ASSERT_EQ(mistakes.size(), 2U);
+  EXPECT_EQ(mistakes[0],
+            "a.yaml:1:2: help_at: 1e300 s is above the limit of 1000000000 s; 'never' and 'none' "
+            "are without end");
+  EXPECT_EQ(mistakes[1], "a.yaml:2:2: rest: -3e12 ms is below the limit of -1000000000 s");
+  EXPECT_TRUE(check_parameters(
+                  kind, {{"help_at", "1e9 s", "a.yaml:1:2"}, {"rest", "1e12 ms", "a.yaml:2:2"}})
+                  .empty());
+  EXPECT_TRUE(check_parameters(kind, {{"help_at", "never", "a.yaml:1:2"}}).empty());
+}
+
 TEST(CheckParameters, NamesPlaceParameterAndMistakeOfEach) {
   const auto mistakes = check_parameters(idle(), {{"sped", "1 m/s", "a.yaml:1:2"},
                                                   {"speed", "3 m/s", "a.yaml:2:2"},

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 #include <set>
 #include <string>
@@ -102,6 +103,15 @@ TEST(Fingerprint, WhatStopsBeingObservedHasARowAndSilenceHasNone) {
                     value(Part::kAir, 3, Time{50s}, 1)}),
             "1 air 3+, 3 air 3-, 50 air 3+");
   EXPECT_EQ(places({}), "");
+}
+
+TEST(Fingerprint, SecondsAreHandedOverAsTheyEndNotAtTheEndOfTheRun) {
+  std::int64_t last = -1;
+  Fingerprint fingerprint([&last](const Fingerprint::Row& row) { last = row.second; });
+  for (int second = 0; second < 1000; ++second) {
+    value(Part::kAir, 1, Time{second * 1s}, second)(fingerprint);
+    EXPECT_EQ(last, std::max<std::int64_t>(second - Fingerprint::kLateness, 0) - 1) << second;
+  }
 }
 
 TEST(Fingerprint, TotalsDoNotDependOnWhatWasHandedOver) {

@@ -114,6 +114,40 @@ TEST(World, SleeperThatIsPushedAwakeDoesNotSinkIntoTheGround) {
   EXPECT_GT(lowest, -5e-4);  // m; one step of free fall would be 1 mm
 }
 
+TEST(World, ContactsAreCountedWhileBodiesRestInThem) {
+  World world(WorldConfig{});
+  world.add_robot(kRobot, robertino(), {});
+  world.add_robot(AgentId{3}, robertino(), {0.36999, 0, 0});  // 10 um deep
+  world.add_robot(AgentId{4}, robertino(), {5, 0, 0});
+  run(world, 2);
+  ASSERT_TRUE(world.asleep(kRobot));
+  const std::uint64_t asleep = world.contacts(kRobot).robots.steps;
+  EXPECT_EQ(asleep, world.steps());
+  run(world, 1);
+  EXPECT_EQ(world.contacts(kRobot).robots.steps, asleep + 100);
+  EXPECT_EQ(world.contacts(kRobot).bodies.steps, asleep + 100);
+  EXPECT_EQ(world.contacts(AgentId{4}).bodies.steps, 0U);
+
+  ASSERT_TRUE(world.set_body_velocity(AgentId{3}, {0.3, 0, 0}));  // away
+  run(world, 1);
+  const std::uint64_t apart = world.contacts(kRobot).robots.steps;
+  EXPECT_LT(apart, asleep + 110);
+  run(world, 1);
+  EXPECT_EQ(world.contacts(kRobot).robots.steps, apart);
+}
+
+TEST(World, AStepInContactWithTwoKindsOfBodiesIsOneStep) {
+  World world(WorldConfig{});
+  world.add_robot(kRobot, robertino(), {});
+  world.add_robot(AgentId{3}, robertino(), {0.3699, 0, 0});
+  world.add_mote(kMote, MoteDescription{}, {-0.2099, 0, 0});
+  world.step();
+  const Contacts& contacts = world.contacts(kRobot);
+  EXPECT_EQ(contacts.robots.steps, 1U);
+  EXPECT_EQ(contacts.motes.steps, 1U);
+  EXPECT_EQ(contacts.bodies.steps, 1U);
+}
+
 /// A robot that pushes a mote into another robot and on into a wall, while `spectators` motes stand
 /// 50 m away. Above 64 objects every step asks the broad phase; below, only when two may touch.
 std::vector<BodyPose> pile_up(int spectators, std::uint64_t& contacts) {

@@ -65,8 +65,8 @@ radio:
   short_retry_limit: 6
   queue_limit: 13
 routing:
-  {beta: 3, direct_weight: 1e5, jitter_max: 90 ms, retry_period: 4 s, retries: 2, acceptance: 1.4,
-   accept_anywhere: true, hop_limit: 29, buffer_limit: 63, buffer_age: 9 s,
+  {beta: 3, direct_weight: 1e5, jitter_max: 90 ms, retry_period: 4 s, retry_jitter: 0.3,
+   retries: 2, acceptance: 1.4, accept_anywhere: true, hop_limit: 29, buffer_limit: 63, buffer_age: 9 s,
    ack_timeout: 40 ms, ack_attempts: 3, hello_period: 900 ms, hello_limit: 5}
 localisation: {range: none}
 agents:
@@ -117,6 +117,7 @@ end:
 expect:
   - {result: good}
   - {distance: [x00, cart0], below: 3.5 m}
+  - {distance: [x0*, cart0], below: 4 m, entered: DONE}
 )";
 
 class Resolved : public testing::Test {
@@ -218,6 +219,7 @@ TEST_F(Resolved, KeepsTheRouting) {
   EXPECT_EQ(c.direct_weight, 1e5);
   EXPECT_EQ(c.jitter_max, 90ms);
   EXPECT_EQ(c.retry_period, 4s);
+  EXPECT_EQ(c.retry_jitter, 0.3);
   EXPECT_EQ(c.retries, 2);
   EXPECT_EQ(c.acceptance, 1.4);
   EXPECT_TRUE(c.accept_anywhere);
@@ -282,12 +284,17 @@ TEST_F(Resolved, KeepsEndsAndExpectations) {
   EXPECT_EQ(scenario.simulation.ends[0].state, "DONE");
   EXPECT_EQ(scenario.simulation.ends[0].after, 20ms);
   EXPECT_EQ(scenario.simulation.ends[1].after, 99s);
-  ASSERT_EQ(scenario.expectations.size(), 2u);
+  ASSERT_EQ(scenario.expectations.size(), 3u);
   EXPECT_EQ(std::get<ExpectedResult>(scenario.expectations[0].condition).result, "good");
   const auto& distance = std::get<ExpectedDistance>(scenario.expectations[1].condition);
-  EXPECT_EQ(distance.from.value, 300);
+  EXPECT_EQ(distance.which, std::vector{hal::AgentId{300}});
   EXPECT_EQ(distance.to.value, 7);
   EXPECT_EQ(distance.below.value, 3.5);
+  EXPECT_EQ(distance.entered, "");
+  const auto& last = std::get<ExpectedDistance>(scenario.expectations[2].condition);
+  EXPECT_EQ(last.whose, "x0*");
+  EXPECT_GT(last.which.size(), 1u);
+  EXPECT_EQ(last.entered, "DONE");
 }
 
 TEST_F(Resolved, HoldsForEveryRadioProfile) {

@@ -1,0 +1,56 @@
+# The target `packages`: three Debian packages in <build>/packages, by CPack. What they need of other
+# packages is computed by dpkg-shlibdeps, but for the headers that libbaraka-dev leads to.
+set(CPACK_GENERATOR DEB)
+set(CPACK_VERBATIM_VARIABLES ON)
+set(CPACK_OUTPUT_FILE_PREFIX ${PROJECT_BINARY_DIR}/packages)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE
+    GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+set(CPACK_PACKAGE_CONTACT "The BARAKA authors")
+set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
+set(CPACK_COMPONENTS_ALL program dev agentd)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME baraka)
+set(CPACK_DEBIAN_PROGRAM_DESCRIPTION "simulator and middleware of networked mobile robots
+Robots and fixed motes that talk over an IEEE 802.11 radio, in one world with one clock. Controllers
+are programs that talk Fast DDS; the same file drives a simulated robot and a real one.
+
+With scenarios, robots, radios, controllers, and templates for controllers of one's own.")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
+
+set(CPACK_DEBIAN_DEV_PACKAGE_NAME libbaraka-dev)
+set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEV_DESCRIPTION "what controllers for BARAKA are built with
+Headers, static libraries and the CMake package that `baraka new-controller` projects find.")
+# cmake/barakaConfig.cmake.in finds these.
+set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS
+    "baraka (= ${PROJECT_VERSION}), g++, cmake (>= 3.25), ninja-build | make, pkg-config, \
+libexpected-dev, libfmt-dev, libyaml-cpp-dev, libfastcdr-dev, libfastrtps-dev, libsleef-dev")
+
+set(CPACK_DEBIAN_AGENTD_PACKAGE_NAME baraka-agentd)
+set(CPACK_DEBIAN_AGENTD_PACKAGE_SECTION net)
+set(CPACK_DEBIAN_AGENTD_DESCRIPTION "daemon that lets BARAKA's controllers drive a real robot or mote
+`systemctl enable --now baraka-agentd@r0` serves the agent of /etc/baraka/r0.yaml.")
+set(CPACK_DEBIAN_AGENTD_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_AGENTD_PACKAGE_DEPENDS "baraka (= ${PROJECT_VERSION})")  # robots, controllers
+set(CPACK_DEBIAN_AGENTD_PACKAGE_RECOMMENDS systemd)
+set(CPACK_DEBIAN_AGENTD_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/agentd/postinst
+    ${PROJECT_SOURCE_DIR}/cmake/agentd/prerm)
+set(CPACK_DEBIAN_AGENTD_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+
+foreach(component IN LISTS CPACK_COMPONENTS_ALL)
+  string(TOUPPER ${component} upper)
+  install(FILES LICENSE DESTINATION share/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME}
+    RENAME copyright COMPONENT ${component})
+endforeach()
+
+include(CPack)
+add_custom_target(packages
+  COMMAND ${CMAKE_COMMAND} -E rm -rf ${CPACK_OUTPUT_FILE_PREFIX}
+  COMMAND ${CMAKE_CPACK_COMMAND} --config ${PROJECT_BINARY_DIR}/CPackConfig.cmake
+  COMMAND ${CMAKE_COMMAND} -E rm -rf ${CPACK_OUTPUT_FILE_PREFIX}/_CPack_Packages
+  DEPENDS programs WORKING_DIRECTORY ${PROJECT_BINARY_DIR} VERBATIM)

@@ -1,0 +1,233 @@
+#include "hal/config/survey.h"
+
+#include <algorithm>
+#include <deque>
+#include <utility>
+
+namespace hal::config {
+
+Mapping Survey::root() { return {problems_.empty_mapping({}), "", problems_, this}; }
+
+void Survey::note(const std::string& path, const Key& key, Form form, std::string otherwise) {
+  if (!paths_.insert(path).second) return;  // a value that two calls read
+  if (!key.otherwise.empty()) otherwise = key.otherwise;
+  read_.push_back({path, std::string(key.meaning), std::string(key.example), std::move(form),
+                   std::move(otherwise)});
+}
+
+std::size_t Survey::decide(Decision decision) {
+  const std::string id = decision.id();
+  const auto met = std::find_if(decisions_.begin(), decisions_.end(),
+                                [&](const Decision& other) { return other.id() == id; });
+  if (met != decisions_.end()) return met->taken;
+  if (const auto wanted = taken_.find(id); wanted != taken_.end()) decision.taken = wanted->second;
+  decisions_.push_back(std::move(decision));
+  return decisions_.back().taken;
+}
+
+namespace {
+
+/// Calls a reader on every way and compares what it read.
+class Explorer {
+ public:
+  explicit Explorer(const std::function<void(Mapping)>& read) : read_(read) {}
+
+  KeyTable table();
+
+ private:
+  /// One way: the options that differ from those taken by itself, and the keys first found on it.
+  struct Way {
+    Taken taken;
+    std::vector<const Survey::Read*> found;
+  };
+
+  const Survey& survey_of(const Taken& taken);
+  void follow(const Taken& taken);
+  /// Ways that take one more decision otherwise.
+  std::vector<Taken> pairs(const Taken& taken);
+  KeyDescription described(const Survey::Read& key, const Taken& taken);
+  std::optional<Condition> condition(const std::string& path, const Taken& taken,
+                                     const Decision& decision, KeyDescription& key);
+  std::vector<std::string> never_read() const;
+
+  const std::function<void(Mapping)>& read_;
+  std::map<Taken, Survey> surveys_;
+  std::deque<Taken> ahead_{{}};
+  std::vector<Way> ways_;
+  std::set<std::string> paths_, decisions_;
+};
+
+const Survey& Explorer::survey_of(const Taken& taken) {
+  const auto [found, is_new] = surveys_.try_emplace(taken, taken);
+  if (is_new) read_(found->second.root());
+  return found->second;
+}
+
+const Survey::Read* read_at(const Survey& survey, const std::string& path) {
+  for (const Survey::Read& read : survey.read()) {
+    if (read.path == path) return &read;
+  }
+  return nullptr;
+}
+
+Taken taking(Taken taken, const Decision& decision, std::size_t option) {
+  taken[decision.id()] = option;
+  return taken;
+}
+
+void Explorer::follow(const Taken& taken) {
+  const Survey& survey = survey_of(taken);
+  Way way{taken, {}};
+  for (const Survey::Read& read : survey.read()) {
+    if (paths_.insert(read.path).second) way.found.push_back(&read);
+  }
+  for (const Decision& decision : survey.decisions()) {
+    if (!decisions_.insert(decision.id()).second) continue;
+    for (std::size_t option = 0; option < decision.options.size(); ++option) {
+      if (option != decision.taken) ahead_.push_back(taking(taken, decision, option));
+    }
+  }
+  ways_.push_back(std::move(way));
+}
+
+std::vector<Taken> Explorer::pairs(const Taken& taken) {
+  std::vector<Taken> result;
+  for (const Decision& decision : survey_of(taken).decisions()) {
+    if (taken.contains(decision.id())) continue;
+    for (std::size_t option = 0; option < decision.options.size(); ++option) {
+      if (option != decision.taken) result.push_back(taking(taken, decision, option));
+    }
+  }
+  return result;
+}
+
+/// Whether the path lies in, or is, the key whose presence was asked for.
+bool lies_in(const std::string& path, const std::string& key) {
+  return path == key || path.starts_with(key + ".") || path.starts_with(key + "[");
+}
+
+std::optional<Condition> Explorer::condition(const std::string& path, const Taken& taken,
+                                             const Decision& decision, KeyDescription& key) {
+  Condition condition{decision.path, decision.presence, {}};
+  std::vector<KeyDescription::Variant> variants;
+  for (std::size_t option = 0; option < decision.options.size(); ++option) {
+    const Survey::Read* read = read_at(survey_of(taking(taken, decision, option)), path);
+    if (read == nullptr) continue;
+    condition.values.push_back(decision.options[option]);
+    variants.push_back({decision.options[option], read->otherwise, limits(read->form)});
+  }
+  const bool differ = std::any_of(variants.begin(), variants.end(), [&](const auto& other) {
+    return other.otherwise != variants.front().otherwise || other.limits != variants.front().limits;
+  });
+  if (differ) key.variants = std::move(variants);
+  if (condition.values.size() == decision.options.size()) return std::nullopt;
+  if (!decision.presence || !lies_in(path, decision.path)) return condition;
+  if (path == decision.path) key.optional = true;  // it is there when it is there
+  return std::nullopt;
+}
+
+KeyDescription Explorer::described(const Survey::Read& read, const Taken& taken) {
+  KeyDescription key{.path = read.path,
+                     .meaning = read.meaning,
+                     .example = read.example,
+                     .form = read.form,
+                     .optional = false,
+                     .variants = {{"", read.otherwise, limits(read.form)}},
+                     .conditions = {}};
+  const std::vector<Decision> decisions = survey_of(taken).decisions();
+  for (const Decision& decision : decisions) {
+    if (auto one = condition(read.path, taken, decision, key)) {
+      key.conditions.push_back(std::move(*one));
+    }
+  }
+  // The value says that it is there.
+  const std::vector<Condition> all = key.conditions;
+  std::erase_if(key.conditions, [&](const Condition& one) {
+    return one.presence && std::any_of(all.begin(), all.end(), [&](const Condition& other) {
+             return !other.presence && other.path == one.path;
+           });
+  });
+  return key;
+}
+
+std::vector<std::string> Explorer::never_read() const {
+  std::set<std::string> result;
+  for (const auto& [taken, survey] : surveys_) {
+    for (const std::string& path : survey.mentioned()) {
+      if (!paths_.contains(path)) result.insert(path);
+    }
+  }
+  return {result.begin(), result.end()};
+}
+
+std::string outer_path(const std::string& path) {
+  const std::size_t dot = path.rfind('.');
+  return dot == std::string::npos ? "" : path.substr(0, dot);
+}
+
+bool operator==(const Condition& a, const Condition& b) {
+  return a.path == b.path && a.presence == b.presence && a.values == b.values;
+}
+
+/// What holds for a mapping holds for its keys: it need not be said again.
+void drop_inherited(std::vector<KeyDescription>& keys) {
+  std::map<std::string, std::vector<Condition>> all;
+  for (KeyDescription& key : keys) {
+    all[key.path] = key.conditions;
+    std::string outer = outer_path(key.path);
+    if (outer.ends_with("[]")) outer.resize(outer.size() - 2);
+    const std::vector<Condition>& known = all[outer];
+    std::erase_if(key.conditions, [&](const Condition& condition) {
+      return std::any_of(known.begin(), known.end(),
+                         [&](const Condition& other) { return other == condition; });
+    });
+  }
+}
+
+/// Keys by the mapping they are in.
+using ByMapping = std::map<std::string, std::vector<KeyDescription>>;
+
+void append_keys_of(const std::string& mapping, ByMapping& all, std::vector<KeyDescription>& out) {
+  const auto found = all.find(mapping);
+  if (found == all.end()) return;
+  const std::vector<KeyDescription> keys = std::exchange(found->second, {});
+  out.insert(out.end(), keys.begin(), keys.end());
+  for (const KeyDescription& key : keys) {
+    append_keys_of(key.path, all, out);
+    append_keys_of(key.path + "[]", all, out);
+  }
+}
+
+/// Each mapping's keys together, then those of the mappings in it.
+std::vector<KeyDescription> in_order(const std::vector<KeyDescription>& keys) {
+  ByMapping all;
+  for (const KeyDescription& key : keys) all[outer_path(key.path)].push_back(key);
+  std::vector<KeyDescription> result;
+  append_keys_of("", all, result);
+  return result;
+}
+
+KeyTable Explorer::table() {
+  KeyTable table;
+  for (; !ahead_.empty(); ahead_.pop_front()) follow(ahead_.front());
+  for (const Way& way : ways_) {
+    for (const Survey::Read* read : way.found) table.keys.push_back(described(*read, way.taken));
+  }
+  for (const Way& way : ways_) {
+    for (const Taken& pair : pairs(way.taken)) {
+      for (const Survey::Read& read : survey_of(pair).read()) {
+        if (paths_.insert(read.path).second) table.keys.push_back(described(read, pair));
+      }
+    }
+  }
+  table.keys = in_order(table.keys);
+  drop_inherited(table.keys);
+  table.never_read = never_read();
+  return table;
+}
+
+}  // namespace
+
+KeyTable survey(const std::function<void(Mapping)>& read) { return Explorer(read).table(); }
+
+}  // namespace hal::config

@@ -1,0 +1,104 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "hal/config/key.h"
+#include "hal/config/mapping.h"
+#include "hal/config/problems.h"
+
+namespace hal::config {
+
+/// A point where a reader goes one way or another: the value of a choice, or whether a key is
+/// there.
+struct Decision {
+  std::string path;                  ///< Dotted, of the key.
+  bool presence = false;             ///< Whether it is there: the options are "there", "absent".
+  std::vector<std::string> options;  ///< All values.
+  std::size_t taken = 0;
+
+  /// Of the same point in another reading.
+  std::string id() const { return presence ? path + "?" : path; }
+};
+
+/// Options that a reading is made to take, by Decision::id().
+using Taken = std::map<std::string, std::size_t>;
+
+/// One reading of a file in which nothing stands, by the very function that reads files. The
+/// mapping tells the survey of each key that the function reads, and takes the decisions it is told
+/// to.
+class Survey {
+ public:
+  struct Read {
+    std::string path;  ///< "agents.NAME.poses[].x".
+    std::string meaning, example;
+    Form form;
+    std::string otherwise;  ///< Value when absent; empty: it must be given.
+  };
+
+  explicit Survey(Taken taken) : taken_(std::move(taken)) {}
+
+  Mapping root();
+
+  const std::vector<Read>& read() const { return read_; }
+  const std::vector<Decision>& decisions() const { return decisions_; }
+  const std::set<std::string>& mentioned() const { return mentioned_; }
+
+ private:
+  friend class Mapping;
+
+  void note(const std::string& path, const Key& key, Form form, std::string otherwise);
+  /// A key that is looked for, but not read here.
+  void mention(const std::string& path) { mentioned_.insert(path); }
+  /// @return the option to take. @param otherwise  taken unless another one is wanted.
+  std::size_t decide(Decision decision);
+
+  Taken taken_;
+  Problems problems_;
+  std::vector<Read> read_;
+  std::set<std::string> paths_, mentioned_;
+  std::vector<Decision> decisions_;
+};
+
+/// A key counts only with these values of another one, or only with or without another one.
+struct Condition {
+  std::string path;  ///< Of the other key.
+  bool presence = false;
+  std::vector<std::string> values;  ///< Of a choice; "there" or "absent" of a presence.
+};
+
+/// One key of a kind of file.
+struct KeyDescription {
+  /// Default and limits, where the value of another key (`with`) decides them.
+  struct Variant {
+    std::string with;       ///< "ieee80211b"; empty: always.
+    std::string otherwise;  ///< What counts when the key is absent; empty: it must be given.
+    std::string limits;
+  };
+
+  std::string path;  ///< Dotted; "[]" behind the name of a list; NAME for a name of one's own.
+  std::string meaning, example;
+  Form form;
+  bool optional = false;              ///< Absent, it is nothing.
+  std::vector<Variant> variants;      ///< At least one.
+  std::vector<Condition> conditions;  ///< Those that its mapping does not have anyway.
+};
+
+/// All keys of a kind of file.
+struct KeyTable {
+  std::vector<KeyDescription> keys;  ///< In the order of reading, those of a mapping together.
+  /// Paths that the reader looks for but never reads, on no way through it: a mistake in the
+  /// reader.
+  std::vector<std::string> never_read;
+};
+
+/// Every key that `read` can read, found by calling it with nothing on every way there is: each
+/// choice with each value, each key there and absent, and these two at a time with what they lead
+/// to. `read` must only depend on what it reads from the mapping.
+KeyTable survey(const std::function<void(Mapping)>& read);
+
+}  // namespace hal::config

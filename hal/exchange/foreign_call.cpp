@@ -1,0 +1,40 @@
+#include "hal/exchange/foreign_call.h"
+
+#include <unistd.h>
+
+#include <atomic>
+
+namespace hal::exchange {
+namespace {
+
+std::atomic<ForeignCall*> current{nullptr};
+
+/// Stands in `current` for a call that was seized. Never called through.
+ForeignCall* seized() {
+  static char place;
+  return reinterpret_cast<ForeignCall*>(&place);
+}
+
+}  // namespace
+
+ForeignCall::ForeignCall(std::string_view who, std::string_view what, Time at)
+    : who_(who), what_(what), at_(at) {
+  ForeignCall* before = current.load();
+  while (before != seized() && !current.compare_exchange_weak(before, this)) continue;
+}
+
+ForeignCall::~ForeignCall() {
+  ForeignCall* expected = this;
+  if (current.compare_exchange_strong(expected, nullptr)) return;
+  while (expected == seized()) pause();
+}
+
+std::optional<SeizedCall> seize_call() {
+  ForeignCall* call = current.load();
+  if (call == nullptr || call == seized()) return std::nullopt;
+  // If this succeeds, the destructor will not: the call lives.
+  if (!current.compare_exchange_strong(call, seized())) return std::nullopt;
+  return SeizedCall{std::string(call->who()), std::string(call->what()), call->at()};
+}
+
+}  // namespace hal::exchange

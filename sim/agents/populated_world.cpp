@@ -1,0 +1,20 @@
+#include "sim/agents/populated_world.h"
+
+#include <variant>
+
+namespace sim::agents {
+
+std::unique_ptr<physics::World> populated_world(const SimulationConfig& config) {
+  auto world = std::make_unique<physics::World>(config.world);
+  for (const physics::StaticBox& wall : config.walls) world->add_wall(wall);
+  for (const AgentConfig& agent : config.agents) {
+    if (const auto* mote = std::get_if<hal::devices::MoteDescription>(&agent.body)) {
+      world->add_mote(agent.id, *mote, agent.pose);
+    } else {
+      world->add_robot(agent.id, std::get<hal::devices::RobotDescription>(agent.body), agent.pose);
+    }
+  }
+  return world;
+}
+
+}  // namespace sim::agents

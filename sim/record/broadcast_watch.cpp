@@ -1,0 +1,61 @@
+#include "sim/record/broadcast_watch.h"
+
+#include <algorithm>
+
+#include "hal/routing/frame.h"
+
+namespace sim::record {
+namespace {
+
+/// More than radio waves need from one end of any field to the other (300 km).
+constexpr hal::Duration kLongestPropagation = std::chrono::milliseconds{1};
+
+/// The message that its own sender broadcasts with this frame.
+std::optional<hal::MessageId> own_broadcast(const radio::Frame& frame) {
+  if (!frame.is_broadcast() || frame.ethertype != radio::kEthertypeRouting || !frame.payload) {
+    return std::nullopt;
+  }
+  const auto routed = hal::routing::parse_frame(*frame.payload);
+  const auto* packet = routed ? hal::routing::packet_in(*routed) : nullptr;
+  const auto* data = packet ? std::get_if<hal::routing::Data>(packet) : nullptr;
+  if (data == nullptr || data->header.source != frame.transmitter) return std::nullopt;
+  return data->id;
+}
+
+}  // namespace
+
+void BroadcastWatch::on_frame_start(hal::Time at, const radio::Frame& frame) {
+  const auto message = own_broadcast(frame);
+  if (!message) return;
+  if (const auto before = last_.find(frame.transmitter); before != last_.end()) {
+    settle(before->first, before->second);
+  }
+  last_[frame.transmitter] = {
+      .frame = frame.id, .message = *message, .end = at + frame.airtime + kLongestPropagation};
+}
+
+void BroadcastWatch::on_reception(const radio::Frame& frame, hal::Verdict verdict) {
+  if (!frame.is_broadcast()) return;
+  const auto found = last_.find(frame.transmitter);
+  if (found == last_.end() || found->second.frame != frame.id) return;
+  if (verdict == hal::Verdict::kDelivered) found->second.heard = true;
+  ++found->second.losses[static_cast<std::size_t>(verdict)];
+}
+
+void BroadcastWatch::finish(hal::Time ended_at) {
+  for (const auto& [sender, broadcast] : last_) {
+    if (broadcast.end <= ended_at) settle(sender, broadcast);
+  }
+  last_.clear();
+}
+
+void BroadcastWatch::settle(hal::AgentId sender, const OnAir& broadcast) const {
+  if (broadcast.heard) return;
+  const auto& losses = broadcast.losses;
+  const auto most = std::max_element(losses.begin(), losses.end());
+  const auto why = *most == 0 ? hal::Verdict::kBelowSensitivity
+                              : static_cast<hal::Verdict>(most - losses.begin());
+  unheard_(sender, broadcast.message, why);
+}
+
+}  // namespace sim::record

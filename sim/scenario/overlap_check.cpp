@@ -1,0 +1,180 @@
+#include "sim/scenario/overlap_check.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <span>
+
+#include "sim/agents/populated_world.h"
+#include "sim/physics/overlap.h"
+
+namespace sim::scenario {
+namespace {
+
+using physics::Shape;
+
+/// m; what rounding makes of bodies that touch.
+constexpr double kRounding = 1e-6;
+
+/// One wall, or all shapes of one agent.
+struct Body {
+  std::span<const Shape> shapes;
+  hal::Vec2 low{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  hal::Vec2 high{-std::numeric_limits<double>::infinity(),
+                 -std::numeric_limits<double>::infinity()};
+
+  bool is_static() const { return shapes.front().is_static(); }
+};
+
+void enclose(Body& body, const Shape& shape) {
+  const bool box = shape.kind == Shape::Kind::kBox;
+  const hal::Vec2 axis{std::abs(shape.axis.x), std::abs(shape.axis.y)};
+  const double x = box ? axis.x * shape.half.x + axis.y * shape.half.y : shape.radius;
+  const double y = box ? axis.y * shape.half.x + axis.x * shape.half.y : shape.radius;
+  body.low = {std::min(body.low.x, shape.centre.x - x), std::min(body.low.y, shape.centre.y - y)};
+  body.high = {std::max(body.high.x, shape.centre.x + x),
+               std::max(body.high.y, shape.centre.y + y)};
+}
+
+/// Walls first, then agents, in the order in which they are declared: that of the shapes.
+std::vector<Body> bodies_of(std::span<const Shape> shapes) {
+  std::vector<Body> bodies;
+  for (std::size_t i = 0; i < shapes.size(); ++i) {
+    const bool same = i > 0 && !shapes[i].is_static() && shapes[i].owner == shapes[i - 1].owner;
+    if (!same) bodies.push_back({.shapes = shapes.subspan(i, 0)});
+    Body& body = bodies.back();
+    body.shapes = shapes.subspan(i - body.shapes.size(), body.shapes.size() + 1);
+    enclose(body, shapes[i]);
+  }
+  return bodies;
+}
+
+/// m, on the ground; 0: they touch at most.
+/// @param touching  m, as deep as bodies may be in each other.
+double deepest(const Body& a, const Body& b, double touching) {
+  double depth = 0;
+  for (const Shape& of_a : a.shapes) {
+    for (const Shape& of_b : b.shapes) {
+      const physics::Overlap overlap = physics::overlap(of_a, of_b);
+      if (overlap.is_deeper_than(touching)) depth = std::max(depth, overlap.level);
+    }
+  }
+  return depth;
+}
+
+struct Meeting {
+  std::size_t body, other;  ///< The later and the earlier declared one.
+  double depth;             ///< m
+};
+
+/// For each body the first overlap that is found with an earlier one. Sweeps along x, so that only
+/// neighbours are compared (M. C. Lin, D. Manocha, M. Ponamgi and J. D. Cohen, "I-COLLIDE", 1995).
+class Sweep {
+ public:
+  Sweep(const std::vector<Body>& bodies, double touching)
+      : bodies_(bodies), touching_(touching), found_(bodies.size(), false) {}
+
+  std::vector<Meeting> run() {
+    std::vector<std::size_t> order(bodies_.size());
+    for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+    std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
+      return bodies_[a].low.x < bodies_[b].low.x;
+    });
+    std::vector<std::size_t> reached;  // bodies that the sweep has not left yet
+    for (const std::size_t next : order) {
+      std::erase_if(reached,
+                    [&](std::size_t b) { return bodies_[b].high.x < bodies_[next].low.x; });
+      for (const std::size_t other : reached) compare(next, other);
+      reached.push_back(next);
+    }
+    std::sort(meetings_.begin(), meetings_.end(),
+              [](const Meeting& a, const Meeting& b) { return a.body < b.body; });
+    return std::move(meetings_);
+  }
+
+ private:
+  void compare(std::size_t a, std::size_t b) {
+    const auto [other, body] = std::minmax(a, b);
+    if (found_[body] || bodies_[body].is_static()) return;
+    if (bodies_[a].high.y < bodies_[b].low.y || bodies_[b].high.y < bodies_[a].low.y) return;
+    const double depth = deepest(bodies_[a], bodies_[b], touching_);
+    if (depth <= 0) return;
+    found_[body] = true;
+    meetings_.push_back({body, other, depth});
+  }
+
+  const std::vector<Body>& bodies_;
+  double touching_;
+  std::vector<bool> found_;  ///< Per body.
+  std::vector<Meeting> meetings_;
+};
+
+/// Names, groups and places of agents.
+class Directory {
+ public:
+  explicit Directory(const Scenario& scenario) {
+    for (const agents::AgentConfig& agent : scenario.simulation.agents)
+      entries_[agent.id].config = &agent;
+    for (const Group& group : scenario.groups) {
+      for (std::size_t i = 0; i < group.agents.size(); ++i) {
+        entries_[group.agents[i]].group = group.name;
+        entries_[group.agents[i]].place = group.places[i];
+      }
+    }
+  }
+
+  const agents::AgentConfig& config(const Body& body) const { return *entry(body).config; }
+
+  std::string prefix(const Body& body) const {
+    return fmt::format("{}: agents.{}", entry(body).place, entry(body).group);
+  }
+
+ private:
+  struct Entry {
+    const agents::AgentConfig* config = nullptr;
+    std::string group, place;
+  };
+  const Entry& entry(const Body& body) const { return entries_.at(body.shapes.front().owner); }
+
+  std::map<hal::AgentId, Entry> entries_;
+};
+
+std::string told(const Meeting& meeting, const std::vector<Body>& bodies, const Scenario& scenario,
+                 const Directory& directory) {
+  const Body& body = bodies[meeting.body];
+  const Body& other = bodies[meeting.other];
+  const agents::AgentConfig& agent = directory.config(body);
+  const std::string prefix = directory.prefix(body);
+  if (other.is_static()) {
+    return fmt::format("{}: at the start {} is {:.3g} m deep in '{}'", prefix, agent.name,
+                       meeting.depth, scenario.simulation.walls[meeting.other].name);
+  }
+  const agents::AgentConfig& earlier = directory.config(other);
+  const hal::Vec2 apart{agent.pose.x - earlier.pose.x, agent.pose.y - earlier.pose.y};
+  return fmt::format("{}: at the start {} overlaps {} by {:.3g} m; they are {:.3g} m apart", prefix,
+                     agent.name, earlier.name, meeting.depth, std::sqrt(dot(apart, apart)));
+}
+
+}  // namespace
+
+std::vector<std::string> overlaps(const Scenario& scenario) {
+  const auto world = agents::populated_world(scenario.simulation);
+  const std::vector<Body> bodies = bodies_of(world->shapes());
+  const double touching = std::max(scenario.simulation.world.surface_layer, kRounding);
+  const std::vector<Meeting> found = Sweep(bodies, touching).run();
+  const Directory directory(scenario);
+  std::vector<std::string> lines;
+  for (std::size_t i = 0; i < std::min(found.size(), kMostLines); ++i)
+    lines.push_back(told(found[i], bodies, scenario, directory));
+  if (found.size() > kMostLines) {
+    lines.push_back(fmt::format("{}: and so do {} more agents",
+                                directory.prefix(bodies[found[kMostLines].body]),
+                                found.size() - kMostLines));
+  }
+  return lines;
+}
+
+}  // namespace sim::scenario

@@ -1,0 +1,193 @@
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hal/config/document.h"
+#include "hal/config/errors.h"
+#include "hal/config/survey.h"
+#include "hal/description/body_section.h"
+#include "hal/hardware/robot_file.h"
+#include "sim/scenario/radio_section.h"
+#include "sim/scenario/scenario.h"
+
+/// Every key of every kind of file is described, and the examples of the descriptions are true.
+namespace hal::config {
+namespace {
+
+namespace fs = std::filesystem;
+using Lines = std::vector<std::string>;
+
+const fs::path kConfig = CONFIG_DIR;
+
+void read_scenario(Mapping in) { sim::scenario::read_scenario(in, "a.yaml"); }
+void read_hardware(Mapping in) { hardware::RobotFile::read(in); }
+void read_robot(Mapping in) { description::read_robot(in); }
+void read_mote(Mapping in) { description::read_mote(in); }
+void read_radio(Mapping in) { sim::scenario::read_radio(in); }
+
+/// A kind of file with files in which its examples may be put, each in at least one of them.
+struct Kind {
+  std::string name;
+  void (*read)(Mapping);
+  std::vector<fs::path> files;
+};
+
+const std::vector<Kind> kKinds = {
+    {"scenario", read_scenario, {kConfig / "scenarios/case_study.yaml"}},
+    {"hardware",
+     read_hardware,
+     {kConfig / "hardware/robotino.yaml", kConfig / "hardware/tmc200.yaml",
+      kConfig / "hardware/mote.yaml"}},
+    {"robot", read_robot, {kConfig / "robots/robertino.yaml"}},
+    {"mote", read_mote, {kConfig / "robots/mote.yaml"}},
+    {"radio", read_radio, {kConfig / "radios/ieee80211b.yaml"}}};
+
+/// Mistakes of a file with overrides.
+Lines mistakes(const Kind& kind, const fs::path& file, const Lines& overrides) {
+  try {
+    Document document = Document::load(file, overrides);
+    kind.read(document.root());
+    document.finish();
+  } catch (const ConfigErrors& errors) {
+    return errors.messages();
+  }
+  return {};
+}
+
+class Keys : public testing::TestWithParam<Kind> {};
+
+TEST_P(Keys, HaveAMeaningThatIsASentenceAndAnExample) {
+  for (const KeyDescription& key : survey(GetParam().read).keys) {
+    EXPECT_FALSE(key.meaning.empty()) << key.path;
+    EXPECT_TRUE(key.meaning.ends_with('.')) << key.path << ": " << key.meaning;
+    const bool has_keys = key.form.kind == Form::Kind::kMapping;
+    EXPECT_TRUE(has_keys || !key.example.empty()) << key.path << " has no example";
+  }
+}
+
+TEST_P(Keys, ThatAreLookedForAreReadSomewhere) {
+  EXPECT_EQ(survey(GetParam().read).never_read, Lines{})
+      << "describe them where they are read: {\"name\", \"What it means.\", \"example\"}";
+}
+
+/// Reads a key by the call that its form stands for.
+void read_as(Mapping& in, const Key& key, const Form& form) {
+  switch (form.kind) {
+    case Form::Kind::kNumber:
+      in.number(key, form.unit, form.range);
+      break;
+    case Form::Kind::kWhole:
+      in.integer(key, form.low, form.high);
+      break;
+    case Form::Kind::kFlag:
+      in.flag(key, false);
+      break;
+    case Form::Kind::kText:
+      in.text(key);
+      break;
+    case Form::Kind::kVector:
+      form.size == 2 ? (void)in.vec2(key, form.unit, form.range)
+                     : (void)in.vec3(key, form.unit, form.range);
+      break;
+    case Form::Kind::kTexts:
+      in.texts(key);
+      break;
+    case Form::Kind::kMapping:
+      in.mapping(key);
+      break;
+    case Form::Kind::kMappings:
+      in.mappings(key);
+      break;
+    case Form::Kind::kChoice:
+      EXPECT_NE(std::find(form.options.begin(), form.options.end(), key.example),
+                form.options.end());
+      break;
+  }
+}
+
+TEST_P(Keys, HaveExamplesOfTheirFormAndRange) {
+  const fs::path empty = fs::path(testing::TempDir()) / ("empty_" + std::to_string(::getpid()));
+  std::ofstream(empty) << "{}\n";
+  for (const KeyDescription& key : survey(GetParam().read).keys) {
+    if (key.example.empty()) continue;
+    Document document = Document::load(empty, {"example=" + key.example});
+    Mapping root = document.root();
+    read_as(root, {"example", "Of a test.", key.example}, key.form);
+    EXPECT_NO_THROW(document.finish()) << key.path << ": " << key.example;
+  }
+  fs::remove(empty);
+}
+
+/// The path with the name of a group for NAME.
+std::string named(std::string path, const std::string& name) {
+  const std::size_t at = path.find("NAME");
+  return at == std::string::npos ? path : path.replace(at, 4, name);
+}
+
+/// A way to give a key its example: in a file, for a group, with values of the keys it depends on.
+struct Way {
+  fs::path file;
+  std::string group;
+  std::optional<std::size_t> value;  ///< Of each condition; none: those of the file.
+};
+
+/// What the command line must say.
+Lines overrides_for(const KeyDescription& key, const std::vector<KeyDescription>& all,
+                    const Way& way) {
+  Lines overrides;
+  for (const KeyDescription& outer : all) {
+    const bool holds = key.path == outer.path || key.path.starts_with(outer.path + ".");
+    for (const Condition& condition : outer.conditions) {
+      if (!holds || condition.presence || !way.value) continue;
+      overrides.push_back(named(condition.path, way.group) + "=" +
+                          condition.values.at(*way.value % condition.values.size()));
+    }
+  }
+  std::string example = key.example;
+  for (auto at = example.find("NAME"); at != std::string::npos; at = example.find("NAME")) {
+    example.replace(at, 4, way.group == "motes" ? "m" : "r");
+  }
+  overrides.push_back(named(key.path, way.group) + "=" + example);
+  return overrides;
+}
+
+/// Whether one of the kind's files accepts the example in one of those ways.
+testing::AssertionResult is_accepted(const Kind& kind, const KeyDescription& key,
+                                     const std::vector<KeyDescription>& all) {
+  constexpr std::array<std::optional<std::size_t>, 3> kValues = {std::nullopt, 0, 1};
+  Lines found;
+  for (const fs::path& file : kind.files) {
+    for (const char* group : {"motes", "robots"}) {
+      for (const auto value : kValues) {
+        const Lines last = mistakes(kind, file, overrides_for(key, all, {file, group, value}));
+        if (last.empty()) return testing::AssertionSuccess();
+        found.insert(found.end(), last.begin(), last.end());
+      }
+    }
+  }
+  testing::AssertionResult failure = testing::AssertionFailure();
+  for (const std::string& line : found) failure << line << "\n";
+  return failure;
+}
+
+TEST_P(Keys, HaveExamplesThatTheReaderAcceptsInAFile) {
+  const auto keys = survey(GetParam().read).keys;
+  for (const KeyDescription& key : keys) {
+    const bool in_list = key.path.find("[]") != std::string::npos;  // its list's example has it
+    if (in_list || key.example.empty()) continue;
+    EXPECT_TRUE(is_accepted(GetParam(), key, keys)) << key.path << ": " << key.example;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Kinds, Keys, testing::ValuesIn(kKinds),
+                         [](const auto& c) { return c.param.name; });
+
+}  // namespace
+}  // namespace hal::config

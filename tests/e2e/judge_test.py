@@ -1,0 +1,112 @@
+#!/usr/bin/env python3
+"""What `baraka check` finds before a run, `baraka run` refuses with the same words, and controllers are
+kept from while it lasts."""
+import pathlib
+import re
+import unittest
+
+from baraka import ROOT, Case, Program
+
+HERE = pathlib.Path(__file__).resolve().parent
+WANDERER = ROOT / "config/scenarios/wanderer.yaml"
+TWO_MOTES = ROOT / "config/scenarios/two_motes.yaml"
+IN_PROCESS = ["--controllers", "in-process"]
+HOSTS = (IN_PROCESS, [])  # in this process; spawned, over DDS
+
+
+def sets(overrides):
+    return [argument for override in overrides for argument in ("--set", override)]
+
+
+class WhatCannotRun(Case):
+    CASES = [
+        (WANDERER, ["agents.robots.robot.infrared={mounts: []}"],
+         r"program: 'wanderer' cannot do without a channel: r0 has no channel 'infrared'; it has: "
+         r"localisation, odometry"),
+        (WANDERER, ["end=[{agent: r0, state: LOST, result: a}, {at: 1 s, result: b}]",
+                    "agents.robots.controller={program: blind}"],
+         r"end\.state: blind declares no state 'LOST'"),
+        (WANDERER, ["agents.robots.poses=[{x: 3 m, y: 0 m}]"], r"r0 is 0\.285 m deep in 'east'"),
+        (WANDERER, ["agents.robots.poses=[{x: 0 m, y: 0 m}, {x: 0 m, y: 0.3 m}]"],
+         r"r1 overlaps r0 by 0\.07 m; they are 0\.3 m apart"),
+        (WANDERER, ["agents.robots.robot.wheels.joints=[{distance: 0.132 m, bearing: 0 deg}, "
+                    "{distance: 0.132 m, bearing: 90 deg}, {distance: 0.132 m, bearing: 180 deg}]"],
+         r"the robot would tip over when it reverses: 0\.15 m/s\^2 lift wheels"),
+        (TWO_MOTES, ["agents.motes.controller.parameters={help_at: 1e300 s}"],
+         r"help_at: 1e300 s is above the limit of 1000000000 s"),
+    ]
+
+    def test_is_refused_by_check_and_by_run_with_the_same_words(self):
+        for scenario, overrides, words in self.CASES:
+            with self.subTest(words=words):
+                checked = Program("baraka", "check", scenario, *sets(overrides)).finish()
+                self.assertEqual(checked.status, 2, str(checked))
+                self.assertRegex(checked.err, r"(?m)^(\S+\.yaml:\d+:\d+|--set [\w.]+): .*" + words)
+                for host in HOSTS:
+                    ran = self.start(scenario, *host, *sets(overrides)).finish()
+                    self.assertEqual((ran.status, ran.err), (2, checked.err), str(ran))
+
+
+class Warnings(Case):
+    def test_are_told_with_their_place_and_change_neither_status_nor_outcome(self):
+        doubtful = sets(["radio.noise_floor=-60 dBm"])
+        checked = Program("baraka", "check", TWO_MOTES, *doubtful).finish()
+        self.assertEqual(checked.status, 0, str(checked))
+        self.assertRegex(checked.err, r"--set radio.noise_floor: warning: -60 dBm is above the "
+                                      r"sensitivity, -85 dBm")
+        self.assertRegex(checked.out, ": ok")
+        ran = self.start(TWO_MOTES, *IN_PROCESS, *doubtful).finish()
+        self.assertEqual(ran.status, 0, str(ran))
+        self.assertIn(checked.err.splitlines()[0], ran.err)
+
+    def test_what_cannot_be_checked_is_told_as_that(self):
+        waits = sets(["end=[{agent: r0, state: LOST, result: a}, {at: 1 s, result: b}]"])
+        checked = Program("baraka", "check", WANDERER, *waits).finish()
+        self.assertEqual(checked.status, 0, str(checked))
+        self.assertIn("states of wanderer: not checked, it declares none", checked.err)
+
+
+class OptionalChannels(Case):
+    def test_are_given_where_they_are_and_done_without_elsewhere(self):
+        fingerprints = set()
+        for host in HOSTS:
+            finished = self.run_baraka(HERE / "blind.yaml", *host)
+            self.assertEqual(finished["result"], "done")
+            fingerprints.add(finished["fingerprint"])
+            states = self.query("SELECT DISTINCT name, state FROM states JOIN agents USING (agent) "
+                                "ORDER BY name, at_ns")
+            self.assertEqual(states, [("b0", "BLIND"), ("s0", "SEES")])
+            log = (self.out / "run.log").read_text()
+            self.assertRegex(log, "b0.*no channel 'infrared': the agent has none")
+        self.assertEqual(len(fingerprints), 1)
+
+
+class Inventions(Case):
+    def test_a_state_that_is_not_declared_is_refused_and_told_once(self):
+        for host in HOSTS:
+            self.run_baraka(HERE / "blind.yaml", *host,
+                            *sets(["agents.seeing.controller.parameters={lies: 1}"]))
+            self.assertEqual(self.query("SELECT count(*) FROM states WHERE state = 'DREAMS'"), [(0,)])
+            told = re.findall("s0: state: 'DREAMS' is not one of the states that the controller "
+                              "declares: SEES, BLIND", (self.out / "run.log").read_text())
+            self.assertEqual(len(told), 1)
+
+    def test_topics_have_a_limit_that_is_told_once(self):
+        fingerprints = set()
+        for host in HOSTS:
+            finished = self.run_baraka(HERE / "inventor.yaml", *host)
+            fingerprints.add(finished["fingerprint"])
+            state, = self.query("SELECT state FROM states WHERE state != 'granted 0 of 0'")
+            # Control cycles at 0.1 s, 0 s included if phases are aligned: some 100 in 10 s.
+            self.assertRegex(state[0], r"^granted 256 of (198|2\d\d)000$")
+            self.assertNotIn("actions refused", finished.err)
+            log = (self.out / "run.log").read_text()
+            told = re.findall(r"m0: send: 'topic 256' would be topic 257 of this agent, at most 256 "
+                              r"are allowed", log)
+            self.assertEqual(len(told), 1, log)
+            self.assertRegex(log, r"m0: send: 'topic \d+' would be topic 257 of this agent")
+        self.assertEqual(len(fingerprints), 1)
+
+
+if __name__ == "__main__":
+    unittest.main()

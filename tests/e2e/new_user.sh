@@ -1,0 +1,55 @@
+#!/usr/bin/env bash
+# Shows what a new user gets from the Debian packages alone: a minimal Debian 12 root made by
+# debootstrap, with nothing of this machine but its package mirrors and the three .deb files. The user
+# runs the case study, a scenario of their own, a controller of their own; then the daemon comes.
+#
+#   ./setup packages && tests/e2e/new_user.sh FOLDER
+#
+# FOLDER: made by this script, 2 GB; remove it afterwards. Needs root and debootstrap. Not part of
+# ./test. Ends with status 0 and "new user: ok", or not with 0.
+set -euo pipefail
+source=$(cd "$(dirname "$0")/../.." && pwd)
+packages=$source/build/release/packages
+ls "$packages"/{baraka,libbaraka-dev,baraka-agentd}_*.deb >/dev/null
+source "$source/tests/e2e/minimal_root.sh"
+minimal_root "${1:?usage: new_user.sh FOLDER}"
+mkdir "$root/debs"
+cp "$packages"/*.deb "$root/debs"
+chmod -R a+rX "$root/debs"
+
+LINES_SHOWN=6
+install="apt-get install -y --no-install-recommends"
+place=/debs
+inside "apt-get update"
+inside "$install ./baraka_*.deb"
+inside "useradd --create-home --shell /bin/bash ada"
+
+place=/home/ada as=ada LINES_SHOWN=40
+inside "baraka run case_study.yaml | tee lines.txt; grep -qx 'result: arrived' lines.txt
+  grep -qx 'fingerprint: 39f33e64d3cc8d56' lines.txt"
+inside "ls /usr/share/baraka /usr/share/baraka/scenarios /usr/share/doc/baraka"
+inside "! baraka run case_studdy.yaml"
+cp "$source/tests/e2e/new_user/corridor.yaml" "$root/home/ada/"
+inside "baraka check corridor.yaml"
+inside "baraka run corridor.yaml"
+inside "sed 's/data_rate/data_rat/; s/0.6 m.s/0.6 km/' corridor.yaml >typo.yaml; ! baraka check typo.yaml"
+inside "baraka run corridor.yaml --replications 3 --controllers in-process --out results/many"
+inside "baraka report results/many"
+
+place=/debs as=root LINES_SHOWN=3
+inside "$install ./libbaraka-dev_*.deb"
+place=/home/ada as=ada LINES_SHOWN=40
+inside "baraka new-controller wall_finder"
+place=/home/ada/wall_finder
+inside "cmake -B build -G Ninja >/dev/null; cmake --build build"
+inside "ctest --test-dir build"
+inside "BARAKA_CONTROLLER_PATH=\$PWD/build baraka run scenario.yaml"
+inside "baraka report results/wall_finder"
+
+place=/debs as=root LINES_SHOWN=3
+inside "$install ./baraka-agentd_*.deb"
+inside "getent passwd baraka; ls -d /etc/baraka /usr/lib/systemd/system/baraka-agentd@.service"
+LINES_SHOWN=10
+inside "sed 's/eth0\|wlan0/lo/' /usr/share/baraka/hardware/mote.yaml >/etc/baraka/m0.yaml; baraka-agentd --help"
+inside "apt-get purge -y baraka libbaraka-dev baraka-agentd >/dev/null; ! ls /usr/bin/baraka /usr/lib/baraka /usr/share/baraka"
+echo "new user: ok"

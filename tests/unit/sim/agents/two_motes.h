@@ -1,0 +1,121 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/agents/simulation.h"
+#include "tests/support/printers.h"
+
+namespace tests {
+
+using namespace std::chrono_literals;
+using hal::AgentId;
+using hal::Time;
+using hal::exchange::Action;
+using hal::exchange::ActionKind;
+using hal::exchange::Cause;
+using hal::exchange::Event;
+using hal::exchange::Reply;
+using hal::exchange::Step;
+using sim::agents::Outcome;
+using sim::agents::SimulationConfig;
+
+inline constexpr AgentId kA{1}, kB{2};
+
+/// Controllers made of one function: what to do about an event.
+class Script final : public hal::exchange::ControllerPort {
+ public:
+  using Rule = std::function<std::vector<Action>(const Event&)>;
+  explicit Script(Rule rule) : rule_(std::move(rule)) {}
+
+  const std::string& name() const override { return name_; }
+  hal::Result<void> begin(const Step& step) override {
+    steps.push_back(step);
+    reply_ = {};
+    for (std::uint32_t i = 0; i < step.events.size(); ++i) {
+      for (Action& action : rule_(step.events[i])) {
+        action.agent = step.events[i].agent;
+        action.event = i;
+        reply_.actions.push_back(std::move(action));
+      }
+    }
+    return {};
+  }
+  hal::Result<Reply> finish() override { return reply_; }
+  hal::Result<void> check_alive() override { return {}; }
+
+  std::vector<Step> steps;
+
+ private:
+  std::string name_ = "script";
+  Rule rule_;
+  Reply reply_;
+};
+
+inline Action state(const std::string& text) {
+  Action action;
+  action.kind = ActionKind::kState;
+  action.text = text;
+  return action;
+}
+
+inline Action send(AgentId destination) {
+  Action action;
+  action.kind = ActionKind::kSend;
+  action.message_id = 1;
+  action.destination = destination;
+  action.topic = "test";
+  return action;
+}
+
+/// When actions took effect.
+class Effects final : public sim::agents::Observer {
+ public:
+  void on_action(Time at, const Action& action) override { actions.emplace_back(at, action.kind); }
+  void on_body_lost(const sim::physics::LostBody& body) override { lost.push_back(body.agent); }
+  std::vector<std::pair<Time, ActionKind>> actions;
+  std::vector<AgentId> lost;
+};
+
+class NoPace final : public sim::agents::Pace {
+ public:
+  Verdict may_go_on(Time, const sim::agents::Progress&) override { return Verdict::kGoOn; }
+};
+
+/// Two motes next to each other, with an ideal radio.
+class TwoMotes : public testing::Test {
+ protected:
+  TwoMotes() {
+    config.control_phase = sim::agents::ControlPhase::kAligned;
+    config.radio = sim::radio::profile_defaults(sim::radio::Profile::kIdeal);
+    for (const AgentId id : {kA, kB}) {
+      config.agents.push_back({.id = id,
+                               .name = id == kA ? "a" : "b",
+                               .pose = {10.0 * id.value, 0, 0},
+                               .body = hal::devices::MoteDescription{},
+                               .program = {},
+                               .parameters = {}});
+    }
+  }
+
+  Outcome run(Time until, Script::Rule rule, const hal::Wants& wants = {}) {
+    port = std::make_shared<Script>(std::move(rule));
+    sim::agents::Simulation simulation(config, {&effects});
+    simulation.connect(port, {kA, kB}, wants);
+    NoPace pace;
+    return simulation.run(until, pace);
+  }
+
+  SimulationConfig config;
+  std::shared_ptr<Script> port;
+  Effects effects;
+};
+
+inline std::vector<Action> nothing(const Event&) { return {}; }
+
+}  // namespace tests
