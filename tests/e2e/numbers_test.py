@@ -75,7 +75,8 @@ class Numbers(Case):
     def test_a_bad_domain_in_the_environment_is_a_mistake_of_the_command_line(self):
         for value in ("x", "-1", "233", "1.5", "\033[2J"):
             for program, arguments in (("baraka", ["topic", "list"]),
-                                       ("baraka", ["run", CASE_STUDY, "--controllers", "external"]),
+                                       ("baraka", ["run", CASE_STUDY, "--controllers", "external", "--out",
+                                                   self.folder / "out"]),
                                        ("help_mote", ["--agents", "m0"])):
                 with self.subTest(program=program, value=value):
                     finished = Program(program, *arguments, env={"BARAKA_DOMAIN": value}).finish()
