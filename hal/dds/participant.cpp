@@ -210,7 +210,7 @@ api::DataWriterQos writer_qos(Presence presence) {
 
 api::DataReaderQos reader_qos(Presence presence) {
   api::DataReaderQos qos = api::DATAREADER_QOS_DEFAULT;
-  set_common_qos(qos, presence, kMaxInstances);
+  set_common_qos(qos, presence, kMaxRead);
   qos.reliable_reader_qos().times.initialAcknackDelay = to_dds(kFirstAcknack);
   qos.reliable_reader_qos().times.heartbeatResponseDelay = to_dds(Duration::zero());
   return qos;

@@ -60,8 +60,11 @@ class Participant {
 inline constexpr Duration kLivelinessLease = std::chrono::milliseconds{1500};
 inline constexpr Duration kLivelinessPeriod = std::chrono::milliseconds{300};
 
-/// Most writers' last samples that a reader keeps. Those whose writers are gone make room.
+/// Samples that wait for whoever reads them here.
 inline constexpr std::int32_t kMaxInstances = 4096;
+/// Most writers' last samples that a reader of DDS keeps. Those whose writers are gone make room;
+/// those behind a lost one do not, which a participant that is not heard any more never repairs.
+inline constexpr std::int32_t kMaxRead = 1 << 16;
 /// The same of a writer. Those that were disposed of stay until every reader knows, also those of
 /// processes that were killed, which DDS forgets late.
 inline constexpr std::int32_t kMaxWritten = 1 << 20;

@@ -28,7 +28,8 @@ bool Quota::admits(const api::SampleInfo& info) {
       own.insert(info.instance_handle);
       return true;
     }
-    instances_.erase(participant);
+    // The rest of the datagram under way comes by, too.
+    if (!refused_.insert(participant).second) return false;
   }
   const auto sender = filter_.sender_of(participant);
   filter_.ignore(participant);
@@ -41,6 +42,7 @@ bool Quota::admits(const api::SampleInfo& info) {
 void Quota::leave(const Origin& writer) {
   const std::lock_guard lock(mutex_);
   instances_.erase(participant_of(writer));
+  refused_.erase(participant_of(writer));
 }
 
 }  // namespace hal::dds

@@ -26,6 +26,7 @@ class Quota {
   std::size_t most_;
   std::mutex mutex_;
   std::map<hal::rtps::GuidPrefix, std::set<rtps::InstanceHandle_t>> instances_;
+  std::set<hal::rtps::GuidPrefix> refused_;
 };
 
 }  // namespace hal::dds

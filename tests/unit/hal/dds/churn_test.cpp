@@ -56,6 +56,10 @@ TEST(Churn, AParticipantThatSaysEndlessHellosKeepsNobodyElseFromBeingServed) {
   const ProcessIdentity self = this_process();
   hello.host = self.host, hello.pid = self.pid, hello.pid_start_time = self.start_time;
   expect_service(server, "before");
+  const Deadline deadline(kPatience);
+  while (writer.readers() == 0 && !deadline.has_passed()) {
+    server.hellos(std::chrono::milliseconds{10});
+  }
   for (std::size_t i = 0; i < hellos(); ++i) {
     hello.instance = std::to_string(i);
     wire::Hello sample = to_wire(hello);

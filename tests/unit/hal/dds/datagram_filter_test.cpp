@@ -85,7 +85,8 @@ TEST_F(StarFilter, HearsNobodyWhoIsIgnored) {
 
 TEST_F(StarFilter, NumbersThatReceiversWouldCountUpToMustBeNear) {
   hal::rtps::Datagram far = heartbeat(1);
-  far[36] = 0, far[39] = 0x04;  // 2^26
+  far[36] = 0, far[39] = 0x04;  // the first: 2^26
+  far[40] = 1;                  // the last is far beyond
   EXPECT_TRUE(lets_in(far));
   far[39] = 0x09;
   EXPECT_FALSE(lets_in(far)) << "2^26 above the last";
@@ -93,7 +94,7 @@ TEST_F(StarFilter, NumbersThatReceiversWouldCountUpToMustBeNear) {
   EXPECT_TRUE(lets_in(far));
   EXPECT_FALSE(lets_in([] {
     hal::rtps::Datagram first = heartbeat(2);
-    first[39] = 0x7f;
+    first[39] = 0x7f, first[40] = 1;
     return first;
   }()));
 }

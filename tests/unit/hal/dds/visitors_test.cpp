@@ -93,11 +93,11 @@ TEST(Visitors, SilenceIsTheEndOfProcessesOnOtherHostsOnly) {
 }
 
 TEST(SpeakerCheck, APortBelongsToTheProcessThatHasIt) {
+  const Child child({"sleep"});  // before there is a socket that it could inherit
   const Socket socket;
   const ProcessIdentity self = this_process();
   EXPECT_TRUE(check_speaker(self, socket.sender()));
   EXPECT_TRUE(check_speaker(self, std::nullopt));
-  const Child child({"sleep"});
   const auto other = start_time_of(child.pid());
   ASSERT_TRUE(other);
   const auto forged = check_speaker({self.host, child.pid(), *other}, socket.sender());
