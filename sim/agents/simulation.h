@@ -80,8 +80,9 @@ class Simulation final : public hal::exchange::AgentHost {
   /// Repeats a run in real time from its turns: same scenario, seed and controllers, same events.
   Outcome repeat(std::optional<hal::Time> until, std::span<const Turn> turns, Pace& pace);
 
-  /// How the run stands after an exception out of run(), follow() or repeat(), or while these do not
-  /// return from a controller: failed with that error; interrupted if it is empty. It cannot go on.
+  /// How the run stands after an exception out of run(), follow() or repeat(), or while these do
+  /// not return from a controller: failed with that error; interrupted if it is empty. It cannot go
+  /// on.
   Outcome broken_off_by(const std::string& error);
 
   /// True state, for expectations: m, world frame.
