@@ -266,7 +266,7 @@ controller:
                      "x" * 65):
             made = self.baraka("new-controller", name)
             self.assertEqual(made.status, 2, f"{name}: {made}")
-            self.assertRegex(made.err, re.escape(f"the name '{name}' "))
+            self.assertRegex(made.err, re.escape(f"the name '{name}' ") if name else "NAME: is given nothing")
         self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_a_folder_that_is_there_is_left_alone(self):
