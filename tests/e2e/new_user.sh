@@ -27,7 +27,7 @@ inside "useradd --create-home --shell /bin/bash ada"
 place=/home/ada as=ada LINES_SHOWN=40
 inside "baraka run case_study.yaml | tee lines.txt; grep -qx 'result: arrived' lines.txt
   grep -qx 'fingerprint: 39f33e64d3cc8d56' lines.txt"
-inside "ls /usr/share/baraka /usr/share/baraka/scenarios /usr/share/doc/baraka"
+inside "ls /usr/share/baraka /usr/share/baraka/scenarios /usr/share/doc/baraka /usr/share/doc/baraka/docs/keys.md"
 inside "! baraka run case_studdy.yaml"
 cp "$source/tests/e2e/new_user/corridor.yaml" "$root/home/ada/"
 inside "baraka check corridor.yaml"
@@ -50,6 +50,9 @@ place=/debs as=root LINES_SHOWN=3
 inside "$install ./baraka-agentd_*.deb"
 inside "getent passwd baraka; ls -d /etc/baraka /usr/lib/systemd/system/baraka-agentd@.service"
 LINES_SHOWN=10
-inside "sed 's/eth0\|wlan0/lo/' /usr/share/baraka/hardware/mote.yaml >/etc/baraka/m0.yaml; baraka-agentd --help"
+# An agent that needs no device: the mote, on the loopback interface.
+inside "sed 's/wlan0/lo/' /usr/share/baraka/hardware/mote.yaml >/etc/baraka/m1.yaml
+  timeout --preserve-status 3 baraka-agentd /etc/baraka/m1.yaml --domain 93 | tee said.txt
+  grep -q '^ready: m1 (mote, address 2), .* domain 93' said.txt"
 inside "apt-get purge -y baraka libbaraka-dev baraka-agentd >/dev/null; ! ls /usr/bin/baraka /usr/lib/baraka /usr/share/baraka"
 echo "new user: ok"
