@@ -9,6 +9,7 @@
 #include <functional>
 #include <utility>
 
+#include "hal/dds/speaker_check.h"
 #include "hal/rtps/validate.h"
 #include "hal/types/log.h"
 
@@ -97,7 +98,11 @@ DatagramFilter::Reason DatagramFilter::objection_to(hal::rtps::Octets datagram,
   Speaker speaker = known == speakers_.end() ? Speaker{.sender = sender} : known->second;
   if (speaker.is_ignored) return {"sender", "its participant is not heard any more"};
   if (settings_.is_star && speaker.sender != sender) {
-    return {"sender", "its participant speaks from another port"};
+    // One that ended and began anew within its process has the same GUID, and the old port is free.
+    if (socket_at(speaker.sender).value_or("") != "") {
+      return {"sender", "its participant speaks from another port"};
+    }
+    speaker.sender = sender;
   }
   const hal::rtps::Limits limits{.sequence_number = speaker.highest + kMostSkipped,
                                  .relayed_discovery = !settings_.is_star};

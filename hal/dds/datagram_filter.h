@@ -41,7 +41,8 @@ std::vector<Network> networks_of(const std::vector<std::string>& addresses);
 /// on (ip(7), IP_MULTICAST_ALL), so that a LAN reached participants of 127.0.0.1.
 ///
 /// On the loopback interface it also binds a participant to the port it speaks from, which no other
-/// program can have meanwhile: its GUID alone could be anyone's.
+/// program can have meanwhile: its GUID alone could be anyone's. The port may change once nobody
+/// has the old one.
 ///
 /// What is dropped is counted by reason and sender's address; the first of an address is logged,
 /// and at the end how many there were. Any thread.

@@ -23,28 +23,6 @@ bool is_there(std::int64_t pid) {
   return pid > 0 && (kill(static_cast<pid_t>(pid), 0) == 0 || errno == EPERM);
 }
 
-/// The inode of the socket that has a UDP port, as /proc/net/udp tells it; empty: nobody has it.
-/// Nothing if there is no such file.
-std::optional<std::string> socket_at(const UdpSender& sender) {
-  // The address is in the order of the network, read as a number of this machine; or any.
-  const std::string one = fmt::format("{:08X}:{:04X}", htonl(sender.address), sender.port);
-  const std::string any = fmt::format("{:08X}:{:04X}", 0, sender.port);
-  std::ifstream sockets("/proc/net/udp");
-  if (!sockets) return std::nullopt;
-  std::string line;
-  std::getline(sockets, line);
-  while (std::getline(sockets, line)) {
-    std::istringstream fields(line);
-    std::string number, local, skipped, inode;
-    fields >> number >> local;
-    if (local != one && local != any) continue;
-    for (int field = 2; field < 9; ++field) fields >> skipped;
-    fields >> inode;
-    return inode;
-  }
-  return std::string();
-}
-
 /// Whether a process has a socket open; nothing if this one may not know.
 std::optional<bool> has_socket(std::int64_t pid, const std::string& inode) {
   const std::string wanted = "socket:[" + inode + "]";
@@ -73,6 +51,26 @@ std::optional<uid_t> user_of(std::int64_t pid) {
 bool is_of_this_host(const ProcessIdentity& claimed) { return claimed.host == this_process().host; }
 
 }  // namespace
+
+std::optional<std::string> socket_at(const UdpSender& sender) {
+  // The address is in the order of the network, read as a number of this machine; or any.
+  const std::string one = fmt::format("{:08X}:{:04X}", htonl(sender.address), sender.port);
+  const std::string any = fmt::format("{:08X}:{:04X}", 0, sender.port);
+  std::ifstream sockets("/proc/net/udp");
+  if (!sockets) return std::nullopt;
+  std::string line;
+  std::getline(sockets, line);
+  while (std::getline(sockets, line)) {
+    std::istringstream fields(line);
+    std::string number, local, skipped, inode;
+    fields >> number >> local;
+    if (local != one && local != any) continue;
+    for (int field = 2; field < 9; ++field) fields >> skipped;
+    fields >> inode;
+    return inode;
+  }
+  return std::string();
+}
 
 Result<void> check_speaker(const ProcessIdentity& claimed, const std::optional<UdpSender>& sender) {
   if (!is_of_this_host(claimed)) return {};

@@ -1,12 +1,17 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "hal/dds/datagram_filter.h"
 #include "hal/dds/process_watch.h"
 #include "hal/types/result.h"
 
 namespace hal::dds {
+
+/// The inode of the socket that has a UDP port, as /proc/net/udp tells it; empty: nobody has it.
+/// Nothing if there is no such file.
+std::optional<std::string> socket_at(const UdpSender& sender);
 
 /// Whether a process can be the one that it says it is: it lives, has started when it says, and has
 /// the UDP port that it speaks from. Only of processes of this host, and as far as the rights of

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "tests/unit/hal/dds/udp_socket.h"
 #include "tests/unit/hal/rtps/datagrams.h"
 
 namespace hal::dds {
@@ -61,12 +62,18 @@ TEST_F(StarFilter, DropsWhatComesFromBeyondTheInterface) {
             "of this participant");
 }
 
-TEST_F(StarFilter, BindsAParticipantToThePortItSpeaksFrom) {
-  EXPECT_TRUE(lets_in(heartbeat(1)));
-  EXPECT_FALSE(lets_in(heartbeat(1), {kLocalhost, 40001}));
-  EXPECT_TRUE(lets_in(heartbeat(1)));
-  EXPECT_TRUE(lets_in(heartbeat(2), {kLocalhost, 40001}));
-  EXPECT_EQ(filter_.sender_of(prefix_of(heartbeat(1))), kSender);
+TEST_F(StarFilter, BindsAParticipantToThePortItSpeaksFromWhileItHasIt) {
+  const UdpSocket second;
+  {
+    const UdpSocket first;
+    EXPECT_TRUE(lets_in(heartbeat(1), first.sender()));
+    EXPECT_FALSE(lets_in(heartbeat(1), second.sender()));
+    EXPECT_TRUE(lets_in(heartbeat(1), first.sender()));
+    EXPECT_TRUE(lets_in(heartbeat(2), second.sender()));
+    EXPECT_EQ(filter_.sender_of(prefix_of(heartbeat(1))), first.sender());
+  }
+  EXPECT_TRUE(lets_in(heartbeat(1), second.sender())) << "nobody has the first port any more";
+  EXPECT_EQ(filter_.sender_of(prefix_of(heartbeat(1))), second.sender());
   EXPECT_EQ(filter_.sender_of(prefix_of(heartbeat(3))), std::nullopt);
 }
 

@@ -1,13 +1,11 @@
 #include "hal/dds/visitors.h"
 
-#include <arpa/inet.h>
 #include <fmt/core.h>
 #include <gtest/gtest.h>
-#include <sys/socket.h>
-#include <unistd.h>
 
 #include "hal/dds/speaker_check.h"
 #include "tests/unit/hal/dds/child.h"
+#include "tests/unit/hal/dds/udp_socket.h"
 
 namespace hal::dds {
 namespace {
@@ -28,30 +26,6 @@ exchange::Hello hello_of_this_process(const std::string& instance) {
   hello.pid_start_time = self.start_time;
   return hello;
 }
-
-/// A UDP socket of this process on the loopback interface.
-class Socket {
- public:
-  Socket() : descriptor_(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0)) {
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socklen_t size = sizeof(address);
-    auto* const raw = reinterpret_cast<sockaddr*>(&address);
-    if (bind(descriptor_, raw, size) != 0 || getsockname(descriptor_, raw, &size) != 0) {
-      throw std::runtime_error("no socket");
-    }
-    sender_ = {INADDR_LOOPBACK, ntohs(address.sin_port)};
-  }
-  ~Socket() { close(descriptor_); }
-  Socket(const Socket&) = delete;
-  Socket& operator=(const Socket&) = delete;
-  const UdpSender& sender() const { return sender_; }
-
- private:
-  int descriptor_;
-  UdpSender sender_;
-};
 
 TEST(Visitors, AnInstanceBelongsToTheParticipantThatNamedItFirst) {
   Visitors visitors;
@@ -94,7 +68,7 @@ TEST(Visitors, SilenceIsTheEndOfProcessesOnOtherHostsOnly) {
 
 TEST(SpeakerCheck, APortBelongsToTheProcessThatHasIt) {
   const Child child({"sleep"});  // before there is a socket that it could inherit
-  const Socket socket;
+  const UdpSocket socket;
   const ProcessIdentity self = this_process();
   EXPECT_TRUE(check_speaker(self, socket.sender()));
   EXPECT_TRUE(check_speaker(self, std::nullopt));
