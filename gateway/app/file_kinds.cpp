@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <map>
 
 #include "gateway/app/judge_controllers.h"
@@ -25,8 +26,12 @@ void judge_scenario(const std::string& path, const Overrides& overrides) {
   load_judged(path, overrides);
 }
 void read_hardware(Mapping in) { hal::hardware::RobotFile::read(in); }
+void tell(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) fmt::print(stderr, "{}\n", warning);
+}
+
 void judge_hardware(const std::string& path, const Overrides& overrides) {
-  hal::hardware::RobotFile::load(path, overrides);
+  tell(hal::hardware::RobotFile::load(path, overrides).warnings);
 }
 void read_robot(Mapping in) { hal::description::read_robot(in); }
 void read_mote(Mapping in) { hal::description::read_mote(in); }
@@ -38,6 +43,7 @@ void judge(const std::string& path, const Overrides& overrides) {
   Document document = Document::load(path, overrides);
   kRead(document.root());
   document.finish();
+  tell(document.warnings());
 }
 
 constexpr const char* kScenario = R"(version: 1

@@ -15,7 +15,7 @@ struct FileKind {
   std::string about;    ///< One line for people.
   std::string example;  ///< A complete file.
   void (*read)(hal::config::Mapping);
-  /// Finds every mistake. @throws hal::config::ConfigErrors
+  /// Finds every mistake; says warnings on standard error. @throws hal::config::ConfigErrors
   void (*judge)(const std::string& path, const std::vector<std::string>& overrides);
 };
 

@@ -127,6 +127,7 @@ RobotFile RobotFile::load(const std::filesystem::path& path,
   auto document = config::Document::load(path, overrides);
   RobotFile file = read(document.root());
   document.finish();
+  file.warnings = document.warnings();
   return file;
 }
 

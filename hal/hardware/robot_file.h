@@ -126,6 +126,8 @@ struct RobotFile {
   std::variant<std::monostate, RobotinoSettings, Tmc200Settings> wheels;
   std::variant<std::monostate, RobotinoSettings, IioSettings> infrared;
 
+  std::vector<std::string> warnings;  ///< What is allowed and hardly meant, a line each.
+
   /// Reads the top level of a file; notes mistakes there.
   static RobotFile read(config::Mapping in);
 

@@ -133,6 +133,12 @@ void phy_keys(Io& io, RadioConfig& c) {
       kMaxBits, c.fixed_header_bits);
   io.count({"fixed_payload_bits", "With `lengths: fixed`: a network packet.", "1024"}, 0, kMaxBits,
            c.fixed_payload_bits);
+}
+
+template <class Io>
+void reception_keys(Io& io, RadioConfig& c) {
+  using K = Keys<Io>;
+  K keys(io, c.profile);
   if (keys.uses("error_model", K::kWaves))
     io.choice({"error_model", "When a frame is lost to noise and interference.", "dsss"},
               kErrorModels, c.error_model);
@@ -192,6 +198,7 @@ template <class Io>
 void all_keys(Io& io, RadioConfig& c) {
   propagation_keys(io, c);
   phy_keys(io, c);
+  reception_keys(io, c);
   mac_keys(io, c);
 }
 

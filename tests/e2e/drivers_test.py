@@ -65,14 +65,22 @@ class Wheels:
     def test_a_command_holds_for_the_command_timeout_unless_it_is_kept(self):
         self.command_timeout = "500 ms"
         self.begin()
-        self.probe.ask("drive 0.2 0 0")
-        self.await_moving()
-        for _ in range(12):
-            self.probe.ask("keep")
-            time.sleep(0.1)
-        self.assertTrue(self.truth()["moving"], "kept for more than twice as long")
-        truth = self.await_standing()
-        self.assertEqual(truth["stops_by_rule"], 0, "by a command, not by silence")
+        for _ in range(5):
+            late, stops = self.probe.condition()[1]["late"], self.truth()["stops_by_rule"]
+            self.probe.ask("drive 0.2 0 0")
+            self.await_moving()
+            longest = 0
+            for _ in range(12):
+                begun = time.monotonic()
+                self.probe.ask("keep")
+                time.sleep(0.1)
+                longest = max(longest, time.monotonic() - begun)
+            turned = self.truth()["moving"]
+            truth = self.await_standing()
+            if longest < 0.3 and self.probe.condition()[1]["late"] == late:
+                break  # else the machine was too busy to say anything about the driver
+        self.assertTrue(turned, "kept for more than twice as long")
+        self.assertEqual(truth["stops_by_rule"], stops, "by a command, not by silence")
         self.probe.ask("keep")
         time.sleep(0.3)
         self.assertFalse(self.truth()["moving"], "one that ran out does not come back")

@@ -40,7 +40,7 @@ TEST(OverlapCheck, LetsBodiesTouch) {
 
 TEST(OverlapCheck, NamesBothTheirDepthAndTheirDistanceAtThePlaceOfTheLaterOne) {
   EXPECT_EQ(overlaps(motes_at({{5, 0, 0}, {0, 0, 0}, {0.08, 0.06, 0}})),
-            Lines{"a.yaml:3:1: agents.motes: at the start m3 overlaps m2 by 0.04 m; they are 0.1 m "
+            Lines{"a.yaml:3:1: agents.motes: at the start m3 overlaps m2 by 0.02 m; they are 0.1 m "
                   "apart"});
 }
 
