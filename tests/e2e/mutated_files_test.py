@@ -168,6 +168,8 @@ class MutatedFiles(unittest.TestCase):
         print(f"\n{len(self.files)} files, {len(accepted)} accepted")
         self.assertGreater(len(accepted), len(self.files) // 20)
         self.assertLess(len(accepted), len(self.files) * 3 // 4)
+        for kind in SHARES:
+            self.assertIn(kind, [self.files[path] for path in accepted], f"no file of {kind} is accepted")
 
     def run_for_two_seconds(self, path):
         """How the run ended: status, and what it said."""
