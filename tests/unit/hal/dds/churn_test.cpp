@@ -20,7 +20,7 @@ constexpr Duration kPatience = std::chrono::seconds{30};
 /// Hellos that one participant says; a controller says one.
 std::size_t hellos() {
   const char* given = std::getenv("BARAKA_HELLOS");
-  return given == nullptr ? 20'000 : std::strtoull(given, nullptr, 10);
+  return given == nullptr ? 5'000 : std::strtoull(given, nullptr, 10);
 }
 /// Controllers that come and go.
 std::size_t controllers() { return hellos() / 500; }
