@@ -139,6 +139,7 @@ int describe(const std::string& what) {
       "no kind of file, key or controller is called '{}'{}; controllers were looked for in {}",
       what, hal::config::suggestion(what, candidates()), [&] {
         std::vector<std::string> names;
+        names.reserve(folders.size());
         for (const auto& folder : folders) names.push_back(folder.string());
         return fmt::format("{}", fmt::join(names, ", "));
       }()));
