@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
+#include <utility>
 
 #include "gateway/app/judge_controllers.h"
 #include "hal/config/document.h"
@@ -21,11 +22,11 @@ using hal::config::Document;
 using hal::config::Mapping;
 using Overrides = std::vector<std::string>;
 
-void read_scenario(Mapping in) { sim::scenario::read_scenario(in, "scenario.yaml"); }
+void read_scenario(Mapping in) { sim::scenario::read_scenario(std::move(in), "scenario.yaml"); }
 void judge_scenario(const std::string& path, const Overrides& overrides) {
   load_judged(path, overrides);
 }
-void read_hardware(Mapping in) { hal::hardware::RobotFile::read(in); }
+void read_hardware(Mapping in) { hal::hardware::RobotFile::read(std::move(in)); }
 void tell(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) fmt::print(stderr, "{}\n", warning);
 }
@@ -33,9 +34,9 @@ void tell(const std::vector<std::string>& warnings) {
 void judge_hardware(const std::string& path, const Overrides& overrides) {
   tell(hal::hardware::RobotFile::load(path, overrides).warnings);
 }
-void read_robot(Mapping in) { hal::description::read_robot(in); }
-void read_mote(Mapping in) { hal::description::read_mote(in); }
-void read_radio(Mapping in) { sim::scenario::read_radio(in); }
+void read_robot(Mapping in) { hal::description::read_robot(std::move(in)); }
+void read_mote(Mapping in) { hal::description::read_mote(std::move(in)); }
+void read_radio(Mapping in) { sim::scenario::read_radio(std::move(in)); }
 
 /// For files that need nothing but their reader.
 template <void (*kRead)(Mapping)>
@@ -154,6 +155,7 @@ const FileKind& recognised(const std::string& path, const std::vector<std::strin
   }
   if (best.size() == 1) return *best.front();
   std::vector<std::string> names;
+  names.reserve(best.size());
   for (const FileKind* kind : best) names.push_back(kind->name);
   throw hal::config::ConfigErrors(
       {fmt::format("{}:1:1: may be a file of the kinds {}: it has {}; say which by --kind", path,

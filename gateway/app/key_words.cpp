@@ -32,6 +32,7 @@ std::string by_variant(const KeyDescription& key,
   }
   if (groups.size() == 1) return groups.front().first;
   std::vector<std::string> parts;
+  parts.reserve(groups.size());
   for (const auto& [said, with] : groups) {
     parts.push_back(fmt::format("{} ({})", said, fmt::join(with, ", ")));
   }
