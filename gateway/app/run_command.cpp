@@ -117,10 +117,17 @@ Outcome play(const Course& course, Simulation& simulation, WallPace& pace) {
   }
 }
 
+/// A run that is over.
+struct Ending {
+  Outcome outcome;
+  std::vector<std::string> complaints;  ///< Of its controllers.
+  double wall_seconds = 0;
+};
+
 /// Writes and prints how the run ended.
 ExitStatus conclude(Results& results, const sim::scenario::Judge& judge,
-                    const Simulation& simulation, Outcome outcome,
-                    const std::vector<std::string>& complaints, double wall_seconds) {
+                    const Simulation& simulation, Ending ending) {
+  auto& [outcome, complaints, wall_seconds] = ending;
   const auto expectations = unmet(judge, outcome, simulation);
   const ExitStatus status =
       results.finish(simulation, outcome, exit_status(outcome, expectations), wall_seconds);
@@ -145,8 +152,10 @@ int run(const RunOptions& options, const Scenario& scenario, const Course& cours
       return failed ? kRunFailed : kInterrupted;
     }
     pace->end();
-    return conclude(results, judge, simulation, simulation.broken_off_by(failed ? what : ""),
-                    failed ? std::vector<std::string>{} : std::vector{what}, pace->wall_seconds());
+    return conclude(
+        results, judge, simulation,
+        {simulation.broken_off_by(failed ? what : ""),
+         failed ? std::vector<std::string>{} : std::vector{what}, pace->wall_seconds()});
   });
   ControllersOfRun controllers(
       scenario, simulation,
@@ -161,7 +170,7 @@ int run(const RunOptions& options, const Scenario& scenario, const Course& cours
   const Outcome outcome = play(course, simulation, *pace);
   pace->end();
   const auto complaints = controllers.finish(outcome.kind != Outcome::Kind::kFailed);
-  return conclude(results, judge, simulation, outcome, complaints, pace->wall_seconds());
+  return conclude(results, judge, simulation, {outcome, complaints, pace->wall_seconds()});
 }
 
 }  // namespace
