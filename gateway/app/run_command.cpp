@@ -126,7 +126,7 @@ struct Ending {
 
 /// Writes and prints how the run ended.
 ExitStatus conclude(Results& results, const sim::scenario::Judge& judge,
-                    const Simulation& simulation, Ending ending) {
+                    const Simulation& simulation, Ending&& ending) {
   auto& [outcome, complaints, wall_seconds] = ending;
   const auto expectations = unmet(judge, outcome, simulation);
   const ExitStatus status =

@@ -99,12 +99,11 @@ std::string format_value(double value, std::string_view unit) {
 }
 
 std::string readable(double value, std::string_view unit) {
-  const std::string exact = format_value(value, unit);
+  std::string exact = format_value(value, unit);
   if (std::isinf(value)) return exact;
   if (unit == "s") return format_duration(from_seconds(value));
   if (unit != "rad") return exact;
-  const std::string degrees =
-      format_value(converted(value, *find_unit("rad"), *find_unit("deg")), "deg");
+  std::string degrees = format_value(converted(value, *find_unit("rad"), *find_unit("deg")), "deg");
   return degrees.size() < exact.size() ? degrees : exact;
 }
 
