@@ -21,6 +21,7 @@ class FilteringTransport : public transport::ChainingTransport {
 
   transport::TransportDescriptorInterface* get_configuration() override { return &descriptor_; }
 
+  // NOLINTNEXTLINE(readability-function-size): the parameters are Fast DDS's.
   bool send(rtps::SenderResource* low_sender, const rtps::octet* buffer, std::uint32_t size,
             rtps::LocatorsIterator* begin, rtps::LocatorsIterator* end,
             const std::chrono::steady_clock::time_point& timeout) override {
