@@ -21,7 +21,6 @@ namespace hal::runtime {
 
 /// What one agent knows and keeps between events: all that its Mote or Robot answers from.
 struct AgentContext {
-  /// @param kind  outlives this.
   AgentContext(const exchange::AgentSession& agent_session, const ControllerKind& kind,
                Outbox& out);
 
@@ -47,7 +46,7 @@ struct AgentContext {
   bool take_due_timer(TimerId id);
 
   const exchange::AgentSession session;
-  const std::vector<std::string>& states;  ///< That the controller declares; empty: it does not.
+  const std::vector<std::string> states;  ///< That the controller declares; empty: it does not.
   CallGuard guard;
   Outbox& outbox;
   Time now{};
