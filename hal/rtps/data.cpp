@@ -68,17 +68,19 @@ Objection read_inline_qos(Cursor& cursor, const Submessage& submessage, const Gu
   return list.objection();
 }
 
+Objection judge_fragments(const Data& data) {
+  // Only whole samples can be judged, and nobody has so much to say of itself.
+  if (is_discovery(data.writer)) return "discovery comes in fragments";
+  // Up to 3 octets may fill it up to a multiple of 4.
+  const std::size_t size = size_of_fragments(data);
+  if (data.payload.size() < size) return "its fragments are longer than it";
+  if (data.payload.size() > size + 3) return "it is longer than its fragments";
+  return {};
+}
+
 Objection judge_payload(const Submessage& submessage, const GuidPrefix* source,
                         const InlineQos& qos, Data& data) {
-  if (submessage.kind == SubmessageKind::kDataFrag) {
-    // Only whole samples can be judged, and nobody has so much to say of itself.
-    if (is_discovery(data.writer)) return "discovery comes in fragments";
-    // Up to 3 octets may fill it up to a multiple of 4.
-    const std::size_t size = size_of_fragments(data);
-    if (data.payload.size() < size) return "its fragments are longer than it";
-    if (data.payload.size() > size + 3) return "it is longer than its fragments";
-    return {};
-  }
+  if (submessage.kind == SubmessageKind::kDataFrag) return judge_fragments(data);
   const bool has_data = submessage.has_flag(kDataFlag);
   if (has_data && data.is_key) return "it says to hold data and a key";
   if (!has_data && !data.is_key) {
@@ -89,6 +91,17 @@ Objection judge_payload(const Submessage& submessage, const GuidPrefix* source,
   if (has_data && is_discovery(data.writer)) return judge_discovery(data.payload, source);
   if (has_data && data.writer == kParticipantMessageWriter) {
     return judge_participant_message(data.payload);
+  }
+  return {};
+}
+
+/// @param offset  octets from the field that says it to the inline QoS.
+Objection judge_offset(std::uint16_t offset, bool is_fragment) {
+  if (offset < (is_fragment ? kFragToInlineQos : kToInlineQos)) {
+    return "its inline QoS begins within its header";
+  }
+  if (offset > kMostToInlineQos || offset % 4 != 0) {
+    return "its inline QoS begins too far away, or between two words";
   }
   return {};
 }
@@ -114,12 +127,8 @@ Objection judge_data(const Submessage& submessage, const GuidPrefix& source, con
     return "its sequence number is far beyond the last one";
   }
   if (!fragments.empty()) return fragments;
-  if (to_inline_qos < (is_fragment ? kFragToInlineQos : kToInlineQos)) {
-    return "its inline QoS begins within its header";
-  }
-  if (to_inline_qos > kMostToInlineQos || to_inline_qos % 4 != 0) {
-    return "its inline QoS begins too far away, or between two words";
-  }
+  const Objection offset = judge_offset(to_inline_qos, is_fragment);
+  if (!offset.empty()) return offset;
   cursor.take(from + to_inline_qos - cursor.position());
   if (cursor.is_short()) return "its inline QoS begins beyond its end";
   const bool is_bound = !limits.relayed_discovery && is_discovery(data.writer);

@@ -10,7 +10,7 @@ constexpr std::uint32_t kMostBits = 256;
 Objection read_bits(Cursor& cursor) {
   const std::uint32_t bits = cursor.u32();
   if (bits > kMostBits) return "a set of numbers has more than 256 bits";
-  cursor.take((bits + 31) / 32 * 4);
+  cursor.take(std::size_t{(bits + 31) / 32} * 4);
   return cursor.is_short() ? "a set of numbers is cut off" : Objection{};
 }
 
