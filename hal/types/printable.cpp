@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include <array>
 #include <cstddef>
 
 namespace hal {
@@ -13,20 +14,36 @@ unsigned byte_at(std::string_view text, std::size_t i) {
 
 bool is_within(unsigned byte, unsigned low, unsigned high) { return byte >= low && byte <= high; }
 
-/// Bytes of the well-formed character that the text begins with; 0: none. The Unicode Standard
-/// 15.0, table 3-7.
-std::size_t character_size(std::string_view text) {
-  const unsigned first = byte_at(text, 0), second = byte_at(text, 1);
-  const auto continues = [&](std::size_t i) { return is_within(byte_at(text, i), 0x80, 0xBF); };
-  if (first < 0x80) return 1;
-  if (is_within(first, 0xC2, 0xDF)) return continues(1) ? 2 : 0;
-  if (is_within(first, 0xE0, 0xEF)) {
-    const unsigned low = first == 0xE0 ? 0xA0 : 0x80, high = first == 0xED ? 0x9F : 0xBF;
-    return is_within(second, low, high) && continues(2) ? 3 : 0;
+/// Characters of several bytes: the ranges of the first two; all others are 0x80 to 0xBF.
+struct Row {
+  unsigned first_low, first_high, second_low, second_high;
+  std::size_t size;
+};
+
+/// The Unicode Standard 15.0, table 3-7.
+constexpr std::array<Row, 8> kWellFormed{{{0xC2, 0xDF, 0x80, 0xBF, 2},
+                                          {0xE0, 0xE0, 0xA0, 0xBF, 3},
+                                          {0xE1, 0xEC, 0x80, 0xBF, 3},
+                                          {0xED, 0xED, 0x80, 0x9F, 3},
+                                          {0xEE, 0xEF, 0x80, 0xBF, 3},
+                                          {0xF0, 0xF0, 0x90, 0xBF, 4},
+                                          {0xF1, 0xF3, 0x80, 0xBF, 4},
+                                          {0xF4, 0xF4, 0x80, 0x8F, 4}}};
+
+bool is_of(std::string_view text, const Row& row) {
+  if (!is_within(byte_at(text, 0), row.first_low, row.first_high)) return false;
+  if (!is_within(byte_at(text, 1), row.second_low, row.second_high)) return false;
+  for (std::size_t i = 2; i < row.size; ++i) {
+    if (!is_within(byte_at(text, i), 0x80, 0xBF)) return false;
   }
-  if (is_within(first, 0xF0, 0xF4)) {
-    const unsigned low = first == 0xF0 ? 0x90 : 0x80, high = first == 0xF4 ? 0x8F : 0xBF;
-    return is_within(second, low, high) && continues(2) && continues(3) ? 4 : 0;
+  return true;
+}
+
+/// Bytes of the well-formed character that the text begins with; 0: none.
+std::size_t character_size(std::string_view text) {
+  if (byte_at(text, 0) < 0x80) return 1;
+  for (const Row& row : kWellFormed) {
+    if (is_of(text, row)) return row.size;
   }
   return 0;
 }
