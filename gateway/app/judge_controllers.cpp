@@ -62,19 +62,44 @@ void judge_channels(const sim::scenario::Scenario& scenario, const sim::scenario
   }
 }
 
-/// Whether the controller enters the states that end conditions wait for.
+/// A state of agents' controllers that a scenario waits for or asks about.
+struct AwaitedState {
+  std::string place;  ///< "file:line:column".
+  std::string_view key;
+  std::vector<hal::AgentId> agents;
+  std::string state;
+};
+
+std::vector<AwaitedState> awaited_states(const sim::scenario::Scenario& scenario) {
+  std::vector<AwaitedState> awaited;
+  for (std::size_t i = 0; i < scenario.simulation.ends.size(); ++i) {
+    const sim::agents::EndCondition& end = scenario.simulation.ends[i];
+    if (end.agent)
+      awaited.push_back({scenario.state_places[i], "end.state", {*end.agent}, end.state});
+  }
+  for (const sim::scenario::Expectation& expectation : scenario.expectations) {
+    const auto* distance = std::get_if<sim::scenario::ExpectedDistance>(&expectation.condition);
+    if (distance == nullptr || distance->entered.empty()) continue;
+    awaited.push_back({expectation.place, "expect.entered", distance->which, distance->entered});
+  }
+  return awaited;
+}
+
+/// Whether the controller enters the states that are awaited of this group's agents alone.
 void judge_states(const sim::scenario::Scenario& scenario, const sim::scenario::Group& group,
                   std::string_view program, const std::vector<std::string>& states,
                   ControllerJudgement& judgement) {
+  const auto is_of_group = [&](hal::AgentId id) {
+    return std::ranges::find(group.agents, id) != group.agents.end();
+  };
   bool unknown = false;
-  for (std::size_t i = 0; i < scenario.simulation.ends.size(); ++i) {
-    const sim::agents::EndCondition& end = scenario.simulation.ends[i];
-    if (!end.agent || std::ranges::find(group.agents, *end.agent) == group.agents.end()) continue;
+  for (const AwaitedState& awaited : awaited_states(scenario)) {
+    if (!std::ranges::all_of(awaited.agents, is_of_group)) continue;
     if (states.empty()) unknown = true;
-    if (states.empty() || std::ranges::find(states, end.state) != states.end()) continue;
-    judgement.mistakes.push_back(fmt::format("{}: end.state: {} declares no state '{}'{}",
-                                             scenario.state_places[i], program, end.state,
-                                             hal::config::suggestion(end.state, states)));
+    if (states.empty() || std::ranges::find(states, awaited.state) != states.end()) continue;
+    judgement.mistakes.push_back(fmt::format("{}: {}: {} declares no state '{}'{}", awaited.place,
+                                             awaited.key, program, awaited.state,
+                                             hal::config::suggestion(awaited.state, states)));
   }
   if (unknown) {
     judgement.not_checked.push_back(
