@@ -29,11 +29,11 @@ inside "baraka run case_study.yaml | tee lines.txt; grep -qx 'result: arrived' l
   grep -qx 'fingerprint: 39f33e64d3cc8d56' lines.txt"
 inside "ls /usr/share/baraka /usr/share/baraka/scenarios /usr/share/doc/baraka /usr/share/doc/baraka/docs/keys.md"
 inside "! baraka run case_studdy.yaml"
-cp "$source/tests/e2e/new_user/corridor.yaml" "$root/home/ada/"
-inside "baraka check corridor.yaml"
-inside "baraka run corridor.yaml"
-inside "sed 's/data_rate/data_rat/; s/0.6 m.s/0.6 km/' corridor.yaml >typo.yaml; ! baraka check typo.yaml"
-inside "baraka run corridor.yaml --replications 3 --controllers in-process --out results/many"
+cp "$source/tests/e2e/new_user/courtyard.yaml" "$root/home/ada/"
+inside "baraka check courtyard.yaml"
+inside "baraka run courtyard.yaml"
+inside "sed 's/retry_jitter/retry_jiter/; s/tx_power: 0.1 mW/tx_power: 0.1 m/' courtyard.yaml >typo.yaml; ! baraka check typo.yaml"
+inside "baraka run courtyard.yaml --replications 3 --controllers in-process --out results/many"
 inside "baraka report results/many"
 
 place=/debs as=root LINES_SHOWN=3
