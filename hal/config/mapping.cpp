@@ -368,7 +368,8 @@ void Mapping::finish() {
         order_.empty()
             ? "; nothing may stand here"
             : fmt::format("{}nown here: {}", meant.empty() ? "; k" : " K", fmt::join(order_, ", "));
-    problems_->add(entry.place, path_of(entry.key), "is not a known key" + meant + others);
+    problems_->add(entry.place, path_of(entry.key),
+                   fmt::format("is not a known key{}{}", meant, others));
   }
 }
 
