@@ -24,7 +24,6 @@ constexpr double kGlideOfCaster = 0.02;
 constexpr std::array kTypes = {
     Option<WheelType>{"omni", WheelType::kOmni}, Option<WheelType>{"mecanum", WheelType::kMecanum},
     Option<WheelType>{"fixed", WheelType::kFixed}, Option<WheelType>{"caster", WheelType::kCaster}};
-constexpr std::array kDrivenTypes = {kTypes[0], kTypes[1], kTypes[2]};
 
 template <class Io>
 void size_keys(Io& io, Wheel& c) {
@@ -57,18 +56,15 @@ void limit_keys(Io& io, Wheel& c) {
             {1e-3, 1e4}, c.max_speed);
 }
 
-/// Only of a mecanum wheel.
 void read_roller(Mapping& in, Wheel& wheel) {
-  if (wheel.type != WheelType::kMecanum) {
-    wheel.roller_angle = 0;
+  if (wheel.type != WheelType::kMecanum)
     return in.refuse("roller_angle", "only a mecanum wheel has one");
-  }
   wheel.roller_angle = in.number(
       {"roller_angle",
        "From the rolling direction, axis + 90 deg, to the axis of the roller on the ground, seen "
        "from above.",
-       "-45 deg", kInWheelOrJoint},
-      "rad", kRoller, wheel.roller_angle);
+       "-45 deg"},
+      "rad", kRoller);
 }
 
 /// @param glides  whether `mu2` was given for all wheels.
@@ -90,7 +86,6 @@ void read_limit(Mapping& in, Wheel& wheel) {
 void read_driven(Mapping& in, Wheel& wheel, bool glides) {
   FieldReader reader(in);
   size_keys(reader, wheel);
-  read_roller(in, wheel);
   read_friction(in, wheel, glides);
   read_limit(in, wheel);
 }
@@ -104,19 +99,17 @@ Wheel read_caster(Mapping& in) {
   for (const std::string key : {"radius", "mass"})
     if (!in.has(key)) in.mistake(key, "is missing: a caster takes nothing from wheel");
   read_friction(in, ball, false);
-  in.refuse("roller_angle", "only a mecanum wheel has one");
   in.refuse("limit", "a caster has no motor");
   return ball;
 }
 
 /// Every key is given for all wheels or for this one.
-void check_complete(Mapping& all, Mapping& joint, const Wheel& wheel) {
+void check_complete(Mapping& all, Mapping& joint) {
   const auto check = [](Mapping common, Mapping own, const std::string& key) {
     if (!common.has(key) && !own.has(key)) own.mistake(key, "is missing, here and in wheel");
   };
   check(all, joint, "radius");
   check(all, joint, "mass");
-  if (wheel.type == WheelType::kMecanum) check(all, joint, "roller_angle");
   check(all.within("limit"), joint.within("limit"), "effort");
   check(all.within("limit"), joint.within("limit"), "velocity");
 }
@@ -127,11 +120,12 @@ Wheel read_joint(Mapping& in, Mapping& all, const Wheel& common) {
       {"type",
        "omni: rollers let it give way along its axle; mecanum: at `roller_angle` to it; fixed: an "
        "ordinary wheel; caster: a ball without a motor, which carries and goes anywhere.",
-       "omni", "that of `wheel`"},
-      kTypes, common.type);
+       "fixed"},
+      kTypes, wheel.type);
+  read_roller(in, wheel);
   if (wheel.is_driven()) {
     read_driven(in, wheel, all.has("mu2"));
-    check_complete(all, in, wheel);
+    check_complete(all, in);
   } else {
     wheel = read_caster(in);
   }
@@ -148,9 +142,6 @@ std::vector<Wheel> read_wheels(Mapping in) {
   Wheel common;
   common.mu = kGripOfDriven;
   Mapping all = in.mapping({"wheel", "What all driven wheels have in common."});
-  common.type =
-      all.choice({"type", "Of all driven wheels that do not say so themselves.", "omni", "omni"},
-                 kDrivenTypes, common.type);
   read_driven(all, common, false);
   all.finish();
   std::vector<Wheel> wheels;
