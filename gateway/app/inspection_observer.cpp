@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "gateway/app/inspected_ranges.h"
+#include "hal/devices/channels.h"
 #include "hal/types/check.h"
 #include "sim/radio/frame.h"
 
@@ -22,7 +23,10 @@ constexpr hal::Duration kStandingPosePeriod = 1s;  // of an agent that does not 
 
 hal::dds::InspectedRobot describe(const sim::agents::AgentConfig& agent,
                                   const RobotDescription& robot) {
-  return {.name = agent.name, .start = agent.pose, .ranges = inspected_ranges(robot.infrared)};
+  return {.name = agent.name,
+          .start = agent.pose,
+          .ranges = inspected_ranges(robot.infrared),
+          .channels = hal::devices::sensor_channels(robot)};
 }
 
 std::string_view name_of(sim::radio::FrameType type) {
@@ -86,9 +90,12 @@ void InspectionObserver::on_odometry(hal::Time at, hal::AgentId agent, const hal
 }
 
 void InspectionObserver::on_event(const hal::exchange::Event& event) {
-  if (event.cause != hal::exchange::Cause::kControl || !is_read(Topic::kRange)) return;
+  if (event.cause != hal::exchange::Cause::kControl) return;
+  if (!is_read(Topic::kRange) && !is_read(Topic::kChannels)) return;
   const Agent& agent = agents_.at(event.agent);
   for (const hal::exchange::Reading& reading : event.readings) {
+    if (reading.channel >= hal::devices::kFirstSensor)
+      inspector_->publish_channel(event.time, agent.robot, reading.channel, reading.values);
     if (int{reading.channel} != agent.infrared_channel) continue;
     inspector_->publish_ranges(event.time, agent.robot, reading.values);
   }

@@ -29,6 +29,13 @@ struct Odometry {
   Twist2 twist;  ///< Body frame.
 };
 
+/// A scan of a laser scanner.
+struct Scan {
+  std::span<const double> headings;  ///< rad in the scanner's frame, ascending.
+  /// m, one per heading; NaN: nothing within reach; -infinity: too near to be measured.
+  std::span<const double> ranges;
+};
+
 class Robot : public RealWorldObject {
  public:
   /// Drives with a velocity of the body, until the next command. What the robot's wheels cannot do
@@ -44,6 +51,11 @@ class Robot : public RealWorldObject {
   /// sensors have not answered for the `stale_after` of the robot's file).
   virtual Result<std::vector<InfraredReading>> infrared() const = 0;
   virtual Result<Odometry> odometry() const = 0;
+
+  /// Of the channels "scan", … ; further ones of that kind by reading(name). Valid until the
+  /// callback returns. Errors, of all of these: kNotAvailable (no such sensor, not asked for, not
+  /// sampled yet, or lost).
+  virtual Result<Scan> scan() const = 0;
 };
 
 }  // namespace hal

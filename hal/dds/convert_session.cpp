@@ -39,6 +39,10 @@ wire::Channel to_wire(const Channel& channel) {
   out.period(channel.period.count());
   out.frame(channel.frame);
   out.headings(channel.headings);
+  out.low(channel.low);
+  out.high(channel.high);
+  out.position({channel.position.x, channel.position.y, channel.position.z});
+  out.heading(channel.heading);
   return out;
 }
 
@@ -52,6 +56,10 @@ Channel from_wire(const wire::Channel& channel) {
   out.period = Duration{channel.period()};
   out.frame = channel.frame();
   out.headings = channel.headings();
+  out.low = channel.low();
+  out.high = channel.high();
+  out.position = {channel.position()[0], channel.position()[1], channel.position()[2]};
+  out.heading = channel.heading();
   return out;
 }
 

@@ -4,8 +4,10 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <optional>
 
+#include "hal/dds/channel_writer.h"
 #include "hal/dds/inspection_endpoints.h"
 #include "hal/dds/inspection_values.h"
 #include "inspectPubSubTypes.h"
@@ -24,7 +26,7 @@ using rosgraph_msgs::msg::dds_::Clock_PubSubType;
 using sensor_msgs::msg::dds_::Range_PubSubType;
 using tf2_msgs::msg::dds_::TFMessage_PubSubType;
 
-constexpr std::size_t kTopics = 9;
+constexpr std::size_t kTopics = 10;
 constexpr const char* kWorld = "world";
 constexpr std::uint8_t kInfrared = 1;  // sensor_msgs/Range: INFRARED
 
@@ -58,6 +60,7 @@ class Inspector::Implementation {
     InspectionWriter<Odometry_PubSubType> odometry;
     InspectionWriter<Range_PubSubType> range;
     std::vector<InspectedRange> ranges;
+    std::map<std::uint16_t, std::unique_ptr<ChannelWriter>> channels;  ///< By number.
   };
 
  private:
@@ -93,6 +96,11 @@ Inspector::Implementation::Robot::Robot(Implementation& all, Participant& partic
   for (const InspectedRange& sensor : ranges) {
     range_frames.push_back(description.name + "/" + sensor.name);
   }
+  for (const Channel& channel : description.channels) {
+    auto writer =
+        make_channel_writer(participant, description.name, channel, all.readers(Topic::kChannels));
+    if (writer) channels[channel.id] = std::move(writer);
+  }
 }
 
 Inspector::Implementation::Implementation(InspectionParticipant& inspection,
@@ -127,6 +135,11 @@ void Inspector::Implementation::write_static(const std::vector<InspectedRobot>& 
     for (const InspectedRange& sensor : robot.ranges) {
       all.push_back(transform(base_link(robot.name), robot.name + "/" + sensor.name,
                               sensor.position, sensor.heading));
+    }
+    for (const Channel& channel : robot.channels) {
+      if (channel.frame != channel.name) continue;  // no frame of its own
+      all.push_back(transform(base_link(robot.name), robot.name + "/" + channel.frame,
+                              channel.position, channel.heading));
     }
   }
   transforms_static_.write();
@@ -191,6 +204,13 @@ void Inspector::publish_ranges(Time at, std::size_t robot, std::span<const doubl
                                        : static_cast<float>(metres[i]));
     of.range.write();
   }
+}
+
+void Inspector::publish_channel(Time at, std::size_t robot, std::uint16_t channel,
+                                std::span<const double> values) {
+  const auto& channels = implementation_->robots.at(robot)->channels;
+  const auto found = channels.find(channel);
+  if (found != channels.end() && found->second->has_readers()) found->second->publish(at, values);
 }
 
 void Inspector::publish_fate(Time at, const MessageEnd& end) {

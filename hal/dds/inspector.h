@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hal/dds/inspection_participant.h"
+#include "hal/types/channel.h"
 #include "hal/types/geometry.h"
 #include "hal/types/message.h"
 #include "hal/types/route.h"
@@ -32,6 +33,8 @@ struct InspectedRobot {
   std::string name;
   std::optional<Pose2> start;  ///< Of frame "<agent>/odom" in "world"; none: not known.
   std::vector<InspectedRange> ranges;
+  /// Shown as rt/<agent>/<channel>, if their kind has a type of ROS 2: see channel_writer.h.
+  std::vector<Channel> channels{};
 };
 
 /// Shows a run or a robot to standard tools, in names and types of ROS 2 (release Humble) where one
@@ -45,6 +48,7 @@ struct InspectedRobot {
 ///                                                               sensors; kept for late readers
 /// rt/<agent>/odom              nav_msgs/Odometry                <agent>/odom -> base_link
 /// rt/<agent>/range             sensor_msgs/Range                one sample per sensor
+/// rt/<agent>/<channel>         by the kind of the channel       of InspectedRobot::channels
 /// rt/baraka/message_fates      baraka_msgs/MessageFate
 /// rt/baraka/frames             baraka_msgs/Frame                not every one
 /// rt/baraka/routes             baraka_msgs/Route
@@ -62,6 +66,7 @@ class Inspector {
     kTransforms,
     kOdometry,  ///< Of any robot.
     kRange,     ///< Of any robot.
+    kChannels,  ///< Any channel of any robot.
     kFates,
     kFrames,
     kRoutes,
@@ -120,6 +125,9 @@ class Inspector {
   /// @param metres  one per sensor of the robot; NaN: nothing within reach, shown as +infinity (ROS
   ///   REP 117). More values than sensors are not looked at.
   void publish_ranges(Time at, std::size_t robot, std::span<const double> metres);
+  /// @param channel  its number, Channel::id. No effect if it is not shown.
+  void publish_channel(Time at, std::size_t robot, std::uint16_t channel,
+                       std::span<const double> values);
   void publish_fate(Time at, const MessageEnd& end);
   void publish_frame(Time at, const FrameStart& frame);
   void publish_route(Time at, const RouteEntry& entry);

@@ -3,6 +3,7 @@
 #include "hal/description/fields.h"
 #include "hal/description/infrared_section.h"
 #include "hal/description/robot_checks.h"
+#include "hal/description/sensors_section.h"
 #include "hal/description/wheels_section.h"
 #include "hal/types/math.h"
 
@@ -146,6 +147,7 @@ RobotDescription read_robot(Mapping in, double gravity) {
       {"encoder_steps", "Steps of the encoder per turn of a wheel; 0: continuous.", "4000"}, 0,
       1'000'000, 0));
   robot.infrared = read_infrared(in.mapping({"infrared", "Infrared rangers around the body."}));
+  robot.sensors = read_sensors(in);
   check_robot(in, robot, gravity);
   in.finish();
   return robot;
@@ -163,6 +165,7 @@ void write_robot(Writer& out, const RobotDescription& robot) {
   out.close();
   out.integer("encoder_steps", robot.encoder_steps);
   write_infrared(out, robot.infrared);
+  write_sensors(out, robot.sensors);
   out.close();
 }
 

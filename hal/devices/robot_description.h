@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hal/devices/infrared_curve.h"
+#include "hal/devices/sensors.h"
 #include "hal/devices/wheel.h"
 #include "hal/types/geometry.h"
 #include "hal/types/time.h"
@@ -71,6 +72,7 @@ struct RobotDescription {
   AccelerationLimits acceleration;
   int encoder_steps = 0;  ///< Per turn of a wheel; 0: continuous.
   std::vector<InfraredSensor> infrared;
+  std::vector<SensorDescription> sensors;  ///< All others; names differ.
   bool operator==(const RobotDescription&) const = default;
 };
 

@@ -3,27 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <span>
+#include <iterator>
 #include <utility>
 #include <variant>
 
+#include "hal/devices/channels.h"
+
 namespace hal::hardware {
 namespace {
-
-// As in the simulator.
-constexpr std::uint16_t kLocalisation = 0, kOdometry = 1, kInfrared = 2, kInfraredVolts = 3;
-constexpr std::uint32_t kOdometryValues = 6;
-
-Channel channel(std::uint16_t id, std::string name, std::string kind, std::string unit) {
-  return {.id = id,
-          .name = std::move(name),
-          .kind = std::move(kind),
-          .unit = std::move(unit),
-          .length = 0,
-          .period = {},
-          .frame = "base",
-          .headings = {}};
-}
 
 Duration period_of(const RobotFile& file) {
   return std::visit(
@@ -32,16 +19,6 @@ Duration period_of(const RobotFile& file) {
         return {};
       },
       file.infrared);
-}
-
-void add_infrared(const RobotFile& file, std::vector<Channel>& channels) {
-  channels.push_back(channel(kInfrared, "infrared", "range", "m"));
-  channels.push_back(channel(kInfraredVolts, "infrared_volts", "voltage", "V"));
-  for (Channel& added : std::span(channels).last(2)) {
-    added.length = static_cast<std::uint32_t>(file.robot->infrared.size());
-    added.period = period_of(file);
-    for (const auto& sensor : file.robot->infrared) added.headings.push_back(sensor.heading);
-  }
 }
 
 }  // namespace
@@ -57,15 +34,16 @@ exchange::AgentOffer offer_of(const RobotFile& file, const Devices& devices) {
   session.control_period = file.control_period;
   session.parameters = file.parameters;
   if (devices.pose != nullptr) {
-    session.channels.push_back(
-        channel(kLocalisation, "localisation", "relative_position", "address, m"));
+    session.channels.push_back(devices::localisation_channel());
   }
   if (devices.wheels != nullptr) {
     session.limits = devices.wheels->limits();
-    session.channels.push_back(channel(kOdometry, "odometry", "odometry", "m, rad, m/s"));
-    session.channels.back().length = kOdometryValues;
+    session.channels.push_back(devices::odometry_channel());
   }
-  if (devices.infrared != nullptr && file.robot) add_infrared(file, session.channels);
+  if (devices.infrared != nullptr && file.robot) {
+    std::ranges::copy(devices::infrared_channels(file.robot->infrared, period_of(file)),
+                      std::back_inserter(session.channels));
+  }
   return offer;
 }
 
@@ -117,26 +95,25 @@ Result<Pose2> Sampler::pose(BootTime now) const {
 
 exchange::Reading Sampler::localisation(BootTime now) const {
   const auto self = pose(now);
-  if (!self) return {.channel = kLocalisation, .values = {}, .lost = true};
+  if (!self) return {.channel = devices::kLocalisation, .values = {}, .lost = true};
   const LocalisationSettings& settings = file_.localisation;
-  return {.channel = kLocalisation,
+  return {.channel = devices::kLocalisation,
           .values = relative_positions(*self, file_.address, settings.map, settings.range)};
 }
 
 exchange::Reading Sampler::odometry() const {
   const auto state = devices_.wheels->state();
-  if (!state) return {.channel = kOdometry, .values = {}, .lost = true};
+  if (!state) return {.channel = devices::kOdometry, .values = {}, .lost = true};
   const auto& [pose, twist, stamp] = *state;
-  return {.channel = kOdometry,
-          .values = {pose.x, pose.y, pose.theta, twist.vx, twist.vy, twist.omega}};
+  return {.channel = devices::kOdometry, .values = devices::odometry_values(pose, twist)};
 }
 
 void Sampler::take_infrared(std::vector<exchange::Reading>& readings) const {
   auto latest = devices_.infrared->latest();
   const bool lost = !latest;
   InfraredReadings all = lost ? InfraredReadings{} : std::move(*latest);
-  if (infrared_) readings.push_back({kInfrared, std::move(all.metres), lost});
-  if (volts_) readings.push_back({kInfraredVolts, std::move(all.volts), lost});
+  if (infrared_) readings.push_back({devices::kInfrared, std::move(all.metres), lost});
+  if (volts_) readings.push_back({devices::kInfraredVolts, std::move(all.volts), lost});
 }
 
 }  // namespace hal::hardware

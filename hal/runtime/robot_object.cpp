@@ -46,14 +46,28 @@ Result<std::vector<InfraredReading>> RobotObject::infrared() const {
 
 Result<Odometry> RobotObject::odometry() const {
   context().guard.check("odometry");
-  const auto values = context().readings.values("odometry");
+  const auto values = this->values("odometry", 6);
   if (!values) return tl::unexpected<Error>(values.error());
-  if (values->size() != 6) {
-    return fail(Errc::kNotAvailable,
-                fmt::format("odometry gives {} values instead of 6", values->size()));
-  }
   const auto& v = *values;
   return Odometry{.pose = {v[0], v[1], v[2]}, .twist = {v[3], v[4], v[5]}};
+}
+
+Result<Scan> RobotObject::scan() const {
+  context().guard.check("scan");
+  const Channel* channel = context().readings.find("scan");
+  const std::size_t rays = channel == nullptr ? 0 : channel->headings.size();
+  const auto ranges = values("scan", rays);
+  if (!ranges) return tl::unexpected<Error>(ranges.error());
+  return Scan{.headings = channel->headings, .ranges = *ranges};
+}
+
+Result<std::span<const double>> RobotObject::values(const char* channel, std::size_t count) const {
+  auto values = context().readings.values(channel);
+  if (values && values->size() != count) {
+    return fail(Errc::kNotAvailable,
+                fmt::format("{} gives {} values instead of {}", channel, values->size(), count));
+  }
+  return values;
 }
 
 }  // namespace hal::runtime

@@ -13,6 +13,11 @@ class RobotObject : public ObjectOf<Robot> {
   Result<void> set_wheel_speeds(std::span<const double> speeds) override;
   Result<std::vector<InfraredReading>> infrared() const override;
   Result<Odometry> odometry() const override;
+  Result<Scan> scan() const override;
+
+ private:
+  /// Errors: kNotAvailable (as Readings::values; another number of values).
+  Result<std::span<const double>> values(const char* channel, std::size_t count) const;
 };
 
 }  // namespace hal::runtime

@@ -4,8 +4,9 @@
 #include <utility>
 #include <variant>
 
+#include "hal/devices/channels.h"
 #include "hal/types/check.h"
-#include "sim/agents/agent_offer.h"
+#include "sim/sensing/sensors.h"
 
 namespace sim::agents {
 
@@ -20,12 +21,25 @@ SimulatedRobot::SimulatedRobot(const AgentConfig& config, radio::MacSap& mac,
       description_(std::get<hal::devices::RobotDescription>(config.body)),
       drive_(surroundings.world.drive(config.id)),
       odometry_(drive_, description_.encoder_steps),
-      infrared_(config.id, description_.infrared, surroundings.config.seed, config.name) {}
+      infrared_(config.id, description_.infrared, surroundings.config.seed, config.name) {
+  const sensing::SensorSite site{
+      config.id, config.name, surroundings.config.seed, surroundings.world,
+      [&scene = surroundings.scene]() -> const sensing::Proximity& { return scene.proximity(); }};
+  const std::vector<hal::Channel> channels = hal::devices::sensor_channels(description_);
+  for (std::size_t i = 0; i < channels.size(); ++i)
+    sensors_.push_back(
+        {channels[i].id, channels[i].name, sensing::make_sensor(description_.sensors[i], site)});
+}
 
 void SimulatedRobot::sample(Event& event) {
   SimulatedAgent::sample(event);
   if (wants_channel("odometry")) sample_odometry(event);
   if (wants_channel("infrared") || wants_channel("infrared_volts")) sample_infrared(event);
+  for (const Part& part : sensors_) {
+    if (!wants_channel(part.name)) continue;
+    if (auto values = part.sensor->sample(event.time))
+      event.readings.push_back({.channel = part.channel, .values = std::move(*values)});
+  }
 }
 
 void SimulatedRobot::observe(hal::Time now) {
@@ -37,17 +51,15 @@ void SimulatedRobot::observe(hal::Time now) {
 }
 
 void SimulatedRobot::sample_odometry(Event& event) {
-  const hal::Pose2& pose = odometry_.pose();
-  const hal::Twist2& twist = odometry_.twist();
-  event.readings.push_back(
-      {kOdometry, {pose.x, pose.y, pose.theta, twist.vx, twist.vy, twist.omega}});
+  event.readings.push_back({hal::devices::kOdometry,
+                            hal::devices::odometry_values(odometry_.pose(), odometry_.twist())});
 }
 
 void SimulatedRobot::sample_infrared(Event& event) {
   Scene& scene = surroundings().scene;
   infrared_.sample(event.time, scene.world(), scene.proximity());
-  Reading metres{.channel = kInfrared, .values = {}},
-      volts{.channel = kInfraredVolts, .values = {}};
+  Reading metres{.channel = hal::devices::kInfrared, .values = {}},
+      volts{.channel = hal::devices::kInfraredVolts, .values = {}};
   metres.values.reserve(infrared_.readings().size());
   volts.values.reserve(infrared_.readings().size());
   for (const sensing::InfraredReading& reading : infrared_.readings()) {

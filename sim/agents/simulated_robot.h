@@ -1,7 +1,13 @@
 #pragma once
 
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
 #include "hal/devices/odometry.h"
 #include "hal/devices/robot_description.h"
+#include "hal/devices/sensor.h"
 #include "sim/agents/simulated_agent.h"
 #include "sim/sensing/infrared.h"
 
@@ -29,6 +35,12 @@ class SimulatedRobot final : public SimulatedAgent {
   hal::devices::WheelOdometry odometry_;
   hal::Time odometry_at_{};
   sensing::InfraredArray infrared_;
+  struct Part {
+    std::uint16_t channel = 0;
+    std::string name;  ///< Of the channel.
+    std::unique_ptr<hal::devices::Sensor> sensor;
+  };
+  std::vector<Part> sensors_;
 };
 
 }  // namespace sim::agents

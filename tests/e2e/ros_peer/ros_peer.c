@@ -6,7 +6,7 @@
  *   ros_peer write DOMAIN TYPE TOPIC HZ VALUE ...      the same sample again and again, until killed
  *   ros_peer switch DOMAIN Bool TOPIC                  a sample per 0 or 1 on standard input
  *
- * TYPE: Clock, TFMessage, Odometry, Range; to write: Twist (vx vy omega), PoseStamped (x y z, qx qy
+ * TYPE: Clock, TFMessage, Odometry, Range, LaserScan; to write: Twist (vx vy omega), PoseStamped (x y z, qx qy
  * qz qw), Bool (0 or 1), String (the value is not looked at: "hello"). "ready" goes to standard error when
  * it looks for the others; `switch` has found one then.
  */
@@ -96,6 +96,23 @@ static void print_range(const void* sample) {
   print_numbers("values", values, 4);
 }
 
+static void print_scan(const void* sample) {
+  const sensor_msgs_msg_dds__LaserScan_* message = sample;
+  print_stamp(&message->header.stamp);
+  printf(", \"frame\": \"%s\"", message->header.frame_id);
+  const double angles[] = {message->angle_min, message->angle_max, message->angle_increment,
+                           message->time_increment, message->scan_time};
+  print_numbers("angles", angles, 5);
+  const double limits[] = {message->range_min, message->range_max};
+  print_numbers("limits", limits, 2);
+  printf(", \"ranges\": [");
+  for (uint32_t i = 0; i < message->ranges._length; ++i) {
+    if (i > 0) printf(", ");
+    print_number(message->ranges._buffer[i]);
+  }
+  printf("]");
+}
+
 /* ---- types ---------------------------------------------------------------------------------- */
 
 struct type {
@@ -109,6 +126,7 @@ static const struct type types[] = {
     {"TFMessage", &tf2_msgs_msg_dds__TFMessage__desc, print_transforms},
     {"Odometry", &nav_msgs_msg_dds__Odometry__desc, print_odometry},
     {"Range", &sensor_msgs_msg_dds__Range__desc, print_range},
+    {"LaserScan", &sensor_msgs_msg_dds__LaserScan__desc, print_scan},
     {"Twist", &geometry_msgs_msg_dds__Twist__desc, NULL},
     {"PoseStamped", &geometry_msgs_msg_dds__PoseStamped__desc, NULL},
     {"Bool", &std_msgs_msg_dds__Bool__desc, NULL},

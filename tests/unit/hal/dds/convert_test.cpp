@@ -99,8 +99,18 @@ exchange::Hello any_hello(Anything& any) {
 }
 
 Channel any_channel(Anything& any) {
-  return {any.u16(), any.text(),     any.text(), any.text(),
-          any.u32(), any.duration(), any.text(), any.numbers()};
+  return {any.u16(),
+          any.text(),
+          any.text(),
+          any.text(),
+          any.u32(),
+          any.duration(),
+          any.text(),
+          any.numbers(),
+          any.number(),
+          any.number(),
+          {any.number(), any.number(), any.number()},
+          any.number()};
 }
 
 exchange::AgentSession any_agent(Anything& any) {

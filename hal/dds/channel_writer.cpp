@@ -1,0 +1,104 @@
+#include "hal/dds/channel_writer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include "hal/dds/inspection_endpoints.h"
+#include "hal/dds/inspection_values.h"
+#include "inspectPubSubTypes.h"
+
+namespace hal::dds {
+namespace {
+
+constexpr int kChannelSamples = 10;  // kept for a reader that is busy for a moment
+
+/// A writer of samples of one type.
+template <class PubSub>
+class TypedWriter : public ChannelWriter {
+ public:
+  TypedWriter(Participant& participant, const std::string& agent, const Channel& channel,
+              std::atomic<int>& readers)
+      : writer_(participant, "rt/" + agent + "/" + channel.name, kChannelSamples, readers),
+        length_(channel.length) {}
+
+  bool has_readers() const noexcept override { return writer_.has_readers(); }
+
+  void publish(Time at, std::span<const double> values) override {
+    if (values.size() != length_) return;
+    fill(at, values);
+    writer_.write();
+  }
+
+ protected:
+  auto& sample() { return writer_.sample(); }
+  virtual void fill(Time at, std::span<const double> values) = 0;
+
+ private:
+  InspectionWriter<PubSub> writer_;
+  std::size_t length_;
+};
+
+class ScanWriter final : public TypedWriter<sensor_msgs::msg::dds_::LaserScan_PubSubType> {
+ public:
+  ScanWriter(Participant& participant, const std::string& agent, const Channel& channel,
+             std::atomic<int>& readers)
+      : TypedWriter(participant, agent, channel, readers) {
+    const std::vector<double>& headings = channel.headings;
+    if (headings.empty()) return;
+    const double step = headings.size() > 1 ? headings[1] - headings[0] : 0;
+    sample().header().frame_id(agent + "/" + channel.frame);
+    sample().angle_min(static_cast<float>(headings.front()));
+    sample().angle_max(static_cast<float>(headings.back()));
+    sample().angle_increment(static_cast<float>(step));
+    sample().time_increment(0);  // all rays at once
+    sample().scan_time(static_cast<float>(to_seconds(channel.period)));
+    sample().range_min(static_cast<float>(channel.low));
+    sample().range_max(static_cast<float>(channel.high));
+  }
+
+ private:
+  /// ROS REP 117: +infinity for nothing within reach, -infinity for too near.
+  void fill(Time at, std::span<const double> values) override {
+    sample().header().stamp(to_ros(at));
+    sample().ranges().resize(values.size());
+    std::ranges::transform(values, sample().ranges().begin(), [](double metres) {
+      return std::isnan(metres) ? std::numeric_limits<float>::infinity()
+                                : static_cast<float>(metres);
+    });
+  }
+};
+
+using Make = std::unique_ptr<ChannelWriter> (*)(Participant&, const std::string&, const Channel&,
+                                                std::atomic<int>&);
+
+template <class Writer>
+std::unique_ptr<ChannelWriter> make(Participant& participant, const std::string& agent,
+                                    const Channel& channel, std::atomic<int>& readers) {
+  return std::make_unique<Writer>(participant, agent, channel, readers);
+}
+
+struct Kind {
+  std::string_view name;
+  Make make;
+};
+
+/// The one table from kinds of channels to types of ROS 2. Infrared and odometry, which are shown
+/// unasked, have topics of their own in Inspector.
+constexpr std::array kKinds{
+    Kind{"scan", make<ScanWriter>},  // sensor_msgs/LaserScan
+};
+
+}  // namespace
+
+std::unique_ptr<ChannelWriter> make_channel_writer(Participant& participant,
+                                                   const std::string& agent, const Channel& channel,
+                                                   std::atomic<int>& readers) {
+  const auto kind = std::ranges::find(kKinds, channel.kind, &Kind::name);
+  if (kind == kKinds.end()) return nullptr;
+  return kind->make(participant, agent, channel, readers);
+}
+
+}  // namespace hal::dds

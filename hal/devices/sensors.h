@@ -1,0 +1,22 @@
+#pragma once
+
+#include <variant>
+
+#include "hal/devices/scan.h"
+#include "hal/types/channel.h"
+
+namespace hal::devices {
+
+/// Every kind of sensor that `sensors:` of a robot file may list. Each names itself in `kKind` and
+/// describes its channel; it is read and written in hal/description and simulated in sim/sensing.
+using SensorDescription = std::variant<ScanSensor>;
+
+inline Channel channel_of(const SensorDescription& sensor) {
+  return std::visit([](const auto& one) { return one.describe(); }, sensor);
+}
+
+inline const Mount& mount_of(const SensorDescription& sensor) {
+  return std::visit([](const auto& one) -> const Mount& { return one.mount; }, sensor);
+}
+
+}  // namespace hal::devices

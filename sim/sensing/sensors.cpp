@@ -1,0 +1,12 @@
+#include "sim/sensing/sensors.h"
+
+#include "sim/sensing/scan.h"
+
+namespace sim::sensing {
+
+std::unique_ptr<hal::devices::Sensor> make_sensor(const hal::devices::SensorDescription& sensor,
+                                                  const SensorSite& site) {
+  return std::visit([&](const auto& one) { return simulated(one, site); }, sensor);
+}
+
+}  // namespace sim::sensing

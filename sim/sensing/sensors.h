@@ -1,0 +1,15 @@
+#pragma once
+
+#include <memory>
+
+#include "hal/devices/sensor.h"
+#include "hal/devices/sensors.h"
+#include "sim/sensing/sensor_site.h"
+
+namespace sim::sensing {
+
+/// A sensor of a simulated agent. @param site  what it refers to outlives the sensor.
+std::unique_ptr<hal::devices::Sensor> make_sensor(const hal::devices::SensorDescription& sensor,
+                                                  const SensorSite& site);
+
+}  // namespace sim::sensing
