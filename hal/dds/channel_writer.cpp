@@ -71,6 +71,18 @@ class ScanWriter final : public TypedWriter<sensor_msgs::msg::dds_::LaserScan_Pu
   }
 };
 
+class PoseWriter final : public TypedWriter<geometry_msgs::msg::dds_::PoseStamped_PubSubType> {
+ public:
+  using TypedWriter::TypedWriter;
+
+ private:
+  void fill(Time at, std::span<const double> values) override {
+    sample().header().stamp(to_ros(at));
+    sample().header().frame_id("world");
+    sample().pose(to_ros(Pose2{values[0], values[1], values[2]}));
+  }
+};
+
 using Make = std::unique_ptr<ChannelWriter> (*)(Participant&, const std::string&, const Channel&,
                                                 std::atomic<int>&);
 
@@ -88,6 +100,7 @@ struct Kind {
 /// The one table from kinds of channels to types of ROS 2. Infrared and odometry, which are shown
 /// unasked, have topics of their own in Inspector.
 constexpr std::array kKinds{
+    Kind{"pose", make<PoseWriter>},  // geometry_msgs/PoseStamped
     Kind{"scan", make<ScanWriter>},  // sensor_msgs/LaserScan
 };
 

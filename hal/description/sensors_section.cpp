@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "hal/description/fields.h"
+#include "hal/description/pose_section.h"
 #include "hal/description/scan_section.h"
 
 namespace hal::description {

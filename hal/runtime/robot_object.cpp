@@ -61,6 +61,13 @@ Result<Scan> RobotObject::scan() const {
   return Scan{.headings = channel->headings, .ranges = *ranges};
 }
 
+Result<Pose2> RobotObject::pose() const {
+  context().guard.check("pose");
+  const auto v = values("pose", 3);
+  if (!v) return tl::unexpected<Error>(v.error());
+  return Pose2{(*v)[0], (*v)[1], (*v)[2]};
+}
+
 Result<std::span<const double>> RobotObject::values(const char* channel, std::size_t count) const {
   auto values = context().readings.values(channel);
   if (values && values->size() != count) {

@@ -19,6 +19,7 @@ namespace hal {
 ///                                                   address
 /// scan          scan                m               one per ray; NaN: nothing within `high`,
 ///                                                   -infinity: nearer than `low`
+/// pose          pose                m, rad          x, y, heading in the world
 ///
 /// The first four are there if the agent has such devices; those of `sensors:` in its file have the
 /// names that the file gives them.

@@ -113,6 +113,14 @@ static void print_scan(const void* sample) {
   printf("]");
 }
 
+static void print_pose(const void* sample) {
+  const geometry_msgs_msg_dds__PoseStamped_* message = sample;
+  print_stamp(&message->header.stamp);
+  printf(", \"frame\": \"%s\"", message->header.frame_id);
+  print_numbers("position", &message->pose.position.x, 3);
+  print_numbers("orientation", &message->pose.orientation.x, 4);
+}
+
 /* ---- types ---------------------------------------------------------------------------------- */
 
 struct type {
@@ -128,7 +136,7 @@ static const struct type types[] = {
     {"Range", &sensor_msgs_msg_dds__Range__desc, print_range},
     {"LaserScan", &sensor_msgs_msg_dds__LaserScan__desc, print_scan},
     {"Twist", &geometry_msgs_msg_dds__Twist__desc, NULL},
-    {"PoseStamped", &geometry_msgs_msg_dds__PoseStamped__desc, NULL},
+    {"PoseStamped", &geometry_msgs_msg_dds__PoseStamped__desc, print_pose},
     {"Bool", &std_msgs_msg_dds__Bool__desc, NULL},
     {"String", &std_msgs_msg_dds__String__desc, NULL},
 };
