@@ -56,6 +56,8 @@ class Robot : public RealWorldObject {
   /// callback returns. Errors, of all of these: kNotAvailable (no such sensor, not asked for, not
   /// sampled yet, or lost).
   virtual Result<Scan> scan() const = 0;
+  /// Whether the body has touched anything since the control cycle before.
+  virtual Result<bool> bumped() const = 0;
   /// Where the body is in the world, as a compass and a position fix tell, with their noise.
   virtual Result<Pose2> pose() const = 0;
 };

@@ -83,6 +83,14 @@ class PoseWriter final : public TypedWriter<geometry_msgs::msg::dds_::PoseStampe
   }
 };
 
+class BumperWriter final : public TypedWriter<std_msgs::msg::dds_::Bool_PubSubType> {
+ public:
+  using TypedWriter::TypedWriter;
+
+ private:
+  void fill(Time, std::span<const double> values) override { sample().data(values[0] != 0); }
+};
+
 using Make = std::unique_ptr<ChannelWriter> (*)(Participant&, const std::string&, const Channel&,
                                                 std::atomic<int>&);
 
@@ -100,8 +108,9 @@ struct Kind {
 /// The one table from kinds of channels to types of ROS 2. Infrared and odometry, which are shown
 /// unasked, have topics of their own in Inspector.
 constexpr std::array kKinds{
-    Kind{"pose", make<PoseWriter>},  // geometry_msgs/PoseStamped
-    Kind{"scan", make<ScanWriter>},  // sensor_msgs/LaserScan
+    Kind{"pose", make<PoseWriter>},      // geometry_msgs/PoseStamped
+    Kind{"bumper", make<BumperWriter>},  // std_msgs/Bool
+    Kind{"scan", make<ScanWriter>},      // sensor_msgs/LaserScan
 };
 
 }  // namespace

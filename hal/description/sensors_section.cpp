@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "hal/description/bumper_section.h"
 #include "hal/description/fields.h"
 #include "hal/description/pose_section.h"
 #include "hal/description/scan_section.h"

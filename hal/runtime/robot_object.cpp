@@ -68,6 +68,13 @@ Result<Pose2> RobotObject::pose() const {
   return Pose2{(*v)[0], (*v)[1], (*v)[2]};
 }
 
+Result<bool> RobotObject::bumped() const {
+  context().guard.check("bumped");
+  const auto v = values("bumper", 1);
+  if (!v) return tl::unexpected<Error>(v.error());
+  return v->front() != 0;
+}
+
 Result<std::span<const double>> RobotObject::values(const char* channel, std::size_t count) const {
   auto values = context().readings.values(channel);
   if (values && values->size() != count) {

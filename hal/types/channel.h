@@ -20,6 +20,7 @@ namespace hal {
 /// scan          scan                m               one per ray; NaN: nothing within `high`,
 ///                                                   -infinity: nearer than `low`
 /// pose          pose                m, rad          x, y, heading in the world
+/// bumper        bumper              1               1: touched since the reading before, else 0
 ///
 /// The first four are there if the agent has such devices; those of `sensors:` in its file have the
 /// names that the file gives them.

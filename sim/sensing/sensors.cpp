@@ -1,5 +1,6 @@
 #include "sim/sensing/sensors.h"
 
+#include "sim/sensing/bumper.h"
 #include "sim/sensing/pose_sensor.h"
 #include "sim/sensing/scan.h"
 

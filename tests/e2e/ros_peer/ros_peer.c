@@ -121,6 +121,10 @@ static void print_pose(const void* sample) {
   print_numbers("orientation", &message->pose.orientation.x, 4);
 }
 
+static void print_bool(const void* sample) {
+  printf("\"data\": %s", ((const std_msgs_msg_dds__Bool_*)sample)->data ? "true" : "false");
+}
+
 /* ---- types ---------------------------------------------------------------------------------- */
 
 struct type {
@@ -137,7 +141,7 @@ static const struct type types[] = {
     {"LaserScan", &sensor_msgs_msg_dds__LaserScan__desc, print_scan},
     {"Twist", &geometry_msgs_msg_dds__Twist__desc, NULL},
     {"PoseStamped", &geometry_msgs_msg_dds__PoseStamped__desc, print_pose},
-    {"Bool", &std_msgs_msg_dds__Bool__desc, NULL},
+    {"Bool", &std_msgs_msg_dds__Bool__desc, print_bool},
     {"String", &std_msgs_msg_dds__String__desc, NULL},
 };
 
