@@ -36,6 +36,12 @@ struct Scan {
   std::span<const double> ranges;
 };
 
+/// A reading of an inertial measurement unit, in its own frame.
+struct Imu {
+  Vec3 angular_velocity;  ///< rad/s
+  Vec3 specific_force;    ///< m/s^2, mean since the control cycle before; at rest gravity, upwards.
+};
+
 class Robot : public RealWorldObject {
  public:
   /// Drives with a velocity of the body, until the next command. What the robot's wheels cannot do
@@ -56,6 +62,7 @@ class Robot : public RealWorldObject {
   /// callback returns. Errors, of all of these: kNotAvailable (no such sensor, not asked for, not
   /// sampled yet, or lost).
   virtual Result<Scan> scan() const = 0;
+  virtual Result<Imu> imu() const = 0;
   /// Whether the body has touched anything since the control cycle before.
   virtual Result<bool> bumped() const = 0;
   /// Where the body is in the world, as a compass and a position fix tell, with their noise.

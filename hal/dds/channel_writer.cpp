@@ -91,6 +91,31 @@ class BumperWriter final : public TypedWriter<std_msgs::msg::dds_::Bool_PubSubTy
   void fill(Time, std::span<const double> values) override { sample().data(values[0] != 0); }
 };
 
+class ImuWriter final : public TypedWriter<sensor_msgs::msg::dds_::Imu_PubSubType> {
+ public:
+  ImuWriter(Participant& participant, const std::string& agent, const Channel& channel,
+            std::atomic<int>& readers)
+      : TypedWriter(participant, agent, channel, readers) {
+    sample().header().frame_id(agent + "/" + channel.frame);
+    sample().orientation_covariance()[0] = -1;  // it tells no orientation
+  }
+
+ private:
+  void fill(Time at, std::span<const double> values) override {
+    sample().header().stamp(to_ros(at));
+    sample().angular_velocity(vector(values.first(3)));
+    sample().linear_acceleration(vector(values.last(3)));
+  }
+
+  static geometry_msgs::msg::dds_::Vector3_ vector(std::span<const double> values) {
+    geometry_msgs::msg::dds_::Vector3_ result;
+    result.x(values[0]);
+    result.y(values[1]);
+    result.z(values[2]);
+    return result;
+  }
+};
+
 using Make = std::unique_ptr<ChannelWriter> (*)(Participant&, const std::string&, const Channel&,
                                                 std::atomic<int>&);
 
@@ -110,6 +135,7 @@ struct Kind {
 constexpr std::array kKinds{
     Kind{"pose", make<PoseWriter>},      // geometry_msgs/PoseStamped
     Kind{"bumper", make<BumperWriter>},  // std_msgs/Bool
+    Kind{"imu", make<ImuWriter>},        // sensor_msgs/Imu
     Kind{"scan", make<ScanWriter>},      // sensor_msgs/LaserScan
 };
 

@@ -7,6 +7,7 @@
 
 #include "hal/description/bumper_section.h"
 #include "hal/description/fields.h"
+#include "hal/description/imu_section.h"
 #include "hal/description/pose_section.h"
 #include "hal/description/scan_section.h"
 

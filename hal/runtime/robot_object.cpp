@@ -75,6 +75,14 @@ Result<bool> RobotObject::bumped() const {
   return v->front() != 0;
 }
 
+Result<Imu> RobotObject::imu() const {
+  context().guard.check("imu");
+  const auto v = values("imu", 6);
+  if (!v) return tl::unexpected<Error>(v.error());
+  return Imu{.angular_velocity = {(*v)[0], (*v)[1], (*v)[2]},
+             .specific_force = {(*v)[3], (*v)[4], (*v)[5]}};
+}
+
 Result<std::span<const double>> RobotObject::values(const char* channel, std::size_t count) const {
   auto values = context().readings.values(channel);
   if (values && values->size() != count) {

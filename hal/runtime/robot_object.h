@@ -14,6 +14,7 @@ class RobotObject : public ObjectOf<Robot> {
   Result<std::vector<InfraredReading>> infrared() const override;
   Result<Odometry> odometry() const override;
   Result<Scan> scan() const override;
+  Result<Imu> imu() const override;
   Result<bool> bumped() const override;
   Result<Pose2> pose() const override;
 

@@ -21,6 +21,8 @@ namespace hal {
 ///                                                   -infinity: nearer than `low`
 /// pose          pose                m, rad          x, y, heading in the world
 /// bumper        bumper              1               1: touched since the reading before, else 0
+/// imu           imu                 rad/s, m/s^2    angular velocity x, y, z; specific force x, y,
+/// z
 ///
 /// The first four are there if the agent has such devices; those of `sensors:` in its file have the
 /// names that the file gives them.

@@ -1,6 +1,7 @@
 #include "sim/sensing/sensors.h"
 
 #include "sim/sensing/bumper.h"
+#include "sim/sensing/imu.h"
 #include "sim/sensing/pose_sensor.h"
 #include "sim/sensing/scan.h"
 

@@ -6,7 +6,7 @@
  *   ros_peer write DOMAIN TYPE TOPIC HZ VALUE ...      the same sample again and again, until killed
  *   ros_peer switch DOMAIN Bool TOPIC                  a sample per 0 or 1 on standard input
  *
- * TYPE: Clock, TFMessage, Odometry, Range, LaserScan; to write: Twist (vx vy omega), PoseStamped (x y z, qx qy
+ * TYPE: Clock, TFMessage, Odometry, Range, LaserScan, Imu; to write: Twist (vx vy omega), PoseStamped (x y z, qx qy
  * qz qw), Bool (0 or 1), String (the value is not looked at: "hello"). "ready" goes to standard error when
  * it looks for the others; `switch` has found one then.
  */
@@ -125,6 +125,15 @@ static void print_bool(const void* sample) {
   printf("\"data\": %s", ((const std_msgs_msg_dds__Bool_*)sample)->data ? "true" : "false");
 }
 
+static void print_imu(const void* sample) {
+  const sensor_msgs_msg_dds__Imu_* message = sample;
+  print_stamp(&message->header.stamp);
+  printf(", \"frame\": \"%s\"", message->header.frame_id);
+  print_numbers("orientation_covariance", message->orientation_covariance, 9);
+  print_numbers("angular", &message->angular_velocity.x, 3);
+  print_numbers("linear", &message->linear_acceleration.x, 3);
+}
+
 /* ---- types ---------------------------------------------------------------------------------- */
 
 struct type {
@@ -138,6 +147,7 @@ static const struct type types[] = {
     {"TFMessage", &tf2_msgs_msg_dds__TFMessage__desc, print_transforms},
     {"Odometry", &nav_msgs_msg_dds__Odometry__desc, print_odometry},
     {"Range", &sensor_msgs_msg_dds__Range__desc, print_range},
+    {"Imu", &sensor_msgs_msg_dds__Imu__desc, print_imu},
     {"LaserScan", &sensor_msgs_msg_dds__LaserScan__desc, print_scan},
     {"Twist", &geometry_msgs_msg_dds__Twist__desc, NULL},
     {"PoseStamped", &geometry_msgs_msg_dds__PoseStamped__desc, print_pose},
