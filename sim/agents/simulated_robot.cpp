@@ -1,71 +1,66 @@
 #include "sim/agents/simulated_robot.h"
 
-#include <algorithm>
-#include <utility>
 #include <variant>
 
 #include "hal/types/check.h"
 #include "sim/agents/agent_offer.h"
 
 namespace sim::agents {
+namespace {
 
-using hal::exchange::Action;
-using hal::exchange::ActionKind;
-using hal::exchange::Event;
-using hal::exchange::Reading;
+const hal::devices::RobotDescription& description_of(const AgentConfig& config) {
+  return std::get<hal::devices::RobotDescription>(config.body);
+}
+
+}  // namespace
 
 SimulatedRobot::SimulatedRobot(const AgentConfig& config, radio::MacSap& mac,
-                               Surroundings surroundings, AgentListener& listener)
-    : SimulatedAgent(config, mac, surroundings, listener),
-      description_(std::get<hal::devices::RobotDescription>(config.body)),
-      drive_(surroundings.world.drive(config.id)),
-      odometry_(drive_, description_.encoder_steps),
-      infrared_(config.id, description_.infrared, surroundings.config.seed, config.name) {}
-
-void SimulatedRobot::sample(Event& event) {
-  SimulatedAgent::sample(event);
-  if (wants_channel("odometry")) sample_odometry(event);
-  if (wants_channel("infrared") || wants_channel("infrared_volts")) sample_infrared(event);
+                               Surroundings surroundings, hal::agent::AgentListener& listener)
+    : SimulatedMote(config, mac, surroundings, listener, this),
+      odometry_(surroundings.world.drive(config.id), description_of(config).encoder_steps),
+      infrared_(config.id, description_of(config).infrared, surroundings.config.seed, config.name) {
 }
 
-void SimulatedRobot::observe(hal::Time now) {
-  if (now > odometry_at_) {
-    odometry_.update(surroundings().world.wheel_angles(id()), now - odometry_at_);
+void SimulatedRobot::advance(hal::Time at) {
+  if (at > odometry_at_) {
+    odometry_.update(surroundings().world.wheel_angles(id()), at - odometry_at_);
   }
-  odometry_at_ = now;
-  surroundings().observer.on_odometry(now, id(), odometry_.pose(), odometry_.twist());
+  odometry_at_ = at;
 }
 
-void SimulatedRobot::sample_odometry(Event& event) {
-  const hal::Pose2& pose = odometry_.pose();
-  const hal::Twist2& twist = odometry_.twist();
-  event.readings.push_back(
-      {kOdometry, {pose.x, pose.y, pose.theta, twist.vx, twist.vy, twist.omega}});
+bool SimulatedRobot::sample(std::size_t channel, hal::Time at, std::vector<double>& values) {
+  switch (core().session().channels[channel].id) {
+    case kOdometry: {
+      const auto& [x, y, theta] = odometry_.pose();
+      const auto& [vx, vy, omega] = odometry_.twist();
+      values = {x, y, theta, vx, vy, omega};
+      return true;
+    }
+    case kInfrared:
+      for (const sensing::InfraredReading& reading : infrared(at)) values.push_back(reading.metres);
+      return true;
+    case kInfraredVolts:
+      for (const sensing::InfraredReading& reading : infrared(at)) values.push_back(reading.volts);
+      return true;
+    default:
+      return SimulatedMote::sample(channel, at, values);
+  }
 }
 
-void SimulatedRobot::sample_infrared(Event& event) {
+std::span<const sensing::InfraredReading> SimulatedRobot::infrared(hal::Time at) {
   Scene& scene = surroundings().scene;
-  infrared_.sample(event.time, scene.world(), scene.proximity());
-  Reading metres{.channel = kInfrared, .values = {}},
-      volts{.channel = kInfraredVolts, .values = {}};
-  metres.values.reserve(infrared_.readings().size());
-  volts.values.reserve(infrared_.readings().size());
-  for (const sensing::InfraredReading& reading : infrared_.readings()) {
-    metres.values.push_back(reading.metres);
-    volts.values.push_back(reading.volts);
-  }
-  if (wants_channel("infrared")) event.readings.push_back(std::move(metres));
-  if (wants_channel("infrared_volts")) event.readings.push_back(std::move(volts));
+  infrared_.sample(at, scene.world(), scene.proximity());
+  return infrared_.readings();
 }
 
-hal::Result<void> SimulatedRobot::drive(const Action& action) {
-  physics::World& world = surroundings().world;
-  if (action.kind == ActionKind::kDriveWheels) {
-    return world.set_wheel_speeds(id(), action.wheel_speeds);
-  }
-  const auto driven = world.set_body_velocity(id(), action.twist);
-  if (!driven) return hal::fail(driven.error().code, driven.error().message);
+hal::Result<void> SimulatedRobot::drive(const hal::Twist2& body, hal::Time) {
+  const auto driven = surroundings().world.set_body_velocity(id(), body);
+  if (!driven) return tl::unexpected(driven.error());
   return {};
+}
+
+hal::Result<void> SimulatedRobot::drive_wheels(std::span<const double> speeds, hal::Time) {
+  return surroundings().world.set_wheel_speeds(id(), speeds);
 }
 
 void SimulatedRobot::halt() {

@@ -1,31 +1,31 @@
 #pragma once
 
+#include <span>
+#include <vector>
+
 #include "hal/devices/odometry.h"
 #include "hal/devices/robot_description.h"
-#include "sim/agents/simulated_agent.h"
+#include "sim/agents/simulated_mote.h"
 #include "sim/sensing/infrared.h"
 
 namespace sim::agents {
 
-/// A robot: an agent with wheels, odometry and infrared sensors. Its body is in the world already.
-class SimulatedRobot final : public SimulatedAgent {
+/// A robot: a mote with wheels, odometry and infrared sensors.
+class SimulatedRobot final : public SimulatedMote, public hal::agent::Drive {
  public:
   SimulatedRobot(const AgentConfig& config, radio::MacSap& mac, Surroundings surroundings,
-                 AgentListener& listener);
+                 hal::agent::AgentListener& listener);
 
-  bool has_wheels() const override { return true; }
+  void advance(hal::Time at) override;
+  bool sample(std::size_t channel, hal::Time at, std::vector<double>& values) override;
 
- private:
-  void observe(hal::Time now) override;
-  void sample(hal::exchange::Event& event) override;
-  hal::Result<void> drive(const hal::exchange::Action& action) override;
+  hal::Result<void> drive(const hal::Twist2& body, hal::Time as_of) override;
+  hal::Result<void> drive_wheels(std::span<const double> speeds, hal::Time as_of) override;
   void halt() override;
 
-  void sample_odometry(hal::exchange::Event& event);
-  void sample_infrared(hal::exchange::Event& event);
+ private:
+  std::span<const sensing::InfraredReading> infrared(hal::Time at);
 
-  const hal::devices::RobotDescription& description_;
-  const hal::devices::WheelDrive& drive_;
   hal::devices::WheelOdometry odometry_;
   hal::Time odometry_at_{};
   sensing::InfraredArray infrared_;
