@@ -10,19 +10,14 @@ namespace gateway {
 enum class ActionVerdict {
   kGood,
   kForeign,    ///< For an agent that the process was not granted.
-  kMalformed,  ///< Against the rules of hal/exchange/step.h; hal/runtime never sends such a one.
+  kMalformed,  ///< It answers no event of its agent; hal/runtime never sends such a one.
 };
 
-/// What the server needs to remember of a Step to judge the Reply.
-struct Asked {
-  hal::AgentId agent;
-  hal::Time time{};
-};
-
-/// Judges an action as it came over the wire, where anyone may have written it.
-/// @param granted  the agents of the process.   @param asked  one per event of the Step.
+/// Judges whether an action as it came over the wire, where anyone may have written it, answers an
+/// event of the Step. What it asks for is for the host to judge (hal/exchange/validate.h).
+/// @param granted  the agents of the process.   @param asked  the agent of each event of the Step.
 ActionVerdict judge(const hal::exchange::Action& action,
                     const std::vector<hal::exchange::AgentSession>& granted,
-                    const std::vector<Asked>& asked);
+                    const std::vector<hal::AgentId>& asked);
 
 }  // namespace gateway

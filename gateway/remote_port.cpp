@@ -38,7 +38,7 @@ hal::Result<void> RemotePort::begin(const Step& step) {
   step_time_ = step.events.empty() ? step.until : step.events.front().time;
   before_begin_(step_time_);
   asked_.clear();
-  for (const Event& event : step.events) asked_.push_back({event.agent, event.time});
+  for (const Event& event : step.events) asked_.push_back(event.agent);
   return link_->begin(step);
 }
 

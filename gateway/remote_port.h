@@ -41,9 +41,9 @@ class RemotePort : public hal::exchange::ControllerPort {
   std::unique_ptr<hal::dds::ProcessLink> link_;  ///< Null once disconnected.
   std::vector<hal::exchange::AgentSession> granted_;
   std::function<void(hal::Time)> before_begin_;
-  std::string who_;           ///< For people.
-  std::vector<Asked> asked_;  ///< The events of the Step under way.
-  hal::Time step_time_{};     ///< Of the first of them.
+  std::string who_;                  ///< For people.
+  std::vector<hal::AgentId> asked_;  ///< Whom the events of the Step under way are for.
+  hal::Time step_time_{};            ///< Of the first of them.
   ProcessSummary summary_;
 };
 

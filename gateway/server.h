@@ -33,7 +33,7 @@ struct ProcessSummary {
   std::uint64_t exchanges = 0;
   std::uint64_t foreign_actions = 0;  ///< Dropped: for an agent the process was not granted …
   std::vector<hal::AgentId> foreign_agents;  ///< … these, in order of appearance.
-  std::uint64_t malformed_actions = 0;       ///< Dropped: not a number, too long, no such event.
+  std::uint64_t malformed_actions = 0;       ///< Dropped: they answer no event of their agent.
   std::uint64_t stale_replies = 0;           ///< Dropped: an old or unknown sequence number.
   std::uint64_t malformed_replies = 0;       ///< Dropped: values outside their enumerations.
   std::uint64_t foreign_replies = 0;         ///< Dropped: of another participant …

@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "gateway/app/inspected_ranges.h"
+#include "gateway/app/inspected_readings.h"
 
 namespace gateway::app {
 namespace {
@@ -46,30 +47,32 @@ std::string AgentInspection::name_of(hal::AgentId agent) const {
   return known == map.end() ? fmt::format("agent {}", agent.value) : known->name;
 }
 
-void AgentInspection::on_cycle(hal::Time at) {
+void AgentInspection::on_cycle(hal::Time at, hal::AgentId) {
   to_time_of_day_ = std::chrono::system_clock::now().time_since_epoch() - at.time_since_epoch();
 }
 
-void AgentInspection::on_pose(hal::Time at, const hal::Pose2& pose) {
+void AgentInspection::on_pose(hal::Time at, hal::AgentId, const hal::Pose2& pose) {
   if (inspector_) inspector_->publish_transform(time_of_day(at), file_.name, pose);
 }
 
-void AgentInspection::on_odometry(hal::Time at, const hal::Pose2& pose, const hal::Twist2& twist) {
-  if (inspector_ && is_robot()) inspector_->publish_odometry(time_of_day(at), 0, pose, twist);
+bool AgentInspection::observes(hal::AgentId, const hal::Channel& channel) const {
+  const auto topic = topic_of(channel);
+  return inspector_ && is_robot() && topic && inspector_->has_readers(*topic);
 }
 
-void AgentInspection::on_ranges(hal::Time at, std::span<const double> metres) {
-  if (inspector_ && is_robot()) inspector_->publish_ranges(time_of_day(at), 0, metres);
+void AgentInspection::on_reading(hal::Time at, hal::AgentId, const hal::Channel& channel,
+                                 std::span<const double> values) {
+  publish_reading(*inspector_, time_of_day(at), 0, channel, values);
 }
 
-void AgentInspection::on_fate(hal::Time at, hal::MessageId id, hal::Fate fate) {
+void AgentInspection::on_fate(hal::Time at, hal::AgentId, hal::MessageId id, hal::Fate fate) {
   if (!inspector_ || !inspector_->has_readers(Topic::kFates)) return;
   inspector_->publish_fate(
       time_of_day(at),
       {.sender = file_.name, .id = id, .node = file_.name, .fate = fate, .verdict = {}});
 }
 
-void AgentInspection::on_route_change(hal::Time at, const hal::RouteChange& change) {
+void AgentInspection::on_route_change(hal::Time at, hal::AgentId, const hal::RouteChange& change) {
   if (!inspector_ || !inspector_->has_readers(Topic::kRoutes)) return;
   const std::string destination = name_of(change.route.destination);
   const std::string next_hop = name_of(change.route.next_hop);
@@ -78,7 +81,7 @@ void AgentInspection::on_route_change(hal::Time at, const hal::RouteChange& chan
       {.agent = file_.name, .destination = destination, .next_hop = next_hop, .change = change});
 }
 
-void AgentInspection::on_state(hal::Time at, const std::string& state) {
+void AgentInspection::on_state(hal::Time at, hal::AgentId, std::string_view state) {
   if (inspector_) inspector_->publish_state(time_of_day(at), file_.name, state);
 }
 

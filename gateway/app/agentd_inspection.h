@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
+#include "hal/agent/agent_observer.h"
 #include "hal/dds/inspector.h"
 #include "hal/dds/pose_reader.h"
-#include "hal/hardware/agent_observer.h"
 #include "hal/hardware/localisation.h"
 #include "hal/hardware/robot_file.h"
 
@@ -31,7 +31,7 @@ class TopicPose final : public hal::hardware::PoseSource {
 /// Shows a real agent to whoever reads the topics of hal::dds::Inspector. As ROS 2 expects of a
 /// robot, stamps are the time of day and nobody publishes rt/clock: several robots share a domain,
 /// and programs there have use_sim_time false.
-class AgentInspection final : public hal::hardware::AgentObserver {
+class AgentInspection final : public hal::agent::AgentObserver {
  public:
   /// @param file  outlives this object.
   explicit AgentInspection(const hal::hardware::RobotFile& file) : file_(file) {}
@@ -40,13 +40,14 @@ class AgentInspection final : public hal::hardware::AgentObserver {
   /// @throws std::runtime_error  if DDS makes no writer.
   void start(hal::dds::InspectionParticipant& participant);
 
-  void on_cycle(hal::Time at) override;
-  void on_pose(hal::Time at, const hal::Pose2& pose) override;
-  void on_odometry(hal::Time at, const hal::Pose2& pose, const hal::Twist2& twist) override;
-  void on_ranges(hal::Time at, std::span<const double> metres) override;
-  void on_fate(hal::Time at, hal::MessageId id, hal::Fate fate) override;
-  void on_route_change(hal::Time at, const hal::RouteChange& change) override;
-  void on_state(hal::Time at, const std::string& state) override;
+  void on_cycle(hal::Time at, hal::AgentId agent) override;
+  void on_pose(hal::Time at, hal::AgentId agent, const hal::Pose2& pose) override;
+  bool observes(hal::AgentId agent, const hal::Channel& channel) const override;
+  void on_reading(hal::Time at, hal::AgentId agent, const hal::Channel& channel,
+                  std::span<const double> values) override;
+  void on_fate(hal::Time at, hal::AgentId sender, hal::MessageId id, hal::Fate fate) override;
+  void on_route_change(hal::Time at, hal::AgentId agent, const hal::RouteChange& change) override;
+  void on_state(hal::Time at, hal::AgentId agent, std::string_view state) override;
 
  private:
   bool is_robot() const { return file_.robot.has_value(); }

@@ -3,6 +3,7 @@
 #include <variant>
 
 #include "gateway/app/inspected_ranges.h"
+#include "gateway/app/inspected_readings.h"
 #include "hal/devices/channels.h"
 #include "hal/types/check.h"
 #include "sim/radio/frame.h"
@@ -12,8 +13,6 @@ namespace {
 
 using namespace std::chrono_literals;
 using hal::devices::RobotDescription;
-
-constexpr const char* kInfraredChannel = "infrared";
 
 // Least simulated time between two samples.
 constexpr hal::Duration kClockPeriod = 10ms;
@@ -41,20 +40,13 @@ InspectionObserver::InspectionObserver(const sim::agents::SimulationConfig& conf
   for (const auto& agent : config.agents) agents_[agent.id].name = agent.name;
 }
 
-void InspectionObserver::start(hal::dds::InspectionParticipant& participant,
-                               const std::vector<hal::exchange::AgentOffer>& offers) {
+void InspectionObserver::start(hal::dds::InspectionParticipant& participant) {
   std::vector<hal::dds::InspectedRobot> robots;
   for (const sim::agents::AgentConfig& agent : config_.agents) {
     const auto* robot = std::get_if<RobotDescription>(&agent.body);
     if (robot == nullptr) continue;
     agents_[agent.id].robot = robots.size();
     robots.push_back(describe(agent, *robot));
-  }
-  for (const hal::exchange::AgentOffer& offer : offers) {
-    for (const hal::Channel& channel : offer.session.channels) {
-      if (channel.name != kInfraredChannel) continue;
-      agents_[offer.session.agent].infrared_channel = channel.id;
-    }
   }
   inspector_ = std::make_unique<hal::dds::Inspector>(participant, robots);
 }
@@ -83,22 +75,15 @@ void InspectionObserver::on_body(hal::Time at, hal::AgentId id,
   inspector_->publish_transform(at, agent.name, pose);
 }
 
-void InspectionObserver::on_odometry(hal::Time at, hal::AgentId agent, const hal::Pose2& pose,
-                                     const hal::Twist2& twist) {
-  if (!is_read(Topic::kOdometry)) return;
-  inspector_->publish_odometry(at, agents_.at(agent).robot, pose, twist);
+bool InspectionObserver::observes(hal::AgentId agent, const hal::Channel& channel) const {
+  const auto topic = topic_of(channel);
+  if (!topic || !is_read(*topic)) return false;
+  return topic != Topic::kChannels || inspector_->has_readers(agents_.at(agent).robot, channel.id);
 }
 
-void InspectionObserver::on_event(const hal::exchange::Event& event) {
-  if (event.cause != hal::exchange::Cause::kControl) return;
-  if (!is_read(Topic::kRange) && !is_read(Topic::kChannels)) return;
-  const Agent& agent = agents_.at(event.agent);
-  for (const hal::exchange::Reading& reading : event.readings) {
-    if (reading.channel >= hal::devices::kFirstSensor)
-      inspector_->publish_channel(event.time, agent.robot, reading.channel, reading.values);
-    if (int{reading.channel} != agent.infrared_channel) continue;
-    inspector_->publish_ranges(event.time, agent.robot, reading.values);
-  }
+void InspectionObserver::on_reading(hal::Time at, hal::AgentId agent, const hal::Channel& channel,
+                                    std::span<const double> values) {
+  publish_reading(*inspector_, at, agents_.at(agent).robot, channel, values);
 }
 
 void InspectionObserver::on_frame_start(hal::Time at, const sim::radio::Frame& frame) {

@@ -2,12 +2,12 @@
 
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "hal/dds/inspector.h"
-#include "hal/exchange/ports.h"
 #include "sim/agents/observer.h"
 #include "sim/agents/simulation_config.h"
 
@@ -18,7 +18,7 @@ namespace gateway::app {
 ///
 ///   InspectionObserver inspection(config);
 ///   Simulation simulation(config, {…, &inspection});
-///   inspection.start(participant, simulation.offers());
+///   inspection.start(participant);
 ///   …run…
 class InspectionObserver final : public sim::agents::Observer {
  public:
@@ -27,13 +27,12 @@ class InspectionObserver final : public sim::agents::Observer {
 
   /// Before this nothing is shown. @param participant  outlives this object.
   /// @throws std::runtime_error  if DDS makes no writer.
-  void start(hal::dds::InspectionParticipant& participant,
-             const std::vector<hal::exchange::AgentOffer>& offers);
+  void start(hal::dds::InspectionParticipant& participant);
 
   void on_body(hal::Time at, hal::AgentId agent, const sim::agents::BodyState& body) override;
-  void on_odometry(hal::Time at, hal::AgentId agent, const hal::Pose2& pose,
-                   const hal::Twist2& twist) override;
-  void on_event(const hal::exchange::Event& event) override;
+  bool observes(hal::AgentId agent, const hal::Channel& channel) const override;
+  void on_reading(hal::Time at, hal::AgentId agent, const hal::Channel& channel,
+                  std::span<const double> values) override;
   void on_frame_start(hal::Time at, const sim::radio::Frame& frame) override;
   void on_reception(hal::Time at, const sim::radio::Frame& frame, hal::AgentId receiver,
                     hal::Verdict verdict, double rssi_dbm) override;
@@ -49,7 +48,6 @@ class InspectionObserver final : public sim::agents::Observer {
   struct Agent {
     std::string name;
     std::size_t robot = 0;       ///< Its index among the robots, if it is one.
-    int infrared_channel = -1;   ///< -1: it has none.
     hal::Pose2 shown;            ///< Last pose that was shown ...
     hal::Time shown_at{kNever};  ///< ... and when.
   };

@@ -40,7 +40,7 @@ void RunInspection::start(std::optional<int> domain_of_run, sim::agents::Simulat
   }
   if (!domain || (!settings_.shown && !teleop)) return;
   try {
-    open(*domain, simulation);
+    open(*domain);
   } catch (const std::runtime_error& e) {
     // Nobody has asked for it.
     if (settings_.domain || teleop) throw;
@@ -50,10 +50,10 @@ void RunInspection::start(std::optional<int> domain_of_run, sim::agents::Simulat
   if (teleop) connect_teleop(simulation);
 }
 
-void RunInspection::open(int domain, const sim::agents::Simulation& simulation) {
+void RunInspection::open(int domain) {
   participant_ = std::make_unique<hal::dds::InspectionParticipant>(
       hal::dds::InspectionParticipant::Settings{.domain = domain, .name = "baraka run"});
-  if (settings_.shown) observer_.start(*participant_, simulation.offers());
+  if (settings_.shown) observer_.start(*participant_);
   fmt::print(stderr, "inspect domain: {}\n", domain);
 }
 

@@ -35,7 +35,7 @@ class RunInspection {
   void start(std::optional<int> domain_of_run, sim::agents::Simulation& simulation);
 
  private:
-  void open(int domain, const sim::agents::Simulation& simulation);
+  void open(int domain);
   void connect_teleop(sim::agents::Simulation& simulation);
 
   const sim::scenario::Scenario& scenario_;

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <limits>
 #include <string_view>
+#include <vector>
 
 #include "hal/dds/inspection_endpoints.h"
 #include "hal/dds/inspection_values.h"
@@ -22,12 +24,15 @@ class TypedWriter : public ChannelWriter {
   TypedWriter(Participant& participant, const std::string& agent, const Channel& channel,
               std::atomic<int>& readers)
       : writer_(participant, "rt/" + agent + "/" + channel.name, kChannelSamples, readers),
-        length_(channel.length) {}
+        length_(channel.length),
+        period_(channel.period) {}
 
   bool has_readers() const noexcept override { return writer_.has_readers(); }
 
   void publish(Time at, std::span<const double> values) override {
-    if (values.size() != length_) return;
+    if (values.size() != length_ || is_same_measurement(at, values)) return;
+    shown_.assign(values.begin(), values.end());
+    shown_at_ = at;
     fill(at, values);
     writer_.write();
   }
@@ -37,8 +42,18 @@ class TypedWriter : public ChannelWriter {
   virtual void fill(Time at, std::span<const double> values) = 0;
 
  private:
+  /// Whether they are the values shown last, held while the sensor measures the next ones. Bit by
+  /// bit: a value may be NaN.
+  bool is_same_measurement(Time at, std::span<const double> values) const {
+    return shown_.size() == values.size() && at < shown_at_ + period_ &&
+           std::memcmp(shown_.data(), values.data(), values.size_bytes()) == 0;
+  }
+
   InspectionWriter<PubSub> writer_;
   std::size_t length_;
+  Duration period_;
+  std::vector<double> shown_;
+  Time shown_at_{};
 };
 
 class ScanWriter final : public TypedWriter<sensor_msgs::msg::dds_::LaserScan_PubSubType> {

@@ -162,6 +162,12 @@ bool Inspector::has_readers(Topic topic) const noexcept {
   return implementation_->readers(topic).load(std::memory_order_relaxed) > 0;
 }
 
+bool Inspector::has_readers(std::size_t robot, std::uint16_t channel) const {
+  const auto& channels = implementation_->robots.at(robot)->channels;
+  const auto found = channels.find(channel);
+  return found != channels.end() && found->second->has_readers();
+}
+
 void Inspector::publish_clock(Time now) {
   auto& writer = implementation_->clock;
   if (!writer || !writer->has_readers()) return;

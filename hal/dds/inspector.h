@@ -116,6 +116,7 @@ class Inspector {
 
   bool has_readers() const noexcept;  ///< Of anything but rt/tf_static.
   bool has_readers(Topic topic) const noexcept;
+  bool has_readers(std::size_t robot, std::uint16_t channel) const;  ///< Of publish_channel().
 
   void publish_clock(Time now);  ///< No effect without rt/clock.
   /// Pose of `<agent>/base_link` in world: m, rad.

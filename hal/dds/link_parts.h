@@ -62,8 +62,6 @@ class ProcessLink::Implementation {
   Reader<wire::Reply> replies_;
   wire::Step step_;  ///< The Step under way, as it was written …
   Deadline resend_;  ///< … and when it is written again.
-  std::uint64_t sequence_ = 0;
-  std::uint64_t callers_sequence_ = 0;
   Time at_{};  ///< Of the Step under way.
   DroppedReplies dropped_;
 };

@@ -33,12 +33,10 @@ ProcessLink::Implementation::Implementation(Participant& participant, LinkSettin
 
 Result<void> ProcessLink::Implementation::begin(const exchange::Step& step) {
   if (is_dead()) return death();
-  callers_sequence_ = step.sequence;
   at_ = step.events.empty() ? step.until : step.events.front().time;
   to_wire(step, step_);
   step_.server(settings_.server);
   step_.run(settings_.run);
-  step_.sequence_number(++sequence_);
   return write();
 }
 
@@ -83,7 +81,7 @@ std::optional<exchange::Reply> ProcessLink::Implementation::take_reply() {
     if (!answers_step(*sample)) {
       // The second answer to a Step that was written twice is in order.
       const bool is_echo =
-          sample->run() == settings_.run && sample->sequence_number() == sequence_ - 1;
+          sample->run() == settings_.run && sample->sequence_number() + 1 == step_.sequence_number();
       dropped_.stale += is_echo ? 0 : 1;
       continue;
     }
@@ -92,7 +90,6 @@ std::optional<exchange::Reply> ProcessLink::Implementation::take_reply() {
       ++dropped_.malformed;
       continue;
     }
-    reply->sequence = callers_sequence_;
     return std::move(*reply);
   }
   return std::nullopt;
@@ -100,7 +97,7 @@ std::optional<exchange::Reply> ProcessLink::Implementation::take_reply() {
 
 bool ProcessLink::Implementation::answers_step(const wire::Reply& reply) const {
   return reply.process() == settings_.hello.process && reply.run() == settings_.run &&
-         reply.sequence_number() == sequence_;
+         reply.sequence_number() == step_.sequence_number();
 }
 
 bool ProcessLink::Implementation::is_of_the_process(const Origin& origin) {

@@ -34,7 +34,6 @@ class Courier {
     Time until{};                   ///< … which tells of nothing after this, its last event …
     std::vector<Answer> answers;    ///< … with these, in the order of the controllers' calls …
     std::vector<AgentId> answered;  ///< … and it held events of these agents (by address, once).
-    std::uint64_t refused = 0;      ///< Actions that belong to no event of the Step.
     bool began = false;             ///< The next Step was handed over.
   };
   /// Whether what the answers command is out of date: nobody may drive by what was seen longer ago

@@ -24,7 +24,9 @@ class ControllerPort {
   /// Hands over a Step. @pre no Step is under way. Errors: kNotConnected.
   virtual Result<void> begin(const Step& step) = 0;
 
-  /// Waits for the Reply to the Step of begin().
+  /// Waits for the Reply to the Step of begin(). Each action in it answers an event of that Step
+  /// and is of that event's agent: a port to another process drops others. What the actions ask for
+  /// may be against the rules (validate.h).
   /// Errors: kNotConnected (the process died), kTimeout (no answer within the reply timeout).
   virtual Result<Reply> finish() = 0;
 

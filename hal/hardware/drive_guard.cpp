@@ -1,10 +1,6 @@
 #include "hal/hardware/drive_guard.h"
 
-#include <fmt/format.h>
-
-#include <cmath>
 #include <utility>
-#include <vector>
 
 #include "hal/types/log.h"
 
@@ -20,20 +16,16 @@ DriveGuard::~DriveGuard() {
 }
 
 Result<void> DriveGuard::drive(const Twist2& body, Time as_of) {
-  if (!std::isfinite(body.vx) || !std::isfinite(body.vy) || !std::isfinite(body.omega)) {
-    return fail(Errc::kInvalidArgument,
-                fmt::format("drive: ({}, {}, {}) is not finite", body.vx, body.vy, body.omega));
-  }
   const auto result = limited(body, wheels_.kinematics(), wheels_.speed_limits());
   const Twist2& twist = result.twist;
   const bool moves = twist != Twist2{};
   if (moves && is_emergency_stopped()) {
     ++counts_.stopped;
-    return fail(Errc::kNotAvailable, "drive: the emergency stop is in force");
+    return fail(Errc::kNotAvailable, "the emergency stop is in force");
   }
   if (moves && !blind_because_.empty()) {
     ++counts_.blind;
-    return fail(Errc::kNotAvailable, "drive: " + blind_because_);
+    return fail(Errc::kNotAvailable, blind_because_);
   }
   if (result.saturated) ++counts_.limited;
   auto driven = wheels_.drive(twist, loop_.on_boot_clock(as_of));
@@ -48,18 +40,7 @@ Result<void> DriveGuard::drive(const Twist2& body, Time as_of) {
 }
 
 Result<void> DriveGuard::drive_wheels(std::span<const double> speeds, Time as_of) {
-  const devices::WheelDrive& kinematics = wheels_.kinematics();
-  if (speeds.size() != kinematics.wheel_count()) {
-    return fail(Errc::kInvalidArgument, fmt::format("drive: speeds of {} wheels, the robot has {}",
-                                                    speeds.size(), kinematics.wheel_count()));
-  }
-  for (const double speed : speeds) {
-    // Written so that NaN, which compares false with everything, is caught too.
-    if (std::abs(speed) <= kinematics.max_wheel_speed()) continue;
-    return fail(Errc::kInvalidArgument, fmt::format("drive: a wheel at {} rad/s, the limit is {}",
-                                                    speed, kinematics.max_wheel_speed()));
-  }
-  return drive(kinematics.body_velocity(speeds), as_of);
+  return drive(wheels_.kinematics().body_velocity(speeds), as_of);
 }
 
 void DriveGuard::feed(Time as_of) {

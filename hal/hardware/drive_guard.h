@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "hal/agent/ports.h"
 #include "hal/hardware/event_loop.h"
 #include "hal/hardware/wheels.h"
 #include "hal/types/geometry.h"
@@ -20,7 +21,7 @@ enum class StopSource : unsigned { kOperator = 1, kTopic = 2 };
 ///   - the robot sees: none of the sensors the controller steers by is out of date;
 /// scales it to the operator's limits and the motors', and stops the wheels when the controller has
 /// been silent for the command timeout. The driver's own thread does that, too, by its own clock.
-class DriveGuard {
+class DriveGuard final : public agent::Drive {
  public:
   struct Counts {
     std::uint64_t stopped = 0;        ///< Commands refused by the emergency stop …
@@ -34,20 +35,18 @@ class DriveGuard {
   /// @param wheels, loop  outlive the guard.  @param name  of the agent, for the log.
   /// @param command_timeout  > 0
   DriveGuard(WheelDriver& wheels, EventLoop& loop, Duration command_timeout, std::string name);
-  ~DriveGuard();
+  ~DriveGuard() override;
   DriveGuard(const DriveGuard&) = delete;
   DriveGuard& operator=(const DriveGuard&) = delete;
 
   /// @param as_of  when the command came in: not now, if anything lies in between.
-  /// Errors: kInvalidArgument (not finite), kNotAvailable (emergency stop; blind), kNotConnected.
-  Result<void> drive(const Twist2& body, Time as_of);
-  /// @param speeds  rad/s of each wheel. Errors: those of drive(), and kInvalidArgument for a wrong
-  ///   count or a speed beyond the motors' limit.
-  Result<void> drive_wheels(std::span<const double> speeds, Time as_of);
+  /// Errors: kNotAvailable (emergency stop; blind), kNotConnected.
+  Result<void> drive(const Twist2& body, Time as_of) override;
+  Result<void> drive_wheels(std::span<const double> speeds, Time as_of) override;
 
   /// The controller answered then: the command timeout begins anew.
   void feed(Time as_of);
-  void halt();  ///< Wheels stop; the next command is welcome.
+  void halt() override;  ///< Wheels stop; the next command is welcome.
   /// @param because  which sensor that the controller steers by is silent; empty: none is.
   void set_blind(const std::string& because);
 

@@ -1,26 +1,20 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "hal/agent/agent_core.h"
 #include "hal/exchange/courier.h"
 #include "hal/exchange/ports.h"
-#include "hal/hardware/agent_observer.h"
 #include "hal/hardware/drive_guard.h"
 #include "hal/hardware/event_loop.h"
-#include "hal/hardware/network_view.h"
-#include "hal/hardware/repeated_lines.h"
 #include "hal/hardware/robot_file.h"
 #include "hal/hardware/sampler.h"
 #include "hal/hardware/sensor_watch.h"
 #include "hal/hardware/udp_link.h"
-#include "hal/routing/router.h"
-#include "hal/types/topics.h"
 
 namespace hal::hardware {
 
@@ -37,8 +31,8 @@ struct AgentCounts {
   Duration latest_cycle{};            ///< Worst delay of a control cycle.
 };
 
-/// A real robot or mote as an AgentHost: what SimulatedAgent is in the simulator, on the wall clock
-/// and with real devices and a real network.
+/// A real robot or mote as an AgentHost: its core, whose ports end in the event loop, a UDP link
+/// and the drivers of real devices.
 ///
 ///   no controller ──connect: START──▶ driven ──stop(): STOP──▶ over
 ///          ▲                             │
@@ -46,15 +40,13 @@ struct AgentCounts {
 ///
 /// Time is that of the loop. An action takes effect when it arrives. One thread, the loop's, except
 /// set_emergency_stop().
-class HardwareAgent final : public exchange::AgentHost,
-                            public routing::Application,
-                            public routing::RoutingObserver {
+class HardwareAgent final : public exchange::AgentHost, private agent::AgentListener {
  public:
   struct Surroundings {
     EventLoop& loop;
     UdpLink& link;
     Devices devices;
-    AgentObserver& observer;
+    agent::AgentObserver& observer;
   };
 
   /// @param file, surroundings  outlive the agent.
@@ -86,31 +78,21 @@ class HardwareAgent final : public exchange::AgentHost,
 
   AgentCounts counts() const;
   const DriveGuard* guard() const { return guard_ ? &*guard_ : nullptr; }
-  std::uint64_t malformed_frames() const { return router_.malformed_frames(); }
-
-  void on_message(Message message) override;
-  void on_fate(MessageId id, Fate fate) override;
-  void on_route_change(const RouteChange& change) override;
-  void on_neighbour(const Neighbour& neighbour) override;
-  void on_neighbour_lost(AgentId neighbour) override;
+  agent::AgentCore& core() { return core_; }
+  std::uint64_t malformed_frames() const { return core_.router().malformed_frames(); }
 
  private:
+  void on_inbox(AgentId agent) override;
+  void on_state(AgentId agent, const std::string& state) override;
+
   void schedule_cycle(Time at);
   void on_cycle(Time due);
   void look_at_sensors();
-  void observe();
 
-  exchange::Event event(exchange::Cause cause);
-  void post(exchange::Event event);
   void attend_soon();
   void attend();
   void take_in(const exchange::Courier::Turn& turn);
-  void apply(const exchange::Action& action);
-  void refuse(const std::string& why);
-  Result<void> take_effect(const exchange::Action& action);
-  Result<void> drive(const exchange::Action& action);
-  Result<void> send(const exchange::Action& action);
-  void set_timer(const exchange::Action& action);
+  void take_effect(const exchange::Action& action, bool stale);
   void end_with_error(const std::string& text);
   void let_go();
 
@@ -120,24 +102,13 @@ class HardwareAgent final : public exchange::AgentHost,
   std::optional<DriveGuard> guard_;  ///< None without wheels.
   Sampler sampler_;
   SensorWatch sensor_watch_;
-  NetworkView network_;
-  routing::Router router_;
+  agent::AgentCore core_;
   std::optional<exchange::Courier> courier_;  ///< None without a controller.
   std::vector<EventLoop::Watch> watches_;     ///< Of the courier's descriptors.
   EventLoop::Handle cycle_ = 0, attending_ = 0;
-  std::map<TimerId, EventLoop::Handle> controller_timers_;
-  /// A controller numbers its messages from 1, as the one before it did; for the network they are
-  /// numbered on. By the network's number.
-  std::map<MessageId, MessageId> sent_;
-  Topics topics_;  ///< That the controller named.
-  MessageId last_message_ = 0;
   bool stopping_ = false;
   Time answered_at_{};  ///< When the answers came in that take effect now.
-  RepeatedLines refusals_;
   AgentCounts counts_;
 };
-
-/// The mistake in a message that a controller wants to send; empty: none.
-std::string mistake_in_message(const exchange::Action& action, AgentId self);
 
 }  // namespace hal::hardware

@@ -47,20 +47,36 @@ exchange::AgentOffer offer_of(const RobotFile& file, const Devices& devices) {
   return offer;
 }
 
-void Sampler::set_wants(const Wants& wants) {
-  wants_ = wants;
-  localisation_ = devices_.pose != nullptr && wants.asks_for("localisation");
-  odometry_ = devices_.wheels != nullptr && wants.asks_for("odometry");
-  infrared_ = devices_.infrared != nullptr && wants.asks_for("infrared");
-  volts_ = devices_.infrared != nullptr && wants.asks_for("infrared_volts");
+Sampler::Sampler(const RobotFile& file, const Devices& devices)
+    : file_(file), devices_(devices), offer_(offer_of(file, devices)) {}
+
+void Sampler::advance(Time) {
+  values_.clear();
+  if (has_pose()) {
+    const LocalisationSettings& settings = file_.localisation;
+    if (const auto self = pose(BootClock::now())) {
+      values_[devices::kLocalisation] =
+          relative_positions(*self, file_.address, settings.map, settings.range);
+    }
+  }
+  if (devices_.wheels != nullptr) {
+    if (const auto state = devices_.wheels->state()) {
+      const auto& [pose, twist, stamp] = *state;
+      values_[devices::kOdometry] = devices::odometry_values(pose, twist);
+    }
+  }
+  if (devices_.infrared == nullptr) return;
+  if (auto latest = devices_.infrared->latest()) {
+    values_[devices::kInfrared] = std::move(latest->metres);
+    values_[devices::kInfraredVolts] = std::move(latest->volts);
+  }
 }
 
-std::vector<exchange::Reading> Sampler::take(BootTime now) const {
-  std::vector<exchange::Reading> readings;
-  if (localisation_) readings.push_back(localisation(now));
-  if (odometry_) readings.push_back(odometry());
-  if (infrared_ || volts_) take_infrared(readings);
-  return readings;
+bool Sampler::sample(std::size_t channel, Time, std::vector<double>& values) {
+  const auto found = values_.find(offer_.session.channels[channel].id);
+  if (found == values_.end()) return false;
+  values = found->second;
+  return true;
 }
 
 std::vector<SilentDevice> Sampler::silent(BootTime now) const {
@@ -91,29 +107,6 @@ Result<Pose2> Sampler::pose(BootTime now) const {
                 fmt::format("no pose for more than {} s", to_seconds(topic->stale_after)));
   }
   return fix->pose;
-}
-
-exchange::Reading Sampler::localisation(BootTime now) const {
-  const auto self = pose(now);
-  if (!self) return {.channel = devices::kLocalisation, .values = {}, .lost = true};
-  const LocalisationSettings& settings = file_.localisation;
-  return {.channel = devices::kLocalisation,
-          .values = relative_positions(*self, file_.address, settings.map, settings.range)};
-}
-
-exchange::Reading Sampler::odometry() const {
-  const auto state = devices_.wheels->state();
-  if (!state) return {.channel = devices::kOdometry, .values = {}, .lost = true};
-  const auto& [pose, twist, stamp] = *state;
-  return {.channel = devices::kOdometry, .values = devices::odometry_values(pose, twist)};
-}
-
-void Sampler::take_infrared(std::vector<exchange::Reading>& readings) const {
-  auto latest = devices_.infrared->latest();
-  const bool lost = !latest;
-  InfraredReadings all = lost ? InfraredReadings{} : std::move(*latest);
-  if (infrared_) readings.push_back({devices::kInfrared, std::move(all.metres), lost});
-  if (volts_) readings.push_back({devices::kInfraredVolts, std::move(all.volts), lost});
 }
 
 }  // namespace hal::hardware

@@ -1,12 +1,12 @@
 #pragma once
 
-#include <optional>
+#include <cstdint>
+#include <map>
 #include <string>
-#include <string_view>
 #include <vector>
 
+#include "hal/agent/ports.h"
 #include "hal/exchange/ports.h"
-#include "hal/exchange/step.h"
 #include "hal/hardware/robot_file.h"
 #include "hal/hardware/sensor_watch.h"
 #include "hal/types/wants.h"
@@ -24,16 +24,20 @@ struct Devices {
 /// that a simulated one has (hal/types/channel.h), so that a controller meets no difference.
 exchange::AgentOffer offer_of(const RobotFile& file, const Devices& devices);
 
-/// Takes readings from the devices.
-class Sampler {
+/// Takes readings from the devices: the channels of offer_of().
+class Sampler final : public agent::Sensors {
  public:
   /// @param file, devices  outlive the sampler.
-  Sampler(const RobotFile& file, const Devices& devices) : file_(file), devices_(devices) {}
+  Sampler(const RobotFile& file, const Devices& devices);
 
-  void set_wants(const Wants& wants);
+  const exchange::AgentOffer& offer() const { return offer_; }
 
-  /// Of the channels that were asked for; those that are silent are marked as lost.
-  std::vector<exchange::Reading> take(BootTime now) const;
+  /// Whose channels silent() is about.
+  void set_wants(const Wants& wants) { wants_ = wants; }
+
+  /// Asks each device once.
+  void advance(Time at) override;
+  bool sample(std::size_t channel, Time at, std::vector<double>& values) override;
 
   /// The devices, asked for or not, that give nothing young enough now.
   std::vector<SilentDevice> silent(BootTime now) const;
@@ -44,14 +48,11 @@ class Sampler {
   bool has_pose() const { return devices_.pose != nullptr; }
 
  private:
-  exchange::Reading localisation(BootTime now) const;
-  exchange::Reading odometry() const;
-  void take_infrared(std::vector<exchange::Reading>& readings) const;
-
   const RobotFile& file_;
   const Devices& devices_;
+  const exchange::AgentOffer offer_;
   Wants wants_;
-  bool localisation_ = false, odometry_ = false, infrared_ = false, volts_ = false;
+  std::map<std::uint16_t, std::vector<double>> values_;  ///< By channel, of this control instant.
 };
 
 }  // namespace hal::hardware

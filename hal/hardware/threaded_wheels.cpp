@@ -27,7 +27,7 @@ Result<void> ThreadedWheels::drive(const Twist2& body, BootTime as_of) {
     stop();  // else the old velocity would be repeated once the device is heard again
     return fail(Errc::kNotConnected, "wheels: " + trouble);
   }
-  command_.set(limited(body, kinematics(), speed_limits()).twist, as_of);
+  command_.set(body, as_of);
   thread_.wake();
   return {};
 }

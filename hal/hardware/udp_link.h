@@ -10,6 +10,7 @@
 #include <span>
 #include <string>
 
+#include "hal/agent/ports.h"
 #include "hal/hardware/event_loop.h"
 #include "hal/hardware/interface_watch.h"
 #include "hal/hardware/udp_address.h"
@@ -48,7 +49,7 @@ struct LinkCounts {
 /// It knows neither whether a frame arrived nor how strong it was: capabilities() are false. Nobody
 /// is authenticated: who may send on the network may pretend to be any agent. One thread, the
 /// loop's.
-class UdpLink final : public routing::Link {
+class UdpLink final : public agent::Link {
  public:
   using FrameHandler =
       std::function<void(const routing::Reception&, std::span<const std::uint8_t> frame)>;
@@ -73,7 +74,7 @@ class UdpLink final : public routing::Link {
   double transmit_energy(std::size_t bytes) const override;
 
   /// Off: nothing is sent and nothing handed on.
-  void set_radio(bool on) { radio_on_ = on; }
+  void set_radio(bool on) override { radio_on_ = on; }
 
   const LinkCounts& counts() const { return counts_; }
   std::string own_address() const;                         ///< "10.0.0.1:7300"

@@ -45,7 +45,8 @@ class WheelDriver {
   WheelDriver(const WheelDriver&) = delete;
   WheelDriver& operator=(const WheelDriver&) = delete;
 
-  /// The velocity from now on, body frame; scaled down, direction kept, if it is beyond limits().
+  /// The velocity from now on, body frame. @pre it is within limits() and speed_limits():
+  /// DriveGuard sees to it.
   /// @param as_of  when this was known to be right: the command timeout is counted from then.
   /// Errors: kInvalidArgument (not finite; the old velocity holds), kNotConnected (the wheels
   /// stop once the device is heard again).

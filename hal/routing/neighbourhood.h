@@ -1,6 +1,7 @@
 #pragma once
 
-#include <set>
+#include <map>
+#include <vector>
 
 #include "hal/routing/node.h"
 
@@ -12,9 +13,9 @@ class Neighbourhood {
   explicit Neighbourhood(Node& node) : node_(node) {}
 
   void on_heard(const Reception& reception) {
-    known_.insert(reception.from);
-    node_.ports.observer.on_neighbour(
-        {.id = reception.from, .last_heard = node_.now(), .rssi_dbm = reception.rssi_dbm});
+    Neighbour& neighbour = known_[reception.from];
+    neighbour = {.id = reception.from, .last_heard = node_.now(), .rssi_dbm = reception.rssi_dbm};
+    node_.ports.observer.on_neighbour(neighbour);
   }
 
   /// Reported once per loss, however many frames to it were under way.
@@ -22,9 +23,16 @@ class Neighbourhood {
     if (known_.erase(neighbour) > 0) node_.ports.observer.on_neighbour_lost(neighbour);
   }
 
+  /// By address.
+  std::vector<Neighbour> known() const {
+    std::vector<Neighbour> all;
+    for (const auto& [id, neighbour] : known_) all.push_back(neighbour);
+    return all;
+  }
+
  private:
   Node& node_;
-  std::set<AgentId> known_;
+  std::map<AgentId, Neighbour> known_;
 };
 
 }  // namespace hal::routing

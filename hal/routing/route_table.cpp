@@ -44,6 +44,18 @@ std::vector<Route> RouteTable::routes(std::string_view topic, AgentId destinatio
   return found;
 }
 
+std::vector<Route> RouteTable::routes() const {
+  std::vector<Route> found;
+  for (const auto& [topic, destinations] : classes_) {
+    for (const auto& [destination, paths] : destinations) {
+      for (const auto& [next_hop, path] : paths) {
+        found.push_back({topic, destination, next_hop, path});
+      }
+    }
+  }
+  return found;
+}
+
 void RouteTable::report_removed(std::string_view topic, AgentId destination,
                                 AgentId next_hop) const {
   observer_.on_route_change(

@@ -33,6 +33,8 @@ class RouteTable {
 
   /// By next hop; empty if there is none.
   std::vector<Route> routes(std::string_view topic, AgentId destination) const;
+  /// All, by topic, destination and next hop.
+  std::vector<Route> routes() const;
 
  private:
   using Paths = std::map<AgentId, PathStatistics>;

@@ -145,6 +145,10 @@ std::vector<Route> Router::routes(std::string_view topic, AgentId destination) c
   return state_->table.routes(topic, destination);
 }
 
+std::vector<Route> Router::routes() const { return state_->table.routes(); }
+
+std::vector<Neighbour> Router::neighbours() const { return state_->neighbourhood.known(); }
+
 void Router::on_frame(const Reception& reception, std::span<const std::uint8_t> bytes) {
   const AgentId from = reception.from;
   auto frame = parse_frame(bytes);

@@ -63,6 +63,11 @@ class Router {
   /// Routes by next hop; empty if there is none.
   std::vector<Route> routes(std::string_view topic, AgentId destination) const;
 
+  /// All of them, by topic, destination and next hop; and who was heard directly and has not failed
+  /// to answer since, by address. For who has not listened to the observer from the beginning.
+  std::vector<Route> routes() const;
+  std::vector<Neighbour> neighbours() const;
+
   /// From the link: any bytes, from anywhere; what is malformed is dropped and counted.
   void on_frame(const Reception& reception, std::span<const std::uint8_t> bytes);
   /// From the link; ignored if it has no tx_status.

@@ -2,6 +2,8 @@
 
 #include <fmt/core.h>
 
+#include "hal/exchange/validate.h"
+
 namespace hal::runtime {
 
 AgentContext::AgentContext(const exchange::AgentSession& agent_session, const ControllerKind& kind,
@@ -22,11 +24,20 @@ void AgentContext::take_in(const exchange::Event& event) {
   routes.take_in(event);
 }
 
-tl::unexpected<Error> AgentContext::refuse(const char* call, std::string_view mistake) {
+tl::unexpected<Error> AgentContext::refuse(std::string_view call, std::string_view mistake) {
   std::string text = fmt::format("{}: {}: {}", session.name, call, mistake);
   if (auto line = mistakes.add(text)) log(log::Level::kWarning, std::move(*line));
   last_refusal = text;
   return fail(Errc::kInvalidArgument, std::move(text));
+}
+
+Result<void> AgentContext::judge_last() {
+  const exchange::Action& action = outbox.last();
+  const auto good = exchange::validate(action, session);
+  if (good) return {};
+  const std::string_view call = exchange::name(action.kind);
+  outbox.take_back();
+  return refuse(call, good.error().message);
 }
 
 void AgentContext::log_mistakes() {

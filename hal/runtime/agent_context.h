@@ -29,7 +29,11 @@ struct AgentContext {
 
   /// Logs that a call was refused, naming the agent and what was wrong, as far as Mistakes lets it,
   /// and gives the same as an error to the caller.
-  tl::unexpected<Error> refuse(const char* call, std::string_view mistake);
+  tl::unexpected<Error> refuse(std::string_view call, std::string_view mistake);
+
+  /// Whether the last action in the outbox keeps the rules of exchange::validate(). If not it is
+  /// taken back and refused.
+  Result<void> judge_last();
 
   /// Logs how often mistakes were made that refuse() did not log. To be called in the end.
   void log_mistakes();

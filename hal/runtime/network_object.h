@@ -18,7 +18,4 @@ class NetworkObject : public Network {
   AgentContext& context_;
 };
 
-/// What is wrong with a topic; empty: nothing.
-std::string mistake_in_topic(std::string_view topic);
-
 }  // namespace hal::runtime

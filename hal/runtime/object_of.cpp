@@ -9,17 +9,6 @@ namespace {
 
 constexpr std::size_t kMaxState = 64;  // bytes
 
-std::string mistake_in_message(const AgentContext& context, AgentId destination,
-                               std::string_view topic, std::size_t payload) {
-  if (destination == context.session.agent) {
-    return fmt::format("destination {} is this agent itself", destination.value);
-  }
-  if (payload > kMaxPayload) {
-    return fmt::format("payload has {} bytes, at most {} are allowed", payload, kMaxPayload);
-  }
-  return mistake_in_topic(topic);
-}
-
 /// Cuts between characters, so that what is left of UTF-8 text is UTF-8.
 std::string_view cut(std::string_view text, std::size_t limit) {
   if (text.size() <= limit) return text;
@@ -60,17 +49,17 @@ template <class Interface>
 Result<MessageId> ObjectOf<Interface>::send(AgentId destination, std::string_view topic,
                                             std::span<const std::uint8_t> payload) {
   context_.guard.check("send");
-  const std::string mistake = mistake_in_message(context_, destination, topic, payload.size());
-  if (!mistake.empty()) return context_.refuse("send", mistake);
-  if (const auto admitted = context_.topics.admit(topic); !admitted) {
-    return context_.refuse("send", admitted.error().message);
-  }
   exchange::Action& action = context_.outbox.add(exchange::ActionKind::kSend);
-  action.message_id = ++context_.last_message;
+  action.message_id = context_.last_message + 1;
   action.destination = destination;
   action.topic = topic;
   action.payload.assign(payload.begin(), payload.end());
-  return context_.last_message;
+  if (auto good = context_.judge_last(); !good) return tl::unexpected(good.error());
+  if (const auto admitted = context_.topics.admit(topic); !admitted) {
+    context_.outbox.take_back();
+    return context_.refuse("send", admitted.error().message);
+  }
+  return ++context_.last_message;
 }
 
 template <class Interface>

@@ -26,6 +26,10 @@ class Outbox {
     return action;
   }
 
+  /// The action that was added last; @pre there is one that was not taken.
+  const exchange::Action& last() const { return actions_.back(); }
+  void take_back() { actions_.pop_back(); }
+
   std::vector<exchange::Action> take() {
     std::vector<exchange::Action> taken = std::exchange(actions_, {});
     actions_.reserve(taken.size());  // The next Reply is often as long.

@@ -11,21 +11,19 @@ Result<Drive> RobotObject::set_body_velocity(const Twist2& twist) {
   if (context().session.limits.body_to_wheel.empty()) {
     return fail(Errc::kNotAvailable, context().session.name + " has no wheels");
   }
-  const std::string mistake = mistake_in(twist);
-  if (!mistake.empty()) return context().refuse("set_body_velocity", mistake);
+  exchange::Action& action = context().outbox.add(exchange::ActionKind::kDriveBody);
+  action.twist = twist;
+  if (auto good = context().judge_last(); !good) return tl::unexpected(good.error());
   const Drive drive = saturate(context().session.limits, twist);
-  context().outbox.add(exchange::ActionKind::kDriveBody).twist = drive.applied;
+  action.twist = drive.applied;
   return drive;
 }
 
 Result<void> RobotObject::set_wheel_speeds(std::span<const double> speeds) {
   context().guard.check("set_wheel_speeds");
-  const std::string mistake = mistake_in(context().session.limits, speeds);
-  if (!mistake.empty()) return context().refuse("set_wheel_speeds", mistake);
-  context()
-      .outbox.add(exchange::ActionKind::kDriveWheels)
-      .wheel_speeds.assign(speeds.begin(), speeds.end());
-  return {};
+  exchange::Action& action = context().outbox.add(exchange::ActionKind::kDriveWheels);
+  action.wheel_speeds.assign(speeds.begin(), speeds.end());
+  return context().judge_last();
 }
 
 Result<std::vector<InfraredReading>> RobotObject::infrared() const {

@@ -1,12 +1,9 @@
 #pragma once
 
-#include "hal/devices/channels.h"
 #include "hal/exchange/ports.h"
 #include "sim/agents/simulation_config.h"
 
 namespace sim::agents {
-
-using hal::devices::kLocalisation;
 
 /// What an agent of that description offers to a controller, before there is a world.
 /// @param agent  one of `config`. @throws std::invalid_argument  wheels that do not make a drive.

@@ -25,7 +25,6 @@ class Controllers {
   struct Round {
     std::vector<Answer> answers;    ///< By agent; an agent's in the order of its calls.
     std::vector<Failure> failures;  ///< Ports that gave no answer.
-    std::uint64_t refused = 0;      ///< Actions that belong to no event handed over.
   };
 
   /// @pre none of the agents is connected yet.

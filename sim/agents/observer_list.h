@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -34,9 +36,22 @@ class ObserverList final : public Observer {
   void on_body(hal::Time at, hal::AgentId agent, const BodyState& body) override {
     for (Observer* o : observers_) o->on_body(at, agent, body);
   }
-  void on_odometry(hal::Time at, hal::AgentId agent, const hal::Pose2& pose,
-                   const hal::Twist2& twist) override {
-    for (Observer* o : observers_) o->on_odometry(at, agent, pose, twist);
+  void on_cycle(hal::Time at, hal::AgentId agent) override {
+    for (Observer* o : observers_) o->on_cycle(at, agent);
+  }
+  void on_pose(hal::Time at, hal::AgentId agent, const hal::Pose2& pose) override {
+    for (Observer* o : observers_) o->on_pose(at, agent, pose);
+  }
+  bool observes(hal::AgentId agent, const hal::Channel& channel) const override {
+    return std::ranges::any_of(observers_,
+                               [&](const Observer* o) { return o->observes(agent, channel); });
+  }
+  /// To those that observe the channel.
+  void on_reading(hal::Time at, hal::AgentId agent, const hal::Channel& channel,
+                  std::span<const double> values) override {
+    for (Observer* o : observers_) {
+      if (o->observes(agent, channel)) o->on_reading(at, agent, channel, values);
+    }
   }
   void on_body_lost(const physics::LostBody& lost) override {
     for (Observer* o : observers_) o->on_body_lost(lost);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hal/routing/ports.h"
+#include "hal/agent/ports.h"
 #include "hal/routing/router.h"
 #include "sim/agents/simulation_config.h"
 #include "sim/radio/mac_sap.h"
@@ -8,7 +8,7 @@
 namespace sim::agents {
 
 /// Routing's link over a simulated MAC.
-class RadioLink final : public hal::routing::Link, public radio::MacClient {
+class RadioLink final : public hal::agent::Link, public radio::MacClient {
  public:
   /// Becomes the MAC's client for routing frames. The MAC outlives the link.
   RadioLink(radio::MacSap& mac, LinkKind kind);
@@ -20,6 +20,7 @@ class RadioLink final : public hal::routing::Link, public radio::MacClient {
   void transmit(hal::AgentId next_hop, hal::Bytes frame, hal::routing::LinkTag tag) override;
   hal::Duration expected_delay() const override { return mac_.expected_delay(); }
   double transmit_energy(std::size_t bytes) const override { return mac_.transmit_energy(bytes); }
+  void set_radio(bool on) override { mac_.set_radio(on); }
 
   void on_receive(const radio::MacIndication& indication) override;
   void on_transmitted(std::uint64_t tag, hal::Verdict verdict) override;

@@ -135,11 +135,10 @@ void Simulation::RealTimeRun::take_in(const Turn& turn, const Courier::Turn& bro
   hal::log::debug(turn.at, "exchange", "{}: {} actions took effect{}",
                   s_.controllers.port_name(turn.port), brought.answers.size(),
                   turn.began ? ", the next Step was handed over" : "");
-  s_.refused += brought.refused;
   const bool stale = Courier::is_stale(brought, turn.at, s_.config.command_timeout);
   for (const hal::AgentId agent : brought.answered) {
     restart_watchdog(agent);
-    if (stale) s_.agents.at(agent)->stop_wheels();
+    if (stale) s_.agents.at(agent)->core().halt();
   }
   for (const Courier::Answer& answer : brought.answers) {
     if (s_.error.empty()) take_effect(answer, stale);
@@ -150,7 +149,7 @@ void Simulation::RealTimeRun::take_in(const Turn& turn, const Courier::Turn& bro
 void Simulation::RealTimeRun::take_effect(const Courier::Answer& answer, bool stale) {
   const auto& [action, event_time] = answer;
   if (action.kind == ActionKind::kError) return s_.on_error(action, event_time);
-  if (stale && drives(action)) return s_.refuse(action.agent, Courier::kStale);
+  if (stale && drives(action)) return s_.agents.at(action.agent)->core().refuse(Courier::kStale);
   s_.apply(action);
 }
 
@@ -164,19 +163,19 @@ void Simulation::RealTimeRun::on_death(const Turn& turn, const hal::Error& error
 
 /// An answer is a sign of life, whatever is in it: a controller need not repeat its command.
 void Simulation::RealTimeRun::restart_watchdog(hal::AgentId agent) {
-  if (!s_.agents.at(agent)->has_wheels()) return;
+  if (!s_.agents.at(agent)->core().has_wheels()) return;
   EventQueue::EventId& watchdog = watchdogs_[agent];
   s_.events.cancel(watchdog);
   watchdog = s_.events.schedule(s_.events.now() + s_.config.command_timeout, Rank::kAction, agent,
                                 [this, agent] {
                                   ++counts_.command_timeouts;
-                                  s_.agents.at(agent)->stop_wheels();
+                                  s_.agents.at(agent)->core().halt();
                                 });
 }
 
 void Simulation::RealTimeRun::stop() {
   finish_all();
-  for (const auto& [id, agent] : s_.agents) agent->add_stop_event();
+  for (const auto& [id, agent] : s_.agents) agent->core().stop();
   post(nullptr);
   for (std::size_t i = 0; i < carried_.size(); ++i) {
     if (carried_[i].dropped || !carried_[i].courier.has_waiting()) continue;
@@ -194,7 +193,6 @@ void Simulation::RealTimeRun::finish_all() {
       hal::log::warning(s_.events.now(), "run", "at the stop: {}", brought.error().message);
       continue;
     }
-    s_.refused += brought->refused;
     for (const Courier::Answer& answer : brought->answers) s_.apply_last(answer.action);
   }
 }

@@ -15,6 +15,7 @@ using hal::exchange::ActionKind;
 using hal::exchange::Event;
 
 void Simulation::State::on_state(hal::AgentId agent, const std::string& state) {
+  hal::log::debug(events.now(), agents.at(agent)->name(), "state {}", state);
   for (const EndCondition& condition : config.ends) {
     if (condition.agent != agent || condition.state != state) continue;
     events.schedule(events.now() + condition.after, Rank::kScenario, kWorld,
@@ -69,7 +70,7 @@ std::vector<Event> Simulation::State::take_events() {
   waiting.erase(std::unique(waiting.begin(), waiting.end()), waiting.end());
   std::vector<Event> taken;
   for (const hal::AgentId agent : waiting) {
-    std::vector<Event> events_of_agent = agents.at(agent)->take_events();
+    std::vector<Event> events_of_agent = agents.at(agent)->core().take_events();
     std::move(events_of_agent.begin(), events_of_agent.end(), std::back_inserter(taken));
   }
   waiting.clear();
@@ -85,7 +86,6 @@ void Simulation::State::exchange(hal::Time window_end) {
   std::vector<Event> taken = take_events();
   if (taken.empty()) return;
   Controllers::Round round = controllers.exchange(std::move(taken), window_end);
-  refused += round.refused;
   on_failures(round.failures);
   for (Controllers::Answer& answer : round.answers) {
     if (error.empty()) take_effect(std::move(answer));
@@ -110,13 +110,8 @@ void Simulation::State::on_error(const Action& action, hal::Time event_time) {
 }
 
 void Simulation::State::apply(const Action& action) {
-  const auto applied = agents.at(action.agent)->apply(action);
-  if (!applied) refuse(action.agent, applied.error().message);
-}
-
-void Simulation::State::refuse(hal::AgentId agent, const std::string& why) {
-  ++refused;
-  hal::log::warning(events.now(), agents.at(agent)->name(), "action refused: {}", why);
+  // The core counts and logs what it refuses.
+  (void)agents.at(action.agent)->core().apply(action, events.now());
 }
 
 /// After the end only words count: states and log lines.
@@ -145,9 +140,8 @@ void Simulation::State::on_failures(const std::vector<Controllers::Failure>& fai
 }
 
 void Simulation::State::stop_controllers() {
-  for (const auto& [id, agent] : agents) agent->add_stop_event();
+  for (const auto& [id, agent] : agents) agent->core().stop();
   Controllers::Round round = controllers.exchange(take_events(), events.now());
-  refused += round.refused;
   for (const Controllers::Failure& failure : round.failures) {
     hal::log::warning(events.now(), "run", "at the stop: {}", failure.error.message);
   }
@@ -159,6 +153,8 @@ Outcome Simulation::State::outcome() const {
                             : broken_off   ? std::pair(Outcome::Kind::kInterrupted, "interrupted")
                             : result       ? std::pair(Outcome::Kind::kEnded, result->c_str())
                                            : std::pair(Outcome::Kind::kUntil, "until");
+  std::uint64_t refused = 0;
+  for (const auto& [id, agent] : agents) refused += agent->core().refused();
   return {.kind = kind,
           .result = name,
           .error = error,

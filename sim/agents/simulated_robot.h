@@ -1,46 +1,44 @@
 #pragma once
 
-#include <cstdint>
 #include <memory>
-#include <string>
+#include <span>
 #include <vector>
 
 #include "hal/devices/odometry.h"
 #include "hal/devices/robot_description.h"
 #include "hal/devices/sensor.h"
-#include "sim/agents/simulated_agent.h"
+#include "sim/agents/simulated_mote.h"
 #include "sim/sensing/infrared.h"
 
 namespace sim::agents {
 
-/// A robot: an agent with wheels, odometry and infrared sensors. Its body is in the world already.
-class SimulatedRobot final : public SimulatedAgent {
+/// A robot: a mote with wheels, odometry, infrared and the sensors of its description.
+class SimulatedRobot final : public SimulatedMote, public hal::agent::Drive {
  public:
   SimulatedRobot(const AgentConfig& config, radio::MacSap& mac, Surroundings surroundings,
-                 AgentListener& listener);
+                 hal::agent::AgentListener& listener);
 
-  bool has_wheels() const override { return true; }
+  void advance(hal::Time at) override;
+  bool sample(std::size_t channel, hal::Time at, std::vector<double>& values) override;
 
- private:
-  void observe(hal::Time now) override;
-  void sample(hal::exchange::Event& event) override;
-  hal::Result<void> drive(const hal::exchange::Action& action) override;
+  hal::Result<void> drive(const hal::Twist2& body, hal::Time as_of) override;
+  hal::Result<void> drive_wheels(std::span<const double> speeds, hal::Time as_of) override;
   void halt() override;
 
-  void sample_odometry(hal::exchange::Event& event);
-  void sample_infrared(hal::exchange::Event& event);
+ private:
+  /// One of `sensors:`, and its last values.
+  struct Part {
+    std::unique_ptr<hal::devices::Sensor> sensor;
+    std::vector<double> held;
+  };
 
-  const hal::devices::RobotDescription& description_;
-  const hal::devices::WheelDrive& drive_;
+  static bool sample(Part& part, hal::Time at, std::vector<double>& values);
+  std::span<const sensing::InfraredReading> infrared(hal::Time at);
+
   hal::devices::WheelOdometry odometry_;
   hal::Time odometry_at_{};
   sensing::InfraredArray infrared_;
-  struct Part {
-    std::uint16_t channel = 0;
-    std::string name;  ///< Of the channel.
-    std::unique_ptr<hal::devices::Sensor> sensor;
-  };
-  std::vector<Part> sensors_;
+  std::vector<Part> sensors_;  ///< As in the description.
 };
 
 }  // namespace sim::agents

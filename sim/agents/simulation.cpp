@@ -5,7 +5,6 @@
 #include <variant>
 
 #include "hal/types/check.h"
-#include "sim/agents/agent_offer.h"
 #include "sim/agents/populated_world.h"
 #include "sim/agents/real_time_run.h"
 #include "sim/agents/simulated_robot.h"
@@ -59,7 +58,7 @@ Simulation::State::State(const SimulationConfig& the_config, std::vector<Observe
     if (std::holds_alternative<hal::devices::RobotDescription>(agent.body)) {
       made = std::make_unique<SimulatedRobot>(agent, air.sap(agent.id), surroundings, *this);
     } else {
-      made = std::make_unique<SimulatedAgent>(agent, air.sap(agent.id), surroundings, *this);
+      made = std::make_unique<SimulatedMote>(agent, air.sap(agent.id), surroundings, *this);
     }
   }
 }
@@ -74,13 +73,13 @@ void Simulation::add_observer(Observer& observer) { state_->observers.add(observ
 std::vector<hal::exchange::AgentOffer> Simulation::offers() const {
   std::vector<hal::exchange::AgentOffer> offers;
   for (const auto& [id, agent] : state_->agents)
-    offers.push_back(offer_of(agent->config(), state_->config));
+    offers.push_back({.session = agent->core().session(), .program = agent->config().program});
   return offers;
 }
 
 void Simulation::connect(std::shared_ptr<hal::exchange::ControllerPort> port,
                          const std::vector<hal::AgentId>& agents, const hal::Wants& wants) {
-  for (const hal::AgentId agent : agents) state_->agents.at(agent)->connect(wants);
+  for (const hal::AgentId agent : agents) state_->agents.at(agent)->core().connect(wants);
   state_->controllers.connect(std::move(port), agents);
 }
 
@@ -145,7 +144,7 @@ ContactCounts Simulation::contacts(hal::AgentId agent) const {
 }
 
 const std::string& Simulation::state(hal::AgentId agent) const {
-  return state_->agents.at(agent)->last_state();
+  return state_->agents.at(agent)->core().last_state();
 }
 
 }  // namespace sim::agents

@@ -8,7 +8,7 @@
 
 #include "sim/agents/controllers.h"
 #include "sim/agents/observer_list.h"
-#include "sim/agents/simulated_agent.h"
+#include "sim/agents/simulated_mote.h"
 #include "sim/agents/simulation.h"
 #include "sim/radio/radio_network.h"
 
@@ -17,7 +17,7 @@ namespace sim::agents {
 /// The parts of a run and its loop. An instant (or, with a controller latency, a window of time) is
 /// worked off in rounds: its events run, what they have for controllers is handed over all at once,
 /// and the answers take effect; what they cause at the same instant starts the next round.
-struct Simulation::State final : AgentListener {
+struct Simulation::State final : hal::agent::AgentListener {
   State(const SimulationConfig& config, std::vector<Observer*> observers);
 
   void on_inbox(hal::AgentId agent) override { waiting.push_back(agent); }
@@ -39,7 +39,6 @@ struct Simulation::State final : AgentListener {
   void take_effect(Controllers::Answer answer);
   void on_error(const hal::exchange::Action& action, hal::Time event_time);
   void apply(const hal::exchange::Action& action);
-  void refuse(hal::AgentId agent, const std::string& why);
   void apply_last(const hal::exchange::Action& action);
   void on_failures(const std::vector<Controllers::Failure>& failures);
   void go_on(hal::Time next, Pace& pace);
@@ -54,14 +53,13 @@ struct Simulation::State final : AgentListener {
   BodyPositions positions;
   WallObstacles obstacles;
   radio::RadioNetwork air;
-  std::map<hal::AgentId, std::unique_ptr<SimulatedAgent>> agents;
+  std::map<hal::AgentId, std::unique_ptr<SimulatedMote>> agents;
   Controllers controllers;
   std::vector<hal::AgentId> waiting;  ///< Agents with something in the inbox; repeats allowed.
   std::optional<hal::Time> until;
   std::optional<std::string> result;  ///< Set when the run has ended.
   std::string error;
   bool broken_off = false;
-  std::uint64_t refused = 0;
   std::vector<std::string> bodies_lost;  ///< One line for each of the world's lost bodies.
 };
 

@@ -9,71 +9,45 @@ namespace {
 
 using namespace std::chrono_literals;
 using hal::exchange::Event;
+using hal::exchange::Reply;
+using hal::exchange::Step;
 
 hal::exchange::Hello hello_of(const std::string& process, std::vector<std::string> agents,
-                              std::uint32_t version) {
+                              const hal::Wants& wants, std::uint32_t version) {
   hal::exchange::Hello hello;
   hello.version = version;
   hello.process = process;
   hello.program = "contract";
   hello.patterns = std::move(agents);
   hello.both_kinds = true;
-  hello.wants.watched = {"test"};
+  hello.wants = wants;
   return hello;
 }
 
 }  // namespace
 
-Brain::Brain(int domain, const std::string& process, std::vector<std::string> agents, Rule rule,
-             std::uint32_t version)
-    : rule_(std::move(rule)),
-      client_(domain, hello_of(process, std::move(agents), version)),
-      thread_([this] { run(); }) {}
-
-Brain::~Brain() {
-  stop_ = true;
-  client_.interrupt();
-  thread_.join();
-}
-
-void Brain::run() {
-  while (!stop_) {
-    const hal::dds::Arrival arrival = client_.next(100ms);
-    if (const auto* session = std::get_if<hal::exchange::Session>(&arrival)) on(*session);
-    if (const auto* step = std::get_if<hal::exchange::Step>(&arrival)) on(*step);
-  }
-}
-
-void Brain::on(const hal::exchange::Session& session) {
-  const std::lock_guard lock(mutex_);
-  if (!session.refusal.empty()) refusal_ = session.refusal;
-}
-
-void Brain::on(const hal::exchange::Step& step) {
-  hal::exchange::Reply& reply = replies_[step.server];
-  if (step.sequence == reply.sequence && step.run == reply.run) {  // Late, so it was asked again.
-    [[maybe_unused]] const auto sent = client_.reply(step.server, reply);
-    return;
-  }
-  const std::uint64_t last = reply.sequence;
-  reply = {};
+Reply Brain::answer(const Step& step, const std::string& server) {
+  Reply reply;
   reply.run = step.run;
   reply.sequence = step.sequence;
   {
     const std::lock_guard lock(mutex_);
     ++steps_;
+    std::uint64_t& last = last_[server];
     gaps_ += step.sequence == last + 1 ? 0 : 1;
+    last = step.sequence;
     seen_.insert(seen_.end(), step.events.begin(), step.events.end());
   }
   for (std::uint32_t i = 0; i < step.events.size() && rule_; ++i) {
     for (hal::exchange::Action& action : rule_(step.events[i])) {
-      action.agent = step.events[i].agent;
-      action.event = i;
+      if (action.agent == hal::AgentId{}) {
+        action.agent = step.events[i].agent;
+        action.event = i;
+      }
       reply.actions.push_back(std::move(action));
     }
   }
-  while (held_ && !stop_) std::this_thread::sleep_for(1ms);
-  [[maybe_unused]] const auto sent = client_.reply(step.server, reply);
+  return reply;
 }
 
 std::vector<Event> Brain::seen(hal::AgentId agent) const {
@@ -91,11 +65,6 @@ std::vector<Event> Brain::seen(hal::AgentId agent, hal::exchange::Cause cause) c
   return found;
 }
 
-std::string Brain::refusal() const {
-  const std::lock_guard lock(mutex_);
-  return refusal_;
-}
-
 std::uint64_t Brain::steps() const {
   const std::lock_guard lock(mutex_);
   return steps_;
@@ -104,6 +73,45 @@ std::uint64_t Brain::steps() const {
 std::uint64_t Brain::gaps() const {
   const std::lock_guard lock(mutex_);
   return gaps_;
+}
+
+RemoteBrain::RemoteBrain(int domain, const std::string& process, std::vector<std::string> agents,
+                         Rule rule, const hal::Wants& wants, std::uint32_t version)
+    : Brain(std::move(rule)),
+      client_(domain, hello_of(process, std::move(agents), wants, version)),
+      thread_([this] { run(); }) {}
+
+RemoteBrain::~RemoteBrain() {
+  stop_ = true;
+  client_.interrupt();
+  thread_.join();
+}
+
+void RemoteBrain::run() {
+  while (!stop_) {
+    const hal::dds::Arrival arrival = client_.next(100ms);
+    if (const auto* session = std::get_if<hal::exchange::Session>(&arrival)) on(*session);
+    if (const auto* step = std::get_if<Step>(&arrival)) on(*step);
+  }
+}
+
+void RemoteBrain::on(const hal::exchange::Session& session) {
+  const std::lock_guard lock(mutex_);
+  if (!session.refusal.empty()) refusal_ = session.refusal;
+}
+
+void RemoteBrain::on(const Step& step) {
+  Reply& reply = replies_[step.server];
+  // Late, so it was asked again.
+  const bool is_repeated = step.sequence == reply.sequence && step.run == reply.run;
+  if (!is_repeated) reply = answer(step, step.server);
+  while (!is_repeated && held_ && !stop_) std::this_thread::sleep_for(1ms);
+  [[maybe_unused]] const auto sent = client_.reply(step.server, reply);
+}
+
+std::string RemoteBrain::refusal() const {
+  const std::lock_guard lock(mutex_);
+  return refusal_;
 }
 
 }  // namespace contract

@@ -6,48 +6,86 @@
 #include <mutex>
 #include <string>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "hal/dds/client.h"
+#include "hal/exchange/ports.h"
 
 namespace contract {
 
-/// A controller process in a thread: does what a rule says about each event, and remembers all.
+/// What a controller process does, however it is reached: as a rule says about each event. It
+/// remembers all. answer() is called on one thread at a time, the rest on any.
 class Brain {
  public:
-  /// What is done about an event; agent and event of the actions are filled in.
+  /// What is done about an event; agent and event of the actions are filled in, unless they say.
   using Rule = std::function<std::vector<hal::exchange::Action>(const hal::exchange::Event&)>;
 
-  Brain(int domain, const std::string& process, std::vector<std::string> agents, Rule rule = {},
-        std::uint32_t version = hal::exchange::kProtocolVersion);
-  ~Brain();
+  explicit Brain(Rule rule) : rule_(std::move(rule)) {}
+  virtual ~Brain() = default;
   Brain(const Brain&) = delete;
   Brain& operator=(const Brain&) = delete;
 
-  /// Answers nobody until it is released.
-  void hold(bool held) { held_ = held; }
+  /// @param server  who asks.
+  hal::exchange::Reply answer(const hal::exchange::Step& step, const std::string& server);
 
   std::vector<hal::exchange::Event> seen(hal::AgentId agent) const;
   std::vector<hal::exchange::Event> seen(hal::AgentId agent, hal::exchange::Cause cause) const;
-  std::string refusal() const;
   std::uint64_t steps() const;
-  /// Steps that did not come in the order of their numbers, by server without a gap.
+  /// Steps that did not come in the order of their numbers, by server from 1 without a gap.
   std::uint64_t gaps() const;
+
+ protected:
+  mutable std::mutex mutex_;
+
+ private:
+  Rule rule_;
+  std::map<std::string, std::uint64_t> last_;  ///< Number of the last Step, by server.
+  std::vector<hal::exchange::Event> seen_;
+  std::uint64_t steps_ = 0, gaps_ = 0;
+};
+
+/// One that is asked over DDS, on a thread of its own.
+class RemoteBrain final : public Brain {
+ public:
+  RemoteBrain(int domain, const std::string& process, std::vector<std::string> agents, Rule rule,
+              const hal::Wants& wants, std::uint32_t version = hal::exchange::kProtocolVersion);
+  ~RemoteBrain() override;
+
+  /// Answers nobody until it is released.
+  void hold(bool held) { held_ = held; }
+  std::string refusal() const;
 
  private:
   void run();
   void on(const hal::exchange::Session& session);
   void on(const hal::exchange::Step& step);
 
-  Rule rule_;
   hal::dds::Client client_;
   std::map<std::string, hal::exchange::Reply> replies_;  ///< The last one to each server.
   std::atomic<bool> held_ = false, stop_ = false;
-  mutable std::mutex mutex_;  ///< Of what follows.
-  std::vector<hal::exchange::Event> seen_;
-  std::uint64_t steps_ = 0, gaps_ = 0;
   std::string refusal_;
   std::thread thread_;
+};
+
+/// One that is asked by a call.
+class BrainPort final : public hal::exchange::ControllerPort {
+ public:
+  /// @param brain  outlives the port.   @param name  another one for each port of a brain.
+  BrainPort(Brain& brain, std::string name) : brain_(brain), name_(std::move(name)) {}
+
+  const std::string& name() const override { return name_; }
+  hal::Result<void> begin(const hal::exchange::Step& step) override {
+    reply_ = brain_.answer(step, name_);
+    return {};
+  }
+  hal::Result<hal::exchange::Reply> finish() override { return std::move(reply_); }
+  hal::Result<void> check_alive() override { return {}; }
+
+ private:
+  Brain& brain_;
+  std::string name_;
+  hal::exchange::Reply reply_;
 };
 
 }  // namespace contract

@@ -1,15 +1,18 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
 #include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <ostream>
 #include <string>
 #include <vector>
 
+#include "hal/exchange/ports.h"
 #include "hal/types/agent_id.h"
 #include "hal/types/time.h"
 
@@ -24,7 +27,17 @@ class Sight {
     const std::lock_guard lock(mutex_);
     states_[agent].push_back(state);
   }
-  void on_wheels(bool turn) { wheels_turn_ = turn; }
+  /// @param speed  m/s, of the robot.
+  void on_speed(double speed) {
+    constexpr double kStanding = 5e-4;  // m/s
+    speed_ = speed;
+    top_speed_ = std::max(top_speed_.load(), speed);
+    wheels_turn_ = speed > kStanding;
+  }
+  void on_range(hal::AgentId agent) {
+    const std::lock_guard lock(mutex_);
+    ++ranges_[agent];
+  }
 
   std::vector<std::string> states(hal::AgentId agent) const {
     const std::lock_guard lock(mutex_);
@@ -32,23 +45,44 @@ class Sight {
     return found == states_.end() ? std::vector<std::string>{} : found->second;
   }
   bool wheels_turn() const { return wheels_turn_; }
+  double speed() const { return speed_; }          ///< m/s, as seen last …
+  double top_speed() const { return top_speed_; }  ///< … and the greatest so far.
+  /// Readings of range sensors that were shown.
+  std::size_t ranges(hal::AgentId agent) const {
+    const std::lock_guard lock(mutex_);
+    const auto found = ranges_.find(agent);
+    return found == ranges_.end() ? 0 : found->second;
+  }
 
  private:
   mutable std::mutex mutex_;
   std::map<hal::AgentId, std::vector<std::string>> states_;
+  std::map<hal::AgentId, std::size_t> ranges_;
   std::atomic<bool> wheels_turn_ = false;
+  std::atomic<double> speed_ = 0, top_speed_ = 0;
 };
 
-/// An implementation of AgentHost that serves the robot and the mote through the gateway, on a
-/// thread of its own, until it is destroyed. Their control period is 20 ms, their command timeout
-/// 200 ms.
+/// What became of a host.
+struct End {
+  std::uint64_t lost = 0;     ///< Events that found no room while a controller was busy.
+  std::uint64_t refused = 0;  ///< Actions against the rules.
+};
+
+/// An implementation of AgentHost that has the robot and the mote, on a thread of its own, until it
+/// is destroyed. Their control period is 20 ms, their command timeout 200 ms.
 class ContractHost {
  public:
   virtual ~ContractHost() = default;
-  virtual int domain() const = 0;
   virtual const Sight& sight() const = 0;
-  /// Ends it, if it has not ended. @returns events that found no room while a controller was busy.
-  virtual std::uint64_t end() = 0;
+  /// What the robot's motors can do.
+  virtual hal::exchange::DriveLimits limits() const = 0;
+  /// Serves controllers through the gateway in this domain; none: in process, by connect().
+  virtual std::optional<int> domain() const = 0;
+  /// The controller of an agent, called on the host's thread; outlives the host. @pre no domain
+  virtual void connect(std::shared_ptr<hal::exchange::ControllerPort> port, hal::AgentId agent,
+                       const hal::Wants& wants) = 0;
+  /// Ends it, if it has not ended.
+  virtual End end() = 0;
 };
 
 /// What the hosts promise beyond the common contract.
@@ -66,6 +100,8 @@ struct Implementation {
 
 Implementation simulator_in_lock_step();
 Implementation simulator_in_real_time();
+/// In lock-step, with controllers in process whose actions take effect 10 ms later.
+Implementation simulator_in_process();
 /// For the messages of failing tests.
 inline void PrintTo(const Implementation& implementation, std::ostream* out) {
   *out << implementation.name;
@@ -74,5 +110,7 @@ inline void PrintTo(const Implementation& implementation, std::ostream* out) {
 /// Two agent daemons in one domain, on two addresses of the loopback interface.
 /// @param control_period  of both, instead of 20 ms.
 Implementation two_daemons(hal::Duration control_period = std::chrono::milliseconds{20});
+/// The same with controllers in process.
+Implementation two_daemons_in_process();
 
 }  // namespace contract

@@ -1,4 +1,6 @@
 #include <chrono>
+#include <cmath>
+#include <mutex>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -30,15 +32,17 @@ hal::hardware::RobotFile file_of(hal::AgentId agent, const std::string& name,
     file.kind = hal::AgentKind::kRobot;
     file.robot.emplace();
     file.robot->wheels = hal::hardware::three_wheels();
+    file.robot->infrared.resize(1);
+    file.infrared = hal::hardware::IioSettings{};
   }
   return file;
 }
 
-/// One agent with its radio and its server, as a daemon has them.
-class Daemon final : public hal::hardware::AgentObserver {
+/// One agent with its radio and, in a domain, its server, as a daemon has them.
+class Daemon final : public hal::agent::AgentObserver {
  public:
-  Daemon(hal::hardware::RobotFile file, std::uint16_t port, EventLoop& loop, int domain,
-         Sight& sight)
+  Daemon(hal::hardware::RobotFile file, std::uint16_t port, EventLoop& loop,
+         std::optional<int> domain, Sight& sight)
       : file_(std::move(file)),
         loop_(loop),
         sight_(sight),
@@ -47,29 +51,47 @@ class Daemon final : public hal::hardware::AgentObserver {
                .address = "127.0.79." + std::to_string(file_.address.value),
                .port = port},
               loop),
-        agent_(file_, {loop, link_, {.wheels = file_.robot ? &wheels_ : nullptr}, *this}),
-        server_(hal::dds::join_domain(domain), agent_,
-                {.run = 1, .reply_timeout = {}, .attendance = gateway::Attendance::kAnyTime}) {
+        agent_(file_, {loop, link_, devices(), *this}) {
+    if (!domain) return;
+    server_.emplace(
+        hal::dds::join_domain(*domain), agent_,
+        gateway::ServerSettings{
+            .run = 1, .reply_timeout = {}, .attendance = gateway::Attendance::kAnyTime});
     attend();
+  }
+
+  void connect(std::shared_ptr<hal::exchange::ControllerPort> controller, const hal::Wants& wants) {
+    agent_.connect(std::move(controller), {file_.address}, wants);
   }
 
   std::uint16_t port() const { return link_.port(); }
   void stop() { agent_.stop(); }
   bool is_over() const { return agent_.is_over(); }
-  std::uint64_t lost() const { return agent_.counts().overflow; }
+  hal::hardware::AgentCounts counts() const { return agent_.counts(); }
 
-  void on_state(hal::Time, const std::string& state) override {
-    sight_.on_state(file_.address, state);
+  void on_state(hal::Time, hal::AgentId agent, std::string_view state) override {
+    sight_.on_state(agent, std::string(state));
   }
-  void on_cycle(hal::Time) override {
-    if (file_.robot) sight_.on_wheels(wheels_.twist != hal::Twist2{});
+  bool observes(hal::AgentId, const hal::Channel& channel) const override {
+    return channel.kind == "range";
+  }
+  void on_reading(hal::Time, hal::AgentId agent, const hal::Channel&,
+                  std::span<const double>) override {
+    sight_.on_range(agent);
+  }
+  void on_cycle(hal::Time, hal::AgentId) override {
+    if (file_.robot) sight_.on_speed(std::hypot(wheels_.twist.vx, wheels_.twist.vy));
   }
 
  private:
+  hal::hardware::Devices devices() {
+    if (!file_.robot) return {};
+    return {.wheels = &wheels_, .infrared = &infrared_};
+  }
   void attend() {
     for (const EventLoop::Watch watch : std::exchange(watches_, {})) loop_.unwatch(watch);
-    server_.attend(loop_.now());
-    for (const int descriptor : server_.descriptors()) {
+    server_->attend(loop_.now());
+    for (const int descriptor : server_->descriptors()) {
       if (descriptor >= 0) watches_.push_back(loop_.watch(descriptor, [this] { attend(); }));
     }
   }
@@ -78,24 +100,33 @@ class Daemon final : public hal::hardware::AgentObserver {
   EventLoop& loop_;
   Sight& sight_;
   hal::hardware::RecordedWheels wheels_;
+  hal::hardware::FixedInfrared infrared_;
   hal::hardware::UdpLink link_;
   hal::hardware::HardwareAgent agent_;
-  gateway::AgentServer server_;
+  std::optional<gateway::AgentServer> server_;
   std::vector<EventLoop::Watch> watches_;
 };
 
 class DaemonHost final : public ContractHost {
  public:
-  explicit DaemonHost(hal::Duration control_period)
-      : thread_([this, control_period] { run(control_period); }) {}
+  DaemonHost(hal::Duration control_period, std::optional<int> domain)
+      : domain_(domain), thread_([this, control_period] { run(control_period); }) {}
   ~DaemonHost() override { end(); }
 
-  int domain() const override { return domain_; }
+  std::optional<int> domain() const override { return domain_; }
   const Sight& sight() const override { return sight_; }
-  std::uint64_t end() override {
+  hal::exchange::DriveLimits limits() const override {
+    return hal::hardware::RecordedWheels().limits();
+  }
+  void connect(std::shared_ptr<hal::exchange::ControllerPort> controller, hal::AgentId agent,
+               const hal::Wants& wants) override {
+    const std::lock_guard lock(mutex_);
+    waiting_.push_back({std::move(controller), agent, wants});
+  }
+  End end() override {
     stop_ = true;
     if (thread_.joinable()) thread_.join();
-    return lost_;
+    return end_;
   }
 
  private:
@@ -103,18 +134,36 @@ class DaemonHost final : public ContractHost {
     EventLoop loop;
     Daemon robot(file_of(kRobot, "r0", control_period), 0, loop, domain_, sight_);
     Daemon mote(file_of(kMote, "m0", control_period), robot.port(), loop, domain_, sight_);
-    while (!stop_) loop.run_once(20ms);
+    while (!stop_) {
+      for (auto& [controller, agent, wants] : newcomers()) {
+        (agent == kRobot ? robot : mote).connect(std::move(controller), wants);
+      }
+      loop.run_once(20ms);
+    }
     robot.stop();
     mote.stop();
     const hal::Time end = loop.now() + 2s;
     while (!(robot.is_over() && mote.is_over()) && loop.now() < end) loop.run_once(5ms);
-    lost_ = robot.lost() + mote.lost();
+    end_ = {robot.counts().overflow + mote.counts().overflow,
+            robot.counts().refused_actions + mote.counts().refused_actions};
+  }
+
+  struct Newcomer {
+    std::shared_ptr<hal::exchange::ControllerPort> controller;
+    hal::AgentId agent;
+    hal::Wants wants;
+  };
+  std::vector<Newcomer> newcomers() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(waiting_, {});
   }
 
   Sight sight_;
+  std::mutex mutex_;
+  std::vector<Newcomer> waiting_;  ///< For the thread.
   std::atomic<bool> stop_ = false;
-  std::uint64_t lost_ = 0;  ///< Of the thread until it has ended.
-  int domain_ = test_domain();
+  End end_;  ///< Of the thread until it has ended.
+  std::optional<int> domain_;
   std::thread thread_;
 };
 
@@ -122,7 +171,13 @@ class DaemonHost final : public ContractHost {
 
 Implementation two_daemons(hal::Duration control_period) {
   return {"TwoDaemons", {.takes_successors = true, .has_neighbours = true}, [control_period] {
-            return std::make_unique<DaemonHost>(control_period);
+            return std::make_unique<DaemonHost>(control_period, test_domain());
+          }};
+}
+
+Implementation two_daemons_in_process() {
+  return {"TwoDaemonsInProcess", {.takes_successors = true}, [] {
+            return std::make_unique<DaemonHost>(20ms, std::nullopt);
           }};
 }
 

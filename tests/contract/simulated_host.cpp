@@ -1,5 +1,7 @@
 #include <chrono>
 #include <cmath>
+#include <mutex>
+#include <optional>
 #include <thread>
 
 #include "gateway/server.h"
@@ -16,23 +18,34 @@ namespace {
 using namespace std::chrono_literals;
 using sim::agents::Simulation;
 
-/// Sees states, and whether the robot moves from one control instant to the next.
+const std::vector<std::string> kAsItIs;  // the scenario
+
+/// Sees states, and how fast the robot moves from one control instant to the next.
 class SightObserver final : public sim::agents::Observer {
  public:
   explicit SightObserver(Sight& sight) : sight_(sight) {}
   void on_state(hal::Time, hal::AgentId agent, std::string_view state) override {
     sight_.on_state(agent, std::string(state));
   }
-  void on_body(hal::Time, hal::AgentId agent, const sim::agents::BodyState& body) override {
+  bool observes(hal::AgentId, const hal::Channel& channel) const override {
+    return channel.kind == "range";
+  }
+  void on_reading(hal::Time, hal::AgentId agent, const hal::Channel&,
+                  std::span<const double>) override {
+    sight_.on_range(agent);
+  }
+  void on_body(hal::Time at, hal::AgentId agent, const sim::agents::BodyState& body) override {
     if (agent != kRobot) return;
-    constexpr double kStanding = 1e-5;  // m in 20 ms: 0.5 mm/s
-    sight_.on_wheels(std::hypot(body.x - last_.x, body.y - last_.y) > kStanding);
+    const double moved = std::hypot(body.x - last_.x, body.y - last_.y);
+    if (at > last_at_) sight_.on_speed(moved / hal::to_seconds(at - last_at_));
     last_ = body;
+    last_at_ = at;
   }
 
  private:
   Sight& sight_;
   sim::agents::BodyState last_;
+  hal::Time last_at_{};
 };
 
 /// Ends a run when it is told to, on either way of going on.
@@ -58,43 +71,72 @@ class Stoppable final : public sim::agents::Pace, public sim::agents::FollowedCl
 
 class SimulatedHost final : public ContractHost {
  public:
-  explicit SimulatedHost(bool lock_step)
-      : scenario_(sim::scenario::load_scenario(TESTS_DIR "/contract/contract.yaml", {})),
-        simulation_(scenario_.simulation, {&observer_}),
-        server_(hal::dds::take_domain(test_domain()), simulation_, {.run = 1}),
-        thread_([this, lock_step] { run(lock_step); }) {}
+  SimulatedHost(bool lock_step, std::optional<int> domain,
+                const std::vector<std::string>& overrides)
+      : scenario_(sim::scenario::load_scenario(TESTS_DIR "/contract/contract.yaml", overrides)),
+        simulation_(scenario_.simulation, {&observer_}) {
+    if (domain) {
+      server_.emplace(hal::dds::take_domain(*domain), simulation_,
+                      gateway::ServerSettings{.run = 1});
+    }
+    thread_ = std::thread([this, lock_step] { run(lock_step); });
+  }
   ~SimulatedHost() override { end(); }
 
-  int domain() const override { return server_.domain(); }
+  std::optional<int> domain() const override {
+    return server_ ? std::optional(server_->domain()) : std::nullopt;
+  }
   const Sight& sight() const override { return sight_; }
-  std::uint64_t end() override {
+  hal::exchange::DriveLimits limits() const override {
+    return simulation_.offers().front().session.limits;
+  }
+  void connect(std::shared_ptr<hal::exchange::ControllerPort> controller, hal::AgentId agent,
+               const hal::Wants& wants) override {
+    const std::lock_guard lock(mutex_);
+    simulation_.connect(std::move(controller), {agent}, wants);
+    ++connected_;
+  }
+  End end() override {
     stop_ = true;
     if (thread_.joinable()) thread_.join();
-    return lost_;
+    return end_;
   }
 
  private:
-  void run(bool lock_step) {
-    const auto keep_waiting = [this]() -> hal::Result<void> {
-      if (stop_) return hal::fail(hal::Errc::kNotConnected, "the test is over");
-      return {};
-    };
-    if (!server_.gather(keep_waiting)) return;
-    Stoppable pace(stop_);
-    if (lock_step) {
-      simulation_.run(std::nullopt, pace);
-    } else {
-      lost_ = simulation_.follow(std::nullopt, pace).real_time->lost_events;
+  /// @returns false if the test is over first.
+  bool gather() {
+    if (server_) {
+      const auto keep_waiting = [this]() -> hal::Result<void> {
+        if (stop_) return hal::fail(hal::Errc::kNotConnected, "the test is over");
+        return {};
+      };
+      return server_->gather(keep_waiting).has_value();
     }
+    const auto is_complete = [this] {
+      const std::lock_guard lock(mutex_);
+      return connected_ == scenario_.simulation.agents.size();
+    };
+    while (!stop_ && !is_complete()) std::this_thread::sleep_for(1ms);
+    return !stop_;
+  }
+
+  void run(bool lock_step) {
+    if (!gather()) return;
+    Stoppable pace(stop_);
+    const sim::agents::Outcome outcome =
+        lock_step ? simulation_.run(std::nullopt, pace) : simulation_.follow(std::nullopt, pace);
+    end_ = {outcome.real_time ? outcome.real_time->lost_events : 0, outcome.refused_actions};
   }
 
   Sight sight_;
   SightObserver observer_{sight_};
   std::atomic<bool> stop_ = false;
-  std::uint64_t lost_ = 0;  ///< Of the thread until it has ended.
+  End end_;  ///< Of the thread until it has ended.
   sim::scenario::Scenario scenario_;
   Simulation simulation_;
-  gateway::AgentServer server_;
+  std::optional<gateway::AgentServer> server_;
+  std::mutex mutex_;
+  std::size_t connected_ = 0;  ///< Agents, in process.
   std::thread thread_;
 };
 
@@ -102,12 +144,21 @@ class SimulatedHost final : public ContractHost {
 
 Implementation simulator_in_lock_step() {
   return {"SimulatorInLockStep", {.waits_for_answers = true}, [] {
-            return std::make_unique<SimulatedHost>(true);
+            return std::make_unique<SimulatedHost>(true, test_domain(), kAsItIs);
           }};
 }
 
 Implementation simulator_in_real_time() {
-  return {"SimulatorInRealTime", {}, [] { return std::make_unique<SimulatedHost>(false); }};
+  return {"SimulatorInRealTime", {}, [] {
+            return std::make_unique<SimulatedHost>(false, test_domain(), kAsItIs);
+          }};
+}
+
+Implementation simulator_in_process() {
+  return {"SimulatorInProcess", {.waits_for_answers = true}, [] {
+            return std::make_unique<SimulatedHost>(
+                true, std::nullopt, std::vector<std::string>{"controller_latency=10 ms"});
+          }};
 }
 
 }  // namespace contract

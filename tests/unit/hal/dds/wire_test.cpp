@@ -81,10 +81,10 @@ TEST_F(LinkedClient, ReplyWithAnUnknownActionIsDroppedAndCounted) {
   EXPECT_EQ(link_->dropped().malformed, 1);
 }
 
-TEST_F(LinkedClient, StepsAreNumberedFromOneAndRepliesCarryTheCallersNumber) {
+TEST_F(LinkedClient, AStepAndItsReplyCarryTheNumberThatTheCallerGaveIt) {
   ASSERT_TRUE(link_->begin(step_with(Cause::kStart, 41)));
   const exchange::Step step = next_step();
-  EXPECT_EQ(step.sequence, 1);
+  EXPECT_EQ(step.sequence, 41);
   EXPECT_EQ(step.server, server_.name());
   EXPECT_EQ(step.run, 7);
   ASSERT_TRUE(client_.reply(step.server, reply_to(step)));

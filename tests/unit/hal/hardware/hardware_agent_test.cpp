@@ -55,7 +55,7 @@ class HardwareAgents : public testing::Test {
 
     RobotFile file;
     UdpLink link;
-    AgentObserver observer;
+    agent::AgentObserver observer;
     std::optional<HardwareAgent> agent_;
   };
 
@@ -143,7 +143,7 @@ TEST_F(HardwareAgents, AControllerThatIsBusyLosesItsWheelsButNoMessage) {
   ASSERT_TRUE(until([&] { return wheels_.commands > 0; }));
   port->busy = true;
   for (MessageId i = 1; i <= 100; ++i) {
-    agent().on_message({AgentId{2}, AgentId{1}, i, "test", {}});
+    agent().core().on_message({AgentId{2}, AgentId{1}, i, "test", {}});
   }
   ASSERT_TRUE(until([&] { return wheels_.twist == Twist2{}; }));
   run_for(3 * kPeriod);

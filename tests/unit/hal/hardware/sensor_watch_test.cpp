@@ -5,7 +5,6 @@
 #include <string>
 #include <vector>
 
-#include "hal/hardware/repeated_lines.h"
 #include "hal/types/log.h"
 
 namespace hal::hardware {
@@ -65,16 +64,6 @@ TEST_F(SensorWatchTest, WhatWasNeverHeardIsNotLostButStopsTheWheels) {
   EXPECT_TRUE(said.empty());
   fresh.look({}, silent(true));
   EXPECT_EQ(said.size(), 1u);
-}
-
-TEST(RepeatedLines, AreSaidAtOnceAndThenEveryFiveSecondsWithTheirCount) {
-  RepeatedLines lines;
-  EXPECT_EQ(lines.take(Time{1s}, "no"), "no");
-  EXPECT_EQ(lines.take(Time{1s}, "never"), "never");
-  EXPECT_EQ(lines.take(Time{2s}, "no"), std::nullopt);
-  EXPECT_EQ(lines.take(Time{5s}, "no"), std::nullopt);
-  EXPECT_EQ(lines.take(Time{6s}, "no"), "no (2 times more meanwhile)");
-  EXPECT_EQ(lines.take(Time{11s}, "no"), "no");
 }
 
 }  // namespace

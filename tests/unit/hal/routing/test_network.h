@@ -9,41 +9,13 @@
 #include <vector>
 
 #include "hal/routing/router.h"
+#include "tests/support/fake_clock.h"
 
 namespace hal::routing::test {
 
 using namespace std::chrono_literals;
 
-/// Time and its events, in order of (time, insertion).
-class Clock final : public Timers {
- public:
-  Time now() const override { return now_; }
-  Handle schedule(Time at, std::function<void()> handler) override {
-    events_.emplace(std::pair{at, ++last_}, std::move(handler));
-    times_[last_] = at;
-    return last_;
-  }
-  void cancel(Handle handle) override {
-    if (const auto time = times_.find(handle); time != times_.end()) {
-      events_.erase({time->second, handle});
-    }
-  }
-  /// Runs everything before and at `end`.
-  void run_until(Time end) {
-    while (!events_.empty() && events_.begin()->first.first <= end) {
-      auto next = events_.extract(events_.begin());
-      now_ = next.key().first;
-      next.mapped()();
-    }
-    now_ = end;
-  }
-
- private:
-  Time now_{};
-  Handle last_ = 0;
-  std::map<std::pair<Time, Handle>, std::function<void()>> events_;
-  std::map<Handle, Time> times_;
-};
+using Clock = tests::FakeClock;
 
 /// What a link did with one frame.
 struct SentFrame {

@@ -126,6 +126,17 @@ TEST(Send, RefusesAMessageToItself) {
             std::vector<std::string>{"r0: send: destination 26 is this agent itself"});
 }
 
+TEST(Send, RefusesAddressZeroAtOnceAndPromisesNoNotice) {
+  const Actions actions = actions_of([](hal::Robot& robot) {
+    const auto sent = robot.send(AgentId{}, "help", {});
+    ASSERT_FALSE(sent.has_value());
+    EXPECT_EQ(sent.error().code, Errc::kInvalidArgument);
+    EXPECT_EQ(robot.send(AgentId{3}, "help", {}).value(), 1U) << "the number is not used up";
+  });
+  EXPECT_EQ(tests::texts(actions, ActionKind::kLog),
+            std::vector<std::string>{"r0: send: destination is 0, agents have addresses from 1"});
+}
+
 TEST(SetTimer, RefusesThePastAndTakesThePresent) {
   Scripted::next() = {.step = [](hal::Robot& robot) {
     EXPECT_TRUE(robot.set_timer(4, robot.now()).has_value());

@@ -111,22 +111,6 @@ TEST_F(ControllersTest, SequenceNumbersCountPerProcess) {
   EXPECT_EQ(round.answers[1].action.text, "1");
 }
 
-TEST_F(ControllersTest, ActionsForOtherAgentsOrNoEventAreRefusedAndCounted) {
-  connect("a", {AgentId{1}}, [](const Step&) -> hal::Result<Reply> {
-    Action foreign, beyond;
-    foreign.agent = AgentId{2};
-    beyond.agent = AgentId{1};
-    beyond.event = 1;
-    Reply reply;
-    reply.actions = {foreign, beyond};
-    return reply;
-  });
-  connect("b", {AgentId{2}});
-  const auto round = controllers_.exchange({event(1)}, Time{});
-  EXPECT_TRUE(round.answers.empty());
-  EXPECT_EQ(round.refused, 2u);
-}
-
 TEST_F(ControllersTest, AFailedProcessIsNamedAndTheOthersAreHeard) {
   connect("a", {AgentId{1}}, [](const Step&) -> hal::Result<Reply> {
     return hal::fail(hal::Errc::kTimeout, "a is silent");

@@ -1,4 +1,4 @@
-#include "sim/agents/inbox.h"
+#include "hal/agent/inbox.h"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@ namespace {
 using namespace std::chrono_literals;
 using hal::AgentId;
 using hal::Time;
+using hal::agent::Inbox;
 using hal::exchange::Cause;
 using hal::exchange::Event;
-using sim::agents::Inbox;
 
 Event event(Time at, Cause cause, hal::TimerId mark = 0) {
   Event e;
@@ -68,6 +68,19 @@ TEST(Inbox, ANeighbourHeardOftenIsReportedOnceAsHeardLast) {
   const std::vector<hal::Neighbour> expected{{AgentId{3}, Time{2ms}, -60},
                                              {AgentId{4}, Time{3ms}, -55}};
   EXPECT_EQ(events[0].neighbours, expected);
+}
+
+TEST(Inbox, OfANeighbourAnEventHasTheLastWord) {
+  Inbox inbox;
+  const hal::Neighbour heard{AgentId{4}, Time{1s}, -50};
+  inbox.add_lost(Time{1s}, AgentId{4});
+  inbox.add(Time{1s}, heard);
+  inbox.add(Time{1s}, hal::Neighbour{AgentId{5}, Time{1s}, -50});
+  inbox.add_lost(Time{1s}, AgentId{5});
+  inbox.add(event(Time{1s}, Cause::kLink));
+  const auto events = inbox.take();
+  EXPECT_EQ(events[0].neighbours, std::vector{heard});
+  EXPECT_EQ(events[0].lost_neighbours, std::vector{AgentId{5}});
 }
 
 }  // namespace

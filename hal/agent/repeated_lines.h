@@ -7,7 +7,7 @@
 
 #include "hal/types/time.h"
 
-namespace hal::hardware {
+namespace hal::agent {
 
 /// Keeps what happens in every control cycle from filling the log: each text at once, then no more
 /// than every five seconds, saying how often it came meanwhile.
@@ -27,4 +27,4 @@ class RepeatedLines {
   std::map<std::string, Said> said_;
 };
 
-}  // namespace hal::hardware
+}  // namespace hal::agent

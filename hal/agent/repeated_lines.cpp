@@ -1,10 +1,10 @@
-#include "hal/hardware/repeated_lines.h"
+#include "hal/agent/repeated_lines.h"
 
 #include <fmt/format.h>
 
 #include <utility>
 
-namespace hal::hardware {
+namespace hal::agent {
 
 std::optional<std::string> RepeatedLines::take(Time now, const std::string& text) {
   const auto known = said_.find(text);
@@ -23,4 +23,4 @@ std::optional<std::string> RepeatedLines::take(Time now, const std::string& text
   return since == 0 ? text : fmt::format("{} ({} times more meanwhile)", text, since);
 }
 
-}  // namespace hal::hardware
+}  // namespace hal::agent

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "hal/agent/agent_core.h"
+#include "sim/agents/observer.h"
+#include "sim/agents/queue_timers.h"
+#include "sim/agents/radio_link.h"
+#include "sim/agents/simulation_config.h"
+#include "sim/agents/surroundings.h"
+#include "sim/core/event_queue.h"
+#include "sim/radio/mac_sap.h"
+
+namespace sim::agents {
+
+/// What all agents of a run share; outlives them.
+struct Surroundings {
+  EventQueue& events;
+  physics::World& world;
+  Scene& scene;
+  Observer& observer;
+  const SimulationConfig& config;
+};
+
+/// An agent in the simulator: its core, whose ports end in the event queue, the simulated MAC and
+/// the scene. Its body is in the world already.
+class SimulatedMote : public hal::agent::Sensors {
+ public:
+  SimulatedMote(const AgentConfig& config, radio::MacSap& mac, Surroundings surroundings,
+                hal::agent::AgentListener& listener)
+      : SimulatedMote(config, mac, surroundings, listener, nullptr) {}
+  ~SimulatedMote() override = default;
+  SimulatedMote(const SimulatedMote&) = delete;
+  SimulatedMote& operator=(const SimulatedMote&) = delete;
+
+  const AgentConfig& config() const { return config_; }
+  hal::agent::AgentCore& core() { return core_; }
+  const hal::agent::AgentCore& core() const { return core_; }
+  const std::string& name() const { return config_.name; }
+
+  /// Schedules the start event and the control cycle: both at the agent's phase. What is there for
+  /// the controller before that (radio and routing are up from time 0) is handed over with it.
+  void start();
+
+  /// Its controller is gone: no more events; wheels stop at `at`; radio and routing live on.
+  void silence(hal::Time stop_at);
+
+  bool sample(std::size_t channel, hal::Time at, std::vector<double>& values) override;
+
+ protected:
+  /// @param drive  of the derived agent; null: none.
+  SimulatedMote(const AgentConfig& config, radio::MacSap& mac, Surroundings surroundings,
+                hal::agent::AgentListener& listener, hal::agent::Drive* drive);
+
+  hal::AgentId id() const { return config_.id; }
+  Surroundings& surroundings() { return surroundings_; }
+
+ private:
+  void on_control();
+  void localise(std::vector<double>& values);
+
+  const AgentConfig& config_;
+  Surroundings surroundings_;
+  RadioLink link_;
+  QueueTimers timers_;
+  hal::agent::AgentCore core_;
+};
+
+}  // namespace sim::agents

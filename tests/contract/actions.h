@@ -1,0 +1,66 @@
+#pragma once
+
+#include <chrono>
+#include <string>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "tests/contract/brain.h"
+#include "tests/contract/contract_host.h"
+
+namespace contract {
+
+using namespace std::chrono_literals;
+using hal::exchange::Action;
+using hal::exchange::ActionKind;
+using hal::exchange::Cause;
+using hal::exchange::Event;
+
+inline const hal::AgentId kNobody{99};
+inline constexpr hal::Duration kPatience =
+    30s;  // of the wall clock: reached by a failing test only
+inline constexpr hal::Duration kPeriod = 20ms, kCommandTimeout = 200ms;
+
+template <class Condition>
+[[nodiscard]] bool until(Condition condition, hal::Duration patience = kPatience) {
+  const auto end = std::chrono::steady_clock::now() + patience;
+  while (!condition() && std::chrono::steady_clock::now() < end) std::this_thread::sleep_for(2ms);
+  return condition();
+}
+
+inline Action action_of(ActionKind kind, const std::string& text = {}) {
+  Action action;
+  action.kind = kind;
+  action.text = text;
+  return action;
+}
+
+inline Action send(hal::AgentId to, hal::MessageId id, hal::Bytes payload = {1, 2, 3}) {
+  Action action = action_of(ActionKind::kSend);
+  action.message_id = id;
+  action.destination = to;
+  action.topic = "test";
+  action.payload = std::move(payload);
+  return action;
+}
+
+inline Action drive(double vx) {
+  Action action = action_of(ActionKind::kDriveBody);
+  action.twist.vx = vx;
+  return action;
+}
+
+/// Does something once, in the control cycle of an agent when everybody has a controller: a message
+/// to an agent without one is lost.
+inline Brain::Rule once(hal::AgentId agent, std::vector<Action> actions) {
+  return [agent, actions, started = 0](const Event& event) mutable {
+    if (event.cause == Cause::kStart) ++started;
+    if (started < 2 || event.agent != agent || event.cause != Cause::kControl) {
+      return std::vector<Action>{};
+    }
+    return std::exchange(actions, {});
+  };
+}
+
+}  // namespace contract
