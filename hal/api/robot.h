@@ -58,9 +58,10 @@ class Robot : public RealWorldObject {
   virtual Result<std::vector<InfraredReading>> infrared() const = 0;
   virtual Result<Odometry> odometry() const = 0;
 
-  /// Of the channels "scan", … ; further ones of that kind by reading(name). Valid until the
-  /// callback returns. Errors, of all of these: kNotAvailable (no such sensor, not asked for, not
-  /// sampled yet, or lost).
+  /// The readings of the channels "scan", "imu", "bumper" and "pose"; those of further sensors of
+  /// the same kinds, under other names, come from reading(name). A scan is valid until the callback
+  /// returns. Errors, of all four: kNotAvailable (no such sensor, not asked for, not sampled yet,
+  /// or lost).
   virtual Result<Scan> scan() const = 0;
   virtual Result<Imu> imu() const = 0;
   /// Whether the body has touched anything since the control cycle before.
