@@ -24,7 +24,7 @@ using physics::Shape;
 using Node = fcl::detail::NodeBase<fcl::AABBd>;
 
 /// Refitting alone lets the tree degrade; rebuilding this often keeps queries at their best for a
-/// third of the cost of rebuilding always (physics.md section 3).
+/// third of the cost of rebuilding always (docs/models.md, 3).
 constexpr int kUpdatesPerRebuild = 50;
 
 /// Half the extent of a shape along x and y.
