@@ -8,9 +8,7 @@
 #include <string>
 #include <system_error>
 
-#include "sim/record/database.h"
-#include "sim/record/run_result.h"
-#include "sim/record/schema.h"
+#include "sim/record/run_reader.h"
 
 namespace sim::record {
 
@@ -43,7 +41,7 @@ void check_turn(std::int64_t ns, const RecordedTurns& recorded,
 }  // namespace
 
 RecordedTurns read_turns(const std::filesystem::path& folder) {
-  const RunResult run = read_run(folder);
+  RunReader run(folder);
   if (!run.value("pace").starts_with("realtime")) {
     throw std::runtime_error(fmt::format("{}: not a run in real time", folder.string()));
   }
@@ -52,8 +50,7 @@ RecordedTurns read_turns(const std::filesystem::path& folder) {
   }
   RecordedTurns recorded;
   recorded.ended_at = time_in(run.value("ended_ns"), folder);
-  Database database(folder / kResultsFile, Database::Mode::kRead);
-  Statement query(database, "SELECT at_ns, process, replied, began FROM turns ORDER BY rowid");
+  Statement query = run.query("SELECT at_ns, process, replied, began FROM turns ORDER BY rowid");
   while (query.next()) {
     check_turn(query.integer(0), recorded, folder);
     recorded.turns.push_back({hal::Time{hal::Duration{query.integer(0)}},

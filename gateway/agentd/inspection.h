@@ -1,0 +1,63 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+
+#include "hal/dds/inspector.h"
+#include "hal/dds/pose_reader.h"
+#include "hal/hardware/agent_observer.h"
+#include "hal/hardware/localisation.h"
+#include "hal/hardware/robot_file.h"
+
+namespace gateway {
+
+/// Pose from a DDS topic.
+class TopicPose final : public hal::hardware::PoseSource {
+ public:
+  /// @param participant  outlives this object.  @throws std::runtime_error  if DDS makes no reader.
+  TopicPose(hal::dds::InspectionParticipant& participant, const std::string& topic);
+
+  hal::Result<hal::hardware::PoseFix> pose() const override;
+
+ private:
+  mutable std::mutex mutex_;  ///< Of fix_: a thread of DDS writes it.
+  std::optional<hal::hardware::PoseFix> fix_;
+  hal::dds::PoseReader reader_;
+};
+
+/// Shows a real agent to whoever reads the topics of hal::dds::Inspector. As ROS 2 expects of a
+/// robot, stamps are the time of day and nobody publishes rt/clock: several robots share a domain,
+/// and programs there have use_sim_time false.
+class AgentInspection final : public hal::hardware::AgentObserver {
+ public:
+  /// @param file  outlives this object.
+  explicit AgentInspection(const hal::hardware::RobotFile& file) : file_(file) {}
+
+  /// Before this nothing is shown. @param participant  outlives this object.
+  /// @throws std::runtime_error  if DDS makes no writer.
+  void start(hal::dds::InspectionParticipant& participant);
+
+  void on_cycle(hal::Time at) override;
+  void on_pose(hal::Time at, const hal::Pose2& pose) override;
+  void on_odometry(hal::Time at, const hal::Pose2& pose, const hal::Twist2& twist) override;
+  void on_ranges(hal::Time at, std::span<const double> metres) override;
+  void on_fate(hal::Time at, hal::MessageId id, hal::Fate fate) override;
+  void on_route_change(hal::Time at, const hal::RouteChange& change) override;
+  void on_state(hal::Time at, const std::string& state) override;
+
+ private:
+  bool is_robot() const { return file_.robot.has_value(); }
+  std::string name_of(hal::AgentId agent) const;
+  hal::Time time_of_day(hal::Time at) const { return at + to_time_of_day_; }
+
+  const hal::hardware::RobotFile& file_;
+  std::unique_ptr<hal::dds::Inspector> inspector_;  ///< Null until start().
+  /// From the loop's time to that since 1970, UTC; anew in each cycle: the day's clock is
+  /// corrected.
+  hal::Duration to_time_of_day_{};
+};
+
+}  // namespace gateway

@@ -1,0 +1,70 @@
+#include "gateway/run/run_inspection.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "gateway/exit_status.h"
+#include "gateway/teleop_port.h"
+
+namespace gateway {
+namespace {
+
+bool has_teleop(const sim::scenario::Scenario& scenario) {
+  return std::ranges::any_of(scenario.groups, [](const auto& g) { return g.program == kTeleop; });
+}
+
+/// Everything the agent has, so that it can be shown.
+hal::Wants all_channels(const hal::exchange::AgentOffer& offer) {
+  hal::Wants wants;
+  for (const hal::Channel& channel : offer.session.channels) wants.channels.push_back(channel.name);
+  return wants;
+}
+
+}  // namespace
+
+RunInspection::RunInspection(const sim::scenario::Scenario& scenario, const Settings& settings)
+    : scenario_(scenario), settings_(settings), observer_(scenario.simulation) {
+  if (!settings.repeated || !has_teleop(scenario)) return;
+  throw UsageError("--repeat: what came from outside for teleop is not recorded");
+}
+
+void RunInspection::start(std::optional<int> domain_of_run, sim::agents::Simulation& simulation) {
+  const std::optional<int> domain = settings_.domain ? settings_.domain : domain_of_run;
+  const bool teleop = has_teleop(scenario_);
+  if (!domain && teleop) {
+    throw std::runtime_error(
+        "teleop needs a DDS domain, and a run with its controllers in process has none: "
+        "--inspect-domain N");
+  }
+  if (!domain || (!settings_.shown && !teleop)) return;
+  try {
+    open(*domain, simulation);
+  } catch (const std::runtime_error& e) {
+    // Nobody has asked for it.
+    if (settings_.domain || teleop) throw;
+    fmt::print(stderr, "warning: the run is not shown: {}\n", e.what());
+    return;
+  }
+  if (teleop) connect_teleop(simulation);
+}
+
+void RunInspection::open(int domain, const sim::agents::Simulation& simulation) {
+  participant_ = std::make_unique<hal::dds::InspectionParticipant>(
+      hal::dds::InspectionParticipant::Settings{.domain = domain, .name = "baraka run"});
+  if (settings_.shown) observer_.start(*participant_, simulation.offers());
+  fmt::print(stderr, "inspect domain: {}\n", domain);
+}
+
+void RunInspection::connect_teleop(sim::agents::Simulation& simulation) {
+  for (const hal::exchange::AgentOffer& offer : simulation.offers()) {
+    if (offer.program != kTeleop) continue;
+    simulation.connect(std::make_shared<TeleopPort>(*participant_, offer.session.name,
+                                                    scenario_.simulation.command_timeout,
+                                                    offer.session.control_period),
+                       {offer.session.agent}, all_channels(offer));
+  }
+}
+
+}  // namespace gateway
