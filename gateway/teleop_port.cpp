@@ -9,12 +9,12 @@ using hal::exchange::Event;
 using hal::exchange::Reply;
 using hal::exchange::Step;
 
-TeleopPort::TeleopPort(hal::dds::InspectionParticipant& participant, const std::string& agent,
-                       hal::Duration command_timeout, hal::Duration control_period)
+TeleopPort::TeleopPort(const std::string& agent, LastCommand last, hal::Duration command_timeout,
+                       hal::Duration control_period)
     : name_(std::string(kTeleop) + " of " + agent),
       command_timeout_(command_timeout),
       control_period_(control_period),
-      commands_(participant, agent) {}
+      last_(std::move(last)) {}
 
 hal::Result<void> TeleopPort::begin(const Step& step) {
   reply_ = {.process = name_, .run = step.run, .sequence = step.sequence, .actions = {}};
@@ -25,7 +25,7 @@ hal::Result<void> TeleopPort::begin(const Step& step) {
 }
 
 void TeleopPort::answer(const Event& event, std::uint32_t index) {
-  const auto command = commands_.last();
+  const auto command = last_();
   const hal::Duration pause = std::max(command_timeout_, 2 * control_period_);
   if (event.time - last_event_ > pause) deaf_until_ = event.time + command_timeout_;
   last_event_ = event.time;

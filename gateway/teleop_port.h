@@ -1,6 +1,7 @@
 #pragma once
 
-#include <memory>
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,9 +22,12 @@ inline constexpr const char* kTeleop = "teleop";
 /// timeout, as some of it may have waited in between.
 class TeleopPort final : public hal::exchange::ControllerPort {
  public:
-  /// @throws std::runtime_error  if DDS makes no reader.
-  TeleopPort(hal::dds::InspectionParticipant& participant, const std::string& agent,
-             hal::Duration command_timeout, hal::Duration control_period);
+  /// The last velocity that came, and its number; none so far.
+  using LastCommand = std::function<std::optional<hal::dds::TwistReader::Command>()>;
+
+  /// @param last  asked at each control event, on the thread that calls begin().
+  TeleopPort(const std::string& agent, LastCommand last, hal::Duration command_timeout,
+             hal::Duration control_period);
 
   const std::string& name() const override { return name_; }
   hal::Result<void> begin(const hal::exchange::Step& step) override;  ///< Never fails.
@@ -35,7 +39,7 @@ class TeleopPort final : public hal::exchange::ControllerPort {
 
   std::string name_;
   hal::Duration command_timeout_, control_period_;
-  hal::dds::TwistReader commands_;
+  LastCommand last_;
   std::uint64_t obeyed_ = 0;  ///< Number of the last command.
   hal::Time obeyed_at_{};
   hal::Time last_event_{}, deaf_until_{};

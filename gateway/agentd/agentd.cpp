@@ -167,8 +167,10 @@ void Agentd::stop_as_before() {
 void Agentd::drive_here() {
   hal::Wants wants;
   if (infrared_) wants.channels.emplace_back("infrared");
-  agent_.connect(std::make_shared<TeleopPort>(participant_, file_.name, file_.command_timeout,
-                                              file_.control_period),
+  const auto commands = std::make_shared<hal::dds::TwistReader>(participant_, file_.name);
+  agent_.connect(std::make_shared<TeleopPort>(
+                     file_.name, [commands] { return commands->last(); }, file_.command_timeout,
+                     file_.control_period),
                  {file_.address}, wants);
 }
 

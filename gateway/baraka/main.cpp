@@ -92,8 +92,10 @@ void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
                                       "lockstep: wait for controllers; realtime[:F]: follow the "
                                       "wall clock, F times as fast, and wait for nobody");
   CLI::Option* repeat =
-      run->add_option("--repeat", options.repeat,
-                      "Folder of a run in real time: repeat it from its record, without a clock")
+      run->add_option(
+             "--repeat", options.repeat,
+             "Folder of a run in real time, or with input from outside: repeat it from its record, "
+             "without a clock")
           ->excludes(pace);
   add_surroundings(run, options);
   CLI::Option* replications =

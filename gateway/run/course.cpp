@@ -49,12 +49,16 @@ Course::Course(const RunOptions& options, const sim::scenario::Scenario& scenari
   if (options.until) until_ = hal::Time{hal::from_seconds(*options.until)};
   if (options.repeat.empty()) return;
   check_same(options.repeat, scenario);
-  record_ = sim::record::read_turns(options.repeat);
+  record_ = sim::record::read_course(options.repeat);
   until_ = std::min(until_.value_or(record_->ended_at), record_->ended_at);
 }
 
 sim::agents::Outcome Course::play(sim::agents::Simulation& simulation, WallPace& pace) const {
-  if (record_) return simulation.repeat(until_, record_->turns, pace);
+  if (record_) {
+    simulation.outside().replay(record_->arrivals);
+    if (record_->in_real_time) return simulation.repeat(until_, record_->turns, pace);
+    return simulation.run(until_, pace);
+  }
   if (!factor_) return simulation.run(until_, pace);
   RealTimeClock clock(*factor_, pace);
   return simulation.follow(until_, clock);

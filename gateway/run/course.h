@@ -5,12 +5,12 @@
 #include "gateway/run/run_command.h"
 #include "gateway/run/wall_pace.h"
 #include "sim/agents/simulation.h"
-#include "sim/record/turn_log.h"
+#include "sim/record/course_log.h"
 #include "sim/scenario/scenario.h"
 
 namespace gateway {
 
-/// How simulated time goes on in a run: in lock-step, in real time, or as it once did in real time.
+/// How simulated time goes on in a run: in lock-step, in real time, or as it once did.
 class Course {
  public:
   /// @throws UsageError  options.pace is none, or options.repeat is a run of another scenario.
@@ -23,7 +23,7 @@ class Course {
  private:
   std::optional<hal::Time> until_;
   std::optional<double> factor_;  ///< In real time, so fast.
-  std::optional<sim::record::RecordedTurns> record_;
+  std::optional<sim::record::RecordedCourse> record_;
 };
 
 }  // namespace gateway

@@ -18,7 +18,7 @@ struct RunOptions {
   ControllersFrom controllers = ControllersFrom::kSpawn;
   double max_speed = std::numeric_limits<double>::infinity();
   std::string pace = "lockstep";  ///< Or "realtime", "realtime:<factor>".
-  std::string repeat;             ///< Folder of a run in real time that is to be repeated.
+  std::string repeat;             ///< Folder of a run that is to be repeated from its record.
   std::string domain;             ///< "7"; "7-9" for runs side by side; empty: the first free one.
   bool inspect = true;
   std::optional<int> inspect_domain;  ///< None: the run's.

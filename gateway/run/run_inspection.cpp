@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "gateway/exit_status.h"
+#include "gateway/run/outside_velocities.h"
 #include "gateway/teleop_port.h"
 
 namespace gateway {
@@ -25,27 +25,25 @@ hal::Wants all_channels(const hal::exchange::AgentOffer& offer) {
 }  // namespace
 
 RunInspection::RunInspection(const sim::scenario::Scenario& scenario, const Settings& settings)
-    : scenario_(scenario), settings_(settings), observer_(scenario.simulation) {
-  if (!settings.repeated || !has_teleop(scenario)) return;
-  throw UsageError("--repeat: what came from outside for teleop is not recorded");
-}
+    : scenario_(scenario), settings_(settings), observer_(scenario.simulation) {}
 
 void RunInspection::start(std::optional<int> domain_of_run, sim::agents::Simulation& simulation) {
   const std::optional<int> domain = settings_.domain ? settings_.domain : domain_of_run;
   const bool teleop = has_teleop(scenario_);
-  if (!domain && teleop) {
+  const bool hears = teleop && !settings_.repeated;
+  if (!domain && hears) {
     throw std::runtime_error(
         "teleop needs a DDS domain, and a run with its controllers in process has none: "
         "--inspect-domain N");
   }
-  if (!domain || (!settings_.shown && !teleop)) return;
-  try {
-    open(*domain, simulation);
-  } catch (const std::runtime_error& e) {
-    // Nobody has asked for it.
-    if (settings_.domain || teleop) throw;
-    fmt::print(stderr, "warning: the run is not shown: {}\n", e.what());
-    return;
+  if (domain && (settings_.shown || hears)) {
+    try {
+      open(*domain, simulation);
+    } catch (const std::runtime_error& e) {
+      // Nobody has asked for it.
+      if (settings_.domain || hears) throw;
+      fmt::print(stderr, "warning: the run is not shown: {}\n", e.what());
+    }
   }
   if (teleop) connect_teleop(simulation);
 }
@@ -60,9 +58,12 @@ void RunInspection::open(int domain, const sim::agents::Simulation& simulation) 
 void RunInspection::connect_teleop(sim::agents::Simulation& simulation) {
   for (const hal::exchange::AgentOffer& offer : simulation.offers()) {
     if (offer.program != kTeleop) continue;
-    simulation.connect(std::make_shared<TeleopPort>(*participant_, offer.session.name,
-                                                    scenario_.simulation.command_timeout,
-                                                    offer.session.control_period),
+    const auto velocities =
+        std::make_shared<OutsideVelocities>(simulation.outside(), offer.session.name);
+    if (!settings_.repeated) velocities->listen(*participant_);
+    simulation.connect(std::make_shared<TeleopPort>(
+                           offer.session.name, [velocities] { return velocities->last(); },
+                           scenario_.simulation.command_timeout, offer.session.control_period),
                        {offer.session.agent}, all_channels(offer));
   }
 }

@@ -16,11 +16,10 @@ class RunInspection {
   struct Settings {
     bool shown = true;          ///< Else only teleoperation.
     std::optional<int> domain;  ///< DDS domain; none: the run's.
-    bool repeated = false;      ///< It is a repetition: nobody can drive by hand.
+    bool repeated = false;      ///< Velocities come from the record, not from DDS.
   };
 
   /// @param scenario  outlives this object.
-  /// @throws UsageError  a repetition with agents to teleoperate: their commands are not recorded.
   RunInspection(const sim::scenario::Scenario& scenario, const Settings& settings);
 
   /// Sees the run; to be handed to the simulation.
@@ -31,7 +30,7 @@ class RunInspection {
   /// neither, with a warning, if DDS cannot be opened and nobody asked for it.
   /// @param domain_of_run  if it has one.
   /// @throws std::runtime_error  if DDS cannot be opened and Settings::domain or an agent to
-  ///   teleoperate asks for it; agents to teleoperate and no domain.
+  ///   teleoperate asks for it; agents to teleoperate and no domain, but in a repetition.
   void start(std::optional<int> domain_of_run, sim::agents::Simulation& simulation);
 
  private:

@@ -13,6 +13,7 @@
 #include "hal/types/time.h"
 #include "hal/types/verdict.h"
 #include "sim/agents/real_time.h"
+#include "sim/core/outside_input.h"
 #include "sim/physics/world.h"
 #include "sim/radio/observer.h"
 
@@ -89,6 +90,8 @@ class Observer : public radio::RadioObserver {
   }
   /// In real time: a controller process had an influence on the run.
   virtual void on_turn(const Turn& turn) { (void)turn; }
+  /// Something from outside was taken in.
+  virtual void on_arrival(const OutsideArrival& arrival) { (void)arrival; }
   virtual void on_state(hal::Time at, hal::AgentId agent, std::string_view state) {
     (void)at, (void)agent, (void)state;
   }
