@@ -8,6 +8,7 @@
 #include "hal/types/agent_id.h"
 #include "hal/types/time.h"
 #include "sim/agents/real_time.h"
+#include "sim/core/outside_input.h"
 #include "sim/physics/world.h"
 #include "sim/radio/observer.h"
 
@@ -45,6 +46,8 @@ class Observer : public radio::RadioObserver, public hal::agent::AgentObserver {
   virtual void on_body_lost(const physics::LostBody& lost) { (void)lost; }
   /// In real time: a controller process had an influence on the run.
   virtual void on_turn(const Turn& turn) { (void)turn; }
+  /// Something from outside was taken in.
+  virtual void on_arrival(const OutsideArrival& arrival) { (void)arrival; }
 };
 
 }  // namespace sim::agents

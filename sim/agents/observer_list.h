@@ -82,6 +82,9 @@ class ObserverList final : public Observer {
   void on_route_change(hal::Time at, hal::AgentId agent, const hal::RouteChange& change) override {
     for (Observer* o : observers_) o->on_route_change(at, agent, change);
   }
+  void on_arrival(const OutsideArrival& arrival) override {
+    for (Observer* o : observers_) o->on_arrival(arrival);
+  }
   void on_turn(const Turn& turn) override {
     for (Observer* o : observers_) o->on_turn(turn);
   }

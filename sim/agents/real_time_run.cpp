@@ -55,7 +55,9 @@ void Simulation::RealTimeRun::follow(FollowedClock& clock) {
         std::max(std::min(clock.now(), *next + kLongestTurn), last + std::chrono::nanoseconds{1});
     if (s_.until) last = std::min(last, *s_.until);
     work_off_until(last, &clock);
-    if (!s_.result) attend(last);
+    if (s_.result) return;
+    if (s_.take_outside(last)) s_.events.advance_to(last);
+    attend(last);
   }
 }
 
@@ -64,6 +66,7 @@ void Simulation::RealTimeRun::repeat(std::span<const Turn> turns, Pace& pace) {
     if (s_.result || s_.broken_off) return;
     if (s_.until && turn.at > *s_.until) break;
     if (!may_go_on(pace, turn.at)) return;
+    take_arrivals_until(turn.at);
     work_off_until(turn.at, nullptr);
     if (s_.result) return;
     take_up(turn);
@@ -71,7 +74,20 @@ void Simulation::RealTimeRun::repeat(std::span<const Turn> turns, Pace& pace) {
   while (!s_.result) {
     const auto next = s_.events.next_time();
     if (!next || !s_.until || *next > *s_.until || !may_go_on(pace, *next)) return;
+    take_arrivals_until(*next);
     work_off_until(*next, nullptr);
+  }
+}
+
+/// Each after the events up to its time, and before a turn of that time.
+void Simulation::RealTimeRun::take_arrivals_until(hal::Time target) {
+  while (!s_.result) {
+    const auto at = s_.outside.next_replayed();
+    if (!at || *at > target) return;
+    work_off_until(*at, nullptr);
+    if (s_.result) return;
+    s_.take_outside(*at);
+    s_.events.advance_to(*at);
   }
 }
 
@@ -198,7 +214,7 @@ void Simulation::RealTimeRun::finish_all() {
 }
 
 std::vector<int> Simulation::RealTimeRun::descriptors() const {
-  std::vector<int> all;
+  std::vector<int> all{s_.outside.descriptor()};
   for (const Carried& carried : carried_) {
     if (carried.dropped) continue;
     const std::vector<int> some = carried.courier.descriptors();

@@ -35,6 +35,7 @@ class Simulation::RealTimeRun {
   };
 
   void work_off_until(hal::Time target, FollowedClock* clock);
+  void take_arrivals_until(hal::Time target);
   void post(FollowedClock* clock);
   void attend(hal::Time now);
   void take_up(const Turn& turn);

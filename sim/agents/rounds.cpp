@@ -167,6 +167,10 @@ Outcome Simulation::State::outcome() const {
 }
 
 /// Works off what is due next, when it is time.
+bool Simulation::State::take_outside(hal::Time now) {
+  return outside.take(now, [this](const OutsideArrival& arrival) { observers.on_arrival(arrival); });
+}
+
 void Simulation::State::go_on(hal::Time next, Pace& pace) {
   switch (pace.may_go_on(next, {events.now(), events.executed(), controllers.exchanges()})) {
     case Pace::Verdict::kBreakOff:
@@ -175,6 +179,7 @@ void Simulation::State::go_on(hal::Time next, Pace& pace) {
     case Pace::Verdict::kAskAgain:
       return on_failures(controllers.find_dead());
     case Pace::Verdict::kGoOn:
+      take_outside(next);
       work_off(next);
       if (!result) exchange(next + config.controller_latency);
   }

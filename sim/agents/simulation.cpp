@@ -70,6 +70,8 @@ Simulation::~Simulation() = default;
 
 void Simulation::add_observer(Observer& observer) { state_->observers.add(observer); }
 
+OutsideInput& Simulation::outside() { return state_->outside; }
+
 std::vector<hal::exchange::AgentOffer> Simulation::offers() const {
   std::vector<hal::exchange::AgentOffer> offers;
   for (const auto& [id, agent] : state_->agents)

@@ -13,6 +13,7 @@
 #include "sim/agents/observer.h"
 #include "sim/agents/real_time.h"
 #include "sim/agents/simulation_config.h"
+#include "sim/core/outside_input.h"
 
 namespace sim::agents {
 
@@ -70,6 +71,10 @@ class Simulation final : public hal::exchange::AgentHost {
   std::vector<hal::exchange::AgentOffer> offers() const override;
   void connect(std::shared_ptr<hal::exchange::ControllerPort> port,
                const std::vector<hal::AgentId>& agents, const hal::Wants& wants) override;
+
+  /// By which velocities by hand and the like enter the run. Doors are opened before the run; a
+  /// repetition is told before it what to take in.
+  OutsideInput& outside();
 
   /// Runs once, to an end condition or `until`. @pre every agent is connected.
   Outcome run(std::optional<hal::Time> until, Pace& pace);

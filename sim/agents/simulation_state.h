@@ -33,6 +33,7 @@ struct Simulation::State final : hal::agent::AgentListener {
     if (window == hal::Duration::zero()) return next == begin;
     return next < begin + window && (!until || next <= *until);
   }
+  bool take_outside(hal::Time now);
   void work_off(hal::Time begin);
   std::vector<hal::exchange::Event> take_events();
   void exchange(hal::Time window_end);
@@ -47,6 +48,7 @@ struct Simulation::State final : hal::agent::AgentListener {
 
   const SimulationConfig config;
   ObserverList observers;
+  OutsideInput outside;  ///< Before the controllers, which may put something in from threads.
   EventQueue events;
   std::unique_ptr<physics::World> world;
   Scene scene;

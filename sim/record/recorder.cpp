@@ -9,6 +9,7 @@
 
 #include "hal/types/log.h"
 #include "sim/record/frame_class.h"
+#include "sim/record/hexadecimal.h"
 #include "sim/record/schema.h"
 
 namespace sim::record {
@@ -34,6 +35,7 @@ Recorder::Recorder(const std::filesystem::path& file, const agents::SimulationCo
       insert_lost_body_(database_, "INSERT INTO lost_bodies VALUES (?, ?, ?)"),
       insert_state_(database_, "INSERT INTO states VALUES (?, ?, ?)"),
       insert_turn_(database_, "INSERT INTO turns VALUES (?, ?, ?, ?)"),
+      insert_arrival_(database_, "INSERT INTO arrivals VALUES (?, ?, ?)"),
       insert_frame_(database_, "INSERT INTO frames VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"),
       insert_frame_end_(database_, "INSERT INTO frame_ends VALUES (?, ?, ?, ?, ?)"),
       insert_fingerprint_(database_, "INSERT INTO fingerprints VALUES (?, ?, ?, ?)") {
@@ -102,6 +104,11 @@ void Recorder::describe(const agents::SimulationConfig& config) {
 void Recorder::add_settings(const std::vector<std::pair<std::string, std::string>>& settings) {
   Statement insert(database_, "REPLACE INTO settings VALUES (?, ?)");
   for (const auto& [key, value] : settings) insert.run(key, value);
+}
+
+void Recorder::on_arrival(const OutsideArrival& arrival) {
+  insert_arrival_.run(hal::to_ns(arrival.at), arrival.door, to_hexadecimal(arrival.bytes));
+  on_rows(arrival.at, 1);
 }
 
 void Recorder::on_turn(const agents::Turn& turn) {

@@ -180,6 +180,13 @@ std::vector<Table> trace_tables() {
          "controller processes in order of their lowest agent, from 0"},
         {"replied", "INTEGER NOT NULL", "", "1: its answer took effect ..."},
         {"began", "INTEGER NOT NULL", "", "1: ... and then it was given what waited"}}},
+      {"arrivals",
+       "what came into the run from outside and does not follow from scenario and seed",
+       {{"at_ns", "INTEGER NOT NULL", "ns",
+         "when it was taken in: in real time after the events of that time, in lock-step before"},
+        {"door", "TEXT NOT NULL", "", "what it is for: 'cmd_vel of r0'"},
+        {"bytes", "TEXT NOT NULL", "",
+         "hexadecimal; cmd_vel: m/s forward, m/s left, rad/s as binary64, little-endian"}}},
       {"fingerprints",
        "hashes of what was observed, per part, agent and second, where they change from one second "
        "to the next: two runs differ first where these rows do",

@@ -35,7 +35,13 @@ class IncludeRules(unittest.TestCase):
                    "controllers/x/x.cpp:2: controllers may not include sim/core/event_queue.h")
 
     def test_the_gateway_may_not_see_its_programs(self):
-        self.check("gateway/server.cpp", '#include "gateway/app/x.h"', "gateway may not include")
+        self.check("gateway/server.cpp", '#include "gateway/run/x.h"', "gateway may not include")
+
+    def test_the_daemon_may_not_see_the_simulator(self):
+        self.check("gateway/agentd/x.cpp", '#include "gateway/server.h"', "")
+        for other in ("sim/core/clock.h", "gateway/run/x.h"):
+            self.check("gateway/agentd/x.cpp", f'#include "{other}"',
+                       f"gateway/agentd may not include {other}")
 
     def test_third_party_headers_have_a_home(self):
         self.check("sim/agents/x.cpp", "#include <ode/ode.h>", "belongs in sim/physics only")

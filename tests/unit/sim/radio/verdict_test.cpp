@@ -20,7 +20,7 @@ struct TrafficCase {
   bool capture;
 };
 
-constexpr std::uint16_t kStations = 16;
+constexpr std::uint16_t kSixteenStations = 16;
 constexpr int kRequests = 150;
 
 /// Stations all over a square in which nobody reaches everybody, sending at random times to random
@@ -31,11 +31,12 @@ void load(Air& air, const TrafficCase& c) {
   if (c.profile == Profile::kIeee80211b) air.config.tx_power = hal::Milliwatts{2};
   if (c.profile == Profile::kMobilityFramework) air.config.interference_floor = hal::Dbm{-95};
   hal::RandomStream random(7, "traffic");
-  for (int i = 0; i < kStations; ++i) air.add({600 * random.uniform(), 600 * random.uniform(), 0});
+  for (int i = 0; i < kSixteenStations; ++i)
+    air.add({600 * random.uniform(), 600 * random.uniform(), 0});
   air.build();
   for (int i = 0; i < kRequests; ++i) {
-    const auto from = static_cast<std::uint16_t>(1 + random.below(kStations));
-    auto to = static_cast<std::uint16_t>(1 + random.below(kStations));
+    const auto from = static_cast<std::uint16_t>(1 + random.below(kSixteenStations));
+    auto to = static_cast<std::uint16_t>(1 + random.below(kSixteenStations));
     if (to == from || i % 3 == 0) to = hal::kEveryone.value;
     const std::size_t bytes = random.below(1000);
     air.at(hal::Duration{random.below(300'000'000)},
@@ -62,7 +63,7 @@ TEST_P(EveryFrame, EndsInOneVerdictAtEveryRadioThatCanNoticeIt) {
   for (const auto& start : air.log.starts) {
     const hal::AgentId from = start.frame.transmitter;
     std::multiset<std::uint16_t> expected;
-    for (std::uint16_t to = 1; to <= kStations; ++to) {
+    for (std::uint16_t to = 1; to <= kSixteenStations; ++to) {
       const auto arrival = propagation.arrival(air.antennas.position(from, {}),
                                                air.antennas.position(hal::AgentId{to}, {}));
       if (to != from.value && propagation.is_noticeable(arrival.power)) expected.insert(to);

@@ -1,0 +1,93 @@
+#include "gateway/agentd/emergency_latch.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <string_view>
+#include <system_error>
+
+#include "gateway/exit_status.h"
+#include "hal/types/log.h"
+
+namespace gateway {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kWhatToDo =
+    "an emergency stop would be forgotten when the daemon restarts; name a folder with --state, or "
+    "do without by --no-state";
+
+/// Empty: the variable names no folder. Before there are threads.
+fs::path folder_in(const char* variable) {
+  const char* const value = std::getenv(variable);  // NOLINT(concurrency-mt-unsafe)
+  std::string_view text = value == nullptr ? "" : value;
+  text = text.substr(0, text.find(':'));  // systemd names all folders of a unit
+  const fs::path folder(text);
+  return folder.is_absolute() ? folder : fs::path{};
+}
+
+std::error_code last_error() { return {errno, std::generic_category()}; }
+
+/// What a file system keeps in its memory is lost with the battery.
+std::error_code sync(const fs::path& path, int flags) {
+  const int descriptor = ::open(path.c_str(), flags | O_CLOEXEC, 0644);
+  if (descriptor < 0) return last_error();
+  const std::error_code error = ::fsync(descriptor) == 0 ? std::error_code{} : last_error();
+  ::close(descriptor);
+  return error;
+}
+
+std::error_code make_file(const fs::path& file) {
+  return sync(file, O_WRONLY | O_CREAT | O_NOFOLLOW);
+}
+
+}  // namespace
+
+fs::path default_state_folder() {
+  if (fs::path folder = folder_in("STATE_DIRECTORY"); !folder.empty()) return folder;
+  if (const fs::path state = folder_in("XDG_STATE_HOME"); !state.empty()) return state / "baraka";
+  if (const fs::path home = folder_in("HOME"); !home.empty()) {
+    return home / ".local" / "state" / "baraka";
+  }
+  throw UsageError(
+      fmt::format("no folder for state: neither STATE_DIRECTORY nor XDG_STATE_HOME nor HOME names "
+                  "one; {}",
+                  kWhatToDo));
+}
+
+EmergencyLatch::EmergencyLatch(const std::string& agent, const fs::path& folder)
+    : file_(folder / (agent + ".emergency_stop")) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  const fs::path probe = folder / fmt::format(".{}.{}", agent, ::getpid());
+  if (!error) error = make_file(probe);
+  std::error_code ignored;
+  fs::remove(probe, ignored);
+  if (!error) return;
+  throw UsageError(fmt::format("{}: {}: {}", folder.string(), error.message(), kWhatToDo));
+}
+
+bool EmergencyLatch::is_set() const {
+  std::error_code error;
+  return !file_.empty() && fs::exists(file_, error);
+}
+
+void EmergencyLatch::set(bool stopped) const {
+  if (file_.empty()) return;
+  std::error_code error;
+  if (stopped) {
+    error = make_file(file_);
+  } else {
+    fs::remove(file_, error);
+  }
+  if (!error) error = sync(file_.parent_path(), O_RDONLY | O_DIRECTORY);
+  if (error) {
+    hal::log::warning({}, "emergency stop", "{}: {}", file_.string(), error.message());
+  }
+}
+
+}  // namespace gateway

@@ -1,0 +1,81 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+
+#include "gateway/agentd/agentd.h"
+#include "gateway/exit_status.h"
+#include "hal/config/errors.h"
+#include "hal/dds/domains.h"
+#include "hal/runtime/command_line.h"
+#include "hal/runtime/standard_output.h"
+#include "hal/types/log.h"
+#include "hal/types/printable.h"
+
+namespace {
+
+using gateway::AgentdOptions;
+
+/// @return exit status. @throws std::exception
+int command(int argc, char** argv) {
+  CLI::App app(
+      "Serves a real robot or mote to controllers over DDS.\n"
+      "SIGTERM and SIGINT stop the wheels, then the daemon; SIGUSR1 is the emergency stop, SIGUSR2 "
+      "releases it.");
+  AgentdOptions options;
+  std::string name;
+  app.add_option("ROBOT", options.file, "File of the robot or mote")->required();
+  app.add_option("--domain", options.domain, "DDS domain; default: BARAKA_DOMAIN, else 1")
+      ->transform(hal::runtime::whole_number(0, hal::dds::kLastDomain));
+  app.add_option("--name", name, "Name of the agent, instead of the file's");
+  app.add_option("--set", options.overrides, "KEY=VALUE, the key as a dotted path")
+      ->allow_extra_args(false);
+  app.add_option("--inspect-domain", options.inspect_domain,
+                 "DDS domain of the topics; default: that of the controllers")
+      ->transform(hal::runtime::whole_number(0, hal::dds::kLastDomain));
+  app.add_option("--inspect-address", options.inspect_address,
+                 "Address of the network interface for the topics; default: 127.0.0.1");
+  app.add_flag("!--no-inspect", options.shown, "Do not show the agent to DDS tools");
+  CLI::Option* state = app.add_option(
+      "--state", options.state,
+      "Folder that remembers the emergency stop over a restart; default: STATE_DIRECTORY, else "
+      "baraka in XDG_STATE_HOME, else ~/.local/state/baraka");
+  app.add_flag("!--no-state", options.remembers, "Forget the emergency stop at a restart")
+      ->excludes(state);
+  std::string level = "info";
+  app.add_option("--log", level, "Least that is told on standard error; default: info")
+      ->transform(hal::runtime::one_of({"debug", "info", "warning", "error"}));
+  hal::runtime::complete(app, "baraka-agentd");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return hal::runtime::end_of_parsing(app, e);
+  }
+  hal::log::set_level(*hal::log::level_called(level));
+  if (!name.empty()) options.overrides.push_back("agent.name=" + name);
+  return gateway::serve(options);
+}
+
+/// The same with what was thrown as an exit status.
+int status_of_command(int argc, char** argv) {
+  try {
+    return command(argc, argv);
+  } catch (const hal::config::ConfigErrors& e) {
+    std::fprintf(stderr, "%s\n", hal::printable_lines(e.what()).c_str());
+    return gateway::kUsage;
+  } catch (const gateway::UsageError& e) {
+    std::fprintf(stderr, "error: %s\n", hal::printable_lines(e.what()).c_str());
+    return gateway::kUsage;
+  } catch (const hal::dds::NoSuchDomain& e) {
+    std::fprintf(stderr, "error: %s\n", hal::printable(e.what()).c_str());
+    return gateway::kUsage;
+  } catch (const std::exception& e) {
+    std::fprintf(stderr, "error: %s\n", hal::printable_lines(e.what()).c_str());
+    return gateway::kRunFailed;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return hal::runtime::with_output_written(status_of_command(argc, argv));
+}

@@ -1,0 +1,44 @@
+#include "gateway/agentd/radio.h"
+
+#include <fmt/format.h>
+#include <net/if.h>
+
+#include <system_error>
+
+#include "hal/config/errors.h"
+
+namespace gateway {
+namespace {
+
+/// @param place  from the command line it names the key itself.
+[[noreturn]] void refuse(const std::string& place, const char* key, const char* what) {
+  const bool is_in_file = !place.starts_with("--set");
+  throw hal::config::ConfigErrors(
+      {fmt::format("{}: {}{}", place, is_in_file ? fmt::format("radio.{}: ", key) : "", what)});
+}
+
+}  // namespace
+
+hal::hardware::UdpLink open_radio(const hal::hardware::RobotFile& file,
+                                  hal::hardware::EventLoop& loop) {
+  const hal::hardware::RadioSettings& radio = file.radio;
+  try {
+    return {{.self = file.address,
+             .interface = radio.interface,
+             .address = radio.address,
+             .port = radio.port,
+             .bit_rate = radio.bit_rate,
+             .power = radio.power},
+            loop};
+  } catch (const std::system_error& error) {
+    if (error.code() != std::errc::permission_denied) throw;
+    refuse(file.radio_places.port, "port", error.what());
+  } catch (const std::runtime_error& error) {
+    const bool is_address =
+        !radio.address.empty() && ::if_nametoindex(radio.interface.c_str()) != 0;
+    if (is_address) refuse(file.radio_places.address, "address", error.what());
+    refuse(file.radio_places.interface, "interface", error.what());
+  }
+}
+
+}  // namespace gateway

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "hal/hardware/robot_file.h"
+#include "hal/hardware/udp_link.h"
+
+namespace gateway {
+
+/// The radio that a file asks for.
+/// @param file, loop  outlive it.
+/// @throws hal::config::ConfigErrors  what this computer does not have, with its place in the file:
+///   trying again would not help.  @throws std::runtime_error  what may pass: the port is taken.
+hal::hardware::UdpLink open_radio(const hal::hardware::RobotFile& file,
+                                  hal::hardware::EventLoop& loop);
+
+}  // namespace gateway

@@ -1,0 +1,273 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <exception>
+#include <limits>
+#include <map>
+#include <system_error>
+
+#include "gateway/commands/check_command.h"
+#include "gateway/commands/describe_command.h"
+#include "gateway/commands/export_command.h"
+#include "gateway/commands/file_kinds.h"
+#include "gateway/commands/new_controller.h"
+#include "gateway/commands/report_command.h"
+#include "gateway/commands/topic_command.h"
+#include "gateway/exit_status.h"
+#include "gateway/limits.h"
+#include "gateway/run/domain_range.h"
+#include "gateway/run/replications.h"
+#include "gateway/run/run_command.h"
+#include "hal/config/errors.h"
+#include "hal/dds/domains.h"
+#include "hal/runtime/command_line.h"
+#include "hal/runtime/standard_output.h"
+#include "hal/types/printable.h"
+
+namespace {
+
+using gateway::ControllersFrom;
+using gateway::RunOptions;
+using hal::runtime::plain_number;
+using hal::runtime::seconds;
+using hal::runtime::whole_number;
+
+constexpr std::int64_t kMostSeed = std::numeric_limits<std::int64_t>::max();
+constexpr std::int64_t kMostReplications = 1'000'000, kMostJobs = 1000,
+                       kMostSamples = 1'000'000'000;
+constexpr double kLeastSpeed = 1e-6, kMostSpeed = 1e9;
+constexpr double kLeastTimeout = 1e-3;  // s
+
+/// For an option that takes a DDS domain, "7", or a range of them, "7-9".
+CLI::Validator domains() {
+  return {[](std::string& text) {
+            return gateway::is_domain_range(text)
+                       ? std::string{}
+                       : fmt::format(
+                             "'{}' is no DDS domain from 0 to {}, nor a range of them such as 7-9",
+                             text, hal::dds::kLastDomain);
+          },
+          fmt::format("0 to {}", hal::dds::kLastDomain)};
+}
+
+/// Which domains and files it uses.
+void add_surroundings(CLI::App* run, RunOptions& options) {
+  run->add_option("--domain", options.domain,
+                  "DDS domain; default: the first free one. With --jobs the first of as many, or "
+                  "FIRST-LAST")
+      ->transform(domains());
+  run->add_option("--inspect-domain", options.inspect_domain,
+                  "DDS domain to show the run in; default: the run's")
+      ->transform(whole_number(0, hal::dds::kLastDomain));
+  run->add_flag("!--no-inspect", options.inspect, "Do not show the run to DDS tools");
+  run->add_option("--out", options.out, "Folder for the results; default: results/<name>");
+  run->add_flag("--overwrite", options.overwrite,
+                "Remove an earlier result there; default: keep it as <name>.1, .2, ...");
+  run->add_option("--set", options.overrides, "KEY=VALUE, the key as a dotted path")
+      ->allow_extra_args(false);
+  run->add_option("--log", options.log, "Least that run.log tells of; default: info")
+      ->transform(hal::runtime::one_of({"debug", "info", "warning", "error"}));
+}
+
+void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
+  CLI::App* run = app.add_subcommand("run", "Run a scenario");
+  run->add_option("SCENARIO", options.scenario, "Scenario file")->required();
+  run->add_option("--seed", seed, "Seed, instead of the scenario's")
+      ->transform(whole_number(0, kMostSeed));
+  run->add_option("--until", options.until, "End at this simulated time: 90 or 1.5 min")
+      ->transform(seconds(0));
+  const std::map<std::string, ControllersFrom> from{{"spawn", ControllersFrom::kSpawn},
+                                                    {"external", ControllersFrom::kExternal},
+                                                    {"in-process", ControllersFrom::kInProcess}};
+  run->add_option_function<std::string>(
+         "--controllers",
+         [&options, from](const std::string& how) { options.controllers = from.at(how); },
+         "spawn: start them (default); external: wait for them; in-process: load them")
+      ->transform(hal::runtime::one_of({"spawn", "external", "in-process"}));
+  run->add_option("--max-speed", options.max_speed,
+                  "At most this many simulated seconds per second; changes nothing else")
+      ->transform(plain_number(kLeastSpeed, kMostSpeed));
+  CLI::Option* pace = run->add_option("--pace", options.pace,
+                                      "lockstep: wait for controllers; realtime[:F]: follow the "
+                                      "wall clock, F times as fast, and wait for nobody");
+  CLI::Option* repeat =
+      run->add_option(
+             "--repeat", options.repeat,
+             "Folder of a run in real time, or with input from outside: repeat it from its record, "
+             "without a clock")
+          ->excludes(pace);
+  add_surroundings(run, options);
+  CLI::Option* replications =
+      run->add_option("--replications", options.replications,
+                      "Run it so many times, with seeds from the scenario's upwards; those that "
+                      "have ended are kept")
+          ->transform(whole_number(1, kMostReplications))
+          ->excludes(pace)
+          ->excludes(repeat);
+  run->add_option("--jobs", options.jobs, "Replications at a time; default: 1")
+      ->transform(whole_number(1, kMostJobs))
+      ->needs(replications);
+}
+
+void add_new_controller(CLI::App& app, gateway::NewControllerOptions& options) {
+  CLI::App* add =
+      app.add_subcommand("new-controller", "Write a project for a controller of your own");
+  add->add_option("NAME", options.name, "Of the program: a-z, 0-9 and _")->required();
+  CLI::Option* mote = add->add_flag("--mote", options.for_mote, "It drives motes");
+  add->add_flag("--robot")->description("It drives robots (the default)")->excludes(mote);
+  add->add_option("--to", options.to, "Folder for the project's folder; default: this one");
+}
+
+/// @return the command `baraka check`.
+const CLI::App* add_check(CLI::App& app, gateway::CheckOptions& options) {
+  CLI::App* check = app.add_subcommand(
+      "check", "Find every mistake in scenario, hardware, robot, mote or radio files");
+  check->add_option("FILE", options.files, "Files")->required();
+  check->add_option("--set", options.overrides, "KEY=VALUE, the key as a dotted path")
+      ->allow_extra_args(false);
+  std::vector<std::string> kinds;
+  for (const auto& kind : gateway::file_kinds()) kinds.push_back(kind.name);
+  check->add_option("--kind", options.kind, "Of the files; default: recognised by their keys")
+      ->check(CLI::IsMember(kinds));
+  return check;
+}
+
+struct DescribeOptions {
+  std::string what;
+  bool markdown = false;
+
+  int act() const {
+    if (!markdown) return gateway::describe(what);
+    std::fputs(gateway::keys_page().c_str(), stdout);
+    return gateway::kDone;
+  }
+};
+
+/// @return the command `baraka describe`.
+const CLI::App* add_describe(CLI::App& app, DescribeOptions& options) {
+  CLI::App* describe =
+      app.add_subcommand("describe", "Say what keys of files and parameters of controllers mean");
+  CLI::Option* what =
+      describe->add_option("WHAT", options.what, "A kind of file, a key or a controller");
+  describe
+      ->add_flag("--markdown", options.markdown, "All keys of all files as the page docs/keys.md")
+      ->excludes(what);
+  return describe;
+}
+
+void add_export(CLI::App& app, gateway::ExportOptions& options) {
+  CLI::App* add = app.add_subcommand("export", "Tables of a result as CSV");
+  add->add_option("DIR", options.folder, "Folder of a result");
+  add->add_option("TABLE", options.table, "Table to print; default: list them");
+  add->add_option("-o", options.file, "Write to this file");
+  add->add_flag("--describe", options.describe, "What is in a result: every table and column");
+}
+
+struct TopicCommand {
+  CLI::App* app;
+  int (*act)(const gateway::TopicOptions&);
+};
+
+/// @return the commands of `baraka topic`.
+std::vector<TopicCommand> add_topic(CLI::App& app, gateway::TopicOptions& options) {
+  CLI::App* topic = app.add_subcommand("topic", "Look at the topics of a run or a robot");
+  topic->require_subcommand(1);
+  std::vector<TopicCommand> commands{
+      {topic->add_subcommand("list", "All topics"), gateway::list_topics},
+      {topic->add_subcommand("info", "Type and endpoints"), gateway::topic_info},
+      {topic->add_subcommand("echo", "Samples"), gateway::echo_topic},
+      {topic->add_subcommand("hz", "How often samples come"), gateway::topic_rate},
+      {topic->add_subcommand("bw", "How many bytes come"), gateway::topic_bandwidth}};
+  for (const TopicCommand& command : commands) {
+    command.app
+        ->add_option("--domain", options.domain, "DDS domain; default: BARAKA_DOMAIN, else 1")
+        ->transform(whole_number(0, hal::dds::kLastDomain));
+    if (command.act == gateway::list_topics) continue;
+    command.app->add_option("TOPIC", options.topic, "As listed, or as in ROS 2: /clock")
+        ->required();
+    command.app->add_option("--timeout", options.timeout, "Wait so long for the topic and a sample")
+        ->transform(seconds(kLeastTimeout));
+    if (command.act == gateway::topic_info) continue;
+    command.app->add_option("--count", options.count, "End after so many samples")
+        ->transform(whole_number(1, kMostSamples));
+  }
+  return commands;
+}
+
+/// @return exit status. @throws std::exception
+int command(int argc, char** argv) {
+  CLI::App app("BARAKA: robots and motes that talk IEEE 802.11, with controllers over DDS");
+  app.require_subcommand(1);
+  RunOptions run_options;
+  std::string seed;
+  add_run(app, run_options, seed);
+  gateway::CheckOptions check_options;
+  const CLI::App* check = add_check(app, check_options);
+  DescribeOptions describe_options;
+  const CLI::App* describe = add_describe(app, describe_options);
+  std::vector<std::string> folders;
+  std::string page;
+  CLI::App* report = app.add_subcommand("report", "Tables and figures of one or many results");
+  report->add_option("DIR", folders, "Folders of results")->required();
+  report->add_option("-o", page, "Write a page with the figures to this file, print no tables");
+  gateway::ExportOptions export_options;
+  add_export(app, export_options);
+  gateway::TopicOptions topic_options;
+  const std::vector<TopicCommand> topic_commands = add_topic(app, topic_options);
+  gateway::NewControllerOptions controller;
+  add_new_controller(app, controller);
+  hal::runtime::complete(app, "baraka");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return hal::runtime::end_of_parsing(app, e);
+  }
+  for (const TopicCommand& topic : topic_commands) {
+    if (*topic.app) return topic.act(topic_options);
+  }
+  if (!seed.empty()) run_options.overrides.push_back("seed=" + seed);
+  if (*check) return gateway::check(check_options);
+  if (*describe) return describe_options.act();
+  if (app.got_subcommand("export")) return gateway::export_results(export_options);
+  if (*report) return gateway::report(folders, page);
+  if (app.got_subcommand("new-controller")) return gateway::new_controller(controller);
+  if (run_options.replications) return gateway::run_replications(run_options);
+  return gateway::run(run_options);
+}
+
+void print_error(const std::string& what) {
+  std::fprintf(stderr, "error: %s\n", hal::printable_lines(what).c_str());
+}
+
+/// The same with what was thrown as an exit status.
+int status_of_command(int argc, char** argv) {
+  try {
+    return command(argc, argv);
+  } catch (const hal::config::ConfigErrors& e) {
+    std::fprintf(stderr, "%s\n", hal::printable_lines(e.what()).c_str());
+    return gateway::kUsage;
+  } catch (const gateway::UsageError& e) {
+    print_error(e.what());
+    return gateway::kUsage;
+  } catch (const hal::dds::NoSuchDomain& e) {
+    print_error(e.what());
+    return gateway::kUsage;
+  } catch (const gateway::Interrupted& e) {
+    std::fprintf(stderr, "%s\n", e.what());
+    return gateway::kInterrupted;
+  } catch (const std::system_error& e) {
+    const bool is_thread_missing = e.code() == std::errc::resource_unavailable_try_again;
+    print_error(is_thread_missing ? gateway::limit_met(e.code().value()) : e.what());
+    return gateway::kRunFailed;
+  } catch (const std::exception& e) {
+    print_error(e.what());
+    return gateway::kRunFailed;
+  }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return hal::runtime::with_output_written(status_of_command(argc, argv));
+}

@@ -1,0 +1,45 @@
+#include "gateway/commands/check_command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "gateway/commands/file_kinds.h"
+#include "gateway/exit_status.h"
+#include "hal/config/errors.h"
+#include "hal/config/shared_folders.h"
+
+namespace gateway {
+namespace {
+
+/// The kind of that name; null: none.
+const FileKind* kind_named(const std::string& name) {
+  const auto& kinds = file_kinds();
+  const auto found = std::find_if(kinds.begin(), kinds.end(),
+                                  [&](const FileKind& kind) { return kind.name == name; });
+  return found == kinds.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+int check(const CheckOptions& options) {
+  const FileKind* const wanted = kind_named(options.kind);
+  int status = kDone;
+  for (const std::string& file : options.files) {
+    try {
+      const std::string path =
+          hal::config::named_file(file, {"scenarios", "robots", "radios", "hardware"});
+      const FileKind& kind = wanted != nullptr ? *wanted : recognised(path, options.overrides);
+      kind.judge(path, options.overrides);
+      fmt::print("{}: ok\n", file);
+    } catch (const hal::config::ConfigErrors& errors) {
+      std::fflush(stdout);
+      fmt::print(stderr, "{}\n", errors.what());
+      status = kUsage;
+    }
+  }
+  return status;
+}
+
+}  // namespace gateway

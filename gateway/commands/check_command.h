@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace gateway {
+
+/// What the command line of `baraka check` says.
+struct CheckOptions {
+  std::vector<std::string> files;
+  std::vector<std::string> overrides;  ///< --set
+  std::string kind;                    ///< Of file_kinds(); empty: recognised by its keys.
+};
+
+/// Prints every mistake in files of any kind; "ok" for those without. @return exit status.
+int check(const CheckOptions& options);
+
+}  // namespace gateway

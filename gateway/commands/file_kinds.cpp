@@ -1,0 +1,165 @@
+#include "gateway/commands/file_kinds.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <map>
+#include <utility>
+
+#include "gateway/run/judge_controllers.h"
+#include "hal/config/document.h"
+#include "hal/config/errors.h"
+#include "hal/description/body_section.h"
+#include "hal/hardware/robot_file.h"
+#include "sim/scenario/radio_section.h"
+#include "sim/scenario/scenario.h"
+
+namespace gateway {
+namespace {
+
+using hal::config::Document;
+using hal::config::Mapping;
+using Overrides = std::vector<std::string>;
+
+void read_scenario(Mapping in) { sim::scenario::read_scenario(std::move(in), "scenario.yaml"); }
+void judge_scenario(const std::string& path, const Overrides& overrides) {
+  load_judged(path, overrides);
+}
+void read_hardware(Mapping in) { hal::hardware::RobotFile::read(std::move(in)); }
+void tell(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) fmt::print(stderr, "{}\n", warning);
+}
+
+void judge_hardware(const std::string& path, const Overrides& overrides) {
+  tell(hal::hardware::RobotFile::load(path, overrides).warnings);
+}
+void read_robot(Mapping in) { hal::description::read_robot(std::move(in)); }
+void read_mote(Mapping in) { hal::description::read_mote(std::move(in)); }
+void read_radio(Mapping in) { sim::scenario::read_radio(std::move(in)); }
+
+/// For files that need nothing but their reader.
+template <void (*kRead)(Mapping)>
+void judge(const std::string& path, const Overrides& overrides) {
+  Document document = Document::load(path, overrides);
+  kRead(document.root());
+  document.finish();
+  tell(document.warnings());
+}
+
+constexpr const char* kScenario = R"(version: 1
+name: my_scenario
+radio: {profile: ieee80211b}
+agents:
+  motes:
+    name: m{}
+    mote: {include: robots/mote.yaml}        # of those that come with BARAKA
+    grid: {columns: 3, rows: 1, spacing: [50 m, 50 m]}
+    controller:
+      program: help_mote
+      overrides:
+        - {agents: m2, parameters: {help_at: 1 s}}
+  robots:
+    name: r{}
+    robot: {include: robots/robertino.yaml}
+    poses:
+      - {x: 3 m, y: 3 m, yaw: 90 deg}
+    controller: {program: help_robot, parameters: {speed: 0.5 m/s}}
+end:
+  - {agent: m2, state: FULFILLED, after: 1 s, result: arrived}
+  - {at: 600 s, result: timeout}
+expect:
+  - {result: arrived}
+)";
+
+constexpr const char* kHardware = R"(version: 1
+agent: {name: r0, address: 26, kind: robot}
+controller: {program: help_robot, parameters: {speed: 0.5 m/s}}
+radio: {interface: wlan0, port: 7300}
+localisation: {driver: pose_topic, topic: /mocap/r0/pose}
+robot: {include: robots/robotino.yaml}
+wheels: {driver: robotino_rest, host: 192.168.0.1}
+infrared: {driver: robotino_rest, host: 192.168.0.1}
+limits: {linear: 0.6 m/s, angular: 1.5 rad/s}
+)";
+
+constexpr const char* kRobot = R"(version: 1
+model: cart
+link:
+  collision:
+    - {cylinder: {radius: 18 cm, bottom: 2 cm, top: 21 cm}, mass: 9 kg}
+wheels:
+  wheel: {radius: 4 cm, mass: 200 g, limit: {effort: 1 N m, velocity: 23 rad/s}}
+  joints:
+    - {distance: 13 cm, bearing: 60 deg}
+    - {distance: 13 cm, bearing: 180 deg}
+    - {distance: 13 cm, bearing: 300 deg}
+)";
+
+constexpr const char* kMote = R"(version: 1
+model: cube
+size: [5 cm, 5 cm, 5 cm]
+mass: 50 g
+)";
+
+constexpr const char* kRadio = R"(version: 1
+profile: disk
+range: 100 m
+data_rate: 1 Mb/s
+)";
+
+/// Known keys of the top level.
+std::size_t known(const FileKind& kind, const std::vector<std::string>& keys) {
+  const auto& table = keys_of(kind).keys;
+  return static_cast<std::size_t>(
+      std::count_if(keys.begin(), keys.end(), [&](const std::string& key) {
+        return std::any_of(table.begin(), table.end(),
+                           [&](const auto& description) { return description.path == key; });
+      }));
+}
+
+}  // namespace
+
+const std::vector<FileKind>& file_kinds() {
+  static const std::vector<FileKind> kinds = {
+      {"scenario", "What `baraka run` runs: a world, a radio, agents and their controllers.",
+       kScenario, read_scenario, judge_scenario},
+      {"hardware", "A real robot or mote: what `baraka-agentd` drives.", kHardware, read_hardware,
+       judge_hardware},
+      {"robot",
+       "Body, wheels and sensors of a kind of robot, simulated or real; included by the "
+       "other two.",
+       kRobot, read_robot, judge<read_robot>},
+      {"mote", "Body of a kind of mote; included by scenarios.", kMote, read_mote,
+       judge<read_mote>},
+      {"radio", "A radio; included by scenarios.", kRadio, read_radio, judge<read_radio>}};
+  return kinds;
+}
+
+const hal::config::KeyTable& keys_of(const FileKind& kind) {
+  static std::map<std::string, hal::config::KeyTable> tables;
+  const auto [found, is_new] = tables.try_emplace(kind.name);
+  if (is_new) found->second = hal::config::survey(kind.read);
+  return found->second;
+}
+
+const FileKind& recognised(const std::string& path, const std::vector<std::string>& overrides) {
+  const std::vector<std::string> keys = Document::load(path, overrides).root().keys();
+  std::vector<const FileKind*> best;
+  std::size_t most = 0;
+  for (const FileKind& kind : file_kinds()) {
+    const std::size_t count = known(kind, keys);
+    if (count > most) best.clear();
+    if (count >= most) best.push_back(&kind);
+    most = std::max(most, count);
+  }
+  if (best.size() == 1) return *best.front();
+  std::vector<std::string> names;
+  names.reserve(best.size());
+  for (const FileKind* kind : best) names.push_back(kind->name);
+  throw hal::config::ConfigErrors(
+      {fmt::format("{}:1:1: may be a file of the kinds {}: it has {}; say which by --kind", path,
+                   fmt::join(names, ", "), most == 0 ? "no key of any" : "as many keys of each")});
+}
+
+}  // namespace gateway

@@ -1,0 +1,161 @@
+#include "gateway/run/controllers_of_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "gateway/exit_status.h"
+#include "gateway/find_program.h"
+#include "gateway/limits.h"
+#include "gateway/run/waiting_notice.h"
+#include "gateway/run/wall_pace.h"
+#include "gateway/teleop_port.h"
+#include "hal/runtime/controller_host.h"
+#include "hal/runtime/in_process_port.h"
+#include "hal/runtime/plugin.h"
+
+namespace gateway {
+namespace {
+
+using sim::scenario::ProcessPlan;
+using sim::scenario::Scenario;
+
+constexpr std::uint64_t kOnlyRun = 1;  // a server of `baraka run` serves one run
+
+const hal::exchange::AgentOffer& offer_of(const std::vector<hal::exchange::AgentOffer>& offers,
+                                          hal::AgentId agent) {
+  return *std::find_if(offers.begin(), offers.end(),
+                       [&](const auto& offer) { return offer.session.agent == agent; });
+}
+
+/// A host without the agents whose controllers are not looked for.
+class ServedAgents final : public hal::exchange::AgentHost {
+ public:
+  explicit ServedAgents(hal::exchange::AgentHost& host) : host_(host) {}
+
+  std::vector<hal::exchange::AgentOffer> offers() const override {
+    std::vector<hal::exchange::AgentOffer> offers = host_.offers();
+    std::erase_if(offers, [](const auto& offer) { return offer.program == kTeleop; });
+    return offers;
+  }
+  void connect(std::shared_ptr<hal::exchange::ControllerPort> port,
+               const std::vector<hal::AgentId>& agents, const hal::Wants& wants) override {
+    host_.connect(std::move(port), agents, wants);
+  }
+
+ private:
+  hal::exchange::AgentHost& host_;
+};
+
+template <class T>
+T value_or_throw(hal::Result<T> result) {
+  if (!result) throw std::runtime_error(result.error().message);
+  return std::move(*result);
+}
+
+}  // namespace
+
+ControllersOfRun::ControllersOfRun(const Scenario& scenario, sim::agents::Simulation& simulation,
+                                   const Settings& settings) {
+  std::vector<ProcessPlan> plans = sim::scenario::plan_processes(scenario);
+  std::erase_if(plans, [](const ProcessPlan& plan) { return plan.program == kTeleop; });
+  if (settings.from == ControllersFrom::kInProcess) {
+    connect_in_process(plans, simulation);
+  } else {
+    serve(plans, scenario, simulation, settings);
+  }
+}
+
+ControllersOfRun::~ControllersOfRun() = default;
+
+std::optional<int> ControllersOfRun::domain() const {
+  return server_ ? std::optional(server_->domain()) : std::nullopt;
+}
+
+void ControllersOfRun::connect_in_process(const std::vector<ProcessPlan>& plans,
+                                          sim::agents::Simulation& simulation) {
+  const auto offers = simulation.offers();
+  for (const ProcessPlan& plan : plans) {
+    const hal::ControllerKind& kind = *value_or_throw(
+        hal::runtime::load_plugin(plan.program, hal::runtime::controller_folders()));
+    hal::exchange::Session session;
+    session.server = "in process";
+    session.run = kOnlyRun;
+    for (const hal::AgentId agent : plan.agents) {
+      session.agents.push_back(
+          value_or_throw(hal::exchange::session_for(offer_of(offers, agent), kind.wants)));
+    }
+    auto host = value_or_throw(hal::runtime::ControllerHost::create(kind, session));
+    simulation.connect(std::make_shared<hal::runtime::InProcessPort>(plan.process, std::move(host)),
+                       plan.agents, kind.wants);
+  }
+}
+
+void ControllersOfRun::serve(const std::vector<ProcessPlan>& plans, const Scenario& scenario,
+                             sim::agents::Simulation& simulation, const Settings& settings) {
+  const bool external = settings.from == ControllersFrom::kExternal;
+  const std::optional<int> domain = settings.domain ? settings.domain
+                                    : external      ? std::optional(hal::dds::default_domain())
+                                                    : std::nullopt;
+  served_ = std::make_unique<ServedAgents>(simulation);
+  server_ = std::make_unique<AgentServer>(
+      hal::dds::take_domain(domain), *served_,
+      ServerSettings{kOnlyRun, scenario.wait, scenario.reply_timeout});
+  fmt::print(stderr, "domain: {}\n", server_->domain());
+  if (!external) spawn(plans, scenario, settings);
+  std::optional<WaitingNotice> notice;
+  if (external) notice.emplace(plans, simulation.offers(), server_->domain(), scenario.wait);
+  const auto keep_waiting = [&]() -> hal::Result<void> {
+    if (interrupted()) return hal::fail(hal::Errc::kNotConnected, "interrupted");
+    if (notice) notice->say(server_->missing());
+    return spawner_.check();
+  };
+  if (notice) notice->say(server_->missing());
+  if (const auto gathered = server_->gather(keep_waiting); !gathered) {
+    const std::string& why = gathered.error().message;
+    if (interrupted()) throw Interrupted(why + " while waiting for controllers");
+    throw std::runtime_error(why);
+  }
+  processes_ = server_->summary().processes.size();
+}
+
+void ControllersOfRun::spawn(const std::vector<ProcessPlan>& plans, const Scenario& scenario,
+                             const Settings& settings) {
+  make_room_for(plans.size());
+  for (const ProcessPlan& plan : plans) {
+    const auto program = find_program(plan.program, hal::runtime::controller_folders());
+    if (!program) {
+      throw std::runtime_error(fmt::format("{}: program: '{}' is not there to be started",
+                                           plan.program_place, plan.program));
+    }
+    Command command{.program = *program,
+                    .arguments = {"--name", plan.process, "--wait", "none"},  // it dies with us
+                    .domain = server_->domain(),
+                    .log = settings.logs / (plan.process + ".log")};
+    for (const hal::AgentId agent : plan.agents) {
+      const auto& agents = scenario.simulation.agents;
+      const auto config =
+          std::find_if(agents.begin(), agents.end(), [&](const auto& a) { return a.id == agent; });
+      command.arguments.insert(command.arguments.end(), {"--agents", config->name});
+    }
+    spawner_.start(command);
+  }
+}
+
+std::vector<std::string> ControllersOfRun::finish(bool stopped) {
+  using namespace std::chrono_literals;
+  std::vector<std::string> lines;
+  if (!server_) return lines;
+  lines = complaints(server_->summary());
+  if (stopped) spawner_.wait_all(2s);
+  for (const Ending& ending : spawner_.stop_all()) {
+    if (stopped && ending.status != 0) {
+      lines.push_back(fmt::format("{} (pid {}) {}", ending.name, ending.pid, ending.cause));
+    }
+  }
+  return lines;
+}
+
+}  // namespace gateway

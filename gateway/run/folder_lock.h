@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+
+namespace gateway {
+
+/// A folder that this process holds until destruction, or until it dies. The lock is a file beside
+/// the folder, so the folder may be renamed or not be there at all.
+class FolderLock {
+ public:
+  /// @pre the folder that it is in exists. @throws std::runtime_error  if another process holds it,
+  ///   naming that one, or the lock is no file of this user's, or cannot be written.
+  explicit FolderLock(const std::filesystem::path& folder);
+  ~FolderLock();
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+ private:
+  std::filesystem::path file_;
+  int descriptor_ = -1;
+};
+
+/// Whether some process holds the folder, which need not exist.
+bool is_held(const std::filesystem::path& folder);
+
+}  // namespace gateway

@@ -1,0 +1,156 @@
+#include "gateway/run/inspection_observer.h"
+
+#include <variant>
+
+#include "gateway/inspected_ranges.h"
+#include "gateway/inspected_readings.h"
+#include "hal/devices/channels.h"
+#include "hal/types/check.h"
+#include "sim/radio/frame.h"
+
+namespace gateway {
+namespace {
+
+using namespace std::chrono_literals;
+using hal::devices::RobotDescription;
+
+// Least simulated time between two samples.
+constexpr hal::Duration kClockPeriod = 10ms;
+constexpr hal::Duration kFramePeriod = 10ms;
+constexpr hal::Duration kLinkPeriod = 1s;          // of one link
+constexpr hal::Duration kStandingPosePeriod = 1s;  // of an agent that does not move
+
+hal::dds::InspectedRobot describe(const sim::agents::AgentConfig& agent,
+                                  const RobotDescription& robot) {
+  return {.name = agent.name,
+          .start = agent.pose,
+          .ranges = inspected_ranges(robot.infrared),
+          .channels = hal::devices::sensor_channels(robot)};
+}
+
+std::string_view name_of(sim::radio::FrameType type) {
+  constexpr std::string_view kNames[] = {"data", "rts", "cts", "ack"};
+  return kNames[static_cast<int>(type)];
+}
+
+}  // namespace
+
+InspectionObserver::InspectionObserver(const sim::agents::SimulationConfig& config)
+    : config_(config) {
+  for (const auto& agent : config.agents) agents_[agent.id].name = agent.name;
+}
+
+void InspectionObserver::start(hal::dds::InspectionParticipant& participant) {
+  std::vector<hal::dds::InspectedRobot> robots;
+  for (const sim::agents::AgentConfig& agent : config_.agents) {
+    const auto* robot = std::get_if<RobotDescription>(&agent.body);
+    if (robot == nullptr) continue;
+    agents_[agent.id].robot = robots.size();
+    robots.push_back(describe(agent, *robot));
+  }
+  inspector_ = std::make_unique<hal::dds::Inspector>(participant, robots);
+}
+
+std::string_view InspectionObserver::name(hal::AgentId agent) const {
+  if (agent == hal::kEveryone) return "everyone";
+  const auto found = agents_.find(agent);
+  return found == agents_.end() ? std::string_view() : found->second.name;
+}
+
+void InspectionObserver::show_clock(hal::Time at) {
+  if (!is_read(Topic::kClock) || at < clock_shown_ + kClockPeriod) return;
+  clock_shown_ = at;
+  inspector_->publish_clock(at);
+}
+
+void InspectionObserver::on_body(hal::Time at, hal::AgentId id,
+                                 const sim::agents::BodyState& body) {
+  show_clock(at);
+  if (!is_read(Topic::kTransforms)) return;
+  Agent& agent = agents_.at(id);
+  const hal::Pose2 pose{body.x, body.y, body.theta};
+  if (pose == agent.shown && at < agent.shown_at + kStandingPosePeriod) return;
+  agent.shown = pose;
+  agent.shown_at = at;
+  inspector_->publish_transform(at, agent.name, pose);
+}
+
+bool InspectionObserver::observes(hal::AgentId agent, const hal::Channel& channel) const {
+  const auto topic = topic_of(channel);
+  if (!topic || !is_read(*topic)) return false;
+  return topic != Topic::kChannels || inspector_->has_readers(agents_.at(agent).robot, channel.id);
+}
+
+void InspectionObserver::on_reading(hal::Time at, hal::AgentId agent, const hal::Channel& channel,
+                                    std::span<const double> values) {
+  publish_reading(*inspector_, at, agents_.at(agent).robot, channel, values);
+}
+
+void InspectionObserver::on_frame_start(hal::Time at, const sim::radio::Frame& frame) {
+  if (!is_read(Topic::kFrames)) return;
+  if (at < frame_shown_ + kFramePeriod) {
+    ++frames_skipped_;
+    return;
+  }
+  inspector_->publish_frame(at, {.transmitter = name(frame.transmitter),
+                                 .receiver = name(frame.receiver),
+                                 .type = name_of(frame.type),
+                                 .sequence = frame.sequence,
+                                 .retry = frame.retry,
+                                 .bits = frame.air_length,
+                                 .airtime = frame.airtime,
+                                 .skipped = frames_skipped_});
+  frame_shown_ = at;
+  frames_skipped_ = 0;
+}
+
+void InspectionObserver::on_reception(hal::Time at, const sim::radio::Frame& frame,
+                                      hal::AgentId receiver, hal::Verdict verdict,
+                                      double rssi_dbm) {
+  if (!is_read(Topic::kLinks)) return;
+  Heard& heard = links_[{receiver, frame.transmitter}];
+  ++(verdict == hal::Verdict::kDelivered ? heard.delivered : heard.lost);
+  if (at < heard.shown_at + kLinkPeriod) return;
+  inspector_->publish_link(at, {.receiver = name(receiver),
+                                .transmitter = name(frame.transmitter),
+                                .rssi_dbm = rssi_dbm,
+                                .delivered = heard.delivered,
+                                .lost = heard.lost});
+  heard = {.shown_at = at};
+}
+
+void InspectionObserver::on_fate(hal::Time at, hal::AgentId sender, hal::MessageId id,
+                                 hal::Fate fate) {
+  if (!is_read(Topic::kFates)) return;
+  inspector_->publish_fate(at, {.sender = name(sender),
+                                .id = id,
+                                .node = name(sender),
+                                .fate = fate,
+                                .verdict = std::nullopt});
+}
+
+void InspectionObserver::on_message_end(hal::Time at, hal::AgentId at_node, hal::AgentId sender,
+                                        hal::MessageId id, hal::Verdict verdict) {
+  if (!is_read(Topic::kFates)) return;
+  inspector_->publish_fate(at, {.sender = name(sender),
+                                .id = id,
+                                .node = name(at_node),
+                                .fate = std::nullopt,
+                                .verdict = verdict});
+}
+
+void InspectionObserver::on_route_change(hal::Time at, hal::AgentId agent,
+                                         const hal::RouteChange& change) {
+  if (!is_read(Topic::kRoutes)) return;
+  inspector_->publish_route(at, {.agent = name(agent),
+                                 .destination = name(change.route.destination),
+                                 .next_hop = name(change.route.next_hop),
+                                 .change = change});
+}
+
+void InspectionObserver::on_state(hal::Time at, hal::AgentId agent, std::string_view state) {
+  if (!is_read(Topic::kStates)) return;
+  inspector_->publish_state(at, name(agent), state);
+}
+
+}  // namespace gateway

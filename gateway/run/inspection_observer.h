@@ -1,0 +1,72 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hal/dds/inspector.h"
+#include "sim/agents/observer.h"
+#include "sim/agents/simulation_config.h"
+
+namespace gateway {
+
+/// Shows a run while it goes on, to whoever reads the topics of hal::dds::Inspector. It looks only:
+/// the run is the same with and without readers.
+///
+///   InspectionObserver inspection(config);
+///   Simulation simulation(config, {…, &inspection});
+///   inspection.start(participant);
+///   …run…
+class InspectionObserver final : public sim::agents::Observer {
+ public:
+  /// @param config  outlives this object.
+  explicit InspectionObserver(const sim::agents::SimulationConfig& config);
+
+  /// Before this nothing is shown. @param participant  outlives this object.
+  /// @throws std::runtime_error  if DDS makes no writer.
+  void start(hal::dds::InspectionParticipant& participant);
+
+  void on_body(hal::Time at, hal::AgentId agent, const sim::agents::BodyState& body) override;
+  bool observes(hal::AgentId agent, const hal::Channel& channel) const override;
+  void on_reading(hal::Time at, hal::AgentId agent, const hal::Channel& channel,
+                  std::span<const double> values) override;
+  void on_frame_start(hal::Time at, const sim::radio::Frame& frame) override;
+  void on_reception(hal::Time at, const sim::radio::Frame& frame, hal::AgentId receiver,
+                    hal::Verdict verdict, double rssi_dbm) override;
+  void on_fate(hal::Time at, hal::AgentId sender, hal::MessageId id, hal::Fate fate) override;
+  void on_message_end(hal::Time at, hal::AgentId at_node, hal::AgentId sender, hal::MessageId id,
+                      hal::Verdict verdict) override;
+  void on_route_change(hal::Time at, hal::AgentId agent, const hal::RouteChange& change) override;
+  void on_state(hal::Time at, hal::AgentId agent, std::string_view state) override;
+
+ private:
+  using Topic = hal::dds::Inspector::Topic;
+
+  struct Agent {
+    std::string name;
+    std::size_t robot = 0;       ///< Its index among the robots, if it is one.
+    hal::Pose2 shown;            ///< Last pose that was shown ...
+    hal::Time shown_at{kNever};  ///< ... and when.
+  };
+  struct Heard {
+    std::uint32_t delivered = 0, lost = 0;
+    hal::Time shown_at{kNever};
+  };
+  static constexpr hal::Duration kNever = -std::chrono::hours{1};
+
+  bool is_read(Topic topic) const { return inspector_ && inspector_->has_readers(topic); }
+  std::string_view name(hal::AgentId agent) const;
+  void show_clock(hal::Time at);
+
+  const sim::agents::SimulationConfig& config_;
+  std::map<hal::AgentId, Agent> agents_;
+  std::unique_ptr<hal::dds::Inspector> inspector_;  ///< Null until start().
+  hal::Time clock_shown_{kNever}, frame_shown_{kNever};
+  std::uint32_t frames_skipped_ = 0;
+  std::map<std::pair<hal::AgentId, hal::AgentId>, Heard> links_;  ///< By receiver, transmitter.
+};
+
+}  // namespace gateway

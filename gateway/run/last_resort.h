@@ -1,0 +1,42 @@
+#pragma once
+
+#include <condition_variable>
+#include <functional>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "hal/runtime/exit_watch.h"
+
+namespace gateway {
+
+/// Ends a run from outside its own thread, when that will not: a controller's callback or a process
+/// that does not return while the user wants to go, and a controller in this process that calls
+/// exit(). What there are of results is kept.
+class LastResort {
+ public:
+  /// Writes results and says how it ended. The run's thread is in a call that was seized.
+  /// @param what  happened, for people.  @param failed  else it is interrupted.
+  /// @return exit status.
+  using Conclude = std::function<int(const std::string& what, bool failed)>;
+
+  explicit LastResort(Conclude conclude);
+  ~LastResort();
+  LastResort(const LastResort&) = delete;
+  LastResort& operator=(const LastResort&) = delete;
+
+ private:
+  void watch();
+  void end_stuck_run();
+  int status_of_end(const std::string& what, bool failed);
+
+  Conclude conclude_;
+  std::mutex mutex_;
+  std::condition_variable over_changed_;
+  bool over_ = false;
+  std::optional<hal::runtime::ExitWatch> exit_watch_;
+  std::thread watcher_;
+};
+
+}  // namespace gateway

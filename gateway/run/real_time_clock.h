@@ -1,0 +1,30 @@
+#pragma once
+
+#include <chrono>
+#include <optional>
+#include <span>
+
+#include "gateway/run/wall_pace.h"
+#include "sim/agents/real_time.h"
+
+namespace gateway {
+
+/// Simulated time at a factor of the wall clock, from the first call of now() on. Shows progress
+/// and breaks off when interrupted, as the WallPace does that it is given.
+class RealTimeClock final : public sim::agents::FollowedClock {
+ public:
+  /// @param factor  simulated seconds per second, above 0.
+  RealTimeClock(double factor, WallPace& pace) : factor_(factor), pace_(pace) {}
+
+  hal::Time now() override;
+  bool wait(hal::Time until, std::span<const int> descriptors,
+            const sim::agents::Progress& progress) override;
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  double factor_;
+  WallPace& pace_;
+  std::optional<Clock::time_point> start_;
+};
+
+}  // namespace gateway

@@ -1,0 +1,178 @@
+#include "gateway/run/results.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <set>
+#include <stdexcept>
+
+#include "hal/types/log.h"
+#include "hal/types/printable.h"
+#include "sim/core/log_sink.h"
+#include "sim/record/schema.h"
+#include "sim/scenario/plan.h"
+#include "sim/scenario/resolved.h"
+
+namespace gateway {
+namespace {
+
+namespace fs = std::filesystem;
+
+using sim::agents::Outcome;
+using sim::scenario::Scenario;
+
+constexpr const char* kLog = "run.log";
+constexpr const char* kScenario = "scenario.resolved.yaml";
+/// Room on the disk that is given back when the run ends, so that it can say how even if the disk
+/// has filled up meanwhile: twice the hundred pages of 4 KiB that the write-ahead log grows to, and
+/// what a transaction adds.
+constexpr const char* kReserve = ".reserve";
+constexpr off_t kReservedBytes = off_t{1} << 20;
+
+/// Every file that a run may write into its folder.
+std::vector<std::string> files_of(const Scenario& scenario) {
+  std::set<std::string> files = {kLog, kScenario, kReserve};
+  for (const char* part : {"", "-wal", "-shm", "-journal"}) {
+    files.insert(std::string(sim::record::kResultsFile) + part);
+  }
+  for (const auto& plan : sim::scenario::plan_processes(scenario)) {
+    files.insert(plan.process + ".log");
+  }
+  return {files.begin(), files.end()};
+}
+
+void reserve_room(const fs::path& file) {
+  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644);
+  const int error = descriptor < 0 ? errno : ::posix_fallocate(descriptor, 0, kReservedBytes);
+  if (descriptor >= 0) ::close(descriptor);
+  if (error == 0) return;
+  throw std::runtime_error(fmt::format("{}: {}", file.string(), std::strerror(error)));
+}
+
+void write_file(const fs::path& file, const std::string& text) {
+  std::ofstream out(file);
+  out << text;
+  out.close();
+  if (!out) throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
+}
+
+std::vector<std::pair<std::string, std::string>> settings_of(const Scenario& scenario,
+                                                             const RunOptions& options) {
+  auto settings = sim::scenario::resolved_values(scenario);
+  settings.emplace_back("--pace", options.repeat.empty() ? options.pace : "repeated");
+  settings.emplace_back("--until", options.until ? fmt::format("{} s", *options.until) : "its end");
+  return settings;
+}
+
+/// To the log, and so to stderr.
+void warn_of_unheard_topics(sim::record::Recorder& recorder, hal::Time at) {
+  constexpr std::size_t kMostLines = 10;
+  const auto unheard = recorder.unheard_topics();
+  const std::size_t lines = std::min(kMostLines, unheard.size());
+  for (std::size_t i = 0; i < lines; ++i) {
+    hal::log::warning(at, "run", "{}", sim::record::to_line(unheard[i]));
+  }
+  if (lines < unheard.size()) {
+    hal::log::warning(at, "run", "{} more topics of which nothing arrived: see the table messages",
+                      unheard.size() - lines);
+  }
+}
+
+}  // namespace
+
+Results::Results(const Scenario& scenario, const RunOptions& options)
+    : scenario_(scenario),
+      pace_(options.repeat.empty() ? options.pace : "repeated"),
+      settings_(settings_of(scenario, options)),
+      folder_(results_path(options, scenario.name),
+              {.files = files_of(scenario), .overwrite = options.overwrite}),
+      fingerprint_([this](const sim::Fingerprint::Row& row) { recorder_->add(row); }) {
+  sim::log_to_file((folder_.path() / kLog).string(), *hal::log::level_called(options.log));
+  write_file(folder_.path() / kScenario, sim::scenario::resolved_yaml(scenario));
+  reserve_room(folder_.path() / kReserve);
+}
+
+void Results::record(const fs::path& folder) {
+  recorder_.emplace(folder / sim::record::kResultsFile, scenario_.simulation,
+                    sim::record::RecorderOptions{
+                        .pose_period = scenario_.record.pose_period,
+                        .all_frames = scenario_.record.frames == sim::scenario::FrameRecord::kAll});
+  recorder_->add_settings(settings_);
+  recorder_->set("run_id", folder_.run_id());
+  recorder_->set("scenario", scenario_.name);
+  recorder_->set("version", BARAKA_VERSION);
+  recorder_->set("pace", pace_);
+  recorder_->commit();
+}
+
+void Results::begin(sim::agents::Simulation& simulation) {
+  folder_.begin();
+  if (folder_.kept()) {
+    fmt::print(stderr, "the earlier result is kept: {}\n", folder_.kept()->string());
+  }
+  record(folder_.path());
+  simulation.add_observer(*recorder_);
+  simulation.add_observer(fingerprint_);
+}
+
+void Results::commit() {
+  recorder_->commit();
+  sim::flush_log();
+}
+
+void Results::say_not_started(const std::string& error) {
+  try {
+    fs::remove(folder_.path() / kReserve);
+    if (!recorder_) record(folder_.path());
+    Outcome outcome;
+    outcome.kind = Outcome::Kind::kFailed;
+    outcome.result = "not started";
+    outcome.error = error;
+    recorder_->give_up(outcome);
+    recorder_.reset();
+    fmt::print(stderr, "not started; what there is of it: {}\n", folder_.path().string());
+  } catch (const std::exception& e) {
+    fmt::print(stderr, "warning: {}\n", hal::printable(e.what()));
+  }
+  sim::flush_log();
+}
+
+ExitStatus Results::finish(const sim::agents::Simulation& simulation, Outcome& outcome,
+                           ExitStatus status, double wall_seconds) {
+  fs::remove(folder_.path() / kReserve);
+  try {
+    for (const auto& agent : scenario_.simulation.agents) {
+      recorder_->add_contacts(agent.id, simulation.contacts(agent.id));
+    }
+    fingerprint_.finish();
+    recorder_->set("wall_s", wall_seconds);
+    recorder_->set("exit_status", std::uint64_t{status});
+    recorder_->finish(outcome, fingerprint_.fingerprint());
+    warn_of_unheard_topics(*recorder_, outcome.ended_at);
+  } catch (const std::exception& e) {
+    outcome.kind = Outcome::Kind::kFailed;
+    outcome.result = "failed";
+    if (outcome.error.empty()) outcome.error = e.what();
+    status = kRunFailed;
+    give_up(outcome, status);
+  }
+  sim::flush_log();
+  return status;
+}
+
+void Results::give_up(const Outcome& outcome, ExitStatus status) {
+  try {
+    recorder_->give_up(outcome);
+    recorder_->set("exit_status", std::uint64_t{status});
+  } catch (const std::exception& e) {
+    hal::log::warning(outcome.ended_at, "record", "the result does not say how it ended: {}",
+                      e.what());
+  }
+}
+
+}  // namespace gateway

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "gateway/exit_status.h"
+#include "gateway/run/results_folder.h"
+#include "gateway/run/run_command.h"
+#include "sim/agents/fingerprint_feed.h"
+#include "sim/agents/simulation.h"
+#include "sim/record/recorder.h"
+#include "sim/scenario/scenario.h"
+
+namespace gateway {
+
+/// The results of one run: their folder, what is written there, and the observers that write it.
+class Results {
+ public:
+  /// From now on the log goes to the folder of what has not begun.
+  /// @throws as ResultsFolder.
+  Results(const sim::scenario::Scenario& scenario, const RunOptions& options);
+
+  /// The run begins: from now on it is recorded, and an earlier result is no longer in its place.
+  /// @throws std::runtime_error  the tables cannot be made, or as ResultsFolder::begin().
+  void begin(sim::agents::Simulation& simulation);
+
+  bool has_begun() const { return recorder_.has_value(); }
+
+  /// The run did not come to begin(): the folder says so. Never throws.
+  void say_not_started(const std::string& error);
+
+  /// Makes what there is so far readable for others.
+  void commit();
+
+  /// Writes how the run ended; if that cannot be written, it becomes a failed one, and as much of
+  /// that as can be. @return exit status.
+  ExitStatus finish(const sim::agents::Simulation& simulation, sim::agents::Outcome& outcome,
+                    ExitStatus status, double wall_seconds);
+
+  const ResultsFolder& folder() const { return folder_; }
+  sim::agents::FingerprintFeed& fingerprint() { return fingerprint_; }
+
+ private:
+  void record(const std::filesystem::path& folder);
+  void give_up(const sim::agents::Outcome& outcome, ExitStatus status);
+
+  const sim::scenario::Scenario& scenario_;
+  std::string pace_;
+  std::vector<std::pair<std::string, std::string>> settings_;
+  ResultsFolder folder_;
+  std::optional<sim::record::Recorder> recorder_;
+  sim::agents::FingerprintFeed fingerprint_;
+};
+
+}  // namespace gateway

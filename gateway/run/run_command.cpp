@@ -1,0 +1,201 @@
+#include "gateway/run/run_command.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <exception>
+#include <filesystem>
+
+#include "gateway/exit_status.h"
+#include "gateway/run/course.h"
+#include "gateway/run/domain_range.h"
+#include "gateway/run/judge_controllers.h"
+#include "gateway/run/last_resort.h"
+#include "gateway/run/results.h"
+#include "gateway/run/run_inspection.h"
+#include "gateway/run/wall_pace.h"
+#include "hal/types/printable.h"
+#include "sim/agents/simulation.h"
+#include "sim/scenario/judge.h"
+#include "sim/scenario/scenario.h"
+
+namespace gateway {
+namespace {
+
+using sim::agents::Outcome;
+using sim::agents::Simulation;
+using sim::scenario::Scenario;
+
+std::vector<std::string> unmet(const sim::scenario::Judge& judge, const Outcome& outcome,
+                               const Simulation& simulation) {
+  if (outcome.kind != Outcome::Kind::kEnded) return {};
+  return judge.unmet(outcome.result, [&](hal::AgentId agent) {
+    const sim::agents::BodyState body = simulation.body(agent);
+    return hal::Vec2{body.x, body.y};
+  });
+}
+
+void print_outcome(const Outcome& outcome, Results& results, double wall_seconds) {
+  const double simulated = hal::to_seconds(outcome.ended_at);
+  fmt::print("result: {}\nfingerprint: {}\n", outcome.result,
+             sim::to_hex(results.fingerprint().fingerprint().total()));
+  fmt::print("simulated_s: {:.9f}\nwall_s: {:.3f}\n", simulated, wall_seconds);
+  fmt::print("real_time_factor: {:.1f}\n", wall_seconds > 0 ? simulated / wall_seconds : 0.0);
+  fmt::print("events: {}\nexchanges: {}\n", outcome.events, outcome.exchanges);
+  fmt::print("results: {}\n", results.folder().path().string());
+}
+
+void print_real_time(const sim::agents::RealTimeSummary& summary) {
+  fmt::print("overruns: {}\nmissed_cycles: {}\n", summary.overruns, summary.missed_cycles);
+  fmt::print("command_timeouts: {}\nlost_events: {}\n", summary.command_timeouts,
+             summary.lost_events);
+  fmt::print("control_jitter_median_s: {:.6f}\n", hal::to_seconds(summary.jitter_median));
+  fmt::print("control_jitter_p99_s: {:.6f}\n", hal::to_seconds(summary.jitter_p99));
+  fmt::print("control_jitter_max_s: {:.6f}\n", hal::to_seconds(summary.jitter_max));
+  for (const std::string& line : summary.overflow) {
+    fmt::print(stderr, "warning: overflow, lost for the controller of {}\n", line);
+  }
+}
+
+/// What went wrong without ending the run, for people.
+void print_complaints(const Outcome& outcome, const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) {
+    fmt::print(stderr, "warning: {}\n", hal::printable(line));
+  }
+  if (outcome.refused_actions > 0) {
+    fmt::print(stderr, "warning: {} actions refused; run.log names them\n",
+               outcome.refused_actions);
+  }
+  for (const std::string& line : outcome.bodies_lost) fmt::print(stderr, "warning: {}\n", line);
+  if (outcome.ode_messages > 0) {
+    fmt::print(stderr, "warning: the physics engine complained {} times\n", outcome.ode_messages);
+  }
+  if (!outcome.error.empty()) {
+    fmt::print(stderr, "error: {}\n", hal::printable_lines(outcome.error));
+  }
+}
+
+ExitStatus exit_status(const Outcome& outcome, const std::vector<std::string>& unmet_expectations) {
+  switch (outcome.kind) {
+    case Outcome::Kind::kFailed:
+      return kRunFailed;
+    case Outcome::Kind::kInterrupted:
+      return kInterrupted;
+    case Outcome::Kind::kUntil:
+    case Outcome::Kind::kEnded:
+      break;
+  }
+  return unmet_expectations.empty() ? kDone : kExpectationNotMet;
+}
+
+/// @throws UsageError  the run that is repeated is in the folder that its result is for.
+void check_repeat(const RunOptions& options, const std::string& scenario) {
+  if (options.repeat.empty()) return;
+  std::error_code not_there;
+  if (!std::filesystem::equivalent(options.repeat, results_path(options, scenario), not_there)) {
+    return;
+  }
+  throw UsageError(
+      fmt::format("--repeat: {} would be overwritten; give another --out", options.repeat));
+}
+
+/// None: the first free one. @throws UsageError
+std::optional<int> domain_of(const RunOptions& options) {
+  const std::vector<int> domains = domains_for(options.domain, 1);
+  if (domains.size() > 1) {
+    throw UsageError("--domain: a range is for --replications with --jobs; this run takes one");
+  }
+  return domains.empty() ? std::nullopt : std::optional(domains.front());
+}
+
+/// To its end, which is a failure if it was broken off by an exception: a full disk, mostly.
+Outcome play(const Course& course, Simulation& simulation, WallPace& pace) {
+  try {
+    return course.play(simulation, pace);
+  } catch (const std::exception& e) {
+    return simulation.broken_off_by(e.what());
+  }
+}
+
+/// A run that is over.
+struct Ending {
+  Outcome outcome;
+  std::vector<std::string> complaints;  ///< Of its controllers.
+  double wall_seconds = 0;
+};
+
+/// Writes and prints how the run ended.
+ExitStatus conclude(Results& results, const sim::scenario::Judge& judge,
+                    const Simulation& simulation, Ending&& ending) {
+  auto& [outcome, complaints, wall_seconds] = ending;
+  const auto expectations = unmet(judge, outcome, simulation);
+  const ExitStatus status =
+      results.finish(simulation, outcome, exit_status(outcome, expectations), wall_seconds);
+
+  print_complaints(outcome, complaints);
+  for (const std::string& line : expectations) fmt::print(stderr, "not met: {}\n", line);
+  if (outcome.real_time) print_real_time(*outcome.real_time);
+  print_outcome(outcome, results, wall_seconds);
+  return status;
+}
+
+int run(const RunOptions& options, const Scenario& scenario, const Course& course,
+        RunInspection& inspection, Results& results) {
+  const std::optional<int> domain = domain_of(options);
+  sim::scenario::Judge judge(scenario);
+  Simulation simulation(scenario.simulation, {&judge, &inspection.observer()});
+  std::optional<WallPace> pace;
+  const LastResort last_resort([&](const std::string& what, bool failed) -> int {
+    if (!results.has_begun()) {
+      results.say_not_started(what);
+      fmt::print(stderr, "error: {}\n", hal::printable(what));
+      return failed ? kRunFailed : kInterrupted;
+    }
+    pace->end();
+    return conclude(
+        results, judge, simulation,
+        {simulation.broken_off_by(failed ? what : ""),
+         failed ? std::vector<std::string>{} : std::vector{what}, pace->wall_seconds()});
+  });
+  ControllersOfRun controllers(
+      scenario, simulation,
+      {.from = options.controllers, .domain = domain, .logs = results.folder().path()});
+  inspection.start(controllers.domain() ? controllers.domain() : domain, simulation);
+  pace.emplace(WallPace::Settings{.max_speed = options.max_speed,
+                                  .terminal = ::isatty(STDERR_FILENO) != 0,
+                                  .processes = controllers.processes(),
+                                  .once_a_second = [&results] { results.commit(); }});
+  results.begin(simulation);
+
+  const Outcome outcome = play(course, simulation, *pace);
+  pace->end();
+  const auto complaints = controllers.finish(outcome.kind != Outcome::Kind::kFailed);
+  return conclude(results, judge, simulation, {outcome, complaints, pace->wall_seconds()});
+}
+
+}  // namespace
+
+std::filesystem::path results_path(const RunOptions& options, const std::string& scenario) {
+  if (!options.out.empty()) return options.out;
+  return std::filesystem::path("results") / scenario;
+}
+
+int run(const RunOptions& options) {
+  const Scenario scenario = load_judged(options.scenario, options.overrides);
+  catch_interrupts();
+  const Course course(options, scenario);
+  (void)domain_of(options);  // before anything is written
+  RunInspection inspection(scenario, {.shown = options.inspect,
+                                      .domain = options.inspect_domain,
+                                      .repeated = !options.repeat.empty()});
+  check_repeat(options, scenario.name);
+  Results results(scenario, options);
+  try {
+    return run(options, scenario, course, inspection, results);
+  } catch (const std::exception& e) {
+    results.say_not_started(e.what());
+    throw;
+  }
+}
+
+}  // namespace gateway

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gateway/run/controllers_of_run.h"
+
+namespace gateway {
+
+/// What the command line of `baraka run` says.
+struct RunOptions {
+  std::string scenario;
+  std::vector<std::string> overrides;  ///< --set, and --seed as one.
+  std::optional<double> until;         ///< s
+  ControllersFrom controllers = ControllersFrom::kSpawn;
+  double max_speed = std::numeric_limits<double>::infinity();
+  std::string pace = "lockstep";  ///< Or "realtime", "realtime:<factor>".
+  std::string repeat;             ///< Folder of a run that is to be repeated from its record.
+  std::string domain;             ///< "7"; "7-9" for runs side by side; empty: the first free one.
+  bool inspect = true;
+  std::optional<int> inspect_domain;  ///< None: the run's.
+  std::string out;                    ///< Empty: results/<scenario name>.
+  bool overwrite = false;             ///< An earlier result there is removed, not kept.
+  std::optional<int> replications;
+  int jobs = 1;              ///< Replications at a time.
+  std::string log = "info";  ///< The least that run.log tells of.
+};
+
+/// Where the results go. @param scenario  its name.
+std::filesystem::path results_path(const RunOptions& options, const std::string& scenario);
+
+/// Runs a scenario and prints how it ended, as "key: value" lines on standard output.
+/// @return exit status. @throws hal::config::ConfigErrors, std::runtime_error
+int run(const RunOptions& options);
+
+}  // namespace gateway

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "gateway/run/inspection_observer.h"
+#include "hal/dds/inspection_participant.h"
+#include "sim/agents/simulation.h"
+#include "sim/scenario/scenario.h"
+
+namespace gateway {
+
+/// What a run shows to standard tools, and what it hears from them: inspection and teleoperation.
+class RunInspection {
+ public:
+  struct Settings {
+    bool shown = true;          ///< Else only teleoperation.
+    std::optional<int> domain;  ///< DDS domain; none: the run's.
+    bool repeated = false;      ///< Velocities come from the record, not from DDS.
+  };
+
+  /// @param scenario  outlives this object.
+  RunInspection(const sim::scenario::Scenario& scenario, const Settings& settings);
+
+  /// Sees the run; to be handed to the simulation.
+  sim::agents::Observer& observer() { return observer_; }
+
+  /// Joins the domain and says so on standard error; connects the agents whose controller is
+  /// kTeleop. Without a domain, as in a run with its controllers in this process, nothing is shown;
+  /// neither, with a warning, if DDS cannot be opened and nobody asked for it.
+  /// @param domain_of_run  if it has one.
+  /// @throws std::runtime_error  if DDS cannot be opened and Settings::domain or an agent to
+  ///   teleoperate asks for it; agents to teleoperate and no domain, but in a repetition.
+  void start(std::optional<int> domain_of_run, sim::agents::Simulation& simulation);
+
+ private:
+  void open(int domain);
+  void connect_teleop(sim::agents::Simulation& simulation);
+
+  const sim::scenario::Scenario& scenario_;
+  Settings settings_;
+  std::unique_ptr<hal::dds::InspectionParticipant> participant_;
+  InspectionObserver observer_;
+};
+
+}  // namespace gateway

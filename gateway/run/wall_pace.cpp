@@ -1,0 +1,85 @@
+#include "gateway/run/wall_pace.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <thread>
+#include <utility>
+
+namespace gateway {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto kShowOnTerminal = 500ms;
+constexpr auto kShowAsLines = 10s;
+constexpr int kInterruptedStatus = 130;
+
+volatile std::sig_atomic_t interrupts = 0;
+
+void on_signal(int) {
+  if (interrupts != 0) ::_exit(kInterruptedStatus);
+  interrupts = 1;
+}
+
+}  // namespace
+
+void catch_interrupts() {
+  struct sigaction action {};
+  action.sa_handler = on_signal;
+  ::sigaction(SIGINT, &action, nullptr);
+  ::sigaction(SIGTERM, &action, nullptr);
+}
+
+bool interrupted() { return interrupts != 0; }
+
+void WallPace::end() {
+  last_ = Clock::now();
+  if (std::exchange(line_open_, false)) fmt::print(stderr, "\n");
+}
+
+WallPace::Verdict WallPace::may_go_on(hal::Time next, const sim::agents::Progress& progress) {
+  last_ = Clock::now();
+  if (!started_) {
+    start_ = shown_ = saved_ = last_;
+    started_ = true;
+  }
+  const bool waited = throttle(next);
+  if (last_ - shown_ >=
+      (settings_.terminal ? Clock::duration(kShowOnTerminal) : Clock::duration(kShowAsLines))) {
+    show(progress);
+  }
+  if (last_ - saved_ >= 1s) {
+    settings_.once_a_second();
+    saved_ = last_;
+  }
+  if (interrupted()) return Verdict::kBreakOff;
+  return waited ? Verdict::kAskAgain : Verdict::kGoOn;
+}
+
+bool WallPace::throttle(hal::Time next) {
+  constexpr std::chrono::duration<double> kWorthSleeping = 1ms, kSlice = 50ms;
+  const std::chrono::duration<double> due{hal::to_seconds(next) / settings_.max_speed};
+  const std::chrono::duration<double> left = due - (last_ - start_);
+  if (left < kWorthSleeping) return false;
+  std::this_thread::sleep_for(std::min(left, kSlice));
+  last_ = Clock::now();
+  return true;
+}
+
+void WallPace::show(const sim::agents::Progress& progress) {
+  const double wall = std::chrono::duration<double>(last_ - shown_).count();
+  const double factor = hal::to_seconds(progress.now - shown_time_) / wall;
+  const std::string line = fmt::format(
+      "{:9.1f} s simulated, {:.4g} x real time, {} events, {} exchanges, {} controller process{}",
+      hal::to_seconds(progress.now), factor, progress.events, progress.exchanges,
+      settings_.processes, settings_.processes == 1 ? "" : "es");
+  fmt::print(stderr, fmt::runtime(settings_.terminal ? "\r{}\033[K" : "{}\n"), line);
+  std::fflush(stderr);
+  line_open_ = settings_.terminal;
+  shown_ = last_;
+  shown_time_ = progress.now;
+}
+
+}  // namespace gateway

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <chrono>
+#include <csignal>
+#include <functional>
+#include <limits>
+#include <utility>
+
+#include "sim/agents/simulation.h"
+
+namespace gateway {
+
+/// Runs a simulation no faster than a factor times the wall clock, shows progress on standard
+/// error, and breaks off when interrupted.
+class WallPace final : public sim::agents::Pace {
+ public:
+  struct Settings {
+    double max_speed = std::numeric_limits<double>::infinity();  ///< Simulated per wall second.
+    bool terminal = false;      ///< Progress in place, twice a second; else a line every 10 s.
+    std::size_t processes = 0;  ///< Of controllers, to show.
+    std::function<void()> once_a_second;  ///< Of wall time, e.g. to save what there is.
+  };
+
+  explicit WallPace(Settings settings) : settings_(std::move(settings)) {}
+
+  Verdict may_go_on(hal::Time next, const sim::agents::Progress& progress) override;
+
+  /// Leaves the line of the progress.
+  void end();
+
+  /// Wall seconds from the first call to the last.
+  double wall_seconds() const { return std::chrono::duration<double>(last_ - start_).count(); }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+
+  bool throttle(hal::Time next);
+  void show(const sim::agents::Progress& progress);
+
+  Settings settings_;
+  Clock::time_point start_{}, last_{}, shown_{}, saved_{};
+  hal::Time shown_time_{};
+  bool started_ = false, line_open_ = false;
+};
+
+/// From now on SIGINT and SIGTERM only set a flag, once; the next one ends the process.
+void catch_interrupts();
+bool interrupted();
+
+}  // namespace gateway

@@ -1,0 +1,98 @@
+#include "sim/core/outside_input.h"
+
+#include <fmt/format.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+#include "hal/types/check.h"
+#include "hal/types/log.h"
+
+namespace sim {
+
+OutsideInput::OutsideInput() : descriptor_(::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {
+  if (descriptor_ >= 0) return;
+  throw std::runtime_error(fmt::format("input from outside: {}", std::strerror(errno)));
+}
+
+OutsideInput::~OutsideInput() { ::close(descriptor_); }
+
+void OutsideInput::open(const std::string& door, Receiver receiver) {
+  const std::lock_guard lock(mutex_);  // Others that are open may already get something.
+  BARAKA_CHECK(doors_.emplace(door, std::move(receiver)).second);
+}
+
+void OutsideInput::put(std::string_view door, std::vector<std::uint8_t> bytes) {
+  if (is_replayed_) return;
+  {
+    const std::lock_guard lock(mutex_);
+    BARAKA_CHECK(doors_.contains(door));
+    if (waiting_.size() == kMostWaiting) {
+      waiting_.pop_front();
+      ++dropped_;
+    }
+    waiting_.push_back({.door = std::string(door), .bytes = std::move(bytes)});
+    has_waiting_ = true;
+  }
+  ::eventfd_write(descriptor_, 1);
+}
+
+std::deque<OutsideArrival> OutsideInput::due(hal::Time now) {
+  const std::lock_guard lock(mutex_);
+  std::deque<OutsideArrival> arrivals;
+  if (!is_replayed_) {
+    eventfd_t count = 0;
+    ::eventfd_read(descriptor_, &count);
+    std::swap(arrivals, waiting_);
+    has_waiting_ = false;
+    for (OutsideArrival& arrival : arrivals) arrival.at = now;
+    return arrivals;
+  }
+  const auto later = std::ranges::find_if(waiting_, [&](const auto& a) { return a.at > now; });
+  std::move(waiting_.begin(), later, std::back_inserter(arrivals));
+  waiting_.erase(waiting_.begin(), later);
+  has_waiting_ = !waiting_.empty();
+  return arrivals;
+}
+
+bool OutsideInput::take(hal::Time now, const std::function<void(const OutsideArrival&)>& seen) {
+  if (!has_waiting_) return false;
+  const std::deque<OutsideArrival> arrivals = due(now);
+  if (const std::uint64_t dropped = dropped_; dropped != told_) {
+    hal::log::warning(now, "run", "{} more from outside than {} that may wait: the oldest went",
+                      dropped - told_, kMostWaiting);
+    told_ = dropped;
+  }
+  for (const OutsideArrival& arrival : arrivals) {
+    seen(arrival);
+    doors_.find(arrival.door)->second(arrival.bytes);
+  }
+  return !arrivals.empty();
+}
+
+void OutsideInput::replay(std::vector<OutsideArrival> arrivals) {
+  for (const OutsideArrival& arrival : arrivals) {
+    if (doors_.contains(arrival.door)) continue;
+    throw std::runtime_error(fmt::format(
+        "the record has something from outside for '{}', which this run does not listen to",
+        arrival.door));
+  }
+  is_replayed_ = true;
+  const std::lock_guard lock(mutex_);
+  waiting_.assign(std::make_move_iterator(arrivals.begin()),
+                  std::make_move_iterator(arrivals.end()));
+  has_waiting_ = !waiting_.empty();
+}
+
+std::optional<hal::Time> OutsideInput::next_replayed() const {
+  if (!is_replayed_ || waiting_.empty()) return std::nullopt;
+  return waiting_.front().at;
+}
+
+}  // namespace sim

@@ -1,0 +1,87 @@
+#include "sim/report/group.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "hal/types/math.h"
+#include "sim/report/paper.h"
+
+namespace sim::report {
+namespace {
+
+Drive drive_of(const RunResult& run, const RunResult::Agent& robot, const RunResult::Body& body) {
+  Drive drive{.robot = robot.name,
+              .path = body.path,
+              .straight = hal::math::hypot(body.x - robot.x, body.y - robot.y),
+              .clearance = body.clearance,
+              .wall_steps = body.wall_steps,
+              .object_steps = body.object_steps};
+  for (const RunResult::Agent& agent : run.agents) {
+    if (agent.agent != run.goal || agent.agent == robot.agent) continue;
+    drive.straight = hal::math::hypot(agent.x - robot.x, agent.y - robot.y);
+  }
+  return drive;
+}
+
+}  // namespace
+
+std::vector<Drive> drives(const RunResult& run) {
+  std::vector<Drive> drives;
+  for (const RunResult::Agent& agent : run.agents) {
+    const auto body = run.bodies.find(agent.agent);
+    if (agent.is_robot && body != run.bodies.end()) {
+      drives.push_back(drive_of(run, agent, body->second));
+    }
+  }
+  return drives;
+}
+
+std::vector<double> Group::discoveries() const {
+  std::vector<double> pooled;
+  for (const RunResult* run : runs) {
+    for (const std::int64_t ns : run->discoveries_ns) {
+      pooled.push_back(static_cast<double>(ns) * 1e-9);
+    }
+  }
+  return pooled;
+}
+
+std::vector<double> Group::delays() const {
+  std::vector<double> pooled;
+  for (const RunResult* run : runs) {
+    for (const RunResult::Delivery& delivery : run->deliveries) pooled.push_back(delivery.delay);
+  }
+  return pooled;
+}
+
+std::vector<Drive> Group::all_drives() const {
+  std::vector<Drive> all;
+  for (const RunResult* run : runs) {
+    const std::vector<Drive> some = drives(*run);
+    all.insert(all.end(), some.begin(), some.end());
+  }
+  return all;
+}
+
+std::map<int, std::uint64_t> Group::packets() const {
+  std::map<int, std::uint64_t> sums;
+  for (const RunResult* run : runs) {
+    for (const RunResult::Agent& agent : run->agents) sums[agent.agent] += 0;
+    for (const auto& [agent, count] : run->packets) sums[agent] += count;
+  }
+  return sums;
+}
+
+std::optional<double> replica_score(const std::optional<Quantiles>& discovery,
+                                    const std::optional<Quantiles>& delay) {
+  if (!discovery || !delay) return std::nullopt;
+  const auto misfit = [](const Quantiles& ours, const Quantiles& theirs) {
+    return std::abs(hal::math::log(ours.q1 / theirs.q1)) +
+           std::abs(hal::math::log(ours.median / theirs.median)) +
+           std::abs(hal::math::log(ours.q3 / theirs.q3));
+  };
+  const double sum = misfit(*discovery, paper::kDiscovery) + misfit(*delay, paper::kDelay);
+  return std::isfinite(sum) ? std::optional(sum / 6) : std::nullopt;
+}
+
+}  // namespace sim::report

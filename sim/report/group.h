@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/report/quantiles.h"
+#include "sim/report/run_result.h"
+
+namespace sim::report {
+
+/// How one robot drove in one run.
+struct Drive {
+  std::string robot;
+  double path = 0;      ///< m
+  double straight = 0;  ///< m from its start to the goal, or to where it ended if there is none.
+  std::optional<double> clearance;  ///< m, least distance of its centre to a wall's surface.
+  std::optional<std::uint64_t> wall_steps, object_steps;
+  double ratio() const { return straight > 0 ? path / straight : 0; }
+};
+std::vector<Drive> drives(const RunResult& run);
+
+/// Keys of the table settings and their values.
+using Settings = std::map<std::string, std::string>;
+
+/// The runs of one scenario with the same settings but for the seed.
+struct Group {
+  /// The profile, with the scenario if there are several; where that is the same for several
+  /// groups, with the setting in which they differ, or with a number if they differ in more.
+  std::string name;
+  Settings settings;                   ///< Of each run, the seed left out, with the version.
+  std::vector<const RunResult*> runs;  ///< Complete ones.
+  std::size_t left_out = 0;            ///< Runs that were broken off, failed or did not start.
+  /// Why the paper's figures are not to be compared with these; empty: they are.
+  std::string not_the_papers;
+
+  std::vector<double> discoveries() const;  ///< s, pooled.
+  std::vector<double> delays() const;       ///< s, pooled.
+  std::vector<Drive> all_drives() const;
+  std::map<int, std::uint64_t> packets() const;  ///< By agent, summed.
+};
+
+/// In order of first appearance.
+/// @param case_study  settings of the paper's case study; none: not known.
+std::vector<Group> group_runs(const std::vector<RunResult>& runs,
+                              const std::optional<Settings>& case_study);
+
+/// A setting that is not the same in all groups, and what it is in each; "-": not set there.
+struct Difference {
+  std::string key;
+  std::vector<std::string> values;
+};
+std::vector<Difference> differences(const std::vector<Group>& groups);
+
+/// Whether any of them is of the paper's case study.
+bool has_the_papers(const std::vector<Group>& groups);
+
+/// Mean of |ln(ours / paper's)| over the quartiles of discovery and delay: 0 is equal. None if a
+/// figure is missing.
+std::optional<double> replica_score(const std::optional<Quantiles>& discovery,
+                                    const std::optional<Quantiles>& delay);
+
+}  // namespace sim::report

@@ -1,0 +1,187 @@
+#include "sim/report/report_page.h"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "sim/report/log_histogram.h"
+#include "sim/report/paper.h"
+#include "sim/report/report_sections.h"
+
+namespace sim::report {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// Time between the marks along a trajectory, s: as in Fig. 11 of the paper.
+constexpr double kTickPeriod = 30;
+
+Json to_json(const std::optional<Quantiles>& q) {
+  if (!q) return nullptr;
+  return {{"min", q->min}, {"q1", q->q1}, {"median", q->median}, {"q3", q->q3}, {"max", q->max}};
+}
+
+Json to_json(const RunResult::Place& place) { return {place.at, place.x, place.y}; }
+
+/// Where the robot was every 30 s until the run ended. Rows of a track are written only when the
+/// robot has moved, so the latest one before counts.
+Json ticks_of(const std::vector<RunResult::Place>& track, double end) {
+  Json ticks = Json::array();
+  std::size_t row = 0;
+  for (int i = 0; i * kTickPeriod <= end && !track.empty(); ++i) {
+    const double at = i * kTickPeriod;
+    while (row + 1 < track.size() && track[row + 1].at <= at) ++row;
+    ticks.push_back(to_json({.at = at, .x = track[row].x, .y = track[row].y}));
+  }
+  return ticks;
+}
+
+Json to_json(const RunResult& run) {
+  Json json = {{"folder", run.folder},
+               {"seed", run.value("seed")},
+               {"result", run.value("result")},
+               {"simulated_s", run.number("simulated_s")},
+               {"robots", Json::array()}};
+  for (const RunResult::Agent& agent : run.agents) {
+    const auto track = run.tracks.find(agent.agent);
+    if (track == run.tracks.end()) continue;
+    Json places = Json::array();
+    for (const RunResult::Place& place : track->second) places.push_back(to_json(place));
+    json["robots"].push_back({{"name", agent.name},
+                              {"track", std::move(places)},
+                              {"ticks", ticks_of(track->second, run.number("simulated_s"))}});
+  }
+  return json;
+}
+
+/// @param times_ns  of each run.
+Json times_json(const std::vector<std::vector<std::int64_t>>& times_ns) {
+  std::vector<double> pooled;
+  for (const auto& run : times_ns) {
+    for (const std::int64_t ns : run) pooled.push_back(static_cast<double>(ns) * 1e-9);
+  }
+  const LogHistogram histogram = log_histogram(pooled);
+  return {{"quantiles", to_json(quantiles(pooled))},
+          {"bins", histogram.bins},
+          {"zeros", histogram.zeros},
+          {"below", histogram.below},
+          {"above", histogram.above},
+          {"runs_ns", times_ns}};
+}
+
+Json discovery_json(const Group& group) {
+  std::vector<std::vector<std::int64_t>> times;
+  for (const RunResult* run : group.runs) times.push_back(run->discoveries_ns);
+  return times_json(times);
+}
+
+Json delay_json(const Group& group) {
+  std::vector<std::vector<std::int64_t>> times;
+  for (const RunResult* run : group.runs) {
+    auto& delays = times.emplace_back();
+    for (const RunResult::Delivery& delivery : run->deliveries) delays.push_back(delivery.delay_ns);
+  }
+  return times_json(times);
+}
+
+Json nodes_json(const Group& group) {
+  const RunResult& first = *group.runs.front();
+  const auto packets = group.packets();
+  Json nodes = Json::array();
+  for (const RunResult::Agent& agent : first.agents) {
+    nodes.push_back({{"name", agent.name},
+                     {"robot", agent.is_robot},
+                     {"goal", first.goal == agent.agent},
+                     {"x", agent.x},
+                     {"y", agent.y},
+                     {"packets", packets.at(agent.agent)}});
+  }
+  return nodes;
+}
+
+/// Pairs of places in the list of nodes.
+Json links_json(const RunResult& run) {
+  std::map<int, std::size_t> place;
+  for (std::size_t i = 0; i < run.agents.size(); ++i) place[run.agents[i].agent] = i;
+  Json links = Json::array();
+  for (const auto& [a, b] : run.links) links.push_back({place.at(a), place.at(b)});
+  return links;
+}
+
+Json walls_json(const RunResult& run) {
+  Json walls = Json::array();
+  for (const RunResult::Wall& wall : run.walls) {
+    walls.push_back({{"name", wall.name},
+                     {"x", wall.x},
+                     {"y", wall.y},
+                     {"yaw", wall.yaw},
+                     {"length_x", wall.length_x},
+                     {"length_y", wall.length_y}});
+  }
+  return walls;
+}
+
+Json to_json(const Group& group) {
+  Json json = {{"name", group.name},
+               {"not_the_papers", group.not_the_papers},
+               {"left_out", group.left_out},
+               {"runs", Json::array()}};
+  if (group.runs.empty()) return json;
+  for (const RunResult* run : group.runs) json["runs"].push_back(to_json(*run));
+  json["scenario"] = group.runs.front()->value("scenario");
+  json["nodes"] = nodes_json(group);
+  json["links"] = links_json(*group.runs.front());
+  json["walls"] = walls_json(*group.runs.front());
+  json["discovery"] = discovery_json(group);
+  json["delay"] = delay_json(group);
+  return json;
+}
+
+Json paper_json() {
+  return {{"discovery", to_json(std::optional(paper::kDiscovery))},
+          {"delay", to_json(std::optional(paper::kDelay))},
+          {"most_packets", paper::kMostPackets},
+          {"least_packets", paper::kLeastPackets},
+          {"runs", paper::kRuns}};
+}
+
+}  // namespace
+
+std::string report_json(const std::vector<Group>& groups) {
+  Json json = {
+      {"paper", has_the_papers(groups) ? paper_json() : Json(nullptr)},
+      {"differences", Json::array()},
+      {"comparison", Json::array()},
+      {"histogram", {{"low_s", LogHistogram::kLow}, {"high_s", LogHistogram::kHigh}}},
+      {"groups", Json::array()},
+  };
+  for (const ComparisonRow& row : comparison_rows(groups)) {
+    json["comparison"].push_back(
+        {{"figure", row.figure}, {"paper", row.paper}, {"ours", row.ours}});
+  }
+  for (const Difference& difference : differences(groups)) {
+    json["differences"].push_back({{"key", difference.key}, {"values", difference.values}});
+  }
+  for (const Group& group : groups) json["groups"].push_back(to_json(group));
+  // Folders may be named in any encoding.
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
+std::string report_page(const std::vector<std::filesystem::path>& folders,
+                        const std::optional<Settings>& case_study, std::string page) {
+  constexpr std::string_view kPlace = "\"BARAKA FIGURES\"";
+  const std::size_t place = page.find(kPlace);
+  if (place == std::string::npos) throw std::runtime_error("the page has no place for figures");
+  std::vector<RunResult> runs;
+  for (const std::filesystem::path& folder : find_results(folders))
+    runs.push_back(read_run(folder));
+  std::string json = report_json(group_runs(runs, case_study));
+  // No name may end the script element that holds the JSON: "<" is "\u003c" there.
+  for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos;) {
+    json.replace(at, 1, "\\u003c");
+  }
+  page.replace(place, kPlace.size(), json);
+  return page;
+}
+
+}  // namespace sim::report

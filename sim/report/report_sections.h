@@ -1,0 +1,39 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/report/group.h"
+#include "sim/report/run_result.h"
+
+namespace sim::report {
+
+/// The tables that make up a report.
+
+/// One line per run and robot.
+std::string runs_section(const std::vector<RunResult>& runs);
+
+/// One line of the comparison: what it is, the paper's figure ("" if it has none), each group's.
+struct ComparisonRow {
+  std::string figure, paper;
+  std::vector<std::string> ours;
+};
+std::vector<ComparisonRow> comparison_rows(const std::vector<Group>& groups);
+
+/// One line per figure, a column for each group, and one for the paper if one of them is of its
+/// case study; else why there is none.
+std::string comparison_section(const std::vector<Group>& groups);
+
+/// One line per setting that is not the same in all groups, a column for each.
+std::string differences_section(const std::vector<Group>& groups);
+
+/// Links between motes and how many each has, at the start: Fig. 2 of the paper.
+std::string links_section(const Group& group);
+
+/// Packets received by each node: Fig. 12.
+std::string packets_section(const Group& group);
+
+/// Least end-to-end delay by number of transmissions, beside what the MAC allows.
+std::string hops_section(const Group& group);
+
+}  // namespace sim::report

@@ -1,0 +1,217 @@
+#include "sim/report/run_result.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <stdexcept>
+
+#include "sim/record/run_reader.h"
+
+namespace sim::report {
+namespace {
+
+namespace fs = std::filesystem;
+using record::kResultsFile;
+using record::RunReader;
+using record::Statement;
+
+void read_values(RunReader& reader, RunResult& run) {
+  Statement query = reader.query("SELECT key, value FROM run");
+  while (query.next()) run.values[query.text(0)] = query.text(1);
+  Statement settings = reader.query("SELECT key, value FROM settings");
+  while (settings.next()) run.settings[settings.text(0)] = settings.text(1);
+}
+
+void read_agents(RunReader& reader, RunResult& run) {
+  Statement query = reader.query("SELECT agent, name, kind, x_m, y_m FROM agents ORDER BY agent");
+  while (query.next()) {
+    run.agents.push_back({.agent = static_cast<int>(query.integer(0)),
+                          .name = query.text(1),
+                          .is_robot = query.text(2) == "robot",
+                          .x = query.real(3),
+                          .y = query.real(4)});
+  }
+}
+
+std::optional<std::uint64_t> count(const Statement& query, int column) {
+  if (query.is_null(column)) return std::nullopt;
+  return static_cast<std::uint64_t>(query.integer(column));
+}
+
+void read_bodies(RunReader& reader, RunResult& run) {
+  Statement query = reader.query(
+      "SELECT agent, path_m, clearance_m, x_m, y_m, wall_steps, object_steps"
+      " FROM bodies");
+  while (query.next()) {
+    RunResult::Body& body = run.bodies[static_cast<int>(query.integer(0))];
+    body.path = query.real(1);
+    if (!query.is_null(2)) body.clearance = query.real(2);
+    body.x = query.real(3);
+    body.y = query.real(4);
+    body.wall_steps = count(query, 5);
+    body.object_steps = count(query, 6);
+  }
+}
+
+void read_walls(RunReader& reader, RunResult& run) {
+  Statement query =
+      reader.query("SELECT name, x_m, y_m, yaw_rad, size_x_m, size_y_m FROM walls ORDER BY rowid");
+  while (query.next()) {
+    run.walls.push_back({.name = query.text(0),
+                         .x = query.real(1),
+                         .y = query.real(2),
+                         .yaw = query.real(3),
+                         .length_x = query.real(4),
+                         .length_y = query.real(5)});
+  }
+}
+
+void read_tracks(RunReader& reader, RunResult& run) {
+  Statement query = reader.query(
+      "SELECT p.agent, p.at_ns, p.x_m, p.y_m FROM poses p JOIN agents a USING (agent)"
+      " WHERE a.kind = 'robot' ORDER BY p.agent, p.at_ns");
+  while (query.next()) {
+    run.tracks[static_cast<int>(query.integer(0))].push_back(
+        {.at = static_cast<double>(query.integer(1)) / 1e9,  // whole seconds stay whole
+         .x = query.real(2),
+         .y = query.real(3)});
+  }
+}
+
+void read_network(RunReader& reader, RunResult& run) {
+  Statement links = reader.query("SELECT a, b FROM links ORDER BY a, b");
+  while (links.next()) {
+    run.links.emplace_back(static_cast<int>(links.integer(0)), static_cast<int>(links.integer(1)));
+  }
+  Statement packets = reader.query("SELECT agent, SUM(count) FROM packets GROUP BY agent");
+  while (packets.next()) {
+    run.packets[static_cast<int>(packets.integer(0))] =
+        static_cast<std::uint64_t>(packets.integer(1));
+  }
+}
+
+void read_messages(RunReader& reader, RunResult& run) {
+  Statement ends = reader.query(
+      "SELECT destination = 65535, IFNULL(verdict, 'under way'), COUNT(*) FROM messages"
+      " GROUP BY 1, 2");
+  while (ends.next()) {
+    const auto number = static_cast<std::uint64_t>(ends.integer(2));
+    if (ends.integer(0) != 0) {
+      run.floods += number;
+    } else {
+      run.messages += number;
+      run.verdicts[ends.text(1)] += number;
+    }
+  }
+  Statement deliveries = reader.query(
+      "SELECT m.destination = 65535, d.delay_ns, d.transmissions"
+      " FROM deliveries d JOIN messages m USING (sender, id)"
+      " ORDER BY d.at_ns, d.sender, d.id");
+  while (deliveries.next()) {
+    if (deliveries.integer(0) != 0) {
+      ++run.flood_deliveries;
+      continue;
+    }
+    RunResult::Delivery& delivery = run.deliveries.emplace_back();
+    delivery.delay_ns = deliveries.integer(1);
+    delivery.delay = static_cast<double>(delivery.delay_ns) * 1e-9;
+    if (!deliveries.is_null(2)) delivery.transmissions = static_cast<int>(deliveries.integer(2));
+  }
+}
+
+void read_discoveries(RunReader& reader, RunResult& run) {
+  Statement query = reader.query("SELECT found, took_ns FROM discoveries ORDER BY rowid");
+  while (query.next()) {
+    if (query.integer(0) != 0) {
+      run.discoveries_ns.push_back(query.integer(1));
+    } else {
+      ++run.discoveries_failed;
+    }
+  }
+}
+
+void read_goal(RunReader& reader, RunResult& run) {
+  Statement query = reader.query("SELECT agent FROM ends WHERE agent IS NOT NULL AND result = ?");
+  query.bind_all(run.value("result"));
+  if (query.next()) run.goal = static_cast<int>(query.integer(0));
+}
+
+/// Whether it is an earlier result beside its successor ("name.2" beside "name"), or an attempt
+/// that did not start.
+bool is_put_aside(const fs::path& folder) {
+  const std::string end = folder.extension().string();
+  if (end == ".not-started") return true;
+  const bool is_number =
+      end.size() > 1 && end.find_first_not_of("0123456789", 1) == std::string::npos;
+  return is_number && fs::exists(folder.parent_path() / folder.stem() / kResultsFile);
+}
+
+std::vector<fs::path> results_inside(const fs::path& folder) {
+  std::vector<fs::path> inside;
+  if (!fs::is_directory(folder)) return inside;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    if (!fs::exists(entry.path() / kResultsFile)) continue;
+    if (!is_put_aside(entry.path())) inside.push_back(entry.path());
+  }
+  std::sort(inside.begin(), inside.end(), [](const fs::path& a, const fs::path& b) {
+    const std::string x = a.string();
+    const std::string y = b.string();
+    return x.size() != y.size() ? x.size() < y.size() : x < y;  // seed_2 before seed_10
+  });
+  return inside;
+}
+
+}  // namespace
+
+std::string RunResult::value(const std::string& key) const {
+  const auto found = values.find(key);
+  return found == values.end() ? std::string() : found->second;
+}
+
+double RunResult::number(const std::string& key) const {
+  return std::strtod(value(key).c_str(), nullptr);
+}
+
+std::string RunResult::ending() const {
+  const std::string result = value("result");
+  return result == "running" ? "unfinished" : result;
+}
+
+bool RunResult::is_complete() const {
+  const std::string result = ending();
+  return result != "unfinished" && result != "failed" && result != "interrupted" &&
+         result != "not started";
+}
+
+RunResult read_run(const fs::path& folder) {
+  RunReader reader(folder);
+  RunResult run;
+  run.folder = folder.string();
+  read_values(reader, run);
+  read_agents(reader, run);
+  read_bodies(reader, run);
+  read_walls(reader, run);
+  read_tracks(reader, run);
+  read_network(reader, run);
+  read_messages(reader, run);
+  read_discoveries(reader, run);
+  read_goal(reader, run);
+  return run;
+}
+
+std::vector<fs::path> find_results(const std::vector<fs::path>& folders) {
+  std::vector<fs::path> results;
+  for (const fs::path& folder : folders) {
+    const std::vector<fs::path> found =
+        fs::exists(folder / kResultsFile) ? std::vector{folder} : results_inside(folder);
+    if (found.empty()) {
+      throw std::runtime_error(
+          fmt::format("{}: holds no result (no {})", folder.string(), kResultsFile));
+    }
+    results.insert(results.end(), found.begin(), found.end());
+  }
+  return results;
+}
+
+}  // namespace sim::report

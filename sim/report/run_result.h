@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace sim::report {
+
+/// What the report needs of one run, as read from its file. Agents are addresses.
+struct RunResult {
+  struct Agent {
+    int agent = 0;
+    std::string name;
+    bool is_robot = false;
+    double x = 0, y = 0;  ///< m, at the start
+  };
+  struct Body {
+    double path = 0;                  ///< m
+    std::optional<double> clearance;  ///< m
+    double x = 0, y = 0;              ///< m, last
+    std::optional<std::uint64_t> wall_steps, object_steps;
+  };
+  /// A box seen from above: lengths in metres, angle in radians.
+  struct Wall {
+    std::string name;
+    double x = 0, y = 0, yaw = 0;       ///< Middle; its own x axis.
+    double length_x = 0, length_y = 0;  ///< Along its own axes.
+  };
+  /// Where a robot was.
+  struct Place {
+    double at = 0;        ///< s
+    double x = 0, y = 0;  ///< m
+  };
+  /// A message to one agent that arrived.
+  struct Delivery {
+    double delay = 0;                  ///< s
+    std::int64_t delay_ns = 0;         ///< The same, exact.
+    std::optional<int> transmissions;  ///< On its way.
+  };
+
+  std::string folder;
+  std::map<std::string, std::string> values;    ///< The table run.
+  std::map<std::string, std::string> settings;  ///< The table settings.
+  std::vector<Agent> agents;
+  std::map<int, Body> bodies;
+  std::vector<Wall> walls;
+  std::map<int, std::vector<Place>> tracks;  ///< Of the robots, by time.
+  std::vector<std::pair<int, int>> links;
+  std::map<int, std::uint64_t> packets;  ///< Frames that went up to the network layer, by agent.
+  std::vector<Delivery> deliveries;
+  std::uint64_t messages = 0;  ///< To one agent.
+  std::uint64_t floods = 0, flood_deliveries = 0;
+  std::map<std::string, std::uint64_t> verdicts;  ///< Of messages to one agent.
+  std::vector<std::int64_t> discoveries_ns;       ///< Those that found a route.
+  std::uint64_t discoveries_failed = 0;
+  std::optional<int> goal;  ///< The agent whose state ended the run.
+
+  /// Value of the table run; "" if it is not there.
+  std::string value(const std::string& key) const;
+  /// 0 if it is not there.
+  double number(const std::string& key) const;
+  /// How it ended, for people: "unfinished" if it never said.
+  std::string ending() const;
+  /// Whether the run came to an end of its own: its figures may be pooled with others'.
+  bool is_complete() const;
+};
+
+/// Reads `run.sqlite` in a folder.
+/// @throws std::runtime_error if it is missing, damaged or of another version.
+RunResult read_run(const std::filesystem::path& folder);
+
+/// The folders that hold a result: each one given, or else the ones in it, by name, short names
+/// first; of those, not what was put aside: earlier results beside their successors, attempts that
+/// did not start.
+/// @throws std::runtime_error if one holds none.
+std::vector<std::filesystem::path> find_results(const std::vector<std::filesystem::path>& folders);
+
+}  // namespace sim::report

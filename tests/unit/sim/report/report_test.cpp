@@ -1,0 +1,297 @@
+#include "sim/report/report.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "sim/report/group.h"
+#include "tests/unit/sim/record/test_run.h"
+
+namespace sim::report::test {
+namespace {
+
+using record::test::Folder;
+using record::test::make_result;
+
+/// A run in which r0 drove from (0, 0) towards m1 at (3, 4), 5 m away, over 7.5 m; m0 sent m1 four
+/// messages of which three arrived after 1, 2 and 4 ms, and one flood that reached two agents.
+std::string run_sql(const std::string& profile, int seed, const std::string& result = "arrived") {
+  return fmt::format(R"sql(
+INSERT INTO run VALUES ('scenario','tiny'), ('profile','{}'), ('seed',{}), ('result','{}'),
+  ('simulated_s',100.0), ('wall_s',4.0), ('exchanges',1000), ('events',5000);
+INSERT INTO agents VALUES (1,'m0','mote','p',0,0,0), (2,'m1','mote','p',3,4,0),
+  (3,'r0','robot','p',0,0,0);
+INSERT INTO ends VALUES (2,'DONE',0,'arrived'), (NULL,NULL,0,'timeout');
+INSERT INTO links VALUES (1,2), (1,3);
+INSERT INTO bodies VALUES (3,7.5,0.4,0,3.0,3.9,0,0,2);
+INSERT INTO packets VALUES (1,2,'unicast',10), (2,1,'unicast',20), (2,1,'broadcast',5);
+INSERT INTO messages VALUES (1,1,2,'help',2,0,'handed over',1,'delivered'),
+  (1,2,2,'help',2,0,'handed over',1,'delivered'), (1,3,2,'help',2,0,'handed over',1,'delivered'),
+  (1,4,2,'help',2,0,'no route',1,'no route'), (1,5,65535,'help',2,0,'handed over',1,'delivered');
+INSERT INTO deliveries VALUES (1,1,2,1000000,1000000,1), (1,2,2,2000000,2000000,2),
+  (1,3,2,4000000,4000000,2), (1,5,2,300000,300000,1), (1,5,3,300000,300000,1);
+INSERT INTO discoveries VALUES (1,'help',2,0,962181,1), (1,'help',2,0,3000000,1),
+  (1,'help',2,0,15000000000,0);
+)sql",
+                     profile, seed, result);
+}
+
+/// The cells of the line that starts with `name`, joined by '|'.
+std::string line(const std::string& text, const std::string& name) {
+  const std::size_t at = text.find("\n" + name + "  ");
+  if (at == std::string::npos) return "no line '" + name + "'";
+  const std::size_t start = at + 1 + name.size();
+  const std::string rest = text.substr(start, text.find('\n', start) - start);
+  std::string cells;
+  std::size_t place = 0;
+  while ((place = rest.find_first_not_of(' ', place)) != std::string::npos) {
+    const std::size_t end = std::min(rest.find("  ", place), rest.size());
+    cells += (cells.empty() ? "" : "|") + rest.substr(place, end - place);
+    place = end;
+  }
+  return cells;
+}
+
+class ReportTest : public testing::Test {
+ protected:
+  ReportTest() : folder(testing::UnitTest::GetInstance()->current_test_info()->name()) {}
+
+  void add(const std::string& name, const std::string& sql) {
+    make_result(folder.path() / name, sql);
+  }
+  /// The runs are made of few settings, and so is the case study that they are of.
+  std::string text(const std::optional<Settings>& case_study = Settings{}) const {
+    return report({folder.path()}, case_study);
+  }
+
+  Folder folder;
+};
+
+TEST_F(ReportTest, ListsEachRun) {
+  add("a", run_sql("mobility_framework", 1));
+  // Straight: to where m1, whose state ended the run, stood. Ratio 7.5 / 5.
+  EXPECT_EQ(line(text(), (folder.path() / "a").string()),
+            "mobility_framework|1|arrived|100.0|r0|7.5|5.0|1.50|0.40|0|2");
+}
+
+TEST_F(ReportTest, MeasuresTheStraightLineToTheEndIfNoGoalWasReached) {
+  add("a", run_sql("mobility_framework", 1, "timeout"));
+  // hypot(3.0, 3.9) = 4.92; 7.5 / 4.92 = 1.524.
+  EXPECT_EQ(line(text(), (folder.path() / "a").string()),
+            "mobility_framework|1|timeout|100.0|r0|7.5|4.9|1.52|0.40|0|2");
+}
+
+TEST_F(ReportTest, SetsTheProfilesSideBySideWithThePaper) {
+  add("a", run_sql("mobility_framework", 1));
+  add("b", run_sql("mobility_framework", 2));
+  add("c", run_sql("ideal", 1));
+  const std::string printed = text();
+  EXPECT_EQ(line(printed, "figure"), "paper|mobility_framework|ideal");
+  EXPECT_EQ(line(printed, "runs"), "10|2|1");
+  EXPECT_EQ(line(printed, "results"), "2 arrived|1 arrived");
+  EXPECT_EQ(line(printed, "run time, mean s"), "100.0|100.0");
+  EXPECT_EQ(line(printed, "real-time factor"), "> 1|25.0|25.0");
+  EXPECT_EQ(line(printed, "exchanges per s"), "10.0|10.0");
+  EXPECT_EQ(line(printed, "path, mean m"), "7.5|7.5");
+  EXPECT_EQ(line(printed, "messages to one agent"), "8|4");
+  EXPECT_EQ(line(printed, "delivered %"), "75.00|75.00");
+  EXPECT_EQ(line(printed, "agents reached per flood"), "2.00|2.00");
+  EXPECT_EQ(line(printed, "routes given up"), "2|1");
+}
+
+/// The lines of the section that begins with `head`.
+std::string section(const std::string& text, const std::string& head) {
+  const std::size_t at = text.find("\n" + head);
+  return at == std::string::npos ? "" : text.substr(at + 1, text.find("\n\n", at) - at);
+}
+
+TEST_F(ReportTest, NeverPoolsRunsOfDifferentSettings) {
+  const auto with = [](int seed, const std::string& speed) {
+    return run_sql("ideal", seed) +
+           fmt::format(
+               "INSERT INTO settings VALUES ('agents.robots.controller.parameters.speed','{}'),"
+               " ('seed','{}'), ('radio.profile','ideal');",
+               speed, seed);
+  };
+  add("a", with(1, "0.5 m/s"));
+  add("b", with(2, "0.9 m/s"));
+  add("c", with(3, "0.5 m/s"));
+  const std::string printed = text(std::nullopt);
+  EXPECT_EQ(line(printed, "figure"), "ideal, speed 0.5 m/s|ideal, speed 0.9 m/s");
+  EXPECT_EQ(line(printed, "runs"), "2|1");
+  EXPECT_EQ(
+      line(section(printed, "Settings in which"), "agents.robots.controller.parameters.speed"),
+      "0.5 m/s|0.9 m/s");
+  EXPECT_EQ(section(printed, "Settings in which").find("seed"), std::string::npos);
+}
+
+TEST_F(ReportTest, GroupsThatDifferInMoreAreNumberedAndListed) {
+  add("a", run_sql("ideal", 1) + "INSERT INTO settings VALUES ('a','1'), ('b','1')");
+  add("b", run_sql("ideal", 1) + "INSERT INTO settings VALUES ('a','2')");
+  add("c", run_sql("disk", 1) + "INSERT INTO settings VALUES ('a','1'), ('b','1')");
+  const std::string printed = text();
+  EXPECT_EQ(line(printed, "figure"), "ideal (1)|ideal (2)|disk");
+  const std::string settings = section(printed, "Settings in which");
+  EXPECT_EQ(line(settings, "a"), "1|2|1");
+  EXPECT_EQ(line(settings, "b"), "1|-|1");
+}
+
+TEST_F(ReportTest, SetsThePaperBesideItsCaseStudyOnlyAndSaysWhy) {
+  const Settings case_study = {
+      {"seed", "1"}, {"radio.profile", "ideal"}, {"world.walls.0.name", "w"}};
+  const std::string same =
+      "INSERT INTO settings VALUES ('seed','5'), ('radio.profile','disk'), ('--until','2 s'),"
+      " ('world.walls.0.name','w');";
+  add("a", run_sql("disk", 5) + same);
+  EXPECT_EQ(line(text(case_study), "figure"), "paper|disk");
+  EXPECT_EQ(line(text(case_study), "most: m1"), "25|25.0|4272");
+
+  add("a", run_sql("disk", 5) + same + "UPDATE settings SET value = 'v' WHERE value = 'w'");
+  std::string printed = text(case_study);
+  EXPECT_EQ(line(printed, "figure"), "disk");
+  EXPECT_EQ(line(printed, "replica score"), "-");
+  EXPECT_EQ(line(printed, "most: m1"), "25|25.0");
+  EXPECT_NE(printed.find("disk: not the paper's case study: world.walls.0.name is v, not w\n"),
+            std::string::npos);
+
+  add("a", run_sql("disk", 5) + "INSERT INTO settings VALUES ('agents.x','9')");
+  printed = text(case_study);
+  EXPECT_NE(printed.find("agents.x is 9, not -, and 1 more settings differ\n"), std::string::npos);
+  EXPECT_EQ(line(text(std::nullopt), "figure"), "disk");
+}
+
+TEST_F(ReportTest, LeavesOutWhatWasPutAsideUnlessItIsNamed) {
+  for (const char* name : {"a", "a.1", "b.2", "a.not-started"}) add(name, run_sql("ideal", 1));
+  const std::string printed = text();
+  for (const char* name : {"a", "b.2"}) {
+    EXPECT_NE(printed.find("\n" + (folder.path() / name).string() + " "), std::string::npos)
+        << name;
+  }
+  EXPECT_EQ(line(printed, "runs"), "10|2");
+  EXPECT_EQ(line(report({folder.path() / "a.1"}, Settings{}), "runs"), "10|1");
+}
+
+// Delays 1, 2, 4 ms: type 7 quartiles 1.5, 2, 3. Twice the sample (two runs): positions 1.25, 2.5,
+// 3.75 of 1 1 2 2 4 4 give 1.25, 2, 3.5.
+TEST_F(ReportTest, PoolsTheQuartilesOfAllRuns) {
+  add("a", run_sql("mobility_framework", 1));
+  add("b", run_sql("mobility_framework", 2));
+  add("c", run_sql("ideal", 1));
+  const std::string printed = text();
+  EXPECT_EQ(line(printed, "delay, minimum ns"), "700000|1000000|1000000");
+  EXPECT_EQ(line(printed, "delay, quartile 1 ms"), "0.700|1.250|1.500");
+  EXPECT_EQ(line(printed, "delay, median ms"), "2.520|2.000|2.000");
+  EXPECT_EQ(line(printed, "delay, quartile 3 ms"), "8.700|3.500|3.000");
+  EXPECT_EQ(line(printed, "delay, maximum ms"), "5660.000|4.000|4.000");
+  EXPECT_EQ(line(printed, "discovery, minimum ns"), "960000|962181|962181");
+}
+
+TEST_F(ReportTest, LeavesBrokenRunsOutOfTheFigures) {
+  add("a", run_sql("mobility_framework", 1));
+  add("b", run_sql("mobility_framework", 2, "running"));
+  add("c", run_sql("mobility_framework", 3, "failed"));
+  const std::string printed = text();
+  EXPECT_EQ(line(printed, "runs"), "10|1");
+  EXPECT_EQ(line(printed, "runs left out (broken off)"), "2");
+  EXPECT_NE(line(printed, (folder.path() / "b").string()).find("unfinished"), std::string::npos);
+}
+
+TEST_F(ReportTest, SurvivesAGroupWithoutACompleteRun) {
+  add("a", run_sql("mobility_framework", 1, "failed"));
+  const std::string printed = text();
+  EXPECT_EQ(line(printed, "runs"), "10|0");
+  EXPECT_EQ(line(printed, "replica score"), "0|-");
+}
+
+TEST_F(ReportTest, AddsUpPacketsAndGivesTheirMean) {
+  add("a", run_sql("mobility_framework", 1));
+  add("b", run_sql("mobility_framework", 2));
+  const std::string printed = text();
+  EXPECT_EQ(line(printed, "most: m1"), "50|25.0|4272");
+  EXPECT_EQ(line(printed, "least: m0"), "20|10.0|1848");
+  EXPECT_EQ(line(printed, "packets, ratio"), "2.31|2.50");
+}
+
+TEST_F(ReportTest, ChecksDelaysAgainstTheLeastTheMacAllows) {
+  add("a", run_sql("mobility_framework", 1));
+  const std::string printed = text();
+  // 695454.5 ns and 907636.4 ns more for the second hop (replica: 1603.09 us); 2 ms is above.
+  EXPECT_EQ(line(printed, "transmissions"), "messages|least ns|lower edge ns|below it");
+  EXPECT_EQ(line(printed, "1"), "1|1000000|695455|0");
+  EXPECT_EQ(line(printed, "2"), "2|2000000|1603091|0");
+}
+
+TEST_F(ReportTest, CountsDelaysBelowTheEdge) {
+  add("a", run_sql("mobility_framework", 1) +
+               "UPDATE deliveries SET delay_ns = 1603070 WHERE id = 2;"
+               "UPDATE deliveries SET delay_ns = 1603072 WHERE id = 3;");
+  EXPECT_EQ(line(text(), "2"), "2|1603070|1603091|1");  // 20 ns below is rounding, more is not
+}
+
+TEST_F(ReportTest, AnotherProfileHasNoEdge) {
+  add("a", run_sql("ideal", 1));
+  EXPECT_EQ(line(text(), "1"), "1|1000000");
+}
+
+TEST_F(ReportTest, LaysAGridOfMotesOutAsItStands) {
+  std::string sql = "INSERT INTO run VALUES ('profile','ideal'), ('result','until');";
+  for (int i = 0; i < 6; ++i) {  // 3 columns, 2 rows, from the lower left
+    sql += fmt::format("INSERT INTO agents VALUES ({0},'m{1}','mote','p',{2},{3},0);", i + 1, i,
+                       i % 3, i / 3);
+    sql += fmt::format("INSERT INTO packets VALUES ({0},9,'unicast',{1});", i + 1, 10 * (i + 1));
+  }
+  sql += "INSERT INTO links VALUES (1,2), (1,4);";
+  add("a", sql);
+  const std::string printed = text();
+  EXPECT_NE(printed.find("  m3  1  m4  0  m5  0\n  m0  2  m1  1  m2  0\n"), std::string::npos);
+  EXPECT_NE(printed.find("  m3  40  m4  50  m5  60\n  m0  10  m1  20  m2  30\n"),
+            std::string::npos);
+  EXPECT_NE(printed.find("2 links between motes"), std::string::npos);
+  EXPECT_NE(printed.find("most: m5 (row 1 from the top, column 3)"), std::string::npos);
+  EXPECT_NE(printed.find("least: m0 (row 2 from the top, column 1)"), std::string::npos);
+}
+
+TEST_F(ReportTest, ReadsAFolderOfFoldersByName) {
+  for (const int seed : {10, 2, 1}) add(std::to_string(seed), run_sql("ideal", seed));
+  const std::string printed = text();
+  const auto place = [&](const char* run) {
+    return printed.find("\n" + (folder.path() / run).string() + "  ");
+  };
+  EXPECT_LT(place("1"), place("2"));
+  EXPECT_LT(place("2"), place("10"));
+}
+
+TEST_F(ReportTest, SaysWhichFolderHoldsNoResult) {
+  try {
+    text();
+    FAIL();
+  } catch (const std::runtime_error& e) {
+    EXPECT_EQ(std::string(e.what()), folder.path().string() + ": holds no result (no run.sqlite)");
+  }
+}
+
+TEST_F(ReportTest, RefusesAnotherVersionOfTheTables) {
+  add("a", "PRAGMA user_version = 999");
+  EXPECT_THROW(text(), std::runtime_error);
+}
+
+TEST_F(ReportTest, RefusesAFileThatIsNoDatabase) {
+  std::filesystem::create_directories(folder.path() / "a");
+  std::FILE* file = std::fopen((folder.path() / "a" / "run.sqlite").c_str(), "w");
+  std::fputs("nothing of the kind, and long enough to have a header of one hundred bytes", file);
+  std::fclose(file);
+  EXPECT_THROW(text(), std::runtime_error);
+}
+
+// Twice the paper's quartiles everywhere: |ln 2| each.
+TEST(ReplicaScore, IsTheMeanLogarithmicMisfitOfTheQuartiles) {
+  const Quantiles discovery{.min = 0, .q1 = 4.22e-3, .median = 20.54e-3, .q3 = 121.44e-3, .max = 0};
+  const Quantiles delay{.min = 0, .q1 = 0.35e-3, .median = 5.04e-3, .q3 = 4.35e-3, .max = 0};
+  EXPECT_NEAR(replica_score(discovery, delay).value(), std::log(2.0), 1e-12);  // rounding only
+  EXPECT_FALSE(replica_score(std::nullopt, delay));
+}
+
+}  // namespace
+}  // namespace sim::report::test
