@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hal/types/agent_id.h"
@@ -42,5 +43,8 @@ enum class Fate : std::uint8_t {
   kQueueFull,  ///< A queue of the sender had no room.
   kFailed,     ///< No next hop acknowledged it, or the radio was off.
 };
+
+/// "handed over", "no route", "queue full", "failed".
+std::string_view to_string(Fate fate);
 
 }  // namespace hal
