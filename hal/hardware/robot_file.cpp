@@ -19,8 +19,6 @@ using config::Key;
 using config::Mapping;
 using config::Option;
 
-constexpr std::int64_t kLastAddress = 0xfffe;  // 0xffff is everyone
-
 constexpr std::array kKinds = {Option<AgentKind>{"robot", AgentKind::kRobot},
                                Option<AgentKind>{"mote", AgentKind::kMote}};
 

@@ -105,7 +105,7 @@ void read_controller(Mapping in, Group& group, std::span<AgentConfig> agents) {
   const auto most = std::max<std::int64_t>(1, static_cast<std::int64_t>(agents.size()));
   const std::int64_t processes = in.integer(
       {"processes", "Controller processes that share the agents; at most one for each.", "1"}, 1,
-      0xfffe, 1);
+      hal::kLastAddress, 1);
   if (processes > most) {
     in.mistake("processes", fmt::format("{} is above the limit of {}", processes, most));
   }
