@@ -31,7 +31,7 @@ foreach(name IN LISTS controller_names)
   install(TARGETS ${name}_plugin LIBRARY DESTINATION lib/baraka COMPONENT program)
 endforeach()
 install(DIRECTORY config/ DESTINATION ${baraka_share} COMPONENT program PATTERN invalid EXCLUDE
-  PATTERN systemd EXCLUDE)
+  PATTERN systemd EXCLUDE PATTERN doubtful EXCLUDE)
 install(DIRECTORY templates DESTINATION ${baraka_share} USE_SOURCE_PERMISSIONS COMPONENT program)
 install(DIRECTORY idl DESTINATION ${baraka_share} COMPONENT program FILES_MATCHING PATTERN *.idl)
 install(FILES ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/report_page.html DESTINATION ${baraka_share}

@@ -41,6 +41,7 @@ void AgentInspection::start(hal::dds::InspectionParticipant& participant) {
 
 std::string AgentInspection::name_of(hal::AgentId agent) const {
   if (agent == hal::kEveryone) return "everyone";
+  if (agent == hal::kNeighbours) return "neighbours";
   if (agent == file_.address) return file_.name;
   const auto& map = file_.localisation.map;
   const auto known = std::ranges::find(map, agent, &hal::hardware::Landmark::agent);

@@ -12,6 +12,7 @@
 #include "gateway/exit_status.h"
 #include "hal/config/suggest.h"
 #include "hal/config/value.h"
+#include "hal/runtime/parameter_form.h"
 #include "hal/runtime/plugin.h"
 
 namespace gateway {
@@ -96,12 +97,11 @@ void print_controller(const hal::ControllerKind& kind) {
              kind.make_for_robot != nullptr ? "robots" : "");
   if (kind.parameters.empty()) fmt::print("It has no parameters.\n");
   for (const hal::ParameterSpec& parameter : kind.parameters) {
-    const hal::config::Form form{.kind = hal::config::Form::Kind::kNumber,
-                                 .unit = parameter.unit,
-                                 .range = {parameter.low, parameter.high}};
-    fmt::print("{}\n    {}\n    value:   {}, {}\n    default: {}\n", parameter.name,
-               parameter.meaning, expected(form), limits(form),
-               hal::config::format_value(parameter.default_value, parameter.unit));
+    const hal::config::Form form = hal::runtime::form_of(parameter);
+    const std::string range = limits(form);
+    fmt::print("{}\n    {}\n    value:   {}{}{}\n    default: {}\n", parameter.name,
+               parameter.meaning, expected(form), range.empty() ? "" : ", ", range,
+               hal::runtime::written(parameter, parameter.default_value));
   }
 }
 

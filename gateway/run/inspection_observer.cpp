@@ -53,6 +53,7 @@ void InspectionObserver::start(hal::dds::InspectionParticipant& participant) {
 
 std::string_view InspectionObserver::name(hal::AgentId agent) const {
   if (agent == hal::kEveryone) return "everyone";
+  if (agent == hal::kNeighbours) return "neighbours";
   const auto found = agents_.find(agent);
   return found == agents_.end() ? std::string_view() : found->second.name;
 }

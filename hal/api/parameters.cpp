@@ -3,8 +3,28 @@
 #include "hal/types/check.h"
 
 namespace hal {
+namespace {
 
-double Parameters::operator[](std::string_view name) const {
+template <class T, class Variant>
+const T& only(const Variant& value) {
+  const T* const held = std::get_if<T>(&value);
+  BARAKA_CHECK(held != nullptr);
+  return *held;
+}
+
+}  // namespace
+
+double ParameterValue::number() const { return only<double>(value_); }
+bool ParameterValue::flag() const { return only<bool>(value_); }
+const std::string& ParameterValue::text() const { return only<std::string>(value_); }
+const std::vector<double>& ParameterValue::numbers() const {
+  return only<std::vector<double>>(value_);
+}
+const std::vector<std::string>& ParameterValue::texts() const {
+  return only<std::vector<std::string>>(value_);
+}
+
+const ParameterValue& Parameters::at(std::string_view name) const {
   const auto found = values_.find(name);
   BARAKA_CHECK(found != values_.end());
   return found->second;

@@ -48,8 +48,8 @@ class RealWorldObject {
   virtual Time now() const = 0;  ///< Time of the event being handled.
   virtual Duration control_period() const = 0;
 
-  /// Sends `payload` to one agent over as many hops as it takes, or to kEveryone in a flood. What
-  /// became of it comes back in Controller::notice.
+  /// Sends `payload` to one agent over as many hops as it takes, to kEveryone in a flood, or to
+  /// kNeighbours: to whoever hears it, once. What became of it comes back in Controller::notice.
   /// @param topic    message class, 1..kMaxTopic bytes.   @param payload  0..kMaxPayload bytes.
   /// Errors: kInvalidArgument (sizes; destination is this agent itself; a topic more than the
   /// kMaxTopics that one agent may use).

@@ -33,6 +33,8 @@ std::string expected(const Form& form) {
       return "text";
     case Form::Kind::kVector:
       return fmt::format("{}, each {}", axes(form.size), a_number(form.unit));
+    case Form::Kind::kNumbers:
+      return fmt::format("a list, each {}", a_number(form.unit));
     case Form::Kind::kTexts:
       return "a list of texts";
     case Form::Kind::kChoice:
@@ -52,7 +54,9 @@ std::string limits(const Form& form) {
                ? fmt::format("{} or more", form.low)
                : fmt::format("{} .. {}", form.low, form.high);
   }
-  if (form.kind != Form::Kind::kNumber && form.kind != Form::Kind::kVector) return "";
+  const bool has_numbers = form.kind == Form::Kind::kNumber || form.kind == Form::Kind::kVector ||
+                           form.kind == Form::Kind::kNumbers;
+  if (!has_numbers) return "";
   const std::string low = plain_or_with_unit(form.range.low, form.unit);
   if (!std::isinf(form.range.high)) {
     return fmt::format("{} .. {}", low, plain_or_with_unit(form.range.high, form.unit));

@@ -56,7 +56,8 @@ struct Form {
     kWhole,
     kFlag,
     kText,
-    kVector,  ///< `size` numbers.
+    kVector,   ///< `size` numbers.
+    kNumbers,  ///< A list of numbers.
     kTexts,
     kChoice,  ///< One of `options`.
     kMapping,

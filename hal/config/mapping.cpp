@@ -323,12 +323,24 @@ std::vector<std::string> Mapping::keys() const {
   return result;
 }
 
-std::vector<Scalar> Mapping::scalars() {
-  std::vector<Scalar> result;
+std::vector<PlainValue> Mapping::plain_values() {
+  std::vector<PlainValue> result;
   for (const Entry& entry : node_->entries) {
     find(entry.key);
-    const std::string* text = scalar(entry.value, entry.key, "a single value");
-    if (text != nullptr) result.push_back({entry.key, *text, entry.value.place.text()});
+    PlainValue value{.key = entry.key, .text = {}, .place = entry.value.place.text()};
+    value.is_list = entry.value.kind == Kind::kList;
+    bool is_plain = true;
+    for (const Node& item : entry.value.items) {
+      const std::string* text = scalar(item, entry.key, "a single value");
+      is_plain = is_plain && text != nullptr;
+      if (is_plain) value.items.push_back(*text);
+    }
+    if (!value.is_list) {
+      const std::string* text = scalar(entry.value, entry.key, "a single value or a list of them");
+      is_plain = text != nullptr;
+      if (is_plain) value.text = *text;
+    }
+    if (is_plain) result.push_back(std::move(value));
   }
   return result;
 }

@@ -31,6 +31,15 @@ struct Scalar {
   std::string place;  ///< "file:line:column".
 };
 
+/// The value of a key in a mapping whose keys are names: one scalar, or a list of them.
+struct PlainValue {
+  std::string key;
+  std::string text;   ///< Of a scalar.
+  std::string place;  ///< "file:line:column".
+  bool is_list = false;
+  std::vector<std::string> items{};  ///< Of a list.
+};
+
 /// One name of an enumeration.
 template <class E>
 struct Option {
@@ -109,8 +118,8 @@ class Mapping {
 
   /// All keys in order, for mappings whose keys are names.
   std::vector<std::string> keys() const;
-  /// All entries, for mappings whose keys are names and whose values are scalars.
-  std::vector<Scalar> scalars();
+  /// All entries, for mappings whose keys are names and whose values are scalars or lists of them.
+  std::vector<PlainValue> plain_values();
 
   /// "file:line:column" of a key's value, or of the mapping if the key is not there.
   std::string place(const std::string& key) const;

@@ -68,6 +68,8 @@ wire::ParameterText to_wire(const exchange::ParameterText& parameter) {
   out.name(parameter.name);
   out.value(parameter.value);
   out.place(parameter.place);
+  out.is_list(parameter.is_list);
+  out.items(parameter.items);
   return out;
 }
 
@@ -102,7 +104,8 @@ exchange::AgentSession from_wire(const wire::AgentSession& session, Ranges& rang
   out.seed = session.seed();
   out.control_period = Duration{session.control_period()};
   for (const wire::ParameterText& parameter : session.parameters()) {
-    out.parameters.push_back({parameter.name(), parameter.value(), parameter.place()});
+    out.parameters.push_back({parameter.name(), parameter.value(), parameter.place(),
+                              parameter.is_list(), parameter.items()});
   }
   for (const wire::Channel& channel : session.channels()) {
     out.channels.push_back(from_wire(channel));

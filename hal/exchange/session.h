@@ -21,6 +21,8 @@ struct ParameterText {
   std::string name;
   std::string value;  ///< With its unit, e.g. "15 s".
   std::string place;  ///< "file:line:column".
+  bool is_list = false;
+  std::vector<std::string> items{};  ///< Of a list, whose `value` is empty.
   bool operator==(const ParameterText&) const = default;
 };
 

@@ -38,7 +38,7 @@ std::optional<ReceivedFrame> from_datagram(std::span<const std::uint8_t> datagra
   if (!std::equal(kStart.begin(), kStart.end(), datagram.begin())) return {};
   if (get(datagram, kLength) != datagram.size() - kDatagramHeader) return {};
   const AgentId from{get(datagram, kSender)};
-  if (from == AgentId{} || from == kEveryone) return {};
+  if (from == AgentId{} || is_broadcast(from)) return {};
   return ReceivedFrame{from, datagram.subspan(kDatagramHeader)};
 }
 

@@ -58,8 +58,8 @@ void read_landmark(Mapping& in, LocalisationSettings& settings,
                    std::map<AgentId, std::string>& known) {
   Landmark landmark;
   landmark.name = in.text({"name", "Of the agent.", "m0"});
-  landmark.agent = AgentId{
-      static_cast<std::uint16_t>(in.integer({"address", "Its network address.", "1"}, 1, 0xfffe))};
+  landmark.agent = AgentId{static_cast<std::uint16_t>(
+      in.integer({"address", "Its network address.", "1"}, 1, kLastAddress))};
   landmark.position = {in.number({"x", "World frame.", "5 m"}, "m", kCoordinate),
                        in.number({"y", "World frame.", "0 m"}, "m", kCoordinate)};
   const auto [taken, is_new] = known.emplace(landmark.agent, landmark.name);

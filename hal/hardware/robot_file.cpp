@@ -19,8 +19,6 @@ using config::Key;
 using config::Mapping;
 using config::Option;
 
-constexpr std::int64_t kLastAddress = 0xfffe;  // 0xffff is everyone
-
 constexpr std::array kKinds = {Option<AgentKind>{"robot", AgentKind::kRobot},
                                Option<AgentKind>{"mote", AgentKind::kMote}};
 
@@ -46,8 +44,9 @@ void read_controller(Mapping in, RobotFile& file) {
   Mapping parameters =
       in.mapping({"parameters", "Of the controller; `baraka describe PROGRAM` shows them.",
                   "{speed: 0.5 m/s}"});
-  for (const config::Scalar& scalar : parameters.scalars()) {
-    file.parameters.push_back({scalar.key, scalar.text, scalar.place});
+  for (config::PlainValue& given : parameters.plain_values()) {
+    file.parameters.push_back({std::move(given.key), std::move(given.text), std::move(given.place),
+                               given.is_list, std::move(given.items)});
   }
   in.finish();
 }

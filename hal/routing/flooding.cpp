@@ -7,7 +7,7 @@
 namespace hal::routing {
 
 void Flooding::send(const Message& message) {
-  outbox_.send_message(kEveryone, to_transit(node_, message));
+  outbox_.send_message(kEveryone, to_transit(node_, message));  // to the link, all are everyone
 }
 
 void Flooding::on_data(Data data) {
@@ -19,6 +19,7 @@ void Flooding::on_data(Data data) {
 }
 
 void Flooding::relay(const Data& data) {
+  if (data.header.destination == kNeighbours) return;
   if (data.transmissions >= node_.config.hop_limit) return;
   node_.after_jitter([this, data] {
     outbox_.send_message(kEveryone, {.data = data, .came_from = std::nullopt, .owes_fate = false});

@@ -6,7 +6,7 @@
 namespace hal::routing {
 
 /// Takes a message to every node: its source broadcasts it at once, every other node once more
-/// after a jitter.
+/// after a jitter. One to the neighbours is not repeated.
 class Flooding {
  public:
   Flooding(Node& node, Outbox& outbox) : node_(node), outbox_(outbox) {}

@@ -22,7 +22,7 @@ std::uint32_t to_ms(Duration period) {
 bool is_unicast(const Packet& packet) {
   if (std::holds_alternative<ForwardAnt>(packet)) return false;
   const auto* data = std::get_if<Data>(&packet);
-  return data == nullptr || data->header.destination != kEveryone;
+  return data == nullptr || !is_broadcast(data->header.destination);
 }
 
 std::optional<Frame> parse_numbered(std::span<const std::uint8_t> bytes) {

@@ -82,8 +82,8 @@ Header take_header(ByteReader& in) {
 }
 
 bool is_valid(const Header& header) {
-  return !header.topic.empty() && header.topic.size() <= kMaxTopic && header.source != kEveryone &&
-         header.source != header.destination;
+  return !header.topic.empty() && header.topic.size() <= kMaxTopic &&
+         !is_broadcast(header.source) && header.source != header.destination;
 }
 
 // Bounds that no honest path reaches, so that sums over hops cannot overflow.
@@ -100,7 +100,7 @@ bool is_valid(const std::vector<AgentId>& path, AgentId start, AgentId end) {
   if (path.empty() || path.front() != start) return false;
   std::vector<AgentId> nodes = path;
   nodes.push_back(end);
-  nodes.push_back(kEveryone);
+  nodes.insert(nodes.end(), {kNeighbours, kEveryone});
   std::sort(nodes.begin(), nodes.end());
   return std::adjacent_find(nodes.begin(), nodes.end()) == nodes.end();
 }
@@ -134,6 +134,7 @@ std::optional<Packet> parse_data(Header header, ByteReader& in) {
   data.payload = in.rest();
   if (!in.ended_well() || data.payload.size() > kMaxPayload) return std::nullopt;
   if (data.id == 0 || data.transmissions == 0) return std::nullopt;
+  if (data.header.destination == kNeighbours && data.transmissions > 1) return std::nullopt;
   return data;
 }
 
@@ -151,7 +152,7 @@ std::optional<Packet> parse(std::span<const std::uint8_t> frame) {
   if (first >> 4 != kVersion) return std::nullopt;
   Header header = take_header(in);
   if (!is_valid(header)) return std::nullopt;
-  const bool is_flood = header.destination == kEveryone;
+  const bool is_flood = is_broadcast(header.destination);
   switch (static_cast<Kind>(first & 0x0f)) {
     case Kind::kForwardAnt:
       return is_flood ? std::nullopt : parse_forward_ant(std::move(header), in);

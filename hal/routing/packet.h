@@ -21,7 +21,7 @@ using Sequence = std::uint32_t;
 struct Header {
   std::string topic;      ///< Message class, 1..kMaxTopic bytes.
   AgentId source;         ///< Who made the packet.
-  AgentId destination;    ///< Where it goes in the end; kEveryone: data that floods.
+  AgentId destination;    ///< Where it goes in the end; kEveryone, kNeighbours: data.
   Sequence sequence = 0;  ///< Of the source; a backward ant repeats its forward ant's.
   bool operator==(const Header&) const = default;
 };

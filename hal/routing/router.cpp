@@ -58,7 +58,7 @@ struct Router::State final : OutboxListener {
   }
 
   void on_sent(Transit transit, Verdict verdict) override {
-    if (transit.data.header.destination == kEveryone) {
+    if (is_broadcast(transit.data.header.destination)) {
       flooding.on_sent(transit, verdict);
     } else {
       forwarding.on_sent(std::move(transit), verdict);
@@ -97,7 +97,7 @@ struct Router::State final : OutboxListener {
     return ants.on_backward_ant(std::move(ant), arrival);
   }
   bool take(Data data, const Arrival& arrival) {
-    if (data.header.destination == kEveryone) {
+    if (is_broadcast(data.header.destination)) {
       flooding.on_data(std::move(data));
     } else {
       forwarding.on_data(std::move(data), arrival.reception.from);
@@ -130,7 +130,7 @@ void Router::send(const Message& message) {
   BARAKA_CHECK(message.source == state_->node.self && message.destination != message.source);
   BARAKA_CHECK(message.id != 0 && !message.topic.empty() && message.topic.size() <= kMaxTopic);
   BARAKA_CHECK(message.payload.size() <= kMaxPayload);
-  if (message.destination == kEveryone) {
+  if (is_broadcast(message.destination)) {
     state_->flooding.send(message);
   } else {
     state_->forwarding.send(message);
@@ -152,7 +152,7 @@ std::vector<Neighbour> Router::neighbours() const { return state_->neighbourhood
 void Router::on_frame(const Reception& reception, std::span<const std::uint8_t> bytes) {
   const AgentId from = reception.from;
   auto frame = parse_frame(bytes);
-  if (!frame || from == state_->node.self || from == kEveryone) {
+  if (!frame || from == state_->node.self || is_broadcast(from)) {
     ++state_->malformed;
     return;
   }

@@ -3,13 +3,10 @@
 #include <fmt/core.h>
 
 #include <algorithm>
-#include <cmath>
-#include <map>
 
-#include "hal/config/mapping.h"
 #include "hal/config/suggest.h"
 #include "hal/config/units.h"
-#include "hal/config/value.h"
+#include "hal/runtime/parameter_form.h"
 #include "hal/types/check.h"
 
 namespace hal::runtime {
@@ -22,19 +19,6 @@ const ParameterSpec* find(const ControllerKind& kind, std::string_view name) {
   return found == kind.parameters.end() ? nullptr : &*found;
 }
 
-Result<double> parse(const ParameterSpec& spec, const ParameterText& text) {
-  return config::parse_value(text.value, spec.unit, spec.low, spec.high);
-}
-
-/// A time that no Duration holds: the controller would compute with garbage.
-/// @param value  in the unit of `spec`.
-bool is_beyond_time(const ParameterSpec& spec, double value) {
-  const config::Unit& unit = *config::find_unit(spec.unit);
-  if (unit.dimension != config::Dimension::kTime || std::isinf(value)) return false;
-  const double seconds = config::converted(value, unit, *config::find_unit("s"));
-  return std::abs(seconds) > config::kLongestDuration;
-}
-
 std::string unknown(const ControllerKind& kind, const std::string& name) {
   std::vector<std::string> names;
   for (const ParameterSpec& spec : kind.parameters) names.push_back(spec.name);
@@ -44,18 +28,15 @@ std::string unknown(const ControllerKind& kind, const std::string& name) {
 std::string mistake_in(const ControllerKind& kind, const ParameterText& text) {
   const ParameterSpec* const spec = find(kind, text.name);
   if (spec == nullptr) return unknown(kind, text.name);
-  if (config::find_unit(spec->unit) == nullptr) {
+  const ParameterKind kind_of_value = spec->default_value.kind();
+  const bool has_numbers =
+      kind_of_value == ParameterKind::kNumber || kind_of_value == ParameterKind::kNumbers;
+  if (has_numbers && config::find_unit(spec->unit) == nullptr) {
     return fmt::format("{} declares it in '{}', which is no unit (\"1\" is that of a plain number)",
                        kind.name, spec->unit);
   }
-  const Result<double> value = parse(*spec, text);
-  if (!value) return value.error().message;
-  if (!is_beyond_time(*spec, *value)) return {};
-  if (*value < 0) {
-    return fmt::format("{} is below the limit of {} s", text.value, -config::kLongestDuration);
-  }
-  return fmt::format("{} is above the limit of {} s{}", text.value, config::kLongestDuration,
-                     std::isinf(spec->high) ? "; 'never' and 'none' are without end" : "");
+  const Result<ParameterValue> value = parse_parameter(*spec, text);
+  return value ? std::string() : value.error().message;
 }
 
 }  // namespace
@@ -77,14 +58,14 @@ std::vector<std::string> check_parameters(const ControllerKind& kind,
 }
 
 Parameters read_parameters(const ControllerKind& kind, const std::vector<ParameterText>& given) {
-  std::map<std::string, double, std::less<>> values;
-  for (const ParameterSpec& spec : kind.parameters) values[spec.name] = spec.default_value;
+  Parameters::Values values;
+  for (const ParameterSpec& spec : kind.parameters) values.emplace(spec.name, spec.default_value);
   for (const ParameterText& text : given) {
     const ParameterSpec* const spec = find(kind, text.name);
     BARAKA_CHECK(spec != nullptr);
-    const Result<double> value = parse(*spec, text);
+    Result<ParameterValue> value = parse_parameter(*spec, text);
     BARAKA_CHECK(value.has_value());
-    values[text.name] = *value;
+    values.insert_or_assign(text.name, std::move(*value));
   }
   return Parameters(std::move(values));
 }

@@ -6,6 +6,7 @@
 
 #include "hal/config/value.h"
 #include "hal/runtime/command_line.h"
+#include "hal/runtime/parameter_form.h"
 
 namespace hal::runtime {
 namespace {
@@ -15,9 +16,10 @@ constexpr int kHighestDomain = 232;  // OMG DDSI-RTPS 2.5, 9.6.2.3: ports stay b
 std::string footer(const ControllerKind& kind) {
   std::string text = "Parameters, given in the scenario:\n";
   for (const ParameterSpec& p : kind.parameters) {
-    text += fmt::format("  {:<16} {} ({} to {}; default {})\n", p.name, p.meaning,
-                        config::format_value(p.low, p.unit), config::format_value(p.high, p.unit),
-                        config::format_value(p.default_value, p.unit));
+    const config::Form form = form_of(p);
+    const std::string range = limits(form);
+    text += fmt::format("  {:<16} {} ({}; default {})\n", p.name, p.meaning,
+                        range.empty() ? expected(form) : range, written(p, p.default_value));
   }
   return kind.parameters.empty() ? std::string{} : text;
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "hal/types/agent_id.h"
@@ -26,7 +27,7 @@ inline constexpr std::size_t kMaxPayload = 2048;
 /// What one agent says to another, end to end.
 struct Message {
   AgentId source;
-  AgentId destination;  ///< kEveryone: flooded through the whole network.
+  AgentId destination;  ///< kEveryone: flooded through the whole network. kNeighbours: one hop.
   MessageId id = 0;
   std::string topic;
   Bytes payload;
@@ -35,12 +36,15 @@ struct Message {
 
 /// What became of a message at its sender.
 enum class Fate : std::uint8_t {
-  /// The next hop acknowledged it. A flood: it left the antenna; nobody acknowledges that, and it
-  /// may have reached nobody at all.
+  /// The next hop acknowledged it. To everyone or the neighbours: it left the antenna; nobody
+  /// acknowledges that, and it may have reached nobody at all.
   kHandedOver,
   kNoRoute,    ///< Discovery failed, or it waited too long for a route.
   kQueueFull,  ///< A queue of the sender had no room.
   kFailed,     ///< No next hop acknowledged it, or the radio was off.
 };
+
+/// "handed over", "no route", "queue full", "failed".
+std::string_view to_string(Fate fate);
 
 }  // namespace hal

@@ -37,7 +37,7 @@ enum class LinkKind : std::uint8_t {
 };
 
 struct AgentConfig {
-  hal::AgentId id;  ///< 1 … 0xfffe
+  hal::AgentId id;  ///< 1 … kLastAddress
   std::string name;
   hal::Pose2 pose;  ///< At time 0, world frame.
   std::variant<hal::devices::MoteDescription, hal::devices::RobotDescription> body;

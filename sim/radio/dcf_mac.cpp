@@ -2,13 +2,15 @@
 
 #include <utility>
 
+#include "sim/radio/frame_lengths.h"
+
 namespace sim::radio {
 
 DcfMac::DcfMac(const Context& context, Radio& radio, hal::RandomStream backoff)
     : MacBase(context),
       radio_(radio),
-      frames_(context.config, context.agent),
-      timing_(context.config),
+      frames_(context.config, context.modes, context.agent),
+      timing_(context.config, context.modes),
       backoff_(context.events, context.agent, timing_, backoff, *this),
       window_(context.config.cw_min, context.config.cw_max),
       retries_(context.config.short_retry_limit, context.config.long_retry_limit),
@@ -138,7 +140,7 @@ MacRequest DcfMac::end_service(bool count_time) {
 
 bool DcfMac::uses_rts() {
   const std::size_t payload = queue_.head().request.payload->size();
-  return airtime().mpdu_bits(FrameType::kData, payload) > 8 * config().rts_threshold;
+  return mpdu_bits(config(), FrameType::kData, payload) > 8 * config().rts_threshold;
 }
 
 FramePtr DcfMac::make_rts() {

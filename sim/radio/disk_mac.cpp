@@ -7,7 +7,7 @@ namespace sim::radio {
 DiskMac::DiskMac(const Context& context, DiskAir& air)
     : MacBase(context),
       air_(air),
-      frames_(context.config, context.agent),
+      frames_(context.config, context.modes, context.agent),
       index_(static_cast<StationIndex>(air.stations.size())) {
   air_.stations.push_back(this);
 }

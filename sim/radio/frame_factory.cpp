@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sim/radio/frame_lengths.h"
+
 namespace sim::radio {
 namespace {
 
@@ -9,8 +11,12 @@ constexpr int kAgentShift = 48;
 
 }  // namespace
 
-FrameFactory::FrameFactory(const RadioConfig& config, hal::AgentId agent)
-    : config_(config), airtime_(config), agent_(agent) {}
+FrameFactory::FrameFactory(const RadioConfig& config, const ModeSet& modes, hal::AgentId agent)
+    : config_(config),
+      data_(modes.at(config.data_rate)),
+      broadcast_(modes.at(config.broadcast_rate)),
+      control_(has_mac(config) ? modes.at(config.control_rate) : data_),
+      agent_(agent) {}
 
 std::shared_ptr<Frame> FrameFactory::blank(FrameType type, hal::AgentId to) {
   auto frame = std::make_shared<Frame>();
@@ -21,12 +27,17 @@ std::shared_ptr<Frame> FrameFactory::blank(FrameType type, hal::AgentId to) {
   return frame;
 }
 
+void FrameFactory::send_in(const PhyMode& mode, std::uint32_t bits, Frame& frame) {
+  frame.mode = &mode;
+  frame.rate = mode.rate();
+  frame.air_length = bits;
+  frame.airtime = mode.airtime(bits);
+}
+
 FramePtr FrameFactory::control(FrameType type, hal::AgentId to, hal::Duration duration) {
   auto frame = blank(type, to);
   frame->duration = duration;
-  frame->rate = config_.control_rate;
-  frame->air_length = airtime_.mpdu_bits(type);
-  frame->airtime = airtime_.of(frame->air_length, frame->rate);
+  send_in(control_, mpdu_bits(config_, type), *frame);
   return frame;
 }
 
@@ -46,9 +57,8 @@ FramePtr FrameFactory::data(const MacRequest& request, const DataOptions& option
   frame->duration = options.duration;
   frame->sequence = options.sequence;
   frame->retry = options.retry;
-  frame->rate = data_rate(request);
-  frame->air_length = airtime_.mpdu_bits(FrameType::kData, request.payload->size());
-  frame->airtime = airtime_.of(frame->air_length, frame->rate);
+  send_in(data_mode(request), mpdu_bits(config_, FrameType::kData, request.payload->size()),
+          *frame);
   frame->priority = request.priority;
   frame->ethertype = request.ethertype;
   frame->payload = request.payload;
@@ -56,17 +66,16 @@ FramePtr FrameFactory::data(const MacRequest& request, const DataOptions& option
   return frame;
 }
 
-hal::BitsPerSecond FrameFactory::data_rate(const MacRequest& request) const {
-  return request.destination == hal::kEveryone ? config_.broadcast_rate : config_.data_rate;
+const PhyMode& FrameFactory::data_mode(const MacRequest& request) const {
+  return request.destination == hal::kEveryone ? broadcast_ : data_;
 }
 
 hal::Duration FrameFactory::data_airtime(const MacRequest& request) const {
-  return airtime_.of(airtime_.mpdu_bits(FrameType::kData, request.payload->size()),
-                     data_rate(request));
+  return data_mode(request).airtime(mpdu_bits(config_, FrameType::kData, request.payload->size()));
 }
 
 hal::Duration FrameFactory::control_airtime(FrameType type) const {
-  return airtime_.of(airtime_.mpdu_bits(type), config_.control_rate);
+  return control_.airtime(mpdu_bits(config_, type));
 }
 
 }  // namespace sim::radio

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "hal/types/agent_id.h"
-#include "sim/radio/airtime.h"
 #include "sim/radio/frame.h"
+#include "sim/radio/mode_set.h"
 #include "sim/radio/radio_config.h"
 
 namespace sim::radio {
@@ -10,7 +10,8 @@ namespace sim::radio {
 /// Makes the frames of one station, with the Duration fields of IEEE Std 802.11-2016, 9.2.5.
 class FrameFactory {
  public:
-  FrameFactory(const RadioConfig& config, hal::AgentId agent);
+  /// Config and modes outlive it and the frames.
+  FrameFactory(const RadioConfig& config, const ModeSet& modes, hal::AgentId agent);
 
   struct DataOptions {
     std::uint16_t sequence = 0;
@@ -25,16 +26,19 @@ class FrameFactory {
   FramePtr cts(hal::AgentId to, hal::Duration duration);
   FramePtr ack(hal::AgentId to);
 
-  hal::BitsPerSecond data_rate(const MacRequest& request) const;
   hal::Duration data_airtime(const MacRequest& request) const;
   hal::Duration control_airtime(FrameType type) const;
 
  private:
   std::shared_ptr<Frame> blank(FrameType type, hal::AgentId to);
+  const PhyMode& data_mode(const MacRequest& request) const;
+  static void send_in(const PhyMode& mode, std::uint32_t bits, Frame& frame);
   FramePtr control(FrameType type, hal::AgentId to, hal::Duration duration);
 
   const RadioConfig& config_;
-  Airtime airtime_;
+  const PhyMode& data_;
+  const PhyMode& broadcast_;
+  const PhyMode& control_;
   hal::AgentId agent_;
   std::uint64_t made_ = 0;
 };

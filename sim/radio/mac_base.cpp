@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "hal/types/check.h"
+#include "sim/radio/frame_lengths.h"
 
 namespace sim::radio {
 
@@ -11,9 +12,9 @@ MacBase::MacBase(const Context& context)
     : events_(context.events),
       observer_(context.observer),
       config_(context.config),
-      airtime_(context.config),
+      data_mode_(context.modes.at(context.config.data_rate)),
       agent_(context.agent),
-      service_time_(airtime_.of(airtime_.mpdu_bits(FrameType::kData), config_.data_rate)) {}
+      service_time_(data_mode_.airtime(mpdu_bits(config_, FrameType::kData))) {}
 
 void MacBase::add_client(Ethertype ethertype, MacClient& client) {
   BARAKA_CHECK(client_of(ethertype) == nullptr);
@@ -64,8 +65,7 @@ hal::Duration MacBase::expected_delay() const {
 }
 
 double MacBase::transmit_energy(std::size_t bytes) const {
-  const hal::Duration time =
-      airtime_.of(airtime_.mpdu_bits(FrameType::kData, bytes), config_.data_rate);
+  const hal::Duration time = data_mode_.airtime(mpdu_bits(config_, FrameType::kData, bytes));
   return config_.tx_power.value * 1e-3 * hal::to_seconds(time);
 }
 

@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "sim/core/event_queue.h"
-#include "sim/radio/airtime.h"
 #include "sim/radio/frame.h"
 #include "sim/radio/mac_sap.h"
+#include "sim/radio/mode_set.h"
 #include "sim/radio/observer.h"
 #include "sim/radio/radio_config.h"
 
@@ -20,6 +20,7 @@ class MacBase : public MacSap {
     EventQueue& events;
     RadioObserver& observer;
     const RadioConfig& config;
+    const ModeSet& modes;
     hal::AgentId agent;
   };
 
@@ -53,7 +54,6 @@ class MacBase : public MacSap {
 
   EventQueue& events() const { return events_; }
   const RadioConfig& config() const { return config_; }
-  const Airtime& airtime() const { return airtime_; }
   RadioObserver& observer() const { return observer_; }
   hal::AgentId agent() const { return agent_; }
   hal::Time now() const { return events_.now(); }
@@ -64,7 +64,7 @@ class MacBase : public MacSap {
   EventQueue& events_;
   RadioObserver& observer_;
   const RadioConfig& config_;
-  Airtime airtime_;
+  const PhyMode& data_mode_;
   hal::AgentId agent_;
   hal::Duration service_time_;
   std::vector<std::pair<Ethertype, MacClient*>> clients_;

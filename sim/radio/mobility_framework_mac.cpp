@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "sim/radio/frame_lengths.h"
+
 namespace sim::radio {
 namespace {
 
@@ -19,7 +21,7 @@ MobilityFrameworkMac::MobilityFrameworkMac(const Context& context, Radio& radio,
                                            hal::RandomStream backoff)
     : MacBase(context),
       radio_(radio),
-      frames_(context.config, context.agent),
+      frames_(context.config, context.modes, context.agent),
       random_(backoff),
       difs_(context.config.sifs + 2 * context.config.slot),
       eifs_(context.config.sifs + difs_ + airtime_of(FrameType::kAck)),
@@ -234,7 +236,7 @@ MacRequest MobilityFrameworkMac::pop() {
 }
 
 bool MobilityFrameworkMac::uses_rts(const MacRequest& request) const {
-  const std::uint32_t bits = airtime().mpdu_bits(FrameType::kData, request.payload->size());
+  const std::uint32_t bits = mpdu_bits(config(), FrameType::kData, request.payload->size());
   return bits > 8 * config().rts_threshold;
 }
 

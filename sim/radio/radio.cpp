@@ -124,7 +124,7 @@ bool Radio::can_capture(const Signal& signal) const {
   if (held_->start() == signal.start) {
     return signal.arrival.power.value > held_->power();
   }
-  return capture_margin_ && held_->in_plcp(rules_, events_.now()) &&
+  return capture_margin_ && held_->in_header(events_.now()) &&
          signal.arrival.power.value >= *capture_margin_ * held_->power();
 }
 

@@ -46,4 +46,8 @@ RadioConfig profile_defaults(Profile profile) {
   return config;
 }
 
+bool has_mac(const RadioConfig& config) {
+  return config.profile == Profile::kMobilityFramework || config.profile == Profile::kIeee80211b;
+}
+
 }  // namespace sim::radio

@@ -88,4 +88,7 @@ struct RadioConfig {
 /// disk: 250.16 m, the range of mf, and 11 Mb/s. ideal: 250.16 m.
 RadioConfig profile_defaults(Profile profile);
 
+/// Whether stations contend for a medium: mobility_framework and ieee80211b.
+bool has_mac(const RadioConfig& config);
+
 }  // namespace sim::radio

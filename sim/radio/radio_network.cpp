@@ -9,16 +9,13 @@
 #include "sim/radio/dcf_mac.h"
 #include "sim/radio/disk_mac.h"
 #include "sim/radio/mobility_framework_mac.h"
+#include "sim/radio/mode_set.h"
 #include "sim/radio/neighbourhood.h"
 #include "sim/radio/propagation.h"
 #include "sim/radio/radio.h"
 
 namespace sim::radio {
 namespace {
-
-bool has_mac(const RadioConfig& config) {
-  return config.profile == Profile::kMobilityFramework || config.profile == Profile::kIeee80211b;
-}
 
 void require(bool holds, const char* what) {
   if (!holds) throw std::invalid_argument(std::string("radio: ") + what);
@@ -82,6 +79,7 @@ struct RadioNetwork::State {
       : config(checked(wanted)),
         stations(std::move(sorted)),
         surroundings(around),
+        modes(config),
         propagation(config, around.obstacles),
         neighbourhood(around.events, around.positions, propagation, addresses(stations)),
         rules(config),
@@ -95,7 +93,7 @@ struct RadioNetwork::State {
   }
 
   void add(const Station& station) {
-    const MacBase::Context context{surroundings.events, surroundings.observer, config,
+    const MacBase::Context context{surroundings.events, surroundings.observer, config, modes,
                                    station.agent};
     if (!has_mac(config)) {
       macs.push_back(std::make_unique<DiskMac>(context, disk));
@@ -116,6 +114,7 @@ struct RadioNetwork::State {
   RadioConfig config;
   std::vector<Station> stations;  ///< In order of addresses.
   Surroundings surroundings;
+  ModeSet modes;
   Propagation propagation;
   Neighbourhood neighbourhood;
   ReceptionRules rules;

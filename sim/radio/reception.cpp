@@ -4,14 +4,10 @@
 #include <limits>
 
 #include "hal/types/math.h"
-#include "sim/radio/error_model.h"
 #include "sim/radio/propagation.h"
 
 namespace sim::radio {
 namespace {
-
-constexpr hal::BitsPerSecond kPlcpRate{1e6};
-constexpr double kPlcpHeaderBits = 48;
 
 /// How much of [from, to) lies in [low, high).
 hal::Duration overlap(hal::Time from, hal::Time to, hal::Time low, hal::Time high) {
@@ -24,8 +20,7 @@ ReceptionRules::ReceptionRules(const RadioConfig& config)
     : error_model(config.error_model),
       min_sinr(hal::math::pow(10, config.min_sinr.value / 10)),
       noise(to_milliwatts(config.noise_floor).value),
-      sensitivity(to_milliwatts(config.sensitivity).value),
-      airtime(config) {}
+      sensitivity(to_milliwatts(config.sensitivity).value) {}
 
 hal::Verdict cause_of_loss(const ReceptionRules& rules, const Interference& interference) {
   if (interference.sum < rules.noise) return hal::Verdict::kNoise;
@@ -47,32 +42,31 @@ void Reception::hear(const ReceptionRules& rules, const Interference& interferen
   worst_.sum = std::max(worst_.sum, interference.sum);
   worst_.strongest = std::max(worst_.strongest, interference.strongest);
   if (rules.error_model == ErrorModel::kDsss) {
-    success_ *= success_of_interval(rules, sinr, heard_until_, now);
+    success_ *= success_of_interval(sinr, heard_until_, now);
   }
   heard_until_ = now;
 }
 
-double Reception::success_of_interval(const ReceptionRules& rules, double sinr, hal::Time from,
-                                      hal::Time to) const {
-  const hal::Time header = start_ + rules.airtime.preamble(frame_->rate);
-  const hal::Time body = start_ + rules.airtime.plcp(frame_->rate);
+double Reception::success_of_interval(double sinr, hal::Time from, hal::Time to) const {
+  const PhyMode& mode = *frame_->mode;
+  const hal::Time header = start_ + mode.preamble();
+  const hal::Time body = start_ + mode.preamble_and_header();
   const hal::Time end = start_ + frame_->airtime;
   const double header_share =
       hal::to_seconds(overlap(from, to, header, body)) / hal::to_seconds(body - header);
   const double body_share =
       hal::to_seconds(overlap(from, to, body, end)) / hal::to_seconds(end - body);
-  return success_probability(rules.error_model, sinr, kPlcpRate, header_share * kPlcpHeaderBits) *
-         success_probability(rules.error_model, sinr, frame_->rate,
-                             body_share * frame_->air_length);
+  return mode.header_success(sinr, header_share) *
+         mode.success(sinr, body_share * frame_->air_length);
 }
 
-double Reception::success_at_min_sinr(const ReceptionRules& rules) const {
-  return success_probability(rules.error_model, min_sinr_, kPlcpRate, kPlcpHeaderBits) *
-         success_probability(rules.error_model, min_sinr_, frame_->rate, frame_->air_length);
+double Reception::success_at_min_sinr() const {
+  return frame_->mode->header_success(min_sinr_, 1) *
+         frame_->mode->success(min_sinr_, frame_->air_length);
 }
 
-bool Reception::in_plcp(const ReceptionRules& rules, hal::Time now) const {
-  return now < start_ + rules.airtime.plcp(frame_->rate);
+bool Reception::in_header(hal::Time now) const {
+  return now < start_ + frame_->mode->preamble_and_header();
 }
 
 Reception::Outcome Reception::judge(const ReceptionRules& rules, hal::RandomStream& errors) const {
@@ -80,7 +74,7 @@ Reception::Outcome Reception::judge(const ReceptionRules& rules, hal::RandomStre
   if (mobility_framework && min_sinr_ <= rules.min_sinr) {
     return {cause_of_loss(rules, worst_), ReceiveError::kCollision};
   }
-  const double success = mobility_framework ? success_at_min_sinr(rules) : success_;
+  const double success = mobility_framework ? success_at_min_sinr() : success_;
   if (success >= 1 || errors.uniform() < success) return {};
   return {cause_of_loss(rules, worst_), ReceiveError::kBitError};
 }

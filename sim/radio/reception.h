@@ -5,7 +5,6 @@
 #include "hal/types/random.h"
 #include "hal/types/time.h"
 #include "hal/types/verdict.h"
-#include "sim/radio/airtime.h"
 #include "sim/radio/frame.h"
 #include "sim/radio/radio_config.h"
 
@@ -25,7 +24,6 @@ struct ReceptionRules {
   double min_sinr;
   double noise;        ///< mW
   double sensitivity;  ///< mW
-  Airtime airtime;
 };
 
 /// Sum and maximum of the other frames at a receiver.
@@ -53,8 +51,8 @@ class Reception {
   /// The interference was this from the last call (or from synchronising) until now.
   void hear(const ReceptionRules& rules, const Interference& interference, hal::Time now);
 
-  /// Whether the PLCP header is still to come in.
-  bool in_plcp(const ReceptionRules& rules, hal::Time now) const;
+  /// Whether some of preamble and PHY header is still to come in.
+  bool in_header(hal::Time now) const;
 
   struct Outcome {
     hal::Verdict verdict = hal::Verdict::kDelivered;
@@ -66,9 +64,8 @@ class Reception {
   double min_sinr() const { return min_sinr_; }  ///< Ratio, not dB.
 
  private:
-  double success_of_interval(const ReceptionRules& rules, double sinr, hal::Time from,
-                             hal::Time to) const;
-  double success_at_min_sinr(const ReceptionRules& rules) const;
+  double success_of_interval(double sinr, hal::Time from, hal::Time to) const;
+  double success_at_min_sinr() const;
 
   const Frame* frame_;
   double power_;

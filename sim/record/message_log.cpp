@@ -3,14 +3,6 @@
 #include "hal/routing/frame.h"
 
 namespace sim::record {
-namespace {
-
-std::string_view name(hal::Fate fate) {
-  constexpr std::string_view kNames[] = {"handed over", "no route", "queue full", "failed"};
-  return kNames[static_cast<int>(fate)];
-}
-
-}  // namespace
 
 MessageLog::MessageLog(Database& database)
     : insert_(database,
@@ -58,7 +50,7 @@ void MessageLog::on_message_delivered(hal::Time at, hal::AgentId receiver,
 }
 
 void MessageLog::on_fate(hal::Time at, hal::AgentId sender, hal::MessageId id, hal::Fate fate) {
-  set_fate_.run(name(fate), hal::to_ns(at), sender.value, std::int64_t{id});
+  set_fate_.run(to_string(fate), hal::to_ns(at), sender.value, std::int64_t{id});
 }
 
 void MessageLog::on_end(hal::AgentId sender, hal::MessageId id, hal::Verdict verdict) {

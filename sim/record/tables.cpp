@@ -101,7 +101,7 @@ std::vector<Table> message_tables() {
          "sensitivity' if none was in range"}},
        "sender, id"},
       {"broadcasts",
-       "the messages to everyone: how many got them",
+       "the messages to everyone or to neighbours: how many got them",
        {{"sender", "INTEGER", "", "agent"},
         {"id", "INTEGER", "", "of the message, by its sender"},
         {"topic", "TEXT", "", "class of the message"},
@@ -113,7 +113,7 @@ std::vector<Table> message_tables() {
        "SELECT sender, id, topic, sent_ns,"
        " (SELECT COUNT(*) FROM agents WHERE agent <> m.sender) AS addressees,"
        " (SELECT COUNT(*) FROM deliveries d WHERE d.sender = m.sender AND d.id = m.id) AS reached,"
-       " verdict FROM messages m WHERE destination = 65535"},
+       " verdict FROM messages m WHERE destination >= 65534"},
       {"deliveries",
        "messages handed to a controller; a flood once per agent",
        {{"sender", "INTEGER NOT NULL", "", "of the message"},
@@ -223,7 +223,8 @@ std::vector<Table> trace_tables() {
 std::string_view conventions() {
   return "Times are simulated and count from the start of the run. Lengths and angles are in the "
          "world frame: x and y in the plane, headings from the x axis towards the y axis. Agents "
-         "are addresses; 65535 is everyone. Verdicts are: delivered, below sensitivity, preamble "
+         "are addresses; 65535 is everyone, 65534 whoever hears it. Verdicts are: delivered, below "
+         "sensitivity, preamble "
          "missed, collision, interference, noise, obstacle, retry limit, queue full, receiver "
          "transmitting, radio off, no route, expired, agent down. Fates are: handed over, no "
          "route, queue full, failed.";

@@ -93,7 +93,7 @@ void read_network(RunReader& reader, RunResult& run) {
 
 void read_messages(RunReader& reader, RunResult& run) {
   Statement ends = reader.query(
-      "SELECT destination = 65535, IFNULL(verdict, 'under way'), COUNT(*) FROM messages"
+      "SELECT destination >= 65534, IFNULL(verdict, 'under way'), COUNT(*) FROM messages"
       " GROUP BY 1, 2");
   while (ends.next()) {
     const auto number = static_cast<std::uint64_t>(ends.integer(2));
@@ -105,7 +105,7 @@ void read_messages(RunReader& reader, RunResult& run) {
     }
   }
   Statement deliveries = reader.query(
-      "SELECT m.destination = 65535, d.delay_ns, d.transmissions"
+      "SELECT m.destination >= 65534, d.delay_ns, d.transmissions"
       " FROM deliveries d JOIN messages m USING (sender, id)"
       " ORDER BY d.at_ns, d.sender, d.id");
   while (deliveries.next()) {

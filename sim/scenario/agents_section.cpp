@@ -37,7 +37,7 @@ const Key kWheels{
     "they touch the ground, which is some 3.5 times faster.",
     "jointed"};
 
-constexpr std::int64_t kLastAddress = 0xfffe;  // 0xffff is everyone
+using hal::kLastAddress;
 
 /// Addresses and names given away so far.
 struct Taken {

@@ -16,8 +16,9 @@ using hal::exchange::ParameterText;
 
 std::vector<ParameterText> read_parameters(Mapping in) {
   std::vector<ParameterText> parameters;
-  for (const hal::config::Scalar& scalar : in.scalars()) {
-    parameters.push_back({scalar.key, scalar.text, scalar.place});
+  for (hal::config::PlainValue& given : in.plain_values()) {
+    parameters.push_back({std::move(given.key), std::move(given.text), std::move(given.place),
+                          given.is_list, std::move(given.items)});
   }
   return parameters;
 }
@@ -62,7 +63,8 @@ void apply_override(Mapping& in, std::span<AgentConfig> agents, Overridden& over
 
 bool same_value(const AgentConfig& agent, const ParameterText& parameter) {
   return std::any_of(agent.parameters.begin(), agent.parameters.end(), [&](const auto& other) {
-    return other.name == parameter.name && other.value == parameter.value;
+    return other.name == parameter.name && other.value == parameter.value &&
+           other.is_list == parameter.is_list && other.items == parameter.items;
   });
 }
 
@@ -83,7 +85,13 @@ std::vector<ParameterText> selected(std::span<const AgentConfig> agents, const A
 
 void write_parameters(Writer& out, const std::vector<ParameterText>& parameters) {
   out.open("parameters");
-  for (const ParameterText& parameter : parameters) out.text(parameter.name, parameter.value);
+  for (const ParameterText& parameter : parameters) {
+    if (parameter.is_list) {
+      out.texts(parameter.name, parameter.items);
+    } else {
+      out.text(parameter.name, parameter.value);
+    }
+  }
   out.close();
 }
 
@@ -97,7 +105,7 @@ void read_controller(Mapping in, Group& group, std::span<AgentConfig> agents) {
   const auto most = std::max<std::int64_t>(1, static_cast<std::int64_t>(agents.size()));
   const std::int64_t processes = in.integer(
       {"processes", "Controller processes that share the agents; at most one for each.", "1"}, 1,
-      0xfffe, 1);
+      hal::kLastAddress, 1);
   if (processes > most) {
     in.mistake("processes", fmt::format("{} is above the limit of {}", processes, most));
   }

@@ -8,7 +8,7 @@
 namespace sim::scenario {
 namespace {
 
-constexpr std::int64_t kMostAgents = 65'534;  // network addresses have 16 bits; 0xffff is everyone
+constexpr std::int64_t kMostAgents = hal::kLastAddress;
 
 /// Row by row from the origin: x first, then y.
 std::vector<hal::Pose2> read_grid(Mapping in) {

@@ -36,7 +36,7 @@ class Describe(unittest.TestCase):
             finished = describe(what)
             self.assertEqual(finished.status, 0, finished)
             self.assertIn("agents.NAME.grid.columns (scenario file)", finished.out)
-            self.assertIn("1 .. 65534", finished.out)
+            self.assertIn("1 .. 65533", finished.out)
         several = describe("stale_after").out
         self.assertIn("localisation.stale_after (hardware file)", several)
         self.assertIn("wheels.stale_after (hardware file)", several)
@@ -95,7 +95,7 @@ class Check(unittest.TestCase):
                      r":3:7: size: must be a list of 3 values"),
                     ("radio", "profile: disk\nrange: 3\n", r":2:8: range: '3' must be written in m"),
                     ("hardware", "version: 1\nagent: {name: a}\n",
-                     r":2:8: agent.address: is missing: a whole number, 1 .. 65534")):
+                     r":2:8: agent.address: is missing: a whole number, 1 .. 65533")):
                 path = pathlib.Path(folder, name + ".yaml")
                 path.write_text(text)
                 finished = Program("baraka", "check", path).finish()

@@ -47,7 +47,7 @@ class Tally : public hal::Controller {
 BARAKA_CONTROLLER {
   return {.name = "tally",
           .wants = {},
-          .parameters = {{"send_to", "1", 0, 0, 65534, "Address of the receiver; 0: nobody."},
+          .parameters = {{"send_to", "1", 0, 0, 65535, "Address of the receiver; 0: nobody."},
                          {"sleep", "s", 0, 0, 10, "How long a control cycle takes."}},
           .make_for_mote = hal::make_for_mote<Tally>};
 }

@@ -140,15 +140,27 @@ TEST_F(MappingTest, RefusesAKeyWithItsReason) {
   EXPECT_EQ(found, (Lines{"a.yaml:1:1: range: is not used by the profile 'x'"}));
 }
 
-TEST_F(MappingTest, GivesTheRawScalarsOfAMappingWithTheirPlaces) {
-  const auto none = mistakes("help_at: 1 s\nrepeat: never\n", [this](Mapping& in) {
-    const auto scalars = in.scalars();
-    ASSERT_EQ(scalars.size(), 2u);
-    EXPECT_EQ(scalars[0].key, "help_at");
-    EXPECT_EQ(scalars[0].text, "1 s");
-    EXPECT_EQ(scalars[1].place, folder_.string() + "/a.yaml:2:9");
-  });
+TEST_F(MappingTest, GivesThePlainValuesOfAMappingWithTheirPlaces) {
+  const auto none =
+      mistakes("help_at: 1 s\nrepeat: never\nway: [1 m, 2 m]\nno: []\n", [this](Mapping& in) {
+        const auto values = in.plain_values();
+        ASSERT_EQ(values.size(), 4u);
+        EXPECT_EQ(values[0].key, "help_at");
+        EXPECT_EQ(values[0].text, "1 s");
+        EXPECT_FALSE(values[0].is_list);
+        EXPECT_EQ(values[1].place, folder_.string() + "/a.yaml:2:9");
+        EXPECT_TRUE(values[2].is_list);
+        EXPECT_EQ(values[2].items, (std::vector<std::string>{"1 m", "2 m"}));
+        EXPECT_TRUE(values[3].is_list);
+        EXPECT_TRUE(values[3].items.empty());
+      });
   EXPECT_EQ(none, Lines{});
+}
+
+TEST_F(MappingTest, RefusesAPlainValueThatIsNone) {
+  const auto found = mistakes("a: {b: 1}\nc: [[1], 2]\n", [](Mapping& in) { in.plain_values(); });
+  EXPECT_EQ(found, (Lines{"a.yaml:1:4: a: must be a single value or a list of them, not a mapping",
+                          "a.yaml:2:5: c: must be a single value, not a list of 1"}));
 }
 
 TEST_F(MappingTest, LimitsAnOptionalTimeToWhatADurationHolds) {

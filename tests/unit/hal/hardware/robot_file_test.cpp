@@ -85,7 +85,7 @@ TEST(HardwareExamples, OfAMoteNeedNoBodyAndKnowTheirPlace) {
 TEST_F(RobotFileTest, EmptyFilesLackEverything) {
   EXPECT_EQ(mistakes("{}\n"),
             (Lines{
-                "1:1: agent.address: is missing: a whole number, 1 .. 65534, e.g. 26",
+                "1:1: agent.address: is missing: a whole number, 1 .. 65533, e.g. 26",
                 "1:1: agent.kind: is missing: one of robot, mote",
                 "1:1: agent.name: is missing: text, e.g. r0",
                 "1:1: radio.interface: is missing: text, e.g. wlan0",
@@ -110,7 +110,7 @@ TEST_F(RobotFileTest, EveryMistakeIsNamedAtOnce) {
             (Lines{
                 "1:10: version: 2 is above the limit of 1",
                 "2:15: agent.name: '0r' must be letters, digits, '_' and '-' after a letter",
-                "2:28: agent.address: 65535 is above the limit of 65534",
+                "2:28: agent.address: 65535 is above the limit of 65533",
                 "2:41: agent.kind: 'car' is not one of robot, mote",
                 "4:18: command_timeout: must not be shorter than control_period: the wheels would "
                 "stop between "

@@ -43,6 +43,20 @@ TEST(Flooding, IsDeliveredAtTheFirstCopyBeforeTheJitter) {
   EXPECT_EQ(network.node(2).messages.size(), 1u);
 }
 
+TEST(Flooding, ToTheNeighboursIsHeardOnceByEachOfThemAndNotRepeated) {
+  Network network(4);
+  connect_chain(network);
+  network.send(2, kNeighbours.value);
+  network.run(10s);
+  EXPECT_EQ(network.sent.size(), 1u);
+  EXPECT_EQ(network.node(1).messages.size(), 1u);
+  EXPECT_EQ(network.node(3).messages.size(), 1u);
+  EXPECT_EQ(network.node(3).messages[0].destination, kNeighbours);
+  EXPECT_TRUE(network.node(4).messages.empty());
+  ASSERT_EQ(network.node(2).fates.size(), 1u);
+  EXPECT_EQ(network.node(2).fates[0].fate, Fate::kHandedOver);
+}
+
 TEST(Flooding, IsHandedOverWhenItLeftTheAntenna) {
   Network network(1);
   network.flood(1);

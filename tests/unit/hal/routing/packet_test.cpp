@@ -103,6 +103,11 @@ bool is_refused(P packet, Change change) {
 
 TEST(Packet, HeaderOutOfRangeIsRefused) {
   EXPECT_TRUE(is_refused(data(), [](Data& d) { d.header.source = kEveryone; }));
+  EXPECT_TRUE(is_refused(data(), [](Data& d) { d.header.source = kNeighbours; }));
+  EXPECT_TRUE(is_refused(data(), [](Data& d) {
+    d.header.destination = kNeighbours;
+    d.transmissions = 2;
+  })) << "nobody repeats what goes to neighbours";
   EXPECT_TRUE(is_refused(data(), [](Data& d) { d.header.destination = d.header.source; }));
   EXPECT_TRUE(is_refused(data(), [](Data& d) { d.id = 0; }));
   EXPECT_TRUE(is_refused(data(), [](Data& d) { d.transmissions = 0; }));

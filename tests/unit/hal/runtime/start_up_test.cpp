@@ -13,7 +13,9 @@
 namespace {
 
 using namespace std::chrono_literals;
+using hal::exchange::ParameterText;
 using hal::runtime::check_parameters;
+using hal::runtime::read_parameters;
 
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
@@ -42,6 +44,62 @@ TEST(StartUp, AParameterDeclaredInWhatIsNoUnitIsAMistakeOfTheController) {
   EXPECT_EQ(check_parameters(kind, {{"count", "3", "a.yaml:1:2"}}),
             std::vector<std::string>{"a.yaml:1:2: count: idle declares it in 'pieces', which is no "
                                      "unit (\"1\" is that of a plain number)"});
+}
+
+hal::ControllerKind with_all_kinds() {
+  hal::ControllerKind kind = idle();
+  kind.parameters = {
+      {.name = "mode", .default_value = "near", .meaning = "Whom.", .choices = {"near", "needy"}},
+      {.name = "called", .default_value = "", .meaning = "How it is called."},
+      {.name = "patrols", .default_value = false, .meaning = "Whether."},
+      {.name = "way",
+       .unit = "m",
+       .default_value = std::vector<double>{1, 2},
+       .low = -9,
+       .high = 9,
+       .meaning = "Where."},
+      {.name = "friends", .default_value = std::vector<std::string>{}, .meaning = "Who."}};
+  return kind;
+}
+
+ParameterText list(std::string name, std::vector<std::string> items) {
+  return {std::move(name), "", "a.yaml:1:2", true, std::move(items)};
+}
+
+TEST(CheckParameters, ReadsTextsFlagsAndLists) {
+  const hal::ControllerKind kind = with_all_kinds();
+  const hal::Parameters defaults = read_parameters(kind, {});
+  EXPECT_EQ(defaults.text("mode"), "near");
+  EXPECT_FALSE(defaults.flag("patrols"));
+  EXPECT_EQ(defaults.numbers("way"), (std::vector<double>{1, 2}));
+  EXPECT_TRUE(defaults.texts("friends").empty());
+
+  const std::vector<ParameterText> given = {{"mode", "needy", "a.yaml:1:2"},
+                                            {"patrols", "true", "a.yaml:2:2"},
+                                            list("way", {"30 cm", "-2 m", "0 m"}),
+                                            list("friends", {"r1", "m*"})};
+  ASSERT_EQ(check_parameters(kind, given), std::vector<std::string>{});
+  const hal::Parameters parameters = read_parameters(kind, given);
+  EXPECT_EQ(parameters.text("mode"), "needy");
+  EXPECT_TRUE(parameters.flag("patrols"));
+  EXPECT_EQ(parameters.numbers("way"), (std::vector<double>{0.3, -2, 0}));
+  EXPECT_EQ(parameters.texts("friends"), (std::vector<std::string>{"r1", "m*"}));
+}
+
+TEST(CheckParameters, SaysWhatATextAFlagOrAListMustBe) {
+  const hal::ControllerKind kind = with_all_kinds();
+  const auto mistake = [&](const ParameterText& given) { return check_parameters(kind, {given}); };
+  using Lines = std::vector<std::string>;
+  EXPECT_EQ(mistake({"mode", "nedy", "a.yaml:1:2"}),
+            Lines{"a.yaml:1:2: mode: 'nedy' is not one of near, needy; did you mean 'needy'?"});
+  EXPECT_EQ(mistake({"patrols", "yes", "a.yaml:1:2"}),
+            Lines{"a.yaml:1:2: patrols: must be true or false, not 'yes'"});
+  EXPECT_EQ(mistake({"way", "1 m", "a.yaml:1:2"}),
+            Lines{"a.yaml:1:2: way: must be a list, each a number with its unit (m), not '1 m'"});
+  EXPECT_EQ(mistake(list("way", {"1 m", "10 m"})),
+            Lines{"a.yaml:1:2: way: item 2: 10 m is above the limit of 9 m"});
+  EXPECT_EQ(mistake(list("mode", {"near"})),
+            Lines{"a.yaml:1:2: mode: must be one of near, needy, not a list of 1"});
 }
 
 TEST(CheckParameters, RefusesTimesThatNoClockOfOursHolds) {
@@ -141,7 +199,7 @@ TEST(ControllerOptions, HelpListsTheParametersAndIsNoMistake) {
   const std::string help = testing::internal::GetCapturedStdout();
   EXPECT_FALSE(parsed.options.has_value());
   EXPECT_EQ(parsed.exit_status, 0);
-  EXPECT_NE(help.find("How fast. (0 m/s to 2 m/s; default 0.5 m/s)"), std::string::npos) << help;
+  EXPECT_NE(help.find("How fast. (0 m/s .. 2 m/s; default 0.5 m/s)"), std::string::npos) << help;
   EXPECT_NE(help.find("default never"), std::string::npos) << help;
 }
 

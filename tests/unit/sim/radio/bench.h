@@ -46,6 +46,7 @@ class Bench {
     antennas.place(agents_.back(), {at});
   }
   void build() {
+    modes.emplace(config);
     propagation.emplace(config, wall);
     neighbourhood.emplace(events, antennas, *propagation, agents_);
     rules.emplace(config);
@@ -57,7 +58,7 @@ class Bench {
       listeners.push_back(std::make_unique<Listener>());
       radios.back()->attach(*listeners.back());
       channel->add(*radios.back());
-      factories.push_back(std::make_unique<FrameFactory>(config, agents_[i]));
+      factories.push_back(std::make_unique<FrameFactory>(config, *modes, agents_[i]));
     }
   }
   Radio& radio(std::uint16_t station) { return *radios.at(station - 1u); }
@@ -83,6 +84,7 @@ class Bench {
   PlacedAntennas antennas;
   Wall wall;
   Log log;
+  std::optional<ModeSet> modes;
   std::optional<Propagation> propagation;
   std::optional<Neighbourhood> neighbourhood;
   std::optional<ReceptionRules> rules;

@@ -1,8 +1,10 @@
-#include "sim/radio/airtime.h"
+#include "sim/radio/phy_mode.h"
 
 #include <gtest/gtest.h>
 
 #include "sim/radio/dcf_timing.h"
+#include "sim/radio/frame_lengths.h"
+#include "sim/radio/mode_set.h"
 
 namespace sim::radio::test {
 namespace {
@@ -20,8 +22,9 @@ std::string name_of(const testing::TestParamInfo<AirtimeCase>& c) { return c.par
 // Replica of the Mobility Framework, section 2: 192 us + bits / rate, to the nearest nanosecond.
 class ExactAirtime : public testing::TestWithParam<AirtimeCase> {};
 TEST_P(ExactAirtime, IsPlcpPlusLengthOverRate) {
-  const Airtime airtime(profile_defaults(Profile::kMobilityFramework));
-  EXPECT_EQ(airtime.of(GetParam().bits, hal::BitsPerSecond{GetParam().rate}), GetParam().airtime);
+  const ModeSet modes(profile_defaults(Profile::kMobilityFramework));
+  EXPECT_EQ(modes.at(hal::BitsPerSecond{GetParam().rate}).airtime(GetParam().bits),
+            GetParam().airtime);
 }
 INSTANTIATE_TEST_SUITE_P(
     Replica, ExactAirtime,
@@ -36,8 +39,9 @@ INSTANTIATE_TEST_SUITE_P(
 // IEEE Std 802.11-2016, 16.3.4: preamble + PLCP header + ceil(8 LENGTH / rate in Mb/s) us.
 class StandardAirtime : public testing::TestWithParam<AirtimeCase> {};
 TEST_P(StandardAirtime, RoundsUpToMicroseconds) {
-  const Airtime airtime(profile_defaults(Profile::kIeee80211b));
-  EXPECT_EQ(airtime.of(GetParam().bits, hal::BitsPerSecond{GetParam().rate}), GetParam().airtime);
+  const ModeSet modes(profile_defaults(Profile::kIeee80211b));
+  EXPECT_EQ(modes.at(hal::BitsPerSecond{GetParam().rate}).airtime(GetParam().bits),
+            GetParam().airtime);
 }
 INSTANTIATE_TEST_SUITE_P(
     Std80211Clause16, StandardAirtime,
@@ -52,29 +56,43 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(ShortPreamble, SavesHalfExceptAt1MbPerSecond) {
   RadioConfig config = profile_defaults(Profile::kIeee80211b);
   config.preamble = Preamble::kShort;
-  const Airtime airtime(config);
-  EXPECT_EQ(airtime.of(112, hal::BitsPerSecond{2e6}), 96us + 56us);
-  EXPECT_EQ(airtime.of(112, hal::BitsPerSecond{1e6}), 192us + 112us);
+  const ModeSet modes(config);
+  EXPECT_EQ(modes.at(hal::BitsPerSecond{2e6}).airtime(112), 96us + 56us);
+  EXPECT_EQ(modes.at(hal::BitsPerSecond{2e6}).preamble(), 72us);
+  EXPECT_EQ(modes.at(hal::BitsPerSecond{1e6}).airtime(112), 192us + 112us);
+  EXPECT_EQ(&modes.lowest(), &modes.at(hal::BitsPerSecond{1e6}));
 }
 
 TEST(MpduLength, IsPayloadAndHeadersInBytes) {
-  const Airtime bytes(profile_defaults(Profile::kIeee80211b));
-  EXPECT_EQ(bytes.mpdu_bits(FrameType::kData, 1500), 8u * 1536);  // 24 + 8 + 1500 + 4
-  EXPECT_EQ(bytes.mpdu_bits(FrameType::kRts), 8u * 20);
-  EXPECT_EQ(bytes.mpdu_bits(FrameType::kCts), 8u * 14);
-  EXPECT_EQ(bytes.mpdu_bits(FrameType::kAck), 8u * 14);
+  const RadioConfig bytes = profile_defaults(Profile::kIeee80211b);
+  EXPECT_EQ(mpdu_bits(bytes, FrameType::kData, 1500), 8u * 1536);  // 24 + 8 + 1500 + 4
+  EXPECT_EQ(mpdu_bits(bytes, FrameType::kRts), 8u * 20);
+  EXPECT_EQ(mpdu_bits(bytes, FrameType::kCts), 8u * 14);
+  EXPECT_EQ(mpdu_bits(bytes, FrameType::kAck), 8u * 14);
 }
 
 TEST(MpduLength, IsFixedInTheReplicaWhateverThePayload) {
   RadioConfig config = profile_defaults(Profile::kMobilityFramework);
-  EXPECT_EQ(Airtime(config).mpdu_bits(FrameType::kData, 1500), 272u);
+  EXPECT_EQ(mpdu_bits(config, FrameType::kData, 1500), 272u);
   config.fixed_payload_bits = 96;
-  EXPECT_EQ(Airtime(config).mpdu_bits(FrameType::kData, 1500), 368u);
+  EXPECT_EQ(mpdu_bits(config, FrameType::kData, 1500), 368u);
+}
+
+// What has no PHY loses nothing on it, and takes bits over rate, or no time.
+TEST(PlainModes, AreInstantOrBitsOverRate) {
+  RadioConfig config = profile_defaults(Profile::kDisk);
+  config.data_rate = hal::BitsPerSecond{3e6};
+  const ModeSet disk(config);
+  EXPECT_EQ(disk.at(config.data_rate).airtime(8), 2667ns);
+  EXPECT_EQ(disk.at(config.data_rate).success(0, 1e6), 1);
+  const RadioConfig ideal = profile_defaults(Profile::kIdeal);
+  EXPECT_EQ(ModeSet(ideal).at(ideal.data_rate).airtime(8), 0ns);
 }
 
 // IEEE Std 802.11-2016, 10.3.2.3.7: EIFS = SIFS + ACK at the lowest rate + DIFS.
 TEST(Interframe, SpacesOf80211b) {
-  const DcfTiming timing(profile_defaults(Profile::kIeee80211b));
+  const RadioConfig config = profile_defaults(Profile::kIeee80211b);
+  const DcfTiming timing(config, ModeSet(config));
   EXPECT_EQ(timing.difs, 50us);
   EXPECT_EQ(timing.eifs, 364us);
   EXPECT_EQ(timing.response_timeout, 222us);  // SIFS + slot + 192 us

@@ -1,0 +1,45 @@
+#pragma once
+
+#include "sim/radio/phy_mode.h"
+#include "sim/radio/radio_config.h"
+
+namespace sim::radio {
+
+/// DSSS and HR/DSSS: IEEE Std 802.11-2016, clauses 15 and 16.
+///
+/// Preamble and PLCP header take 144 us and 48 us, with the short format 72 us and 24 us (16.2.2);
+/// at 1 Mb/s the format is always the long one.
+class DsssMode final : public PhyMode {
+ public:
+  struct Options {
+    Preamble preamble = Preamble::kLong;
+    Rounding rounding = Rounding::kMicrosecond;
+    ErrorModel errors = ErrorModel::kDsss;
+  };
+  /// @pre rate is 1, 2, 5.5 or 11 Mb/s.
+  DsssMode(hal::BitsPerSecond rate, const Options& options);
+
+  hal::Duration airtime(std::uint32_t mpdu_bits) const override;  ///< 16.3.4.
+  double header_success(double sinr, double share) const override;
+  double success(double sinr, double bits) const override;
+
+ private:
+  Rounding rounding_;
+  ErrorModel errors_;
+};
+
+/// A frame of the profiles without PHY: bits over rate to the nearest nanosecond, always received.
+class PlainMode final : public PhyMode {
+ public:
+  /// @param is_instant  takes no time at all.
+  PlainMode(hal::BitsPerSecond rate, bool is_instant);
+
+  hal::Duration airtime(std::uint32_t mpdu_bits) const override;
+  double header_success(double, double) const override { return 1; }
+  double success(double, double) const override { return 1; }
+
+ private:
+  bool is_instant_;
+};
+
+}  // namespace sim::radio

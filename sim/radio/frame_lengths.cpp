@@ -1,0 +1,21 @@
+#include "sim/radio/frame_lengths.h"
+
+namespace sim::radio {
+namespace {
+
+constexpr std::uint32_t kRtsBits = 160;
+constexpr std::uint32_t kCtsOrAckBits = 112;
+constexpr std::uint32_t kDataOverheadBytes = 24 + 8 + 4;  // MAC header, LLC/SNAP, FCS
+
+}  // namespace
+
+std::uint32_t mpdu_bits(const RadioConfig& config, FrameType type, std::size_t payload) {
+  if (type == FrameType::kRts) return kRtsBits;
+  if (type != FrameType::kData) return kCtsOrAckBits;
+  if (config.lengths == Lengths::kFixed) {
+    return config.fixed_header_bits + config.fixed_payload_bits;
+  }
+  return 8 * (static_cast<std::uint32_t>(payload) + kDataOverheadBytes);
+}
+
+}  // namespace sim::radio
