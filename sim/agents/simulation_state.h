@@ -1,11 +1,11 @@
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "hal/exchange/agent_table.h"
 #include "sim/agents/controllers.h"
 #include "sim/agents/observer_list.h"
 #include "sim/agents/simulated_agent.h"
@@ -54,7 +54,7 @@ struct Simulation::State final : AgentListener {
   BodyPositions positions;
   WallObstacles obstacles;
   radio::RadioNetwork air;
-  std::map<hal::AgentId, std::unique_ptr<SimulatedAgent>> agents;
+  hal::exchange::AgentTable<std::unique_ptr<SimulatedAgent>> agents;
   Controllers controllers;
   std::vector<hal::AgentId> waiting;  ///< Agents with something in the inbox; repeats allowed.
   std::optional<hal::Time> until;
