@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "hal/types/message.h"
 
@@ -41,10 +42,23 @@ bool is_well_formed(const Action& action, const AgentSession& session, hal::Time
 
 }  // namespace
 
-ActionVerdict judge(const Action& action, const std::vector<AgentSession>& granted,
+GrantedAgents::GrantedAgents(std::vector<AgentSession> sessions) : sessions_(std::move(sessions)) {
+  for (std::size_t i = 0; i < sessions_.size(); ++i) {
+    const std::size_t address = sessions_[i].agent.value;
+    if (address >= index_.size()) index_.resize(address + 1, kNone);
+    index_[address] = static_cast<std::uint32_t>(i);
+  }
+}
+
+const AgentSession* GrantedAgents::find(hal::AgentId agent) const {
+  if (agent.value >= index_.size() || index_[agent.value] == kNone) return nullptr;
+  return &sessions_[index_[agent.value]];
+}
+
+ActionVerdict judge(const Action& action, const GrantedAgents& granted,
                     const std::vector<Asked>& asked) {
-  const auto session = std::ranges::find(granted, action.agent, &AgentSession::agent);
-  if (session == granted.end()) return ActionVerdict::kForeign;
+  const AgentSession* session = granted.find(action.agent);
+  if (session == nullptr) return ActionVerdict::kForeign;
   if (action.event >= asked.size()) return ActionVerdict::kMalformed;
   const Asked& event = asked[action.event];
   if (event.agent != action.agent) return ActionVerdict::kMalformed;

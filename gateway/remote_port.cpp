@@ -30,7 +30,7 @@ RemotePort::RemotePort(std::unique_ptr<hal::dds::ProcessLink> link,
       who_(fmt::format("process '{}'", hello.process)) {
   summary_.name = hello.process;
   summary_.pid = hello.pid;
-  for (const auto& agent : granted_) summary_.agents.push_back(agent.name);
+  for (const auto& agent : granted_.all()) summary_.agents.push_back(agent.name);
 }
 
 hal::Result<void> RemotePort::begin(const Step& step) {

@@ -39,7 +39,7 @@ class RemotePort : public hal::exchange::ControllerPort {
   bool is_good(const hal::exchange::Action& action);
 
   std::unique_ptr<hal::dds::ProcessLink> link_;  ///< Null once disconnected.
-  std::vector<hal::exchange::AgentSession> granted_;
+  GrantedAgents granted_;
   std::function<void(hal::Time)> before_begin_;
   std::string who_;           ///< For people.
   std::vector<Asked> asked_;  ///< The events of the Step under way.

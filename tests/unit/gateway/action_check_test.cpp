@@ -25,7 +25,7 @@ class ActionOfRobot : public testing::Test {
   }
 
   const hal::Time second_ = hal::time_from_ns(1'000'000'000);
-  const std::vector<hal::exchange::AgentSession> granted_{sample_offers().back().session};
+  const GrantedAgents granted_{{sample_offers().back().session}};
   const std::vector<Asked> asked_{{hal::AgentId{4}, second_}, {hal::AgentId{5}, second_}};
   Action action_;
 };
