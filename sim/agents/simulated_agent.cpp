@@ -66,10 +66,11 @@ void SimulatedAgent::on_control() {
 void SimulatedAgent::sample(Event& event) {
   if (!wants_channel("localisation")) return;
   const BodyState self = surroundings_.scene.body(id());
+  const double range = surroundings_.config.localisation.range.value;
   hal::exchange::Reading reading{.channel = kLocalisation, .values = {}};
   for (const auto& other :
-       sensing::localise({self.x, self.y, self.theta}, id(), surroundings_.scene.positions(),
-                         surroundings_.config.localisation.range.value)) {
+       sensing::localise({self.x, self.y, self.theta}, id(),
+                         surroundings_.scene.near({self.x, self.y}, range), range)) {
     reading.values.insert(reading.values.end(), {static_cast<double>(other.agent.value),
                                                  other.position.x, other.position.y});
   }
