@@ -10,7 +10,7 @@ namespace hal::devices {
 ///
 /// The linear velocity moves on a straight line from the old to the commanded vector: at the
 /// braking limit while its length shrinks, then at the speeding-up limit. The rotation does the
-/// same in one dimension. Without this a step reversal yaws a three-wheeled base (replica.md 15).
+/// same in one dimension. Else a step reversal yaws a three-wheeled base (docs/models.md, 1).
 class MotorProfile {
  public:
   explicit MotorProfile(const AccelerationLimits& limits) : limits_(limits) {}

@@ -19,7 +19,7 @@ struct Solve {
 
 /// Advances a world by one step: separate robots by the exact solver, which is cheaper for them and
 /// tracks commands, jams by the iterative one, because the exact one grows with the cube of an
-/// island's size (physics.md section 2). Islands share no joints, so the passes do not interact.
+/// island's size (docs/models.md, 2). Islands share no joints, so the passes do not interact.
 struct Solved {
   bool jam = false;       ///< There was one.
   int largest_exact = 0;  ///< Contacts of the largest island that the exact solver got.

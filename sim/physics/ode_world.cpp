@@ -37,7 +37,7 @@ void configure(dWorldID world, const WorldConfig& config) {
   dWorldSetContactMaxCorrectingVel(world, config.max_correcting_velocity);
   dWorldSetQuickStepNumIterations(world, 20);
   // Thresholds at which motes at rest sleep within 0.6 s and none falls asleep while it is pushed
-  // (physics.md section 1).
+  // (docs/models.md, 1).
   dWorldSetAutoDisableFlag(world, 1);
   dWorldSetAutoDisableLinearThreshold(world, 0.005);
   dWorldSetAutoDisableAngularThreshold(world, 0.02);

@@ -20,7 +20,7 @@ namespace sim::physics {
 
 using hal::AgentId;
 
-/// Defaults are the measured ones of physics.md sections 0-2.
+/// Defaults are the measured ones of docs/models.md, 1 and 2.
 struct WorldConfig {
   hal::Duration step = std::chrono::milliseconds(10);  ///< > 0, at most 20 ms.
   double gravity = 9.81;                               ///< m/s^2, along `down`.

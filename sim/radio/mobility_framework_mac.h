@@ -12,8 +12,8 @@ namespace sim::radio {
 
 /// MAC of the Mobility Framework 1.0a5, which the paper used: CSMA/CA with RTS/CTS that differs
 /// from the standard's DCF in ways that its figures show, e.g. no backoff for a packet that finds
-/// the station idle, and no post-backoff. Written from its description in replica.md 5.4; source as
-/// imported into INET in 2005: MF80211/Mac80211.
+/// the station idle, and no post-backoff. Written from its description in docs/models.md, 4; source
+/// as imported into INET in 2005: MF80211/Mac80211.
 ///
 ///            packet, radio idle              RTS sent             CTS
 ///   kIdle --------------------> kContend -------------> kWaitCts -----> (SIFS, DATA)

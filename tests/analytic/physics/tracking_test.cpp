@@ -15,7 +15,7 @@ using hal::Twist2;
 using hal::devices::RobotDescription;
 using hal::devices::WheelLevel;
 
-/// The commands of replica.md 15. m/s, m/s, rad/s
+/// The commands of docs/models.md, 5. m/s, m/s, rad/s
 constexpr std::array<Twist2, 11> kCommands{{{.3, 0, 0},
                                             {0, .3, 0},
                                             {0, 0, 1},

@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 RadioConfig replica() { return profile_defaults(Profile::kMobilityFramework); }
 
 // Friis at 2 mW and 0.125 m: 0.125 / (4 pi) * sqrt(2 mW / 10^-8.5 mW) = 250.158 m; with
-// c = 299792458 m/s over 2.4 GHz it is 249.985 m (replica.md, section 15).
+// c = 299792458 m/s over 2.4 GHz it is 249.985 m (docs/models.md, 4).
 TEST(FriisRange, DecidesAboutTheReplicasGrid) {
   const Wall free_air;
   RadioConfig config = replica();
@@ -22,7 +22,8 @@ TEST(FriisRange, DecidesAboutTheReplicasGrid) {
   EXPECT_NEAR(Propagation(config, free_air).distance_at(hal::Dbm{-85}).value, 249.985, 5e-4);  // m
 }
 
-// Ranges of replica.md, section 3, in m: printed with three or four digits, so tolerance is 0.5 %.
+// Ranges that the paper prints, in m (docs/models.md, 4): printed with three or four digits, so
+// tolerance is 0.5 %.
 TEST(FriisRange, MatchesTheTableOfPowersAndSensitivities) {
   const Wall free_air;
   const std::map<std::pair<double, double>, double> table{

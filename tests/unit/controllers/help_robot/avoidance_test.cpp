@@ -173,7 +173,7 @@ constexpr Passage kPassages[] = {
 };
 constexpr Realism kRealisms[] = {
     {"Ideal", {1e9, 1e9, 1e9, 1e9}, 0},
-    {"RealMotors", {}, 0},       // replica.md 15
+    {"RealMotors", {}, 0},       // docs/models.md, 1
     {"NoisySensors", {}, 0.02},  // 15 mV at 6 mV per cm near the end of the reach
 };
 INSTANTIATE_TEST_SUITE_P(CaseStudy, RoundTheWall,

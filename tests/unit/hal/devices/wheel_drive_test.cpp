@@ -12,7 +12,7 @@ namespace {
 
 using math::kPi;
 
-constexpr double kRadius = 0.040;    // m, replica.md 9.1
+constexpr double kRadius = 0.040;    // m, docs/models.md, 5
 constexpr double kDistance = 0.132;  // m
 constexpr double kTop = 23.56;       // rad/s
 constexpr double kRounding = 1e-12;  // a dozen operations on numbers below 100

@@ -23,7 +23,7 @@ inline hal::exchange::AgentSession mote_session() {
 }
 
 /// A robot with three wheels at 60, 180 and 300 degrees, 0.132 m from the middle, radius 0.04 m,
-/// limit 23.56 rad/s (replica.md 9.1); channels infrared (0), localisation (1), odometry (2),
+/// limit 23.56 rad/s (docs/models.md, 5); channels infrared (0), localisation (1), odometry (2),
 /// battery (3).
 inline hal::exchange::AgentSession robot_session() {
   hal::exchange::AgentSession session = mote_session();

@@ -9,7 +9,7 @@
 
 namespace sim::physics::test {
 
-/// The Robertino as replica.md 9.1 and 15 decide it: written out here so that the expectations of
+/// The Robertino as docs/models.md, 5 describes it: written out here so that the expectations of
 /// tests do not follow a change of the shipped robot file.
 inline hal::devices::RobotDescription robertino(
     hal::devices::WheelLevel level = hal::devices::WheelLevel::kJointed) {
