@@ -81,25 +81,30 @@ void Neighbourhood::collect(StationIndex transmitter) {
   Station& from = stations_[transmitter];
   from.is_out_of_date = false;
   const std::vector<StationIndex> near = grid_.around(transmitter, kCellsInReach);
-  std::vector<Link> links;
-  links.reserve(near.size());
+  Links& links = links_[transmitter];
+  links = {};
   for (const StationIndex receiver : near) {
     const Station& to = stations_[receiver];
     const Link link{.receiver = receiver,
                     .moves = from.moves + to.moves,
                     .arrival = propagation_.arrival(from.position, to.position)};
     const bool is_fixed = from.max_speed == 0 && to.max_speed == 0;
-    if (!is_fixed || link.matters(propagation_)) links.push_back(link);
+    if (link.matters(propagation_)) {
+      links.known.push_back(link);
+    } else if (!is_fixed) {
+      links.distant.push_back({receiver, link.moves});
+    }
   }
-  links.shrink_to_fit();
-  links_[transmitter] = std::move(links);
+  links.known.shrink_to_fit();
+  links.distant.shrink_to_fit();
 }
 
 const std::vector<Link>& Neighbourhood::links_from(StationIndex transmitter) {
   Station& from = stations_[transmitter];
   refresh(from);
   if (from.is_out_of_date) collect(transmitter);
-  for (Link& link : links_[transmitter]) {
+  take_in_distant(transmitter);
+  for (Link& link : links_[transmitter].known) {
     Station& to = stations_[link.receiver];
     refresh(to);
     // Neither count ever falls: the same sum is the same two.
@@ -108,7 +113,31 @@ const std::vector<Link>& Neighbourhood::links_from(StationIndex transmitter) {
     link.moves = moves;
     link.arrival = propagation_.arrival(from.position, to.position);
   }
-  return links_[transmitter];
+  return links_[transmitter].known;
+}
+
+/// Those that have come into reach.
+void Neighbourhood::take_in_distant(StationIndex transmitter) {
+  const Station& from = stations_[transmitter];
+  auto& [known, distant] = links_[transmitter];
+  std::erase_if(distant, [&](Distant& pair) {
+    Station& to = stations_[pair.receiver];
+    refresh(to);
+    const std::uint32_t moves = from.moves + to.moves;
+    if (pair.moves == moves) return false;
+    pair.moves = moves;
+    const Link link{.receiver = pair.receiver,
+                    .moves = moves,
+                    .arrival = propagation_.arrival(from.position, to.position)};
+    if (!link.matters(propagation_)) return false;
+    known.insert(std::ranges::lower_bound(known, link.receiver, {}, &Link::receiver), link);
+    return true;
+  });
+}
+
+void Neighbourhood::forget(StationIndex transmitter) {
+  links_[transmitter] = {};
+  stations_[transmitter].is_out_of_date = true;
 }
 
 }  // namespace sim::radio

@@ -41,7 +41,19 @@ class Neighbourhood {
   /// matters(). By receiver. Valid until the next call for this station.
   const std::vector<Link>& links_from(StationIndex transmitter);
 
+  /// Gives back the memory that links_from() took for a station, which may never transmit.
+  void forget(StationIndex transmitter);
+
  private:
+  /// A pair that is out of reach, and near enough to come into it before cells change.
+  struct Distant {
+    StationIndex receiver = 0;
+    std::uint32_t moves = 0;  ///< As of Link.
+  };
+  struct Links {
+    std::vector<Link> known;  ///< By receiver. Once in, a link stays until it is collected anew.
+    std::vector<Distant> distant;  ///< By receiver.
+  };
   struct Station {
     hal::AgentId agent;
     double max_speed = 0;  ///< m/s
@@ -54,6 +66,7 @@ class Neighbourhood {
   void add(hal::AgentId agent);
   void refresh(Station& station);
   void collect(StationIndex transmitter);
+  void take_in_distant(StationIndex transmitter);
   void watch_cell(StationIndex station);
   void change_cell(StationIndex station);
   void outdate_around(StationIndex station);
@@ -64,7 +77,7 @@ class Neighbourhood {
   double margin_;  ///< m
   CellGrid grid_;
   std::vector<Station> stations_;
-  std::vector<std::vector<Link>> links_;  ///< By transmitter.
+  std::vector<Links> links_;  ///< By transmitter.
 };
 
 }  // namespace sim::radio
