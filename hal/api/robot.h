@@ -12,6 +12,9 @@ namespace hal {
 struct Drive {
   Twist2 applied;          ///< What the motors will be asked for, body frame.
   bool saturated = false;  ///< The command was beyond a motor's limit and was scaled down.
+  /// Part of the command was not feasible and was left out: the sideways part for a robot on two
+  /// fixed wheels.
+  bool restricted = false;
 };
 
 /// One infrared ranging sensor.
@@ -28,12 +31,12 @@ struct Odometry {
 
 class Robot : public RealWorldObject {
  public:
-  /// Drives with a velocity of the body, until the next command. If a wheel would exceed its limit,
-  /// all three components are scaled by the same factor: the direction is kept.
-  /// Errors: kInvalidArgument (NaN or infinite).
+  /// Drives with a velocity of the body, until the next command. What the robot's wheels cannot do
+  /// is left out; then, if a wheel would exceed its limit, all three components are scaled by the
+  /// same factor: the direction is kept. Errors: kInvalidArgument (NaN or infinite).
   virtual Result<Drive> set_body_velocity(const Twist2& twist) = 0;
 
-  /// @param speeds  rad/s of each wheel about its axle, in the order of the robot's file.
+  /// @param speeds  rad/s of each driven wheel about its axle, in the order of the robot's file.
   /// Errors: kInvalidArgument (count, NaN, beyond the limit: refused, not scaled).
   virtual Result<void> set_wheel_speeds(std::span<const double> speeds) = 0;
 

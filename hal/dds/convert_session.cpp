@@ -81,6 +81,7 @@ wire::AgentSession to_wire(const exchange::AgentSession& session) {
   for (const auto& parameter : session.parameters) out.parameters().push_back(to_wire(parameter));
   for (const Channel& channel : session.channels) out.channels().push_back(to_wire(channel));
   for (const auto& row : session.limits.body_to_wheel) out.body_to_wheel().push_back(to_wire(row));
+  for (const auto& row : session.limits.wheel_to_body) out.wheel_to_body().push_back(to_wire(row));
   out.wheel_speed(session.limits.wheel_speed);
   return out;
 }
@@ -100,6 +101,9 @@ exchange::AgentSession from_wire(const wire::AgentSession& session, Ranges& rang
   }
   for (const wire::WheelRow& row : session.body_to_wheel()) {
     out.limits.body_to_wheel.push_back({row.vx(), row.vy(), row.omega()});
+  }
+  for (const wire::WheelRow& row : session.wheel_to_body()) {
+    out.limits.wheel_to_body.push_back({row.vx(), row.vy(), row.omega()});
   }
   out.limits.wheel_speed = session.wheel_speed();
   return out;

@@ -3,6 +3,7 @@
 #include "hal/description/fields.h"
 #include "hal/description/infrared_section.h"
 #include "hal/description/robot_checks.h"
+#include "hal/description/wheels_section.h"
 #include "hal/types/math.h"
 
 namespace hal::description {
@@ -13,19 +14,15 @@ using devices::BodyBox;
 using devices::BodyCylinder;
 using devices::MoteDescription;
 using devices::RobotDescription;
-using devices::Wheel;
 
 const Key kVersion{"version", "Of the format of this file.", "1"};
 const Key kShapeMass{"mass", "Of the shape, which is solid and homogeneous.", "9 kg"};
-constexpr std::string_view kInWheelOrJoint =
-    "that of `wheel`; there, it may be absent if all `joints` have it";
 
-constexpr Range kSize{1e-3, 10};        // m
-constexpr Range kHeight{0, 10};         // m, above the ground
-constexpr Range kMass{1e-3, 1e4};       // kg
-constexpr Range kWheelMass{1e-3, 100};  // kg
-constexpr Range kMoteSize{1e-3, 1};     // m
-constexpr Range kMoteMass{1e-3, 100};   // kg
+constexpr Range kSize{1e-3, 10};       // m
+constexpr Range kHeight{0, 10};        // m, above the ground
+constexpr Range kMass{1e-3, 1e4};      // kg
+constexpr Range kMoteSize{1e-3, 1};    // m
+constexpr Range kMoteMass{1e-3, 100};  // kg
 constexpr Range kFriction{0, 100};
 constexpr Range kAcceleration{1e-3, 1e3};
 
@@ -126,88 +123,6 @@ void write_link(Writer& out, const RobotDescription& robot) {
   out.close();
 }
 
-/// Common to all wheels; a joint may deviate.
-template <class Io>
-void wheel_keys(Io& io, Wheel& c) {
-  io.number({"radius", "Of the wheel.", "4 cm", kInWheelOrJoint}, "m", kSize, c.radius);
-  io.number({"mass", "Of the wheel.", "200 g", kInWheelOrJoint}, "kg", kWheelMass, c.mass);
-  io.number({"mu", "Friction coefficient along the rolling direction.", "0.6"}, "1", {1e-3, 100},
-            c.mu);
-  io.number({"mu2", "Friction coefficient along the axle, where the rollers give way.", "0.02"},
-            "1", kFriction, c.mu2);
-}
-
-template <class Io>
-void limit_keys(Io& io, Wheel& c) {
-  io.number({"effort", "Largest torque of the motor at the wheel.", "1 N m", kInWheelOrJoint},
-            "N m", {1e-3, 1e4}, c.max_torque);
-  io.number({"velocity", "Largest speed of the wheel.", "23.5 rad/s", kInWheelOrJoint}, "rad/s",
-            {1e-3, 1e4}, c.max_speed);
-}
-
-void read_wheel(Mapping& in, Wheel& wheel) {
-  FieldReader reader(in);
-  wheel_keys(reader, wheel);
-  Mapping limit = in.mapping({"limit", "What the wheel's motor can do."});
-  FieldReader limit_reader(limit);
-  limit_keys(limit_reader, wheel);
-  limit.finish();
-}
-
-/// Every key is given for all wheels or for this one.
-void check_complete(Mapping& all, Mapping& joint) {
-  const auto check = [](Mapping common, Mapping own, const std::string& key) {
-    if (!common.has(key) && !own.has(key)) own.mistake(key, "is missing, here and in wheel");
-  };
-  check(all, joint, "radius");
-  check(all, joint, "mass");
-  check(all.within("limit"), joint.within("limit"), "effort");
-  check(all.within("limit"), joint.within("limit"), "velocity");
-}
-
-void read_wheels(Mapping in, RobotDescription& robot) {
-  Wheel common;
-  Mapping all = in.mapping({"wheel", "What all wheels have in common."});
-  read_wheel(all, common);
-  all.finish();
-  for (Mapping& joint :
-       in.mappings({"joints",
-                    "The wheels, at least three, each where it is and how it differs from `wheel`.",
-                    "[{distance: 13 cm, bearing: 60 deg}, {distance: 13 cm, bearing: 180 deg}, "
-                    "{distance: 13 cm, bearing: 300 deg}]",
-                    config::kMustBeGiven})) {
-    Wheel wheel = common;
-    read_wheel(joint, wheel);
-    check_complete(all, joint);
-    const Mounting mounting = read_mounting(
-        joint, {"axis", "Direction of the axle.", "60 deg", "the bearing of the position"});
-    wheel.position = mounting.position;
-    wheel.axle_heading = mounting.heading;
-    robot.wheels.push_back(wheel);
-    joint.finish();
-  }
-  if (robot.wheels.size() < 3) in.mistake("joints", "must have at least three wheels");
-  in.finish();
-}
-
-void write_wheels(Writer& out, const RobotDescription& robot) {
-  FieldWriter writer(out);
-  out.open("wheels");
-  out.open_list("joints");
-  for (Wheel wheel : robot.wheels) {
-    out.open_item();
-    out.numbers("position", {wheel.position.x, wheel.position.y}, "m");
-    out.number("axis", wheel.axle_heading, "rad");
-    wheel_keys(writer, wheel);
-    out.open("limit");
-    limit_keys(writer, wheel);
-    out.close();
-    out.close();
-  }
-  out.close();
-  out.close();
-}
-
 template <class Io>
 void mote_keys(Io& io, MoteDescription& c) {
   io.number({"mass", "Of the mote.", "50 g"}, "kg", kMoteMass, c.mass);
@@ -221,11 +136,7 @@ RobotDescription read_robot(Mapping in, double gravity) {
   in.integer(kVersion, 1, 1, 1);
   robot.model = in.text({"model", "Name of the kind of robot.", "robertino"});
   read_link(in.mapping({"link", "The body: shapes that touch things, and their mass."}), robot);
-  read_wheels(
-      in.mapping(
-          {"wheels",
-           "What the robot drives on: omnidirectional (90 degree Swedish) wheels with motors."}),
-      robot);
+  robot.wheels = read_wheels(in.mapping({"wheels", "What the robot stands and drives on."}));
   Mapping acceleration = in.mapping(
       {"acceleration", "How fast the motor controller lets a commanded velocity change."});
   FieldReader reader(acceleration);
@@ -246,7 +157,7 @@ void write_robot(Writer& out, const RobotDescription& robot) {
   out.open("robot");
   out.text("model", robot.model);
   write_link(out, robot);
-  write_wheels(out, robot);
+  write_wheels(out, robot.wheels);
   out.open("acceleration");
   acceleration_keys(writer, acceleration);
   out.close();

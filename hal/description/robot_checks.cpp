@@ -54,10 +54,10 @@ void check_stability(Mapping& wheels, const RobotDescription& robot, double grav
 void check_wheels(Mapping wheels, const RobotDescription& robot, double gravity) {
   try {
     const devices::WheelDrive drive(robot.wheels);
+    check_stability(wheels, robot, gravity);
   } catch (const std::invalid_argument& error) {
     wheels.mistake("joints", error.what());
   }
-  check_stability(wheels, robot, gravity);
 }
 
 bool contains(const BodyCylinder& part, const Vec3& point) {

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <vector>
 
+#include "hal/devices/wheel_drive.h"
 #include "hal/types/math.h"
 
 namespace hal::description {
@@ -14,6 +15,7 @@ namespace {
 
 using devices::RobotDescription;
 using devices::Wheel;
+using devices::WheelType;
 
 /// A solid part of the robot.
 struct Part {
@@ -123,8 +125,16 @@ std::vector<double> loads(const std::vector<Wheel>& wheels, Vec2 centre) {
   return shares;
 }
 
-Vec2 rolling(const Wheel& wheel) {
-  return {-math::sin(wheel.axle_heading), math::cos(wheel.axle_heading)};
+/// Largest force that a wheel puts on the ground against a push of the body in a direction. N
+double grip(const Wheel& wheel, double load, Vec2 direction) {
+  const Vec2 grip{-math::sin(wheel.slip_heading()), math::cos(wheel.slip_heading())};
+  const double along = std::abs(dot(grip, direction));
+  const double across = std::abs(cross(grip, direction));
+  const double lever = wheel.radius * math::cos(wheel.roller_angle);
+  const double driven =
+      wheel.is_driven() ? std::min(wheel.mu * load, wheel.max_torque / lever) : wheel.mu * load;
+  // A fixed wheel holds the body across itself. It does not push it there: its motor cannot.
+  return along * driven + (wheel.type == WheelType::kFixed ? 0 : across * wheel.mu2 * load);
 }
 
 /// Acceleration in a direction that the grip and the torque of the wheels give. m/s^2
@@ -132,25 +142,27 @@ double traction(const RobotDescription& robot, const Vec3& centre, double mass, 
                 Vec2 direction) {
   const std::vector<double> shares = loads(robot.wheels, {centre.x, centre.y});
   double force = 0;
-  for (std::size_t i = 0; i < shares.size(); ++i) {
-    const Wheel& wheel = robot.wheels[i];
-    const double load = shares[i] * mass * gravity;
-    const double along = std::abs(dot(rolling(wheel), direction));
-    const double across = std::abs(cross(rolling(wheel), direction));
-    force += along * std::min(wheel.mu * load, wheel.max_torque / wheel.radius);
-    force += across * wheel.mu2 * load;
-  }
+  for (std::size_t i = 0; i < shares.size(); ++i)
+    force += grip(robot.wheels[i], shares[i] * mass * gravity, direction);
   return force / mass;
 }
 
-/// Fastest the wheels drive the body in a direction. m/s
-double top_speed(const std::vector<Wheel>& wheels, Vec2 direction) {
-  double speed = std::numeric_limits<double>::infinity();
-  for (const Wheel& wheel : wheels) {
-    const double along = std::abs(dot(rolling(wheel), direction));
-    if (along > 0) speed = std::min(speed, wheel.max_speed * wheel.radius / along);
-  }
-  return speed;
+/// The fastest straight motion that comes nearest to a direction.
+struct Straight {
+  double speed = 0;  ///< m/s along the direction; 0: the wheels allow none.
+  double share = 0;  ///< Of an acceleration of the body that is along the direction.
+};
+Straight straight(const std::vector<Wheel>& wheels, Vec2 direction) {
+  const devices::WheelDrive drive(wheels);
+  const Twist2 motion = drive.project({direction.x, direction.y, 0});
+  const double length = math::hypot(motion.vx, motion.vy);
+  if (length < 1e-9) return {};
+  double turning = 0;
+  for (const double speed : drive.wheel_speeds(motion))
+    turning = std::max(turning, std::abs(speed));
+  const double along = dot(Vec2{motion.vx, motion.vy}, direction);
+  return {drive.max_wheel_speed() / turning * along,
+          drive.degrees_of_freedom() == 3 ? 1 : along / length};
 }
 
 /// A body that turns about an edge on the ground.
@@ -201,13 +213,14 @@ void drive_over(const RobotDescription& robot, const std::vector<Part>& parts, V
                 double gravity, Stability& result) {
   const auto& limits = robot.acceleration;
   const double most = traction(robot, result.centre_of_mass, mass_of(parts), gravity, inward);
-  const double braking = std::min(limits.linear_down, most);
-  const double speeding = std::min(limits.linear_up, most);
+  const auto [speed, share] = straight(robot.wheels, inward);
+  if (speed == 0) return;
+  const double braking = std::min(limits.linear_down * share, most);
+  const double speeding = std::min(limits.linear_up * share, most);
   result.driving = std::max(braking, speeding);
   const double height = result.centre_of_mass.z;
   const double inertia = gyration(parts, result.centre_of_mass, inward) + height * height +
                          result.inside * result.inside;
-  const double speed = top_speed(robot.wheels, inward);
   result.tips_over = result.driving > result.lifting &&
                      goes_over({result.inside, height, inertia, gravity},
                                {{braking, speed / braking}, {speeding, speed / speeding}});

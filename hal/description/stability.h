@@ -20,7 +20,8 @@ struct Stability {
   bool tips_over = false;  ///< The motors can turn it over that edge.
 };
 
-/// @param robot  at least three wheels and one body part. @param gravity  > 0, m/s^2
+/// @param robot  at least three wheels, which make a devices::WheelDrive, and one body part.
+/// @param gravity  > 0, m/s^2
 Stability stability_of(const devices::RobotDescription& robot, double gravity);
 
 }  // namespace hal::description

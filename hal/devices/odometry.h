@@ -17,10 +17,11 @@ class WheelOdometry {
   /// Wheel angles start at 0; a real encoder that starts elsewhere calls restart() first.
   explicit WheelOdometry(const WheelDrive& drive, int encoder_steps = 0);
 
-  /// Takes the present wheel angles [rad] as the start: pose 0, twist 0. @pre one per wheel.
+  /// Takes the present wheel angles [rad] as the start: pose 0, twist 0. @pre one per driven
+  /// wheel.
   void restart(std::span<const double> wheel_angles);
 
-  /// @param wheel_angles  rad since power-up, not wrapped, one per wheel.
+  /// @param wheel_angles  rad since power-up, not wrapped, one per driven wheel.
   /// @param elapsed  since the previous update, > 0.
   void update(std::span<const double> wheel_angles, Duration elapsed);
 

@@ -5,13 +5,14 @@
 #include <vector>
 
 #include "hal/devices/infrared_curve.h"
+#include "hal/devices/wheel.h"
 #include "hal/types/geometry.h"
 #include "hal/types/time.h"
 
 namespace hal::devices {
 
-/// What a robot file describes: any robot on omnidirectional wheels needs a file, no C++. Body
-/// frame: origin on the ground below the middle of the wheels, x forward, y left, z up. SI units.
+/// What a robot file describes: a new robot on wheels needs a file, no C++. Body frame: origin on
+/// the ground below the middle of the wheels, x forward, y left, z up. SI units.
 
 /// Upright cylinder fixed to the body, solid and homogeneous.
 struct BodyCylinder {
@@ -30,21 +31,6 @@ struct BodyBox {
   double yaw = 0;   ///< rad
   double mass = 0;  ///< kg, > 0
   bool operator==(const BodyBox&) const = default;
-};
-
-/// Omnidirectional (90 degree Swedish) wheel on a motor with a velocity servo. A positive speed
-/// drives the robot's body, at the wheel, towards axle_heading + 90 degrees: with axles that point
-/// outward all wheels at equal speed turn the robot counter-clockwise.
-struct Wheel {
-  Vec2 position;            ///< m, centre of the wheel
-  double axle_heading = 0;  ///< rad, direction of the axle in the body frame
-  double radius = 0;        ///< m, > 0
-  double mass = 0;          ///< kg, > 0
-  double mu = 0.6;          ///< friction along the rolling direction, > 0
-  double mu2 = 0.02;        ///< friction along the axle, where the rollers give way, >= 0
-  double max_torque = 0;    ///< N m at the wheel, > 0
-  double max_speed = 0;     ///< rad/s, > 0
-  bool operator==(const Wheel&) const = default;
 };
 
 /// How fast the motor controller lets a velocity command grow and shrink; each > 0.
@@ -80,7 +66,7 @@ struct RobotDescription {
   std::vector<BodyCylinder> cylinders;  ///< With boxes at least one body part.
   std::vector<BodyBox> boxes;
   double friction = 0.3;      ///< Of the body against walls, motes, robots; >= 0.
-  std::vector<Wheel> wheels;  ///< >= 3, not all axles parallel.
+  std::vector<Wheel> wheels;  ///< >= 3, casters included; they make a WheelDrive.
   WheelLevel wheel_level = WheelLevel::kJointed;
   AccelerationLimits acceleration;
   int encoder_steps = 0;  ///< Per turn of a wheel; 0: continuous.

@@ -14,7 +14,7 @@ namespace hal::exchange {
 
 /// Version of the values in this folder as they travel. Two sides of different versions refuse
 /// each other.
-inline constexpr std::uint32_t kProtocolVersion = 3;
+inline constexpr std::uint32_t kProtocolVersion = 4;
 
 /// A parameter as the scenario gives it, with the place of its value for error messages.
 struct ParameterText {
@@ -26,8 +26,11 @@ struct ParameterText {
 
 /// What the motors can do. Wheel speeds [rad/s] = rows of `body_to_wheel` times (vx, vy, omega).
 struct DriveLimits {
-  std::vector<std::array<double, 3>> body_to_wheel;  ///< Empty: no wheels.
-  double wheel_speed = 0;                            ///< rad/s, of every wheel.
+  std::vector<std::array<double, 3>> body_to_wheel;  ///< Of the driven wheels. Empty: none.
+  /// (vx, vy, omega) = sum over the wheels of their speed times their row: the feasible motion that
+  /// fits the speeds best. Empty: every motion is feasible.
+  std::vector<std::array<double, 3>> wheel_to_body;
+  double wheel_speed = 0;  ///< rad/s, of every wheel.
   bool operator==(const DriveLimits&) const = default;
 };
 

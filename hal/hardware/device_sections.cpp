@@ -86,9 +86,13 @@ Tmc200Settings::Motor read_motor(Mapping in) {
 
 /// The controller drives three motors and cannot turn them faster than its full scale.
 void check_motor(Mapping& in, const Tmc200Settings& settings, const RobotFile& file) {
-  if (file.robot->wheels.size() != 3 && !file.robot->wheels.empty()) {
-    in.mistake("driver", fmt::format("a TMC200 drives 3 motors, but the robot has {} wheels",
-                                     file.robot->wheels.size()));
+  const auto& wheels = file.robot->wheels;
+  const auto driven = std::ranges::count_if(wheels, &devices::Wheel::is_driven);
+  if ((driven != 3 || wheels.size() != 3) && !wheels.empty()) {
+    in.mistake(
+        "driver",
+        fmt::format("a TMC200 drives 3 motors, but the robot has {} wheels, {} of them driven",
+                    wheels.size(), driven));
   }
   const double reached = settings.motor.max_speed / settings.motor.gear;
   double wanted = 0;

@@ -24,7 +24,8 @@ Result<void> DriveGuard::drive(const Twist2& body, Time as_of) {
     return fail(Errc::kInvalidArgument,
                 fmt::format("drive: ({}, {}, {}) is not finite", body.vx, body.vy, body.omega));
   }
-  const auto [twist, saturated] = limited(body, wheels_.kinematics(), wheels_.speed_limits());
+  const auto result = limited(body, wheels_.kinematics(), wheels_.speed_limits());
+  const Twist2& twist = result.twist;
   const bool moves = twist != Twist2{};
   if (moves && is_emergency_stopped()) {
     ++counts_.stopped;
@@ -34,7 +35,7 @@ Result<void> DriveGuard::drive(const Twist2& body, Time as_of) {
     ++counts_.blind;
     return fail(Errc::kNotAvailable, "drive: " + blind_because_);
   }
-  if (saturated) ++counts_.limited;
+  if (result.saturated) ++counts_.limited;
   auto driven = wheels_.drive(twist, loop_.on_boot_clock(as_of));
   if (!driven) ++counts_.not_connected;
   // What the driver repeats must not be an older velocity than the one that it did not take.

@@ -76,6 +76,7 @@ class WheelDriver {
   /// As a session states them.
   exchange::DriveLimits limits() const {
     return {.body_to_wheel = kinematics_.body_to_wheel(),
+            .wheel_to_body = kinematics_.restrictions(),
             .wheel_speed = kinematics_.max_wheel_speed()};
   }
 

@@ -3,19 +3,52 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace hal::runtime {
 
-Drive saturate(const exchange::DriveLimits& limits, const Twist2& twist) {
-  double fastest = 0;
-  for (const auto& [per_vx, per_vy, per_omega] : limits.body_to_wheel) {
-    const double speed = per_vx * twist.vx + per_vy * twist.vy + per_omega * twist.omega;
-    fastest = std::max(fastest, std::abs(speed));
+namespace {
+
+double speed_of(const std::array<double, 3>& row, const Twist2& twist) {
+  return row[0] * twist.vx + row[1] * twist.vy + row[2] * twist.omega;
+}
+
+/// The feasible motion that the wheels make of a command: see hal/devices/wheel_drive.h.
+Twist2 feasible(const exchange::DriveLimits& limits, const Twist2& twist) {
+  if (limits.wheel_to_body.empty()) return twist;
+  Twist2 motion;
+  const std::size_t wheels = std::min(limits.body_to_wheel.size(), limits.wheel_to_body.size());
+  for (std::size_t i = 0; i < wheels; ++i) {
+    const double speed = speed_of(limits.body_to_wheel[i], twist);
+    motion.vx += limits.wheel_to_body[i][0] * speed;
+    motion.vy += limits.wheel_to_body[i][1] * speed;
+    motion.omega += limits.wheel_to_body[i][2] * speed;
   }
-  if (fastest <= limits.wheel_speed) return {.applied = twist, .saturated = false};
+  return motion;
+}
+
+/// Whether two velocities differ by more than rounding. m/s, rad/s
+bool differ(const Twist2& a, const Twist2& b) {
+  constexpr double kRounding = 1e-9;
+  return std::abs(a.vx - b.vx) > kRounding || std::abs(a.vy - b.vy) > kRounding ||
+         std::abs(a.omega - b.omega) > kRounding;
+}
+
+}  // namespace
+
+Drive saturate(const exchange::DriveLimits& limits, const Twist2& wanted) {
+  const Twist2 twist = feasible(limits, wanted);
+  const bool restricted = differ(twist, wanted);
+  double fastest = 0;
+  for (const auto& row : limits.body_to_wheel)
+    fastest = std::max(fastest, std::abs(speed_of(row, twist)));
+  if (fastest <= limits.wheel_speed)
+    return {.applied = twist, .saturated = false, .restricted = restricted};
   const double scale = limits.wheel_speed / fastest;
-  return {.applied = {scale * twist.vx, scale * twist.vy, scale * twist.omega}, .saturated = true};
+  return {.applied = {scale * twist.vx, scale * twist.vy, scale * twist.omega},
+          .saturated = true,
+          .restricted = restricted};
 }
 
 std::string mistake_in(const Twist2& twist) {

@@ -7,9 +7,10 @@
 
 namespace hal::runtime {
 
-/// What the motors can do of a body velocity: the greatest multiple <= 1 of it that keeps every
-/// wheel within its limit. @pre limits has wheels; twist is finite.
-Drive saturate(const exchange::DriveLimits& limits, const Twist2& twist);
+/// What the wheels can do of a body velocity: the feasible motion nearest to it, scaled by the
+/// greatest factor <= 1 that keeps every wheel within its limit. @pre limits has wheels; wanted is
+/// finite.
+Drive saturate(const exchange::DriveLimits& limits, const Twist2& wanted);
 
 /// What is wrong with a body velocity, or with wheel speeds [rad/s]: the field and its value.
 /// Empty: nothing.

@@ -40,7 +40,9 @@ void add_infrared(const RobotDescription& robot, std::vector<hal::Channel>& chan
 void add_robot(const RobotDescription& robot, hal::exchange::AgentSession& session) {
   const hal::devices::WheelDrive drive(robot.wheels);
   session.kind = hal::AgentKind::kRobot;
-  session.limits = {.body_to_wheel = drive.body_to_wheel(), .wheel_speed = drive.max_wheel_speed()};
+  session.limits = {.body_to_wheel = drive.body_to_wheel(),
+                    .wheel_to_body = drive.restrictions(),
+                    .wheel_speed = drive.max_wheel_speed()};
   session.channels.push_back(channel(kOdometry, "odometry", "odometry", "m, rad, m/s"));
   session.channels.back().length = 6;
   add_infrared(robot, session.channels);

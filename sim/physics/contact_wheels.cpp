@@ -1,6 +1,5 @@
 #include <algorithm>
 
-#include "hal/types/math.h"
 #include "sim/physics/wheels.h"
 
 namespace sim::physics {
@@ -11,8 +10,9 @@ using hal::Vec3;
 /// A sphere that is part of the chassis; its surface runs past the contact with the ground.
 struct ContactWheel {
   Vec3 offset;  ///< m, of the centre from the chassis's centre of mass, its frame
-  Vec3 axle;    ///< Body frame of the chassis, unit length.
+  Vec3 slip;    ///< Body frame of the chassis, unit length.
   double radius;
+  double lever;  ///< m
   double mu;
   double mu2;
   double max_torque;
@@ -55,10 +55,10 @@ ContactWheels::ContactWheels(const RigidBody& chassis,
   wheels_.reserve(wheels.size());  // the solver writes feedback to them: they stay in place
   for (const hal::devices::Wheel& wheel : wheels) {
     const Vec3 place{wheel.position.x, wheel.position.y, wheel.radius};
-    const Vec3 axle{hal::math::cos(wheel.axle_heading), hal::math::sin(wheel.axle_heading), 0};
     wheels_.push_back({place - chassis.centre_of_mass,
-                       axle,
+                       horizontal(wheel.slip_heading()),
                        wheel.radius,
+                       lever(wheel),
                        wheel.mu,
                        wheel.mu2,
                        wheel.max_torque,
@@ -69,12 +69,12 @@ ContactWheels::ContactWheels(const RigidBody& chassis,
   }
 }
 
-/// Coefficient along the rolling direction: what the tyre grips, or what the motor's torque gives
+/// Coefficient along the grip: what the tyre grips, or what the motor's torque gives
 /// under the load of the step before.
 double ContactWheels::grip(ContactWheel& wheel) const {
-  wheel.yields = !power_ || wheel.max_torque < wheel.mu * wheel.radius * wheel.load;
+  wheel.yields = !power_ || wheel.max_torque < wheel.mu * wheel.lever * wheel.load;
   if (!power_) return 0;
-  return wheel.yields ? wheel.max_torque / (wheel.radius * wheel.load) : wheel.mu;
+  return wheel.yields ? wheel.max_torque / (wheel.lever * wheel.load) : wheel.mu;
 }
 
 void ContactWheels::touch_ground(const OdeWorld& world) {
@@ -83,13 +83,13 @@ void ContactWheels::touch_ground(const OdeWorld& world) {
   dContact contact{};
   for (ContactWheel& wheel : wheels_) {
     const WheelSphere sphere{chassis_.body, centre + rotate(chassis_.body, wheel.offset),
-                             rotate(chassis_.body, wheel.axle), wheel.radius};
+                             rotate(chassis_.body, wheel.slip), wheel.radius};
     if (!meet_ground(sphere, contact, wheel.ground)) continue;
     if (measures_) wheel.ground.velocity = material_velocity(chassis_.body, wheel.ground.arm);
     contact.surface.mode |= dContactMotion1;
     contact.surface.mu = grip(wheel);
     contact.surface.mu2 = wheel.mu2;
-    contact.surface.motion1 = wheel.speed * wheel.radius;
+    contact.surface.motion1 = wheel.speed * wheel.lever;
     const dJointID joint = dJointCreateContact(world.dynamics(), world.contacts(), &contact);
     dJointAttach(joint, chassis_.body, nullptr);
     dJointSetFeedback(joint, &wheel.ground.forces);
@@ -109,7 +109,7 @@ double ContactWheels::turned(ContactWheel& wheel, double seconds) {
   if (!wheel.yields && !measures_) return wheel.speed * seconds;
   const Vec3 after = material_velocity(chassis_.body, ground.arm);
   if (measures_) book(wheel, after, seconds);
-  const double passing = dot(after, ground.rolling) / wheel.radius;
+  const double passing = dot(after, ground.grip) / wheel.lever;
   return (wheel.yields ? passing : wheel.speed) * seconds;
 }
 
@@ -118,8 +118,8 @@ void ContactWheels::book(const ContactWheel& wheel, const Vec3& after, double se
   const GroundContact& ground = wheel.ground;
   const Vec3 force = ground.force();
   const Vec3 mean = 0.5 * (ground.velocity + after);
-  const double surface = wheel.yields ? dot(mean, ground.rolling) : wheel.speed * wheel.radius;
-  const double driven = dot(force, ground.rolling) * surface * seconds;
+  const double surface = wheel.yields ? dot(mean, ground.grip) : wheel.speed * wheel.lever;
+  const double driven = dot(force, ground.grip) * surface * seconds;
   motor_work_ += driven;
   friction_loss_ += driven - dot(force, mean) * seconds;
 }

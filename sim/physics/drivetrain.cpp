@@ -2,7 +2,8 @@
 
 #include <fmt/core.h>
 
-#include <cmath>
+#include <algorithm>
+#include <iterator>
 #include <stdexcept>
 
 namespace sim::physics {
@@ -10,27 +11,35 @@ namespace sim::physics {
 namespace {
 
 void check(const hal::devices::RobotDescription& robot) {
-  for (const hal::devices::Wheel& wheel : robot.wheels)
-    if (!(wheel.mass > 0) || !(wheel.max_torque > 0) || !(wheel.mu > 0) || !(wheel.mu2 >= 0))
+  for (const hal::devices::Wheel& wheel : robot.wheels) {
+    const bool moves = wheel.max_torque > 0 && wheel.mu > 0;
+    if (!(wheel.mass > 0) || !(moves || !wheel.is_driven()) || !(wheel.mu2 >= 0))
       throw std::invalid_argument(
           fmt::format("wheel: mass {} kg, max_torque {} N m, mu {}, mu2 {}: must be positive "
                       "(mu2: or 0)",
                       wheel.mass, wheel.max_torque, wheel.mu, wheel.mu2));
+  }
   const auto& a = robot.acceleration;
   for (const double limit : {a.linear_up, a.linear_down, a.angular_up, a.angular_down})
     if (!(limit > 0))
       throw std::invalid_argument(fmt::format("acceleration limit {}: must be positive", limit));
 }
 
+std::vector<hal::devices::Wheel> driven(const std::vector<hal::devices::Wheel>& wheels) {
+  std::vector<hal::devices::Wheel> driven;
+  std::ranges::copy_if(wheels, std::back_inserter(driven), &hal::devices::Wheel::is_driven);
+  return driven;
+}
+
 std::unique_ptr<Wheels> make_wheels(const OdeWorld& world, const RigidBody& chassis,
                                     const hal::devices::RobotDescription& robot,
                                     const WorldConfig& config) {
   if (robot.wheel_level == hal::devices::WheelLevel::kJointed)
-    return make_jointed_wheels(world, chassis, robot.wheels, config.measure_energy);
+    return make_jointed_wheels(world, chassis, driven(robot.wheels), config);
   dMass mass;
   dBodyGetMass(chassis.body, &mass);
   const double weight = mass.mass * config.gravity;
-  return make_contact_wheels(chassis, robot.wheels,
+  return make_contact_wheels(chassis, driven(robot.wheels),
                              weight / static_cast<double>(robot.wheels.size()),
                              config.measure_energy);
 }
@@ -43,8 +52,9 @@ Drivetrain::Drivetrain(const OdeWorld& world, const RigidBody& chassis,
       profile_(robot.acceleration),
       chassis_(chassis),
       bodies_{chassis.body},
-      angles_(robot.wheels.size(), 0.0),
-      speeds_(robot.wheels.size(), 0.0) {
+      casters_(chassis, robot.wheels),
+      angles_(drive_.wheel_count(), 0.0),
+      speeds_(drive_.wheel_count(), 0.0) {
   check(robot);
   wheels_ = make_wheels(world, chassis, robot, config);
   bodies_.insert(bodies_.end(), wheels_->bodies().begin(), wheels_->bodies().end());
@@ -80,7 +90,9 @@ void Drivetrain::keep_awake(bool moving) {
 }
 
 void Drivetrain::touch_ground(const OdeWorld& world) {
-  if (dBodyIsEnabled(chassis_.body) != 0) wheels_->touch_ground(world);
+  if (dBodyIsEnabled(chassis_.body) == 0) return;
+  wheels_->touch_ground(world);
+  casters_.touch_ground(world);
 }
 
 void Drivetrain::follow(hal::Duration step) {

@@ -10,6 +10,7 @@
 #include "hal/devices/motor_profile.h"
 #include "hal/devices/robot_description.h"
 #include "hal/devices/wheel_drive.h"
+#include "sim/physics/casters.h"
 #include "sim/physics/ode_world.h"
 #include "sim/physics/rigid_body.h"
 #include "sim/physics/wheels.h"
@@ -53,6 +54,7 @@ class Drivetrain {
   RigidBody chassis_;
   std::unique_ptr<Wheels> wheels_;
   std::vector<dBodyID> bodies_;
+  Casters casters_;
   std::vector<double> angles_;
   std::vector<double> speeds_;            ///< rad/s, as the motors were told last.
   std::optional<hal::Twist2> asked_for_;  ///< What these speeds are for; none: not told yet.

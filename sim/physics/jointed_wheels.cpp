@@ -1,4 +1,3 @@
-#include "hal/types/math.h"
 #include "sim/physics/wheels.h"
 
 namespace sim::physics {
@@ -11,10 +10,11 @@ struct JointedWheel {
   dJointID hinge;
   dBodyID body;
   double radius;
-  Vec3 axle;  ///< Body frame of the chassis, unit length.
+  Vec3 slip;  ///< Body frame of the chassis, unit length.
   double mu;
   double mu2;
   double max_torque;
+  bool has_oblique_rollers;
   double rate = 0;  ///< rad/s of the hinge before the step.
   GroundContact ground;
   dJointFeedback motor;
@@ -23,8 +23,10 @@ struct JointedWheel {
 class JointedWheels final : public Wheels {
  public:
   JointedWheels(const OdeWorld& world, const RigidBody& chassis,
-                const std::vector<hal::devices::Wheel>& wheels, bool measure_energy)
-      : chassis_(chassis), measures_(measure_energy) {
+                const std::vector<hal::devices::Wheel>& wheels, const WorldConfig& config)
+      : chassis_(chassis),
+        measures_(config.measure_energy),
+        half_step_(0.5 * hal::to_seconds(config.step)) {
     wheels_.reserve(wheels.size());  // the solver writes feedback to them: they stay in place
     for (const hal::devices::Wheel& wheel : wheels) mount(world, wheel);
   }
@@ -40,9 +42,11 @@ class JointedWheels final : public Wheels {
  private:
   void mount(const OdeWorld& world, const hal::devices::Wheel& wheel);
   void book(const JointedWheel& wheel, double seconds);
+  Vec3 slip_of(const JointedWheel& wheel) const;
 
   RigidBody chassis_;
   bool measures_;
+  double half_step_;  ///< s
   std::vector<dBodyID> bodies_;
   std::vector<JointedWheel> wheels_;
 };
@@ -57,20 +61,21 @@ void JointedWheels::mount(const OdeWorld& world, const hal::devices::Wheel& whee
   const Vec3 centre = pose_of(chassis_).position + rotate(chassis_.body, place);
   dBodySetPosition(body, centre.x, centre.y, centre.z);
 
-  JointedWheel& joint = wheels_.emplace_back(
-      JointedWheel{dJointCreateHinge(world.dynamics(), nullptr),
-                   body,
-                   wheel.radius,
-                   {hal::math::cos(wheel.axle_heading), hal::math::sin(wheel.axle_heading), 0},
-                   wheel.mu,
-                   wheel.mu2,
-                   wheel.max_torque,
-                   0,
-                   {},
-                   {}});
+  JointedWheel& joint =
+      wheels_.emplace_back(JointedWheel{.hinge = dJointCreateHinge(world.dynamics(), nullptr),
+                                        .body = body,
+                                        .radius = wheel.radius,
+                                        .slip = horizontal(wheel.slip_heading()),
+                                        .mu = wheel.mu,
+                                        .mu2 = wheel.mu2,
+                                        .max_torque = wheel.max_torque,
+                                        .has_oblique_rollers = wheel.roller_angle != 0,
+                                        .rate = 0,
+                                        .ground = {},
+                                        .motor = {}});
   dJointAttach(joint.hinge, body, chassis_.body);
   dJointSetHingeAnchor(joint.hinge, centre.x, centre.y, centre.z);
-  const Vec3 axle = rotate(chassis_.body, joint.axle);
+  const Vec3 axle = rotate(chassis_.body, horizontal(wheel.axle_heading));
   dJointSetHingeAxis(joint.hinge, axle.x, axle.y, axle.z);
   dJointSetHingeParam(joint.hinge, dParamFMax, wheel.max_torque);
   dJointSetHingeParam(joint.hinge, dParamVel, 0);
@@ -89,14 +94,25 @@ void JointedWheels::set_power(bool on) {
     dJointSetHingeParam(wheel.hinge, dParamFMax, on ? wheel.max_torque : 0);
 }
 
+/// Where a wheel gives way in the coming step, world frame. On a turning chassis a wheel with a
+/// body of its own moves along the chord of its arc, which is turned by half of what the chassis
+/// turns in the step. Rollers along the radius do not notice; rollers at an angle would be 0.5
+/// omega * step too fast or too slow.
+Vec3 JointedWheels::slip_of(const JointedWheel& wheel) const {
+  const Vec3 slip = rotate(chassis_.body, wheel.slip);
+  if (!wheel.has_oblique_rollers) return slip;
+  const double turn = half_step_ * dBodyGetAngularVel(chassis_.body)[2];
+  return {slip.x - turn * slip.y, slip.y + turn * slip.x, slip.z};
+}
+
 void JointedWheels::touch_ground(const OdeWorld& world) {
   dContact contact{};
   for (JointedWheel& wheel : wheels_) {
     if (measures_) wheel.rate = dJointGetHingeAngleRate(wheel.hinge);
-    // The rolling direction follows the chassis; the wheel's own frame turns with the wheel.
-    const Vec3 axle = rotate(chassis_.body, wheel.axle);
+    // The directions follow the chassis; the wheel's own frame turns with the wheel.
+    const Vec3 slip = slip_of(wheel);
     const dReal* p = dBodyGetPosition(wheel.body);
-    if (!meet_ground({wheel.body, {p[0], p[1], p[2]}, axle, wheel.radius}, contact, wheel.ground))
+    if (!meet_ground({wheel.body, {p[0], p[1], p[2]}, slip, wheel.radius}, contact, wheel.ground))
       continue;
     contact.surface.mu = wheel.mu;
     contact.surface.mu2 = wheel.mu2;
@@ -133,8 +149,8 @@ void JointedWheels::book(const JointedWheel& wheel, double seconds) {
 
 std::unique_ptr<Wheels> make_jointed_wheels(const OdeWorld& world, const RigidBody& chassis,
                                             const std::vector<hal::devices::Wheel>& wheels,
-                                            bool measure_energy) {
-  return std::make_unique<JointedWheels>(world, chassis, wheels, measure_energy);
+                                            const WorldConfig& config) {
+  return std::make_unique<JointedWheels>(world, chassis, wheels, config);
 }
 
 }  // namespace sim::physics

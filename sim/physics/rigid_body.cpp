@@ -67,8 +67,10 @@ void add_mass(dMass& total, dMass mass, const Vec3& centre) {
   dMassAdd(&total, &mass);
 }
 
-void add_wheels(dMass& total, const std::vector<devices::Wheel>& wheels) {
-  for (const devices::Wheel& wheel : wheels) {
+/// Those that have no body of their own.
+void add_wheels(dMass& total, const devices::RobotDescription& robot) {
+  for (const devices::Wheel& wheel : robot.wheels) {
+    if (wheel.is_driven() && robot.wheel_level == devices::WheelLevel::kJointed) continue;
     require_positive("wheel mass", wheel.mass);
     require_positive("wheel radius", wheel.radius);
     dMass mass;
@@ -230,7 +232,7 @@ RigidBody make_chassis(const OdeWorld& world, const devices::RobotDescription& r
   dMass total;
   dMassSetZero(&total);
   for (const Part& part : parts) add_mass(total, part.mass, part.centre);
-  if (robot.wheel_level == devices::WheelLevel::kContact) add_wheels(total, robot.wheels);
+  add_wheels(total, robot);
   const RigidBody body = make_body(world, total, pose);
   for (const Part& part : parts) {
     attach(part, body);

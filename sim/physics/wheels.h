@@ -13,15 +13,16 @@
 namespace sim::physics {
 
 /// The wheels of one robot at one level of detail: how they are driven, how they meet the ground
-/// and how far they have turned. Every contact with the ground grips along the rolling direction
-/// and gives way along the axle, as rollers do.
+/// and how far they have turned. Every contact with the ground grips across a wheel's slip heading,
+/// which for an omni or a fixed wheel is its rolling direction, and gives way along it: easily, as
+/// rollers do, or hardly, as the tyre of a fixed wheel does.
 ///
 /// A step is: turn(), touch_ground(), the solver, follow().
 class Wheels {
  public:
   virtual ~Wheels() = default;
 
-  /// rad/s, one per wheel, counted as hal::devices::Wheel does.
+  /// rad/s, one per driven wheel, counted as hal::devices::Wheel does.
   virtual void turn(std::span<const double> speeds) = 0;
 
   /// Without power the motors neither drive nor brake.
@@ -49,7 +50,7 @@ class Wheels {
 struct GroundContact {
   bool touches = false;
   hal::Vec3 arm;          ///< m, from the body's centre of mass, at the start of the step
-  hal::Vec3 rolling;      ///< Unit vector, world frame: where a positive speed drives the body.
+  hal::Vec3 grip;         ///< Unit vector, world frame: where a positive speed drives the body.
   hal::Vec3 velocity;     ///< m/s of the body's material there, before the step; for energies only
   dJointFeedback forces;  ///< Of the step; valid if asked for.
 
@@ -61,12 +62,19 @@ struct GroundContact {
 struct WheelSphere {
   dBodyID body;      ///< That it belongs to.
   hal::Vec3 centre;  ///< m, world frame
-  hal::Vec3 axle;    ///< Unit vector, world frame
+  hal::Vec3 slip;    ///< Unit vector, world frame: Wheel::slip_heading().
   double radius;     ///< m
 };
 
+/// Unit vector at an angle from the x axis of the body, seen from above. rad
+hal::Vec3 horizontal(double heading);
+
+/// Metres that the ground passes along the grip per radian of a wheel that does not slip; N m of
+/// the motor per N of grip.
+double lever(const hal::devices::Wheel& wheel);
+
 /// Fills in where and along which directions a wheel meets the ground: friction `mu` along the
-/// rolling direction, `mu2` along the axle. @param contact  zeroed, or from another wheel.
+/// grip, `mu2` across it. @param contact  zeroed, or from another wheel.
 /// @return whether they touch.
 bool meet_ground(const WheelSphere& wheel, dContact& contact, GroundContact& met);
 
@@ -78,10 +86,10 @@ inline hal::Vec3 material_velocity(dBodyID body, const hal::Vec3& arm) {
           v[2] + w[0] * arm.y - w[1] * arm.x};
 }
 
-/// One body and one hinge motor per wheel.
+/// One body and one hinge motor per wheel. @param wheels  driven ones, here and below.
 std::unique_ptr<Wheels> make_jointed_wheels(const OdeWorld& world, const RigidBody& chassis,
                                             const std::vector<hal::devices::Wheel>& wheels,
-                                            bool measure_energy);
+                                            const WorldConfig& config);
 
 /// Spheres on the chassis whose surface moves at the wheel's speed. @param weight_on_each  N
 std::unique_ptr<Wheels> make_contact_wheels(const RigidBody& chassis,

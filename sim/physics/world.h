@@ -127,15 +127,15 @@ class World {
   void add_robot(AgentId agent, const hal::devices::RobotDescription& robot,
                  const hal::Pose2& pose);
 
-  /// Drives with a velocity of the body until the next command: scaled to the motors' limit, then
-  /// approached within the acceleration limits. Errors: kInvalidArgument (NaN or infinite),
-  /// kNotAvailable (not a robot).
+  /// Drives with a velocity of the body until the next command: what the wheels can do of it,
+  /// scaled to the motors' limit, then approached within the acceleration limits. Errors:
+  /// kInvalidArgument (NaN or infinite), kNotAvailable (not a robot).
   hal::Result<hal::devices::WheelDrive::Limited> set_body_velocity(AgentId agent,
                                                                    const hal::Twist2& twist);
 
-  /// rad/s, one per wheel; approached within the acceleration limits. More than three speeds that
-  /// no motion of the body fits are fitted by least squares. Errors: kInvalidArgument (count, NaN,
-  /// beyond the limit), kNotAvailable (not a robot).
+  /// rad/s, one per driven wheel; approached within the acceleration limits. Speeds that no
+  /// feasible motion of the body fits are fitted by least squares. Errors: kInvalidArgument (count,
+  /// NaN, beyond the limit), kNotAvailable (not a robot).
   hal::Result<void> set_wheel_speeds(AgentId agent, std::span<const double> speeds);
 
   /// Switches a robot's motors. Without power its wheels roll freely. Either way its command
@@ -158,9 +158,9 @@ class World {
 
   /// @pre the agent is a robot.
   const hal::devices::WheelDrive& drive(AgentId agent) const;
-  /// rad since the start, not wrapped: what encoders on the wheels would count. At the level
-  /// kContact a wheel turns as the motor profile says, also while it spins; a wheel whose motor is
-  /// off or too weak for its load rolls as the ground passes by.
+  /// rad of the driven wheels since the start, not wrapped: what their encoders would count. At the
+  /// level kContact a wheel turns as the motor profile says, also while it spins; a wheel whose
+  /// motor is off or too weak for its load rolls as the ground passes by.
   std::span<const double> wheel_angles(AgentId agent) const;
 
   /// Of body and wheels. Work and loss are 0 for jointed wheels without `measure_energy`.

@@ -117,6 +117,8 @@ exchange::AgentSession any_agent(Anything& any) {
   agent.limits.body_to_wheel = any.list([&] {
     return std::array{any.number(), any.number(), any.number()};
   });
+  agent.limits.wheel_to_body = agent.limits.body_to_wheel;
+  for (auto& row : agent.limits.wheel_to_body) row[1] = any.number();
   agent.limits.wheel_speed = any.number();
   return agent;
 }

@@ -1,0 +1,187 @@
+#include "hal/description/wheels_section.h"
+
+#include "hal/description/fields.h"
+#include "hal/description/infrared_section.h"
+
+namespace hal::description {
+namespace {
+
+using devices::Wheel;
+using devices::WheelType;
+
+constexpr std::string_view kInWheelOrJoint =
+    "that of `wheel`; there, it may be absent if all driven `joints` have it";
+
+constexpr Range kWheelSize{1e-3, 10};   // m
+constexpr Range kWheelMass{1e-3, 100};  // kg
+constexpr Range kGrip{1e-3, 100};
+constexpr Range kGlide{0, 100};
+constexpr Range kRoller{-1.4, 1.4};  // rad: at 80 degrees a wheel hardly drives any more
+constexpr double kGripOfDriven = 0.6;
+constexpr double kGlideOfRollers = 0.02;
+constexpr double kGlideOfCaster = 0.02;
+
+constexpr std::array kTypes = {
+    Option<WheelType>{"omni", WheelType::kOmni}, Option<WheelType>{"mecanum", WheelType::kMecanum},
+    Option<WheelType>{"fixed", WheelType::kFixed}, Option<WheelType>{"caster", WheelType::kCaster}};
+
+template <class Io>
+void size_keys(Io& io, Wheel& c) {
+  io.number({"radius", "Of the wheel.", "4 cm", kInWheelOrJoint}, "m", kWheelSize, c.radius);
+  io.number({"mass", "Of the wheel.", "200 g", kInWheelOrJoint}, "kg", kWheelMass, c.mass);
+}
+
+template <class Io>
+void grip_key(Io& io, Wheel& c) {
+  io.number(
+      {"mu",
+       "Friction coefficient where the wheel grips: along its rolling direction, of a mecanum "
+       "wheel along the axis of its rollers, of a caster along its axis.",
+       "0.6", "0.6; of a caster 0.02"},
+      "1", c.is_driven() ? kGrip : kGlide, c.mu);
+}
+
+template <class Io>
+void glide_key(Io& io, Wheel& c) {
+  io.number({"mu2", "Friction coefficient across that, where rollers give way.", "0.02",
+             "0.02; of a fixed wheel and of a caster that of `mu`"},
+            "1", kGlide, c.mu2);
+}
+
+template <class Io>
+void limit_keys(Io& io, Wheel& c) {
+  io.number({"effort", "Largest torque of the motor at the wheel.", "1 N m", kInWheelOrJoint},
+            "N m", {1e-3, 1e4}, c.max_torque);
+  io.number({"velocity", "Largest speed of the wheel.", "23.5 rad/s", kInWheelOrJoint}, "rad/s",
+            {1e-3, 1e4}, c.max_speed);
+}
+
+void read_roller(Mapping& in, Wheel& wheel) {
+  if (wheel.type != WheelType::kMecanum)
+    return in.refuse("roller_angle", "only a mecanum wheel has one");
+  wheel.roller_angle = in.number(
+      {"roller_angle",
+       "From the rolling direction, axis + 90 deg, to the axis of the roller on the ground, seen "
+       "from above.",
+       "-45 deg"},
+      "rad", kRoller);
+}
+
+/// @param glides  whether `mu2` was given for all wheels.
+void read_friction(Mapping& in, Wheel& wheel, bool glides) {
+  FieldReader reader(in);
+  grip_key(reader, wheel);
+  const bool has_rollers = wheel.type == WheelType::kOmni || wheel.type == WheelType::kMecanum;
+  if (!glides) wheel.mu2 = has_rollers ? kGlideOfRollers : wheel.mu;
+  glide_key(reader, wheel);
+}
+
+void read_limit(Mapping& in, Wheel& wheel) {
+  Mapping limit = in.mapping({"limit", "What the wheel's motor can do."});
+  FieldReader limit_reader(limit);
+  limit_keys(limit_reader, wheel);
+  limit.finish();
+}
+
+void read_driven(Mapping& in, Wheel& wheel, bool glides) {
+  FieldReader reader(in);
+  size_keys(reader, wheel);
+  read_friction(in, wheel, glides);
+  read_limit(in, wheel);
+}
+
+Wheel read_caster(Mapping& in) {
+  Wheel ball;
+  ball.type = WheelType::kCaster;
+  ball.mu = kGlideOfCaster;
+  FieldReader reader(in);
+  size_keys(reader, ball);
+  for (const std::string key : {"radius", "mass"})
+    if (!in.has(key)) in.mistake(key, "is missing: a caster takes nothing from wheel");
+  read_friction(in, ball, false);
+  in.refuse("limit", "a caster has no motor");
+  return ball;
+}
+
+/// Every key is given for all wheels or for this one.
+void check_complete(Mapping& all, Mapping& joint) {
+  const auto check = [](Mapping common, Mapping own, const std::string& key) {
+    if (!common.has(key) && !own.has(key)) own.mistake(key, "is missing, here and in wheel");
+  };
+  check(all, joint, "radius");
+  check(all, joint, "mass");
+  check(all.within("limit"), joint.within("limit"), "effort");
+  check(all.within("limit"), joint.within("limit"), "velocity");
+}
+
+Wheel read_joint(Mapping& in, Mapping& all, const Wheel& common) {
+  Wheel wheel = common;
+  wheel.type = in.choice(
+      {"type",
+       "omni: rollers let it give way along its axle; mecanum: at `roller_angle` to it; fixed: an "
+       "ordinary wheel; caster: a ball without a motor, which carries and goes anywhere.",
+       "fixed"},
+      kTypes, wheel.type);
+  read_roller(in, wheel);
+  if (wheel.is_driven()) {
+    read_driven(in, wheel, all.has("mu2"));
+    check_complete(all, in);
+  } else {
+    wheel = read_caster(in);
+  }
+  const Mounting mounting = read_mounting(
+      in, {"axis", "Direction of the axle.", "60 deg", "the bearing of the position"});
+  wheel.position = mounting.position;
+  wheel.axle_heading = mounting.heading;
+  return wheel;
+}
+
+}  // namespace
+
+std::vector<Wheel> read_wheels(Mapping in) {
+  Wheel common;
+  common.mu = kGripOfDriven;
+  Mapping all = in.mapping({"wheel", "What all driven wheels have in common."});
+  read_driven(all, common, false);
+  all.finish();
+  std::vector<Wheel> wheels;
+  for (Mapping& joint :
+       in.mappings({"joints",
+                    "The wheels, casters included, at least three, each where it is and how it "
+                    "differs from `wheel`.",
+                    "[{distance: 13 cm, bearing: 60 deg}, {distance: 13 cm, bearing: 180 deg}, "
+                    "{distance: 13 cm, bearing: 300 deg}]",
+                    config::kMustBeGiven})) {
+    wheels.push_back(read_joint(joint, all, common));
+    joint.finish();
+  }
+  if (wheels.size() < 3) in.mistake("joints", "must have at least three wheels");
+  in.finish();
+  return wheels;
+}
+
+void write_wheels(Writer& out, const std::vector<Wheel>& wheels) {
+  FieldWriter writer(out);
+  out.open("wheels");
+  out.open_list("joints");
+  for (Wheel wheel : wheels) {
+    out.open_item();
+    writer.choice({"type", "", ""}, kTypes, wheel.type);
+    out.numbers("position", {wheel.position.x, wheel.position.y}, "m");
+    out.number("axis", wheel.axle_heading, "rad");
+    size_keys(writer, wheel);
+    grip_key(writer, wheel);
+    glide_key(writer, wheel);
+    if (wheel.type == WheelType::kMecanum) out.number("roller_angle", wheel.roller_angle, "rad");
+    if (wheel.is_driven()) {
+      out.open("limit");
+      limit_keys(writer, wheel);
+      out.close();
+    }
+    out.close();
+  }
+  out.close();
+  out.close();
+}
+
+}  // namespace hal::description

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "hal/devices/wheel.h"
+#include "sim/physics/ode_world.h"
+#include "sim/physics/rigid_body.h"
+
+namespace sim::physics {
+
+/// The ball casters of one robot, at both levels of wheels: spheres that are part of the chassis
+/// and slide on the ground with the friction of their balls, `mu` along their x and `mu2` across
+/// it.
+class Casters {
+ public:
+  /// @param wheels  all of the robot; those that are driven are left out.
+  Casters(const RigidBody& chassis, const std::vector<hal::devices::Wheel>& wheels);
+
+  /// Adds contact joints with the ground.
+  void touch_ground(const OdeWorld& world) const;
+
+ private:
+  struct Ball {
+    hal::Vec3 offset;  ///< m, of the centre from the chassis's centre of mass, its frame
+    hal::Vec3 slip;    ///< Body frame of the chassis, unit length.
+    double radius;
+    double mu;
+    double mu2;
+  };
+
+  RigidBody chassis_;
+  std::vector<Ball> balls_;
+};
+
+}  // namespace sim::physics
