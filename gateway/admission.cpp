@@ -18,8 +18,9 @@ const char* name_of(hal::AgentKind kind) {
   return kind == hal::AgentKind::kRobot ? "robot" : "mote";
 }
 
-bool asks_for(const Hello& hello, const std::string& name) {
-  return std::ranges::any_of(hello.patterns, [&](const auto& p) { return hal::matches(p, name); });
+/// A pattern that fits no name but itself: most are, where many agents are asked for one by one.
+bool is_plain(const std::string& pattern) {
+  return pattern.find_first_of("*?") == std::string::npos;
 }
 
 }  // namespace
@@ -27,7 +28,10 @@ bool asks_for(const Hello& hello, const std::string& name) {
 Admission::Admission(std::vector<AgentOffer> offers, std::uint64_t run, Offered offered)
     : run_(run), offered_(offered) {
   std::ranges::sort(offers, {}, [](const AgentOffer& offer) { return offer.session.agent; });
-  for (AgentOffer& offer : offers) places_.push_back({std::move(offer), {}});
+  for (AgentOffer& offer : offers) {
+    by_name_.emplace(offer.session.name, places_.size());
+    places_.push_back({std::move(offer), {}});
+  }
 }
 
 Session Admission::decide(const Hello& hello) {
@@ -53,16 +57,38 @@ std::string Admission::refusal_of(const Hello& hello) const {
     if (name == hello.process) return fmt::format("another process is called '{}'", name);
   }
   if (std::string unknown = unknown_in(hello); !unknown.empty()) return unknown;
-  for (const Place& place : places_) {
-    if (!asks_for(hello, place.offer.session.name)) continue;
-    if (std::string reason = objection(place, hello); !reason.empty()) return reason;
+  for (const std::size_t place : asked_for(hello)) {
+    if (std::string reason = objection(places_[place], hello); !reason.empty()) return reason;
   }
   return {};
 }
 
+template <class Visit>
+void Admission::for_each_fit(const std::string& pattern, Visit visit) const {
+  if (is_plain(pattern)) {
+    if (const auto named = by_name_.find(pattern); named != by_name_.end()) visit(named->second);
+    return;
+  }
+  for (const auto& [name, place] : by_name_) {
+    if (hal::matches(pattern, name)) visit(place);
+  }
+}
+
 bool Admission::fits_one(const std::string& pattern) const {
-  return std::ranges::any_of(
-      places_, [&](const Place& place) { return hal::matches(pattern, place.offer.session.name); });
+  bool fits = false;
+  for_each_fit(pattern, [&fits](std::size_t) { fits = true; });
+  return fits;
+}
+
+std::vector<std::size_t> Admission::asked_for(const Hello& hello) const {
+  std::vector<std::size_t> places;
+  for (const std::string& pattern : hello.patterns) {
+    for_each_fit(pattern, [&places](std::size_t place) { places.push_back(place); });
+  }
+  std::ranges::sort(places);
+  const auto repeated = std::ranges::unique(places);
+  places.erase(repeated.begin(), repeated.end());
+  return places;
 }
 
 bool Admission::is_for_others(const Hello& hello) const {
@@ -101,8 +127,8 @@ Session Admission::grant(const Hello& hello) {
   Session session;
   session.instance = hello.instance;
   session.run = run_;
-  for (Place& place : places_) {
-    if (!asks_for(hello, place.offer.session.name)) continue;
+  for (const std::size_t index : asked_for(hello)) {
+    Place& place = places_[index];
     place.holder = hello.instance;
     session.agents.push_back(*hal::exchange::session_for(place.offer, hello.wants));
   }

@@ -51,12 +51,18 @@ class Admission {
     std::string holder;  ///< Instance; empty: free.
   };
   std::string refusal_of(const hal::exchange::Hello& hello) const;
+  /// Calls visit(place) for each one that the pattern fits.
+  template <class Visit>
+  void for_each_fit(const std::string& pattern, Visit visit) const;
   bool fits_one(const std::string& pattern) const;
+  /// Indices in places_ of those that are asked for, ascending.
+  std::vector<std::size_t> asked_for(const hal::exchange::Hello& hello) const;
   std::string unknown_in(const hal::exchange::Hello& hello) const;
   std::string objection(const Place& place, const hal::exchange::Hello& hello) const;
   hal::exchange::Session grant(const hal::exchange::Hello& hello);
 
   std::vector<Place> places_;                              ///< By address.
+  std::map<std::string, std::size_t> by_name_;             ///< Indices in places_.
   std::map<std::string, hal::exchange::Session> granted_;  ///< By instance.
   std::map<std::string, std::string> process_names_;       ///< By instance.
   std::uint64_t run_;

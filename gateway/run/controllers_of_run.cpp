@@ -26,8 +26,9 @@ constexpr std::uint64_t kOnlyRun = 1;  // a server of `baraka run` serves one ru
 
 const hal::exchange::AgentOffer& offer_of(const std::vector<hal::exchange::AgentOffer>& offers,
                                           hal::AgentId agent) {
-  return *std::find_if(offers.begin(), offers.end(),
-                       [&](const auto& offer) { return offer.session.agent == agent; });
+  // They are in order of address.
+  return *std::ranges::lower_bound(offers, agent, {},
+                                   [](const auto& offer) { return offer.session.agent; });
 }
 
 /// A host without the agents whose controllers are not looked for.
@@ -136,8 +137,8 @@ void ControllersOfRun::spawn(const std::vector<ProcessPlan>& plans, const Scenar
                     .log = settings.logs / (plan.process + ".log")};
     for (const hal::AgentId agent : plan.agents) {
       const auto& agents = scenario.simulation.agents;
-      const auto config =
-          std::find_if(agents.begin(), agents.end(), [&](const auto& a) { return a.id == agent; });
+      const auto config = std::ranges::lower_bound(agents, agent, {},
+                                                   &sim::agents::AgentConfig::id);  // by address
       command.arguments.insert(command.arguments.end(), {"--agents", config->name});
     }
     spawner_.start(command);

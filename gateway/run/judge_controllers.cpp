@@ -23,7 +23,7 @@ namespace {
 const sim::agents::AgentConfig& config_of(const sim::scenario::Scenario& scenario,
                                           hal::AgentId id) {
   const auto& agents = scenario.simulation.agents;
-  return *std::find_if(agents.begin(), agents.end(), [&](const auto& a) { return a.id == id; });
+  return *std::ranges::lower_bound(agents, id, {}, &sim::agents::AgentConfig::id);  // by address
 }
 
 bool drives(const hal::ControllerKind& kind, const sim::agents::AgentConfig& agent) {

@@ -63,21 +63,20 @@ void Courier::post(Event event) {
     carried_.erase(carried);
   }
   waiting_.push_back(std::move(event));
+  places_[waiting_.back().agent].push_back(std::prev(waiting_.end()));
 }
 
 void Courier::supersede_cycle(const Event& control) {
-  const auto is_same_cycle = [&](const Event& event) {
-    return event.agent == control.agent && event.cause == Cause::kControl;
-  };
-  const auto old = std::ranges::find_if(waiting_, is_same_cycle);
-  if (old == waiting_.end()) return;
+  std::vector<Waiting::iterator>& places = places_[control.agent];
+  const auto old = std::ranges::find_if(
+      places, [](const auto& place) { return place->cause == Cause::kControl; });
+  if (old == places.end()) return;
   ++losses_.missed_cycles;
-  Event superseded = std::move(*old);
-  const auto rest = waiting_.erase(old);
+  Event superseded = std::move(**old);
+  waiting_.erase(*old);
+  const auto next = places.erase(old);
   // Its changes stay in their order: they go to the next event of the agent that waits, …
-  const auto next = std::find_if(rest, waiting_.end(),
-                                 [&](const Event& event) { return event.agent == control.agent; });
-  if (next != waiting_.end()) return absorb(std::move(superseded), *next);
+  if (next != places.end()) return absorb(std::move(superseded), **next);
   // … or to the one that is about to.
   const auto carried = carried_.find(control.agent);
   if (carried != carried_.end()) {
@@ -139,6 +138,7 @@ Result<void> Courier::begin(Turn& turn) {
   step_.events.assign(std::make_move_iterator(waiting_.begin()),
                       std::make_move_iterator(waiting_.end()));
   waiting_.clear();
+  places_.clear();
   step_.until = step_.events.back().time;
   turn.began = under_way_ = true;
   return port_->begin(step_);

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <cstdint>
-#include <deque>
+#include <list>
 #include <map>
 #include <memory>
 #include <string>
@@ -21,8 +21,13 @@ namespace hal::exchange {
 ///   for (auto& answer : turn->answers) …
 class Courier {
  public:
-  /// Events that may wait. Beyond it new ones are lost, except START and STOP.
+  /// Events that may wait. Beyond it new ones are lost, except START and STOP. A process that
+  /// drives many agents gets room for kPerAgent of each.
   static constexpr std::size_t kCapacity = 10'000;
+  static constexpr std::size_t kPerAgent = 10;
+  static constexpr std::size_t capacity_for(std::size_t agents) {
+    return agents * kPerAgent > kCapacity ? agents * kPerAgent : kCapacity;
+  }
 
   struct Answer {
     Action action;
@@ -90,7 +95,9 @@ class Courier {
 
   std::shared_ptr<ControllerPort> port_;
   std::size_t capacity_;
-  std::deque<Event> waiting_;
+  using Waiting = std::list<Event>;
+  Waiting waiting_;
+  std::map<AgentId, std::vector<Waiting::iterator>> places_;  ///< Of an agent's events in it.
   std::map<AgentId, Event> carried_;  ///< Changes that await an event of their agent.
   Step step_;                         ///< Under way, or the last one.
   bool under_way_ = false;

@@ -43,9 +43,8 @@ exchange::Reply ControllerHost::answer(const exchange::Step& step) {
   for (std::size_t i = 0; i < step.events.size(); ++i) {
     const exchange::Event& event = step.events[i];
     outbox_->answer(event.agent, static_cast<std::uint32_t>(i));
-    const auto agent = agents_.find(event.agent);
-    if (agent != agents_.end()) {
-      agent->second->handle(event);
+    if (const auto* agent = agents_.find(event.agent); agent != nullptr) {
+      (*agent)->handle(event);
       continue;
     }
     outbox_->add(exchange::ActionKind::kError).text =

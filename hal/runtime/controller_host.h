@@ -1,10 +1,10 @@
 #pragma once
 
-#include <map>
 #include <memory>
 #include <string>
 
 #include "hal/api/controller.h"
+#include "hal/exchange/agent_table.h"
 #include "hal/exchange/session.h"
 #include "hal/exchange/step.h"
 #include "hal/types/result.h"
@@ -47,7 +47,7 @@ class ControllerHost {
   exchange::Reply gathered(const exchange::Step& step);
 
   std::unique_ptr<Outbox> outbox_;  ///< Outlives the agents, which write into it.
-  std::map<AgentId, std::unique_ptr<Agent>> agents_;
+  exchange::AgentTable<std::unique_ptr<Agent>> agents_;
 };
 
 }  // namespace hal::runtime

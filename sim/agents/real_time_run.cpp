@@ -25,19 +25,12 @@ const char* plural(Cause cause) {
   return kNames[static_cast<int>(cause)];
 }
 
-hal::Duration quantile(std::vector<hal::Duration>& values, double q) {
-  if (values.empty()) return {};
-  const auto rank = static_cast<std::size_t>(q * static_cast<double>(values.size() - 1));
-  const auto place = values.begin() + static_cast<std::ptrdiff_t>(rank);
-  std::nth_element(values.begin(), place, values.end());
-  return *place;
-}
-
 }  // namespace
 
 Simulation::RealTimeRun::RealTimeRun(State& state) : s_(state) {
   for (std::size_t i = 0; i < s_.controllers.ports(); ++i) {
-    carried_.push_back({Courier(s_.controllers.port(i)), false});
+    const std::size_t capacity = Courier::capacity_for(s_.controllers.agents_of(i).size());
+    carried_.push_back({Courier(s_.controllers.port(i), capacity), false});
   }
 }
 
@@ -127,7 +120,7 @@ void Simulation::RealTimeRun::post(FollowedClock* clock) {
   }
   if (clock == nullptr || !has_control) return;
   const hal::Duration late = std::max(clock->now() - s_.events.now(), hal::Duration::zero());
-  lateness_.push_back(late);
+  lateness_.add(late);
   counts_.overruns += late > s_.config.control_period ? 1 : 0;
 }
 
@@ -243,10 +236,9 @@ RealTimeSummary Simulation::RealTimeRun::summary() const {
           fmt::format("{}: {} {}", s_.agents.at(what.first)->name(), count, plural(what.second)));
     }
   }
-  std::vector<hal::Duration> lateness = lateness_;
-  summary.jitter_median = quantile(lateness, 0.5);
-  summary.jitter_p99 = quantile(lateness, 0.99);
-  summary.jitter_max = quantile(lateness, 1);
+  summary.jitter_median = lateness_.quantile(0.5);
+  summary.jitter_p99 = lateness_.quantile(0.99);
+  summary.jitter_max = lateness_.greatest();
   return summary;
 }
 

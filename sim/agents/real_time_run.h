@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hal/exchange/courier.h"
+#include "sim/agents/lateness.h"
 #include "sim/agents/simulation_state.h"
 
 namespace sim::agents {
@@ -51,7 +52,7 @@ class Simulation::RealTimeRun {
   State& s_;
   std::vector<Carried> carried_;                           ///< By port.
   std::map<hal::AgentId, EventQueue::EventId> watchdogs_;  ///< Of robots.
-  std::vector<hal::Duration> lateness_;                    ///< Of control instants.
+  Lateness lateness_;                                      ///< Of control instants.
   RealTimeSummary counts_;
 };
 

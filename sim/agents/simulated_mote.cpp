@@ -56,9 +56,10 @@ bool SimulatedMote::sample(std::size_t channel, hal::Time, std::vector<double>& 
 
 void SimulatedMote::localise(std::vector<double>& values) {
   const BodyState self = surroundings_.scene.body(id());
+  const double range = surroundings_.config.localisation.range.value;
   for (const auto& other :
-       sensing::localise({self.x, self.y, self.theta}, id(), surroundings_.scene.positions(),
-                         surroundings_.config.localisation.range.value)) {
+       sensing::localise({self.x, self.y, self.theta}, id(),
+                         surroundings_.scene.near({self.x, self.y}, range), range)) {
     values.insert(values.end(),
                   {static_cast<double>(other.agent.value), other.position.x, other.position.y});
   }

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "hal/exchange/agent_table.h"
 #include "sim/agents/controllers.h"
 #include "sim/agents/observer_list.h"
 #include "sim/agents/simulated_mote.h"
@@ -55,7 +55,7 @@ struct Simulation::State final : hal::agent::AgentListener {
   BodyPositions positions;
   WallObstacles obstacles;
   radio::RadioNetwork air;
-  std::map<hal::AgentId, std::unique_ptr<SimulatedMote>> agents;
+  hal::exchange::AgentTable<std::unique_ptr<SimulatedMote>> agents;
   Controllers controllers;
   std::vector<hal::AgentId> waiting;  ///< Agents with something in the inbox; repeats allowed.
   std::optional<hal::Time> until;

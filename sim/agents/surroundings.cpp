@@ -10,6 +10,9 @@ namespace {
 constexpr double kLossPerWall = 9.0;   // dB, Sommer et al. 2011, table II
 constexpr double kLossPerMetre = 0.4;  // dB/m, likewise
 
+/// Of the range of localisation: edge of the cells in which agents are looked for.
+constexpr double kCellShare = 0.5;
+
 /// Distance from a point to a fixed upright box, seen from above; 0 inside. m
 double distance(hal::Vec2 point, const physics::Shape& box) {
   const hal::Vec2 d = point - box.centre;
@@ -23,7 +26,12 @@ double distance(hal::Vec2 point, const physics::Shape& box) {
 
 Scene::Scene(const physics::World& world, const std::vector<hal::AgentId>& agents)
     : world_(world), proximity_(world) {
-  for (const hal::AgentId agent : agents) positions_.push_back({agent, {}});
+  for (const hal::AgentId agent : agents) {
+    if (agent.value >= index_.size()) index_.resize(agent.value + 1u, 0);
+    index_[agent.value] = static_cast<std::uint32_t>(positions_.size());
+    positions_.push_back({agent, {}});
+  }
+  clearances_.resize(index_.size());
   for (const physics::Shape& shape : world.shapes())
     if (shape.is_static()) walls_.push_back(shape);
 }
@@ -34,27 +42,48 @@ const sensing::Proximity& Scene::proximity() {
   return proximity_;
 }
 
-std::span<const sensing::AgentPosition> Scene::positions() {
-  if (positions_at_ != world_.steps()) {
-    for (sensing::AgentPosition& entry : positions_) {
-      const hal::Vec3 p = world_.position(entry.agent);
-      entry.position = {p.x, p.y};
-    }
-  }
-  positions_at_ = world_.steps();
-  return positions_;
+std::span<const sensing::AgentPosition> Scene::near(hal::Vec2 point, double range) {
+  if (positions_at_ != world_.steps()) follow(range);
+  found_.clear();
+  grid_->within({point.x - range, point.y - range}, {point.x + range, point.y + range}, found_);
+  near_.clear();
+  for (const std::uint32_t i : found_) near_.push_back(positions_[i]);
+  return near_;
 }
 
-BodyState Scene::body(hal::AgentId agent) const {
+/// Brings the positions and their grid up to date: after one step, those that it moved.
+void Scene::follow(double range) {
+  const auto put = [this](std::uint32_t i) {
+    const hal::Vec3 p = world_.position(positions_[i].agent);
+    positions_[i].position = {p.x, p.y};
+    grid_->put(i, positions_[i].position);
+  };
+  const bool is_one_step_behind = positions_at_ && *positions_at_ + 1 == world_.steps();
+  if (is_one_step_behind) {
+    for (const hal::AgentId agent : world_.moved()) put(index_[agent.value]);
+  } else {
+    if (!grid_) grid_.emplace(kCellShare * range);
+    for (std::uint32_t i = 0; i < positions_.size(); ++i) put(i);
+  }
+  positions_at_ = world_.steps();
+}
+
+BodyState Scene::body(hal::AgentId agent) {
   const physics::BodyPose pose = world_.pose(agent);
-  BodyState state{.x = pose.position.x,
-                  .y = pose.position.y,
-                  .theta = pose.heading,
-                  .tilt = pose.tilt,
-                  .clearance = std::numeric_limits<double>::infinity()};
+  return {.x = pose.position.x,
+          .y = pose.position.y,
+          .theta = pose.heading,
+          .tilt = pose.tilt,
+          .clearance = clearance(agent, {pose.position.x, pose.position.y})};
+}
+
+double Scene::clearance(hal::AgentId agent, hal::Vec2 place) {
+  Clearance& known = clearances_[agent.value];
+  if (known.is_known && known.place == place) return known.metres;
+  known = {place, std::numeric_limits<double>::infinity(), true};
   for (const physics::Shape& wall : walls_)
-    state.clearance = std::min(state.clearance, distance({state.x, state.y}, wall));
-  return state;
+    known.metres = std::min(known.metres, distance(place, wall));
+  return known.metres;
 }
 
 hal::Vec3 BodyPositions::position(hal::AgentId agent, hal::Time) const {

@@ -6,6 +6,7 @@
 
 #include "sim/agents/observer.h"
 #include "sim/agents/simulation_config.h"
+#include "sim/core/cell_grid.h"
 #include "sim/core/event_queue.h"
 #include "sim/physics/world.h"
 #include "sim/radio/ports.h"
@@ -24,16 +25,33 @@ class Scene {
 
   const physics::World& world() const { return world_; }
   const sensing::Proximity& proximity();
-  std::span<const sensing::AgentPosition> positions();
+
+  /// Agents that may be within `range` of a point, in the order of the configuration, and some
+  /// more. Good until the next call. @param range  m, the same in all calls.
+  std::span<const sensing::AgentPosition> near(hal::Vec2 point, double range);
 
   /// State of a body, with the distance to the nearest wall's surface (0 inside a wall).
-  BodyState body(hal::AgentId agent) const;
+  BodyState body(hal::AgentId agent);
 
  private:
+  /// The distance of a place to the walls: most bodies are asked for at the place where they were.
+  struct Clearance {
+    hal::Vec2 place;
+    double metres = 0;
+    bool is_known = false;
+  };
+  double clearance(hal::AgentId agent, hal::Vec2 place);
+  void follow(double range);
+
   const physics::World& world_;
   std::vector<physics::Shape> walls_;
+  std::vector<Clearance> clearances_;  ///< By address.
   sensing::Proximity proximity_;
   std::vector<sensing::AgentPosition> positions_;
+  std::vector<std::uint32_t> index_;  ///< In positions_, by address.
+  std::optional<CellGrid> grid_;      ///< Of positions_.
+  std::vector<std::uint32_t> found_;
+  std::vector<sensing::AgentPosition> near_;
   std::optional<std::uint64_t> proximity_at_, positions_at_;  ///< Physics steps.
 };
 

@@ -27,74 +27,80 @@ void Hash::add_bytes(const void* data, std::size_t size) {
 
 Fingerprint::Cell& Fingerprint::at(Part part, hal::AgentId agent, hal::Time time) {
   constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;
-  std::vector<Current>& of_part = current_[static_cast<std::size_t>(part)];
-  if (agent.value >= of_part.size()) of_part.resize(agent.value + 1u);
-  Current& current = of_part[agent.value];
   const std::int64_t ns = hal::to_ns(time);
   const std::int64_t second = std::max(ns / kNanosecondsPerSecond, first_open_);
-  if (current.second != second) {
-    if (second - kLateness > first_open_) close_before(second - kLateness);
-    current = {second, &open_[{second, part, agent}]};
-  }
-  current.cell->since_start_.add(ns);
-  current.cell->within_second_.add(ns - second * kNanosecondsPerSecond);
-  return *current.cell;
+  if (second - kLateness > first_open_) close_before(second - kLateness);
+  const auto place = static_cast<std::size_t>(second - first_open_);
+  if (place >= open_.size()) open_.resize(place + 1);
+  std::vector<Cell>& cells = open_[place][static_cast<std::size_t>(part)];
+  if (agent.value >= cells.size()) cells.resize(std::max<std::size_t>(agent.value + 1u, largest_));
+  largest_ = std::max(largest_, cells.size());
+  Cell& cell = cells[agent.value];
+  cell.is_used_ = true;
+  cell.since_start_.add(ns);
+  cell.within_second_.add(ns - second * kNanosecondsPerSecond);
+  return cell;
 }
 
 void Fingerprint::finish() {
-  if (!open_.empty()) close_before(std::get<0>(open_.rbegin()->first) + 1);
+  if (!open_.empty()) close_before(first_open_ + static_cast<std::int64_t>(open_.size()));
+}
+
+template <class Visit>
+void Fingerprint::for_each(const Second& second, Visit visit) {
+  for (std::size_t part = 0; part < second.size(); ++part) {
+    for (std::size_t agent = 0; agent < second[part].size(); ++agent) {
+      const Cell& cell = second[part][agent];
+      if (!cell.is_used_) continue;
+      visit(static_cast<Part>(part), hal::AgentId{static_cast<std::uint16_t>(agent)}, cell);
+    }
+  }
 }
 
 void Fingerprint::close_before(std::int64_t second) {
-  while (!open_.empty() && std::get<0>(open_.begin()->first) < second) {
-    const std::int64_t next = std::get<0>(open_.begin()->first);
-    if (next > first_open_) end_rows(first_open_);  // nothing happened in between
-    first_open_ = next + 1;
-    hand_over(next);
+  for (; first_open_ < second && !open_.empty(); ++first_open_) {
+    const Second closed = std::move(open_.front());
+    open_.pop_front();
+    hand_over(first_open_, closed);
   }
-  if (second > first_open_) end_rows(first_open_);
+  if (first_open_ >= second) return;
+  end_rows(first_open_);
   first_open_ = second;
 }
 
-void Fingerprint::end_rows(std::int64_t second) {
-  const auto ended = std::exchange(last_, {});
-  for (const auto& [key, hash] : ended) sink_({second, key.first, key.second, std::nullopt});
-}
+/// Nothing was observed from this second on.
+void Fingerprint::end_rows(std::int64_t second) { hand_over(second, {}); }
 
-void Fingerprint::hand_over(std::int64_t second) {
-  std::vector<Row> rows;
-  auto last = last_.begin();
-  const auto end_row = [&] {
-    rows.push_back({second, last->first.first, last->first.second, std::nullopt});
-    last = last_.erase(last);
-  };
-  while (!open_.empty() && std::get<0>(open_.begin()->first) == second) {
-    const auto cell = open_.extract(open_.begin());
-    add(sums_, cell.key(), cell.mapped());
-    const std::pair key{std::get<1>(cell.key()), std::get<2>(cell.key())};
-    const std::uint64_t hash = cell.mapped().within_second_.value();
-    while (last != last_.end() && last->first < key) end_row();
-    const bool is_new = last == last_.end() || last->first != key;
-    if (is_new) last = last_.emplace_hint(last, key, hash);
-    if (is_new || last->second != hash) rows.push_back({second, key.first, key.second, hash});
-    last->second = hash;
-    ++last;
+void Fingerprint::hand_over(std::int64_t number, const Second& second) {
+  add(sums_, number, second);
+  for (std::size_t part = 0; part < kPartCount; ++part) {
+    const std::vector<Cell>& cells = second[part];
+    auto& last = last_[part];
+    if (last.size() < cells.size()) last.resize(cells.size());
+    for (std::size_t agent = 0; agent < last.size(); ++agent) {
+      std::optional<std::uint64_t> hash;
+      if (agent < cells.size() && cells[agent].is_used_) hash = cells[agent].within_second_.value();
+      if (hash == last[agent]) continue;
+      last[agent] = hash;
+      sink_(
+          {number, static_cast<Part>(part), hal::AgentId{static_cast<std::uint16_t>(agent)}, hash});
+    }
   }
-  while (last != last_.end()) end_row();
-  for (const Row& row : rows) sink_(row);
 }
 
-void Fingerprint::add(Sums& sums, const Key& key, const Cell& cell) {
-  const auto& [second, part, agent] = key;
-  Hash& sum = sums[static_cast<std::size_t>(part)];
-  sum.add(second);
-  sum.add(std::uint64_t{agent.value});
-  sum.add(cell.since_start_.value());
+void Fingerprint::add(Sums& sums, std::int64_t second, const Second& observed) {
+  for_each(observed, [&](Part part, hal::AgentId agent, const Cell& cell) {
+    Hash& sum = sums[static_cast<std::size_t>(part)];
+    sum.add(second);
+    sum.add(std::uint64_t{agent.value});
+    sum.add(cell.since_start_.value());
+  });
 }
 
 std::array<std::uint64_t, kPartCount> Fingerprint::parts() const {
   Sums sums = sums_;
-  for (const auto& [key, cell] : open_) add(sums, key, cell);
+  std::int64_t second = first_open_;
+  for (const Second& observed : open_) add(sums, second++, observed);
   std::array<std::uint64_t, kPartCount> values{};
   for (std::size_t i = 0; i < values.size(); ++i) values[i] = sums[i].value();
   return values;

@@ -3,13 +3,11 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <deque>
 #include <functional>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <tuple>
-#include <utility>
 #include <vector>
 
 #include "hal/types/agent_id.h"
@@ -70,6 +68,7 @@ class Fingerprint {
    private:
     friend class Fingerprint;
     Hash since_start_, within_second_;
+    bool is_used_ = false;
   };
 
   /// From this second on, until the next row of the part and agent, each second has this hash.
@@ -102,25 +101,25 @@ class Fingerprint {
   std::uint64_t total() const;
 
  private:
-  using Key = std::tuple<std::int64_t, Part, hal::AgentId>;
   using Sums = std::array<Hash, kPartCount>;
-  struct Current {
-    std::int64_t second = -1;
-    Cell* cell = nullptr;
-  };
+  template <class T>
+  using Table = std::array<std::vector<T>, kPartCount>;  ///< By part and address.
+  using Second = Table<Cell>;
 
-  static void add(Sums& sums, const Key& key, const Cell& cell);
+  /// Calls visit(part, agent, cell) for what was observed in a second.
+  template <class Visit>
+  static void for_each(const Second& second, Visit visit);
+  static void add(Sums& sums, std::int64_t second, const Second& observed);
   void close_before(std::int64_t second);
-  void hand_over(std::int64_t second);
+  void hand_over(std::int64_t number, const Second& second);
   void end_rows(std::int64_t second);
 
   std::function<void(const Row&)> sink_;
-  std::map<Key, Cell> open_;
-  std::array<std::vector<Current>, kPartCount> current_;  ///< By address; saves the big look-up.
-  std::int64_t first_open_ = 0;                           ///< Second; those before are handed over.
-  Sums sums_;                                             ///< Of what is handed over.
-  std::map<std::pair<Part, hal::AgentId>, std::uint64_t>
-      last_;  ///< Hash of each one's last second.
+  std::deque<Second> open_;      ///< One after the other; an empty one: nothing was observed.
+  std::int64_t first_open_ = 0;  ///< Number of the first; those before are handed over.
+  std::size_t largest_ = 0;      ///< Cells that a part of a second had.
+  Sums sums_;                    ///< Of what is handed over.
+  Table<std::optional<std::uint64_t>> last_;  ///< Hash of each one's last second.
 };
 
 /// 16 hexadecimal digits.

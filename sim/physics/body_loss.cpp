@@ -27,7 +27,7 @@ std::string_view name(BodyLoss loss) {
   return "lost";
 }
 
-std::optional<BodyLoss> loss_of(const RigidBody& body) {
+std::optional<BodyLoss> loss_of(const RigidBody& body, const hal::Vec3& origin) {
   static const double upright = hal::math::cos(1.0);
   const dReal* p = dBodyGetPosition(body.body);
   const dReal* r = dBodyGetRotation(body.body);
@@ -36,8 +36,7 @@ std::optional<BodyLoss> loss_of(const RigidBody& body) {
   const bool sane = std::abs(v[0]) < kFastest && std::abs(v[1]) < kFastest &&
                     std::abs(v[2]) < kFastest && std::isfinite(p[0] + p[1] + p[2] + r[10]);
   if (!sane) return BodyLoss::kBlownUp;
-  const hal::Vec3 to_centre = rotate(body.body, body.centre_of_mass);
-  if (p[2] - to_centre.z < -kDeepest) return BodyLoss::kBelowGround;
+  if (origin.z < -kDeepest) return BodyLoss::kBelowGround;
   if (p[0] * p[0] + p[1] * p[1] + p[2] * p[2] > kFarthest * kFarthest) return BodyLoss::kFarAway;
   if (r[10] < upright) return BodyLoss::kTipped;
   return std::nullopt;

@@ -77,8 +77,8 @@ class World::Implementation {
   void adopt(dGeomID geometry, const Solid& solid, AgentId owner);
   void furnish(Object& object, Solid::Kind kind, const Geometries& geometries);
   void step();
-  void look_for_losses();
-  void refresh_shapes();
+  void follow(std::size_t object);
+  void look_for_loss(Object& object, hal::Vec3& origin);
   Result<Drivetrain*> drivetrain(AgentId agent);
 
   const WorldConfig config;
@@ -87,6 +87,8 @@ class World::Implementation {
   std::vector<std::size_t> index;  ///< Of an agent's object, by address; kNone: no such agent.
   std::deque<Solid> solids;        ///< Addresses stay: geometries point here.
   std::vector<Shape> shapes;
+  std::vector<hal::Vec3> origins;  ///< m, of the objects, in their order.
+  std::vector<AgentId> moved;      ///< Those that were awake after the last step.
   ContactPass pass;
   std::uint64_t steps = 0;
   std::uint64_t jams = 0;
@@ -120,6 +122,7 @@ void World::Implementation::furnish(Object& object, Solid::Kind kind,
   object.centre = {p[0], p[1], p[2]};
   const Solid solid{kind, index[object.agent.value], object.friction};
   for (const dGeomID geometry : geometries.all) adopt(geometry, solid, object.agent);
+  origins.push_back(position_of(object.rigid));
 }
 
 void World::Implementation::step() {
@@ -132,37 +135,40 @@ void World::Implementation::step() {
   if (solved.jam) ++jams;
   largest_exact = std::max(largest_exact, solved.largest_exact);
   dJointGroupEmpty(ode.contacts());
-  for (const auto& object : objects)
-    if (object->drivetrain != nullptr) object->drivetrain->follow(config.step);
   ++steps;
-  look_for_losses();
-  refresh_shapes();
+  moved.clear();
+  for (std::size_t i = 0; i < objects.size(); ++i) follow(i);
 }
 
-void World::Implementation::look_for_losses() {
-  for (const auto& object : objects) {
-    if (!object->awake()) continue;
-    object->pose.reset();
-    const auto loss = loss_of(object->rigid);
-    if (loss == BodyLoss::kBlownUp) {
-      freeze(*object, object->centre);
-    } else {
-      const dReal* p = dBodyGetPosition(object->rigid.body);
-      object->centre = {p[0], p[1], p[2]};
-    }
-    if (!loss || object->lost) continue;
-    object->lost = true;
-    lost.push_back(
-        {object->agent, *loss, hal::Time{} + config.step * static_cast<std::int64_t>(steps)});
-  }
+/// What the step has done to an object. All at once: there may be thousands, and what is looked at
+/// of each is not in the cache for long. One that sleeps is where it was.
+void World::Implementation::follow(std::size_t index_of_object) {
+  Object& object = *objects[index_of_object];
+  if (!object.awake()) return;
+  moved.push_back(object.agent);
+  if (object.drivetrain != nullptr) object.drivetrain->follow(config.step);
+  object.pose.reset();
+  look_for_loss(object, origins[index_of_object]);
+  if (!object.awake()) return;
+  for (std::size_t i = 0; i < object.geometries.size(); ++i)
+    refresh(shapes[object.first_shape + i], object.geometries[i]);
 }
 
-void World::Implementation::refresh_shapes() {
-  for (const auto& object : objects) {
-    if (!object->awake()) continue;
-    for (std::size_t i = 0; i < object->geometries.size(); ++i)
-      refresh(shapes[object->first_shape + i], object->geometries[i]);
+/// @param origin  is brought up to date.
+void World::Implementation::look_for_loss(Object& object, hal::Vec3& origin) {
+  origin = position_of(object.rigid);
+  const auto loss = loss_of(object.rigid, origin);
+  if (loss == BodyLoss::kBlownUp) {
+    freeze(object, object.centre);
+    origin = position_of(object.rigid);
+  } else {
+    const dReal* p = dBodyGetPosition(object.rigid.body);
+    object.centre = {p[0], p[1], p[2]};
   }
+  if (!loss || object.lost) return;
+  object.lost = true;
+  lost.push_back(
+      {object.agent, *loss, hal::Time{} + config.step * static_cast<std::int64_t>(steps)});
 }
 
 Result<Drivetrain*> World::Implementation::drivetrain(AgentId agent) {
@@ -253,7 +259,8 @@ hal::Time World::now() const {
 }
 
 hal::Vec3 World::position(AgentId agent) const {
-  return position_of(implementation_->at(agent).rigid);
+  BARAKA_CHECK(has(agent));
+  return implementation_->origins[implementation_->index[agent.value]];
 }
 
 BodyPose World::pose(AgentId agent) const {
@@ -302,6 +309,13 @@ double World::deepest_overlap() const { return implementation_->pass.deepest_ove
 bool World::has(AgentId agent) const { return implementation_->has(agent); }
 
 std::span<const LostBody> World::lost_bodies() const { return implementation_->lost; }
+
+std::span<const AgentId> World::moved() const { return implementation_->moved; }
+
+std::span<const Shape> World::shapes_of(AgentId agent) const {
+  const Object& object = implementation_->at(agent);
+  return shapes().subspan(object.first_shape, object.geometries.size());
+}
 
 std::span<const Shape> World::shapes() const { return implementation_->shapes; }
 

@@ -175,6 +175,13 @@ class World {
   /// indices stay.
   std::span<const Shape> shapes() const;
 
+  /// Those of shapes() that are an agent's: they follow one another.
+  std::span<const Shape> shapes_of(AgentId agent) const;
+
+  /// Agents whose bodies the last step may have moved, in the order they were added. All others are
+  /// where they were before it.
+  std::span<const AgentId> moved() const;
+
   /// Complaints of the solver so far (a singular system, a failed collision test): 0 when healthy.
   std::uint64_t solver_messages() const;
 

@@ -5,18 +5,18 @@
 
 #include "hal/types/agent_id.h"
 #include "hal/types/time.h"
+#include "sim/core/cell_grid.h"
 #include "sim/core/event_queue.h"
-#include "sim/radio/cell_grid.h"
 #include "sim/radio/ports.h"
 #include "sim/radio/propagation.h"
+#include "sim/radio/station_index.h"
 
 namespace sim::radio {
 
 /// What a station's frames are at one other station, as long as neither of the two moves.
 struct Link {
   StationIndex receiver = 0;
-  std::uint32_t from_move = 0;  ///< Count of moves of the transmitter when this was computed …
-  std::uint32_t to_move = 0;    ///< … and of the receiver. 0: never computed.
+  std::uint32_t moves = 0;  ///< Of both together when this was computed.
   Propagation::Arrival arrival;
 
   /// Anything at all arrives, or would but for a wall.
@@ -27,8 +27,10 @@ struct Link {
 
 /// Who can notice whose frames, and how strongly. Positions are pulled when a frame starts; what
 /// has not moved since is not computed again. Stations that move are put into their new cell by an
-/// event of their own: the cells are larger than the reach by twice a margin, and a station is
-/// looked at again before it can have left its cell by more than the margin.
+/// event of their own: a station is looked at again before it can have left its cell by more than a
+/// margin, and links are kept to all stations whose cells are nearer than the reach and twice the
+/// margin. Whoever changes cells makes those collect their links again that it comes to or goes
+/// from, and nobody else.
 class Neighbourhood {
  public:
   /// @param agents  in ascending order; the index into it is the StationIndex.
@@ -39,29 +41,43 @@ class Neighbourhood {
   /// matters(). By receiver. Valid until the next call for this station.
   const std::vector<Link>& links_from(StationIndex transmitter);
 
+  /// Gives back the memory that links_from() took for a station, which may never transmit.
+  void forget(StationIndex transmitter);
+
  private:
+  /// A pair that is out of reach, and near enough to come into it before cells change.
+  struct Distant {
+    StationIndex receiver = 0;
+    std::uint32_t moves = 0;  ///< As of Link.
+  };
+  struct Links {
+    std::vector<Link> known;  ///< By receiver. Once in, a link stays until it is collected anew.
+    std::vector<Distant> distant;  ///< By receiver.
+  };
   struct Station {
     hal::AgentId agent;
     double max_speed = 0;  ///< m/s
     hal::Vec3 position;
     hal::Time valid_until{};
     std::uint32_t moves = 1;
-    std::uint64_t cells_seen = 0;  ///< cell_changes_ when the links were collected.
-    std::vector<Link> links;
+    bool is_out_of_date = true;  ///< Its links: who is near has changed.
   };
 
   void add(hal::AgentId agent);
   void refresh(Station& station);
   void collect(StationIndex transmitter);
+  void take_in_distant(StationIndex transmitter);
   void watch_cell(StationIndex station);
+  void change_cell(StationIndex station);
+  void outdate_around(StationIndex station);
 
   EventQueue& events_;
   const Positions& positions_;
   const Propagation& propagation_;
   double margin_;  ///< m
   CellGrid grid_;
-  std::uint64_t cell_changes_ = 1;
   std::vector<Station> stations_;
+  std::vector<Links> links_;  ///< By transmitter.
 };
 
 }  // namespace sim::radio

@@ -8,11 +8,11 @@
 #include "hal/types/random.h"
 #include "hal/types/time.h"
 #include "sim/core/event_queue.h"
-#include "sim/radio/cell_grid.h"
 #include "sim/radio/frame.h"
 #include "sim/radio/observer.h"
 #include "sim/radio/propagation.h"
 #include "sim/radio/reception.h"
+#include "sim/radio/station_index.h"
 
 namespace sim::radio {
 

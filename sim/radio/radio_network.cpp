@@ -146,6 +146,7 @@ std::vector<std::pair<hal::AgentId, hal::AgentId>> RadioNetwork::links() const {
       if (link.receiver < from || !state_->propagation.is_receivable(link.arrival.power)) continue;
       pairs.emplace_back(state_->stations[from].agent, state_->stations[link.receiver].agent);
     }
+    state_->neighbourhood.forget(from);
   }
   return pairs;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "hal/types/check.h"
 #include "hal/types/math.h"
@@ -16,13 +17,26 @@ BodyLog::BodyLog(Database& database, hal::Duration period)
 }
 
 bool BodyLog::on_body(hal::Time at, hal::AgentId agent, const agents::BodyState& body) {
-  Track& track = tracks_[agent];
+  Track& track = track_of(agent);
   const Pose pose{body.x, body.y, body.theta};
+  const bool is_news =
+      track.last != pose || body.clearance < track.clearance || body.tilt > track.tilt;
+  if (!is_news) return write_pose(at, agent, track);
+  note_change(agent, track);
   if (track.last) track.path += hal::math::hypot(pose.x - track.last->x, pose.y - track.last->y);
   track.last = pose;
   track.clearance = std::min(track.clearance, body.clearance);
   track.tilt = std::max(track.tilt, body.tilt);
   return write_pose(at, agent, track);
+}
+
+BodyLog::Track& BodyLog::track_of(hal::AgentId agent) {
+  if (agent.value >= tracks_.size()) tracks_.resize(agent.value + 1u);
+  return tracks_[agent.value];
+}
+
+void BodyLog::note_change(hal::AgentId agent, Track& track) {
+  if (!std::exchange(track.changed, true)) changed_.push_back(agent);
 }
 
 bool BodyLog::write_pose(hal::Time at, hal::AgentId agent, Track& track) {
@@ -37,11 +51,16 @@ bool BodyLog::write_pose(hal::Time at, hal::AgentId agent, Track& track) {
 }
 
 void BodyLog::on_contacts(hal::AgentId agent, const agents::ContactCounts& contacts) {
-  tracks_[agent].contacts = contacts;
+  Track& track = track_of(agent);
+  track.contacts = contacts;
+  note_change(agent, track);
 }
 
 void BodyLog::write() {
-  for (const auto& [agent, track] : tracks_) {
+  std::ranges::sort(changed_);
+  for (const hal::AgentId agent : changed_) {
+    Track& track = tracks_[agent.value];
+    track.changed = false;
     if (!track.last) continue;
     std::optional<double> clearance;
     if (std::isfinite(track.clearance)) clearance = track.clearance;
@@ -54,6 +73,7 @@ void BodyLog::write() {
     put_body_.run(agent.value, track.path, clearance, track.tilt, track.last->x, track.last->y,
                   track.last->theta, walls, objects);
   }
+  changed_.clear();
 }
 
 }  // namespace sim::record

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <limits>
-#include <map>
 #include <optional>
+#include <vector>
 
 #include "sim/agents/observer.h"
 #include "sim/record/database.h"
@@ -19,6 +19,7 @@ class BodyLog {
   bool on_body(hal::Time at, hal::AgentId agent, const agents::BodyState& body);
   void on_contacts(hal::AgentId agent, const agents::ContactCounts& contacts);
 
+  /// Writes the row in bodies of each one of which something changed since the last call.
   void write();
 
  private:
@@ -34,13 +35,17 @@ class BodyLog {
     double clearance = std::numeric_limits<double>::infinity();
     double tilt = 0;
     std::optional<agents::ContactCounts> contacts;
+    bool changed = false;  ///< Since its row in bodies was written.
   };
 
+  Track& track_of(hal::AgentId agent);
+  void note_change(hal::AgentId agent, Track& track);
   bool write_pose(hal::Time at, hal::AgentId agent, Track& track);
 
   hal::Duration period_;
   Statement insert_pose_, put_body_;
-  std::map<hal::AgentId, Track> tracks_;
+  std::vector<Track> tracks_;          ///< By address.
+  std::vector<hal::AgentId> changed_;  ///< Those whose tracks did.
 };
 
 }  // namespace sim::record

@@ -27,24 +27,26 @@ std::optional<hal::MessageId> own_broadcast(const radio::Frame& frame) {
 void BroadcastWatch::on_frame_start(hal::Time at, const radio::Frame& frame) {
   const auto message = own_broadcast(frame);
   if (!message) return;
-  if (const auto before = last_.find(frame.transmitter); before != last_.end()) {
-    settle(before->first, before->second);
-  }
-  last_[frame.transmitter] = {
-      .frame = frame.id, .message = *message, .end = at + frame.airtime + kLongestPropagation};
+  if (frame.transmitter.value >= last_.size()) last_.resize(frame.transmitter.value + 1u);
+  std::optional<OnAir>& last = last_[frame.transmitter.value];
+  if (last) settle(frame.transmitter, *last);
+  last = {.frame = frame.id, .message = *message, .end = at + frame.airtime + kLongestPropagation};
 }
 
 void BroadcastWatch::on_reception(const radio::Frame& frame, hal::Verdict verdict) {
   if (!frame.is_broadcast()) return;
-  const auto found = last_.find(frame.transmitter);
-  if (found == last_.end() || found->second.frame != frame.id) return;
-  if (verdict == hal::Verdict::kDelivered) found->second.heard = true;
-  ++found->second.losses[static_cast<std::size_t>(verdict)];
+  if (frame.transmitter.value >= last_.size()) return;
+  std::optional<OnAir>& last = last_[frame.transmitter.value];
+  if (!last || last->frame != frame.id) return;
+  if (verdict == hal::Verdict::kDelivered) last->heard = true;
+  ++last->losses[static_cast<std::size_t>(verdict)];
 }
 
 void BroadcastWatch::finish(hal::Time ended_at) {
-  for (const auto& [sender, broadcast] : last_) {
-    if (broadcast.end <= ended_at) settle(sender, broadcast);
+  for (std::size_t sender = 0; sender < last_.size(); ++sender) {
+    const std::optional<OnAir>& last = last_[sender];
+    if (!last || last->end > ended_at) continue;
+    settle(hal::AgentId{static_cast<std::uint16_t>(sender)}, *last);
   }
   last_.clear();
 }

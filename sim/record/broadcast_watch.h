@@ -3,8 +3,8 @@
 #include <array>
 #include <cstdint>
 #include <functional>
-#include <map>
 #include <optional>
+#include <vector>
 
 #include "hal/types/agent_id.h"
 #include "hal/types/message.h"
@@ -44,7 +44,7 @@ class BroadcastWatch {
   void settle(hal::AgentId sender, const OnAir& broadcast) const;
 
   Unheard unheard_;
-  std::map<hal::AgentId, OnAir> last_;  ///< By sender.
+  std::vector<std::optional<OnAir>> last_;  ///< By address of the sender.
 };
 
 }  // namespace sim::record

@@ -1,8 +1,29 @@
 #include "sim/record/frame_counts.h"
 
+#include <array>
+
 #include "sim/record/frame_class.h"
 
 namespace sim::record {
+namespace {
+
+/// What is counted of a reception, as one number.
+constexpr int kAddressedBit = 4;
+constexpr int kClassShift = 5;
+static_assert(hal::kVerdictCount <= 1 << kAddressedBit);
+static_assert(kFrameClasses << kClassShift <= 1 << PairCounts::kKindBits);
+
+std::uint8_t kind_of(const radio::Frame& frame) {
+  return static_cast<std::uint8_t>(frame_class(frame));
+}
+
+std::string_view class_in(std::uint8_t kind) { return name(static_cast<FrameClass>(kind)); }
+
+std::string_view verdict_in(std::uint8_t kind) {
+  return hal::name(static_cast<hal::Verdict>(kind % (1 << kAddressedBit)));
+}
+
+}  // namespace
 
 FrameCounts::FrameCounts(Database& database)
     : put_sent_(database, "REPLACE INTO frames_sent VALUES (?, ?, ?, ?)"),
@@ -11,44 +32,56 @@ FrameCounts::FrameCounts(Database& database)
       put_request_(database, "REPLACE INTO requests VALUES (?, ?, ?, ?)") {}
 
 void FrameCounts::on_frame_start(const radio::Frame& frame) {
-  sent_.add({{frame.transmitter, frame.receiver}, class_of(frame)});
+  sent_.add(frame.transmitter, frame.receiver, kind_of(frame));
 }
 
 void FrameCounts::on_reception(const radio::Frame& frame, hal::AgentId receiver,
                                hal::Verdict verdict) {
   const bool addressed = frame.is_broadcast() || frame.receiver == receiver;
-  receptions_.add({{receiver, frame.transmitter}, class_of(frame), addressed, verdict});
+  const int kind = (kind_of(frame) << kClassShift) | (addressed ? 1 << kAddressedBit : 0) |
+                   static_cast<int>(verdict);
+  receptions_.add(receiver, frame.transmitter, static_cast<std::uint8_t>(kind));
 }
 
 void FrameCounts::on_delivered(const radio::Frame& frame, hal::AgentId receiver) {
-  packets_.add({{receiver, frame.transmitter}, class_of(frame)});
+  packets_.add(receiver, frame.transmitter, kind_of(frame));
 }
 
 void FrameCounts::on_request_end(hal::AgentId sender, hal::AgentId destination,
                                  hal::Verdict verdict) {
-  requests_.add({{sender, destination}, verdict});
+  requests_.add(sender, destination, static_cast<std::uint8_t>(verdict));
+}
+
+std::uint64_t FrameCounts::counted() const {
+  return sent_.added() + receptions_.added() + packets_.added() + requests_.added();
+}
+
+std::uint64_t FrameCounts::rows() const {
+  return sent_.changed() + receptions_.changed() + packets_.changed() + requests_.changed();
 }
 
 void FrameCounts::write() {
-  sent_.write_changes([this](const auto& key, std::uint64_t count) {
-    const auto& [pair, kind] = key;
-    put_sent_.run(pair.first.value, pair.second.value, kind, count);
+  sent_.write_changes([this](auto sender, auto receiver, std::uint8_t kind, std::uint64_t count) {
+    put_sent_.run(sender.value, receiver.value, class_in(kind), count);
   });
-  receptions_.write_changes([this](const auto& key, std::uint64_t count) {
-    const auto& [pair, kind, addressed, verdict] = key;
-    put_reception_.run(pair.first.value, pair.second.value, kind, addressed, hal::name(verdict),
-                       count);
-  });
-  packets_.write_changes([this](const auto& key, std::uint64_t count) {
-    const auto& [pair, kind] = key;
-    put_packet_.run(pair.first.value, pair.second.value, kind, count);
-  });
-  requests_.write_changes([this](const auto& key, std::uint64_t count) {
-    const auto& [pair, verdict] = key;
-    const bool unknown = pair.second == hal::kEveryone && verdict == hal::Verdict::kDelivered;
-    put_request_.run(pair.first.value, pair.second.value,
-                     unknown ? "transmitted" : hal::name(verdict), count);
-  });
+  receptions_.write_changes(
+      [this](auto receiver, auto sender, std::uint8_t kind, std::uint64_t count) {
+        const bool addressed = (kind & (1 << kAddressedBit)) != 0;
+        put_reception_.run(receiver.value, sender.value,
+                           class_in(static_cast<std::uint8_t>(kind >> kClassShift)), addressed,
+                           verdict_in(kind), count);
+      });
+  packets_.write_changes(
+      [this](auto receiver, auto sender, std::uint8_t kind, std::uint64_t count) {
+        put_packet_.run(receiver.value, sender.value, class_in(kind), count);
+      });
+  requests_.write_changes(
+      [this](auto sender, auto destination, std::uint8_t kind, std::uint64_t count) {
+        const bool unknown = destination == hal::kEveryone &&
+                             static_cast<hal::Verdict>(kind) == hal::Verdict::kDelivered;
+        put_request_.run(sender.value, destination.value,
+                         unknown ? "transmitted" : verdict_in(kind), count);
+      });
 }
 
 }  // namespace sim::record

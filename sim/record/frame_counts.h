@@ -1,38 +1,10 @@
 #pragma once
 
-#include <cstdint>
-#include <map>
-#include <string_view>
-#include <tuple>
-
 #include "sim/radio/observer.h"
 #include "sim/record/database.h"
+#include "sim/record/pair_counts.h"
 
 namespace sim::record {
-
-/// Numbers that grow during a run, kept here and written now and then.
-template <class Key>
-class Counts {
- public:
-  void add(const Key& key) { ++entries_[key].count; }
-
-  /// Calls write(key, count) for each entry that grew since the last call.
-  template <class Write>
-  void write_changes(Write write) {
-    for (auto& [key, entry] : entries_) {
-      if (entry.count == entry.written) continue;
-      write(key, entry.count);
-      entry.written = entry.count;
-    }
-  }
-
- private:
-  struct Entry {
-    std::uint64_t count = 0;
-    std::uint64_t written = 0;
-  };
-  std::map<Key, Entry> entries_;
-};
 
 /// The tables frames_sent, receptions, packets and requests.
 class FrameCounts {
@@ -44,15 +16,15 @@ class FrameCounts {
   void on_delivered(const radio::Frame& frame, hal::AgentId receiver);
   void on_request_end(hal::AgentId sender, hal::AgentId destination, hal::Verdict verdict);
 
+  /// Writes a row for each count that changed since the last call.
   void write();
 
+  std::uint64_t counted() const;  ///< Since the last write(), and
+  std::uint64_t rows() const;     ///< how many rows it would write.
+
  private:
-  using Pair = std::pair<hal::AgentId, hal::AgentId>;
   Statement put_sent_, put_reception_, put_packet_, put_request_;
-  Counts<std::tuple<Pair, std::string_view>> sent_;
-  Counts<std::tuple<Pair, std::string_view, bool, hal::Verdict>> receptions_;
-  Counts<std::tuple<Pair, std::string_view>> packets_;
-  Counts<std::tuple<Pair, hal::Verdict>> requests_;
+  PairCounts sent_, receptions_, packets_, requests_;
 };
 
 }  // namespace sim::record

@@ -20,6 +20,11 @@ std::string_view name(radio::Profile profile) {
   return kNames[static_cast<int>(profile)];
 }
 
+/// A commit() writes so many rows of totals in any case, and more if each stands for so many
+/// frames.
+constexpr std::uint64_t kFewTotals = 2000;
+constexpr std::uint64_t kWorthWriting = 8;
+
 }  // namespace
 
 Recorder::Recorder(const std::filesystem::path& file, const agents::SimulationConfig& config,
@@ -53,7 +58,8 @@ NewDatabase::NewDatabase(const std::filesystem::path& file) : Database(file, Mod
 
 Recorder::~Recorder() {
   try {
-    if (!is_given_up_) commit();
+    if (!is_given_up_) update_totals();
+    if (!is_given_up_) commit_rows();
     // One plain file stays, readable also where nothing can be written.
     if (!is_given_up_) database_.execute("COMMIT");
     database_.execute("PRAGMA journal_mode = DELETE");
@@ -118,8 +124,18 @@ void Recorder::on_turn(const agents::Turn& turn) {
 
 void Recorder::commit() {
   if (is_given_up_) return;
+  if (is_finished_ || frames_.rows() <= kFewTotals + frames_.counted() / kWorthWriting) {
+    update_totals();
+  }
+  commit_rows();
+}
+
+void Recorder::update_totals() {
   frames_.write();
   bodies_.write();
+}
+
+void Recorder::commit_rows() {
   database_.execute("COMMIT; BEGIN");
   rows_ = 0;
 }
@@ -128,8 +144,11 @@ void Recorder::on_rows(hal::Time at, int rows) {
   rows_ += rows;
   now_ = std::max(now_, at);
   if (rows_ < kCommitRows && at < next_commit_) return;
-  next_commit_ = at + kCommitPeriod;
-  commit();
+  if (at >= next_commit_) {
+    update_totals();
+    next_commit_ = at + kCommitPeriod;
+  }
+  commit_rows();
 }
 
 void Recorder::add(const Fingerprint::Row& row) {

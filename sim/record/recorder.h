@@ -42,9 +42,11 @@ class NewDatabase : public Database {
 ///   recorder.finish(outcome, feed.fingerprint());
 ///
 /// If the process dies, the file holds everything up to the last commit: one every
-/// kCommitPeriod of simulated time, every kCommitRows rows, and at each commit().
-/// Every member throws std::runtime_error if the file cannot be written; then only give_up() is
-/// left.
+/// kCommitPeriod of simulated time, every kCommitRows rows, and at each commit(). Totals (the
+/// tables bodies, frames_sent, receptions, packets and requests) are those of the last
+/// kCommitPeriod, or of the last commit() that found them few beside what was counted: so to keep
+/// them costs less than to count, however many pairs of agents there are. Every member throws
+/// std::runtime_error if the file cannot be written; then only give_up() is left.
 class Recorder final : public agents::Observer {
  public:
   static constexpr hal::Duration kCommitPeriod = std::chrono::seconds{10};
@@ -78,7 +80,7 @@ class Recorder final : public agents::Observer {
   /// Message classes of which nothing arrived at anyone. After finish().
   std::vector<UnheardTopic> unheard_topics() { return record::unheard_topics(database_); }
 
-  /// Makes everything so far readable for others.
+  /// Makes what there is so far readable for others: all rows, and the totals unless they are many.
   void commit();
 
   void on_start(const std::vector<std::pair<hal::AgentId, hal::AgentId>>& links) override;
@@ -109,6 +111,8 @@ class Recorder final : public agents::Observer {
   void write(const agents::RealTimeSummary& summary);
   void write_totals(const Fingerprint& fingerprint);
   void on_rows(hal::Time at, int rows);
+  void update_totals();
+  void commit_rows();
 
   NewDatabase database_;
   RecorderOptions options_;

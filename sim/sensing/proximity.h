@@ -20,7 +20,8 @@ class Proximity {
   Proximity(const Proximity&) = delete;
   Proximity& operator=(const Proximity&) = delete;
 
-  /// Follows the bodies. Call once per control tick, before the queries of that tick.
+  /// Follows the bodies. Call before the queries, whenever the world has moved on. Costs as much as
+  /// moved, if it is called after every step.
   void update();
 
   /// Distance [m] from the sector's origin to the nearest point of a shape in the sector, 0 inside

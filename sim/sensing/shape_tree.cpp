@@ -9,12 +9,11 @@
 
 namespace sim::sensing {
 
-/// One member: a box that stands for the shape's bounds, and for where it may go.
+/// One member: a box that stands for the shape's bounds.
 struct Member {
   std::size_t shape;
   std::shared_ptr<fcl::Boxd> box;
   std::unique_ptr<fcl::CollisionObjectd> object;
-  hal::Vec3 low, high;  ///< Corners of the box, world frame, m.
 };
 
 namespace {
@@ -22,10 +21,6 @@ namespace {
 using hal::Vec3;
 using physics::Shape;
 using Node = fcl::detail::NodeBase<fcl::AABBd>;
-
-/// Refitting alone lets the tree degrade; rebuilding this often keeps queries at their best for a
-/// third of the cost of rebuilding always (docs/models.md, 3).
-constexpr int kUpdatesPerRebuild = 50;
 
 /// Half the extent of a shape along x and y.
 hal::Vec2 extent(const Shape& shape) {
@@ -35,28 +30,13 @@ hal::Vec2 extent(const Shape& shape) {
   return {c * shape.half.x + s * shape.half.y, s * shape.half.x + c * shape.half.y};
 }
 
-/// m by which a member's box exceeds the shape: the tree is refitted only when a shape has left its
-/// box. A robot at 0.3 m/s does so every 0.7 s, while a sensor looks 1 m and more.
-constexpr double kMargin = 0.2;
-
-bool contains(const Member& member, const Shape& shape) {
+void place(Member& member, const Shape& shape) {
   const hal::Vec2 half = extent(shape);
-  return shape.centre.x - half.x >= member.low.x && shape.centre.x + half.x <= member.high.x &&
-         shape.centre.y - half.y >= member.low.y && shape.centre.y + half.y <= member.high.y &&
-         shape.z_low >= member.low.z && shape.z_high <= member.high.z;
-}
-
-void place(Member& member, const Shape& shape, double margin) {
-  const hal::Vec2 half = extent(shape);
-  member.box->side = {2 * (half.x + margin), 2 * (half.y + margin),
-                      shape.z_high - shape.z_low + 2 * margin};
+  member.box->side = {2 * half.x, 2 * half.y, shape.z_high - shape.z_low};
   member.box->computeLocalAABB();
   member.object->setTranslation(
       {shape.centre.x, shape.centre.y, 0.5 * (shape.z_low + shape.z_high)});
   member.object->computeAABB();
-  const fcl::AABBd& box = member.object->getAABB();
-  member.low = {box.min_[0], box.min_[1], box.min_[2]};
-  member.high = {box.max_[0], box.max_[1], box.max_[2]};
 }
 
 /// Narrows [from, to] to where start + t * slope lies in low .. high.
@@ -102,7 +82,6 @@ class ShapeTree::Implementation {
     manager.clear();
     manager.registerObjects(objects);
     manager.setup();
-    updates = 0;
   }
 
   /// The tree's shape depends on its history, the answer must not: ascending.
@@ -116,7 +95,6 @@ class ShapeTree::Implementation {
 
   std::vector<Member> members;
   fcl::DynamicAABBTreeCollisionManagerd manager;
-  int updates = 0;
 };
 
 ShapeTree::ShapeTree(std::span<const Shape> shapes, const std::vector<std::size_t>& members)
@@ -125,9 +103,9 @@ ShapeTree::ShapeTree(std::span<const Shape> shapes, const std::vector<std::size_
   entries.reserve(members.size());
   for (const std::size_t index : members) {
     const auto box = std::make_shared<fcl::Boxd>(1, 1, 1);
-    entries.push_back({index, box, std::make_unique<fcl::CollisionObjectd>(box), {}, {}});
+    entries.push_back({index, box, std::make_unique<fcl::CollisionObjectd>(box)});
     entries.back().object->setUserData(&entries.back());
-    place(entries.back(), shapes[index], shapes[index].is_static() ? 0 : kMargin);
+    place(entries.back(), shapes[index]);
   }
   if (!entries.empty()) implementation_->build();
 }
@@ -135,21 +113,6 @@ ShapeTree::ShapeTree(std::span<const Shape> shapes, const std::vector<std::size_
 ShapeTree::~ShapeTree() = default;
 ShapeTree::ShapeTree(ShapeTree&&) noexcept = default;
 ShapeTree& ShapeTree::operator=(ShapeTree&&) noexcept = default;
-
-void ShapeTree::update(std::span<const Shape> shapes) {
-  bool moved = false;
-  for (Member& member : implementation_->members) {
-    const Shape& shape = shapes[member.shape];
-    if (contains(member, shape)) continue;
-    place(member, shape, kMargin);
-    moved = true;
-  }
-  if (!moved) return;
-  if (++implementation_->updates == kUpdatesPerRebuild)
-    implementation_->build();
-  else
-    implementation_->manager.update();
-}
 
 void ShapeTree::overlapping(const Region& region, std::vector<std::size_t>& found) const {
   implementation_->query(

@@ -11,8 +11,8 @@
 
 namespace sim::sensing {
 
-/// Bounding volume tree over some of a world's shapes; answers with candidates, which the caller
-/// tests exactly. FCL's dynamic AABB tree underneath; no other file sees FCL.
+/// Bounding volume tree over some of a world's shapes that do not move; answers with candidates,
+/// which the caller tests exactly. FCL's dynamic AABB tree underneath; no other file sees FCL.
 class ShapeTree {
  public:
   /// @param members  indices into `shapes` of those that the tree holds.
@@ -21,12 +21,7 @@ class ShapeTree {
   ShapeTree(ShapeTree&&) noexcept;
   ShapeTree& operator=(ShapeTree&&) noexcept;
 
-  /// Follows the members' poses; cheap while they move little. @param shapes  the same ones, in the
-  /// same order.
-  void update(std::span<const physics::Shape> shapes);
-
-  /// Appends the members whose bounds meet a box, ascending. Moving members' bounds are some 0.2 m
-  /// too large.
+  /// Appends the members whose bounds meet a box, ascending.
   void overlapping(const Region& region, std::vector<std::size_t>& found) const;
 
   /// Appends the members whose bounds meet a segment, ascending.

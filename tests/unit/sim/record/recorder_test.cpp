@@ -110,6 +110,30 @@ TEST_F(RecorderTest, WritesNoKeyThatIsNotDescribed) {
   EXPECT_GT(keys, 20);
 }
 
+TEST_F(RecorderTest, TotalsOfManyPairsWaitUntilTheyAreFewBesideWhatTheyCount) {
+  const std::string rows = "SELECT count(*) FROM receptions";
+  const auto hear_all = [this] {
+    for (std::uint16_t other = 10; other < 5010; ++other) {
+      const radio::Frame frame = data_frame(AgentId{other}, AgentId{1});
+      recorder->on_reception(Time{1s}, frame, AgentId{1}, Verdict::kCollision, -80);
+    }
+  };
+  hear_all();
+  EXPECT_EQ(asked(rows), "0");
+  for (int i = 0; i < 9; ++i) hear_all();
+  EXPECT_EQ(asked(rows), "5000");
+  EXPECT_EQ(asked("SELECT DISTINCT count FROM receptions"), "10");
+}
+
+TEST_F(RecorderTest, TotalsAreWrittenAtLeastOncePerPeriod) {
+  for (std::uint16_t other = 10; other < 5010; ++other) {
+    recorder->on_reception(Time{1s}, data_frame(AgentId{other}, AgentId{1}), AgentId{1},
+                           Verdict::kCollision, -80);
+  }
+  recorder->on_body(Time{Recorder::kCommitPeriod}, AgentId{1}, {});
+  EXPECT_EQ(ask(folder.file(), "SELECT count(*) FROM receptions"), "5000");
+}
+
 TEST_F(RecorderTest, KeepsTheSettings) {
   recorder->add_settings({{"radio.profile", "disk"}, {"seed", "7"}});
   EXPECT_EQ(asked("SELECT group_concat(key || '=' || value, ' ') FROM settings"),

@@ -1,0 +1,61 @@
+#include "sim/record/pair_counts.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace sim::record {
+namespace {
+
+constexpr int kCountBits = 39;
+constexpr std::uint64_t kChanged = std::uint64_t{1} << kCountBits;
+constexpr std::uint64_t kCountMask = kChanged - 1;
+constexpr int kKeyShift = kCountBits + 1;
+constexpr std::size_t kSmallest = 8;
+
+}  // namespace
+
+/// Of the key, or the free one where it belongs. @pre some word is free.
+std::size_t PairCounts::Table::place_of(std::uint32_t key) const {
+  // Fibonacci hashing (Knuth, vol. 3, 6.4), scaled to the size instead of masked.
+  const std::uint64_t hash = key * std::uint32_t{2654435769U};
+  std::size_t place = (hash * words_.size()) >> 32U;
+  while (words_[place] != 0 && words_[place] >> kKeyShift != key) {
+    if (++place == words_.size()) place = 0;
+  }
+  return place;
+}
+
+bool PairCounts::Table::add(std::uint32_t key) {
+  if (8 * std::size_t{used_} >= 7 * words_.size()) grow();
+  std::uint64_t& word = words_[place_of(key)];
+  if (word == 0) {
+    word = std::uint64_t{key} << kKeyShift;
+    ++used_;
+  }
+  const bool is_first = (word & kChanged) == 0;
+  word = (word | kChanged) + 1;
+  changed_ = true;
+  return is_first;
+}
+
+void PairCounts::Table::grow() {
+  std::vector<std::uint64_t> old(std::max(kSmallest, words_.size() + words_.size() / 2));
+  old.swap(words_);
+  for (const std::uint64_t word : old) {
+    if (word != 0) words_[place_of(static_cast<std::uint32_t>(word >> kKeyShift))] = word;
+  }
+}
+
+std::vector<PairCounts::Change> PairCounts::Table::take_changes() {
+  std::vector<Change> changes;
+  if (!std::exchange(changed_, false)) return changes;
+  for (std::uint64_t& word : words_) {
+    if ((word & kChanged) == 0) continue;
+    word &= ~kChanged;
+    changes.push_back({static_cast<std::uint32_t>(word >> kKeyShift), word & kCountMask});
+  }
+  std::ranges::sort(changes, {}, &Change::key);
+  return changes;
+}
+
+}  // namespace sim::record
