@@ -20,7 +20,8 @@ class ValidAction : public testing::Test {
   ValidAction() {
     session_.agent = AgentId{4};
     session_.kind = AgentKind::kRobot;
-    session_.limits = {.body_to_wheel = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, .wheel_speed = 20};
+    session_.limits = {
+        .body_to_wheel = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, .wheel_to_body = {}, .wheel_speed = 20};
     action_.agent = AgentId{4};
     action_.message_id = 1;
     action_.destination = AgentId{5};
