@@ -15,18 +15,13 @@
 #include "sim/agents/simulation.h"
 #include "sim/scenario/plan.h"
 #include "sim/scenario/scenario.h"
+#include "tests/support/no_pace.h"
 
 namespace {
 
 using namespace std::chrono_literals;
 using sim::agents::Simulation;
 using sim::scenario::Scenario;
-
-/// As fast as can be.
-class NoPace final : public sim::agents::Pace {
- public:
-  Verdict may_go_on(hal::Time, const sim::agents::Progress&) override { return Verdict::kGoOn; }
-};
 
 void connect_in_process(const Scenario& scenario, Simulation& simulation) {
   std::map<hal::AgentId, hal::exchange::AgentOffer> offers;
@@ -55,7 +50,7 @@ std::string fingerprint(const std::string& profile, int seed) {
   sim::agents::FingerprintFeed feed;
   Simulation simulation(scenario.simulation, {&feed});
   connect_in_process(scenario, simulation);
-  NoPace pace;
+  tests::NoPace pace;
   simulation.run(hal::Time{60s}, pace);
   std::string line = fmt::format("{} seed {}:", profile, seed);
   for (int p = 0; p < sim::kPartCount; ++p) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sim/agents/simulation.h"
+#include "tests/support/no_pace.h"
 #include "tests/support/printers.h"
 
 namespace {
@@ -90,11 +91,6 @@ class Delays final : public sim::agents::Observer {
   std::map<hal::MessageId, Time> sent_;
 };
 
-class NoPace final : public sim::agents::Pace {
- public:
-  Verdict may_go_on(Time, const sim::agents::Progress&) override { return Verdict::kGoOn; }
-};
-
 std::map<AgentId, std::vector<Duration>> delays_of_run(std::uint64_t seed) {
   const SimulationConfig config = chain(seed);
   Delays delays;
@@ -102,7 +98,7 @@ std::map<AgentId, std::vector<Duration>> delays_of_run(std::uint64_t seed) {
   std::vector<AgentId> agents;
   for (const auto& agent : config.agents) agents.push_back(agent.id);
   simulation.connect(std::make_shared<Caller>(), agents, {});
-  NoPace pace;
+  tests::NoPace pace;
   simulation.run(Time{(kHops + 1) * 10s}, pace);
   return delays.of;
 }

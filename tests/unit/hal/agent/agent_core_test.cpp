@@ -97,7 +97,8 @@ class Core : public testing::Test {
     exchange::AgentSession session;
     session.agent = kSelf;
     session.name = "r0";
-    session.limits = {.body_to_wheel = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, .wheel_speed = 20};
+    session.limits = {
+        .body_to_wheel = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}, .wheel_to_body = {}, .wheel_speed = 20};
     for (const char* name : {"a", "b"}) {
       Channel& channel = session.channels.emplace_back();
       channel.id = static_cast<std::uint16_t>(10 * session.channels.size());

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include <optional>
-#include <utility>
+#include <memory>
+#include <vector>
+
+#include "tests/support/scripted_port.h"
 
 namespace {
 
@@ -14,47 +16,12 @@ using hal::exchange::Action;
 using hal::exchange::Cause;
 using hal::exchange::Courier;
 using hal::exchange::Event;
-using hal::exchange::Reply;
-using hal::exchange::Step;
+using tests::ScriptedPort;
 
 const AgentId kA{1}, kB{2};
 
-/// A process that answers when it is told to: one state action per event, "<cause> at <ms>".
-class PatientPort final : public hal::exchange::ControllerPort {
- public:
-  const std::string& name() const override { return name_; }
-  hal::Result<void> begin(const Step& step) override {
-    steps.push_back(step);
-    return {};
-  }
-  hal::Result<Reply> finish() override { return reply(); }
-  hal::Result<std::optional<Reply>> try_finish() override {
-    if (dead) return hal::fail(hal::Errc::kNotConnected, "it died");
-    if (!std::exchange(answers, false)) return std::nullopt;
-    return reply();
-  }
-  hal::Result<void> check_alive() override {
-    if (dead) return hal::fail(hal::Errc::kNotConnected, "it died");
-    return {};
-  }
-
-  std::vector<Step> steps;
-  bool answers = false;
-  bool dead = false;
-
- private:
-  Reply reply() const {
-    Reply reply;
-    for (std::uint32_t i = 0; i < steps.back().events.size(); ++i) {
-      Action action;
-      action.agent = steps.back().events[i].agent;
-      action.event = i;
-      reply.actions.push_back(action);
-    }
-    return reply;
-  }
-  std::string name_ = "patient";
-};
+/// One action per event.
+std::vector<Action> answer(const Event&) { return {Action{}}; }
 
 Event event(AgentId agent, Cause cause, hal::Duration at) {
   Event event;
@@ -74,7 +41,9 @@ Event control(AgentId agent, hal::Duration at, double reading) {
 
 class CourierTest : public testing::Test {
  protected:
-  std::shared_ptr<PatientPort> port_ = std::make_shared<PatientPort>();
+  CourierTest() { port_->answers = 0; }  // until it is told to
+
+  std::shared_ptr<ScriptedPort> port_ = std::make_shared<ScriptedPort>(answer);
   Courier courier_{port_, 4};
 };
 
@@ -85,7 +54,7 @@ TEST_F(CourierTest, HandsOverAtMostOneStepAtATime) {
   courier_.post(message(kB, 3ms));
   EXPECT_FALSE(courier_.attend()->began);
   ASSERT_EQ(port_->steps.size(), 1u);
-  port_->answers = true;
+  port_->answers = 1;
   const auto turn = courier_.attend();
   EXPECT_TRUE(turn->replied);
   EXPECT_TRUE(turn->began);
@@ -99,7 +68,7 @@ TEST_F(CourierTest, TellsWhichEventAnActionAnswersAndWhoAnswered) {
   courier_.post(message(kA, 2ms));
   courier_.post(message(kB, 2ms));
   ASSERT_TRUE(courier_.attend());
-  port_->answers = true;
+  port_->answers = 1;
   const auto turn = courier_.attend();
   ASSERT_EQ(turn->answers.size(), 3u);
   EXPECT_EQ(turn->answers[0].event_time, Time{1ms});
@@ -115,7 +84,7 @@ TEST_F(CourierTest, AControlCycleTakesThePlaceOfOneThatWaitsAndKeepsItsReadings)
   courier_.post(first);
   courier_.post(control(kB, 100ms, 9.0));
   courier_.post(control(kA, 200ms, 2.0));
-  port_->answers = true;
+  port_->answers = 1;
   ASSERT_TRUE(courier_.attend());
   ASSERT_EQ(port_->steps[1].events.size(), 2u);
   EXPECT_EQ(port_->steps[1].events[0].agent, kB);
@@ -135,7 +104,7 @@ TEST_F(CourierTest, ASupersededCyclesChangesReachTheNextEventOfItsAgentInOrder) 
   between.routes = {{{"help", kB, kA, {}}, true}};
   courier_.post(between);
   courier_.post(control(kA, 200ms, 2.0));
-  port_->answers = true;
+  port_->answers = 1;
   ASSERT_TRUE(courier_.attend());
   const Event& first = port_->steps[1].events[0];
   EXPECT_EQ(first.cause, Cause::kMessage);
@@ -159,7 +128,7 @@ TEST_F(CourierTest, OverflowIsCountedByAgentAndCauseAndKeepsStartAndStop) {
   EXPECT_EQ(overflow.size(), 2u);
   EXPECT_EQ(overflow.at({kB, Cause::kMessage}), 2u);
   EXPECT_EQ(overflow.at({kB, Cause::kNotice}), 1u);
-  port_->answers = true;
+  port_->answers = 1;
   ASSERT_TRUE(courier_.attend());
   ASSERT_EQ(port_->steps[1].events.size(), 5u);
   EXPECT_EQ(port_->steps[1].events[4].cause, Cause::kStop);

@@ -1,15 +1,14 @@
 #pragma once
 
 #include <cmath>
-#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "hal/exchange/ports.h"
 #include "hal/hardware/hardware_agent.h"
+#include "tests/support/scripted_port.h"
 
 namespace hal::hardware {
 
@@ -86,56 +85,7 @@ class FixedInfrared final : public InfraredDriver {
   std::optional<double> metres = 0.25;
 };
 
-/// A controller process in a function: what it does about each event.
-class ScriptedPort final : public exchange::ControllerPort {
- public:
-  using Behaviour = std::function<std::vector<exchange::Action>(const exchange::Event&)>;
-
-  explicit ScriptedPort(Behaviour behaviour = {}) : behaviour_(std::move(behaviour)) {}
-
-  const std::string& name() const override { return name_; }
-  Result<void> begin(const exchange::Step& step) override {
-    exchange::Reply reply;
-    reply.sequence = step.sequence;
-    for (std::uint32_t i = 0; i < step.events.size(); ++i) {
-      seen.push_back(step.events[i]);
-      if (!behaviour_) continue;
-      for (exchange::Action& action : behaviour_(step.events[i])) {
-        action.agent = step.events[i].agent;
-        action.event = i;
-        reply.actions.push_back(std::move(action));
-      }
-    }
-    reply_ = std::move(reply);
-    return {};
-  }
-  Result<exchange::Reply> finish() override { return *std::exchange(reply_, std::nullopt); }
-  Result<std::optional<exchange::Reply>> try_finish() override {
-    if (dead) return fail(Errc::kNotConnected, "killed by signal 9");
-    if (busy) return std::optional<exchange::Reply>();
-    return std::exchange(reply_, std::nullopt);
-  }
-  Result<void> check_alive() override {
-    if (dead) return fail(Errc::kNotConnected, "killed by signal 9");
-    return {};
-  }
-
-  std::vector<exchange::Event> of(exchange::Cause cause) const {
-    std::vector<exchange::Event> found;
-    for (const auto& event : seen) {
-      if (event.cause == cause) found.push_back(event);
-    }
-    return found;
-  }
-
-  std::vector<exchange::Event> seen;
-  bool busy = false, dead = false;
-
- private:
-  std::string name_ = "scripted";
-  Behaviour behaviour_;
-  std::optional<exchange::Reply> reply_;
-};
+using tests::ScriptedPort;
 
 inline exchange::Action drive_action(const Twist2& twist) {
   exchange::Action action;

@@ -63,7 +63,7 @@ class HardwareAgents : public testing::Test {
 
   HardwareAgent& agent() { return robot_.agent(); }
   std::shared_ptr<ScriptedPort> connect(Node& node, const Wants& wants,
-                                        ScriptedPort::Behaviour behaviour = {}) {
+                                        ScriptedPort::Rule behaviour = {}) {
     auto port = std::make_shared<ScriptedPort>(std::move(behaviour));
     node.agent().connect(port, {node.file.address}, wants);
     return port;
@@ -141,13 +141,13 @@ TEST_F(HardwareAgents, AControllerThatIsBusyLosesItsWheelsButNoMessage) {
     return {drive_action({0.1, 0, 0})};
   });
   ASSERT_TRUE(until([&] { return wheels_.commands > 0; }));
-  port->busy = true;
+  port->answers = 0;
   for (MessageId i = 1; i <= 100; ++i) {
     agent().core().on_message({AgentId{2}, AgentId{1}, i, "test", {}});
   }
   ASSERT_TRUE(until([&] { return wheels_.twist == Twist2{}; }));
   run_for(3 * kPeriod);
-  port->busy = false;
+  port->answers.reset();
   ASSERT_TRUE(until([&] { return port->of(Cause::kMessage).size() == 100; }));
   EXPECT_EQ(agent().guard()->counts().silences, 1u);
   EXPECT_GE(agent().counts().missed_cycles, 1u) << "its cycles are superseded, and counted";

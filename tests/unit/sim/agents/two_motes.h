@@ -2,14 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "sim/agents/simulation.h"
+#include "tests/support/no_pace.h"
 #include "tests/support/printers.h"
+#include "tests/support/scripted_port.h"
 
 namespace tests {
 
@@ -20,42 +21,11 @@ using hal::exchange::Action;
 using hal::exchange::ActionKind;
 using hal::exchange::Cause;
 using hal::exchange::Event;
-using hal::exchange::Reply;
 using hal::exchange::Step;
 using sim::agents::Outcome;
 using sim::agents::SimulationConfig;
 
 inline constexpr AgentId kA{1}, kB{2};
-
-/// Controllers made of one function: what to do about an event.
-class Script final : public hal::exchange::ControllerPort {
- public:
-  using Rule = std::function<std::vector<Action>(const Event&)>;
-  explicit Script(Rule rule) : rule_(std::move(rule)) {}
-
-  const std::string& name() const override { return name_; }
-  hal::Result<void> begin(const Step& step) override {
-    steps.push_back(step);
-    reply_ = {};
-    for (std::uint32_t i = 0; i < step.events.size(); ++i) {
-      for (Action& action : rule_(step.events[i])) {
-        action.agent = step.events[i].agent;
-        action.event = i;
-        reply_.actions.push_back(std::move(action));
-      }
-    }
-    return {};
-  }
-  hal::Result<Reply> finish() override { return reply_; }
-  hal::Result<void> check_alive() override { return {}; }
-
-  std::vector<Step> steps;
-
- private:
-  std::string name_ = "script";
-  Rule rule_;
-  Reply reply_;
-};
 
 inline Action state(const std::string& text) {
   Action action;
@@ -82,11 +52,6 @@ class Effects final : public sim::agents::Observer {
   std::vector<AgentId> lost;
 };
 
-class NoPace final : public sim::agents::Pace {
- public:
-  Verdict may_go_on(Time, const sim::agents::Progress&) override { return Verdict::kGoOn; }
-};
-
 /// Two motes next to each other, with an ideal radio.
 class TwoMotes : public testing::Test {
  protected:
@@ -103,8 +68,8 @@ class TwoMotes : public testing::Test {
     }
   }
 
-  Outcome run(Time until, Script::Rule rule, const hal::Wants& wants = {}) {
-    port = std::make_shared<Script>(std::move(rule));
+  Outcome run(Time until, ScriptedPort::Rule rule, const hal::Wants& wants = {}) {
+    port = std::make_shared<ScriptedPort>(std::move(rule));
     sim::agents::Simulation simulation(config, {&effects});
     simulation.connect(port, {kA, kB}, wants);
     NoPace pace;
@@ -112,7 +77,7 @@ class TwoMotes : public testing::Test {
   }
 
   SimulationConfig config;
-  std::shared_ptr<Script> port;
+  std::shared_ptr<ScriptedPort> port;
   Effects effects;
 };
 

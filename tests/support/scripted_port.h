@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hal/exchange/ports.h"
+
+namespace tests {
+
+/// A controller process in a function: what it does about each event. It remembers all Steps.
+class ScriptedPort final : public hal::exchange::ControllerPort {
+ public:
+  using Rule = std::function<std::vector<hal::exchange::Action>(const hal::exchange::Event& event)>;
+
+  explicit ScriptedPort(Rule rule = {}) : rule_(std::move(rule)) {}
+
+  const std::string& name() const override { return name_; }
+  hal::Result<void> begin(const hal::exchange::Step& step) override {
+    steps.push_back(step);
+    reply_ = {};
+    reply_.sequence = step.sequence;
+    for (std::uint32_t i = 0; i < step.events.size(); ++i) {
+      seen.push_back(step.events[i]);
+      if (!rule_) continue;
+      for (hal::exchange::Action& action : rule_(step.events[i])) {
+        action.agent = step.events[i].agent;
+        action.event = i;
+        reply_.actions.push_back(std::move(action));
+      }
+    }
+    return {};
+  }
+  hal::Result<hal::exchange::Reply> finish() override { return std::move(reply_); }
+  hal::Result<std::optional<hal::exchange::Reply>> try_finish() override {
+    if (auto alive = check_alive(); !alive) return tl::unexpected<hal::Error>(alive.error());
+    if (answers == 0) return std::nullopt;
+    if (answers) --*answers;
+    return std::move(reply_);
+  }
+  hal::Result<void> check_alive() override {
+    if (dead) return hal::fail(hal::Errc::kNotConnected, "killed by signal 9");
+    return {};
+  }
+
+  std::vector<hal::exchange::Event> of(hal::exchange::Cause cause) const {
+    std::vector<hal::exchange::Event> found;
+    for (const auto& event : seen) {
+      if (event.cause == cause) found.push_back(event);
+    }
+    return found;
+  }
+
+  std::vector<hal::exchange::Step> steps;
+  std::vector<hal::exchange::Event> seen;  ///< Of all Steps.
+  /// That it gives before it is too busy for more, where nobody waits for it; none: any number.
+  std::optional<int> answers;
+  bool dead = false;
+
+ private:
+  std::string name_ = "script";
+  Rule rule_;
+  hal::exchange::Reply reply_;
+};
+
+}  // namespace tests
