@@ -86,8 +86,7 @@ std::vector<std::size_t> Admission::asked_for(const Hello& hello) const {
     for_each_fit(pattern, [&places](std::size_t place) { places.push_back(place); });
   }
   std::ranges::sort(places);
-  const auto repeated = std::ranges::unique(places);
-  places.erase(repeated.begin(), repeated.end());
+  places.erase(std::unique(places.begin(), places.end()), places.end());
   return places;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "hal/types/time.h"
@@ -23,8 +24,8 @@ class Lateness {
 
  private:
   static constexpr int kStepBits = 6;
-  static constexpr int kStepsPerDoubling = 1 << kStepBits;
-  static constexpr int kIntervals = (64 - kStepBits) * kStepsPerDoubling;
+  static constexpr std::size_t kStepsPerDoubling = std::size_t{1} << kStepBits;
+  static constexpr std::size_t kIntervals = (64 - kStepBits) * kStepsPerDoubling;
   static std::size_t interval_of(std::uint64_t ns);
   static std::uint64_t end_of(std::size_t interval);
 

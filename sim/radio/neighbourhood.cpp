@@ -119,8 +119,8 @@ const std::vector<Link>& Neighbourhood::links_from(StationIndex transmitter) {
 /// Those that have come into reach.
 void Neighbourhood::take_in_distant(StationIndex transmitter) {
   const Station& from = stations_[transmitter];
-  auto& [known, distant] = links_[transmitter];
-  std::erase_if(distant, [&](Distant& pair) {
+  Links& links = links_[transmitter];
+  std::erase_if(links.distant, [&](Distant& pair) {
     Station& to = stations_[pair.receiver];
     refresh(to);
     const std::uint32_t moves = from.moves + to.moves;
@@ -130,7 +130,8 @@ void Neighbourhood::take_in_distant(StationIndex transmitter) {
                     .moves = moves,
                     .arrival = propagation_.arrival(from.position, to.position)};
     if (!link.matters(propagation_)) return false;
-    known.insert(std::ranges::lower_bound(known, link.receiver, {}, &Link::receiver), link);
+    const auto place = std::ranges::lower_bound(links.known, link.receiver, {}, &Link::receiver);
+    links.known.insert(place, link);
     return true;
   });
 }
