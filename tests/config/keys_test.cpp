@@ -99,6 +99,8 @@ void read_as(Mapping& in, const Key& key, const Form& form) {
       form.size == 2 ? (void)in.vec2(key, form.unit, form.range)
                      : (void)in.vec3(key, form.unit, form.range);
       break;
+    case Form::Kind::kNumbers:  // of parameters of controllers only
+      break;
     case Form::Kind::kTexts:
       in.texts(key);
       break;
