@@ -375,7 +375,7 @@ class LostSensors:
             self.assertEqual(self.device.state()["stops_by_rule"], 0, "by a command")
             time.sleep(0.5)
             self.assertFalse(self.device.state()["moving"])
-            self.daemon.await_text(f"action refused: drive: no {channel}", "err")
+            self.daemon.await_text(f"action refused: set_body_velocity: no {channel}", "err")
         self.assertEqual(log.read_text().count(f"{channel}: back"), 0)
         bring_back()
         self.daemon.await_text(f"{channel}: back", "err")
