@@ -168,7 +168,8 @@ Outcome Simulation::State::outcome() const {
 
 /// Works off what is due next, when it is time.
 bool Simulation::State::take_outside(hal::Time now) {
-  return outside.take(now, [this](const OutsideArrival& arrival) { observers.on_arrival(arrival); });
+  return outside.take(now,
+                      [this](const OutsideArrival& arrival) { observers.on_arrival(arrival); });
 }
 
 void Simulation::State::go_on(hal::Time next, Pace& pace) {
