@@ -67,7 +67,10 @@ std::string obey(const std::string& line, WheelDriver* wheels, InfraredDriver* s
   if (command == "drive") {
     const double vx = number(words);
     const double vy = number(words);
-    return done(wheels->drive({vx, vy, number(words)}, BootClock::now()));
+    // Limited as DriveGuard does it.
+    const Twist2 twist =
+        limited({vx, vy, number(words)}, wheels->kinematics(), wheels->speed_limits()).twist;
+    return done(wheels->drive(twist, BootClock::now()));
   }
   if (command == "keep") {
     wheels->keep(BootClock::now());
