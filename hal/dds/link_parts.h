@@ -62,7 +62,7 @@ class ProcessLink::Implementation {
   Reader<wire::Reply> replies_;
   wire::Step step_;  ///< The Step under way, as it was written …
   Deadline resend_;  ///< … and when it is written again.
-  Time at_{};  ///< Of the Step under way.
+  Time at_{};        ///< Of the Step under way.
   DroppedReplies dropped_;
 };
 

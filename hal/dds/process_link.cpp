@@ -80,8 +80,8 @@ std::optional<exchange::Reply> ProcessLink::Implementation::take_reply() {
     if (!is_of_the_process(replies_.origin())) continue;
     if (!answers_step(*sample)) {
       // The second answer to a Step that was written twice is in order.
-      const bool is_echo =
-          sample->run() == settings_.run && sample->sequence_number() + 1 == step_.sequence_number();
+      const bool is_echo = sample->run() == settings_.run &&
+                           sample->sequence_number() + 1 == step_.sequence_number();
       dropped_.stale += is_echo ? 0 : 1;
       continue;
     }

@@ -57,7 +57,8 @@ TEST(Csv, AnotherTableOrVersionIsNamed) {
             "'pose' is no table of a result; there are: run, settings, ag");
   const std::string error = error_of(folder.path(), "poses");
   EXPECT_NE(error.find("version 3"), std::string::npos) << error;
-  EXPECT_NE(error.find("version " + std::to_string(record::kSchemaVersion) + " only"), std::string::npos)
+  EXPECT_NE(error.find("version " + std::to_string(record::kSchemaVersion) + " only"),
+            std::string::npos)
       << error;
 }
 
