@@ -46,8 +46,9 @@ class Controllers {
 void serve_run(Server& server, const exchange::Hello& hello, std::uint64_t run) {
   const auto link = server.link(hello, run, kPatience);
   ASSERT_TRUE(server.answer(session_for(hello, run)));
+  std::uint64_t sequence = 0;
   for (const Cause cause : {Cause::kStart, Cause::kStop}) {
-    const auto reply = exchange_step(*link, step_with(cause, 1));
+    const auto reply = exchange_step(*link, step_with(cause, ++sequence));
     ASSERT_TRUE(reply) << reply.error().message;
   }
 }
