@@ -35,7 +35,7 @@ void catch_interrupts() {
 bool interrupted() { return interrupts != 0; }
 
 void WallPace::end() {
-  last_ = Clock::now();
+  if (started_) last_ = Clock::now();
   if (std::exchange(line_open_, false)) fmt::print(stderr, "\n");
 }
 

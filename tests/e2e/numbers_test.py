@@ -54,6 +54,10 @@ class Numbers(Case):
             finished = self.run_baraka(FAULTY, "--controllers", "in-process", "--until", until)
             self.assertEqual(finished["simulated_s"], "2.000000000", until)
 
+    def test_a_run_until_its_start_takes_no_time(self):
+        finished = self.run_baraka(FAULTY, "--controllers", "in-process", "--until", "0")
+        self.assertLess(float(finished["wall_s"]), 60, "counted from the run's start")
+
     def test_an_option_that_is_given_nothing_is_a_mistake(self):
         for program, arguments, option in (
                 ("baraka", ["run", FAULTY, "--repeat", ""], "--repeat"),
