@@ -37,7 +37,7 @@ std::string beyond_time(const ParameterSpec& spec, double value, const std::stri
 }
 
 Result<double> parse_number(const ParameterSpec& spec, const std::string& text) {
-  const Result<double> value = config::parse_value(text, spec.unit, spec.low, spec.high);
+  Result<double> value = config::parse_value(text, spec.unit, spec.low, spec.high);
   if (!value) return value;
   std::string beyond = beyond_time(spec, *value, text);
   if (!beyond.empty()) return wrong(std::move(beyond));
