@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "hal/description/names.h"
+#include "hal/types/agent_id.h"
 #include "sim/scenario/fields.h"
 
 namespace sim::scenario {
