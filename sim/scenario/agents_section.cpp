@@ -6,6 +6,7 @@
 #include <array>
 #include <set>
 #include <span>
+#include <string>
 
 #include "hal/config/suggest.h"
 #include "hal/description/body_section.h"
@@ -76,7 +77,8 @@ auto read_body(Mapping& in, double gravity) -> decltype(AgentConfig::body) {
 }
 
 void take_names(Mapping& in, const std::vector<std::string>& names, Taken& taken) {
-  for (const std::string& name : names) {
+  // That a group calls all its agents the same has been said.
+  for (const std::string& name : std::set<std::string>(names.begin(), names.end())) {
     if (taken.names.insert(name).second) continue;
     in.mistake("name", fmt::format("the name '{}' is taken by another group", name));
     return;

@@ -121,7 +121,7 @@ exchange::AgentSession any_agent(Anything& any) {
   agent.seed = any.u64();
   agent.control_period = any.duration();
   agent.parameters = any.list([&] {
-    return exchange::ParameterText{any.text(), any.text(), any.text()};
+    return exchange::ParameterText{any.text(), any.text(), any.text(), any.flag(), any.texts()};
   });
   agent.channels = any.list([&] { return any_channel(any); });
   agent.limits.body_to_wheel = any.list([&] {

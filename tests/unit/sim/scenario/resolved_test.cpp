@@ -78,7 +78,7 @@ agents:
     controller:
       program: help_mote
       processes: 2
-      parameters: {help_at: never, repeat_after: 20 s}
+      parameters: {help_at: never, repeat_after: 20 s, friends: [r1, "a, b", -1 m], none: []}
       overrides:
         - {agents: "x0?", parameters: {help_at: 3 s}}
   cart:
@@ -261,9 +261,13 @@ TEST_F(Resolved, KeepsAgentsAndTheirParameters) {
   ASSERT_EQ(scenario.groups.size(), 2u);
   EXPECT_EQ(scenario.groups[0].name, "odd");
   EXPECT_EQ(scenario.groups[0].processes, 2);
-  ASSERT_EQ(all[1].parameters.size(), 2u);
+  ASSERT_EQ(all[1].parameters.size(), 4u);
   EXPECT_EQ(all[1].parameters[0].value, "3 s");
   EXPECT_EQ(all[1].parameters[1].value, "20 s");
+  EXPECT_TRUE(all[1].parameters[2].is_list);
+  EXPECT_EQ(all[1].parameters[2].items, (std::vector<std::string>{"r1", "a, b", "-1 m"}));
+  EXPECT_TRUE(all[1].parameters[3].is_list);
+  EXPECT_TRUE(all[1].parameters[3].items.empty());
   EXPECT_TRUE(all[0].parameters.empty());
 }
 
