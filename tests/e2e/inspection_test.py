@@ -5,6 +5,7 @@ import math
 import unittest
 
 from baraka import CASE_STUDY, Case, some_domain
+from rays import ray_to_box, turned
 from ros import Peer, needs_peer
 
 READ = ["Clock", "rt/clock", "TFMessage", "rt/tf", "TFMessage", "rt/tf_static",
@@ -20,26 +21,6 @@ def quaternion(theta):
 
 def heading(rotation):
     return 2 * math.atan2(rotation[2], rotation[3])
-
-
-def turned(theta, x, y):
-    return math.cos(theta) * x - math.sin(theta) * y, math.sin(theta) * x + math.cos(theta) * y
-
-
-def ray_to_box(origin, angle, box):
-    """Distance along a ray to a box (x, y, yaw, size_x, size_y): slabs in the box's own frame."""
-    x, y, yaw, *size = box
-    at = turned(-yaw, origin[0] - x, origin[1] - y)
-    along = turned(-yaw, math.cos(angle), math.sin(angle))
-    first, last = 0.0, math.inf
-    for position, direction, extent in zip(at, along, size):
-        if abs(direction) < 1e-12:
-            if abs(position) > extent / 2:
-                return math.inf
-            continue
-        ends = sorted((side * extent / 2 - position) / direction for side in (-1, 1))
-        first, last = max(first, ends[0]), min(last, ends[1])
-    return first if first <= last else math.inf
 
 
 def range_tolerance(metres):

@@ -5,6 +5,7 @@ import math
 import unittest
 
 from baraka import ROOT, Case, some_domain
+from rays import ray_to_box, turned
 from ros import Peer, needs_peer
 
 SCENARIO = ROOT / "tests/e2e/sensors.yaml"
@@ -15,25 +16,6 @@ NOSE = 0.037  # m, of the robot ahead of its origin: 69 - 32 mm
 SCANNER = (-0.032, 0, 0.182)  # m
 BOXES = [(1.6, 0, 0, 0.2, 4), (0, 1, math.radians(30), 0.3, 0.3)]  # x, y, yaw, sizes
 SIGMA = 0.01  # m
-
-
-def turned(theta, x, y):
-    return math.cos(theta) * x - math.sin(theta) * y, math.sin(theta) * x + math.cos(theta) * y
-
-
-def ray_to_box(origin, angle, box):
-    x, y, yaw, *size = box
-    at = turned(-yaw, origin[0] - x, origin[1] - y)
-    along = turned(-yaw, math.cos(angle), math.sin(angle))
-    first, last = 0.0, math.inf
-    for position, direction, extent in zip(at, along, size):
-        if abs(direction) < 1e-12:
-            if abs(position) > extent / 2:
-                return math.inf
-            continue
-        ends = sorted((side * extent / 2 - position) / direction for side in (-1, 1))
-        first, last = max(first, ends[0]), min(last, ends[1])
-    return first if first <= last else math.inf
 
 
 class Sensors(Case):
