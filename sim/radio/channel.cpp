@@ -14,32 +14,40 @@ struct Channel::Transmission {
 
   FramePtr frame;
   Radio* from = nullptr;
+  hal::Time start{};
   std::vector<Receiver> receivers;
   EventQueue::EventId end;
 };
 
-Channel::Channel(EventQueue& events, Neighbourhood& neighbourhood, const Propagation& propagation,
-                 RadioObserver& observer, const RadioConfig& config)
+Channel::Channel(EventQueue& events, Neighbourhood& neighbourhood, RadioObserver& observer,
+                 const RadioConfig& config)
     : events_(events),
       neighbourhood_(neighbourhood),
-      propagation_(propagation),
       observer_(observer),
       delays_(config.propagation_delay),
       preamble_window_(config.preamble_window) {}
 
 Channel::~Channel() = default;
 
+void Channel::add(Radio& radio) {
+  radios_.push_back(&radio);
+  faint_.emplace_back(radio.energy_detection());
+  current_.emplace_back();
+}
+
 void Channel::transmit(Radio& from, const FramePtr& frame) {
   observer_.on_frame_start(events_.now(), *frame);
   const auto transmission = std::make_shared<Transmission>();
   transmission->frame = frame;
   transmission->from = &from;
-  for (const Link& link : neighbourhood_.links_from(from.index())) {
-    if (!link.matters(propagation_)) continue;
+  transmission->start = events_.now();
+  const Links& links = neighbourhood_.links_from(from.index());
+  transmission->receivers.reserve(links.audible.size());
+  for (const Link& link : links.audible) {
     transmission->receivers.push_back({radios_[link.receiver], link.arrival});
   }
-  if (current_.size() < radios_.size()) current_.resize(radios_.size());
   current_[from.index()] = transmission;
+  start_faint(*frame, from.index(), links.faint);
   if (delays_) {
     start_one_by_one(transmission);
   } else {
@@ -47,6 +55,18 @@ void Channel::transmit(Radio& from, const FramePtr& frame) {
   }
   transmission->end = events_.schedule(events_.now() + frame->airtime, Rank::kRadio, from.agent(),
                                        [this, transmission] { finish(transmission); });
+}
+
+void Channel::start_faint(const Frame& frame, StationIndex from,
+                          const std::vector<FaintLink>& links) {
+  if (links.empty()) return;
+  observer_.on_faint(frame, static_cast<std::uint32_t>(links.size()));
+  const hal::Time now = events_.now();
+  for (const FaintLink& link : links) {
+    const bool alarms =
+        faint_[link.receiver].add(from, now, hal::Duration{link.delay}, frame.airtime, link.power);
+    if (alarms) radios_[link.receiver]->watch_energy();
+  }
 }
 
 void Channel::start_everywhere(const TransmissionPtr& transmission) {
@@ -96,6 +116,9 @@ void Channel::cut(const Radio& from) {
   const TransmissionPtr transmission = std::exchange(current_[from.index()], nullptr);
   if (!transmission) return;
   events_.cancel(transmission->end);
+  for (FaintSignals& faint : faint_) {
+    faint.cut(from.index(), transmission->start, events_.now());
+  }
   for (const auto& receiver : transmission->receivers) {
     Radio& radio = *receiver.radio;
     if (!delays_) {

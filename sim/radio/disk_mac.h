@@ -14,7 +14,6 @@ class DiskMac;
 /// Air of the profiles disk and ideal: everybody within the range receives everything.
 struct DiskAir {
   Neighbourhood& neighbourhood;
-  const Propagation& propagation;
   std::vector<DiskMac*> stations;  ///< By StationIndex.
 };
 

@@ -16,6 +16,15 @@ constexpr double kMarginShare = 0.1;
 /// often.
 constexpr int kCellsInReach = 4;
 
+void take(Link& link, const Propagation::Arrival& arrival) { link.arrival = arrival; }
+
+void take(FaintLink& link, const Propagation::Arrival& arrival) {
+  link.power = arrival.power.value;
+  link.delay = static_cast<std::uint32_t>(arrival.delay.count());
+}
+
+void take(DistantLink&, const Propagation::Arrival&) {}
+
 }  // namespace
 
 Neighbourhood::Neighbourhood(EventQueue& events, const Positions& positions,
@@ -26,6 +35,8 @@ Neighbourhood::Neighbourhood(EventQueue& events, const Positions& positions,
       propagation_(propagation),
       margin_(kMarginShare * propagation.reach().value),
       grid_((propagation.reach().value + 2 * margin_) / kCellsInReach) {
+  stations_.reserve(agents.size());
+  links_.reserve(agents.size());
   for (const hal::AgentId agent : agents) add(agent);
 }
 
@@ -39,6 +50,7 @@ void Neighbourhood::add(hal::AgentId agent) {
   station.position = positions_.position(agent, events_.now());
   grid_.put(index, {station.position.x, station.position.y});
   links_.emplace_back();
+  anything_moves_ = anything_moves_ || station.max_speed > 0;
   if (station.max_speed > 0 && std::isfinite(margin_)) watch_cell(index);
 }
 
@@ -80,58 +92,78 @@ void Neighbourhood::refresh(Station& station) {
 void Neighbourhood::collect(StationIndex transmitter) {
   Station& from = stations_[transmitter];
   from.is_out_of_date = false;
-  const std::vector<StationIndex> near = grid_.around(transmitter, kCellsInReach);
   Links& links = links_[transmitter];
   links = {};
-  for (const StationIndex receiver : near) {
+  for (const StationIndex receiver : grid_.around(transmitter, kCellsInReach)) {
     const Station& to = stations_[receiver];
-    const Link link{.receiver = receiver,
-                    .moves = from.moves + to.moves,
-                    .arrival = propagation_.arrival(from.position, to.position)};
-    const bool is_fixed = from.max_speed == 0 && to.max_speed == 0;
-    if (link.matters(propagation_)) {
-      links.known.push_back(link);
-    } else if (!is_fixed) {
-      links.distant.push_back({receiver, link.moves});
-    }
+    put(links,
+        {.receiver = receiver,
+         .moves = from.moves + to.moves,
+         .arrival = propagation_.arrival(from.position, to.position)},
+        from.max_speed == 0 && to.max_speed == 0);
   }
-  links.known.shrink_to_fit();
+  links.audible.shrink_to_fit();
+  links.faint.shrink_to_fit();
   links.distant.shrink_to_fit();
 }
 
-const std::vector<Link>& Neighbourhood::links_from(StationIndex transmitter) {
+/// Into the list where it belongs, unless it is out of reach for ever.
+void Neighbourhood::put(Links& links, const Link& link, bool is_fixed) {
+  const auto into = [&link](auto& list, const auto& entry) {
+    // When links are collected they come by receiver: each is the last.
+    const auto place = std::ranges::lower_bound(list, link.receiver, {},
+                                                [](const auto& other) { return other.receiver; });
+    list.insert(place, entry);
+  };
+  switch (link.arrival.strength) {
+    case Propagation::Strength::kAudible:
+      return into(links.audible, link);
+    case Propagation::Strength::kFaint:
+      return into(links.faint,
+                  FaintLink{.power = link.arrival.power.value,
+                            .receiver = link.receiver,
+                            .moves = link.moves,
+                            .delay = static_cast<std::uint32_t>(link.arrival.delay.count())});
+    case Propagation::Strength::kNothing:
+      if (!is_fixed) into(links.distant, DistantLink{link.receiver, link.moves});
+  }
+}
+
+const Links& Neighbourhood::links_from(StationIndex transmitter) {
   Station& from = stations_[transmitter];
   refresh(from);
   if (from.is_out_of_date) collect(transmitter);
-  take_in_distant(transmitter);
-  for (Link& link : links_[transmitter].known) {
+  if (anything_moves_) follow(transmitter);
+  return links_[transmitter];
+}
+
+/// Those of which an end has moved.
+void Neighbourhood::follow(StationIndex transmitter) {
+  const Station& from = stations_[transmitter];
+  Links& links = links_[transmitter];
+  changed_.clear();
+  follow(from, links.audible, Propagation::Strength::kAudible);
+  follow(from, links.faint, Propagation::Strength::kFaint);
+  follow(from, links.distant, Propagation::Strength::kNothing);
+  for (const Link& link : changed_) put(links, link, false);
+}
+
+template <class OneLink>
+void Neighbourhood::follow(const Station& from, std::vector<OneLink>& links,
+                           Propagation::Strength strength) {
+  std::erase_if(links, [&](OneLink& link) {
     Station& to = stations_[link.receiver];
     refresh(to);
     // Neither count ever falls: the same sum is the same two.
     const std::uint32_t moves = from.moves + to.moves;
-    if (link.moves == moves) continue;
+    if (link.moves == moves) return false;
     link.moves = moves;
-    link.arrival = propagation_.arrival(from.position, to.position);
-  }
-  return links_[transmitter].known;
-}
-
-/// Those that have come into reach.
-void Neighbourhood::take_in_distant(StationIndex transmitter) {
-  const Station& from = stations_[transmitter];
-  Links& links = links_[transmitter];
-  std::erase_if(links.distant, [&](Distant& pair) {
-    Station& to = stations_[pair.receiver];
-    refresh(to);
-    const std::uint32_t moves = from.moves + to.moves;
-    if (pair.moves == moves) return false;
-    pair.moves = moves;
-    const Link link{.receiver = pair.receiver,
-                    .moves = moves,
-                    .arrival = propagation_.arrival(from.position, to.position)};
-    if (!link.matters(propagation_)) return false;
-    const auto place = std::ranges::lower_bound(links.known, link.receiver, {}, &Link::receiver);
-    links.known.insert(place, link);
+    const auto arrival = propagation_.arrival(from.position, to.position);
+    if (arrival.strength == strength) {
+      take(link, arrival);
+      return false;
+    }
+    changed_.push_back({.receiver = link.receiver, .moves = moves, .arrival = arrival});
     return true;
   });
 }

@@ -18,11 +18,27 @@ struct Link {
   StationIndex receiver = 0;
   std::uint32_t moves = 0;  ///< Of both together when this was computed.
   Propagation::Arrival arrival;
+};
 
-  /// Anything at all arrives, or would but for a wall.
-  bool matters(const Propagation& propagation) const {
-    return arrival.blocked || propagation.is_noticeable(arrival.power);
-  }
+/// The same where the frames are interference only.
+struct FaintLink {
+  double power = 0;  ///< mW
+  StationIndex receiver = 0;
+  std::uint32_t moves = 0;
+  std::uint32_t delay = 0;  ///< ns
+};
+
+/// A pair that is out of reach, and near enough to come into it before cells change.
+struct DistantLink {
+  StationIndex receiver = 0;
+  std::uint32_t moves = 0;
+};
+
+/// From one station to all that it matters to, each list by receiver.
+struct Links {
+  std::vector<Link> audible;
+  std::vector<FaintLink> faint;
+  std::vector<DistantLink> distant;
 };
 
 /// Who can notice whose frames, and how strongly. Positions are pulled when a frame starts; what
@@ -37,23 +53,13 @@ class Neighbourhood {
   Neighbourhood(EventQueue& events, const Positions& positions, const Propagation& propagation,
                 const std::vector<hal::AgentId>& agents);
 
-  /// Up-to-date links from this station to all that could notice it, and maybe to some more; check
-  /// matters(). By receiver. Valid until the next call for this station.
-  const std::vector<Link>& links_from(StationIndex transmitter);
+  /// Up-to-date links from this station to all that notice it. Valid until the next call for it.
+  const Links& links_from(StationIndex transmitter);
 
   /// Gives back the memory that links_from() took for a station, which may never transmit.
   void forget(StationIndex transmitter);
 
  private:
-  /// A pair that is out of reach, and near enough to come into it before cells change.
-  struct Distant {
-    StationIndex receiver = 0;
-    std::uint32_t moves = 0;  ///< As of Link.
-  };
-  struct Links {
-    std::vector<Link> known;  ///< By receiver. Once in, a link stays until it is collected anew.
-    std::vector<Distant> distant;  ///< By receiver.
-  };
   struct Station {
     hal::AgentId agent;
     double max_speed = 0;  ///< m/s
@@ -66,7 +72,10 @@ class Neighbourhood {
   void add(hal::AgentId agent);
   void refresh(Station& station);
   void collect(StationIndex transmitter);
-  void take_in_distant(StationIndex transmitter);
+  void follow(StationIndex transmitter);
+  template <class OneLink>
+  void follow(const Station& from, std::vector<OneLink>& links, Propagation::Strength strength);
+  void put(Links& links, const Link& link, bool is_fixed);
   void watch_cell(StationIndex station);
   void change_cell(StationIndex station);
   void outdate_around(StationIndex station);
@@ -75,9 +84,11 @@ class Neighbourhood {
   const Positions& positions_;
   const Propagation& propagation_;
   double margin_;  ///< m
+  bool anything_moves_ = false;
   CellGrid grid_;
   std::vector<Station> stations_;
-  std::vector<Links> links_;  ///< By transmitter.
+  std::vector<Links> links_;   ///< By transmitter.
+  std::vector<Link> changed_;  ///< While links are followed: those that belong into another list.
 };
 
 }  // namespace sim::radio

@@ -37,6 +37,8 @@ Propagation::Propagation(const RadioConfig& config, const Obstacles& obstacles)
       at_one_metre_(friis_constant(config)),
       sensitivity_(disk_ ? hal::Milliwatts{kAnyPower} : to_milliwatts(config.sensitivity)),
       floor_(disk_ ? hal::Milliwatts{kAnyPower} : to_milliwatts(config.interference_floor)),
+      audible_(disk_ ? hal::Milliwatts{kAnyPower}
+                     : to_milliwatts(std::min(config.sensitivity, config.cca_threshold))),
       reach_(disk_ ? config.range : distance_at(config.interference_floor)) {}
 
 hal::Metres Propagation::distance_at(hal::Dbm level) const {
@@ -48,16 +50,27 @@ hal::Milliwatts Propagation::free_space(double distance_squared) const {
     const double range = reach_.value;
     return hal::Milliwatts{distance_squared <= range * range ? tx_power_ : 0};
   }
-  // The exponent of almost every scenario needs no pow().
-  const double spread =
-      exponent_ == 2 ? distance_squared : hal::math::pow(distance_squared, exponent_ / 2);
-  return hal::Milliwatts{at_one_metre_ < tx_power_ * spread ? at_one_metre_ / spread : tx_power_};
+  const double loss = spread(distance_squared);
+  return hal::Milliwatts{at_one_metre_ < tx_power_ * loss ? at_one_metre_ / loss : tx_power_};
+}
+
+/// Distance to the exponent; those of almost every scenario need no pow().
+double Propagation::spread(double distance_squared) const {
+  if (exponent_ == 2) return distance_squared;
+  if (exponent_ == 3) return distance_squared * std::sqrt(distance_squared);
+  if (exponent_ == 4) return distance_squared * distance_squared;
+  return hal::math::pow(distance_squared, exponent_ / 2);
+}
+
+Propagation::Strength Propagation::strength(const Arrival& arrival) const {
+  if (arrival.blocked || arrival.power >= audible_) return Strength::kAudible;
+  return is_noticeable(arrival.power) ? Strength::kFaint : Strength::kNothing;
 }
 
 Propagation::Arrival Propagation::arrival(const hal::Vec3& from, const hal::Vec3& to) const {
   const double distance_squared = dot(to - from, to - from);
   const hal::Milliwatts free = free_space(distance_squared);
-  Arrival result{.power = free, .level = {}, .delay = {}, .blocked = false};
+  Arrival result{.power = free};
   if (obstacles_ != nullptr && is_noticeable(free)) {
     const hal::Decibels loss = obstacles_->loss(from, to);
     if (loss.value > 0) {
@@ -65,7 +78,8 @@ Propagation::Arrival Propagation::arrival(const hal::Vec3& from, const hal::Vec3
     }
     result.blocked = is_receivable(free) && !is_receivable(result.power);
   }
-  result.level = to_dbm(result.power);
+  result.strength = strength(result);
+  if (result.strength == Strength::kAudible) result.level = to_dbm(result.power);
   if (!is_noticeable(result.power)) result.power = {};
   if (delays_) result.delay = hal::from_seconds(std::sqrt(distance_squared) / kSpeedOfLight);
   return result;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "hal/types/geometry.h"
 #include "hal/types/quantity.h"
 #include "hal/types/time.h"
@@ -22,10 +24,16 @@ class Propagation {
  public:
   Propagation(const RadioConfig& config, const Obstacles& obstacles);
 
+  enum class Strength : std::uint8_t {
+    kNothing,  ///< Below the interference floor.
+    kFaint,    ///< Interference, and energy together with others.
+    kAudible,  ///< Can be received, or sensed by itself, or would but for walls.
+  };
   struct Arrival {
-    hal::Milliwatts power;  ///< 0 below the interference floor.
-    hal::Dbm level;         ///< Not cut at the floor.
+    hal::Milliwatts power{};  ///< 0 below the interference floor.
+    hal::Dbm level{};         ///< If audible. Not cut at the floor.
     hal::Duration delay{};
+    Strength strength = Strength::kNothing;
     bool blocked = false;  ///< Only walls keep it below the sensitivity.
   };
   Arrival arrival(const hal::Vec3& from, const hal::Vec3& to) const;
@@ -43,6 +51,8 @@ class Propagation {
 
  private:
   hal::Milliwatts free_space(double distance_squared) const;
+  double spread(double distance_squared) const;
+  Strength strength(const Arrival& arrival) const;
 
   const Obstacles* obstacles_;  ///< Null: walls do not matter.
   bool disk_;
@@ -52,6 +62,7 @@ class Propagation {
   double at_one_metre_;  ///< mW
   hal::Milliwatts sensitivity_;
   hal::Milliwatts floor_;
+  hal::Milliwatts audible_;
   hal::Metres reach_;
 };
 

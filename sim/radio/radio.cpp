@@ -1,6 +1,7 @@
 #include "sim/radio/radio.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "hal/types/check.h"
@@ -8,6 +9,11 @@
 #include "sim/radio/channel.h"
 
 namespace sim::radio {
+namespace {
+
+constexpr double kNoAlarm = std::numeric_limits<double>::infinity();
+
+}  // namespace
 
 Radio::Radio(Air air, StationIndex index, hal::AgentId agent, hal::RandomStream errors)
     : events_(air.events),
@@ -34,6 +40,7 @@ void Radio::transmit(FramePtr frame) {
     if (signal.start == events_.now()) signal.verdict = hal::Verdict::kReceiverTransmitting;
   }
   state_ = State::kTransmit;
+  ignore_energy();
   sending_ = std::move(frame);
   sending_until_ = events_.now() + sending_->airtime;
   channel_.transmit(*this, sending_);
@@ -59,6 +66,7 @@ void Radio::set_on(bool on) {
   settle();
   lose_all(hal::Verdict::kRadioOff);
   state_ = State::kOff;
+  ignore_energy();
   said_busy_ = false;
   if (sending_) channel_.cut(*this);
   sending_.reset();
@@ -132,7 +140,8 @@ void Radio::take_strongest() {
   Signal* const best = strongest_in_window();
   window_.reset();
   if (best == nullptr) return;
-  const Interference others = interference(*best->frame);
+  Interference others = interference(*best->frame);
+  faint().add_lasting_to(others, events_.now());
   if (best->arrival.power.value < rules_.min_sinr * (rules_.noise + others.sum)) {
     best->verdict = cause_of_loss(rules_, others);
     return;
@@ -157,13 +166,19 @@ Radio::Signal* Radio::strongest_in_window() {
 
 void Radio::hold(const Signal& signal) {
   held_.emplace(*signal.frame, signal.arrival.power.value, signal.start, events_.now());
+  faint().keep_from(events_.now());
+}
+
+void Radio::release() {
+  held_.reset();
+  faint().keep_nothing();
 }
 
 void Radio::lose_all(hal::Verdict verdict) {
   for (Signal& signal : signals_) {
     if (!signal.verdict) signal.verdict = verdict;
   }
-  held_.reset();
+  release();
   window_.reset();
 }
 
@@ -179,7 +194,7 @@ void Radio::end_signal(const Frame& frame, bool cut) {
   if (was_held) {
     outcome = held_->judge(rules_, errors_);
     snr = hal::Decibels{10 * hal::math::log10(held_->min_sinr())};
-    held_.reset();
+    release();
   }
   if (cut && !signal.verdict) outcome = {hal::Verdict::kRadioOff};
   sense();
@@ -202,8 +217,21 @@ Interference Radio::interference(const Frame& wanted) const {
   return others;
 }
 
+FaintSignals& Radio::faint() { return channel_.faint_at(index_); }
+
+/// The interference of the signals with events is the same since the last call, that of the others
+/// is not.
 void Radio::hear() {
-  if (held_) held_->hear(rules_, interference(held_->frame()), events_.now());
+  if (!held_) return;
+  const Interference others = interference(held_->frame());
+  const hal::Time now = events_.now();
+  while (held_->heard_until() < now) {
+    Interference all = others;
+    hal::Time until = now;
+    faint().add_to(all, held_->heard_until(), until);
+    held_->hear(rules_, all, until);
+  }
+  faint().keep_from(now);
 }
 
 Radio::Signal* Radio::find(const Frame& frame) {
@@ -215,16 +243,44 @@ Radio::Signal* Radio::find(const Frame& frame) {
 
 void Radio::sense() {
   if (state_ == State::kOff || state_ == State::kTransmit) return;
-  state_ = is_medium_busy() ? State::kReceive : State::kIdle;
-}
-
-bool Radio::is_medium_busy() const {
   double sum = 0;
+  bool is_busy = held_.has_value();
   for (const Signal& signal : signals_) {
-    if (signal.arrival.power.value >= cca_threshold_) return true;
+    is_busy |= signal.arrival.power.value >= cca_threshold_;
     sum += signal.arrival.power.value;
   }
-  return held_.has_value() || (!signals_.empty() && sum >= energy_detection_);
+  if (is_busy) {
+    ignore_energy();
+    state_ = State::kReceive;
+  } else {
+    sense_energy(sum);
+  }
+}
+
+/// @param sum  mW, of the signals with events.
+void Radio::sense_energy(double sum) {
+  events_.cancel(energy_look_);
+  faint().set_alarm(energy_detection_ - sum);
+  Interference all{.sum = sum};
+  if (sum + faint().bound() >= energy_detection_) {
+    hal::Time next = hal::Time::max();
+    faint().add_to(all, events_.now(), next);
+    if (next != hal::Time::max()) {
+      energy_look_ = events_.schedule(next, Rank::kRadio, agent_, [this] { watch_energy(); });
+    }
+  }
+  state_ = all.sum >= energy_detection_ ? State::kReceive : State::kIdle;
+}
+
+void Radio::watch_energy() {
+  settle();
+  sense();
+  announce();
+}
+
+void Radio::ignore_energy() {
+  faint().set_alarm(kNoAlarm);
+  events_.cancel(energy_look_);
 }
 
 void Radio::announce() {

@@ -17,6 +17,7 @@
 namespace sim::radio {
 
 class Channel;
+class FaintSignals;
 
 /// What a radio tells its MAC. State and signals of the radio are up to date when it is called. A
 /// handler must not transmit at once, only schedule.
@@ -45,8 +46,9 @@ class RadioListener {
 ///     +---------------- frame or energy sensed ------------+
 ///   kOff <---> any: set_on()
 ///
-/// Every frame that the radio can notice ends in exactly one verdict, at the frame's end. What ends
-/// now is over, whichever of several events at one time comes first.
+/// Every frame that the radio is told of ends in exactly one verdict, at the frame's end. What ends
+/// now is over, whichever of several events at one time comes first. Frames that are faint here are
+/// interference that the radio looks at when it needs to (FaintSignals).
 class Radio {
  public:
   enum class State : std::uint8_t { kOff, kIdle, kReceive, kTransmit };
@@ -76,10 +78,15 @@ class Radio {
   /// Off cuts the own frame. No callbacks.
   void set_on(bool on);
 
+  double energy_detection() const { return energy_detection_; }  ///< mW
+
   // For the channel.
   /// @return whether a preamble window opened, which must be closed after its time.
   bool begin_signal(const FramePtr& frame, const Propagation::Arrival& arrival);
   void close_preamble_window() { settle(); }
+  /// The faint frames may add up to energy that is sensed: looks at each of their starts and ends
+  /// from now on, until they do not.
+  void watch_energy();
   /// Does nothing if the signal is not there any more. @param cut  before its end.
   void end_signal(const Frame& frame, bool cut);
   /// Does nothing if the radio is not transmitting this frame any more.
@@ -104,10 +111,13 @@ class Radio {
   void hold(const Signal& signal);
   void lose_all(hal::Verdict verdict);
   Interference interference(const Frame& wanted) const;
+  FaintSignals& faint();
   void hear();
   Signal* find(const Frame& frame);
+  void release();
   void sense();
-  bool is_medium_busy() const;
+  void sense_energy(double sum);
+  void ignore_energy();
   void announce();
 
   EventQueue& events_;
@@ -131,6 +141,7 @@ class Radio {
   std::vector<Signal> signals_;  ///< By arrival.
   std::optional<Reception> held_;
   std::optional<hal::Time> window_;  ///< Start of the open preamble window.
+  EventQueue::EventId energy_look_;  ///< At the next change of faint signals.
 };
 
 }  // namespace sim::radio

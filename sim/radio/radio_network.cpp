@@ -83,8 +83,8 @@ struct RadioNetwork::State {
         propagation(config, around.obstacles),
         neighbourhood(around.events, around.positions, propagation, addresses(stations)),
         rules(config),
-        channel(around.events, neighbourhood, propagation, around.observer, config),
-        disk{neighbourhood, propagation, {}} {
+        channel(around.events, neighbourhood, around.observer, config),
+        disk{neighbourhood, {}} {
     for (const Station& station : stations) add(station);
   }
 
@@ -142,7 +142,7 @@ MacSap& RadioNetwork::sap(hal::AgentId agent) {
 std::vector<std::pair<hal::AgentId, hal::AgentId>> RadioNetwork::links() const {
   std::vector<std::pair<hal::AgentId, hal::AgentId>> pairs;
   for (StationIndex from = 0; from < state_->stations.size(); ++from) {
-    for (const Link& link : state_->neighbourhood.links_from(from)) {
+    for (const Link& link : state_->neighbourhood.links_from(from).audible) {
       if (link.receiver < from || !state_->propagation.is_receivable(link.arrival.power)) continue;
       pairs.emplace_back(state_->stations[from].agent, state_->stations[link.receiver].agent);
     }

@@ -74,8 +74,14 @@ Reception::Outcome Reception::judge(const ReceptionRules& rules, hal::RandomStre
   if (mobility_framework && min_sinr_ <= rules.min_sinr) {
     return {cause_of_loss(rules, worst_), ReceiveError::kCollision};
   }
-  const double success = mobility_framework ? success_at_min_sinr() : success_;
-  if (success >= 1 || errors.uniform() < success) return {};
+  if (mobility_framework) {
+    const double success = success_at_min_sinr();
+    if (success >= 1 || errors.uniform() < success) return {};
+  } else if (errors.uniform() < success_) {
+    // Drawn even if it is certain: the order in which powers add up may move the last bit of 1, and
+    // must not move the stream.
+    return {};
+  }
   return {cause_of_loss(rules, worst_), ReceiveError::kBitError};
 }
 

@@ -47,6 +47,7 @@ class Reception {
   const Frame& frame() const { return *frame_; }
   double power() const { return power_; }  ///< mW
   hal::Time start() const { return start_; }
+  hal::Time heard_until() const { return heard_until_; }  ///< Of the last hear().
 
   /// The interference was this from the last call (or from synchronising) until now.
   void hear(const ReceptionRules& rules, const Interference& interference, hal::Time now);
@@ -58,7 +59,8 @@ class Reception {
     hal::Verdict verdict = hal::Verdict::kDelivered;
     ReceiveError error = ReceiveError::kBitError;  ///< If not delivered.
   };
-  /// At the end, after the last hear(). Draws from `errors` unless the SINR alone decides.
+  /// At the end, after the last hear(). kDsss: draws once from `errors`; kMobilityFramework: unless
+  /// the SINR alone decides.
   Outcome judge(const ReceptionRules& rules, hal::RandomStream& errors) const;
 
   double min_sinr() const { return min_sinr_; }  ///< Ratio, not dB.

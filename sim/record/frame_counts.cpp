@@ -28,6 +28,7 @@ std::string_view verdict_in(std::uint8_t kind) {
 FrameCounts::FrameCounts(Database& database)
     : put_sent_(database, "REPLACE INTO frames_sent VALUES (?, ?, ?, ?)"),
       put_reception_(database, "REPLACE INTO receptions VALUES (?, ?, ?, ?, ?, ?)"),
+      put_faint_(database, "REPLACE INTO faint VALUES (?, ?)"),
       put_packet_(database, "REPLACE INTO packets VALUES (?, ?, ?, ?)"),
       put_request_(database, "REPLACE INTO requests VALUES (?, ?, ?, ?)") {}
 
@@ -41,6 +42,12 @@ void FrameCounts::on_reception(const radio::Frame& frame, hal::AgentId receiver,
   const int kind = (kind_of(frame) << kClassShift) | (addressed ? 1 << kAddressedBit : 0) |
                    static_cast<int>(verdict);
   receptions_.add(receiver, frame.transmitter, static_cast<std::uint8_t>(kind));
+}
+
+void FrameCounts::on_faint(const radio::Frame& frame, std::uint32_t radios) {
+  const std::size_t transmitter = frame.transmitter.value;
+  if (transmitter >= faint_.size()) faint_.resize(transmitter + 1);
+  faint_[transmitter] += radios;
 }
 
 void FrameCounts::on_delivered(const radio::Frame& frame, hal::AgentId receiver) {
@@ -71,6 +78,9 @@ void FrameCounts::write() {
                            class_in(static_cast<std::uint8_t>(kind >> kClassShift)), addressed,
                            verdict_in(kind), count);
       });
+  for (std::size_t agent = 0; agent < faint_.size(); ++agent) {
+    if (faint_[agent] > 0) put_faint_.run(agent, faint_[agent]);
+  }
   packets_.write_changes(
       [this](auto receiver, auto sender, std::uint8_t kind, std::uint64_t count) {
         put_packet_.run(receiver.value, sender.value, class_in(kind), count);

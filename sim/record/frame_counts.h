@@ -1,17 +1,21 @@
 #pragma once
 
+#include <cstdint>
+#include <vector>
+
 #include "sim/radio/observer.h"
 #include "sim/record/database.h"
 #include "sim/record/pair_counts.h"
 
 namespace sim::record {
 
-/// The tables frames_sent, receptions, packets and requests.
+/// The tables frames_sent, receptions, faint, packets and requests.
 class FrameCounts {
  public:
   explicit FrameCounts(Database& database);
 
   void on_frame_start(const radio::Frame& frame);
+  void on_faint(const radio::Frame& frame, std::uint32_t radios);
   void on_reception(const radio::Frame& frame, hal::AgentId receiver, hal::Verdict verdict);
   void on_delivered(const radio::Frame& frame, hal::AgentId receiver);
   void on_request_end(hal::AgentId sender, hal::AgentId destination, hal::Verdict verdict);
@@ -23,8 +27,9 @@ class FrameCounts {
   std::uint64_t rows() const;     ///< how many rows it would write.
 
  private:
-  Statement put_sent_, put_reception_, put_packet_, put_request_;
+  Statement put_sent_, put_reception_, put_faint_, put_packet_, put_request_;
   PairCounts sent_, receptions_, packets_, requests_;
+  std::vector<std::uint64_t> faint_;  ///< By address of the transmitter.
 };
 
 }  // namespace sim::record

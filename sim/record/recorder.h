@@ -85,6 +85,9 @@ class Recorder final : public agents::Observer {
 
   void on_start(const std::vector<std::pair<hal::AgentId, hal::AgentId>>& links) override;
   void on_frame_start(hal::Time at, const radio::Frame& frame) override;
+  void on_faint(const radio::Frame& frame, std::uint32_t radios) override {
+    frames_.on_faint(frame, radios);
+  }
   void on_reception(hal::Time at, const radio::Frame& frame, hal::AgentId receiver,
                     hal::Verdict verdict, double rssi_dbm) override;
   void on_delivered(hal::Time at, const radio::Frame& frame, hal::AgentId receiver) override;

@@ -66,6 +66,7 @@ class Log final : public RadioObserver {
     double rssi_dbm;
   };
   void on_frame_start(hal::Time at, const Frame& frame) override { starts.push_back({at, frame}); }
+  void on_faint(const Frame&, std::uint32_t radios) override { faint += radios; }
   void on_reception(hal::Time at, const Frame& frame, hal::AgentId receiver, hal::Verdict verdict,
                     double rssi_dbm) override {
     receptions.push_back({at, frame.id, receiver, verdict, rssi_dbm});
@@ -99,6 +100,7 @@ class Log final : public RadioObserver {
 
   std::vector<Start> starts;
   std::vector<Reception> receptions;
+  std::uint64_t faint = 0;  ///< Of all frames, the radios at which they were.
   int delivered = 0;
   int request_ends = 0;
 };

@@ -50,7 +50,7 @@ class Bench {
     propagation.emplace(config, wall);
     neighbourhood.emplace(events, antennas, *propagation, agents_);
     rules.emplace(config);
-    channel.emplace(events, *neighbourhood, *propagation, log, config);
+    channel.emplace(events, *neighbourhood, log, config);
     for (StationIndex i = 0; i < agents_.size(); ++i) {
       radios.push_back(std::make_unique<Radio>(Radio::Air{events, *channel, log, config, *rules}, i,
                                                agents_[i],

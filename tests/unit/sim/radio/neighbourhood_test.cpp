@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "hal/types/random.h"
@@ -40,9 +41,10 @@ class NeighbourhoodTest : public testing::Test {
   void build() { neighbourhood.emplace(events, positions, propagation, agents_); }
   std::vector<StationIndex> noticing(StationIndex from) {
     std::vector<StationIndex> found;
-    for (const Link& link : neighbourhood->links_from(from)) {
-      if (link.matters(propagation)) found.push_back(link.receiver);
-    }
+    const Links& links = neighbourhood->links_from(from);
+    for (const Link& link : links.audible) found.push_back(link.receiver);
+    for (const FaintLink& link : links.faint) found.push_back(link.receiver);
+    std::ranges::sort(found);
     return found;
   }
   std::vector<StationIndex> expected(StationIndex from) const {

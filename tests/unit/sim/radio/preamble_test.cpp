@@ -76,7 +76,7 @@ TEST_F(PreambleTest, FrameLostToUnreceivableOnesIsInterference) {
   bench.send_at(10us, 3, 1000);
   bench.run();
   EXPECT_EQ(at_2(0), Verdict::kInterference);
-  EXPECT_EQ(at_2(1), Verdict::kBelowSensitivity);
+  EXPECT_TRUE(bench.log.verdicts(1, 2).empty()) << "faint";
 }
 
 // 5 dB of SINR: the interferer is gone before the PLCP header begins, so no bit is at risk.

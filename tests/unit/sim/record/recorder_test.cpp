@@ -224,6 +224,8 @@ TEST_F(RecorderTest, CountsFramesByPeerClassAndVerdict) {
   rts.type = radio::FrameType::kRts;
   for (int i = 0; i < 3; ++i) recorder->on_frame_start(Time{}, broadcast);
   recorder->on_frame_start(Time{}, rts);
+  recorder->on_faint(rts, 4);
+  recorder->on_faint(broadcast, 3);
   recorder->on_reception(Time{}, broadcast, AgentId{2}, Verdict::kDelivered, -60);
   recorder->on_reception(Time{}, rts, AgentId{3}, Verdict::kCollision, -60);
   recorder->on_delivered(Time{}, broadcast, AgentId{2});
@@ -240,6 +242,7 @@ TEST_F(RecorderTest, CountsFramesByPeerClassAndVerdict) {
   EXPECT_EQ(asked("SELECT agent || peer || verdict || count FROM requests"), "12retry limit1");
   recorder->on_frame_start(Time{}, broadcast);  // counts go on after they were written
   EXPECT_EQ(asked("SELECT count FROM frames_sent WHERE class = 'broadcast'"), "4");
+  EXPECT_EQ(asked("SELECT agent || ' ' || count FROM faint"), "1 7");
   EXPECT_EQ(asked("SELECT COUNT(*) FROM frames"), "0");
 }
 
