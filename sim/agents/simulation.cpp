@@ -33,7 +33,9 @@ std::vector<hal::AgentId> ids(const SimulationConfig& config) {
 
 std::vector<radio::RadioNetwork::Station> stations(const SimulationConfig& config) {
   std::vector<radio::RadioNetwork::Station> stations;
-  for (const AgentConfig& agent : config.agents) stations.push_back({agent.id, agent.name});
+  for (const AgentConfig& agent : config.agents) {
+    stations.push_back({agent.id, agent.name, agent.tx_power});
+  }
   return stations;
 }
 

@@ -43,6 +43,7 @@ struct AgentConfig {
   std::variant<hal::devices::MoteDescription, hal::devices::RobotDescription> body;
   std::string program;  ///< Controller.
   std::vector<hal::exchange::ParameterText> parameters;
+  std::optional<hal::Milliwatts> tx_power{};  ///< Of its radio; none: as SimulationConfig::radio.
 };
 
 /// Reading of where the others are, by a method that is not modelled (camera, triangulation).

@@ -20,12 +20,12 @@ struct Channel::Transmission {
 };
 
 Channel::Channel(EventQueue& events, Neighbourhood& neighbourhood, RadioObserver& observer,
-                 const RadioConfig& config)
+                 const WavesConfig& config)
     : events_(events),
       neighbourhood_(neighbourhood),
       observer_(observer),
-      delays_(config.propagation_delay),
-      preamble_window_(config.preamble_window) {}
+      delays_(config.propagation.propagation_delay),
+      preamble_window_(config.receiver.preamble_window) {}
 
 Channel::~Channel() = default;
 

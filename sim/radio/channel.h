@@ -20,7 +20,7 @@ class Radio;
 class Channel {
  public:
   Channel(EventQueue& events, Neighbourhood& neighbourhood, RadioObserver& observer,
-          const RadioConfig& config);
+          const WavesConfig& config);
   ~Channel();
 
   /// @pre in order of StationIndex, before anything is sent.

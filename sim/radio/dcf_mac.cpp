@@ -6,15 +6,17 @@
 
 namespace sim::radio {
 
-DcfMac::DcfMac(const Context& context, Radio& radio, hal::RandomStream backoff)
+DcfMac::DcfMac(const Context& context, const Ieee80211bConfig& config, Radio& radio,
+               hal::RandomStream backoff)
     : MacBase(context),
+      config_(config),
       radio_(radio),
-      frames_(context.config, context.modes, context.agent),
-      timing_(context.config, context.modes),
+      frames_(context.lengths, context.modes, context.agent),
+      timing_(config.contention, context.lengths, context.modes),
       backoff_(context.events, context.agent, timing_, backoff, *this),
-      window_(context.config.cw_min, context.config.cw_max),
-      retries_(context.config.short_retry_limit, context.config.long_retry_limit),
-      queue_(context.config.queue_limit) {
+      window_(config.contention.cw_min, config.contention.cw_max),
+      retries_(config.contention.short_retry_limit, config.long_retry_limit),
+      queue_(config.contention.queue_limit) {
   radio_.attach(*this);
 }
 
@@ -37,7 +39,7 @@ void DcfMac::set_radio(bool on) {
   nav_.reset();
   last_was_wrong_ = false;
   window_.reset();
-  retries_ = RetryCounters(config().short_retry_limit, config().long_retry_limit);
+  retries_ = RetryCounters(config_.contention.short_retry_limit, config_.long_retry_limit);
   backoff_.reset(radio_.state() != Radio::State::kIdle);
   for (Outgoing& outgoing : queue_.take_all()) {
     report_later(std::move(outgoing.request), hal::Verdict::kRadioOff);
@@ -140,7 +142,7 @@ MacRequest DcfMac::end_service(bool count_time) {
 
 bool DcfMac::uses_rts() {
   const std::size_t payload = queue_.head().request.payload->size();
-  return mpdu_bits(config(), FrameType::kData, payload) > 8 * config().rts_threshold;
+  return mpdu_bits(lengths(), FrameType::kData, payload) > 8 * config_.contention.rts_threshold;
 }
 
 FramePtr DcfMac::make_rts() {
@@ -188,7 +190,7 @@ void DcfMac::on_unicast(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
     case FrameType::kRts:
       // Somebody near us has reserved the medium: no answer (10.3.2.7).
       if (nav_.is_set(now())) return;
-      return answer(frames_.cts(frame.transmitter, frame.duration));
+      return answer(frames_.cts(frame.transmitter, frame.duration, timing_.sifs));
     case FrameType::kCts:
       events().cancel(no_answer_);
       retries_.succeed(RetryCounters::Kind::kShort);

@@ -29,7 +29,9 @@ namespace sim::radio {
 /// others are answered after SIFS whatever the state.
 class DcfMac final : public MacBase, public RadioListener, private AccessListener {
  public:
-  DcfMac(const Context& context, Radio& radio, hal::RandomStream backoff);
+  /// @param config  outlives it.
+  DcfMac(const Context& context, const Ieee80211bConfig& config, Radio& radio,
+         hal::RandomStream backoff);
 
   MacCapabilities capabilities() const override { return {.tx_status = true, .rssi = true}; }
   void transmit(const MacRequest& request) override;
@@ -69,6 +71,7 @@ class DcfMac final : public MacBase, public RadioListener, private AccessListene
   void on_data(const Frame& frame, hal::Dbm rssi, hal::Decibels snr);
   void answer(FramePtr frame);
 
+  const Ieee80211bConfig& config_;
   Radio& radio_;
   FrameFactory frames_;
   DcfTiming timing_;

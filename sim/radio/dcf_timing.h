@@ -9,13 +9,13 @@ namespace sim::radio {
 
 /// Intervals of the DCF (IEEE Std 802.11-2016, 10.3.2.3 and 10.3.2.4).
 struct DcfTiming {
-  DcfTiming(const RadioConfig& config, const ModeSet& modes)
-      : slot(config.slot), sifs(config.sifs), difs(config.sifs + 2 * config.slot) {
-    const PhyMode& control = modes.at(config.control_rate);
+  DcfTiming(const ContentionConfig& mac, const LengthsConfig& lengths, const ModeSet& modes)
+      : slot(mac.slot), sifs(mac.sifs), difs(mac.sifs + 2 * mac.slot) {
+    const PhyMode& control = modes.control();
     const hal::Duration rx_start_delay = control.preamble_and_header();
-    eifs = sifs + modes.lowest().airtime(mpdu_bits(config, FrameType::kAck)) + difs;
+    eifs = sifs + modes.lowest().airtime(mpdu_bits(lengths, FrameType::kAck)) + difs;
     response_timeout = sifs + slot + rx_start_delay;
-    const hal::Duration cts = control.airtime(mpdu_bits(config, FrameType::kCts));
+    const hal::Duration cts = control.airtime(mpdu_bits(lengths, FrameType::kCts));
     nav_reset = 2 * sifs + cts + rx_start_delay + 2 * slot;
   }
 

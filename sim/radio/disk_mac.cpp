@@ -4,10 +4,11 @@
 
 namespace sim::radio {
 
-DiskMac::DiskMac(const Context& context, DiskAir& air)
+DiskMac::DiskMac(const Context& context, std::optional<std::uint32_t> queue_limit, DiskAir& air)
     : MacBase(context),
       air_(air),
-      frames_(context.config, context.modes, context.agent),
+      queue_limit_(queue_limit),
+      frames_(context.lengths, context.modes, context.agent),
       index_(static_cast<StationIndex>(air.stations.size())) {
   air_.stations.push_back(this);
 }
@@ -15,8 +16,7 @@ DiskMac::DiskMac(const Context& context, DiskAir& air)
 void DiskMac::transmit(const MacRequest& request) {
   check(request);
   if (!on_) return report_later(request, hal::Verdict::kRadioOff);
-  const bool limited = config().profile == Profile::kDisk;
-  if (limited && queue_.size() >= config().queue_limit) {
+  if (queue_limit_ && queue_.size() >= *queue_limit_) {
     return report_later(request, hal::Verdict::kQueueFull);
   }
   queue_.push_back(request);

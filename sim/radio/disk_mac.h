@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <deque>
+#include <optional>
 #include <vector>
 
 #include "sim/radio/frame_factory.h"
@@ -23,8 +25,8 @@ struct DiskAir {
 /// range when the frame starts, and on when it ends.
 class DiskMac final : public MacBase {
  public:
-  /// Adds itself to `air`.
-  DiskMac(const Context& context, DiskAir& air);
+  /// Adds itself to `air`. @param queue_limit  frames; none: as many as there are.
+  DiskMac(const Context& context, std::optional<std::uint32_t> queue_limit, DiskAir& air);
 
   MacCapabilities capabilities() const override { return {.tx_status = true, .rssi = false}; }
   void transmit(const MacRequest& request) override;
@@ -40,6 +42,7 @@ class DiskMac final : public MacBase {
   void receive(const Frame& frame);
 
   DiskAir& air_;
+  std::optional<std::uint32_t> queue_limit_;
   FrameFactory frames_;
   StationIndex index_;
   bool on_ = true;

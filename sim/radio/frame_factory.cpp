@@ -11,13 +11,6 @@ constexpr int kAgentShift = 48;
 
 }  // namespace
 
-FrameFactory::FrameFactory(const RadioConfig& config, const ModeSet& modes, hal::AgentId agent)
-    : config_(config),
-      data_(modes.at(config.data_rate)),
-      broadcast_(modes.at(config.broadcast_rate)),
-      control_(has_mac(config) ? modes.at(config.control_rate) : data_),
-      agent_(agent) {}
-
 std::shared_ptr<Frame> FrameFactory::blank(FrameType type, hal::AgentId to) {
   auto frame = std::make_shared<Frame>();
   frame->id = (static_cast<std::uint64_t>(agent_.value) << kAgentShift) | ++made_;
@@ -37,7 +30,7 @@ void FrameFactory::send_in(const PhyMode& mode, std::uint32_t bits, Frame& frame
 FramePtr FrameFactory::control(FrameType type, hal::AgentId to, hal::Duration duration) {
   auto frame = blank(type, to);
   frame->duration = duration;
-  send_in(control_, mpdu_bits(config_, type), *frame);
+  send_in(modes_.control(), mpdu_bits(lengths_, type), *frame);
   return frame;
 }
 
@@ -45,8 +38,8 @@ FramePtr FrameFactory::rts(hal::AgentId to, hal::Duration duration) {
   return control(FrameType::kRts, to, duration);
 }
 
-FramePtr FrameFactory::cts(hal::AgentId to, hal::Duration duration) {
-  const hal::Duration spent = config_.sifs + control_airtime(FrameType::kCts);
+FramePtr FrameFactory::cts(hal::AgentId to, hal::Duration duration, hal::Duration sifs) {
+  const hal::Duration spent = sifs + control_airtime(FrameType::kCts);
   return control(FrameType::kCts, to, std::max(hal::Duration{}, duration - spent));
 }
 
@@ -57,7 +50,7 @@ FramePtr FrameFactory::data(const MacRequest& request, const DataOptions& option
   frame->duration = options.duration;
   frame->sequence = options.sequence;
   frame->retry = options.retry;
-  send_in(data_mode(request), mpdu_bits(config_, FrameType::kData, request.payload->size()),
+  send_in(data_mode(request), mpdu_bits(lengths_, FrameType::kData, request.payload->size()),
           *frame);
   frame->priority = request.priority;
   frame->ethertype = request.ethertype;
@@ -67,15 +60,15 @@ FramePtr FrameFactory::data(const MacRequest& request, const DataOptions& option
 }
 
 const PhyMode& FrameFactory::data_mode(const MacRequest& request) const {
-  return request.destination == hal::kEveryone ? broadcast_ : data_;
+  return request.destination == hal::kEveryone ? modes_.broadcast() : modes_.data();
 }
 
 hal::Duration FrameFactory::data_airtime(const MacRequest& request) const {
-  return data_mode(request).airtime(mpdu_bits(config_, FrameType::kData, request.payload->size()));
+  return data_mode(request).airtime(mpdu_bits(lengths_, FrameType::kData, request.payload->size()));
 }
 
 hal::Duration FrameFactory::control_airtime(FrameType type) const {
-  return control_.airtime(mpdu_bits(config_, type));
+  return modes_.control().airtime(mpdu_bits(lengths_, type));
 }
 
 }  // namespace sim::radio

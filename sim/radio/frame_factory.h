@@ -10,8 +10,9 @@ namespace sim::radio {
 /// Makes the frames of one station, with the Duration fields of IEEE Std 802.11-2016, 9.2.5.
 class FrameFactory {
  public:
-  /// Config and modes outlive it and the frames.
-  FrameFactory(const RadioConfig& config, const ModeSet& modes, hal::AgentId agent);
+  /// Lengths and modes outlive it and the frames.
+  FrameFactory(const LengthsConfig& lengths, const ModeSet& modes, hal::AgentId agent)
+      : lengths_(lengths), modes_(modes), agent_(agent) {}
 
   struct DataOptions {
     std::uint16_t sequence = 0;
@@ -23,7 +24,7 @@ class FrameFactory {
   /// @param duration  what follows the RTS.
   FramePtr rts(hal::AgentId to, hal::Duration duration);
   /// @param duration  of the RTS; the CTS and the SIFS before it are taken off.
-  FramePtr cts(hal::AgentId to, hal::Duration duration);
+  FramePtr cts(hal::AgentId to, hal::Duration duration, hal::Duration sifs);
   FramePtr ack(hal::AgentId to);
 
   hal::Duration data_airtime(const MacRequest& request) const;
@@ -35,10 +36,8 @@ class FrameFactory {
   static void send_in(const PhyMode& mode, std::uint32_t bits, Frame& frame);
   FramePtr control(FrameType type, hal::AgentId to, hal::Duration duration);
 
-  const RadioConfig& config_;
-  const PhyMode& data_;
-  const PhyMode& broadcast_;
-  const PhyMode& control_;
+  const LengthsConfig& lengths_;
+  const ModeSet& modes_;
   hal::AgentId agent_;
   std::uint64_t made_ = 0;
 };

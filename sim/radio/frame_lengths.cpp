@@ -9,11 +9,11 @@ constexpr std::uint32_t kDataOverheadBytes = 24 + 8 + 4;  // MAC header, LLC/SNA
 
 }  // namespace
 
-std::uint32_t mpdu_bits(const RadioConfig& config, FrameType type, std::size_t payload) {
+std::uint32_t mpdu_bits(const LengthsConfig& lengths, FrameType type, std::size_t payload) {
   if (type == FrameType::kRts) return kRtsBits;
   if (type != FrameType::kData) return kCtsOrAckBits;
-  if (config.lengths == Lengths::kFixed) {
-    return config.fixed_header_bits + config.fixed_payload_bits;
+  if (lengths.lengths == Lengths::kFixed) {
+    return lengths.header_bits + lengths.payload_bits;
   }
   return 8 * (static_cast<std::uint32_t>(payload) + kDataOverheadBytes);
 }

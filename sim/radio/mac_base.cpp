@@ -11,10 +11,11 @@ namespace sim::radio {
 MacBase::MacBase(const Context& context)
     : events_(context.events),
       observer_(context.observer),
-      config_(context.config),
-      data_mode_(context.modes.at(context.config.data_rate)),
+      modes_(context.modes),
+      lengths_(context.lengths),
+      tx_power_(context.tx_power),
       agent_(context.agent),
-      service_time_(data_mode_.airtime(mpdu_bits(config_, FrameType::kData))) {}
+      service_time_(modes_.data().airtime(mpdu_bits(lengths_, FrameType::kData))) {}
 
 void MacBase::add_client(Ethertype ethertype, MacClient& client) {
   BARAKA_CHECK(client_of(ethertype) == nullptr);
@@ -65,8 +66,8 @@ hal::Duration MacBase::expected_delay() const {
 }
 
 double MacBase::transmit_energy(std::size_t bytes) const {
-  const hal::Duration time = data_mode_.airtime(mpdu_bits(config_, FrameType::kData, bytes));
-  return config_.tx_power.value * 1e-3 * hal::to_seconds(time);
+  const hal::Duration time = modes_.data().airtime(mpdu_bits(lengths_, FrameType::kData, bytes));
+  return tx_power_.value * 1e-3 * hal::to_seconds(time);
 }
 
 }  // namespace sim::radio

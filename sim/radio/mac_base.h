@@ -19,8 +19,9 @@ class MacBase : public MacSap {
   struct Context {
     EventQueue& events;
     RadioObserver& observer;
-    const RadioConfig& config;
     const ModeSet& modes;
+    const LengthsConfig& lengths;
+    hal::Milliwatts tx_power;
     hal::AgentId agent;
   };
 
@@ -53,7 +54,7 @@ class MacBase : public MacSap {
   virtual std::size_t queued() const = 0;
 
   EventQueue& events() const { return events_; }
-  const RadioConfig& config() const { return config_; }
+  const LengthsConfig& lengths() const { return lengths_; }
   RadioObserver& observer() const { return observer_; }
   hal::AgentId agent() const { return agent_; }
   hal::Time now() const { return events_.now(); }
@@ -63,8 +64,9 @@ class MacBase : public MacSap {
 
   EventQueue& events_;
   RadioObserver& observer_;
-  const RadioConfig& config_;
-  const PhyMode& data_mode_;
+  const ModeSet& modes_;
+  const LengthsConfig& lengths_;
+  hal::Milliwatts tx_power_;
   hal::AgentId agent_;
   hal::Duration service_time_;
   std::vector<std::pair<Ethertype, MacClient*>> clients_;

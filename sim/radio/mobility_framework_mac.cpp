@@ -17,15 +17,17 @@ constexpr std::uint32_t kMostDoublings = 20;
 
 }  // namespace
 
-MobilityFrameworkMac::MobilityFrameworkMac(const Context& context, Radio& radio,
+MobilityFrameworkMac::MobilityFrameworkMac(const Context& context,
+                                           const MobilityFrameworkConfig& config, Radio& radio,
                                            hal::RandomStream backoff)
     : MacBase(context),
+      config_(config),
       radio_(radio),
-      frames_(context.config, context.modes, context.agent),
+      frames_(context.lengths, context.modes, context.agent),
       random_(backoff),
-      difs_(context.config.sifs + 2 * context.config.slot),
-      eifs_(context.config.sifs + difs_ + airtime_of(FrameType::kAck)),
-      queue_(context.config.queue_limit) {
+      difs_(config.contention.sifs + 2 * config.contention.slot),
+      eifs_(config.contention.sifs + difs_ + airtime_of(FrameType::kAck)),
+      queue_(config.contention.queue_limit) {
   radio_.attach(*this);
 }
 
@@ -60,7 +62,7 @@ void MobilityFrameworkMac::set_radio(bool on) {
 }
 
 void MobilityFrameworkMac::next_cycle() {
-  const bool give_up = attempt_ > config().short_retry_limit;
+  const bool give_up = attempt_ > config_.contention.short_retry_limit;
   MacRequest dropped;
   if (give_up) dropped = pop();
   if (queue_.is_empty()) {
@@ -83,11 +85,11 @@ void MobilityFrameworkMac::contend(bool without_backoff) {
 hal::Duration MobilityFrameworkMac::backoff() {
   if (backoff_left_ > hal::Duration{}) return backoff_left_;
   const std::uint32_t doublings = std::min(attempt_ - 1, kMostDoublings);
-  const std::uint64_t grown = ((config().cw_min + std::uint64_t{1}) << doublings) - 1;
+  const std::uint64_t grown = ((config_.contention.cw_min + std::uint64_t{1}) << doublings) - 1;
   const bool broadcast = queue_.head().is_broadcast();
   const auto window = static_cast<std::uint32_t>(
-      broadcast ? config().cw_broadcast : std::min<std::uint64_t>(grown, config().cw_max));
-  backoff_left_ = random_.below(window + 1) * config().slot;
+      broadcast ? config_.cw_broadcast : std::min<std::uint64_t>(grown, config_.contention.cw_max));
+  backoff_left_ = random_.below(window + 1) * config_.contention.slot;
   return backoff_left_;
 }
 
@@ -109,7 +111,8 @@ void MobilityFrameworkMac::on_contention_won() {
 void MobilityFrameworkMac::send_and_wait(const FramePtr& frame, State next, hal::Duration reply) {
   state_ = next;
   radio_.transmit(frame);
-  start(timeout_, frame->airtime + config().sifs + reply + kDelta, [this] { on_timeout(); });
+  start(timeout_, frame->airtime + config_.contention.sifs + reply + kDelta,
+        [this] { on_timeout(); });
 }
 
 void MobilityFrameworkMac::on_timeout() {
@@ -152,8 +155,8 @@ void MobilityFrameworkMac::on_receive(const Frame& frame, hal::Dbm rssi, hal::De
 void MobilityFrameworkMac::on_rts(const Frame& frame) {
   if (state_ != State::kIdle && state_ != State::kContend) return;
   stop(contention_);
-  data_due_ = frame.duration - airtime_of(FrameType::kAck) - 2 * config().sifs + kDelta;
-  answer(frames_.cts(frame.transmitter, frame.duration));
+  data_due_ = frame.duration - airtime_of(FrameType::kAck) - 2 * config_.contention.sifs + kDelta;
+  answer(frames_.cts(frame.transmitter, frame.duration, config_.contention.sifs));
 }
 
 void MobilityFrameworkMac::on_cts(const Frame&) {
@@ -206,7 +209,7 @@ void MobilityFrameworkMac::keep_quiet(hal::Duration duration) {
 
 void MobilityFrameworkMac::answer(FramePtr frame) {
   answer_ = std::move(frame);
-  start(sifs_, config().sifs, [this] { send_answer(); });
+  start(sifs_, config_.contention.sifs, [this] { send_answer(); });
 }
 
 void MobilityFrameworkMac::send_answer() {
@@ -236,22 +239,22 @@ MacRequest MobilityFrameworkMac::pop() {
 }
 
 bool MobilityFrameworkMac::uses_rts(const MacRequest& request) const {
-  const std::uint32_t bits = mpdu_bits(config(), FrameType::kData, request.payload->size());
-  return bits > 8 * config().rts_threshold;
+  const std::uint32_t bits = mpdu_bits(lengths(), FrameType::kData, request.payload->size());
+  return bits > 8 * config_.contention.rts_threshold;
 }
 
 FramePtr MobilityFrameworkMac::make_rts() {
   const MacRequest& request = queue_.head().request;
-  return frames_.rts(request.destination, 3 * config().sifs + airtime_of(FrameType::kCts) +
-                                              frames_.data_airtime(request) +
-                                              airtime_of(FrameType::kAck));
+  return frames_.rts(request.destination,
+                     3 * config_.contention.sifs + airtime_of(FrameType::kCts) +
+                         frames_.data_airtime(request) + airtime_of(FrameType::kAck));
 }
 
 FramePtr MobilityFrameworkMac::make_data() {
   Outgoing& head = queue_.head();
   const bool after_rts = !head.is_broadcast() && uses_rts(head.request);
   const hal::Duration follows =
-      after_rts ? config().sifs + airtime_of(FrameType::kAck) : hal::Duration{};
+      after_rts ? config_.contention.sifs + airtime_of(FrameType::kAck) : hal::Duration{};
   const bool retry = std::exchange(head.sent, true);
   return frames_.data(head.request,
                       {.sequence = head.sequence, .retry = retry, .duration = follows});

@@ -31,7 +31,9 @@ namespace sim::radio {
 /// contention, which keeps its remaining time, and a pending SIFS answer.
 class MobilityFrameworkMac final : public MacBase, public RadioListener {
  public:
-  MobilityFrameworkMac(const Context& context, Radio& radio, hal::RandomStream backoff);
+  /// @param config  outlives it.
+  MobilityFrameworkMac(const Context& context, const MobilityFrameworkConfig& config, Radio& radio,
+                       hal::RandomStream backoff);
 
   MacCapabilities capabilities() const override { return {.tx_status = true, .rssi = true}; }
   void transmit(const MacRequest& request) override;
@@ -85,6 +87,7 @@ class MobilityFrameworkMac final : public MacBase, public RadioListener {
   /// Running, and not due at this very instant, where nothing sensed now can stop it any more.
   bool can_stop(const Timer& timer) const { return is_running(timer) && timer.due != now(); }
 
+  const MobilityFrameworkConfig& config_;
   Radio& radio_;
   FrameFactory frames_;
   hal::RandomStream random_;

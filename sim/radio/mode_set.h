@@ -17,9 +17,18 @@ class ModeSet {
   /// @pre there is one of this rate. Valid as long as the set.
   const PhyMode& at(hal::BitsPerSecond rate) const;
   const PhyMode& lowest() const { return *modes_.front(); }
+  const PhyMode& data() const { return *data_; }
+  const PhyMode& broadcast() const { return *broadcast_; }
+  const PhyMode& control() const { return *control_; }  ///< RTS, CTS, ACK.
 
  private:
+  void add(const WavesConfig& config);
+  void add(const DiskConfig& config);
+  void add(const IdealConfig& config);
+  void add_plain(hal::BitsPerSecond rate, bool is_instant);
+
   std::vector<std::unique_ptr<const PhyMode>> modes_;  ///< By rate, not empty.
+  const PhyMode *data_ = nullptr, *broadcast_ = nullptr, *control_ = nullptr;
 };
 
 }  // namespace sim::radio

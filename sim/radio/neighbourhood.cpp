@@ -25,26 +25,37 @@ void take(FaintLink& link, const Propagation::Arrival& arrival) {
 
 void take(DistantLink&, const Propagation::Arrival&) {}
 
+/// Of the strongest transmitter, m; above 0, so that there is a grid without stations, too.
+double longest_reach(const Propagation& propagation,
+                     const std::vector<Neighbourhood::Antenna>& antennas) {
+  double reach = 1;
+  for (const auto& antenna : antennas) {
+    reach = std::max(reach, propagation.reach(antenna.tx_power));
+  }
+  return reach;
+}
+
 }  // namespace
 
 Neighbourhood::Neighbourhood(EventQueue& events, const Positions& positions,
-                             const Propagation& propagation,
-                             const std::vector<hal::AgentId>& agents)
+                             const Propagation& propagation, const std::vector<Antenna>& antennas)
     : events_(events),
       positions_(positions),
       propagation_(propagation),
-      margin_(kMarginShare * propagation.reach().value),
-      grid_((propagation.reach().value + 2 * margin_) / kCellsInReach) {
-  stations_.reserve(agents.size());
-  links_.reserve(agents.size());
-  for (const hal::AgentId agent : agents) add(agent);
+      margin_(kMarginShare * longest_reach(propagation, antennas)),
+      grid_((longest_reach(propagation, antennas) + 2 * margin_) / kCellsInReach) {
+  stations_.reserve(antennas.size());
+  links_.reserve(antennas.size());
+  for (const Antenna& antenna : antennas) add(antenna);
 }
 
-void Neighbourhood::add(hal::AgentId agent) {
+void Neighbourhood::add(const Antenna& antenna) {
+  const hal::AgentId agent = antenna.agent;
   BARAKA_CHECK(stations_.empty() || stations_.back().agent < agent);
   const auto index = static_cast<StationIndex>(stations_.size());
   Station& station = stations_.emplace_back();
   station.agent = agent;
+  station.tx_power = antenna.tx_power;
   station.max_speed = positions_.max_speed(agent);
   BARAKA_CHECK(std::isfinite(station.max_speed) && station.max_speed >= 0);
   station.position = positions_.position(agent, events_.now());
@@ -89,6 +100,10 @@ void Neighbourhood::refresh(Station& station) {
   ++station.moves;
 }
 
+Propagation::Arrival Neighbourhood::arrival(const Station& from, const Station& to) const {
+  return propagation_.arrival(from.tx_power, from.position, to.position);
+}
+
 void Neighbourhood::collect(StationIndex transmitter) {
   Station& from = stations_[transmitter];
   from.is_out_of_date = false;
@@ -96,10 +111,7 @@ void Neighbourhood::collect(StationIndex transmitter) {
   links = {};
   for (const StationIndex receiver : grid_.around(transmitter, kCellsInReach)) {
     const Station& to = stations_[receiver];
-    put(links,
-        {.receiver = receiver,
-         .moves = from.moves + to.moves,
-         .arrival = propagation_.arrival(from.position, to.position)},
+    put(links, {.receiver = receiver, .moves = from.moves + to.moves, .arrival = arrival(from, to)},
         from.max_speed == 0 && to.max_speed == 0);
   }
   links.audible.shrink_to_fit();
@@ -158,12 +170,12 @@ void Neighbourhood::follow(const Station& from, std::vector<OneLink>& links,
     const std::uint32_t moves = from.moves + to.moves;
     if (link.moves == moves) return false;
     link.moves = moves;
-    const auto arrival = propagation_.arrival(from.position, to.position);
-    if (arrival.strength == strength) {
-      take(link, arrival);
+    const auto now = arrival(from, to);
+    if (now.strength == strength) {
+      take(link, now);
       return false;
     }
-    changed_.push_back({.receiver = link.receiver, .moves = moves, .arrival = arrival});
+    changed_.push_back({.receiver = link.receiver, .moves = moves, .arrival = now});
     return true;
   });
 }

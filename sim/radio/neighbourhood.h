@@ -49,9 +49,13 @@ struct Links {
 /// from, and nobody else.
 class Neighbourhood {
  public:
-  /// @param agents  in ascending order; the index into it is the StationIndex.
+  struct Antenna {
+    hal::AgentId agent;
+    hal::Milliwatts tx_power;
+  };
+  /// @param antennas  in ascending order of agents; the index into it is the StationIndex.
   Neighbourhood(EventQueue& events, const Positions& positions, const Propagation& propagation,
-                const std::vector<hal::AgentId>& agents);
+                const std::vector<Antenna>& antennas);
 
   /// Up-to-date links from this station to all that notice it. Valid until the next call for it.
   const Links& links_from(StationIndex transmitter);
@@ -62,6 +66,7 @@ class Neighbourhood {
  private:
   struct Station {
     hal::AgentId agent;
+    hal::Milliwatts tx_power;
     double max_speed = 0;  ///< m/s
     hal::Vec3 position;
     hal::Time valid_until{};
@@ -69,7 +74,8 @@ class Neighbourhood {
     bool is_out_of_date = true;  ///< Its links: who is near has changed.
   };
 
-  void add(hal::AgentId agent);
+  void add(const Antenna& antenna);
+  Propagation::Arrival arrival(const Station& from, const Station& to) const;
   void refresh(Station& station);
   void collect(StationIndex transmitter);
   void follow(StationIndex transmitter);

@@ -1,10 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <vector>
 
-#include "hal/types/geometry.h"
 #include "hal/types/quantity.h"
 #include "hal/types/time.h"
+#include "sim/radio/path_loss.h"
 #include "sim/radio/ports.h"
 #include "sim/radio/radio_config.h"
 
@@ -14,12 +16,10 @@ namespace sim::radio {
 hal::Dbm to_dbm(hal::Milliwatts power);
 hal::Milliwatts to_milliwatts(hal::Dbm level);
 
-/// From one antenna to another: what arrives of a frame.
+/// From one antenna to another: what arrives of a frame. A chain of path losses, then the walls.
 ///
-/// mobility_framework and ieee80211b: Friis' power law, P = Ptx lambda^2 / (16 pi^2 d^alpha) with d
-/// in metres, never more than Ptx (H. T. Friis, "A Note on a Simple Transmission Formula", Proc.
-/// IRE, 1946; exponent on the distance only as in the Mobility Framework), less the loss of walls.
-/// disk and ideal: Ptx within the range, nothing beyond.
+/// mobility_framework and ieee80211b: PowerLaw. disk and ideal: Cutoff. A new law of propagation is
+/// a class of path loss and a line where the chain is made.
 class Propagation {
  public:
   Propagation(const RadioConfig& config, const Obstacles& obstacles);
@@ -36,34 +36,30 @@ class Propagation {
     Strength strength = Strength::kNothing;
     bool blocked = false;  ///< Only walls keep it below the sensitivity.
   };
-  Arrival arrival(const hal::Vec3& from, const hal::Vec3& to) const;
+  /// @param sent  by the antenna at `from`.
+  Arrival arrival(hal::Milliwatts sent, const hal::Vec3& from, const hal::Vec3& to) const;
 
-  /// Nobody further away than this notices a frame. May be infinite.
-  hal::Metres reach() const { return reach_; }
+  /// Nobody further away than this notices a frame that is sent with this power, m. May be
+  /// infinite.
+  double reach(hal::Milliwatts sent) const { return reach(sent, floor_); }
 
-  /// Distance at which the power law gives this level.
-  hal::Metres distance_at(hal::Dbm level) const;
+  /// At no greater distance, m, so much arrives, walls apart.
+  double reach(hal::Milliwatts sent, hal::Milliwatts least) const;
 
-  /// Strong enough for anybody to notice.
-  bool is_noticeable(hal::Milliwatts power) const { return power >= floor_; }
   /// Strong enough to be received.
   bool is_receivable(hal::Milliwatts power) const { return power >= sensitivity_; }
 
  private:
-  hal::Milliwatts free_space(double distance_squared) const;
-  double spread(double distance_squared) const;
+  void add(const WavesConfig& config, const Obstacles& obstacles);
+  void add(hal::Metres range);
   Strength strength(const Arrival& arrival) const;
 
-  const Obstacles* obstacles_;  ///< Null: walls do not matter.
-  bool disk_;
-  bool delays_;
-  double tx_power_;
-  double exponent_;
-  double at_one_metre_;  ///< mW
-  hal::Milliwatts sensitivity_;
-  hal::Milliwatts floor_;
-  hal::Milliwatts audible_;
-  hal::Metres reach_;
+  std::vector<std::unique_ptr<const PathLoss>> chain_;  ///< Not empty.
+  const Obstacles* obstacles_ = nullptr;                ///< Null: walls do not matter.
+  bool delays_ = false;
+  hal::Milliwatts sensitivity_{};
+  hal::Milliwatts floor_{};
+  hal::Milliwatts audible_{};
 };
 
 }  // namespace sim::radio

@@ -57,7 +57,7 @@ class Radio {
     EventQueue& events;
     Channel& channel;
     RadioObserver& observer;
-    const RadioConfig& config;
+    const ReceiverConfig& config;
     const ReceptionRules& rules;
   };
 

@@ -17,46 +17,19 @@
 namespace sim::radio {
 namespace {
 
-void require(bool holds, const char* what) {
-  if (!holds) throw std::invalid_argument(std::string("radio: ") + what);
-}
-
-bool is_dsss_rate(hal::BitsPerSecond rate) {
-  return rate.value == 1e6 || rate.value == 2e6 || rate.value == 5.5e6 || rate.value == 11e6;
-}
-
-bool is_contention_window(std::uint32_t window) {
-  return window < (1u << 16) && (window & (window + 1)) == 0;
-}
-
-void check_mac(const RadioConfig& config) {
-  require(is_dsss_rate(config.data_rate), "data_rate must be 1, 2, 5.5 or 11 Mb/s");
-  require(is_dsss_rate(config.control_rate), "control_rate must be 1, 2, 5.5 or 11 Mb/s");
-  require(is_dsss_rate(config.broadcast_rate), "broadcast_rate must be 1, 2, 5.5 or 11 Mb/s");
-  require(config.wavelength.value > 0, "wavelength must be positive");
-  require(config.path_loss_exponent >= 1, "path_loss_exponent must be 1 or more");
-  require(config.interference_floor <= config.sensitivity,
-          "interference_floor must not be above sensitivity");
-  require(is_contention_window(config.cw_min) && is_contention_window(config.cw_max) &&
-              config.cw_min <= config.cw_max,
-          "contention windows must be one less than a power of two, cw_min <= cw_max");
-  require(config.short_retry_limit >= 1 && config.long_retry_limit >= 1,
-          "retry limits must be 1 or more");
-  require(config.slot > hal::Duration{} && config.sifs > hal::Duration{},
-          "slot and sifs must be positive");
-}
-
 RadioConfig checked(RadioConfig config) {
-  require(config.tx_power.value > 0, "tx_power must be positive");
-  require(config.queue_limit >= 1, "queue_limit must be 1 or more");
-  require(config.range.value > 0, "range must be positive");
-  require(config.data_rate.value >= 1, "data_rate must be 1 bit/s or more");
-  if (has_mac(config)) {
-    check_mac(config);
-  } else {
-    config.broadcast_rate = config.data_rate;
-  }
+  check(config);
   return config;
+}
+
+/// Of a station that has none of its own.
+hal::Milliwatts tx_power(const RadioConfig& config) {
+  return std::visit(
+      [](const auto& one) {
+        if constexpr (requires { one.tx_power; }) return one.tx_power;
+        return hal::Milliwatts{1};  // only whether something arrives counts
+      },
+      config);
 }
 
 std::vector<RadioNetwork::Station> by_address(std::vector<RadioNetwork::Station> stations) {
@@ -65,10 +38,16 @@ std::vector<RadioNetwork::Station> by_address(std::vector<RadioNetwork::Station>
   return stations;
 }
 
-std::vector<hal::AgentId> addresses(const std::vector<RadioNetwork::Station>& stations) {
-  std::vector<hal::AgentId> result;
+std::vector<Neighbourhood::Antenna> antennas(const std::vector<RadioNetwork::Station>& stations,
+                                             const RadioConfig& config) {
+  std::vector<Neighbourhood::Antenna> result;
   result.reserve(stations.size());
-  for (const auto& station : stations) result.push_back(station.agent);
+  for (const auto& station : stations) {
+    result.push_back({station.agent, station.tx_power.value_or(tx_power(config))});
+    if (!(result.back().tx_power.value > 0)) {
+      throw std::invalid_argument("radio: tx_power of '" + station.name + "' must be positive");
+    }
+  }
   return result;
 }
 
@@ -81,33 +60,44 @@ struct RadioNetwork::State {
         surroundings(around),
         modes(config),
         propagation(config, around.obstacles),
-        neighbourhood(around.events, around.positions, propagation, addresses(stations)),
-        rules(config),
-        channel(around.events, neighbourhood, around.observer, config),
-        disk{neighbourhood, {}} {
-    for (const Station& station : stations) add(station);
+        antennas(radio::antennas(stations, config)),
+        neighbourhood(around.events, around.positions, propagation, antennas) {
+    std::visit([this](const auto& one) { add_all(one); }, config);
   }
 
   hal::RandomStream stream(const Station& station, const char* purpose) const {
     return {surroundings.seed, station.name + purpose};
   }
 
-  void add(const Station& station) {
-    const MacBase::Context context{surroundings.events, surroundings.observer, config, modes,
-                                   station.agent};
-    if (!has_mac(config)) {
-      macs.push_back(std::make_unique<DiskMac>(context, disk));
-      return;
+  MacBase::Context context(std::size_t index) const {
+    return {surroundings.events, surroundings.observer,    modes,
+            lengths_of(config),  antennas[index].tx_power, antennas[index].agent};
+  }
+
+  void add_all(const DiskConfig& one) { add_disks(one.queue_limit); }
+  void add_all(const IdealConfig&) { add_disks(std::nullopt); }
+  void add_disks(std::optional<std::uint32_t> queue_limit) {
+    disk = std::make_unique<DiskAir>(DiskAir{neighbourhood, {}});
+    for (std::size_t i = 0; i < stations.size(); ++i) {
+      macs.push_back(std::make_unique<DiskMac>(context(i), queue_limit, *disk));
     }
-    radios.push_back(std::make_unique<Radio>(
-        Radio::Air{surroundings.events, channel, surroundings.observer, config, rules},
-        static_cast<StationIndex>(radios.size()), station.agent, stream(station, "/errors")));
-    channel.add(*radios.back());
-    const hal::RandomStream backoff = stream(station, "/backoff");
-    if (config.profile == Profile::kMobilityFramework) {
-      macs.push_back(std::make_unique<MobilityFrameworkMac>(context, *radios.back(), backoff));
-    } else {
-      macs.push_back(std::make_unique<DcfMac>(context, *radios.back(), backoff));
+  }
+
+  void add_all(const MobilityFrameworkConfig& one) { add_radios<MobilityFrameworkMac>(one); }
+  void add_all(const Ieee80211bConfig& one) { add_radios<DcfMac>(one); }
+  template <class Mac, class Config>
+  void add_radios(const Config& one) {
+    rules = std::make_unique<ReceptionRules>(one.receiver);
+    channel =
+        std::make_unique<Channel>(surroundings.events, neighbourhood, surroundings.observer, one);
+    for (std::size_t i = 0; i < stations.size(); ++i) {
+      const Station& station = stations[i];
+      radios.push_back(std::make_unique<Radio>(
+          Radio::Air{surroundings.events, *channel, surroundings.observer, one.receiver, *rules},
+          static_cast<StationIndex>(i), station.agent, stream(station, "/errors")));
+      channel->add(*radios.back());
+      macs.push_back(
+          std::make_unique<Mac>(context(i), one, *radios.back(), stream(station, "/backoff")));
     }
   }
 
@@ -116,10 +106,11 @@ struct RadioNetwork::State {
   Surroundings surroundings;
   ModeSet modes;
   Propagation propagation;
+  std::vector<Neighbourhood::Antenna> antennas;
   Neighbourhood neighbourhood;
-  ReceptionRules rules;
-  Channel channel;
-  DiskAir disk;
+  std::unique_ptr<ReceptionRules> rules;  ///< This and the next: of profiles with waves.
+  std::unique_ptr<Channel> channel;
+  std::unique_ptr<DiskAir> disk;  ///< Of the others.
   std::vector<std::unique_ptr<Radio>> radios;
   std::vector<std::unique_ptr<MacBase>> macs;
 };
@@ -140,13 +131,19 @@ MacSap& RadioNetwork::sap(hal::AgentId agent) {
 }
 
 std::vector<std::pair<hal::AgentId, hal::AgentId>> RadioNetwork::links() const {
-  std::vector<std::pair<hal::AgentId, hal::AgentId>> pairs;
+  std::vector<std::pair<StationIndex, StationIndex>> ways;  // in ascending order
   for (StationIndex from = 0; from < state_->stations.size(); ++from) {
     for (const Link& link : state_->neighbourhood.links_from(from).audible) {
-      if (link.receiver < from || !state_->propagation.is_receivable(link.arrival.power)) continue;
-      pairs.emplace_back(state_->stations[from].agent, state_->stations[link.receiver].agent);
+      if (!state_->propagation.is_receivable(link.arrival.power)) continue;
+      ways.emplace_back(from, link.receiver);
     }
     state_->neighbourhood.forget(from);
+  }
+  std::vector<std::pair<hal::AgentId, hal::AgentId>> pairs;
+  for (const auto& [from, to] : ways) {
+    // A stronger transmitter may not hear whom it reaches.
+    if (to < from || !std::ranges::binary_search(ways, std::pair(to, from))) continue;
+    pairs.emplace_back(state_->stations[from].agent, state_->stations[to].agent);
   }
   return pairs;
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -27,7 +28,8 @@ class RadioNetwork {
   };
   struct Station {
     hal::AgentId agent;
-    std::string name;  ///< Of the agent; names its random streams.
+    std::string name;                           ///< Of the agent; names its random streams.
+    std::optional<hal::Milliwatts> tx_power{};  ///< > 0; none: the config's.
   };
 
   RadioNetwork(const RadioConfig& config, const std::vector<Station>& stations,

@@ -16,7 +16,7 @@ hal::Duration overlap(hal::Time from, hal::Time to, hal::Time low, hal::Time hig
 
 }  // namespace
 
-ReceptionRules::ReceptionRules(const RadioConfig& config)
+ReceptionRules::ReceptionRules(const ReceiverConfig& config)
     : error_model(config.error_model),
       min_sinr(hal::math::pow(10, config.min_sinr.value / 10)),
       noise(to_milliwatts(config.noise_floor).value),

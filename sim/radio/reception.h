@@ -18,7 +18,7 @@ enum class ReceiveError : std::uint8_t {
 
 /// What all receptions of one air have in common, in mW and ratios.
 struct ReceptionRules {
-  explicit ReceptionRules(const RadioConfig& config);
+  explicit ReceptionRules(const ReceiverConfig& config);
 
   ErrorModel error_model;
   double min_sinr;

@@ -81,7 +81,7 @@ void Recorder::set(std::string_view key, std::uint64_t value) { set_value(key, v
 void Recorder::describe(const agents::SimulationConfig& config) {
   set("result", std::string_view("running"));
   set("seed", config.seed);
-  set("profile", name(config.radio.profile));
+  set("profile", name(profile_of(config.radio)));
   set("controller_latency_s", hal::to_seconds(config.controller_latency));
   set("control_phase",
       std::string_view(config.control_phase == agents::ControlPhase::kAligned ? "aligned"

@@ -14,6 +14,7 @@
 #include "sim/scenario/controller_section.h"
 #include "sim/scenario/fields.h"
 #include "sim/scenario/placement.h"
+#include "sim/scenario/radio_section.h"
 
 namespace sim::scenario {
 namespace {
@@ -118,9 +119,13 @@ void read_group(const std::string& name, Mapping in, Scenario& scenario, Taken& 
   group.agents = take_addresses(in, poses.size(), taken);
   std::vector<AgentConfig> agents;
   for (std::size_t i = 0; i < group.agents.size(); ++i) {
-    agents.push_back({group.agents[i], names[i], poses[i], body, {}, {}});
+    agents.push_back({group.agents[i], names[i], poses[i], body, {}, {}, {}});
   }
   read_controller(in.mapping({"controller", "The program that drives the agents."}), group, agents);
+  const auto tx_power = read_station(
+      in.mapping({"radio", "What the radios of the group's agents have of their own."}),
+      scenario.simulation.radio);
+  for (AgentConfig& agent : agents) agent.tx_power = tx_power;
   in.finish();
   auto& all = scenario.simulation.agents;
   all.insert(all.end(), agents.begin(), agents.end());
@@ -167,6 +172,7 @@ void write_group(Writer& out, const Group& group, std::span<const AgentConfig> a
   }
   out.close();
   write_controller(out, group, agents);
+  write_station(out, agents.front().tx_power);
   out.close();
 }
 

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <bit>
+#include <string>
+#include <variant>
+#include <vector>
 
-#include "sim/scenario/fields.h"
+#include "sim/scenario/radio_keys.h"
 
 namespace sim::scenario {
 namespace {
@@ -17,189 +20,57 @@ constexpr std::array kProfiles = {
     Option<Profile>{"mobility_framework", Profile::kMobilityFramework},
     Option<Profile>{"ieee80211b", Profile::kIeee80211b}, Option<Profile>{"disk", Profile::kDisk},
     Option<Profile>{"ideal", Profile::kIdeal}};
-constexpr std::array kPreambles = {Option<radio::Preamble>{"long", radio::Preamble::kLong},
-                                   Option<radio::Preamble>{"short", radio::Preamble::kShort}};
-constexpr std::array kRoundings = {
-    Option<radio::Rounding>{"exact", radio::Rounding::kExact},
-    Option<radio::Rounding>{"microsecond", radio::Rounding::kMicrosecond}};
-constexpr std::array kLengths = {Option<radio::Lengths>{"bytes", radio::Lengths::kBytes},
-                                 Option<radio::Lengths>{"fixed", radio::Lengths::kFixed}};
-constexpr std::array kErrorModels = {
-    Option<radio::ErrorModel>{"mobility_framework", radio::ErrorModel::kMobilityFramework},
-    Option<radio::ErrorModel>{"dsss", radio::ErrorModel::kDsss}};
-
-constexpr Range kPowerLevel{-200, 50};      // dBm; thermal noise in 1 Hz is -174
-constexpr Range kSensitivity{-130, 0};      // dBm
-constexpr Range kNoise{-200, 0};            // dBm
-constexpr Range kTxPower{1e-6, 1e5};        // mW
-constexpr Range kBitRate{1e3, 1e9};         // b/s
-constexpr Range kShortTime{1e-6, 1e-2};     // s
-constexpr std::int64_t kMaxBits = 100'000;  // five times the longest MPDU
-constexpr std::int64_t kMaxWindow = 32'767;
-
 std::string_view name(Profile profile) {
   return std::find_if(kProfiles.begin(), kProfiles.end(),
                       [profile](const auto& option) { return option.value == profile; })
       ->name;
 }
 
-/// Passes on the keys of the profiles for which they mean something.
-template <class Io>
-class Keys {
+/// Takes the names of keys only.
+class Names {
  public:
-  using Mask = unsigned;
-  static constexpr Mask kMf = 1, kB = 2, kDisk = 4, kIdeal = 8;
-  static constexpr Mask kWaves = kMf | kB, kRange = kDisk | kIdeal;
-
-  Keys(Io& io, Profile profile) : io_(io), profile_(profile) {}
-
-  bool uses(const std::string& key, Mask mask) {
-    if ((mask & (1U << static_cast<unsigned>(profile_))) != 0) return true;
-    io_.unused(key, fmt::format("is not used by the profile '{}'", name(profile_)));
-    return false;
+  template <class Q>
+  void quantity(const Key& key, std::string_view, Range, const Q&) {
+    add(key);
   }
+  void number(const Key& key, std::string_view, Range, double) { add(key); }
+  template <class Q>
+  void optional(const Key& key, std::string_view, double, const std::optional<Q>&) {
+    add(key);
+  }
+  void count(const Key& key, std::int64_t, std::int64_t, std::uint32_t) { add(key); }
+  void duration(const Key& key, Range, hal::Duration) { add(key); }
+  void flag(const Key& key, bool) { add(key); }
+  template <class Options, class E>
+  void choice(const Key& key, const Options&, E) {
+    add(key);
+  }
+
+  const std::vector<std::string>& all() const { return names_; }
+  bool has(const std::string& name) const { return std::ranges::count(names_, name) > 0; }
 
  private:
-  Io& io_;
-  Profile profile_;
+  void add(const Key& key) {
+    if (!has(key.name)) names_.push_back(key.name);
+  }
+
+  std::vector<std::string> names_;
 };
 
-template <class Io>
-void propagation_keys(Io& io, RadioConfig& c) {
-  using K = Keys<Io>;
-  K keys(io, c.profile);
-  if (keys.uses("tx_power", K::kWaves | K::kDisk)) {
-    io.quantity({"tx_power", "Of a transmitter.", "2 mW"}, "mW", kTxPower, c.tx_power);
-  }
-  if (keys.uses("wavelength", K::kWaves))
-    io.quantity({"wavelength", "Of the carrier.", "0.125 m"}, "m", {1e-3, 10}, c.wavelength);
-  if (keys.uses("path_loss_exponent", K::kWaves)) {
-    io.number(
-        {"path_loss_exponent", "Of the power law (2: free space, Friis), reference 1 m.", "2"}, "1",
-        {1, 8}, c.path_loss_exponent);
-  }
-  if (keys.uses("propagation_delay", K::kWaves))
-    io.flag(
-        {"propagation_delay", "Whether waves take time: distance over the speed of light.", "true"},
-        c.propagation_delay);
-  if (keys.uses("obstacles", K::kWaves))
-    io.flag({"obstacles", "Whether walls attenuate.", "true"}, c.obstacles);
-  const auto level = [&](const Key& key, Range range, hal::Dbm& value) {
-    if (keys.uses(key.name, K::kWaves)) io.quantity(key, "dBm", range, value);
-  };
-  level({"sensitivity", "Weaker frames cannot be received.", "-85 dBm"}, kSensitivity,
-        c.sensitivity);
-  level({"interference_floor", "Weaker frames do not exist; at most the sensitivity.", "-101 dBm"},
-        kPowerLevel, c.interference_floor);
-  level({"noise_floor", "Thermal noise and noise figure in the bandwidth.", "-110 dBm"}, kNoise,
-        c.noise_floor);
-  level({"cca_threshold", "Carrier sense: a frame of this power makes the medium busy.", "-85 dBm"},
-        kPowerLevel, c.cca_threshold);
-  level(
-      {"energy_detection", "Carrier sense: so much power in sum makes the medium busy.", "-62 dBm"},
-      kPowerLevel, c.energy_detection);
-  if (keys.uses("range", K::kRange))
-    io.quantity({"range", "Who is nearer hears every frame, who is farther none.", "250 m"}, "m",
-                {1e-3, kUnlimited}, c.range);
+void take_names(Names& names, Profile profile) {
+  RadioConfig any = radio::profile_defaults(profile);
+  std::visit([&names](auto& one) { keys_of(names, one); }, any);
 }
 
-template <class Io>
-void phy_keys(Io& io, RadioConfig& c) {
-  using K = Keys<Io>;
-  K keys(io, c.profile);
-  const auto rate = [&](const Key& key, auto mask, hal::BitsPerSecond& value) {
-    if (keys.uses(key.name, mask)) io.quantity(key, "b/s", kBitRate, value);
-  };
-  rate({"data_rate", "Of data frames; 1, 2, 5.5 or 11 Mb/s where waves are modelled.", "11 Mb/s"},
-       K::kWaves | K::kDisk, c.data_rate);
-  rate({"control_rate", "Of RTS, CTS and ACK; 1, 2, 5.5 or 11 Mb/s.", "2 Mb/s"}, K::kWaves,
-       c.control_rate);
-  rate({"broadcast_rate", "Of broadcast frames; 1, 2, 5.5 or 11 Mb/s.", "2 Mb/s"}, K::kWaves,
-       c.broadcast_rate);
-  if (keys.uses("preamble", K::kWaves))
-    io.choice({"preamble", "Of the PHY; a short one not for frames at 1 Mb/s.", "long"}, kPreambles,
-              c.preamble);
-  if (keys.uses("rounding", K::kWaves))
-    io.choice(
-        {"rounding",
-         "Of airtimes: none below a nanosecond, or up to whole microseconds as in the standard.",
-         "microsecond"},
-        kRoundings, c.rounding);
-  io.choice(
-      {"lengths", "Of frames: what the codec puts on the air, or the fixed ones below.", "bytes"},
-      kLengths, c.lengths);
-  io.count(
-      {"fixed_header_bits", "With `lengths: fixed`: MAC header and FCS of a data frame.", "272"}, 0,
-      kMaxBits, c.fixed_header_bits);
-  io.count({"fixed_payload_bits", "With `lengths: fixed`: a network packet.", "1024"}, 0, kMaxBits,
-           c.fixed_payload_bits);
-}
-
-template <class Io>
-void reception_keys(Io& io, RadioConfig& c) {
-  using K = Keys<Io>;
-  K keys(io, c.profile);
-  if (keys.uses("error_model", K::kWaves))
-    io.choice({"error_model", "When a frame is lost to noise and interference.", "dsss"},
-              kErrorModels, c.error_model);
-  if (keys.uses("min_sinr", K::kWaves))
-    io.quantity({"min_sinr",
-                 "Lowest usable signal to interference and noise: of the whole frame with "
-                 "`error_model: mobility_framework`, of the preamble with `dsss`.",
-                 "4 dB"},
-                "dB", {-50, 50}, c.min_sinr);
-  if (keys.uses("preamble_window", K::kWaves)) {
-    io.duration({"preamble_window",
-                 "The receiver takes the strongest frame that starts within this time of the "
-                 "first; 0 s: the first.",
-                 "4 us"},
-                {0, 1e-3}, c.preamble_window);
+/// The keys of other profiles mean nothing in this one.
+void refuse_others(FieldReader& reader, Profile profile) {
+  Names mine, all;
+  take_names(mine, profile);
+  for (const auto& other : kProfiles) take_names(all, other.value);
+  for (const std::string& key : all.all()) {
+    if (mine.has(key)) continue;
+    reader.unused(key, fmt::format("is not used by the profile '{}'", name(profile)));
   }
-  if (keys.uses("capture_margin", K::kWaves)) {
-    io.optional({"capture_margin",
-                 "A frame that much stronger takes the receiver over during the other one's "
-                 "preamble and PLCP header.",
-                 "10 dB"},
-                "dB", 0, c.capture_margin);
-  }
-}
-
-template <class Io>
-void mac_keys(Io& io, RadioConfig& c) {
-  using K = Keys<Io>;
-  K keys(io, c.profile);
-  const auto time = [&](const Key& key, hal::Duration& value) {
-    if (keys.uses(key.name, K::kWaves)) io.duration(key, kShortTime, value);
-  };
-  const auto count = [&](const Key& key, auto mask, Range range, std::uint32_t& value) {
-    const auto low = static_cast<std::int64_t>(range.low);
-    const auto high = static_cast<std::int64_t>(range.high);
-    if (keys.uses(key.name, mask)) io.count(key, low, high, value);
-  };
-  time({"slot", "Of the backoff.", "20 us"}, c.slot);
-  time({"sifs", "Short interframe space.", "10 us"}, c.sifs);
-  count({"cw_min", "Smallest contention window, one less than a power of two.", "31"}, K::kWaves,
-        {0, kMaxWindow}, c.cw_min);
-  count({"cw_max", "Largest contention window, one less than a power of two.", "1023"}, K::kWaves,
-        {0, kMaxWindow}, c.cw_max);
-  count({"cw_broadcast", "Contention window of broadcast frames.", "31"}, K::kMf, {0, kMaxWindow},
-        c.cw_broadcast);
-  count({"rts_threshold", "Bytes; larger frames use RTS/CTS.", "2347"}, K::kWaves, {0, 1e6},
-        c.rts_threshold);
-  count({"short_retry_limit", "Transmissions of a frame, or of its RTS, in all.", "7"}, K::kWaves,
-        {1, 255}, c.short_retry_limit);
-  count({"long_retry_limit", "Transmissions of a data frame after RTS/CTS in all.", "4"}, K::kB,
-        {1, 255}, c.long_retry_limit);
-  count({"queue_limit", "Frames that may wait in a station.", "14"}, K::kWaves | K::kDisk, {1, 1e6},
-        c.queue_limit);
-}
-
-template <class Io>
-void all_keys(Io& io, RadioConfig& c) {
-  propagation_keys(io, c);
-  phy_keys(io, c);
-  reception_keys(io, c);
-  mac_keys(io, c);
 }
 
 /// IEEE Std 802.11-2016, 16.2.3.3 and 16.3.2: the rates of DSSS and HR/DSSS.
@@ -207,7 +78,7 @@ bool is_dsss_rate(hal::BitsPerSecond rate) {
   return rate.value == 1e6 || rate.value == 2e6 || rate.value == 5.5e6 || rate.value == 11e6;
 }
 
-void check_rates(Mapping& in, const RadioConfig& c) {
+void check_rates(Mapping& in, const radio::DsssConfig& c) {
   const auto check = [&](const char* key, hal::BitsPerSecond rate) {
     if (!is_dsss_rate(rate)) in.mistake(key, "must be 1, 2, 5.5 or 11 Mb/s");
     // IEEE Std 802.11-2016, 16.2.2.3: the short PLCP format starts at 2 Mb/s.
@@ -220,7 +91,7 @@ void check_rates(Mapping& in, const RadioConfig& c) {
   check("broadcast_rate", c.broadcast_rate);
 }
 
-void check_windows(Mapping& in, const RadioConfig& c) {
+void check_windows(Mapping& in, const radio::ContentionConfig& c) {
   if (c.cw_max < c.cw_min) {
     in.mistake("cw_max", fmt::format("{} is below cw_min, {}", c.cw_max, c.cw_min));
   }
@@ -233,19 +104,28 @@ void check_windows(Mapping& in, const RadioConfig& c) {
   check("cw_max", c.cw_max);
 }
 
-void check(Mapping& in, const RadioConfig& c) {
-  check_rates(in, c);
-  check_windows(in, c);
-  if (c.interference_floor > c.sensitivity) {
+void check_levels(Mapping& in, const radio::WavesConfig& c) {
+  const hal::Dbm floor = c.propagation.interference_floor;
+  const hal::Dbm noise = c.receiver.noise_floor, sensitivity = c.receiver.sensitivity;
+  if (floor > sensitivity) {
     in.mistake("interference_floor", fmt::format("{} dBm is above the sensitivity, {} dBm",
-                                                 c.interference_floor.value, c.sensitivity.value));
+                                                 floor.value, sensitivity.value));
   }
-  if (c.noise_floor > c.sensitivity) {
+  if (noise > sensitivity) {
     in.warn("noise_floor", fmt::format("{} dBm is above the sensitivity, {} dBm: what is received "
                                        "at that level drowns in noise",
-                                       c.noise_floor.value, c.sensitivity.value));
+                                       noise.value, sensitivity.value));
   }
 }
+
+void check_waves(Mapping& in, const radio::WavesConfig& c) {
+  check_rates(in, c.phy);
+  check_windows(in, c.contention);
+  check_levels(in, c);
+}
+
+const Key kStationPower{"tx_power", "Of the transmitters of these agents.", "10 mW",
+                        "that of `radio`"};
 
 }  // namespace
 
@@ -260,10 +140,9 @@ RadioConfig read_radio(Mapping in) {
   if (!profile) return {};  // which of the other keys are right depends on it
   RadioConfig config = radio::profile_defaults(*profile);
   FieldReader reader(in);
-  all_keys(reader, config);
-  const bool waves =
-      config.profile == Profile::kMobilityFramework || config.profile == Profile::kIeee80211b;
-  if (waves) check(in, config);
+  std::visit([&reader](auto& one) { keys_of(reader, one); }, config);
+  refuse_others(reader, *profile);
+  if (const radio::WavesConfig* const waves = waves_of(config)) check_waves(in, *waves);
   in.finish();
   return config;
 }
@@ -271,9 +150,28 @@ RadioConfig read_radio(Mapping in) {
 void write_radio(Writer& out, const RadioConfig& config) {
   RadioConfig copy = config;
   out.open("radio");
-  out.text("profile", name(config.profile));
+  out.text("profile", name(profile_of(config)));
   FieldWriter writer(out);
-  all_keys(writer, copy);
+  std::visit([&writer](auto& one) { keys_of(writer, one); }, copy);
+  out.close();
+}
+
+std::optional<hal::Milliwatts> read_station(Mapping in, const RadioConfig& config) {
+  std::optional<hal::Milliwatts> power;
+  if (std::holds_alternative<radio::IdealConfig>(config)) {
+    in.refuse(kStationPower.name, "is not used by the profile 'ideal'");
+  } else if (const double given = in.number(kStationPower, "mW", kTxPower, kTxPower.low);
+             in.has(kStationPower.name)) {
+    power = hal::Milliwatts{given};
+  }
+  in.finish();
+  return power;
+}
+
+void write_station(Writer& out, std::optional<hal::Milliwatts> tx_power) {
+  if (!tx_power) return;
+  out.open("radio");
+  out.number(kStationPower.name, tx_power->value, "mW");
   out.close();
 }
 

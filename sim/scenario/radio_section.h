@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "hal/config/mapping.h"
 #include "hal/config/writer.h"
 #include "sim/radio/radio_config.h"
@@ -10,5 +12,10 @@ namespace sim::scenario {
 /// of another profile is a mistake that names the profile.
 radio::RadioConfig read_radio(hal::config::Mapping in);
 void write_radio(hal::config::Writer& out, const radio::RadioConfig& config);
+
+/// `radio:` of a group of agents: the transmit power of its radios, if they have one of their own.
+std::optional<hal::Milliwatts> read_station(hal::config::Mapping in,
+                                            const radio::RadioConfig& config);
+void write_station(hal::config::Writer& out, std::optional<hal::Milliwatts> tx_power);
 
 }  // namespace sim::scenario

@@ -26,9 +26,9 @@ struct HiddenCase {
 /// Goodput of two saturated senders, both at -58.98 dBm at the receiver between them [Mb/s].
 double goodput(const HiddenCase& c) {
   RadioConfig config = profile_defaults(Profile::kIeee80211b);
-  config.data_rate = hal::BitsPerSecond{c.rate};
-  config.rts_threshold = c.rts ? 0 : 2347;
-  config.obstacles = c.hidden;
+  waves_of(config)->phy.data_rate = hal::BitsPerSecond{c.rate};
+  waves_of(config)->contention.rts_threshold = c.rts ? 0 : 2347;
+  waves_of(config)->propagation.obstacles = c.hidden;
   EventQueue events;
   PlacedAntennas antennas;
   std::vector<RadioNetwork::Station> stations;

@@ -55,7 +55,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(ShortPreamble, SavesHalfExceptAt1MbPerSecond) {
   RadioConfig config = profile_defaults(Profile::kIeee80211b);
-  config.preamble = Preamble::kShort;
+  waves_of(config)->phy.preamble = Preamble::kShort;
   const ModeSet modes(config);
   EXPECT_EQ(modes.at(hal::BitsPerSecond{2e6}).airtime(112), 96us + 56us);
   EXPECT_EQ(modes.at(hal::BitsPerSecond{2e6}).preamble(), 72us);
@@ -64,7 +64,7 @@ TEST(ShortPreamble, SavesHalfExceptAt1MbPerSecond) {
 }
 
 TEST(MpduLength, IsPayloadAndHeadersInBytes) {
-  const RadioConfig bytes = profile_defaults(Profile::kIeee80211b);
+  const LengthsConfig bytes = Ieee80211bConfig{}.lengths;
   EXPECT_EQ(mpdu_bits(bytes, FrameType::kData, 1500), 8u * 1536);  // 24 + 8 + 1500 + 4
   EXPECT_EQ(mpdu_bits(bytes, FrameType::kRts), 8u * 20);
   EXPECT_EQ(mpdu_bits(bytes, FrameType::kCts), 8u * 14);
@@ -72,27 +72,26 @@ TEST(MpduLength, IsPayloadAndHeadersInBytes) {
 }
 
 TEST(MpduLength, IsFixedInTheReplicaWhateverThePayload) {
-  RadioConfig config = profile_defaults(Profile::kMobilityFramework);
-  EXPECT_EQ(mpdu_bits(config, FrameType::kData, 1500), 272u);
-  config.fixed_payload_bits = 96;
-  EXPECT_EQ(mpdu_bits(config, FrameType::kData, 1500), 368u);
+  LengthsConfig lengths = MobilityFrameworkConfig{}.lengths;
+  EXPECT_EQ(mpdu_bits(lengths, FrameType::kData, 1500), 272u);
+  lengths.payload_bits = 96;
+  EXPECT_EQ(mpdu_bits(lengths, FrameType::kData, 1500), 368u);
 }
 
 // What has no PHY loses nothing on it, and takes bits over rate, or no time.
 TEST(PlainModes, AreInstantOrBitsOverRate) {
-  RadioConfig config = profile_defaults(Profile::kDisk);
+  DiskConfig config;
   config.data_rate = hal::BitsPerSecond{3e6};
   const ModeSet disk(config);
-  EXPECT_EQ(disk.at(config.data_rate).airtime(8), 2667ns);
-  EXPECT_EQ(disk.at(config.data_rate).success(0, 1e6), 1);
-  const RadioConfig ideal = profile_defaults(Profile::kIdeal);
-  EXPECT_EQ(ModeSet(ideal).at(ideal.data_rate).airtime(8), 0ns);
+  EXPECT_EQ(disk.data().airtime(8), 2667ns);
+  EXPECT_EQ(disk.data().success(0, 1e6), 1);
+  EXPECT_EQ(ModeSet(IdealConfig{}).data().airtime(8), 0ns);
 }
 
 // IEEE Std 802.11-2016, 10.3.2.3.7: EIFS = SIFS + ACK at the lowest rate + DIFS.
 TEST(Interframe, SpacesOf80211b) {
-  const RadioConfig config = profile_defaults(Profile::kIeee80211b);
-  const DcfTiming timing(config, ModeSet(config));
+  const Ieee80211bConfig config;
+  const DcfTiming timing(config.contention, config.lengths, ModeSet(config));
   EXPECT_EQ(timing.difs, 50us);
   EXPECT_EQ(timing.eifs, 364us);
   EXPECT_EQ(timing.response_timeout, 222us);  // SIFS + slot + 192 us

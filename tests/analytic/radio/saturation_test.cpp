@@ -29,7 +29,7 @@ struct Measured {
 };
 Measured measure(const SaturationCase& c, hal::Duration warm_up, hal::Duration time) {
   Air air(Profile::kIeee80211b);
-  air.config.rts_threshold = c.rts ? 0 : 2347;
+  waves_of(air.config)->contention.rts_threshold = c.rts ? 0 : 2347;
   air.add({0, 0, 0});
   for (int i = 0; i < c.senders; ++i) {
     const double angle = 2 * hal::math::kPi * i / c.senders;

@@ -10,6 +10,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
+constexpr hal::Milliwatts kSent{2};
+
 RadioConfig replica() { return profile_defaults(Profile::kMobilityFramework); }
 
 // Friis at 2 mW and 0.125 m: 0.125 / (4 pi) * sqrt(2 mW / 10^-8.5 mW) = 250.158 m; with
@@ -17,9 +19,9 @@ RadioConfig replica() { return profile_defaults(Profile::kMobilityFramework); }
 TEST(FriisRange, DecidesAboutTheReplicasGrid) {
   const Wall free_air;
   RadioConfig config = replica();
-  EXPECT_NEAR(Propagation(config, free_air).distance_at(hal::Dbm{-85}).value, 250.158, 5e-4);  // m
-  config.wavelength = hal::Metres{299792458.0 / 2.4e9};
-  EXPECT_NEAR(Propagation(config, free_air).distance_at(hal::Dbm{-85}).value, 249.985, 5e-4);  // m
+  EXPECT_NEAR(Propagation(config, free_air).reach(hal::Milliwatts{2}), 250.158, 5e-4);  // m
+  waves_of(config)->propagation.wavelength = hal::Metres{299792458.0 / 2.4e9};
+  EXPECT_NEAR(Propagation(config, free_air).reach(hal::Milliwatts{2}), 249.985, 5e-4);  // m
 }
 
 // Ranges that the paper prints, in m (docs/models.md, 4): printed with three or four digits, so
@@ -30,9 +32,9 @@ TEST(FriisRange, MatchesTheTableOfPowersAndSensitivities) {
       {{0.5, -85}, 125.1}, {{1, -85}, 176.9},     {{2, -85}, 250.2}, {{100, -85}, 1769},
       {{2, -110}, 4449},   {{110.11, -80}, 1044}, {{0.5, -90}, 222}};
   for (const auto& [key, metres] : table) {
-    RadioConfig config = replica();
-    config.tx_power = hal::Milliwatts{key.first};
-    const double range = Propagation(config, free_air).distance_at(hal::Dbm{key.second}).value;
+    const Propagation propagation(replica(), free_air);
+    const double range =
+        propagation.reach(hal::Milliwatts{key.first}, to_milliwatts(hal::Dbm{key.second}));
     EXPECT_NEAR(range, metres, 5e-3 * metres) << key.first << " mW, " << key.second << " dBm";
   }
 }
@@ -40,18 +42,18 @@ TEST(FriisRange, MatchesTheTableOfPowersAndSensitivities) {
 TEST(PowerLaw, ExponentActsOnTheDistanceOnly) {
   const Wall free_air;
   RadioConfig config = replica();
-  config.path_loss_exponent = 4;
+  waves_of(config)->propagation.path_loss_exponent = 4;
   const Propagation fourth(config, free_air);
   const Propagation second(replica(), free_air);
-  const double at_10 = fourth.arrival({}, {10, 0, 0}).power.value;
-  EXPECT_NEAR(at_10 * 1e4, second.arrival({}, {1, 0, 0}).power.value, 1e-15);  // mW
+  const double at_10 = fourth.arrival(kSent, {}, {10, 0, 0}).power.value;
+  EXPECT_NEAR(at_10 * 1e4, second.arrival(kSent, {}, {1, 0, 0}).power.value, 1e-15);  // mW
 }
 
 TEST(PowerLaw, NeverGivesMoreThanWasSent) {
   const Wall free_air;
   const Propagation propagation(replica(), free_air);
-  EXPECT_EQ(propagation.arrival({}, {}).power, hal::Milliwatts{2});
-  EXPECT_EQ(propagation.arrival({}, {1e-4, 0, 0}).power, hal::Milliwatts{2});
+  EXPECT_EQ(propagation.arrival(kSent, {}, {}).power, kSent);
+  EXPECT_EQ(propagation.arrival(kSent, {}, {1e-4, 0, 0}).power, kSent);
 }
 
 /// 25 motes, 125 m apart.
@@ -91,7 +93,7 @@ TEST(Grid, HasTheSameLinksForDiskAndIdeal) {
 
 TEST(Grid, LosesEvery250MetreLinkWithTheExactSpeedOfLight) {
   Air air(replica());
-  air.config.wavelength = hal::Metres{299792458.0 / 2.4e9};
+  waves_of(air.config)->propagation.wavelength = hal::Metres{299792458.0 / 2.4e9};
   add_grid(air);
   EXPECT_EQ(air.network->links().size(), 72u);  // 102 less 2 * 15 of two cells
 }

@@ -149,6 +149,9 @@ class Air {
     antennas.place(address, {at, velocity});
     stations_.push_back({address, name});
   }
+  void set_tx_power(std::uint16_t station, hal::Milliwatts power) {
+    stations_.at(station - 1u).tx_power = power;
+  }
   /// On the x axis, the first at the origin.
   void add_line(int stations, double spacing) {
     for (int i = 0; i < stations; ++i) add({spacing * i, 0, 0});

@@ -48,17 +48,20 @@ class Bench {
   void build() {
     modes.emplace(config);
     propagation.emplace(config, wall);
-    neighbourhood.emplace(events, antennas, *propagation, agents_);
-    rules.emplace(config);
-    channel.emplace(events, *neighbourhood, log, config);
+    const WavesConfig& waves = *waves_of(config);
+    std::vector<Neighbourhood::Antenna> stations;
+    for (const hal::AgentId agent : agents_) stations.push_back({agent, waves.tx_power});
+    neighbourhood.emplace(events, antennas, *propagation, stations);
+    rules.emplace(waves.receiver);
+    channel.emplace(events, *neighbourhood, log, waves);
     for (StationIndex i = 0; i < agents_.size(); ++i) {
-      radios.push_back(std::make_unique<Radio>(Radio::Air{events, *channel, log, config, *rules}, i,
-                                               agents_[i],
-                                               hal::RandomStream(1, std::to_string(i))));
+      radios.push_back(
+          std::make_unique<Radio>(Radio::Air{events, *channel, log, waves.receiver, *rules}, i,
+                                  agents_[i], hal::RandomStream(1, std::to_string(i))));
       listeners.push_back(std::make_unique<Listener>());
       radios.back()->attach(*listeners.back());
       channel->add(*radios.back());
-      factories.push_back(std::make_unique<FrameFactory>(config, *modes, agents_[i]));
+      factories.push_back(std::make_unique<FrameFactory>(waves.lengths, *modes, agents_[i]));
     }
   }
   Radio& radio(std::uint16_t station) { return *radios.at(station - 1u); }

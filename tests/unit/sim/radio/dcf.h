@@ -23,15 +23,16 @@ inline constexpr hal::Duration kTimeout = 222us;
 class DcfMacTest : public testing::Test {
  protected:
   DcfMacTest() : air(Profile::kIeee80211b) {
-    air.config.propagation_delay = false;  // times by hand
-    air.config.interference_floor = air.config.sensitivity;
+    waves_of(air.config)->propagation.propagation_delay = false;  // times by hand
+    waves_of(air.config)->propagation.interference_floor =
+        waves_of(air.config)->receiver.sensitivity;
   }
   void build_line(int stations) {
     air.add_line(stations, 600);
     air.build();
   }
-  void without_rts() { air.config.rts_threshold = 2347; }
-  void with_rts() { air.config.rts_threshold = 0; }
+  void without_rts() { waves_of(air.config)->contention.rts_threshold = 2347; }
+  void with_rts() { waves_of(air.config)->contention.rts_threshold = 0; }
   hal::Duration start_of(std::size_t frame) const {
     return air.log.starts.at(frame).at.time_since_epoch();
   }

@@ -41,7 +41,7 @@ TEST_F(DcfAccess, PostBackoffCountsWithoutAFrame) {
 TEST_F(DcfAccess, RequestInAPostBackoffDoesNotShiftItsSlots) {
   const auto second_start = [](hal::Duration requested_at) {
     Air world(Profile::kIeee80211b);
-    world.config.propagation_delay = false;
+    waves_of(world.config)->propagation.propagation_delay = false;
     world.seed = 2;
     world.add_line(2, 600);
     world.build();
@@ -61,8 +61,9 @@ TEST_F(DcfAccess, BacksOffWhenTheDifsIsInterrupted) {
   hal::Duration most{};
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     Air world(Profile::kIeee80211b);
-    world.config.propagation_delay = false;
-    world.config.interference_floor = world.config.sensitivity;
+    waves_of(world.config)->propagation.propagation_delay = false;
+    waves_of(world.config)->propagation.interference_floor =
+        waves_of(world.config)->receiver.sensitivity;
     world.seed = seed;
     world.add_line(3, 600);
     world.build();
@@ -93,7 +94,7 @@ TEST_F(DcfAccess, BacksOffWhenTheMediumIsBusy) {
 TEST_F(DcfAccess, FrozenBackoffCountsWholeSlotsOnly) {
   const auto second_start = [](bool disturbed) {
     Air world(Profile::kIeee80211b);
-    world.config.propagation_delay = false;
+    waves_of(world.config)->propagation.propagation_delay = false;
     world.seed = 2;
     world.add_line(2, 600);
     world.build();
@@ -123,7 +124,7 @@ TEST_F(DcfAccess, StaysAwayForTheDurationOfAnOverheardRts) {
 // Nothing follows the RTS: its NAV is void 2 SIFS + CTS + 192 us + 2 slots after its end.
 TEST_F(DcfAccess, NavOfAnUnansweredRtsIsReset) {
   with_rts();
-  air.config.short_retry_limit = 1;
+  waves_of(air.config)->contention.short_retry_limit = 1;
   build_line(2);
   air.send(1, 9, 2000);
   air.at(400us, [this] { air.broadcast(2, kPayload); });
@@ -147,7 +148,7 @@ TEST_F(DcfAccess, NavOfAnAnsweredRtsIsKept) {
 
 TEST_F(DcfAccess, DoesNotAnswerAnRtsWhileItsNavIsSet) {
   with_rts();
-  air.config.short_retry_limit = 1;
+  waves_of(air.config)->contention.short_retry_limit = 1;
   build_line(4);
   air.send(1, 2, 2000);
   // Station 3 overhears the CTS of station 2; station 4 hears neither and asks station 3.
@@ -158,8 +159,9 @@ TEST_F(DcfAccess, DoesNotAnswerAnRtsWhileItsNavIsSet) {
 }
 
 TEST_F(DcfAccess, WaitsForEifsAfterAWrongFrame) {
-  air.config.noise_floor = hal::Dbm{-84.65};  // 5 dB: a long frame at 11 Mb/s is always wrong
-  air.config.short_retry_limit = 1;
+  waves_of(air.config)->receiver.noise_floor =
+      hal::Dbm{-84.65};  // 5 dB: a long frame at 11 Mb/s is always wrong
+  waves_of(air.config)->contention.short_retry_limit = 1;
   build_line(3);
   air.send(1, 2, 2000);  // 192 + 1481 us
   air.at(100us, [this] { air.broadcast(2); });
@@ -172,9 +174,9 @@ TEST_F(DcfAccess, WaitsForEifsAfterAWrongFrame) {
 // Station 3 has not heard the wrong frame and sends a short one at 5.5 Mb/s, 192 + 53 us, 10 us
 // after it. It comes in well, so DIFS counts again, before the EIFS would have been over.
 TEST_F(DcfAccess, GoodFrameEndsTheEifs) {
-  air.config.noise_floor = hal::Dbm{-84.65};
-  air.config.short_retry_limit = 1;
-  air.config.broadcast_rate = hal::BitsPerSecond{5.5e6};
+  waves_of(air.config)->receiver.noise_floor = hal::Dbm{-84.65};
+  waves_of(air.config)->contention.short_retry_limit = 1;
+  waves_of(air.config)->phy.broadcast_rate = hal::BitsPerSecond{5.5e6};
   build_line(3);
   air.send(1, 2, 2000);  // until 1673 us
   air.at(100us, [this] { air.broadcast(2); });

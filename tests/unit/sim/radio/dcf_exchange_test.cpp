@@ -36,7 +36,8 @@ TEST_F(DcfExchange, ProtectsFramesAboveTheThreshold) {
 }
 
 TEST_F(DcfExchange, ThresholdIsTheLargestFrameWithoutRts) {
-  air.config.rts_threshold = 136;  // bytes: header 24, LLC/SNAP 8, payload 100, FCS 4
+  waves_of(air.config)->contention.rts_threshold =
+      136;  // bytes: header 24, LLC/SNAP 8, payload 100, FCS 4
   build_line(2);
   air.send(1, 2, kPayload);
   air.send(1, 2, kPayload + 1);
@@ -73,7 +74,7 @@ TEST_F(DcfExchange, GivesUpAfterSevenRts) {
 // 5 dB over the noise 1 Mb/s gets through and a long frame at 11 Mb/s never does.
 TEST_F(DcfExchange, GivesUpAfterFourDataFramesBehindRts) {
   with_rts();
-  air.config.noise_floor = hal::Dbm{-84.65};  // 600 m: -79.65 dBm
+  waves_of(air.config)->receiver.noise_floor = hal::Dbm{-84.65};  // 600 m: -79.65 dBm
   build_line(2);
   air.send(1, 2, 2000);
   air.run();
@@ -125,7 +126,7 @@ TEST_F(DcfExchange, RadioOffForgetsQueueNavAndBackoff) {
 }
 
 TEST_F(DcfExchange, QueueIsLimited) {
-  air.config.queue_limit = 2;
+  waves_of(air.config)->contention.queue_limit = 2;
   build_line(2);
   for (std::uint64_t tag = 1; tag <= 3; ++tag) air.send(1, 2, kPayload, tag);
   air.run(1ns);

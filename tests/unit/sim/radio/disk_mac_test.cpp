@@ -20,7 +20,7 @@ Air& line(Air& air) {
 // 64 bytes of payload + 36 of headers at 1 Mb/s: 800 us, no preamble, no contention.
 TEST(Disk, FramesTakeLengthOverRateOneAfterTheOther) {
   Air air(Profile::kDisk);
-  air.config.data_rate = hal::BitsPerSecond{1e6};
+  std::get<DiskConfig>(air.config).data_rate = hal::BitsPerSecond{1e6};
   line(air);
   air.send(1, 2, 64);
   air.send(1, 2, 64);

@@ -72,7 +72,7 @@ TEST_F(MobilityFrameworkMacTest, NeverProtectsOrAcknowledgesABroadcast) {
 }
 
 TEST_F(MobilityFrameworkMacTest, SkipsRtsUpToTheThreshold) {
-  air.config.rts_threshold = 34;  // 272 bits
+  waves_of(air.config)->contention.rts_threshold = 34;  // 272 bits
   build_line(2);
   air.send(1, 2);
   air.run();
@@ -165,7 +165,8 @@ TEST_F(MobilityFrameworkMacTest, CarrierCancelsAPendingAnswer) {
 }
 
 TEST_F(MobilityFrameworkMacTest, BitErrorSilencesForEifs) {
-  air.config.noise_floor = hal::Dbm{-90};  // 200 m: -83.06 dBm, 6.9 dB: no frame survives
+  waves_of(air.config)->receiver.noise_floor =
+      hal::Dbm{-90};  // 200 m: -83.06 dBm, 6.9 dB: no frame survives
   build_line(2);
   air.broadcast(1);
   air.at(100us, [this] { air.broadcast(2); });
@@ -178,7 +179,7 @@ TEST_F(MobilityFrameworkMacTest, BitErrorSilencesForEifs) {
 }
 
 TEST_F(MobilityFrameworkMacTest, CollisionBringsNoEifs) {
-  air.config.cw_broadcast = 0;
+  std::get<MobilityFrameworkConfig>(air.config).cw_broadcast = 0;
   air.add_line(3, 200);  // 1 and 3 do not hear each other
   air.build();
   air.broadcast(1);
@@ -191,7 +192,7 @@ TEST_F(MobilityFrameworkMacTest, CollisionBringsNoEifs) {
 }
 
 TEST_F(MobilityFrameworkMacTest, DeliversAgainWhenAnAcknowledgementWasLost) {
-  air.config.rts_threshold = 34;
+  waves_of(air.config)->contention.rts_threshold = 34;
   build_line(2);
   // The radio of station 1 is off when the ACK comes; the packet is then sent again.
   air.send(1, 2);

@@ -13,6 +13,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
+constexpr hal::Milliwatts kSent{2};
+
 /// Counts how often each antenna's position is asked for.
 class CountedAntennas final : public Positions {
  public:
@@ -35,8 +37,8 @@ class CountedAntennas final : public Positions {
 class NeighbourhoodTest : public testing::Test {
  protected:
   void add(const hal::Vec3& at, const hal::Vec3& velocity = {}) {
-    agents_.push_back(hal::AgentId{static_cast<std::uint16_t>(agents_.size() + 1)});
-    positions.antennas.place(agents_.back(), {at, velocity});
+    agents_.push_back({hal::AgentId{static_cast<std::uint16_t>(agents_.size() + 1)}, kSent});
+    positions.antennas.place(agents_.back().agent, {at, velocity});
   }
   void build() { neighbourhood.emplace(events, positions, propagation, agents_); }
   std::vector<StationIndex> noticing(StationIndex from) {
@@ -49,11 +51,11 @@ class NeighbourhoodTest : public testing::Test {
   }
   std::vector<StationIndex> expected(StationIndex from) const {
     std::vector<StationIndex> found;
-    const hal::Vec3 here = positions.antennas.position(agents_[from], events.now());
+    const hal::Vec3 here = positions.antennas.position(agents_[from].agent, events.now());
     for (StationIndex i = 0; i < agents_.size(); ++i) {
-      const hal::Vec3 there = positions.antennas.position(agents_[i], events.now());
+      const hal::Vec3 there = positions.antennas.position(agents_[i].agent, events.now());
       const double d2 = dot(there - here, there - here);
-      if (i != from && d2 <= propagation.reach().value * propagation.reach().value) {
+      if (i != from && d2 <= propagation.reach(kSent) * propagation.reach(kSent)) {
         found.push_back(i);
       }
     }
@@ -67,12 +69,11 @@ class NeighbourhoodTest : public testing::Test {
   EventQueue events;
   CountedAntennas positions;
   Wall free_air;
-  RadioConfig config = profile_defaults(Profile::kMobilityFramework);
-  Propagation propagation{config, free_air};
+  Propagation propagation{MobilityFrameworkConfig{}, free_air};
   std::optional<Neighbourhood> neighbourhood;
 
  private:
-  std::vector<hal::AgentId> agents_;
+  std::vector<Neighbourhood::Antenna> agents_;
 };
 
 TEST_F(NeighbourhoodTest, FindsExactlyThoseInReachWhateverTheCell) {
@@ -117,7 +118,7 @@ TEST_F(NeighbourhoodTest, LooksAtMovingStationsLessThanOncePerMarginOfTheirWay) 
 }
 
 TEST_F(NeighbourhoodTest, InfiniteReachIsOneCell) {
-  config = profile_defaults(Profile::kIdeal);
+  IdealConfig config;
   config.range = hal::Metres{std::numeric_limits<double>::infinity()};
   propagation = Propagation(config, free_air);
   add({0, 0, 0});

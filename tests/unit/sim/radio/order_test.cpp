@@ -36,8 +36,8 @@ using Seen = std::vector<std::tuple<hal::Time, int, std::uint16_t>>;
 /// places. Requests come on a coarse grid of times, so that many things happen at one instant.
 Seen run(Profile profile, bool reversed) {
   Air air(profile);
-  air.config.propagation_delay = false;
-  if (profile == Profile::kIeee80211b) air.config.tx_power = hal::Milliwatts{2};
+  waves_of(air.config)->propagation.propagation_delay = false;
+  if (profile == Profile::kIeee80211b) waves_of(air.config)->tx_power = hal::Milliwatts{2};
   const auto swap = [reversed](std::uint32_t number) {
     return static_cast<std::uint16_t>(reversed ? kStations + 1 - number : number);
   };

@@ -12,7 +12,9 @@ using Said = std::vector<std::string>;
 /// ieee80211b at 40 mW; station 2 in the middle listens. Broadcasts at 1 Mb/s.
 class PreambleTest : public testing::Test {
  protected:
-  PreambleTest() : bench(Profile::kIeee80211b) { bench.config.propagation_delay = false; }
+  PreambleTest() : bench(Profile::kIeee80211b) {
+    waves_of(bench.config)->propagation.propagation_delay = false;
+  }
   /// Stations 1 and 3 at these distances from station 2, which is at the origin.
   void place(double first, double third) {
     bench.add({-first, 0, 0});
@@ -61,7 +63,7 @@ TEST_F(PreambleTest, StrongerFrameAfterTheWindowIsMissed) {
 }
 
 TEST_F(PreambleTest, SingleFrameNearTheNoiseIsLostToNoise) {
-  bench.config.sensitivity = hal::Dbm{-95};
+  waves_of(bench.config)->receiver.sensitivity = hal::Dbm{-95};
   place(100, 2000);  // 2000 m: -90.1 dBm, 3.9 dB over the noise
   bench.send_at(0us, 3);
   bench.run();
@@ -70,7 +72,7 @@ TEST_F(PreambleTest, SingleFrameNearTheNoiseIsLostToNoise) {
 
 // Below sensitivity by itself, but with 4.9 dB less than the wanted frame it breaks CCK at 11 Mb/s.
 TEST_F(PreambleTest, FrameLostToUnreceivableOnesIsInterference) {
-  bench.config.broadcast_rate = hal::BitsPerSecond{11e6};
+  waves_of(bench.config)->phy.broadcast_rate = hal::BitsPerSecond{11e6};
   place(700, 1230);  // -80.98 dBm, -85.88 dBm
   bench.send_at(0us, 1, 1000);
   bench.send_at(10us, 3, 1000);
@@ -81,8 +83,8 @@ TEST_F(PreambleTest, FrameLostToUnreceivableOnesIsInterference) {
 
 // 5 dB of SINR: the interferer is gone before the PLCP header begins, so no bit is at risk.
 TEST_F(PreambleTest, InterferenceCountsForTheBitsItCovers) {
-  bench.config.broadcast_rate = hal::BitsPerSecond{11e6};
-  bench.config.interference_floor = hal::Dbm{-101};
+  waves_of(bench.config)->phy.broadcast_rate = hal::BitsPerSecond{11e6};
+  waves_of(bench.config)->propagation.interference_floor = hal::Dbm{-101};
   place(700, 1230);
   bench.send_at(0us, 3, 0);      // 192 + 27 us
   bench.send_at(80us, 1, 1000);  // its preamble lasts until 224 us

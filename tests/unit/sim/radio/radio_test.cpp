@@ -51,7 +51,7 @@ TEST_F(RadioTest, NobodyBeyondTheInterferenceFloorNotices) {
 }
 
 TEST_F(RadioTest, FaintFrameIsCountedAndNotSensed) {
-  bench.config.interference_floor = hal::Dbm{-110};
+  waves_of(bench.config)->propagation.interference_floor = hal::Dbm{-110};
   place({0, 251});
   bench.send_at(0us, 1);
   bench.run();
@@ -61,7 +61,7 @@ TEST_F(RadioTest, FaintFrameIsCountedAndNotSensed) {
 }
 
 TEST_F(RadioTest, SumOfWeakFramesIsSensedAsEnergy) {
-  bench.config.interference_floor = hal::Dbm{-110};
+  waves_of(bench.config)->propagation.interference_floor = hal::Dbm{-110};
   place({-260, 0, 260});  // -85.34 dBm each: together -82.33 dBm
   bench.send_at(0us, 1);
   bench.send_at(100us, 3);
@@ -90,7 +90,7 @@ TEST_F(RadioTest, StrongerFrameComesTooLateWithoutCapture) {
 }
 
 TEST_F(RadioTest, StrongerFrameTakesOverInsideThePlcpWithCapture) {
-  bench.config.capture_margin = hal::Decibels{5};
+  waves_of(bench.config)->receiver.capture_margin = hal::Decibels{5};
   place({0, 200, 250});
   bench.send_at(0us, 1);
   bench.send_at(100us, 3);
@@ -101,7 +101,7 @@ TEST_F(RadioTest, StrongerFrameTakesOverInsideThePlcpWithCapture) {
 }
 
 TEST_F(RadioTest, CaptureEndsWithThePlcp) {
-  bench.config.capture_margin = hal::Decibels{5};
+  waves_of(bench.config)->receiver.capture_margin = hal::Decibels{5};
   place({0, 200, 250});
   bench.send_at(0us, 1);
   bench.send_at(192us, 3);
@@ -178,7 +178,7 @@ TEST_F(RadioTest, CutFrameIsLostWhenItIsCut) {
 }
 
 TEST_F(RadioTest, WallThatCostsTheFrameIsNamed) {
-  bench.config.obstacles = true;
+  waves_of(bench.config)->propagation.obstacles = true;
   bench.wall.at = 50;
   bench.wall.crossing = hal::Decibels{20};  // 100 m: -97 dBm behind it
   place({0, 100, -100});
@@ -190,7 +190,7 @@ TEST_F(RadioTest, WallThatCostsTheFrameIsNamed) {
 }
 
 TEST_F(RadioTest, ThinWallOnlyWeakensTheFrame) {
-  bench.config.obstacles = true;
+  waves_of(bench.config)->propagation.obstacles = true;
   bench.wall.at = 50;
   bench.wall.crossing = hal::Decibels{5};
   place({0, 100});
@@ -201,7 +201,7 @@ TEST_F(RadioTest, ThinWallOnlyWeakensTheFrame) {
 }
 
 TEST_F(RadioTest, PropagationDelayShiftsTheWholeFrame) {
-  bench.config.propagation_delay = true;
+  waves_of(bench.config)->propagation.propagation_delay = true;
   place({0, 150});
   bench.send_at(0us, 1);
   bench.run();
@@ -211,7 +211,7 @@ TEST_F(RadioTest, PropagationDelayShiftsTheWholeFrame) {
 }
 
 TEST_F(RadioTest, CutReachesReceiversAfterThePropagationDelay) {
-  bench.config.propagation_delay = true;
+  waves_of(bench.config)->propagation.propagation_delay = true;
   place({0, 150});
   bench.send_at(0us, 1);
   bench.events.schedule(hal::Time{} + 50us, Rank::kRadio, hal::AgentId{1},

@@ -26,10 +26,11 @@ constexpr int kRequests = 150;
 /// Stations all over a square in which nobody reaches everybody, sending at random times to random
 /// places, one of them switched off and on again and again.
 void load(Air& air, const TrafficCase& c) {
-  air.config.propagation_delay = c.propagation_delay;
-  if (c.capture) air.config.capture_margin = hal::Decibels{5};
-  if (c.profile == Profile::kIeee80211b) air.config.tx_power = hal::Milliwatts{2};
-  if (c.profile == Profile::kMobilityFramework) air.config.interference_floor = hal::Dbm{-95};
+  waves_of(air.config)->propagation.propagation_delay = c.propagation_delay;
+  if (c.capture) waves_of(air.config)->receiver.capture_margin = hal::Decibels{5};
+  if (c.profile == Profile::kIeee80211b) waves_of(air.config)->tx_power = hal::Milliwatts{2};
+  if (c.profile == Profile::kMobilityFramework)
+    waves_of(air.config)->propagation.interference_floor = hal::Dbm{-95};
   hal::RandomStream random(7, "traffic");
   for (int i = 0; i < kSixteenStations; ++i)
     air.add({600 * random.uniform(), 600 * random.uniform(), 0});
@@ -65,8 +66,9 @@ TEST_P(EveryFrame, EndsInOneVerdictAtEveryRadioThatHearsIt) {
     const hal::AgentId from = start.frame.transmitter;
     std::multiset<std::uint16_t> expected;
     for (std::uint16_t to = 1; to <= kSixteenStations; ++to) {
-      const auto arrival = propagation.arrival(air.antennas.position(from, {}),
-                                               air.antennas.position(hal::AgentId{to}, {}));
+      const auto arrival =
+          propagation.arrival(waves_of(air.config)->tx_power, air.antennas.position(from, {}),
+                              air.antennas.position(hal::AgentId{to}, {}));
       if (to == from.value) continue;
       if (arrival.strength == Propagation::Strength::kAudible) expected.insert(to);
       if (arrival.strength == Propagation::Strength::kFaint) ++faint;

@@ -51,7 +51,7 @@ inline void make_result(const std::filesystem::path& folder, const std::string& 
 inline agents::SimulationConfig small_config() {
   agents::SimulationConfig config;
   config.seed = 7;
-  config.radio.profile = radio::Profile::kMobilityFramework;
+  config.radio = radio::MobilityFrameworkConfig{};
   const auto add = [&config](std::uint16_t id, const char* name, double x, auto body) {
     agents::AgentConfig agent;
     agent.id = hal::AgentId{id};

@@ -74,6 +74,7 @@ agents:
     name: x0{}
     address: 300
     mote: {model: brick, size: [1 cm, 2 cm, 3 cm], mass: 7 g, friction: 0.1}
+    radio: {tx_power: 0.5 mW}
     grid: {columns: 2, rows: 2, spacing: [1 m, 2 m], origin: [-1 m, -1 m], yaw: 5 deg}
     controller:
       program: help_mote
@@ -177,40 +178,42 @@ TEST_F(Resolved, KeepsTheWorld) {
 }
 
 TEST_F(Resolved, KeepsTheRadiosAir) {
-  const auto c = load(resolved_yaml(load(kEverything))).simulation.radio;
+  const auto all = load(resolved_yaml(load(kEverything)));
+  const auto& c = std::get<radio::MobilityFrameworkConfig>(all.simulation.radio);
   EXPECT_DOUBLE_EQ(c.tx_power.value, 1.9952623149688795);  // mW: 10^0.3, computed with bc
-  EXPECT_DOUBLE_EQ(c.wavelength.value, 0.124);
-  EXPECT_EQ(c.path_loss_exponent, 2.5);
-  EXPECT_TRUE(c.propagation_delay && c.obstacles);
-  EXPECT_EQ(c.sensitivity.value, -84);
-  EXPECT_EQ(c.interference_floor.value, -100);
-  EXPECT_EQ(c.noise_floor.value, -109.5);
-  EXPECT_EQ(c.cca_threshold.value, -83);
-  EXPECT_EQ(c.energy_detection.value, -82);
-  EXPECT_EQ(c.data_rate.value, 2e6);
-  EXPECT_EQ(c.control_rate.value, 5.5e6);
-  EXPECT_EQ(c.broadcast_rate.value, 2e6);
-  EXPECT_EQ(c.preamble, radio::Preamble::kShort);
-  EXPECT_EQ(c.rounding, radio::Rounding::kMicrosecond);
-  EXPECT_EQ(c.error_model, radio::ErrorModel::kDsss);
-  EXPECT_EQ(c.min_sinr.value, 3);
-  EXPECT_EQ(c.preamble_window, 4us);
-  EXPECT_EQ(c.capture_margin->value, 5);
+  EXPECT_DOUBLE_EQ(c.propagation.wavelength.value, 0.124);
+  EXPECT_EQ(c.propagation.path_loss_exponent, 2.5);
+  EXPECT_TRUE(c.propagation.propagation_delay && c.propagation.obstacles);
+  EXPECT_EQ(c.receiver.sensitivity.value, -84);
+  EXPECT_EQ(c.propagation.interference_floor.value, -100);
+  EXPECT_EQ(c.receiver.noise_floor.value, -109.5);
+  EXPECT_EQ(c.receiver.cca_threshold.value, -83);
+  EXPECT_EQ(c.receiver.energy_detection.value, -82);
+  EXPECT_EQ(c.phy.data_rate.value, 2e6);
+  EXPECT_EQ(c.phy.control_rate.value, 5.5e6);
+  EXPECT_EQ(c.phy.broadcast_rate.value, 2e6);
+  EXPECT_EQ(c.phy.preamble, radio::Preamble::kShort);
+  EXPECT_EQ(c.phy.rounding, radio::Rounding::kMicrosecond);
+  EXPECT_EQ(c.receiver.error_model, radio::ErrorModel::kDsss);
+  EXPECT_EQ(c.receiver.min_sinr.value, 3);
+  EXPECT_EQ(c.receiver.preamble_window, 4us);
+  EXPECT_EQ(c.receiver.capture_margin->value, 5);
 }
 
 TEST_F(Resolved, KeepsTheRadiosMac) {
-  const auto c = load(resolved_yaml(load(kEverything))).simulation.radio;
-  EXPECT_EQ(c.lengths, radio::Lengths::kBytes);
-  EXPECT_EQ(c.fixed_header_bits, 271u);
-  EXPECT_EQ(c.fixed_payload_bits, 8u);
-  EXPECT_EQ(c.slot, 9us);
-  EXPECT_EQ(c.sifs, 16us);
-  EXPECT_EQ(c.cw_min, 15u);
-  EXPECT_EQ(c.cw_max, 511u);
+  const auto all = load(resolved_yaml(load(kEverything)));
+  const auto& c = std::get<radio::MobilityFrameworkConfig>(all.simulation.radio);
+  EXPECT_EQ(c.lengths.lengths, radio::Lengths::kBytes);
+  EXPECT_EQ(c.lengths.header_bits, 271u);
+  EXPECT_EQ(c.lengths.payload_bits, 8u);
+  EXPECT_EQ(c.contention.slot, 9us);
+  EXPECT_EQ(c.contention.sifs, 16us);
+  EXPECT_EQ(c.contention.cw_min, 15u);
+  EXPECT_EQ(c.contention.cw_max, 511u);
   EXPECT_EQ(c.cw_broadcast, 63u);
-  EXPECT_EQ(c.rts_threshold, 400u);
-  EXPECT_EQ(c.short_retry_limit, 6u);
-  EXPECT_EQ(c.queue_limit, 13u);
+  EXPECT_EQ(c.contention.rts_threshold, 400u);
+  EXPECT_EQ(c.contention.short_retry_limit, 6u);
+  EXPECT_EQ(c.contention.queue_limit, 13u);
 }
 
 TEST_F(Resolved, KeepsTheRouting) {
@@ -256,6 +259,8 @@ TEST_F(Resolved, KeepsAgentsAndTheirParameters) {
   EXPECT_EQ(all[0].id.value, 7);
   EXPECT_EQ(all[4].name, "x03");
   EXPECT_EQ(all[4].id.value, 303);
+  EXPECT_EQ(all[4].tx_power->value, 0.5);
+  EXPECT_FALSE(all[0].tx_power) << "that of the radio";
   EXPECT_EQ(all[4].pose.x, 0);
   EXPECT_EQ(all[4].pose.y, 1);
   ASSERT_EQ(scenario.groups.size(), 2u);

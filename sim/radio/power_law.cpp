@@ -1,0 +1,36 @@
+#include "sim/radio/power_law.h"
+
+#include <cmath>
+
+#include "hal/types/math.h"
+
+namespace sim::radio {
+
+/// Of a transmitter with this power [mW], were the law true there.
+double PowerLaw::at_one_metre(double power) const {
+  return power * wavelength_ * wavelength_ / (16 * hal::math::kPi * hal::math::kPi);
+}
+
+/// Distance to the exponent; those of almost every scenario need no pow().
+double PowerLaw::spread(double distance_squared) const {
+  if (exponent_ == 2) return distance_squared;
+  if (exponent_ == 3) return distance_squared * std::sqrt(distance_squared);
+  if (exponent_ == 4) return distance_squared * distance_squared;
+  return hal::math::pow(distance_squared, exponent_ / 2);
+}
+
+hal::Milliwatts PowerLaw::after(hal::Milliwatts power, const Path& path) const {
+  const double near = at_one_metre(power.value);
+  const double loss = spread(path.distance_squared);
+  return hal::Milliwatts{near < power.value * loss ? near / loss : power.value};
+}
+
+double PowerLaw::reach(hal::Milliwatts power, hal::Milliwatts least) const {
+  return hal::math::pow(at_one_metre(power.value) / least.value, 1 / exponent_);
+}
+
+hal::Milliwatts Cutoff::after(hal::Milliwatts power, const Path& path) const {
+  return path.distance_squared <= range_ * range_ ? power : hal::Milliwatts{};
+}
+
+}  // namespace sim::radio

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "sim/radio/path_loss.h"
+
+namespace sim::radio {
+
+/// Friis' law with an exponent: P = Ptx lambda^2 / (16 pi^2 d^alpha) with d in metres, never more
+/// than Ptx (H. T. Friis, "A Note on a Simple Transmission Formula", Proc. IRE, 1946; exponent on
+/// the distance only as in the Mobility Framework).
+class PowerLaw final : public PathLoss {
+ public:
+  /// @param wavelength  m, > 0.  @param exponent  >= 1.
+  PowerLaw(hal::Metres wavelength, double exponent)
+      : wavelength_(wavelength.value), exponent_(exponent) {}
+
+  hal::Milliwatts after(hal::Milliwatts power, const Path& path) const override;
+  double reach(hal::Milliwatts power, hal::Milliwatts least) const override;
+
+ private:
+  double at_one_metre(double power) const;
+  double spread(double distance_squared) const;
+
+  double wavelength_;  ///< m
+  double exponent_;
+};
+
+/// All of the power up to a distance, and nothing beyond.
+class Cutoff final : public PathLoss {
+ public:
+  explicit Cutoff(hal::Metres range) : range_(range.value) {}
+
+  hal::Milliwatts after(hal::Milliwatts power, const Path& path) const override;
+  double reach(hal::Milliwatts, hal::Milliwatts) const override { return range_; }
+
+ private:
+  double range_;  ///< m, > 0
+};
+
+}  // namespace sim::radio

@@ -1,0 +1,186 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "sim/radio/radio_config.h"
+#include "sim/scenario/fields.h"
+
+/// The keys of a radio, each part of a profile in a function that reads or writes it: Io is a
+/// FieldReader or a FieldWriter.
+namespace sim::scenario {
+
+inline constexpr std::array kPreambles = {
+    Option<radio::Preamble>{"long", radio::Preamble::kLong},
+    Option<radio::Preamble>{"short", radio::Preamble::kShort}};
+inline constexpr std::array kRoundings = {
+    Option<radio::Rounding>{"exact", radio::Rounding::kExact},
+    Option<radio::Rounding>{"microsecond", radio::Rounding::kMicrosecond}};
+inline constexpr std::array kLengths = {Option<radio::Lengths>{"bytes", radio::Lengths::kBytes},
+                                        Option<radio::Lengths>{"fixed", radio::Lengths::kFixed}};
+inline constexpr std::array kErrorModels = {
+    Option<radio::ErrorModel>{"mobility_framework", radio::ErrorModel::kMobilityFramework},
+    Option<radio::ErrorModel>{"dsss", radio::ErrorModel::kDsss}};
+
+inline constexpr Range kPowerLevel{-200, 50};      // dBm; thermal noise in 1 Hz is -174
+inline constexpr Range kSensitivity{-130, 0};      // dBm
+inline constexpr Range kNoise{-200, 0};            // dBm
+inline constexpr Range kTxPower{1e-6, 1e5};        // mW
+inline constexpr Range kBitRate{1e3, 1e9};         // b/s
+inline constexpr Range kShortTime{1e-6, 1e-2};     // s
+inline constexpr std::int64_t kMaxBits = 100'000;  // five times the longest MPDU
+inline constexpr std::int64_t kMaxWindow = 32'767;
+
+template <class Io>
+void keys_of(Io& io, radio::PropagationConfig& c) {
+  io.quantity({"wavelength", "Of the carrier.", "0.125 m"}, "m", {1e-3, 10}, c.wavelength);
+  io.number({"path_loss_exponent", "Of the power law (2: free space, Friis), reference 1 m.", "2"},
+            "1", {1, 8}, c.path_loss_exponent);
+  io.flag(
+      {"propagation_delay", "Whether waves take time: distance over the speed of light.", "true"},
+      c.propagation_delay);
+  io.flag({"obstacles", "Whether walls attenuate.", "true"}, c.obstacles);
+  io.quantity(
+      {"interference_floor", "Weaker frames do not exist; at most the sensitivity.", "-101 dBm"},
+      "dBm", kPowerLevel, c.interference_floor);
+}
+
+template <class Io>
+void keys_of(Io& io, radio::ReceiverConfig& c) {
+  const auto level = [&io](const Key& key, Range range, hal::Dbm& value) {
+    io.quantity(key, "dBm", range, value);
+  };
+  level({"sensitivity", "Weaker frames cannot be received.", "-85 dBm"}, kSensitivity,
+        c.sensitivity);
+  level({"noise_floor", "Thermal noise and noise figure in the bandwidth.", "-110 dBm"}, kNoise,
+        c.noise_floor);
+  level({"cca_threshold", "Carrier sense: a frame of this power makes the medium busy.", "-85 dBm"},
+        kPowerLevel, c.cca_threshold);
+  level(
+      {"energy_detection", "Carrier sense: so much power in sum makes the medium busy.", "-62 dBm"},
+      kPowerLevel, c.energy_detection);
+  io.choice({"error_model", "When a frame is lost to noise and interference.", "dsss"},
+            kErrorModels, c.error_model);
+  io.quantity({"min_sinr",
+               "Lowest usable signal to interference and noise: of the whole frame with "
+               "`error_model: mobility_framework`, of the preamble with `dsss`.",
+               "4 dB"},
+              "dB", {-50, 50}, c.min_sinr);
+  io.duration({"preamble_window",
+               "The receiver takes the strongest frame that starts within this time of the "
+               "first; 0 s: the first.",
+               "4 us"},
+              {0, 1e-3}, c.preamble_window);
+  io.optional({"capture_margin",
+               "A frame that much stronger takes the receiver over during the other one's "
+               "preamble and PLCP header.",
+               "10 dB"},
+              "dB", 0, c.capture_margin);
+}
+
+template <class Io>
+void data_rate(Io& io, hal::BitsPerSecond& rate) {
+  io.quantity(
+      {"data_rate", "Of data frames; 1, 2, 5.5 or 11 Mb/s where waves are modelled.", "11 Mb/s"},
+      "b/s", kBitRate, rate);
+}
+
+template <class Io>
+void keys_of(Io& io, radio::DsssConfig& c) {
+  data_rate(io, c.data_rate);
+  io.quantity({"control_rate", "Of RTS, CTS and ACK; 1, 2, 5.5 or 11 Mb/s.", "2 Mb/s"}, "b/s",
+              kBitRate, c.control_rate);
+  io.quantity({"broadcast_rate", "Of broadcast frames; 1, 2, 5.5 or 11 Mb/s.", "2 Mb/s"}, "b/s",
+              kBitRate, c.broadcast_rate);
+  io.choice({"preamble", "Of the PHY; a short one not for frames at 1 Mb/s.", "long"}, kPreambles,
+            c.preamble);
+  io.choice(
+      {"rounding",
+       "Of airtimes: none below a nanosecond, or up to whole microseconds as in the standard.",
+       "microsecond"},
+      kRoundings, c.rounding);
+}
+
+template <class Io>
+void keys_of(Io& io, radio::LengthsConfig& c) {
+  io.choice(
+      {"lengths", "Of frames: what the codec puts on the air, or the fixed ones below.", "bytes"},
+      kLengths, c.lengths);
+  io.count(
+      {"fixed_header_bits", "With `lengths: fixed`: MAC header and FCS of a data frame.", "272"}, 0,
+      kMaxBits, c.header_bits);
+  io.count({"fixed_payload_bits", "With `lengths: fixed`: a network packet.", "1024"}, 0, kMaxBits,
+           c.payload_bits);
+}
+
+template <class Io>
+void queue_limit(Io& io, std::uint32_t& limit) {
+  io.count({"queue_limit", "Frames that may wait in a station.", "14"}, 1, 1'000'000, limit);
+}
+
+template <class Io>
+void keys_of(Io& io, radio::ContentionConfig& c) {
+  io.duration({"slot", "Of the backoff.", "20 us"}, kShortTime, c.slot);
+  io.duration({"sifs", "Short interframe space.", "10 us"}, kShortTime, c.sifs);
+  io.count({"cw_min", "Smallest contention window, one less than a power of two.", "31"}, 0,
+           kMaxWindow, c.cw_min);
+  io.count({"cw_max", "Largest contention window, one less than a power of two.", "1023"}, 0,
+           kMaxWindow, c.cw_max);
+  io.count({"rts_threshold", "Bytes; larger frames use RTS/CTS.", "2347"}, 0, 1'000'000,
+           c.rts_threshold);
+  io.count({"short_retry_limit", "Transmissions of a frame, or of its RTS, in all.", "7"}, 1, 255,
+           c.short_retry_limit);
+  queue_limit(io, c.queue_limit);
+}
+
+template <class Io>
+void tx_power(Io& io, hal::Milliwatts& power) {
+  io.quantity({"tx_power", "Of a transmitter.", "2 mW"}, "mW", kTxPower, power);
+}
+
+template <class Io>
+void range(Io& io, hal::Metres& range) {
+  io.quantity({"range", "Who is nearer hears every frame, who is farther none.", "250 m"}, "m",
+              {1e-3, kUnlimited}, range);
+}
+
+template <class Io>
+void keys_of(Io& io, radio::WavesConfig& c) {
+  tx_power(io, c.tx_power);
+  keys_of(io, c.propagation);
+  keys_of(io, c.receiver);
+  keys_of(io, c.phy);
+  keys_of(io, c.lengths);
+  keys_of(io, c.contention);
+}
+
+template <class Io>
+void keys_of(Io& io, radio::MobilityFrameworkConfig& c) {
+  keys_of(io, static_cast<radio::WavesConfig&>(c));
+  io.count({"cw_broadcast", "Contention window of broadcast frames.", "31"}, 0, kMaxWindow,
+           c.cw_broadcast);
+}
+
+template <class Io>
+void keys_of(Io& io, radio::Ieee80211bConfig& c) {
+  keys_of(io, static_cast<radio::WavesConfig&>(c));
+  io.count({"long_retry_limit", "Transmissions of a data frame after RTS/CTS in all.", "4"}, 1, 255,
+           c.long_retry_limit);
+}
+
+template <class Io>
+void keys_of(Io& io, radio::DiskConfig& c) {
+  tx_power(io, c.tx_power);
+  range(io, c.range);
+  data_rate(io, c.data_rate);
+  keys_of(io, c.lengths);
+  queue_limit(io, c.queue_limit);
+}
+
+template <class Io>
+void keys_of(Io& io, radio::IdealConfig& c) {
+  range(io, c.range);
+  keys_of(io, c.lengths);
+}
+
+}  // namespace sim::scenario
