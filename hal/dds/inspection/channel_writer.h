@@ -25,10 +25,15 @@ class ChannelWriter {
   virtual void publish(Time at, std::span<const double> values) = 0;
 };
 
-/// @param agent  its name. @param readers  of this and other writers; counted in.
-/// @return null: no type of ROS 2 for that kind.
-std::unique_ptr<ChannelWriter> make_channel_writer(Participant& participant,
-                                                   const std::string& agent, const Channel& channel,
-                                                   std::atomic<int>& readers);
+/// Where a channel is shown: rt/<agent>/<channel>.
+struct ChannelTopic {
+  Participant& participant;
+  const std::string& agent;  ///< Its name.
+  const Channel& channel;
+  std::atomic<int>& readers;  ///< Of this and other writers; counted in.
+};
+
+/// @return null: no type of ROS 2 for that kind. @throws std::runtime_error
+std::unique_ptr<ChannelWriter> make_channel_writer(const ChannelTopic& topic);
 
 }  // namespace hal::dds

@@ -97,8 +97,8 @@ Inspector::Implementation::Robot::Robot(Implementation& all, Participant& partic
     range_frames.push_back(description.name + "/" + sensor.name);
   }
   for (const Channel& channel : description.channels) {
-    auto writer =
-        make_channel_writer(participant, description.name, channel, all.readers(Topic::kChannels));
+    auto writer = make_channel_writer(
+        {participant, description.name, channel, all.readers(Topic::kChannels)});
     if (writer) channels[channel.id] = std::move(writer);
   }
 }
