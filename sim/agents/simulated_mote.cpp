@@ -1,10 +1,18 @@
 #include "sim/agents/simulated_mote.h"
 
+#include <utility>
+
 #include "hal/devices/channels.h"
 #include "hal/types/random.h"
 #include "sim/agents/agent_offer.h"
+#include "sim/sensing/sensors.h"
 
 namespace sim::agents {
+namespace {
+
+namespace devices = hal::devices;
+
+}  // namespace
 
 SimulatedMote::SimulatedMote(const AgentConfig& config, radio::MacSap& mac,
                              Surroundings surroundings, hal::agent::AgentListener& listener,
@@ -21,6 +29,19 @@ SimulatedMote::SimulatedMote(const AgentConfig& config, radio::MacSap& mac,
              .observer = surroundings.observer,
              .listener = listener}) {
   link_.attach(core_.router());
+  if (!sensors_of(config).empty()) add_sensors();
+}
+
+void SimulatedMote::add_sensors() {
+  const sensing::SensorSite site{
+      id(),
+      name(),
+      surroundings_.config.seed,
+      surroundings_.world,
+      [&scene = surroundings_.scene]() -> const sensing::Proximity& { return scene.proximity(); }};
+  for (const devices::SensorDescription& sensor : sensors_of(config_)) {
+    sensors_.push_back({sensing::make_sensor(sensor, site), {}});
+  }
 }
 
 void SimulatedMote::start() {
@@ -49,9 +70,16 @@ void SimulatedMote::silence(hal::Time stop_at) {
   surroundings_.events.schedule(stop_at, Rank::kAction, id(), [this] { core_.halt(); });
 }
 
-bool SimulatedMote::sample(std::size_t channel, hal::Time, std::vector<double>& values) {
-  if (core_.session().channels[channel].id == hal::devices::kLocalisation) localise(values);
+bool SimulatedMote::sample(std::size_t channel, hal::Time at, std::vector<double>& values) {
+  const std::uint16_t id = core_.session().channels[channel].id;
+  if (id == devices::kLocalisation) localise(values);
+  if (id >= devices::kFirstSensor) values = read(sensors_.at(id - devices::kFirstSensor), at);
   return true;
+}
+
+const std::vector<double>& SimulatedMote::read(Part& part, hal::Time at) {
+  if (auto fresh = part.sensor->sample(at)) part.held = std::move(*fresh);
+  return part.held;
 }
 
 void SimulatedMote::localise(std::vector<double>& values) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "hal/agent/agent_core.h"
+#include "hal/devices/sensor.h"
 #include "sim/agents/observer.h"
 #include "sim/agents/queue_timers.h"
 #include "sim/agents/radio_link.h"
@@ -57,6 +58,14 @@ class SimulatedMote : public hal::agent::Sensors {
   Surroundings& surroundings() { return surroundings_; }
 
  private:
+  /// One of `sensors:`, and its last values.
+  struct Part {
+    std::unique_ptr<hal::devices::Sensor> sensor;
+    std::vector<double> held;
+  };
+
+  void add_sensors();
+  const std::vector<double>& read(Part& part, hal::Time at);
   void on_control();
   void localise(std::vector<double>& values);
 
@@ -65,6 +74,7 @@ class SimulatedMote : public hal::agent::Sensors {
   RadioLink link_;
   QueueTimers timers_;
   hal::agent::AgentCore core_;
+  std::vector<Part> sensors_;  ///< As in the description.
 };
 
 }  // namespace sim::agents

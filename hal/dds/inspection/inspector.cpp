@@ -57,8 +57,8 @@ class Inspector::Implementation {
   struct Robot {
     Robot(Implementation& all, Participant& participant, const InspectedRobot& description);
     std::vector<std::string> range_frames;
-    InspectionWriter<Odometry_PubSubType> odometry;
-    InspectionWriter<Range_PubSubType> range;
+    std::optional<InspectionWriter<Odometry_PubSubType>> odometry;  ///< Of what drives, as
+    std::optional<InspectionWriter<Range_PubSubType>> range;        ///< is this.
     std::vector<InspectedRange> ranges;
     std::map<std::uint16_t, std::unique_ptr<ChannelWriter>> channels;  ///< By number.
   };
@@ -84,15 +84,17 @@ class Inspector::Implementation {
 
 Inspector::Implementation::Robot::Robot(Implementation& all, Participant& participant,
                                         const InspectedRobot& description)
-    : odometry(participant, "rt/" + description.name + "/odom", kFewSamples,
-               all.readers(Topic::kOdometry)),
-      range(participant, "rt/" + description.name + "/range",
-            kFewSamples * std::max(1, static_cast<int>(description.ranges.size())),
-            all.readers(Topic::kRange)),
-      ranges(description.ranges) {
-  odometry.sample().header().frame_id(description.name + "/odom");
-  odometry.sample().child_frame_id(base_link(description.name));
-  range.sample().radiation_type(kInfrared);
+    : ranges(description.ranges) {
+  if (description.drives) {
+    odometry.emplace(participant, "rt/" + description.name + "/odom", kFewSamples,
+                     all.readers(Topic::kOdometry));
+    odometry->sample().header().frame_id(description.name + "/odom");
+    odometry->sample().child_frame_id(base_link(description.name));
+    range.emplace(participant, "rt/" + description.name + "/range",
+                  kFewSamples * std::max(1, static_cast<int>(description.ranges.size())),
+                  all.readers(Topic::kRange));
+    range->sample().radiation_type(kInfrared);
+  }
   for (const InspectedRange& sensor : ranges) {
     range_frames.push_back(description.name + "/" + sensor.name);
   }
@@ -188,18 +190,18 @@ void Inspector::publish_transform(Time at, std::string_view agent, const Pose2& 
 void Inspector::publish_odometry(Time at, std::size_t robot, const Pose2& pose,
                                  const Twist2& twist) {
   auto& writer = implementation_->robots.at(robot)->odometry;
-  if (!writer.has_readers()) return;
-  auto& sample = writer.sample();
+  if (!writer || !writer->has_readers()) return;
+  auto& sample = writer->sample();
   sample.header().stamp(to_ros(at));
   sample.pose().pose(to_ros(pose));
   sample.twist().twist(to_ros(twist));
-  writer.write();
+  writer->write();
 }
 
 void Inspector::publish_ranges(Time at, std::size_t robot, std::span<const double> metres) {
   Implementation::Robot& of = *implementation_->robots.at(robot);
-  if (!of.range.has_readers()) return;
-  auto& sample = of.range.sample();
+  if (!of.range || !of.range->has_readers()) return;
+  auto& sample = of.range->sample();
   sample.header().stamp(to_ros(at));
   for (std::size_t i = 0; i < std::min(metres.size(), of.ranges.size()); ++i) {
     sample.header().frame_id(of.range_frames[i]);
@@ -208,7 +210,7 @@ void Inspector::publish_ranges(Time at, std::size_t robot, std::span<const doubl
     sample.max_range(static_cast<float>(of.ranges[i].max_range));
     sample.range(std::isnan(metres[i]) ? std::numeric_limits<float>::infinity()
                                        : static_cast<float>(metres[i]));
-    of.range.write();
+    of.range->write();
   }
 }
 

@@ -31,6 +31,7 @@ struct InspectedRange {
 /// An agent with topics of its own.
 struct InspectedRobot {
   std::string name;
+  bool drives = true;          ///< A mote does not: it has no odometry and no ranges.
   std::optional<Pose2> start;  ///< Of frame "<agent>/odom" in "world"; none: not known.
   std::vector<InspectedRange> ranges;
   /// Shown as rt/<agent>/<channel>, if their kind has a type of ROS 2: see channel_writer.h.
