@@ -1,6 +1,7 @@
 #include "sim/agents/simulated_mote.h"
 
 #include <utility>
+#include <variant>
 
 #include "hal/devices/channels.h"
 #include "hal/types/random.h"
@@ -11,6 +12,13 @@ namespace sim::agents {
 namespace {
 
 namespace devices = hal::devices;
+
+/// J
+double energy(const radio::RadioUse& use, const devices::RadioPower& power) {
+  return power.transmit * hal::to_seconds(use.transmitting) +
+         power.receive * hal::to_seconds(use.receiving) +
+         power.listen * hal::to_seconds(use.listening) + power.off * hal::to_seconds(use.off);
+}
 
 }  // namespace
 
@@ -29,17 +37,21 @@ SimulatedMote::SimulatedMote(const AgentConfig& config, radio::MacSap& mac,
              .observer = surroundings.observer,
              .listener = listener}) {
   link_.attach(core_.router());
-  if (!sensors_of(config).empty()) add_sensors();
+  if (!sensors_of(config).empty()) add_sensors(mac);
 }
 
-void SimulatedMote::add_sensors() {
+void SimulatedMote::add_sensors(radio::MacSap& mac) {
   const sensing::SensorSite site{
       id(),
       name(),
       surroundings_.config.seed,
       surroundings_.world,
-      [&scene = surroundings_.scene]() -> const sensing::Proximity& { return scene.proximity(); }};
+      [&scene = surroundings_.scene]() -> const sensing::Proximity& { return scene.proximity(); },
+      [&mac](const devices::RadioPower& power) { return energy(mac.use(), power); }};
   for (const devices::SensorDescription& sensor : sensors_of(config_)) {
+    const auto* battery = std::get_if<devices::Battery>(&sensor);
+    if (battery != nullptr && battery->when_empty == devices::WhenEmpty::kOff)
+      cutting_ = sensors_.size();
     sensors_.push_back({sensing::make_sensor(sensor, site), {}});
   }
 }
@@ -60,6 +72,7 @@ void SimulatedMote::on_control() {
   const hal::Time now = surroundings_.events.now();
   surroundings_.observer.on_body(now, id(), surroundings_.scene.body(id()));
   core_.control();
+  if (cutting_ && read(sensors_[*cutting_], now).front() <= 0) cut_power();
   surroundings_.events.schedule(now + surroundings_.config.control_period, Rank::kControl, id(),
                                 [this] { on_control(); });
 }
@@ -68,6 +81,12 @@ void SimulatedMote::silence(hal::Time stop_at) {
   if (!core_.is_connected()) return;
   core_.disconnect();
   surroundings_.events.schedule(stop_at, Rank::kAction, id(), [this] { core_.halt(); });
+}
+
+void SimulatedMote::cut_power() {
+  cutting_.reset();
+  link_.cut_power();
+  cut_motors();
 }
 
 bool SimulatedMote::sample(std::size_t channel, hal::Time at, std::vector<double>& values) {

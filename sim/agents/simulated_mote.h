@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "hal/agent/agent_core.h"
@@ -64,9 +65,11 @@ class SimulatedMote : public hal::agent::Sensors {
     std::vector<double> held;
   };
 
-  void add_sensors();
+  void add_sensors(radio::MacSap& mac);
   const std::vector<double>& read(Part& part, hal::Time at);
   void on_control();
+  void cut_power();
+  virtual void cut_motors() {}
   void localise(std::vector<double>& values);
 
   const AgentConfig& config_;
@@ -75,6 +78,8 @@ class SimulatedMote : public hal::agent::Sensors {
   QueueTimers timers_;
   hal::agent::AgentCore core_;
   std::vector<Part> sensors_;  ///< As in the description.
+  /// Of the battery that, empty, switches the agent off; none: there is no such, or it is empty.
+  std::optional<std::size_t> cutting_;
 };
 
 }  // namespace sim::agents

@@ -69,4 +69,8 @@ void SimulatedRobot::halt() {
   BARAKA_CHECK(surroundings().world.set_body_velocity(id(), {}).has_value());
 }
 
+void SimulatedRobot::cut_motors() {
+  BARAKA_CHECK(surroundings().world.set_motors(id(), false).has_value());
+}
+
 }  // namespace sim::agents

@@ -24,6 +24,7 @@ class SimulatedRobot final : public SimulatedMote, public hal::agent::Drive {
   void halt() override;
 
  private:
+  void cut_motors() override;
   std::span<const sensing::InfraredReading> infrared(hal::Time at);
 
   hal::devices::WheelOdometry odometry_;

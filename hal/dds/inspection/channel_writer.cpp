@@ -17,9 +17,8 @@ struct Kind {
 /// The one table from kinds of channels to types of ROS 2. Infrared and odometry, which are shown
 /// unasked, have topics of their own in Inspector.
 constexpr std::array kKinds{
-    Kind{"pose", make_pose_writer},
-    Kind{"bumper", make_bumper_writer},
-    Kind{"imu", make_imu_writer},
+    Kind{"pose", make_pose_writer},     Kind{"battery", make_battery_writer},
+    Kind{"bumper", make_bumper_writer}, Kind{"imu", make_imu_writer},
     Kind{"scan", make_scan_writer},
 };
 
