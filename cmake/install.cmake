@@ -44,6 +44,7 @@ install(FILES config/systemd/baraka-agentd@.service DESTINATION lib/systemd/syst
 install(FILES config/systemd/baraka.conf DESTINATION lib/sysusers.d COMPONENT agentd)
 
 install(TARGETS baraka_determinism hal_types hal_config hal_api hal_exchange hal_runtime idl hal_rtps hal_dds
+  hal_dds_exchange
   EXPORT baraka ARCHIVE DESTINATION lib/baraka COMPONENT dev)
 install(DIRECTORY hal/api hal/types DESTINATION include/baraka/hal COMPONENT dev
   FILES_MATCHING PATTERN *.h)

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "hal/dds/inspector.h"
+#include "hal/dds/inspection/inspector.h"
 #include "hal/devices/robot_description.h"
 
 namespace gateway {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <span>
 
-#include "hal/dds/inspector.h"
+#include "hal/dds/inspection/inspector.h"
 #include "hal/devices/channels.h"
 #include "hal/types/channel.h"
 #include "hal/types/time.h"

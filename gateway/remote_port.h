@@ -7,7 +7,7 @@
 
 #include "gateway/action_check.h"
 #include "gateway/server.h"
-#include "hal/dds/process_link.h"
+#include "hal/dds/exchange/process_link.h"
 
 namespace gateway {
 

@@ -8,7 +8,7 @@
 
 #include "gateway/admission.h"
 #include "gateway/remote_port.h"
-#include "hal/dds/server.h"
+#include "hal/dds/exchange/server.h"
 #include "hal/dds/waiting.h"
 #include "hal/types/log.h"
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "hal/dds/twist_reader.h"
+#include "hal/dds/inspection/twist_reader.h"
 #include "hal/exchange/ports.h"
 
 namespace gateway {

@@ -21,11 +21,11 @@
 #include "gateway/exit_status.h"
 #include "gateway/server.h"
 #include "gateway/teleop_port.h"
-#include "hal/dds/emergency_stop_reader.h"
+#include "hal/dds/inspection/emergency_stop_reader.h"
 #include "hal/hardware/hardware_agent.h"
 #include "hal/hardware/loop_watch.h"
-#include "hal/hardware/signal_thread.h"
-#include "hal/hardware/udp_address.h"
+#include "hal/hardware/platform/signal_thread.h"
+#include "hal/hardware/radio/udp_address.h"
 #include "hal/types/log.h"
 
 namespace gateway {

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "hal/agent/agent_observer.h"
-#include "hal/dds/inspector.h"
-#include "hal/dds/pose_reader.h"
+#include "hal/dds/inspection/inspector.h"
+#include "hal/dds/inspection/pose_reader.h"
 #include "hal/hardware/localisation.h"
 #include "hal/hardware/robot_file.h"
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "hal/hardware/radio/udp_link.h"
 #include "hal/hardware/robot_file.h"
-#include "hal/hardware/udp_link.h"
 
 namespace gateway {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "hal/hardware/event_loop.h"
+#include "hal/hardware/platform/event_loop.h"
 #include "hal/hardware/sensor_watch.h"
 
 namespace gateway {

@@ -13,7 +13,7 @@
 #include "gateway/exit_status.h"
 #include "gateway/run/wall_pace.h"
 #include "hal/dds/domains.h"
-#include "hal/dds/topic_browser.h"
+#include "hal/dds/inspection/topic_browser.h"
 #include "hal/types/printable.h"
 
 namespace gateway {

@@ -20,12 +20,19 @@ constexpr hal::Duration kFramePeriod = 10ms;
 constexpr hal::Duration kLinkPeriod = 1s;          // of one link
 constexpr hal::Duration kStandingPosePeriod = 1s;  // of an agent that does not move
 
-hal::dds::InspectedRobot describe(const sim::agents::AgentConfig& agent,
-                                  const RobotDescription& robot) {
-  return {.name = agent.name,
-          .start = agent.pose,
-          .ranges = inspected_ranges(robot.infrared),
-          .channels = hal::devices::sensor_channels(robot)};
+hal::dds::InspectedRobot describe(const sim::agents::AgentConfig& agent) {
+  hal::dds::InspectedRobot described{
+      .name = agent.name,
+      .drives = false,
+      .start = std::nullopt,
+      .ranges = {},
+      .channels = hal::devices::sensor_channels(sim::agents::sensors_of(agent))};
+  if (const auto* robot = std::get_if<RobotDescription>(&agent.body)) {
+    described.drives = true;
+    described.start = agent.pose;
+    described.ranges = inspected_ranges(robot->infrared);
+  }
+  return described;
 }
 
 std::string_view name_of(sim::radio::FrameType type) {
@@ -43,10 +50,10 @@ InspectionObserver::InspectionObserver(const sim::agents::SimulationConfig& conf
 void InspectionObserver::start(hal::dds::InspectionParticipant& participant) {
   std::vector<hal::dds::InspectedRobot> robots;
   for (const sim::agents::AgentConfig& agent : config_.agents) {
-    const auto* robot = std::get_if<RobotDescription>(&agent.body);
-    if (robot == nullptr) continue;
+    hal::dds::InspectedRobot described = describe(agent);
+    if (!described.drives && described.channels.empty()) continue;
     agents_[agent.id].robot = robots.size();
-    robots.push_back(describe(agent, *robot));
+    robots.push_back(std::move(described));
   }
   inspector_ = std::make_unique<hal::dds::Inspector>(participant, robots);
 }

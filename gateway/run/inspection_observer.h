@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "hal/dds/inspector.h"
+#include "hal/dds/inspection/inspector.h"
 #include "sim/agents/observer.h"
 #include "sim/agents/simulation_config.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "hal/dds/twist_reader.h"
+#include "hal/dds/inspection/twist_reader.h"
 #include "sim/core/outside_input.h"
 
 namespace gateway {

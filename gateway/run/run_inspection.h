@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "gateway/run/inspection_observer.h"
-#include "hal/dds/inspection_participant.h"
+#include "hal/dds/inspection/inspection_participant.h"
 #include "sim/agents/simulation.h"
 #include "sim/scenario/scenario.h"
 

@@ -18,6 +18,7 @@ enum class Dimension {
   kForce,
   kTorque,
   kVoltage,
+  kResistance,
   kPower,
   kEnergy,
   kRatio,

@@ -177,6 +177,7 @@ MoteDescription read_mote(Mapping in) {
       in.vec3({"size", "Of the box that the mote is.", "[5 cm, 5 cm, 5 cm]"}, "m", kMoteSize);
   FieldReader reader(in);
   mote_keys(reader, mote);
+  mote.sensors = read_sensors(in);
   in.finish();
   return mote;
 }
@@ -188,6 +189,7 @@ void write_mote(Writer& out, const MoteDescription& mote) {
   out.text("model", mote.model);
   out.numbers("size", {mote.size.x, mote.size.y, mote.size.z}, "m");
   mote_keys(writer, copy);
+  write_sensors(out, mote.sensors);
   out.close();
 }
 

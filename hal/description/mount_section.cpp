@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <string_view>
 
 #include "hal/description/fields.h"
@@ -10,7 +11,8 @@
 namespace hal::description {
 namespace {
 
-/// Channels of devices that are not in `sensors:`, and topics that every robot has.
+/// Channels of devices that are not in `sensors:`, topics that every robot has, and the name that
+/// tells the one battery.
 constexpr std::array<std::string_view, 11> kTaken{
     "localisation", "odometry",  "infrared", "infrared_volts", "odom",   "range",
     "cmd_vel",      "base_link", "base",     "emergency_stop", "battery"};
@@ -18,11 +20,12 @@ constexpr std::array<std::string_view, 11> kTaken{
 }  // namespace
 
 void read_name(Mapping& in, devices::Mount& mount) {
+  const std::string usual = mount.name;
   mount.name =
       in.text({"name", "Of the sensor's channel, topic and frame.", mount.name}, mount.name);
   if (!may_be_named(mount.name)) {
     in.mistake("name", "must be a letter, then letters, digits, '_' or '-'");
-  } else if (std::ranges::find(kTaken, mount.name) != kTaken.end()) {
+  } else if (mount.name != usual && std::ranges::find(kTaken, mount.name) != kTaken.end()) {
     in.mistake("name",
                "'" + mount.name + "' is the name of another channel or topic of every robot");
   }

@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "hal/description/battery_section.h"
 #include "hal/description/bumper_section.h"
 #include "hal/description/fields.h"
 #include "hal/description/imu_section.h"
@@ -57,6 +58,8 @@ std::vector<SensorDescription> read_sensors(Mapping& in) {
     std::visit([&](auto& description) { read(one, description); }, sensor);
     if (!names.insert(mount_of(sensor).name).second)
       one.mistake("name", "'" + mount_of(sensor).name + "' is the name of another sensor, too");
+    if (std::holds_alternative<devices::Battery>(sensor) && battery_of(sensors) != nullptr)
+      one.mistake("kind", "there is another battery: an agent has one at most");
     sensors.push_back(std::move(sensor));
     one.finish();
   }

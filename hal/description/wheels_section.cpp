@@ -54,6 +54,11 @@ void limit_keys(Io& io, Wheel& c) {
             "N m", {1e-3, 1e4}, c.max_torque);
   io.number({"velocity", "Largest speed of the wheel.", "23.5 rad/s", kInWheelOrJoint}, "rad/s",
             {1e-3, 1e4}, c.max_speed);
+  io.number({"stall_power",
+             "What the motor takes from the battery at standstill with the full effort: all of it "
+             "heats the winding.",
+             "14 W"},
+            "W", {0, 1e6}, c.stall_power);
 }
 
 void read_roller(Mapping& in, Wheel& wheel) {

@@ -40,9 +40,9 @@ std::array<Channel, 2> infrared_channels(const std::vector<InfraredSensor>& sens
   return both;
 }
 
-std::vector<Channel> sensor_channels(const RobotDescription& robot) {
+std::vector<Channel> sensor_channels(const std::vector<SensorDescription>& sensors) {
   std::vector<Channel> channels;
-  for (const SensorDescription& sensor : robot.sensors) {
+  for (const SensorDescription& sensor : sensors) {
     channels.push_back(channel_of(sensor));
     channels.back().id = static_cast<std::uint16_t>(kFirstSensor + channels.size() - 1);
   }

@@ -15,10 +15,11 @@ namespace hal::devices {
 /// unit, and the coding of their values.
 
 inline constexpr std::uint16_t kLocalisation = 0;
-inline constexpr std::uint16_t kOdometry = 1;        ///< Robots only, as
-inline constexpr std::uint16_t kInfrared = 2;        ///< are these, if they have such sensors.
-inline constexpr std::uint16_t kInfraredVolts = 3;   ///< As the converter saw it.
-inline constexpr std::uint16_t kFirstSensor = 0x10;  ///< Of those in `sensors:`, in its order.
+inline constexpr std::uint16_t kOdometry = 1;       ///< Robots only, as
+inline constexpr std::uint16_t kInfrared = 2;       ///< are these, if they have such sensors.
+inline constexpr std::uint16_t kInfraredVolts = 3;  ///< As the converter saw it.
+inline constexpr std::uint16_t kFirstSensor =
+    0x10;  ///< Of those in `sensors:`, in its order; robots and motes.
 
 Channel localisation_channel();
 Channel odometry_channel();
@@ -28,7 +29,7 @@ std::array<Channel, 2> infrared_channels(const std::vector<InfraredSensor>& sens
                                          Duration period);
 
 /// The channels of `sensors:`.
-std::vector<Channel> sensor_channels(const RobotDescription& robot);
+std::vector<Channel> sensor_channels(const std::vector<SensorDescription>& sensors);
 
 /// Values of the channel odometry.
 std::vector<double> odometry_values(const Pose2& pose, const Twist2& twist);

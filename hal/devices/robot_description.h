@@ -79,9 +79,10 @@ struct RobotDescription {
 /// A mote: a solid, homogeneous box that lies on the ground and can be pushed.
 struct MoteDescription {
   std::string model;
-  Vec3 size{0.05, 0.05, 0.05};  ///< m, each > 0
-  double mass = 0.05;           ///< kg, > 0
-  double friction = 0.6;        ///< Against everything; >= 0.
+  Vec3 size{0.05, 0.05, 0.05};               ///< m, each > 0
+  double mass = 0.05;                        ///< kg, > 0
+  double friction = 0.6;                     ///< Against everything; >= 0.
+  std::vector<SensorDescription> sensors{};  ///< Names differ.
   bool operator==(const MoteDescription&) const = default;
 };
 

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <variant>
+#include <vector>
 
+#include "hal/devices/battery.h"
 #include "hal/devices/bumper.h"
 #include "hal/devices/imu.h"
 #include "hal/devices/pose_sensor.h"
@@ -12,7 +14,7 @@ namespace hal::devices {
 
 /// Every kind of sensor that `sensors:` of a robot file may list. Each names itself in `kKind` and
 /// describes its channel; it is read and written in hal/description and simulated in sim/sensing.
-using SensorDescription = std::variant<ScanSensor, PoseSensor, Bumper, ImuSensor>;
+using SensorDescription = std::variant<ScanSensor, PoseSensor, Bumper, ImuSensor, Battery>;
 
 inline Channel channel_of(const SensorDescription& sensor) {
   return std::visit([](const auto& one) { return one.describe(); }, sensor);
@@ -20,6 +22,13 @@ inline Channel channel_of(const SensorDescription& sensor) {
 
 inline const Mount& mount_of(const SensorDescription& sensor) {
   return std::visit([](const auto& one) -> const Mount& { return one.mount; }, sensor);
+}
+
+/// The battery among the sensors; null: the agent has none, and never runs out of energy.
+inline const Battery* battery_of(const std::vector<SensorDescription>& sensors) {
+  for (const SensorDescription& sensor : sensors)
+    if (const auto* battery = std::get_if<Battery>(&sensor)) return battery;
+  return nullptr;
 }
 
 }  // namespace hal::devices

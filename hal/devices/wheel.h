@@ -30,12 +30,22 @@ struct Wheel {
   /// rad, -pi/2 .. pi/2 exclusive, counter-clockwise from above: of a mecanum wheel, from its
   /// rolling direction to the axis of the roller on the ground; of all others 0.
   double roller_angle = 0;
+  /// W, >= 0, that its motor takes in at standstill with max_torque: all of it heats the winding.
+  /// 0: the motor has no losses.
+  double stall_power = 0;
 
   bool is_driven() const { return type != WheelType::kCaster; }
 
   /// rad, body frame: the direction in which the rollers give way, or would: the axle of an omni or
   /// a fixed wheel. Across it the wheel grips.
   double slip_heading() const { return axle_heading + roller_angle; }
+
+  /// W of heat in the winding at a torque [N m]: R I^2, and the current goes with the torque
+  /// (A. Hughes, B. Drury, "Electric Motors and Drives", 5th ed., 2019, ch. 3: direct-current
+  /// motors).
+  double copper_loss(double torque) const {
+    return stall_power * (torque / max_torque) * (torque / max_torque);
+  }
 
   bool operator==(const Wheel&) const = default;
 };

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "hal/agent/ports.h"
-#include "hal/hardware/event_loop.h"
-#include "hal/hardware/wheels.h"
+#include "hal/hardware/drivers/wheels.h"
+#include "hal/hardware/platform/event_loop.h"
 #include "hal/types/geometry.h"
 #include "hal/types/result.h"
 

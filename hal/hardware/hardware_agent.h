@@ -10,11 +10,11 @@
 #include "hal/exchange/courier.h"
 #include "hal/exchange/ports.h"
 #include "hal/hardware/drive_guard.h"
-#include "hal/hardware/event_loop.h"
+#include "hal/hardware/platform/event_loop.h"
+#include "hal/hardware/radio/udp_link.h"
 #include "hal/hardware/robot_file.h"
 #include "hal/hardware/sampler.h"
 #include "hal/hardware/sensor_watch.h"
-#include "hal/hardware/udp_link.h"
 
 namespace hal::hardware {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "hal/hardware/boot_time.h"
+#include "hal/hardware/platform/boot_time.h"
 #include "hal/types/agent_id.h"
 #include "hal/types/geometry.h"
 #include "hal/types/result.h"

@@ -6,8 +6,8 @@
 #include <mutex>
 #include <thread>
 
-#include "hal/hardware/event_loop.h"
-#include "hal/hardware/wheels.h"
+#include "hal/hardware/drivers/wheels.h"
+#include "hal/hardware/platform/event_loop.h"
 
 namespace hal::hardware {
 

@@ -21,6 +21,7 @@ namespace hal {
 ///                                                   -infinity: nearer than `low`
 /// pose          pose                m, rad          x, y, heading in the world
 /// bumper        bumper              1               1: touched since the reading before, else 0
+/// battery       battery             1, V, A         charge 0..1; voltage; current drawn
 /// imu           imu                 rad/s, m/s^2    angular velocity x, y, z; specific force x, y,
 /// z
 ///

@@ -25,7 +25,6 @@ void add_robot(const RobotDescription& robot, hal::exchange::AgentSession& sessi
     std::ranges::copy(devices::infrared_channels(robot.infrared, period),
                       std::back_inserter(session.channels));
   }
-  std::ranges::copy(devices::sensor_channels(robot), std::back_inserter(session.channels));
 }
 
 }  // namespace
@@ -43,6 +42,8 @@ hal::exchange::AgentOffer offer_of(const AgentConfig& agent, const SimulationCon
                    .limits = {}};
   const auto* robot = std::get_if<RobotDescription>(&agent.body);
   if (robot != nullptr) add_robot(*robot, offer.session);
+  std::ranges::copy(devices::sensor_channels(sensors_of(agent)),
+                    std::back_inserter(offer.session.channels));
   return offer;
 }
 

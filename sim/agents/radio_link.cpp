@@ -23,6 +23,11 @@ void RadioLink::transmit(hal::AgentId next_hop, hal::Bytes frame, hal::routing::
                  .tag = tag});
 }
 
+void RadioLink::cut_power() {
+  has_power_ = false;
+  mac_.set_radio(false);
+}
+
 void RadioLink::on_receive(const radio::MacIndication& indication) {
   hal::routing::Reception reception{.from = indication.source};
   if (kind_ == LinkKind::kMac) {

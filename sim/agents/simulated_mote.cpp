@@ -1,10 +1,26 @@
 #include "sim/agents/simulated_mote.h"
 
+#include <utility>
+#include <variant>
+
 #include "hal/devices/channels.h"
 #include "hal/types/random.h"
 #include "sim/agents/agent_offer.h"
+#include "sim/sensing/sensors.h"
 
 namespace sim::agents {
+namespace {
+
+namespace devices = hal::devices;
+
+/// J
+double energy(const radio::RadioUse& use, const devices::RadioPower& power) {
+  return power.transmit * hal::to_seconds(use.transmitting) +
+         power.receive * hal::to_seconds(use.receiving) +
+         power.listen * hal::to_seconds(use.listening) + power.off * hal::to_seconds(use.off);
+}
+
+}  // namespace
 
 SimulatedMote::SimulatedMote(const AgentConfig& config, radio::MacSap& mac,
                              Surroundings surroundings, hal::agent::AgentListener& listener,
@@ -21,6 +37,23 @@ SimulatedMote::SimulatedMote(const AgentConfig& config, radio::MacSap& mac,
              .observer = surroundings.observer,
              .listener = listener}) {
   link_.attach(core_.router());
+  if (!sensors_of(config).empty()) add_sensors(mac);
+}
+
+void SimulatedMote::add_sensors(radio::MacSap& mac) {
+  const sensing::SensorSite site{
+      id(),
+      name(),
+      surroundings_.config.seed,
+      surroundings_.world,
+      [&scene = surroundings_.scene]() -> const sensing::Proximity& { return scene.proximity(); },
+      [&mac](const devices::RadioPower& power) { return energy(mac.use(), power); }};
+  for (const devices::SensorDescription& sensor : sensors_of(config_)) {
+    const auto* battery = std::get_if<devices::Battery>(&sensor);
+    if (battery != nullptr && battery->when_empty == devices::WhenEmpty::kOff)
+      cutting_ = sensors_.size();
+    sensors_.push_back({sensing::make_sensor(sensor, site), {}});
+  }
 }
 
 void SimulatedMote::start() {
@@ -39,6 +72,7 @@ void SimulatedMote::on_control() {
   const hal::Time now = surroundings_.events.now();
   surroundings_.observer.on_body(now, id(), surroundings_.scene.body(id()));
   core_.control();
+  if (cutting_ && read(sensors_[*cutting_], now).front() <= 0) cut_power();
   surroundings_.events.schedule(now + surroundings_.config.control_period, Rank::kControl, id(),
                                 [this] { on_control(); });
 }
@@ -49,9 +83,22 @@ void SimulatedMote::silence(hal::Time stop_at) {
   surroundings_.events.schedule(stop_at, Rank::kAction, id(), [this] { core_.halt(); });
 }
 
-bool SimulatedMote::sample(std::size_t channel, hal::Time, std::vector<double>& values) {
-  if (core_.session().channels[channel].id == hal::devices::kLocalisation) localise(values);
+void SimulatedMote::cut_power() {
+  cutting_.reset();
+  link_.cut_power();
+  cut_motors();
+}
+
+bool SimulatedMote::sample(std::size_t channel, hal::Time at, std::vector<double>& values) {
+  const std::uint16_t id = core_.session().channels[channel].id;
+  if (id == devices::kLocalisation) localise(values);
+  if (id >= devices::kFirstSensor) values = read(sensors_.at(id - devices::kFirstSensor), at);
   return true;
+}
+
+const std::vector<double>& SimulatedMote::read(Part& part, hal::Time at) {
+  if (auto fresh = part.sensor->sample(at)) part.held = std::move(*fresh);
+  return part.held;
 }
 
 void SimulatedMote::localise(std::vector<double>& values) {

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "hal/agent/agent_core.h"
+#include "hal/devices/sensor.h"
 #include "sim/agents/observer.h"
 #include "sim/agents/queue_timers.h"
 #include "sim/agents/radio_link.h"
@@ -57,7 +59,17 @@ class SimulatedMote : public hal::agent::Sensors {
   Surroundings& surroundings() { return surroundings_; }
 
  private:
+  /// One of `sensors:`, and its last values.
+  struct Part {
+    std::unique_ptr<hal::devices::Sensor> sensor;
+    std::vector<double> held;
+  };
+
+  void add_sensors(radio::MacSap& mac);
+  const std::vector<double>& read(Part& part, hal::Time at);
   void on_control();
+  void cut_power();
+  virtual void cut_motors() {}
   void localise(std::vector<double>& values);
 
   const AgentConfig& config_;
@@ -65,6 +77,9 @@ class SimulatedMote : public hal::agent::Sensors {
   RadioLink link_;
   QueueTimers timers_;
   hal::agent::AgentCore core_;
+  std::vector<Part> sensors_;  ///< As in the description.
+  /// Of the battery that, empty, switches the agent off; none: there is no such, or it is empty.
+  std::optional<std::size_t> cutting_;
 };
 
 }  // namespace sim::agents

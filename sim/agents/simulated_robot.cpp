@@ -1,12 +1,10 @@
 #include "sim/agents/simulated_robot.h"
 
 #include <cstdint>
-#include <utility>
 #include <variant>
 
 #include "hal/devices/channels.h"
 #include "hal/types/check.h"
-#include "sim/sensing/sensors.h"
 
 namespace sim::agents {
 namespace {
@@ -24,11 +22,6 @@ SimulatedRobot::SimulatedRobot(const AgentConfig& config, radio::MacSap& mac,
     : SimulatedMote(config, mac, surroundings, listener, this),
       odometry_(surroundings.world.drive(config.id), description_of(config).encoder_steps),
       infrared_(config.id, description_of(config).infrared, surroundings.config.seed, config.name) {
-  const sensing::SensorSite site{
-      config.id, config.name, surroundings.config.seed, surroundings.world,
-      [&scene = surroundings.scene]() -> const sensing::Proximity& { return scene.proximity(); }};
-  for (const devices::SensorDescription& sensor : description_of(config).sensors)
-    sensors_.push_back({sensing::make_sensor(sensor, site), {}});
 }
 
 void SimulatedRobot::advance(hal::Time at) {
@@ -40,8 +33,6 @@ void SimulatedRobot::advance(hal::Time at) {
 
 bool SimulatedRobot::sample(std::size_t channel, hal::Time at, std::vector<double>& values) {
   const std::uint16_t id = core().session().channels[channel].id;
-  if (id >= devices::kFirstSensor)
-    return sample(sensors_.at(id - devices::kFirstSensor), at, values);
   switch (id) {
     case devices::kOdometry:
       values = devices::odometry_values(odometry_.pose(), odometry_.twist());
@@ -55,12 +46,6 @@ bool SimulatedRobot::sample(std::size_t channel, hal::Time at, std::vector<doubl
     default:
       return SimulatedMote::sample(channel, at, values);
   }
-}
-
-bool SimulatedRobot::sample(Part& part, hal::Time at, std::vector<double>& values) {
-  if (auto fresh = part.sensor->sample(at)) part.held = std::move(*fresh);
-  values = part.held;
-  return true;
 }
 
 std::span<const sensing::InfraredReading> SimulatedRobot::infrared(hal::Time at) {
@@ -82,6 +67,10 @@ hal::Result<void> SimulatedRobot::drive_wheels(std::span<const double> speeds, h
 void SimulatedRobot::halt() {
   // Zero is within every limit.
   BARAKA_CHECK(surroundings().world.set_body_velocity(id(), {}).has_value());
+}
+
+void SimulatedRobot::cut_motors() {
+  BARAKA_CHECK(surroundings().world.set_motors(id(), false).has_value());
 }
 
 }  // namespace sim::agents

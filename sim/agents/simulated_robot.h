@@ -1,18 +1,16 @@
 #pragma once
 
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "hal/devices/odometry.h"
 #include "hal/devices/robot_description.h"
-#include "hal/devices/sensor.h"
 #include "sim/agents/simulated_mote.h"
 #include "sim/sensing/infrared.h"
 
 namespace sim::agents {
 
-/// A robot: a mote with wheels, odometry, infrared and the sensors of its description.
+/// A robot: a mote with wheels, odometry and infrared.
 class SimulatedRobot final : public SimulatedMote, public hal::agent::Drive {
  public:
   SimulatedRobot(const AgentConfig& config, radio::MacSap& mac, Surroundings surroundings,
@@ -26,19 +24,12 @@ class SimulatedRobot final : public SimulatedMote, public hal::agent::Drive {
   void halt() override;
 
  private:
-  /// One of `sensors:`, and its last values.
-  struct Part {
-    std::unique_ptr<hal::devices::Sensor> sensor;
-    std::vector<double> held;
-  };
-
-  static bool sample(Part& part, hal::Time at, std::vector<double>& values);
+  void cut_motors() override;
   std::span<const sensing::InfraredReading> infrared(hal::Time at);
 
   hal::devices::WheelOdometry odometry_;
   hal::Time odometry_at_{};
   sensing::InfraredArray infrared_;
-  std::vector<Part> sensors_;  ///< As in the description.
 };
 
 }  // namespace sim::agents

@@ -46,6 +46,11 @@ struct AgentConfig {
   std::optional<hal::Milliwatts> tx_power{};  ///< Of its radio; none: as SimulationConfig::radio.
 };
 
+inline const std::vector<hal::devices::SensorDescription>& sensors_of(const AgentConfig& agent) {
+  return std::visit(
+      [](const auto& body) -> const auto& { return body.sensors; }, agent.body);
+}
+
 /// Reading of where the others are, by a method that is not modelled (camera, triangulation).
 struct LocalisationConfig {
   hal::Metres range{300};

@@ -16,6 +16,7 @@ struct ContactWheel {
   double mu;
   double mu2;
   double max_torque;
+  double unit_loss;     ///< W in the winding at 1 N m.
   double load;          ///< N on the ground in the last step that it touched.
   double speed = 0;     ///< rad/s of the surface.
   bool yields = false;  ///< The torque, not the grip, is what limits the force.
@@ -62,6 +63,7 @@ ContactWheels::ContactWheels(const RigidBody& chassis,
                        wheel.mu,
                        wheel.mu2,
                        wheel.max_torque,
+                       wheel.copper_loss(1),
                        weight_on_each,
                        0,
                        false,
@@ -119,8 +121,10 @@ void ContactWheels::book(const ContactWheel& wheel, const Vec3& after, double se
   const Vec3 force = ground.force();
   const Vec3 mean = 0.5 * (ground.velocity + after);
   const double surface = wheel.yields ? dot(mean, ground.grip) : wheel.speed * wheel.lever;
-  const double driven = dot(force, ground.grip) * surface * seconds;
-  motor_work_ += driven;
+  const double along = dot(force, ground.grip);
+  const double driven = along * surface * seconds;
+  const double torque = along * wheel.lever;
+  book_motor(driven, wheel.unit_loss * torque * torque * seconds);
   friction_loss_ += driven - dot(force, mean) * seconds;
 }
 

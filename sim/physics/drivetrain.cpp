@@ -44,6 +44,12 @@ std::unique_ptr<Wheels> make_wheels(const OdeWorld& world, const RigidBody& chas
                              config.measure_energy);
 }
 
+/// A battery has to know what the motors draw.
+WorldConfig measuring_for(const hal::devices::RobotDescription& robot, WorldConfig config) {
+  config.measure_energy |= hal::devices::battery_of(robot.sensors) != nullptr;
+  return config;
+}
+
 }  // namespace
 
 Drivetrain::Drivetrain(const OdeWorld& world, const RigidBody& chassis,
@@ -56,7 +62,7 @@ Drivetrain::Drivetrain(const OdeWorld& world, const RigidBody& chassis,
       angles_(drive_.wheel_count(), 0.0),
       speeds_(drive_.wheel_count(), 0.0) {
   check(robot);
-  wheels_ = make_wheels(world, chassis, robot, config);
+  wheels_ = make_wheels(world, chassis, robot, measuring_for(robot, config));
   bodies_.insert(bodies_.end(), wheels_->bodies().begin(), wheels_->bodies().end());
 }
 

@@ -15,7 +15,8 @@ struct JointedWheel {
   double mu2;
   double max_torque;
   bool has_oblique_rollers;
-  double rate = 0;  ///< rad/s of the hinge before the step.
+  double unit_loss;  ///< W in the winding at 1 N m.
+  double rate = 0;   ///< rad/s of the hinge before the step.
   GroundContact ground;
   dJointFeedback motor;
 };
@@ -70,6 +71,7 @@ void JointedWheels::mount(const OdeWorld& world, const hal::devices::Wheel& whee
                                         .mu2 = wheel.mu2,
                                         .max_torque = wheel.max_torque,
                                         .has_oblique_rollers = wheel.roller_angle != 0,
+                                        .unit_loss = wheel.copper_loss(1),
                                         .rate = 0,
                                         .ground = {},
                                         .motor = {}});
@@ -139,7 +141,7 @@ void JointedWheels::book(const JointedWheel& wheel, double seconds) {
   const dReal* t = wheel.motor.t1;
   const double torque = t[0] * axis[0] + t[1] * axis[1] + t[2] * axis[2];
   const double rate = 0.5 * (wheel.rate + dJointGetHingeAngleRate(wheel.hinge));
-  motor_work_ += torque * rate * seconds;
+  book_motor(torque * rate * seconds, wheel.unit_loss * torque * torque * seconds);
   if (!wheel.ground.touches) return;
   const Vec3 after = material_velocity(wheel.body, wheel.ground.arm);
   friction_loss_ -= 0.5 * seconds * dot(wheel.ground.force(), wheel.ground.velocity + after);

@@ -2,6 +2,7 @@
 
 #include <ode/ode.h>
 
+#include <algorithm>
 #include <memory>
 #include <span>
 #include <vector>
@@ -40,10 +41,21 @@ class Wheels {
 
   double motor_work() const { return motor_work_; }        ///< J since the start.
   double friction_loss() const { return friction_loss_; }  ///< J since the start, at the ground.
+  double motor_input() const { return motor_input_; }      ///< J since the start: see Energy.
 
  protected:
+  /// What a motor did in a step. @param work  J, < 0 while it brakes. @param heat  J, in its
+  /// winding.
+  void book_motor(double work, double heat) {
+    motor_work_ += work;
+    motor_input_ += std::max(0.0, work + heat);
+  }
+
   double motor_work_ = 0;
   double friction_loss_ = 0;
+
+ private:
+  double motor_input_ = 0;
 };
 
 /// What the two levels share: a wheel's contact with the ground and what it did in a step.

@@ -299,6 +299,7 @@ Energy World::energy(AgentId agent) const {
   if (object.drivetrain == nullptr) return energy;
   energy.motor_work = object.drivetrain->wheels().motor_work();
   energy.friction_loss = object.drivetrain->wheels().friction_loss();
+  energy.motor_input = object.drivetrain->wheels().motor_input();
   return energy;
 }
 

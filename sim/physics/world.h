@@ -34,7 +34,7 @@ struct WorldConfig {
   int jam_robots = 4;  ///< heaps with more robots get the iterative solver: seven in a ring have
                        ///< seven contacts only, and the exact one takes 2.5 ms a step for them.
   std::uint64_t seed = 1;       ///< Of the iterative solver's row order.
-  bool measure_energy = false;  ///< Books the wheels' work, some 5 % slower.
+  bool measure_energy = false;  ///< Books all wheels' work, some 5 % slower.
 };
 
 /// A wall or another box that never moves.
@@ -94,8 +94,11 @@ struct Energy {
   double kinetic = 0;
   double potential = 0;      ///< 0 with the centre of mass in the world's origin.
   double motor_work = 0;     ///< Since the start: at the hinges, or where the wheels touch; 0
-                             ///< unless the world measures energies, as is
-  double friction_loss = 0;  ///< since the start, where the wheels touch the ground.
+                             ///< unless the world measures energies or the robot has a battery, as
+                             ///< is
+  double friction_loss = 0;  ///< since the start, where the wheels touch the ground, and
+  double motor_input = 0;  ///< what the motors took in: their work and the heat in their windings.
+                           ///< What they get back while they brake is lost.
 
   double mechanical() const { return kinetic + potential; }
 };
@@ -163,7 +166,7 @@ class World {
   /// motor is off or too weak for its load rolls as the ground passes by.
   std::span<const double> wheel_angles(AgentId agent) const;
 
-  /// Of body and wheels. Work and loss are 0 for jointed wheels without `measure_energy`.
+  /// Of body and wheels. Work, loss and input are 0 without `measure_energy` or a battery.
   Energy energy(AgentId agent) const;
 
   bool has(AgentId agent) const;

@@ -37,6 +37,7 @@ class DcfMac final : public MacBase, public RadioListener, private AccessListene
   void transmit(const MacRequest& request) override;
   void set_radio(bool on) override;
   bool radio_on() const override { return radio_.state() != Radio::State::kOff; }
+  RadioUse use() const override { return radio_.use(); }
 
  private:
   enum class State : std::uint8_t { kIdle, kBroadcasting, kWaitCts, kWaitAck };

@@ -9,13 +9,14 @@ DiskMac::DiskMac(const Context& context, std::optional<std::uint32_t> queue_limi
       air_(air),
       queue_limit_(queue_limit),
       frames_(context.lengths, context.modes, context.agent),
-      index_(static_cast<StationIndex>(air.stations.size())) {
+      index_(static_cast<StationIndex>(air.stations.size())),
+      state_(context.events, State::kIdle) {
   air_.stations.push_back(this);
 }
 
 void DiskMac::transmit(const MacRequest& request) {
   check(request);
-  if (!on_) return report_later(request, hal::Verdict::kRadioOff);
+  if (!radio_on()) return report_later(request, hal::Verdict::kRadioOff);
   if (queue_limit_ && queue_.size() >= *queue_limit_) {
     return report_later(request, hal::Verdict::kQueueFull);
   }
@@ -24,6 +25,7 @@ void DiskMac::transmit(const MacRequest& request) {
 }
 
 void DiskMac::start_head() {
+  state_ = State::kTransmit;
   sending_ = frames_.data(queue_.front(),
                           {.sequence = static_cast<std::uint16_t>(next_sequence_++ % 4096)});
   observer().on_frame_start(now(), *sending_);
@@ -40,6 +42,7 @@ void DiskMac::finish_head() {
   if (!sending_) return;  // a receiver's client switched this radio off
   learn_service_time(sending_->airtime);
   sending_.reset();
+  state_ = State::kIdle;
   const MacRequest done = std::move(queue_.front());
   queue_.pop_front();
   if (!queue_.empty()) start_head();
@@ -51,7 +54,7 @@ bool DiskMac::end_at_receivers(bool cut) {
   bool delivered = frame->is_broadcast();
   for (const StationIndex receiver : std::exchange(receivers_, {})) {
     DiskMac& station = *air_.stations[receiver];
-    const bool received = station.on_ && !cut;
+    const bool received = station.radio_on() && !cut;
     observer().on_reception(now(), *frame, station.agent(),
                             received ? hal::Verdict::kDelivered : hal::Verdict::kRadioOff,
                             hal::Dbm{}.value);
@@ -67,8 +70,8 @@ void DiskMac::receive(const Frame& frame) {
 }
 
 void DiskMac::set_radio(bool on) {
-  if (on == on_) return;
-  on_ = on;
+  if (on == radio_on()) return;
+  state_ = on ? State::kIdle : State::kOff;
   if (on) return;
   if (sending_) {
     events().cancel(end_);

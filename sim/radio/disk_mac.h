@@ -8,6 +8,7 @@
 #include "sim/radio/frame_factory.h"
 #include "sim/radio/mac_base.h"
 #include "sim/radio/neighbourhood.h"
+#include "sim/radio/timed_state.h"
 
 namespace sim::radio {
 
@@ -31,9 +32,15 @@ class DiskMac final : public MacBase {
   MacCapabilities capabilities() const override { return {.tx_status = true, .rssi = false}; }
   void transmit(const MacRequest& request) override;
   void set_radio(bool on) override;
-  bool radio_on() const override { return on_; }
+  bool radio_on() const override { return state_ != State::kOff; }
+  RadioUse use() const override {
+    return {
+        state_.spent(State::kTransmit), {}, state_.spent(State::kIdle), state_.spent(State::kOff)};
+  }
 
  private:
+  enum class State : std::uint8_t { kOff, kIdle, kTransmit };
+
   std::size_t queued() const override { return queue_.size(); }
   void start_head();
   void finish_head();
@@ -45,7 +52,7 @@ class DiskMac final : public MacBase {
   std::optional<std::uint32_t> queue_limit_;
   FrameFactory frames_;
   StationIndex index_;
-  bool on_ = true;
+  TimedState<State, 3> state_;
   std::uint16_t next_sequence_ = 0;
   std::deque<MacRequest> queue_;
   FramePtr sending_;  ///< The head's; null: nothing is on the air.

@@ -7,6 +7,7 @@
 #include "hal/types/message.h"
 #include "hal/types/time.h"
 #include "hal/types/verdict.h"
+#include "sim/radio/radio_use.h"
 
 namespace sim::radio {
 
@@ -62,6 +63,7 @@ class MacSap {
   /// Off: frames in the air are cut, the queue is dropped with kRadioOff, NAV and backoff reset.
   virtual void set_radio(bool on) = 0;
   virtual bool radio_on() const = 0;
+  virtual RadioUse use() const = 0;
   /// Expected time from request to the end of the exchange for a frame queued now.
   virtual hal::Duration expected_delay() const = 0;
   /// Energy to transmit `bytes` of payload once [J].

@@ -25,7 +25,8 @@ Radio::Radio(Air air, StationIndex index, hal::AgentId agent, hal::RandomStream 
       errors_(errors),
       cca_threshold_(to_milliwatts(air.config.cca_threshold).value),
       energy_detection_(to_milliwatts(air.config.energy_detection).value),
-      preamble_window_(air.config.preamble_window) {
+      preamble_window_(air.config.preamble_window),
+      state_(air.events, State::kIdle) {
   if (air.config.capture_margin) {
     capture_margin_ = hal::math::pow(10, air.config.capture_margin->value / 10);
   }

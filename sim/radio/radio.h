@@ -11,8 +11,10 @@
 #include "sim/radio/frame.h"
 #include "sim/radio/observer.h"
 #include "sim/radio/propagation.h"
+#include "sim/radio/radio_use.h"
 #include "sim/radio/reception.h"
 #include "sim/radio/station_index.h"
+#include "sim/radio/timed_state.h"
 
 namespace sim::radio {
 
@@ -69,6 +71,10 @@ class Radio {
   hal::AgentId agent() const { return agent_; }
   StationIndex index() const { return index_; }
   State state() const { return state_; }
+  RadioUse use() const {
+    return {state_.spent(State::kTransmit), state_.spent(State::kReceive),
+            state_.spent(State::kIdle), state_.spent(State::kOff)};
+  }
   /// Synchronised to a frame.
   bool is_receiving() const { return held_.has_value(); }
 
@@ -134,7 +140,7 @@ class Radio {
   std::optional<double> capture_margin_;
   hal::Duration preamble_window_;
 
-  State state_ = State::kIdle;
+  TimedState<State, 4> state_;
   bool said_busy_ = false;  ///< What the listener was told last.
   FramePtr sending_;        ///< While transmitting.
   hal::Time sending_until_{};

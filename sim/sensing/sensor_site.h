@@ -4,6 +4,7 @@
 #include <functional>
 #include <string_view>
 
+#include "hal/devices/battery.h"
 #include "hal/types/agent_id.h"
 #include "hal/types/time.h"
 #include "sim/physics/world.h"
@@ -18,6 +19,8 @@ struct SensorSite {
   std::uint64_t run_seed = 0;
   const physics::World& world;
   std::function<const Proximity&()> proximity;  ///< As of the last physics step.
+  /// J since time 0 that the agent's radio drew, if it needs so much in each state.
+  std::function<double(const hal::devices::RadioPower&)> radio_energy{};
 };
 
 /// The instants phase + k * period at which a sensor measures; the phase is its own.

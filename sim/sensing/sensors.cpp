@@ -1,5 +1,6 @@
 #include "sim/sensing/sensors.h"
 
+#include "sim/sensing/battery.h"
 #include "sim/sensing/bumper.h"
 #include "sim/sensing/imu.h"
 #include "sim/sensing/pose_sensor.h"

@@ -15,10 +15,10 @@
 #include <string>
 #include <vector>
 
-#include "hal/dds/controller_process.h"
-#include "hal/dds/server.h"
-#include "tests/unit/hal/dds/child.h"
-#include "tests/unit/hal/dds/echo_controller.h"
+#include "hal/dds/exchange/controller_process.h"
+#include "hal/dds/exchange/server.h"
+#include "tests/unit/hal/dds/exchange/child.h"
+#include "tests/unit/hal/dds/exchange/echo_controller.h"
 
 namespace {
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "hal/dds/client.h"
+#include "hal/dds/exchange/client.h"
 #include "hal/exchange/ports.h"
 
 namespace contract {

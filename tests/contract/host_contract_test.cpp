@@ -9,7 +9,7 @@
 
 #include "hal/exchange/courier.h"
 #include "tests/contract/actions.h"
-#include "tests/unit/hal/dds/child.h"
+#include "tests/unit/hal/dds/exchange/child.h"
 
 namespace contract {
 namespace {

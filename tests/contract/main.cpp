@@ -3,7 +3,7 @@
 #include <string>
 
 #include "hal/api/controller.h"
-#include "hal/dds/controller_process.h"
+#include "hal/dds/exchange/controller_process.h"
 #include "hal/types/log.h"
 
 namespace {

@@ -6,9 +6,9 @@
  *   ros_peer write DOMAIN TYPE TOPIC HZ VALUE ...      the same sample again and again, until killed
  *   ros_peer switch DOMAIN Bool TOPIC                  a sample per 0 or 1 on standard input
  *
- * TYPE: Clock, TFMessage, Odometry, Range, LaserScan, Imu; to write: Twist (vx vy omega), PoseStamped (x y z, qx qy
- * qz qw), Bool (0 or 1), String (the value is not looked at: "hello"). "ready" goes to standard error when
- * it looks for the others; `switch` has found one then.
+ * TYPE: Clock, TFMessage, Odometry, Range, LaserScan, Imu, BatteryState; to write: Twist (vx vy omega),
+ * PoseStamped (x y z, qx qy qz qw), Bool (0 or 1), String (the value is not looked at: "hello"). "ready"
+ * goes to standard error when it looks for the others; `switch` has found one then.
  */
 #include <dds/dds.h>
 #include <inttypes.h>
@@ -134,6 +134,14 @@ static void print_imu(const void* sample) {
   print_numbers("linear", &message->linear_acceleration.x, 3);
 }
 
+static void print_battery(const void* sample) {
+  const sensor_msgs_msg_dds__BatteryState_* message = sample;
+  print_stamp(&message->header.stamp);
+  printf(", \"frame\": \"%s\", \"present\": %d", message->header.frame_id, message->present);
+  const double values[] = {message->voltage, message->current, message->percentage};
+  print_numbers("values", values, 3);
+}
+
 /* ---- types ---------------------------------------------------------------------------------- */
 
 struct type {
@@ -148,6 +156,7 @@ static const struct type types[] = {
     {"Odometry", &nav_msgs_msg_dds__Odometry__desc, print_odometry},
     {"Range", &sensor_msgs_msg_dds__Range__desc, print_range},
     {"Imu", &sensor_msgs_msg_dds__Imu__desc, print_imu},
+    {"BatteryState", &sensor_msgs_msg_dds__BatteryState__desc, print_battery},
     {"LaserScan", &sensor_msgs_msg_dds__LaserScan__desc, print_scan},
     {"Twist", &geometry_msgs_msg_dds__Twist__desc, NULL},
     {"PoseStamped", &geometry_msgs_msg_dds__PoseStamped__desc, print_pose},

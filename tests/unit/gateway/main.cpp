@@ -5,7 +5,7 @@ extern "C" const char* __asan_default_options() {  // NOLINT(bugprone-reserved-i
   return "new_delete_type_mismatch=0";
 }
 
-/// Of its own: the library hal_dds brings the main() of controller programs.
+/// Of its own: the library hal_dds_exchange brings the main() of controller programs.
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
   return RUN_ALL_TESTS();

@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "hal/dds/client.h"
+#include "hal/dds/exchange/client.h"
 #include "hal/types/log.h"
 #include "tests/support/test_domain.h"
 #include "tests/unit/gateway/offers.h"

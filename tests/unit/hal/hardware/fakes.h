@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -9,23 +8,9 @@
 
 #include "hal/hardware/hardware_agent.h"
 #include "tests/support/scripted_port.h"
+#include "tests/unit/hal/hardware/drivers/three_wheels.h"
 
 namespace hal::hardware {
-
-/// Three wheels with outward axles, 132 mm from the middle, 40 mm in radius, as of the Robotino.
-inline std::vector<devices::Wheel> three_wheels() {
-  constexpr double kPi = 3.14159265358979323846;
-  std::vector<devices::Wheel> wheels;
-  for (const double bearing : {kPi / 3, kPi, -kPi / 3}) {
-    wheels.push_back({.position = {0.132 * std::cos(bearing), 0.132 * std::sin(bearing)},
-                      .axle_heading = bearing,
-                      .radius = 0.04,
-                      .mass = 0.2,
-                      .max_torque = 1,
-                      .max_speed = 23.56});
-  }
-  return wheels;
-}
 
 /// Remembers what it was told.
 class RecordedWheels final : public WheelDriver {

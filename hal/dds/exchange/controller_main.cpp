@@ -1,0 +1,26 @@
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <exception>
+
+#include "hal/dds/domains.h"
+#include "hal/dds/exchange/controller_process.h"
+#include "hal/runtime/standard_output.h"
+#include "hal/types/printable.h"
+
+/// The program of every controller: controllers/<name> defines baraka_controller() and is linked
+/// with this.
+int main(int argc, char** argv) {
+  try {
+    const hal::ControllerKind& kind = *baraka_controller();
+    const auto parsed = hal::runtime::parse_controller_options(argc, argv, kind);
+    if (!parsed.options) return hal::runtime::with_output_written(parsed.exit_status);
+    return static_cast<int>(hal::dds::run_controllers(kind, *parsed.options));
+  } catch (const hal::dds::NoSuchDomain& error) {
+    fmt::print(stderr, "{}: {}\n", argv[0], hal::printable(error.what()));
+    return 2;  // as for a wrong option
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}: {}\n", argv[0], hal::printable_lines(error.what()));
+    return 1;
+  }
+}

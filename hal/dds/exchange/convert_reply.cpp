@@ -1,0 +1,99 @@
+#include "hal/dds/exchange/convert.h"
+#include "hal/dds/exchange/ranges.h"
+
+namespace hal::dds {
+namespace {
+
+static_assert(static_cast<int>(exchange::ActionKind::kError) == static_cast<int>(wire::ERROR));
+static_assert(static_cast<int>(exchange::ActionKind::kRadio) == static_cast<int>(wire::RADIO));
+static_assert(static_cast<int>(log::Level::kError) == static_cast<int>(wire::LEVEL_ERROR));
+
+bool has_outgoing(const exchange::Action& action) {
+  return action.kind == exchange::ActionKind::kSend ||
+         action.kind == exchange::ActionKind::kInvalidate;
+}
+
+void to_wire(const exchange::Action& action, wire::Drive& out) {
+  out.vx(action.twist.vx);
+  out.vy(action.twist.vy);
+  out.omega(action.twist.omega);
+  out.wheel_speeds(action.wheel_speeds);
+}
+
+void from_wire(const wire::Drive& drive, exchange::Action& out) {
+  out.twist = {drive.vx(), drive.vy(), drive.omega()};
+  out.wheel_speeds = drive.wheel_speeds();
+}
+
+void to_wire(const exchange::Action& action, wire::Outgoing& out) {
+  out.message_id(action.message_id);
+  out.destination(action.destination.value);
+  out.topic(action.topic);
+  out.payload(action.payload);
+}
+
+void from_wire(const wire::Outgoing& outgoing, exchange::Action& out) {
+  out.message_id = outgoing.message_id();
+  out.destination = AgentId{outgoing.destination()};
+  out.topic = outgoing.topic();
+  out.payload = outgoing.payload();
+}
+
+void to_wire(const exchange::Action& action, wire::Action& out) {
+  out.agent(action.agent.value);
+  out.event(action.event);
+  out.kind(static_cast<wire::ActionKind>(action.kind));
+  out.drive().resize(exchange::drives(action) ? 1 : 0);
+  if (exchange::drives(action)) to_wire(action, out.drive()[0]);
+  out.outgoing().resize(has_outgoing(action) ? 1 : 0);
+  if (has_outgoing(action)) to_wire(action, out.outgoing()[0]);
+  out.timer(action.timer);
+  out.at(to_ns(action.at));
+  out.radio_on(action.radio_on);
+  out.text(action.text);
+  out.level(static_cast<wire::LogLevel>(action.level));
+}
+
+void from_wire(const wire::Action& action, Ranges& ranges, exchange::Action& out) {
+  out.agent = AgentId{action.agent()};
+  out.event = action.event();
+  out.kind = ranges.enumerator(action.kind(), exchange::ActionKind::kError, "action kind");
+  ranges.exactly(action.drive().size(), exchange::drives(out) ? 1 : 0, "velocities in an action");
+  if (!action.drive().empty()) from_wire(action.drive()[0], out);
+  ranges.exactly(action.outgoing().size(), has_outgoing(out) ? 1 : 0, "messages in an action");
+  if (!action.outgoing().empty()) from_wire(action.outgoing()[0], out);
+  out.timer = action.timer();
+  out.at = time_from_ns(action.at());
+  out.radio_on = action.radio_on();
+  out.text = action.text();
+  out.level = ranges.enumerator(action.level(), log::Level::kError, "log level");
+}
+
+}  // namespace
+
+void to_wire(const exchange::Reply& reply, const std::string& server, wire::Reply& out) {
+  out.server(server);
+  out.process(reply.process);
+  out.run(reply.run);
+  out.sequence_number(reply.sequence);
+  out.actions().resize(reply.actions.size());
+  for (std::size_t i = 0; i < reply.actions.size(); ++i) {
+    to_wire(reply.actions[i], out.actions()[i]);
+  }
+}
+
+Result<exchange::Reply> from_wire(const wire::Reply& reply) {
+  Ranges ranges;
+  exchange::Reply out;
+  out.process = reply.process();
+  out.run = reply.run();
+  out.sequence = reply.sequence_number();
+  out.actions.resize(reply.actions().size());
+  for (std::size_t i = 0; i < out.actions.size(); ++i) {
+    from_wire(reply.actions()[i], ranges, out.actions[i]);
+  }
+  if (auto checked = ranges.check(); !checked) return tl::unexpected(checked.error());
+  return out;
+}
+
+}  // namespace hal::dds

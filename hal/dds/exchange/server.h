@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "hal/dds/domains.h"
+#include "hal/dds/exchange/process_link.h"
+#include "hal/exchange/session.h"
+#include "hal/types/time.h"
+
+namespace hal::dds {
+
+/// The DDS end of a server of agents: hears Hellos, answers them, and links up with processes.
+/// Who may have which agent is decided elsewhere (gateway/admission). One thread at a time.
+///
+///   Server server(take_domain(std::nullopt));
+///   for (const exchange::Hello& hello : server.hellos(timeout)) {
+///     auto link = server.link(hello, run, reply_timeout);
+///     server.answer(session);
+///   }
+class Server {
+ public:
+  /// @throws std::runtime_error  if DDS cannot be opened.
+  explicit Server(DomainHold hold);
+  ~Server();
+  Server(const Server&) = delete;
+  Server& operator=(const Server&) = delete;
+
+  int domain() const;
+  const std::string& name() const;  ///< Unique per start; the key of Steps and Replies.
+
+  /// Hellos that came since the last call; waits for the first one, up to `timeout`. `watched`:
+  /// further descriptors that end the wait when they become readable. -1 is skipped.
+  std::vector<exchange::Hello> hellos(Duration timeout, const std::vector<int>& watched = {});
+  /// Hellos since the last call that hellos() left out, because they are not what they say or come
+  /// from another user: "process 'x' (pid 7): reason". Their participants are not heard any more.
+  std::vector<std::string> take_refusals();
+  int descriptor() const;   ///< Readable when Hellos may have come.
+  bool has_hellos() const;  ///< Without waiting, and cheap.
+
+  /// Sends a Session or a refusal. `server` is filled in.
+  /// Errors: kNotConnected (DDS refuses the sample).
+  Result<void> answer(exchange::Session session);
+
+  /// The link to an admitted process, one of hellos(). To be made before the Session is sent. Only
+  /// Replies of the participant that said the Hello count.
+  /// @param reply_timeout  of every exchange; none: wait for ever.
+  /// @throws std::runtime_error  if DDS cannot create the topics.
+  std::unique_ptr<ProcessLink> link(const exchange::Hello& hello, std::uint64_t run,
+                                    std::optional<Duration> reply_timeout);
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace hal::dds

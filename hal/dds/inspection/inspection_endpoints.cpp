@@ -1,0 +1,42 @@
+#include "hal/dds/inspection/inspection_endpoints.h"
+
+namespace hal::dds {
+namespace {
+
+/// A reader that has not everything yet hears of it this often.
+constexpr Duration kInspectionHeartbeat = std::chrono::milliseconds{100};
+constexpr int kReaderDepth = 100;
+
+template <class Qos>
+void set_inspection_qos(Qos& qos, api::ReliabilityQosPolicyKind reliability, Keep keep, int depth) {
+  qos.reliability().kind = reliability;
+  qos.reliability().max_blocking_time = to_dds(std::chrono::milliseconds{1});
+  qos.durability().kind = keep == Keep::kForLatecomers ? api::TRANSIENT_LOCAL_DURABILITY_QOS
+                                                       : api::VOLATILE_DURABILITY_QOS;
+  qos.history().kind = api::KEEP_LAST_HISTORY_QOS;
+  qos.history().depth = depth;
+  qos.resource_limits().max_instances = 1;
+  qos.resource_limits().max_samples_per_instance = depth;
+  qos.resource_limits().max_samples = depth;
+  qos.resource_limits().allocated_samples = 1;
+  qos.endpoint().history_memory_policy = rtps::PREALLOCATED_WITH_REALLOC_MEMORY_MODE;
+  qos.data_sharing().off();
+}
+
+}  // namespace
+
+api::DataWriterQos inspection_writer_qos(int depth, Keep keep) {
+  api::DataWriterQos qos = api::DATAWRITER_QOS_DEFAULT;
+  set_inspection_qos(qos, api::RELIABLE_RELIABILITY_QOS, keep, depth);
+  qos.publish_mode().kind = api::SYNCHRONOUS_PUBLISH_MODE;
+  qos.reliable_writer_qos().times.heartbeatPeriod = to_dds(kInspectionHeartbeat);
+  return qos;
+}
+
+api::DataReaderQos inspection_reader_qos(api::ReliabilityQosPolicyKind reliability, Keep keep) {
+  api::DataReaderQos qos = api::DATAREADER_QOS_DEFAULT;
+  set_inspection_qos(qos, reliability, keep, kReaderDepth);
+  return qos;
+}
+
+}  // namespace hal::dds

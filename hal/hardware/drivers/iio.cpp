@@ -1,0 +1,145 @@
+#include "hal/hardware/drivers/iio.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <system_error>
+
+#include "hal/hardware/platform/device_thread.h"
+#include "hal/hardware/platform/latest.h"
+
+namespace hal::hardware {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_there(const fs::path& file) {
+  std::error_code ignored;
+  return fs::exists(file, ignored);
+}
+
+struct Descriptor {
+  explicit Descriptor(const fs::path& file) : number(::open(file.c_str(), O_RDONLY | O_CLOEXEC)) {}
+  ~Descriptor() {
+    if (number >= 0) ::close(number);
+  }
+  Descriptor(const Descriptor&) = delete;
+  Descriptor& operator=(const Descriptor&) = delete;
+  int number;
+};
+
+/// The number an attribute holds: one read, as sysfs wants it.
+Result<double> read_attribute(const fs::path& file) {
+  const Descriptor descriptor(file);
+  std::array<char, 64> bytes{};
+  const ssize_t size =
+      descriptor.number < 0 ? -1 : ::read(descriptor.number, bytes.data(), bytes.size());
+  if (size < 0) {
+    return fail(Errc::kNotConnected, fmt::format("{}: {}", file.string(), std::strerror(errno)));
+  }
+  std::string_view text(bytes.data(), static_cast<std::size_t>(size));
+  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.remove_suffix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
+    return fail(Errc::kProtocol, fmt::format("{}: '{}' is not a number", file.string(), text));
+  }
+  return value;
+}
+
+class IioInfrared final : public InfraredDriver, private Device {
+ public:
+  IioInfrared(const IioSettings& settings, const devices::RobotDescription& robot)
+      : settings_(settings),
+        sensors_(robot.infrared),
+        latest_(settings.times.stale_after),
+        thread_(*this,
+                {settings.times.period, {}, settings.times.period + 3 * settings.times.timeout}) {}
+  ~IioInfrared() override { thread_.finish(); }
+
+  Result<InfraredReadings> latest() const override { return latest_.get(thread_); }
+  bool connected() const override { return thread_.connected(); }
+  std::string trouble() const override { return thread_.trouble(); }
+  DeviceCounts counts() const override { return thread_.counts(); }
+
+ private:
+  struct Channel {
+    fs::path raw;
+    double scale = 0;   ///< mV
+    double offset = 0;  ///< counts
+  };
+
+  Result<void> connect() override;
+  Result<void> work() override;
+  Result<Channel> find(const std::string& name) const;
+  fs::path attribute(const std::string& name, const std::string& what) const;
+
+  IioSettings settings_;
+  std::vector<devices::InfraredSensor> sensors_;
+  std::vector<Channel> channels_;
+  Latest<InfraredReadings> latest_;
+  DeviceThread thread_;  ///< Last: it uses the others.
+};
+
+Result<void> IioInfrared::connect() {
+  channels_.clear();
+  for (const std::string& name : settings_.channels) {
+    const auto channel = find(name);
+    if (!channel) return tl::unexpected<Error>(channel.error());
+    channels_.push_back(*channel);
+  }
+  return work();
+}
+
+Result<void> IioInfrared::work() {
+  InfraredReadings readings;
+  for (std::size_t i = 0; i < channels_.size(); ++i) {
+    const auto raw = read_attribute(channels_[i].raw);
+    if (!raw) return tl::unexpected<Error>(raw.error());
+    const double volts = (*raw + channels_[i].offset) * channels_[i].scale / 1000;
+    readings.volts.push_back(volts);
+    readings.metres.push_back(sensors_[i].curve.metres(volts));
+  }
+  readings.stamp = BootClock::now();
+  latest_.set(std::move(readings));
+  return {};
+}
+
+Result<IioInfrared::Channel> IioInfrared::find(const std::string& name) const {
+  Channel channel{.raw = settings_.folder / ("in_" + name + "_raw")};
+  const auto scale = read_attribute(attribute(name, "scale"));
+  if (!scale) return tl::unexpected<Error>(scale.error());
+  channel.scale = *scale;
+  const fs::path offset_file = attribute(name, "offset");
+  if (!is_there(offset_file)) return channel;
+  const auto offset = read_attribute(offset_file);
+  if (!offset) return tl::unexpected<Error>(offset.error());
+  channel.offset = *offset;
+  return channel;
+}
+
+/// A channel's own attribute or, if there is none, that of all channels of its type.
+fs::path IioInfrared::attribute(const std::string& name, const std::string& what) const {
+  fs::path own = settings_.folder / fmt::format("in_{}_{}", name, what);
+  if (is_there(own)) return own;
+  const std::string type = name.substr(0, name.find_first_of("0123456789"));
+  return settings_.folder / fmt::format("in_{}_{}", type, what);
+}
+
+}  // namespace
+
+std::unique_ptr<InfraredDriver> make_iio_infrared(const IioSettings& settings,
+                                                  const devices::RobotDescription& robot) {
+  return std::make_unique<IioInfrared>(settings, robot);
+}
+
+}  // namespace hal::hardware

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "hal/types/time.h"
+#include "sim/core/event_queue.h"
+
+namespace sim::radio {
+
+/// A state that remembers how long it has had each of its values since time 0. It is read and
+/// assigned like the plain value.
+/// @tparam State  an enumeration of kStates values from 0 on.
+template <class State, std::size_t kStates>
+class TimedState {
+ public:
+  TimedState(const EventQueue& events, State first) : events_(events), state_(first) {}
+
+  TimedState& operator=(State next) {
+    if (next == state_) return *this;
+    const hal::Time now = events_.now();
+    spent_[static_cast<std::size_t>(state_)] += now - since_;
+    since_ = now;
+    state_ = next;
+    return *this;
+  }
+  operator State() const { return state_; }  // NOLINT(google-explicit-constructor): as the value
+
+  /// Up to now.
+  hal::Duration spent(State state) const {
+    const hal::Duration before = spent_[static_cast<std::size_t>(state)];
+    return state == state_ ? before + (events_.now() - since_) : before;
+  }
+
+ private:
+  const EventQueue& events_;
+  State state_;
+  hal::Time since_{};
+  std::array<hal::Duration, kStates> spent_{};
+};
+
+}  // namespace sim::radio

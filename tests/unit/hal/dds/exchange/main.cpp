@@ -1,0 +1,44 @@
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <string>
+
+#include "hal/dds/exchange/controller_process.h"
+#include "hal/dds/exchange/server.h"
+#include "tests/unit/hal/dds/exchange/echo_controller.h"
+
+namespace {
+
+/// A controller process for mote m1.
+int be_controller(int domain, const std::string& name) {
+  const hal::ControllerKind kind = echo_kind();
+  return static_cast<int>(hal::dds::run_controllers(kind, options_for(domain, "m1", name)));
+}
+
+/// A server that starts a run and never goes on.
+int be_server(int domain) {
+  hal::dds::Server server(hal::dds::take_domain(domain));
+  const hal::exchange::Hello hello = first_hello(server);
+  const auto link = server.link(hello, 1, std::nullopt);
+  if (!server.answer(session_for(hello, 1))) return 1;
+  if (!exchange_step(*link, step_with(hal::exchange::Cause::kStart, 1))) return 1;
+  while (true) pause();
+}
+
+}  // namespace
+
+/// For the sanitizer: Fast DDS 2.9 deletes one of its own objects as its base class.
+extern "C" const char* __asan_default_options() {  // NOLINT(bugprone-reserved-identifier)
+  return "new_delete_type_mismatch=0";
+}
+
+/// Tests, or one of the roles of a Child: "controller DOMAIN NAME", "server DOMAIN", "sleep".
+int main(int argc, char** argv) {
+  const std::string role = argc > 1 ? argv[1] : "";
+  if (role == "sleep") return pause();
+  if (role == "controller" && argc == 4) return be_controller(std::stoi(argv[2]), argv[3]);
+  if (role == "server" && argc == 3) return be_server(std::stoi(argv[2]));
+  testing::InitGoogleTest(&argc, argv);
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,98 @@
+#include "hal/dds/exchange/visitors.h"
+
+#include <fmt/core.h>
+#include <gtest/gtest.h>
+
+#include "hal/dds/speaker_check.h"
+#include "tests/unit/hal/dds/exchange/child.h"
+#include "tests/unit/hal/dds/udp_socket.h"
+
+namespace hal::dds {
+namespace {
+
+Origin origin(std::uint8_t participant, std::uint8_t writer = 2) {
+  Origin made;
+  made.value[11] = participant;
+  made.value[15] = writer;
+  return made;
+}
+
+exchange::Hello hello_of_this_process(const std::string& instance) {
+  const ProcessIdentity self = this_process();
+  exchange::Hello hello;
+  hello.instance = instance;
+  hello.host = self.host;
+  hello.pid = self.pid;
+  hello.pid_start_time = self.start_time;
+  return hello;
+}
+
+TEST(Visitors, AnInstanceBelongsToTheParticipantThatNamedItFirst) {
+  Visitors visitors;
+  EXPECT_TRUE(visitors.receive(hello_of_this_process("a"), origin(1), std::nullopt));
+  EXPECT_TRUE(visitors.receive(hello_of_this_process("a"), origin(1, 3), std::nullopt));
+  const auto foreign = visitors.receive(hello_of_this_process("a"), origin(2), std::nullopt);
+  ASSERT_FALSE(foreign);
+  EXPECT_EQ(foreign.error().message,
+            "it says to be instance 'a' of participant 000000000000000000000001");
+  EXPECT_EQ(visitors.origin_of("a"), origin(1));
+  EXPECT_EQ(visitors.leave(origin(1)), std::vector<std::string>{"a"});
+  EXPECT_TRUE(visitors.receive(hello_of_this_process("a"), origin(2), std::nullopt));
+}
+
+TEST(Visitors, OneProcessMayNotSayEndlesslyMany) {
+  Visitors visitors;
+  for (std::size_t i = 0; i < Visitors::kMostOfProcess; ++i) {
+    ASSERT_TRUE(visitors.receive(hello_of_this_process(std::to_string(i)),
+                                 origin(static_cast<std::uint8_t>(i)), std::nullopt));
+  }
+  EXPECT_EQ(
+      visitors.receive(hello_of_this_process("more"), origin(200), std::nullopt).error().message,
+      "its process has said 64 Hellos already");
+  EXPECT_EQ(visitors.leave(origin(7)).size(), 1);
+  EXPECT_TRUE(visitors.receive(hello_of_this_process("more"), origin(200), std::nullopt));
+}
+
+TEST(Visitors, SilenceIsTheEndOfProcessesOnOtherHostsOnly) {
+  Visitors visitors;
+  ASSERT_TRUE(visitors.receive(hello_of_this_process("here"), origin(1), std::nullopt));
+  exchange::Hello there = hello_of_this_process("there");
+  there.host = "elsewhere";
+  ASSERT_TRUE(visitors.receive(there, origin(2), std::nullopt));
+  EXPECT_TRUE(visitors.fall_silent(origin(1)).empty());
+  EXPECT_TRUE(visitors.is_silent("here"));
+  EXPECT_FALSE(visitors.is_silent("there"));
+  EXPECT_EQ(visitors.fall_silent(origin(2)), std::vector<std::string>{"there"});
+  EXPECT_TRUE(visitors.origin_of("here"));
+}
+
+TEST(SpeakerCheck, APortBelongsToTheProcessThatHasIt) {
+  const Child child({"sleep"});  // before there is a socket that it could inherit
+  const UdpSocket socket;
+  const ProcessIdentity self = this_process();
+  EXPECT_TRUE(check_speaker(self, socket.sender()));
+  EXPECT_TRUE(check_speaker(self, std::nullopt));
+  const auto other = start_time_of(child.pid());
+  ASSERT_TRUE(other);
+  const auto forged = check_speaker({self.host, child.pid(), *other}, socket.sender());
+  ASSERT_FALSE(forged) << "a program must not pass for another one";
+  EXPECT_EQ(forged.error().message, fmt::format("pid {} has not the port {} that it speaks from",
+                                                child.pid(), socket.sender().text()));
+}
+
+TEST(SpeakerCheck, AProcessThatIsNotThereOrIsAnotherOneByNowDoesNotSpeak) {
+  ProcessIdentity self = this_process();
+  self.start_time += 1;
+  EXPECT_NE(check_speaker(self, std::nullopt).error().message.find("has started at another time"),
+            std::string::npos);
+  Child child({"sleep"});
+  const ProcessIdentity gone{self.host, child.pid(), 1};
+  child.signal(SIGKILL);
+  child.wait();
+  EXPECT_NE(check_speaker(gone, std::nullopt).error().message.find("does not run"),
+            std::string::npos);
+  EXPECT_TRUE(check_speaker({"elsewhere", gone.pid, 1}, std::nullopt)) << "nothing is known";
+}
+
+}  // namespace
+}  // namespace hal::dds
