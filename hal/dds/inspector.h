@@ -53,6 +53,7 @@ struct InspectedRobot {
 /// rt/baraka/frames             baraka_msgs/Frame                not every one
 /// rt/baraka/routes             baraka_msgs/Route
 /// rt/baraka/controller_states  baraka_msgs/ControllerState
+/// rt/baraka/values             baraka_msgs/Value                that controllers record
 /// rt/baraka/link_quality       baraka_msgs/LinkQuality
 ///
 /// Nothing is written while no reader of that topic is matched; publishing then costs one load.
@@ -71,6 +72,7 @@ class Inspector {
     kFrames,
     kRoutes,
     kStates,
+    kValues,
     kLinks,
   };
 
@@ -133,6 +135,7 @@ class Inspector {
   void publish_frame(Time at, const FrameStart& frame);
   void publish_route(Time at, const RouteEntry& entry);
   void publish_state(Time at, std::string_view agent, std::string_view state);
+  void publish_value(Time at, std::string_view agent, std::string_view name, double value);
   void publish_link(Time at, const Link& link);
 
  private:

@@ -104,6 +104,11 @@ TEST_F(HardwareAgents, OffersTheChannelsOfASimulatedRobot) {
   EXPECT_EQ(session.channels[2].headings.size(), session.channels[2].length);
 }
 
+TEST_F(HardwareAgents, KnowsItselfAndTheAgentsOnItsMapByName) {
+  EXPECT_EQ(agent().directory(),
+            (std::vector<exchange::AgentName>{{AgentId{1}, robot_.file.name}, {AgentId{7}, "m7"}}));
+}
+
 TEST_F(HardwareAgents, AMoteOffersNeitherWheelsNorWhatItLacks) {
   Node mote(loop_, 2, robot_.link.port(), {});
   const exchange::AgentSession session = mote.agent().offers()[0].session;
