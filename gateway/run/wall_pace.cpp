@@ -1,11 +1,12 @@
 #include "gateway/run/wall_pace.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <thread>
 #include <utility>
+
+#include "hal/runtime/exit_watch.h"
 
 namespace gateway {
 namespace {
@@ -19,7 +20,7 @@ constexpr int kInterruptedStatus = 130;
 volatile std::sig_atomic_t interrupts = 0;
 
 void on_signal(int) {
-  if (interrupts != 0) ::_exit(kInterruptedStatus);
+  if (interrupts != 0) hal::runtime::leave(kInterruptedStatus);
   interrupts = 1;
 }
 
