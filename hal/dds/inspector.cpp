@@ -230,7 +230,7 @@ void Inspector::publish_fate(Time at, const MessageEnd& end) {
   sample.sender(std::string(end.sender));
   sample.id(end.id);
   sample.node(std::string(end.node));
-  sample.fate(end.fate ? std::string(name(*end.fate)) : "");
+  sample.fate(end.fate ? std::string(to_string(*end.fate)) : "");
   sample.verdict(end.verdict ? std::string(hal::name(*end.verdict)) : "");
   writer.write();
 }
@@ -300,11 +300,6 @@ void Inspector::publish_link(Time at, const Link& link) {
   sample.delivered(link.delivered);
   sample.lost(link.lost);
   writer.write();
-}
-
-std::string_view name(Fate fate) {
-  constexpr std::string_view kNames[] = {"handed over", "no route", "queue full", "failed"};
-  return kNames[static_cast<int>(fate)];
 }
 
 }  // namespace hal::dds

@@ -143,7 +143,4 @@ class Inspector {
   std::unique_ptr<Implementation> implementation_;
 };
 
-/// "handed over", "no route", "queue full", "failed".
-std::string_view name(Fate fate);
-
 }  // namespace hal::dds
