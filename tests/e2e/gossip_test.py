@@ -2,6 +2,7 @@
 """Parameters of every kind, one-hop broadcasts beside floods, names of agents and recorded values: in
 process as over DDS, and before a reader of inspection."""
 import math
+import random
 import re
 import unittest
 
@@ -11,6 +12,15 @@ GOSSIP = ROOT / "tests/e2e/gossip.yaml"
 IN_PROCESS = ["--controllers", "in-process"]
 FLOODS = ["--set", "agents.motes.controller.overrides.0.parameters.floods=true"]
 M1, M2, ROBOT = 2, 3, 5
+MOTE = """version: 1
+agent: {{name: m1, address: 2, kind: mote}}
+controller: {{program: gossip, parameters: {{friends: [m2, x9]}}}}
+radio: {{interface: lo, address: 127.77.{net}.1, port: 7300}}
+localisation:
+  driver: static
+  pose: {{x: 0 m, y: 0 m, yaw: 0 deg}}
+  map: [{{name: m2, address: 3, x: 3 m, y: 4 m}}]
+"""
 WORDS = ["psst", "so, it's"]
 
 
@@ -97,6 +107,24 @@ class Gossip(Case):
         self.assertEqual(len(samples), 10)
         for seconds, nanoseconds, agent, name, value in samples:
             self.assertIn((int(seconds) * 10**9 + int(nanoseconds), agent, name, float(value)), rows)
+
+
+class OnADaemon(Case):
+    def test_values_are_shown_and_logged_and_names_are_those_of_the_map(self):
+        domain = some_domain(self)
+        file = self.folder / "m1.yaml"
+        file.write_text(MOTE.format(net=random.randrange(1, 255)))
+        daemon = Program("baraka-agentd", file, "--domain", domain, "--no-state", "--log", "debug")
+        echo = Program("baraka", "topic", "echo", "baraka/values", "--domain", domain, "--count", 3)
+        controller = Program("../tests/gossip", "--agents", "m1", "--domain", domain, "--wait", "60 s")
+        for program in (daemon, echo, controller):
+            self.addCleanup(program.clean_up)
+        self.assertEqual(re.findall(r'agent: "(.*)"\nname: "distance"\nvalue: (.*)\n', echo.finish().out),
+                         [("m1", "5")] * 3)
+        daemon.process.terminate()
+        said = daemon.finish().err
+        for line in ("records address of m2 = 3", "records address of x9 = -1", "records distance = 5"):
+            self.assertIn(line, said)
 
 
 if __name__ == "__main__":
