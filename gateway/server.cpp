@@ -71,7 +71,7 @@ class AgentServer::Implementation {
 
   void answer_hellos(hal::Duration timeout, hal::Time now);
   void answer(const Hello& hello, hal::Time now);
-  void send(const Session& session, hal::Time now);
+  void send(Session session, const Hello& hello, hal::Time now);
   void note_refusal(const Hello& hello, const std::string& reason, hal::Time now);
   void release_dead();
   void connect_all();
@@ -145,16 +145,19 @@ void AgentServer::Implementation::answer(const Hello& hello, hal::Time now) {
     Candidate candidate{hello, session,
                         server_.link(hello, settings_.run, settings_.reply_timeout)};
     if (settings_.attendance == Attendance::kAnyTime) {
-      send(session, now);
+      send(session, hello, now);
       return connect(std::move(candidate));
     }
     candidates_[hello.instance] = std::move(candidate);
   }
-  send(session, now);
+  send(session, hello, now);
 }
 
-void AgentServer::Implementation::send(const Session& session, hal::Time now) {
-  if (auto sent = server_.answer(session); !sent) {
+/// The directory is put in here, so that it is not kept once for each process.
+void AgentServer::Implementation::send(Session session, const Hello& hello, hal::Time now) {
+  const bool is_granted = session.refusal.empty();
+  if (is_granted && hello.wants.names) session.directory = host_.directory();
+  if (auto sent = server_.answer(std::move(session)); !sent) {
     log(hal::log::Level::kWarning, now, sent.error().message);
   }
 }

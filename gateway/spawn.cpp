@@ -121,9 +121,9 @@ std::string last_words(const std::filesystem::path& log) {
   return last;
 }
 
-bool has_ended(int descriptor, int timeout_ms) {
+bool has_ended(int descriptor) {
   pollfd polled{descriptor, POLLIN, 0};
-  return poll(&polled, 1, timeout_ms) > 0;
+  return hal::poll_for({&polled, 1}, hal::Duration::zero()) > 0;
 }
 
 /// Leaves the process to be reaped later. @pre it has ended.
@@ -161,7 +161,7 @@ pid_t Spawner::start(const Command& command) {
 
 hal::Result<void> Spawner::check() const {
   for (const Child& child : children_) {
-    if (!has_ended(child.descriptor, 0)) continue;
+    if (!has_ended(child.descriptor)) continue;
     return hal::fail(hal::Errc::kNotConnected,
                      fmt::format("{} (pid {}) {}{}; see {}", child.name, child.pid,
                                  ending_of(child.name, child.pid).cause, last_words(child.log),
@@ -171,22 +171,21 @@ hal::Result<void> Spawner::check() const {
 }
 
 void Spawner::wait_all(hal::Duration timeout) {
-  const auto end = std::chrono::steady_clock::now() + timeout;
+  const hal::Time end = clock_.now() + timeout;
   for (const Child& child : children_) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(
-        end - std::chrono::steady_clock::now());
-    has_ended(child.descriptor, static_cast<int>(std::max<std::int64_t>(left.count(), 0)));
+    pollfd polled{child.descriptor, POLLIN, 0};
+    clock_.wait({&polled, 1}, std::max(end - clock_.now(), hal::Duration::zero()));
   }
 }
 
 std::vector<Ending> Spawner::stop_all() {
   for (const Child& child : children_) {
-    if (!has_ended(child.descriptor, 0)) kill(child.pid, SIGTERM);
+    if (!has_ended(child.descriptor)) kill(child.pid, SIGTERM);
   }
   wait_all(kGrace);
   std::vector<Ending> endings;
   for (const Child& child : children_) {
-    if (!has_ended(child.descriptor, 0)) kill(child.pid, SIGKILL);
+    if (!has_ended(child.descriptor)) kill(child.pid, SIGKILL);
     endings.push_back(ending_of(child.name, child.pid));  // Waits until it has ended.
     waitpid(child.pid, nullptr, 0);
     close(child.descriptor);

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "hal/dds/waiting.h"
+#include "hal/types/clock.h"
 #include "hal/types/result.h"
 #include "hal/types/time.h"
 
@@ -33,7 +35,8 @@ struct Ending {
 /// One thread.
 class Spawner {
  public:
-  Spawner() = default;
+  /// @param clock  by which it waits; outlives it.
+  explicit Spawner(hal::Clock& clock = hal::dds::wall_clock()) : clock_(clock) {}
   ~Spawner();  ///< As stop_all().
   Spawner(const Spawner&) = delete;
   Spawner& operator=(const Spawner&) = delete;
@@ -59,6 +62,7 @@ class Spawner {
     pid_t pid = 0;
     int descriptor = -1;
   };
+  hal::Clock& clock_;
   std::vector<Child> children_;
 };
 

@@ -86,4 +86,8 @@ void AgentInspection::on_state(hal::Time at, hal::AgentId, std::string_view stat
   if (inspector_) inspector_->publish_state(time_of_day(at), file_.name, state);
 }
 
+void AgentInspection::on_record(hal::Time at, hal::AgentId, std::string_view name, double value) {
+  if (inspector_) inspector_->publish_value(time_of_day(at), file_.name, name, value);
+}
+
 }  // namespace gateway

@@ -48,6 +48,7 @@ class AgentInspection final : public hal::agent::AgentObserver {
   void on_fate(hal::Time at, hal::AgentId sender, hal::MessageId id, hal::Fate fate) override;
   void on_route_change(hal::Time at, hal::AgentId agent, const hal::RouteChange& change) override;
   void on_state(hal::Time at, hal::AgentId agent, std::string_view state) override;
+  void on_record(hal::Time at, hal::AgentId agent, std::string_view name, double value) override;
 
  private:
   bool is_robot() const { return file_.robot.has_value(); }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <map>
+#include <set>
 #include <utility>
 
 #include "gateway/run/judge_controllers.h"
@@ -110,12 +111,9 @@ data_rate: 1 Mb/s
 
 /// Known keys of the top level.
 std::size_t known(const FileKind& kind, const std::vector<std::string>& keys) {
-  const auto& table = keys_of(kind).keys;
+  const std::set<std::string> of_kind = hal::config::top_level_keys(kind.read);
   return static_cast<std::size_t>(
-      std::count_if(keys.begin(), keys.end(), [&](const std::string& key) {
-        return std::any_of(table.begin(), table.end(),
-                           [&](const auto& description) { return description.path == key; });
-      }));
+      std::ranges::count_if(keys, [&](const std::string& key) { return of_kind.contains(key); }));
 }
 
 }  // namespace

@@ -41,6 +41,7 @@ class ServedAgents final : public hal::exchange::AgentHost {
     std::erase_if(offers, [](const auto& offer) { return offer.program == kTeleop; });
     return offers;
   }
+  std::vector<hal::exchange::AgentName> directory() const override { return host_.directory(); }
   void connect(std::shared_ptr<hal::exchange::ControllerPort> port,
                const std::vector<hal::AgentId>& agents, const hal::Wants& wants) override {
     host_.connect(std::move(port), agents, wants);
@@ -84,6 +85,7 @@ void ControllersOfRun::connect_in_process(const std::vector<ProcessPlan>& plans,
     hal::exchange::Session session;
     session.server = "in process";
     session.run = kOnlyRun;
+    if (kind.wants.names) session.directory = simulation.directory();
     for (const hal::AgentId agent : plan.agents) {
       session.agents.push_back(
           value_or_throw(hal::exchange::session_for(offer_of(offers, agent), kind.wants)));

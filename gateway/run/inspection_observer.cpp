@@ -161,4 +161,10 @@ void InspectionObserver::on_state(hal::Time at, hal::AgentId agent, std::string_
   inspector_->publish_state(at, name(agent), state);
 }
 
+void InspectionObserver::on_record(hal::Time at, hal::AgentId agent, std::string_view what,
+                                   double value) {
+  if (!is_read(Topic::kValues)) return;
+  inspector_->publish_value(at, name(agent), what, value);
+}
+
 }  // namespace gateway

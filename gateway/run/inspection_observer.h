@@ -41,6 +41,7 @@ class InspectionObserver final : public sim::agents::Observer {
                       hal::Verdict verdict) override;
   void on_route_change(hal::Time at, hal::AgentId agent, const hal::RouteChange& change) override;
   void on_state(hal::Time at, hal::AgentId agent, std::string_view state) override;
+  void on_record(hal::Time at, hal::AgentId agent, std::string_view name, double value) override;
 
  private:
   using Topic = hal::dds::Inspector::Topic;

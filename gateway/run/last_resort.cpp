@@ -1,7 +1,6 @@
 #include "gateway/run/last_resort.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <chrono>
 #include <exception>
@@ -54,9 +53,10 @@ void LastResort::watch() {
 void LastResort::end_stuck_run() {
   const auto call = hal::exchange::seize_call();
   if (!call) return;
-  ::_exit(status_of_end(fmt::format("interrupted while waiting for {} of {}, called at {:.9f} s",
-                                    call->what, call->who, hal::to_seconds(call->at)),
-                        false));
+  hal::runtime::leave(
+      status_of_end(fmt::format("interrupted while waiting for {} of {}, called at {:.9f} s",
+                                call->what, call->who, hal::to_seconds(call->at)),
+                    false));
 }
 
 int LastResort::status_of_end(const std::string& what, bool failed) {

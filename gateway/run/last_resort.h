@@ -13,7 +13,7 @@ namespace gateway {
 
 /// Ends a run from outside its own thread, when that will not: a controller's callback or a process
 /// that does not return while the user wants to go, and a controller in this process that calls
-/// exit(). What there are of results is kept.
+/// exit() or its like. What there are of results is kept.
 class LastResort {
  public:
   /// Writes results and says how it ended. The run's thread is in a call that was seized.

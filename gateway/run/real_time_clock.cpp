@@ -1,8 +1,7 @@
 #include "gateway/run/real_time_clock.h"
 
 #include <algorithm>
-
-#include "hal/dds/waiting.h"
+#include <vector>
 
 namespace gateway {
 namespace {
@@ -13,17 +12,20 @@ constexpr hal::Duration kSlice = std::chrono::milliseconds{50};
 }  // namespace
 
 hal::Time RealTimeClock::now() {
-  const Clock::time_point wall = Clock::now();
+  const hal::Time wall = pace_.clock().now();
   if (!start_) start_ = wall;
-  const std::chrono::duration<double> passed = wall - *start_;
-  return hal::Time{hal::from_seconds(passed.count() * factor_)};
+  return hal::Time{hal::from_seconds(hal::to_seconds(wall - *start_) * factor_)};
 }
 
 bool RealTimeClock::wait(hal::Time until, std::span<const int> descriptors,
                          const sim::agents::Progress& progress) {
   if (pace_.may_go_on(until, progress) == WallPace::Verdict::kBreakOff) return false;
   const double left = hal::to_seconds(until - now()) / factor_;
-  if (left > 0) hal::dds::wait_readable(descriptors, std::min(hal::from_seconds(left), kSlice));
+  if (left <= 0) return true;
+  std::vector<pollfd> polled;
+  polled.reserve(descriptors.size());
+  for (const int descriptor : descriptors) polled.push_back({descriptor, POLLIN, 0});
+  pace_.clock().wait(polled, std::min(hal::from_seconds(left), kSlice));
   return true;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <chrono>
 #include <optional>
 #include <span>
 
@@ -10,7 +9,7 @@
 namespace gateway {
 
 /// Simulated time at a factor of the wall clock, from the first call of now() on. Shows progress
-/// and breaks off when interrupted, as the WallPace does that it is given.
+/// and breaks off when interrupted, as the WallPace does that it is given, and goes by its clock.
 class RealTimeClock final : public sim::agents::FollowedClock {
  public:
   /// @param factor  simulated seconds per second, above 0.
@@ -21,10 +20,9 @@ class RealTimeClock final : public sim::agents::FollowedClock {
             const sim::agents::Progress& progress) override;
 
  private:
-  using Clock = std::chrono::steady_clock;
   double factor_;
   WallPace& pace_;
-  std::optional<Clock::time_point> start_;
+  std::optional<hal::Time> start_;
 };
 
 }  // namespace gateway

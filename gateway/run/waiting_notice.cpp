@@ -33,13 +33,13 @@ std::string path_of(const std::string& program) {
 
 WaitingNotice::WaitingNotice(std::vector<sim::scenario::ProcessPlan> plans,
                              const std::vector<hal::exchange::AgentOffer>& offers, int domain,
-                             hal::Duration wait)
-    : plans_(std::move(plans)), domain_(domain), wait_(wait) {
+                             hal::Duration wait, const hal::Clock& clock)
+    : plans_(std::move(plans)), domain_(domain), wait_(wait), clock_(clock) {
   for (const auto& offer : offers) agents_.push_back({offer.session.agent, offer.session.name});
 }
 
 void WaitingNotice::say(const std::vector<hal::AgentId>& missing) {
-  const auto now = std::chrono::steady_clock::now();
+  const hal::Time now = clock_.now();
   if (missing.empty() || (said_ && now - *said_ < kSayEvery)) return;
   fmt::print(stderr, "{} for controllers of {} agent{}, {} s for the next to come; type:\n",
              said_ ? "still waiting" : "waiting", missing.size(), missing.size() == 1 ? "" : "s",

@@ -1,11 +1,12 @@
 #pragma once
 
-#include <chrono>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "hal/dds/waiting.h"
 #include "hal/exchange/ports.h"
+#include "hal/types/clock.h"
 #include "hal/types/time.h"
 #include "sim/scenario/plan.h"
 
@@ -16,9 +17,10 @@ class WaitingNotice {
  public:
   /// @param plans   the processes that the scenario has in mind.  @param offers  of the run.
   /// @param domain  of DDS.  @param wait  for the next controller, until the run gives up.
+  /// @param clock   outlives the notice.
   WaitingNotice(std::vector<sim::scenario::ProcessPlan> plans,
                 const std::vector<hal::exchange::AgentOffer>& offers, int domain,
-                hal::Duration wait);
+                hal::Duration wait, const hal::Clock& clock = hal::dds::wall_clock());
 
   /// On standard error, the first time and then every 5 s; nothing if nobody is missing.
   void say(const std::vector<hal::AgentId>& missing);
@@ -38,7 +40,8 @@ class WaitingNotice {
   std::vector<Agent> agents_;
   int domain_;
   hal::Duration wait_;
-  std::optional<std::chrono::steady_clock::time_point> said_;
+  const hal::Clock& clock_;
+  std::optional<hal::Time> said_;
 };
 
 }  // namespace gateway

@@ -1,25 +1,25 @@
 #include "gateway/run/wall_pace.h"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <thread>
 #include <utility>
+
+#include "hal/runtime/exit_watch.h"
 
 namespace gateway {
 namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kShowOnTerminal = 500ms;
-constexpr auto kShowAsLines = 10s;
+constexpr hal::Duration kShowOnTerminal = 500ms;
+constexpr hal::Duration kShowAsLines = 10s;
 constexpr int kInterruptedStatus = 130;
 
 volatile std::sig_atomic_t interrupts = 0;
 
 void on_signal(int) {
-  if (interrupts != 0) ::_exit(kInterruptedStatus);
+  if (interrupts != 0) hal::runtime::leave(kInterruptedStatus);
   interrupts = 1;
 }
 
@@ -35,21 +35,18 @@ void catch_interrupts() {
 bool interrupted() { return interrupts != 0; }
 
 void WallPace::end() {
-  if (started_) last_ = Clock::now();
+  if (started_) last_ = clock_.now();
   if (std::exchange(line_open_, false)) fmt::print(stderr, "\n");
 }
 
 WallPace::Verdict WallPace::may_go_on(hal::Time next, const sim::agents::Progress& progress) {
-  last_ = Clock::now();
+  last_ = clock_.now();
   if (!started_) {
     start_ = shown_ = saved_ = last_;
     started_ = true;
   }
   const bool waited = throttle(next);
-  if (last_ - shown_ >=
-      (settings_.terminal ? Clock::duration(kShowOnTerminal) : Clock::duration(kShowAsLines))) {
-    show(progress);
-  }
+  if (last_ - shown_ >= (settings_.terminal ? kShowOnTerminal : kShowAsLines)) show(progress);
   if (last_ - saved_ >= 1s) {
     settings_.once_a_second();
     saved_ = last_;
@@ -59,17 +56,16 @@ WallPace::Verdict WallPace::may_go_on(hal::Time next, const sim::agents::Progres
 }
 
 bool WallPace::throttle(hal::Time next) {
-  constexpr std::chrono::duration<double> kWorthSleeping = 1ms, kSlice = 50ms;
-  const std::chrono::duration<double> due{hal::to_seconds(next) / settings_.max_speed};
-  const std::chrono::duration<double> left = due - (last_ - start_);
+  constexpr double kWorthSleeping = 1e-3, kSlice = 50e-3;  // s
+  const double left = hal::to_seconds(next) / settings_.max_speed - wall_seconds();
   if (left < kWorthSleeping) return false;
-  std::this_thread::sleep_for(std::min(left, kSlice));
-  last_ = Clock::now();
+  clock_.wait({}, hal::from_seconds(std::min(left, kSlice)));
+  last_ = clock_.now();
   return true;
 }
 
 void WallPace::show(const sim::agents::Progress& progress) {
-  const double wall = std::chrono::duration<double>(last_ - shown_).count();
+  const double wall = hal::to_seconds(last_ - shown_);
   const double factor = hal::to_seconds(progress.now - shown_time_) / wall;
   const std::string line = fmt::format(
       "{:9.1f} s simulated, {:.4g} x real time, {} events, {} exchanges, {} controller process{}",

@@ -1,11 +1,12 @@
 #pragma once
 
-#include <chrono>
 #include <csignal>
 #include <functional>
 #include <limits>
 #include <utility>
 
+#include "hal/dds/waiting.h"
+#include "hal/types/clock.h"
 #include "sim/agents/simulation.h"
 
 namespace gateway {
@@ -21,7 +22,11 @@ class WallPace final : public sim::agents::Pace {
     std::function<void()> once_a_second;  ///< Of wall time, e.g. to save what there is.
   };
 
-  explicit WallPace(Settings settings) : settings_(std::move(settings)) {}
+  /// @param clock  outlives the pace.
+  explicit WallPace(Settings settings, hal::Clock& clock = hal::dds::wall_clock())
+      : settings_(std::move(settings)), clock_(clock) {}
+
+  hal::Clock& clock() const { return clock_; }
 
   Verdict may_go_on(hal::Time next, const sim::agents::Progress& progress) override;
 
@@ -29,16 +34,15 @@ class WallPace final : public sim::agents::Pace {
   void end();
 
   /// Wall seconds from the first call to the last.
-  double wall_seconds() const { return std::chrono::duration<double>(last_ - start_).count(); }
+  double wall_seconds() const { return hal::to_seconds(last_ - start_); }
 
  private:
-  using Clock = std::chrono::steady_clock;
-
   bool throttle(hal::Time next);
   void show(const sim::agents::Progress& progress);
 
   Settings settings_;
-  Clock::time_point start_{}, last_{}, shown_{}, saved_{};
+  hal::Clock& clock_;
+  hal::Time start_{}, last_{}, shown_{}, saved_{};
   hal::Time shown_time_{};
   bool started_ = false, line_open_ = false;
 };

@@ -32,6 +32,7 @@ void AgentCore::begin_anew(const Wants& wants) {
   for (const auto& [id, timer] : timers_) ports_.timers.cancel(timer);
   timers_.clear();
   topics_ = {};
+  recorded_ = {};
   sent_.clear();
   told_.clear();
   inbox_ = {};
@@ -122,8 +123,7 @@ void AgentCore::sample(Event& control) {
 }
 
 Result<void> AgentCore::apply(const Action& action, Time as_of) {
-  const bool is_word = action.kind == ActionKind::kState || action.kind == ActionKind::kLog;
-  if (phase_ == Phase::kOver && !is_word) return {};
+  if (phase_ == Phase::kOver && !is_word(action)) return {};
   ports_.observer.on_action(now(), action);
   auto done = exchange::validate(action, session_);
   if (done) done = take_effect(action, as_of);
@@ -160,6 +160,8 @@ Result<void> AgentCore::take_effect(const Action& action, Time as_of) {
     case ActionKind::kLog:
       log::write(action.level, now(), name() + "/controller", action.text);
       break;
+    case ActionKind::kRecord:
+      return record(action);
     case ActionKind::kError:
       break;
   }
@@ -184,6 +186,14 @@ Result<void> AgentCore::send(const Action& action) {
                         .payload = action.payload};
   ports_.observer.on_message_sent(now(), message);
   router_.send(message);
+  return {};
+}
+
+Result<void> AgentCore::record(const Action& action) {
+  if (auto admitted = recorded_.admit(action.text); !admitted) return admitted;
+  log::debug(now(), name(), "records {} = {}", action.text, action.value);
+  const Time at = std::clamp(action.at, Time{}, now());
+  ports_.observer.on_record(at, id(), action.text, action.value);
   return {};
 }
 

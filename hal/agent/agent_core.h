@@ -15,7 +15,7 @@
 #include "hal/exchange/step.h"
 #include "hal/routing/router.h"
 #include "hal/types/result.h"
-#include "hal/types/topics.h"
+#include "hal/types/used_names.h"
 #include "hal/types/wants.h"
 
 namespace hal::agent {
@@ -82,7 +82,7 @@ class AgentCore final : public routing::Application, public routing::RoutingObse
 
   /// Lets an action take effect now. kError has none: that the controller threw is for the host.
   /// @param as_of  when the answer came in that it is of.
-  /// Errors, which are counted and logged: those of exchange::validate(), Topics and Drive.
+  /// Errors, which are counted and logged: those of exchange::validate(), UsedNames and Drive.
   Result<void> apply(const exchange::Action& action, Time as_of);
 
   /// Counts and logs that an action is not done, the same reason once in five seconds.
@@ -114,6 +114,7 @@ class AgentCore final : public routing::Application, public routing::RoutingObse
   Result<void> take_effect(const exchange::Action& action, Time as_of);
   Result<void> drive(const exchange::Action& action, Time as_of);
   Result<void> send(const exchange::Action& action);
+  Result<void> record(const exchange::Action& action);
   void set_timer(const exchange::Action& action);
   void set_state(const std::string& state);
 
@@ -125,6 +126,7 @@ class AgentCore final : public routing::Application, public routing::RoutingObse
   Wants wants_;
   std::vector<bool> asked_;  ///< By channel: the controller asked for it.
   Topics topics_;            ///< That it named.
+  RecordedNames recorded_;
   std::map<TimerId, Timers::Handle> timers_;
   /// A controller numbers its messages from 1, as the one before it did; for the network they are
   /// numbered on. By the network's number.

@@ -70,6 +70,10 @@ class AgentObserver {
   virtual void on_state(Time at, AgentId agent, std::string_view state) {
     (void)at, (void)agent, (void)state;
   }
+  /// Its controller records a value of its own, which it had at `at`: now or a while ago.
+  virtual void on_record(Time at, AgentId agent, std::string_view name, double value) {
+    (void)at, (void)agent, (void)name, (void)value;
+  }
 };
 
 }  // namespace hal::agent

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -11,6 +12,7 @@
 #include "hal/types/log.h"
 #include "hal/types/message.h"
 #include "hal/types/random.h"
+#include "hal/types/record.h"
 #include "hal/types/result.h"
 #include "hal/types/route.h"
 #include "hal/types/time.h"
@@ -47,6 +49,13 @@ class RealWorldObject {
   virtual std::string_view name() const = 0;
   virtual Time now() const = 0;  ///< Time of the event being handled.
   virtual Duration control_period() const = 0;
+
+  /// Address of the agent of that name; none: nobody is known by it. The simulator knows every
+  /// agent of the run, a daemon its own one and those on the map of its file. Only for controllers
+  /// that ask (Wants::names); for others always none, which is logged once.
+  virtual std::optional<AgentId> address_of(std::string_view name) const = 0;
+  /// Name of the agent with that address, likewise; valid for the life of the controller.
+  virtual std::optional<std::string_view> name_of(AgentId agent) const = 0;
 
   /// Sends `payload` to one agent over as many hops as it takes, to kEveryone in a flood, or to
   /// kNeighbours: to whoever hears it, once. What became of it comes back in Controller::notice.
@@ -86,9 +95,15 @@ class RealWorldObject {
   virtual RandomStream& random() = 0;
 
   /// Names the state the controller is in, for the record and for end conditions.
-  /// @param name  1..64 bytes, longer names are cut. One of ControllerKind::states, if it declares
-  ///   any: others are refused, which is logged once.
+  /// @param name  1..kMaxRecordedName bytes, longer names are cut. One of ControllerKind::states,
+  ///   if it declares any: others are refused, which is logged once.
   virtual void state(std::string_view name) = 0;
+
+  /// Puts a number of the controller's own into the results (table `recorded`) and before readers
+  /// of inspection (rt/baraka/values), with the time of now(): record("distance", 0.35).
+  /// @param name  1..kMaxRecordedName bytes, none of them zero; an agent may use kMaxRecordedNames
+  ///   names.   @param value  finite. What is not so is refused, which is logged once.
+  virtual void record(std::string_view name, double value) = 0;
 
   virtual void log(log::Level level, std::string_view text) = 0;
 };

@@ -33,6 +33,7 @@ class Explorer {
   explicit Explorer(const std::function<void(Mapping)>& read) : read_(read) {}
 
   KeyTable table();
+  std::set<std::string> top_level_keys();
 
  private:
   /// One way: the options that differ from those taken by itself, and the keys first found on it.
@@ -43,6 +44,9 @@ class Explorer {
 
   const Survey& survey_of(const Taken& taken);
   void follow(const Taken& taken);
+  void follow_all() {
+    for (; !ahead_.empty(); ahead_.pop_front()) follow(ahead_.front());
+  }
   /// Ways that take one more decision otherwise.
   std::vector<Taken> pairs(const Taken& taken);
   KeyDescription described(const Survey::Read& key, const Taken& taken);
@@ -209,7 +213,7 @@ std::vector<KeyDescription> in_order(const std::vector<KeyDescription>& keys) {
 
 KeyTable Explorer::table() {
   KeyTable table;
-  for (; !ahead_.empty(); ahead_.pop_front()) follow(ahead_.front());
+  follow_all();
   for (const Way& way : ways_) {
     for (const Survey::Read* read : way.found) table.keys.push_back(described(*read, way.taken));
   }
@@ -226,8 +230,20 @@ KeyTable Explorer::table() {
   return table;
 }
 
+std::set<std::string> Explorer::top_level_keys() {
+  follow_all();
+  std::set<std::string> keys = paths_;
+  std::erase_if(
+      keys, [](const std::string& path) { return path.find_first_of(".[") != std::string::npos; });
+  return keys;
+}
+
 }  // namespace
 
 KeyTable survey(const std::function<void(Mapping)>& read) { return Explorer(read).table(); }
+
+std::set<std::string> top_level_keys(const std::function<void(Mapping)>& read) {
+  return Explorer(read).top_level_keys();
+}
 
 }  // namespace hal::config

@@ -1,6 +1,5 @@
 #include "hal/dds/waiting.h"
 
-#include <poll.h>
 #include <sys/eventfd.h>
 #include <unistd.h>
 
@@ -16,9 +15,18 @@ namespace {
 /// Longer than this is never: the sum with the time of day could overflow.
 constexpr Duration kForEver = std::chrono::years{100};
 
-Duration steady_now() {
-  return std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now().time_since_epoch());
-}
+class WallClock final : public Clock {
+ public:
+  Time now() const override {
+    return Time{
+        std::chrono::duration_cast<Duration>(std::chrono::steady_clock::now().time_since_epoch())};
+  }
+  int wait(std::span<pollfd> descriptors, Duration at_most) override {
+    return poll_for(descriptors, at_most);
+  }
+};
+
+Duration steady_now() { return wall_clock().now().time_since_epoch(); }
 
 }  // namespace
 
@@ -42,11 +50,12 @@ bool wait_readable(std::span<const int> descriptors, Duration timeout) {
   std::vector<pollfd> polled;
   polled.reserve(descriptors.size());
   for (const int descriptor : descriptors) polled.push_back({descriptor, POLLIN, 0});
-  timespec left{};
-  left.tv_sec = timeout.count() / 1'000'000'000;
-  left.tv_nsec = timeout.count() % 1'000'000'000;
-  const bool for_ever = timeout == Duration::max();
-  return ppoll(polled.data(), polled.size(), for_ever ? nullptr : &left, nullptr) > 0;
+  return poll_for(polled, timeout) > 0;
+}
+
+Clock& wall_clock() {
+  static WallClock clock;
+  return clock;
 }
 
 Deadline::Deadline(Duration from_now)

@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "hal/types/clock.h"
 #include "hal/types/time.h"
 
 namespace hal::dds {
@@ -26,6 +27,9 @@ class Signal {
 /// @param timeout  of the wall clock; Duration::max(): for ever.
 /// @returns whether one is. An interrupting signal handler counts as time that has passed.
 bool wait_readable(std::span<const int> descriptors, Duration timeout);
+
+/// The clock of the wall, CLOCK_MONOTONIC, to be handed in.
+Clock& wall_clock();
 
 /// Wall clock for timeouts, never for simulated time.
 class Deadline {

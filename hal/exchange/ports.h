@@ -57,6 +57,9 @@ class AgentHost {
   /// The agents that need a controller, by address.
   virtual std::vector<AgentOffer> offers() const = 0;
 
+  /// Every agent of the network that the host knows by name, also those that need no controller.
+  virtual std::vector<AgentName> directory() const = 0;
+
   /// Connects a controller process to its agents. Each agent has at most one. A host of lock-step
   /// takes none once it has started; one of a robot does, at any time, and begins anew with START.
   virtual void connect(std::shared_ptr<ControllerPort> port, const std::vector<AgentId>& agents,

@@ -14,7 +14,7 @@ namespace hal::exchange {
 
 /// Version of the values in this folder as they travel. Two sides of different versions refuse
 /// each other.
-inline constexpr std::uint32_t kProtocolVersion = 4;
+inline constexpr std::uint32_t kProtocolVersion = 5;
 
 /// A parameter as the scenario gives it, with the place of its value for error messages.
 struct ParameterText {
@@ -49,6 +49,13 @@ struct AgentSession {
   bool operator==(const AgentSession&) const = default;
 };
 
+/// An agent of the network, for who looks for it by name.
+struct AgentName {
+  AgentId agent;
+  std::string name;
+  bool operator==(const AgentName&) const = default;
+};
+
 /// A process introduces itself.
 struct Hello {
   std::uint32_t version = kProtocolVersion;
@@ -73,6 +80,8 @@ struct Session {
   std::uint64_t run = 0;
   std::string refusal;  ///< Empty: granted.
   std::vector<AgentSession> agents;
+  /// Once per process, however many agents it drives; only if Wants::names asks.
+  std::vector<AgentName> directory{};
   bool operator==(const Session&) const = default;
 };
 

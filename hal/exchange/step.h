@@ -70,6 +70,7 @@ enum class ActionKind : std::uint8_t {
   kState,        ///< text
   kLog,          ///< level, text
   kError,        ///< text: the controller threw; nothing of this agent follows
+  kRecord,       ///< text: the name of the value; value; at: of the event, when it was true
 };
 
 /// Everything a controller does leaves in one of these.
@@ -87,12 +88,19 @@ struct Action {
   Time at{};
   bool radio_on = true;
   std::string text;
+  double value = 0;
   log::Level level = log::Level::kInfo;
   bool operator==(const Action&) const = default;
 };
 
 inline bool drives(const Action& action) {
   return action.kind == ActionKind::kDriveBody || action.kind == ActionKind::kDriveWheels;
+}
+
+/// Words change nothing in the world: they count also when the agent is over.
+inline bool is_word(const Action& action) {
+  return action.kind == ActionKind::kState || action.kind == ActionKind::kLog ||
+         action.kind == ActionKind::kRecord;
 }
 
 /// The answer to the Step of the same sequence.

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "hal/types/message.h"
+#include "hal/types/record.h"
 
 namespace hal::exchange {
 namespace {
@@ -35,11 +36,22 @@ std::string mistake_in_wheel_speeds(std::span<const double> speeds, const DriveL
   return {};
 }
 
+/// @param field  "topic"
+std::string mistake_in_name(const char* field, std::string_view name, std::size_t longest) {
+  if (name.find('\0') != std::string_view::npos) return fmt::format("{} has a zero byte", field);
+  if (!name.empty() && name.size() <= longest) return {};
+  return fmt::format("{} '{}' has {} bytes, 1 to {} are allowed", field, name, name.size(),
+                     longest);
+}
+
 std::string mistake_in_topic(std::string_view topic) {
-  if (topic.find('\0') != std::string_view::npos) return "topic has a zero byte";
-  if (!topic.empty() && topic.size() <= kMaxTopic) return {};
-  return fmt::format("topic '{}' has {} bytes, 1 to {} are allowed", topic, topic.size(),
-                     kMaxTopic);
+  return mistake_in_name("topic", topic, kMaxTopic);
+}
+
+std::string mistake_in_record(std::string_view name, double value) {
+  std::string mistake = mistake_in_name("name", name, kMaxRecordedName);
+  if (!mistake.empty() || std::isfinite(value)) return mistake;
+  return fmt::format("'{}' is {}, it must be finite", name, value);
 }
 
 std::string mistake_in_message(const Action& action, const AgentSession& session) {
@@ -67,6 +79,8 @@ std::string mistake_in(const Action& action, const AgentSession& session) {
       return mistake_in_message(action, session);
     case ActionKind::kInvalidate:
       return mistake_in_topic(action.topic);
+    case ActionKind::kRecord:
+      return mistake_in_record(action.text, action.value);
     case ActionKind::kTimer:
     case ActionKind::kRadio:
     case ActionKind::kState:
@@ -94,7 +108,8 @@ std::string_view name(ActionKind kind) {
                                          "set_radio",
                                          "state",
                                          "log",
-                                         "error"};
+                                         "error",
+                                         "record"};
   return kNames[static_cast<int>(kind)];
 }
 

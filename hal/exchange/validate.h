@@ -18,6 +18,7 @@ namespace hal::exchange {
 /// kSend         to everyone, or to an agent (an address from 1) other than itself; numbered from
 ///               1; topic of 1 … kMaxTopic bytes, none of them zero; payload of 0 … kMaxPayload
 /// kInvalidate   the topic likewise
+/// kRecord       a name of 1 … kMaxRecordedName bytes, none of them zero; the value is finite
 /// others        always
 ///
 /// Errors: kInvalidArgument, naming the field, what it is and what is allowed.

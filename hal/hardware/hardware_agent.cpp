@@ -48,6 +48,14 @@ std::vector<exchange::AgentOffer> HardwareAgent::offers() const {
   return {sampler_.offer()};
 }
 
+std::vector<exchange::AgentName> HardwareAgent::directory() const {
+  std::vector<exchange::AgentName> known{{file_.address, file_.name}};
+  for (const Landmark& landmark : file_.localisation.map) {
+    if (landmark.agent != file_.address) known.push_back({landmark.agent, landmark.name});
+  }
+  return known;
+}
+
 void HardwareAgent::connect(std::shared_ptr<exchange::ControllerPort> port,
                             const std::vector<AgentId>& agents, const Wants& wants) {
   BARAKA_CHECK(!courier_ && agents == std::vector{file_.address});

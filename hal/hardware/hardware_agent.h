@@ -56,6 +56,8 @@ class HardwareAgent final : public exchange::AgentHost, private agent::AgentList
   HardwareAgent& operator=(const HardwareAgent&) = delete;
 
   std::vector<exchange::AgentOffer> offers() const override;
+  /// This agent and those on the map of its file.
+  std::vector<exchange::AgentName> directory() const override;
   /// @pre the agent has no controller.
   void connect(std::shared_ptr<exchange::ControllerPort> port, const std::vector<AgentId>& agents,
                const Wants& wants) override;

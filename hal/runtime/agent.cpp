@@ -36,8 +36,9 @@ std::string mistake_in(const ControllerKind& kind, const exchange::AgentSession&
 
 }  // namespace
 
-Agent::Agent(const ControllerKind& kind, const exchange::AgentSession& session, Outbox& outbox)
-    : context_(session, kind, outbox), who_("controller of " + session.name) {}
+Agent::Agent(const ControllerKind& kind, const exchange::AgentSession& session,
+             const exchange::Directory& directory, Outbox& outbox)
+    : context_(session, kind, outbox, directory), who_("controller of " + session.name) {}
 
 void Agent::make_controller(const ControllerKind& kind) {
   const Parameters parameters = read_parameters(kind, context_.session.parameters);
@@ -55,10 +56,10 @@ void Agent::make_controller(const ControllerKind& kind) {
 
 Result<std::unique_ptr<Agent>> Agent::create(const ControllerKind& kind,
                                              const exchange::AgentSession& session,
-                                             Outbox& outbox) {
+                                             const exchange::Directory& directory, Outbox& outbox) {
   std::string mistakes = mistake_in(kind, session);
   if (!mistakes.empty()) return fail(Errc::kInvalidArgument, std::move(mistakes));
-  std::unique_ptr<Agent> agent(new Agent(kind, session, outbox));
+  std::unique_ptr<Agent> agent(new Agent(kind, session, directory, outbox));
   try {
     agent->make_controller(kind);
   } catch (const std::exception& e) {

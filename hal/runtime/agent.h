@@ -14,16 +14,18 @@ namespace hal::runtime {
 ///   alive --throws-> over
 class Agent {
  public:
-  /// Errors: as ControllerHost::create. `kind` and `outbox` outlive the agent.
+  /// Errors: as ControllerHost::create. All but `session` outlive the agent.
   static Result<std::unique_ptr<Agent>> create(const ControllerKind& kind,
                                                const exchange::AgentSession& session,
+                                               const exchange::Directory& directory,
                                                Outbox& outbox);
 
   /// Takes in what the event brings and makes the callback it stands for.
   void handle(const exchange::Event& event);
 
  private:
-  Agent(const ControllerKind& kind, const exchange::AgentSession& session, Outbox& outbox);
+  Agent(const ControllerKind& kind, const exchange::AgentSession& session,
+        const exchange::Directory& directory, Outbox& outbox);
   void make_controller(const ControllerKind& kind);
   void call_back(const exchange::Event& event);
   void receive(const exchange::Event& event);

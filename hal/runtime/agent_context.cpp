@@ -7,13 +7,15 @@
 namespace hal::runtime {
 
 AgentContext::AgentContext(const exchange::AgentSession& agent_session, const ControllerKind& kind,
-                           Outbox& out)
+                           Outbox& out, const exchange::Directory& names)
     : session(agent_session),
       states(kind.states),
       outbox(out),
       readings(agent_session.channels),
       routes(kind.wants.watched, kind.wants.neighbours),
-      random(agent_session.seed, agent_session.name + "/controller") {}
+      random(agent_session.seed, agent_session.name + "/controller"),
+      directory(names),
+      asked_for_names(kind.wants.names) {}
 
 void AgentContext::take_in(const exchange::Event& event) {
   now = event.time;
@@ -38,6 +40,13 @@ Result<void> AgentContext::judge_last() {
   const std::string_view call = exchange::name(action.kind);
   outbox.take_back();
   return refuse(call, good.error().message);
+}
+
+bool AgentContext::has_names(std::string_view call) {
+  if (!asked_for_names) {
+    (void)refuse(call, "the controller did not ask for it: .wants = {.names = true}");
+  }
+  return asked_for_names;
 }
 
 void AgentContext::log_mistakes() {

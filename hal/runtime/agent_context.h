@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hal/api/controller.h"
+#include "hal/exchange/directory.h"
 #include "hal/exchange/session.h"
 #include "hal/runtime/call_guard.h"
 #include "hal/runtime/mistakes.h"
@@ -15,14 +16,15 @@
 #include "hal/types/random.h"
 #include "hal/types/result.h"
 #include "hal/types/time.h"
-#include "hal/types/topics.h"
+#include "hal/types/used_names.h"
 
 namespace hal::runtime {
 
 /// What one agent knows and keeps between events: all that its Mote or Robot answers from.
 struct AgentContext {
-  AgentContext(const exchange::AgentSession& agent_session, const ControllerKind& kind,
-               Outbox& out);
+  /// @param names  outlives the context.
+  AgentContext(const exchange::AgentSession& agent_session, const ControllerKind& kind, Outbox& out,
+               const exchange::Directory& names);
 
   /// Updates the knowledge from what an event brings. What is against the rules is logged and left.
   void take_in(const exchange::Event& event);
@@ -34,6 +36,9 @@ struct AgentContext {
   /// Whether the last action in the outbox keeps the rules of exchange::validate(). If not it is
   /// taken back and refused.
   Result<void> judge_last();
+
+  /// Whether the controller asked who is who; if not, the call is refused.
+  bool has_names(std::string_view call);
 
   /// Logs how often mistakes were made that refuse() did not log. To be called in the end.
   void log_mistakes();
@@ -58,7 +63,10 @@ struct AgentContext {
   RouteView routes;
   RandomStream random;
   MessageId last_message = 0;
+  const exchange::Directory& directory;  ///< Empty unless asked for.
+  const bool asked_for_names;
   Topics topics;
+  RecordedNames recorded;
   Mistakes mistakes;
   std::string last_refusal;  ///< As the controller was told.
   std::map<TimerId, Time> timers;

@@ -9,16 +9,17 @@
 
 namespace hal::runtime {
 
-ControllerHost::ControllerHost() : outbox_(std::make_unique<Outbox>()) {}
+ControllerHost::ControllerHost(const exchange::Session& session)
+    : directory_(session.directory), outbox_(std::make_unique<Outbox>()) {}
 ControllerHost::~ControllerHost() = default;
 
 Result<std::unique_ptr<ControllerHost>> ControllerHost::create(const ControllerKind& kind,
                                                                const exchange::Session& session) {
-  std::unique_ptr<ControllerHost> host(new ControllerHost);
+  std::unique_ptr<ControllerHost> host(new ControllerHost(session));
   std::string mistakes;
   Errc code = Errc::kInvalidArgument;
   for (const exchange::AgentSession& one : session.agents) {
-    auto agent = Agent::create(kind, one, *host->outbox_);
+    auto agent = Agent::create(kind, one, host->directory_, *host->outbox_);
     if (agent) {
       host->agents_[one.agent] = std::move(*agent);
       continue;

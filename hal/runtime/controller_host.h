@@ -5,6 +5,7 @@
 
 #include "hal/api/controller.h"
 #include "hal/exchange/agent_table.h"
+#include "hal/exchange/directory.h"
 #include "hal/exchange/session.h"
 #include "hal/exchange/step.h"
 #include "hal/types/result.h"
@@ -43,10 +44,11 @@ class ControllerHost {
   exchange::Reply broken_off(const exchange::Step& step, std::string message);
 
  private:
-  ControllerHost();
+  explicit ControllerHost(const exchange::Session& session);
   exchange::Reply gathered(const exchange::Step& step);
 
-  std::unique_ptr<Outbox> outbox_;  ///< Outlives the agents, which write into it.
+  const exchange::Directory directory_;  ///< Of all agents of the process.
+  std::unique_ptr<Outbox> outbox_;       ///< Outlives the agents, which write into it.
   exchange::AgentTable<std::unique_ptr<Agent>> agents_;
 };
 

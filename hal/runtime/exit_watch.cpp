@@ -1,6 +1,7 @@
 #include "hal/runtime/exit_watch.h"
 
 #include <fmt/format.h>
+#include <sys/syscall.h>
 #include <unistd.h>
 
 #include <atomic>
@@ -11,18 +12,29 @@ namespace hal::runtime {
 namespace {
 
 std::atomic<const ExitWatch::Handler*> current{nullptr};
+std::atomic<pid_t> watched{0};  ///< The process with the watch: a forked one has the same memory.
+
+/// Returns if nobody watches.
+void on_call(const char* function, int status) {
+  if (::getpid() != watched) return;
+  const auto* const handler = current.exchange(nullptr);
+  if (handler == nullptr) return;
+  leave((*handler)({.function = function, .status = status, .within = exchange::seize_call()}));
+}
 
 void on_exit_called(int status, void* context) {
   (void)context;
-  const auto* const handler = current.exchange(nullptr);
-  if (handler == nullptr) return;
-  ::_exit((*handler)({.status = status, .within = exchange::seize_call()}));
+  on_call("exit", status);
 }
 
 }  // namespace
 
+void leave(int status) noexcept {
+  while (true) ::syscall(SYS_exit_group, status);
+}
+
 std::string ExitCall::what() const {
-  return fmt::format("called exit({}) {}", status,
+  return fmt::format("called {}({}) {}", function, status,
                      within ? "in " + within->what : "outside any callback");
 }
 
@@ -35,9 +47,29 @@ ExitWatch::ExitWatch(Handler handler) : handler_(std::move(handler)) {
   // Handlers run in the opposite order of their registration: this one before the destructors of
   // everything that has been made by now.
   ::on_exit(on_exit_called, nullptr);
+  watched = ::getpid();
   current = &handler_;
 }
 
 ExitWatch::~ExitWatch() { current = nullptr; }
 
 }  // namespace hal::runtime
+
+// A function of a program takes the place of the one in the C library of the same name, for the
+// program and for what it loads, if the program exports it (CMakeLists.txt).
+// NOLINTBEGIN(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)
+extern "C" {
+void _exit(int status) {
+  hal::runtime::on_call("_exit", status);
+  hal::runtime::leave(status);
+}
+void _Exit(int status) noexcept {
+  hal::runtime::on_call("_Exit", status);
+  hal::runtime::leave(status);
+}
+void quick_exit(int status) noexcept {
+  hal::runtime::on_call("quick_exit", status);
+  hal::runtime::leave(status);
+}
+}
+// NOLINTEND(bugprone-reserved-identifier,cert-dcl37-c,cert-dcl51-cpp,readability-identifier-naming)

@@ -8,8 +8,9 @@
 
 namespace hal::runtime {
 
-/// A call of exit() by a controller.
+/// A call of exit(), or of one of those that end a process at once, by a controller.
 struct ExitCall {
+  const char* function = "exit";  ///< "_exit", "_Exit", "quick_exit"
   int status = 0;
   std::optional<exchange::SeizedCall> within;  ///< The callback; none: on a thread of its own.
 
@@ -17,10 +18,12 @@ struct ExitCall {
   std::string text() const;  ///< "controller of r0 called exit(0) in step() at 2.000000000 s".
 };
 
-/// While this lives, exit() is a mistake: of a controller, in a callback or on a thread of its own.
-/// It would run the destructors of a program whose threads are at work, and end it as if all were
-/// well. Instead the handler is called, on the thread of exit(), and the process ends at once with
-/// the status it returns. One at a time. _exit() and abort() are not seen.
+/// While this lives, exit(), _exit(), _Exit() and quick_exit() are mistakes: of a controller, in a
+/// callback or on a thread of its own, plug-ins included. exit() would run the destructors of a
+/// program whose threads are at work, and end it as if all were well. Instead the handler is
+/// called, on the thread of exit(), and the process ends at once with the status it returns. One at
+/// a time. What a child does that was forked off is its own affair. Not seen are abort(), which
+/// ends the process with a signal, and the bare system call.
 class ExitWatch {
  public:
   using Handler = std::function<int(const ExitCall&)>;
@@ -33,5 +36,8 @@ class ExitWatch {
  private:
   Handler handler_;
 };
+
+/// Ends the process at once, as _exit() does, but unseen by a watch. Async-signal-safe.
+[[noreturn]] void leave(int status) noexcept;
 
 }  // namespace hal::runtime

@@ -7,8 +7,6 @@
 namespace hal::runtime {
 namespace {
 
-constexpr std::size_t kMaxState = 64;  // bytes
-
 /// Cuts between characters, so that what is left of UTF-8 text is UTF-8.
 std::string_view cut(std::string_view text, std::size_t limit) {
   if (text.size() <= limit) return text;
@@ -43,6 +41,18 @@ template <class Interface>
 Duration ObjectOf<Interface>::control_period() const {
   context_.guard.check("control_period");
   return context_.session.control_period;
+}
+
+template <class Interface>
+std::optional<AgentId> ObjectOf<Interface>::address_of(std::string_view name) const {
+  context_.guard.check("address_of");
+  return context_.has_names("address_of") ? context_.directory.address_of(name) : std::nullopt;
+}
+
+template <class Interface>
+std::optional<std::string_view> ObjectOf<Interface>::name_of(AgentId agent) const {
+  context_.guard.check("name_of");
+  return context_.has_names("name_of") ? context_.directory.name_of(agent) : std::nullopt;
 }
 
 template <class Interface>
@@ -137,8 +147,8 @@ void ObjectOf<Interface>::state(std::string_view name) {
   context_.guard.check("state");
   if (name.empty()) {
     // Nothing to return an error in: the log has to do.
-    (void)context_.refuse("state",
-                          fmt::format("name is empty, 1 to {} bytes are allowed", kMaxState));
+    (void)context_.refuse(
+        "state", fmt::format("name is empty, 1 to {} bytes are allowed", kMaxRecordedName));
     return;
   }
   const auto& declared = context_.states;
@@ -148,7 +158,21 @@ void ObjectOf<Interface>::state(std::string_view name) {
                              fmt::join(declared, ", ")));
     return;
   }
-  context_.outbox.add(exchange::ActionKind::kState).text = cut(name, kMaxState);
+  context_.outbox.add(exchange::ActionKind::kState).text = cut(name, kMaxRecordedName);
+}
+
+template <class Interface>
+void ObjectOf<Interface>::record(std::string_view name, double value) {
+  context_.guard.check("record");
+  exchange::Action& action = context_.outbox.add(exchange::ActionKind::kRecord);
+  action.text = name;
+  action.value = value;
+  action.at = context_.now;
+  if (!context_.judge_last()) return;  // logged: there is nothing to return an error in
+  if (const auto admitted = context_.recorded.admit(name); !admitted) {
+    context_.outbox.take_back();
+    (void)context_.refuse("record", admitted.error().message);
+  }
 }
 
 template <class Interface>

@@ -17,6 +17,8 @@ class ObjectOf : public Interface {
   std::string_view name() const override;
   Time now() const override;
   Duration control_period() const override;
+  std::optional<AgentId> address_of(std::string_view name) const override;
+  std::optional<std::string_view> name_of(AgentId agent) const override;
   Result<MessageId> send(AgentId destination, std::string_view topic,
                          std::span<const std::uint8_t> payload) override;
   Network& network() override;
@@ -29,6 +31,7 @@ class ObjectOf : public Interface {
   void set_radio(bool on) override;
   RandomStream& random() override;
   void state(std::string_view name) override;
+  void record(std::string_view name, double value) override;
   void log(log::Level level, std::string_view text) override;
 
  protected:

@@ -106,6 +106,7 @@ void FingerprintFeed::on_action(hal::Time at, const hal::exchange::Action& actio
   hash.add(std::uint64_t{action.radio_on});
   hash.add(number(action.level));
   hash.add(std::string_view{action.text});
+  if (action.kind == hal::exchange::ActionKind::kRecord) hash.add(action.value);
 }
 
 void FingerprintFeed::on_route_change(hal::Time at, hal::AgentId agent,

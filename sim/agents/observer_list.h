@@ -94,6 +94,9 @@ class ObserverList final : public Observer {
   void on_state(hal::Time at, hal::AgentId agent, std::string_view state) override {
     for (Observer* o : observers_) o->on_state(at, agent, state);
   }
+  void on_record(hal::Time at, hal::AgentId agent, std::string_view name, double value) override {
+    for (Observer* o : observers_) o->on_record(at, agent, name, value);
+  }
 
  private:
   std::vector<Observer*> observers_;

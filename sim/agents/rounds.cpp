@@ -114,9 +114,9 @@ void Simulation::State::apply(const Action& action) {
   (void)agents.at(action.agent)->core().apply(action, events.now());
 }
 
-/// After the end only words count: states and log lines.
+/// After the end only words count.
 void Simulation::State::apply_last(const Action& action) {
-  if (action.kind == ActionKind::kState || action.kind == ActionKind::kLog) apply(action);
+  if (is_word(action)) apply(action);
 }
 
 void Simulation::State::on_failures(const std::vector<Controllers::Failure>& failures) {

@@ -81,6 +81,12 @@ std::vector<hal::exchange::AgentOffer> Simulation::offers() const {
   return offers;
 }
 
+std::vector<hal::exchange::AgentName> Simulation::directory() const {
+  std::vector<hal::exchange::AgentName> names;
+  for (const AgentConfig& agent : state_->config.agents) names.push_back({agent.id, agent.name});
+  return names;
+}
+
 void Simulation::connect(std::shared_ptr<hal::exchange::ControllerPort> port,
                          const std::vector<hal::AgentId>& agents, const hal::Wants& wants) {
   for (const hal::AgentId agent : agents) state_->agents.at(agent)->core().connect(wants);

@@ -69,6 +69,7 @@ class Simulation final : public hal::exchange::AgentHost {
   void add_observer(Observer& observer);
 
   std::vector<hal::exchange::AgentOffer> offers() const override;
+  std::vector<hal::exchange::AgentName> directory() const override;
   void connect(std::shared_ptr<hal::exchange::ControllerPort> port,
                const std::vector<hal::AgentId>& agents, const hal::Wants& wants) override;
 

@@ -39,6 +39,7 @@ Recorder::Recorder(const std::filesystem::path& file, const agents::SimulationCo
       insert_discovery_(database_, "INSERT INTO discoveries VALUES (?, ?, ?, ?, ?, ?)"),
       insert_lost_body_(database_, "INSERT INTO lost_bodies VALUES (?, ?, ?)"),
       insert_state_(database_, "INSERT INTO states VALUES (?, ?, ?)"),
+      insert_value_(database_, "INSERT INTO recorded VALUES (?, ?, ?, ?)"),
       insert_turn_(database_, "INSERT INTO turns VALUES (?, ?, ?, ?)"),
       insert_arrival_(database_, "INSERT INTO arrivals VALUES (?, ?, ?)"),
       insert_frame_(database_, "INSERT INTO frames VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"),
@@ -275,6 +276,11 @@ void Recorder::on_discovery(hal::Time at, hal::AgentId agent, const agents::Disc
 
 void Recorder::on_state(hal::Time at, hal::AgentId agent, std::string_view state) {
   insert_state_.run(agent.value, hal::to_ns(at), state);
+  on_rows(at, 1);
+}
+
+void Recorder::on_record(hal::Time at, hal::AgentId agent, std::string_view name, double value) {
+  insert_value_.run(agent.value, hal::to_ns(at), name, value);
   on_rows(at, 1);
 }
 

@@ -103,6 +103,7 @@ class Recorder final : public agents::Observer {
                       hal::Verdict verdict) override;
   void on_discovery(hal::Time at, hal::AgentId agent, const agents::Discovery& discovery) override;
   void on_state(hal::Time at, hal::AgentId agent, std::string_view state) override;
+  void on_record(hal::Time at, hal::AgentId agent, std::string_view name, double value) override;
   void on_turn(const agents::Turn& turn) override;
   void on_arrival(const OutsideArrival& arrival) override;
 
@@ -123,7 +124,7 @@ class Recorder final : public agents::Observer {
   MessageLog messages_;
   BroadcastWatch broadcasts_;
   BodyLog bodies_;
-  Statement set_, insert_discovery_, insert_lost_body_, insert_state_, insert_turn_,
+  Statement set_, insert_discovery_, insert_lost_body_, insert_state_, insert_value_, insert_turn_,
       insert_arrival_, insert_frame_, insert_frame_end_, insert_fingerprint_;
   int rows_ = 0;     ///< Since the last commit.
   hal::Time now_{};  ///< Of the latest row, or of the end.

@@ -174,6 +174,12 @@ std::vector<Table> body_tables() {
        {{"agent", "INTEGER NOT NULL", "", "whose controller"},
         {"at_ns", "INTEGER NOT NULL", "ns", "when it was entered"},
         {"state", "TEXT NOT NULL", "", "as the controller calls it"}}},
+      {"recorded",
+       "numbers that controllers recorded",
+       {{"agent", "INTEGER NOT NULL", "", "whose controller"},
+        {"at_ns", "INTEGER NOT NULL", "ns", "of the event in which it was recorded"},
+        {"name", "TEXT NOT NULL", "", "as the controller calls it"},
+        {"value", "REAL NOT NULL", "", "in the controller's unit"}}},
   };
 }
 

@@ -61,26 +61,21 @@ void apply_override(Mapping& in, std::span<AgentConfig> agents, Overridden& over
   }
 }
 
-bool same_value(const AgentConfig& agent, const ParameterText& parameter) {
-  return std::any_of(agent.parameters.begin(), agent.parameters.end(), [&](const auto& other) {
+bool contains(const std::vector<ParameterText>& parameters, const ParameterText& parameter) {
+  return std::ranges::any_of(parameters, [&](const ParameterText& other) {
     return other.name == parameter.name && other.value == parameter.value &&
            other.is_list == parameter.is_list && other.items == parameter.items;
   });
 }
 
-bool is_common(std::span<const AgentConfig> agents, const ParameterText& parameter) {
-  return std::all_of(agents.begin(), agents.end(),
-                     [&](const AgentConfig& agent) { return same_value(agent, parameter); });
-}
-
-/// The agent's parameters that all agents share, or those that not all share.
-std::vector<ParameterText> selected(std::span<const AgentConfig> agents, const AgentConfig& agent,
-                                    bool common) {
-  std::vector<ParameterText> result;
-  for (const ParameterText& parameter : agent.parameters) {
-    if (is_common(agents, parameter) == common) result.push_back(parameter);
-  }
-  return result;
+/// The parameters that all agents share.
+std::vector<ParameterText> common_to(std::span<const AgentConfig> agents) {
+  std::vector<ParameterText> common = agents.front().parameters;
+  std::erase_if(common, [&](const ParameterText& parameter) {
+    return std::ranges::any_of(
+        agents, [&](const AgentConfig& agent) { return !contains(agent.parameters, parameter); });
+  });
+  return common;
 }
 
 void write_parameters(Writer& out, const std::vector<ParameterText>& parameters) {
@@ -129,10 +124,12 @@ void write_controller(Writer& out, const Group& group, std::span<const AgentConf
   out.open("controller");
   out.text("program", group.program);
   out.integer("processes", group.processes);
-  write_parameters(out, selected(agents, agents.front(), true));
+  const std::vector<ParameterText> common = common_to(agents);
+  write_parameters(out, common);
   out.open_list("overrides");
   for (const AgentConfig& agent : agents) {
-    const std::vector<ParameterText> own = selected(agents, agent, false);
+    std::vector<ParameterText> own = agent.parameters;
+    std::erase_if(own, [&](const ParameterText& one) { return contains(common, one); });
     if (own.empty()) continue;
     out.open_item();
     out.text("agents", agent.name);

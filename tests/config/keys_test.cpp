@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -78,6 +79,15 @@ TEST_P(Keys, HaveAMeaningThatIsASentenceAndAnExample) {
 TEST_P(Keys, ThatAreLookedForAreReadSomewhere) {
   EXPECT_EQ(survey(GetParam().read).never_read, Lines{})
       << "describe them where they are read: {\"name\", \"What it means.\", \"example\"}";
+}
+
+TEST_P(Keys, OfTheTopLevelAreFoundAlone) {
+  std::set<std::string> expected;
+  for (const KeyDescription& key : survey(GetParam().read).keys) {
+    if (key.path.find('.') == std::string::npos) expected.insert(key.path);
+  }
+  EXPECT_EQ(top_level_keys(GetParam().read), expected);
+  EXPECT_TRUE(expected.contains("version"));
 }
 
 /// Reads a key by the call that its form stands for.

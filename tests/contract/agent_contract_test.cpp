@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "hal/types/message.h"
+#include "hal/types/record.h"
 #include "tests/contract/actions.h"
 
 namespace contract {
@@ -33,6 +34,12 @@ class AgentContract : public testing::TestWithParam<Implementation> {
       host_->connect(std::make_shared<BrainPort>(*brain_, name), agent, wants);
     }
     return *brain_;
+  }
+
+  /// Who is who, as the controllers of both agents were told.
+  std::vector<std::vector<hal::exchange::AgentName>> directories() const {
+    if (!host_->domain()) return {host_->directory(kRobot), host_->directory(kMote)};
+    return dynamic_cast<const RemoteBrain&>(*brain_).directories();
   }
 
   /// Until both agents had so many control cycles more.
@@ -285,6 +292,38 @@ TEST_P(AgentContract, RangesAreShownWhetherOrNotAControllerAsksForThem) {
   }
   EXPECT_TRUE(until([&] { return sight().ranges(kRobot) >= 3; }));
   EXPECT_EQ(sight().ranges(kMote), 0u);
+}
+
+TEST_P(AgentContract, EveryControllerThatAsksIsToldWhoIsWho) {
+  brain({}, {.names = true});
+  ASSERT_TRUE(pass(1));
+  std::vector<std::vector<hal::exchange::AgentName>> told = directories();
+  ASSERT_FALSE(told.empty());
+  for (auto& directory : told) {
+    std::ranges::sort(directory, {}, &hal::exchange::AgentName::agent);
+    EXPECT_EQ(directory, (std::vector<hal::exchange::AgentName>{{kRobot, "r0"}, {kMote, "m0"}}));
+  }
+}
+
+TEST_P(AgentContract, WhatAControllerRecordsIsShownInItsOrderIfItIsFiniteAndHasAName) {
+  std::vector<Action> records;
+  for (const auto& [name, value] : {std::pair(std::string("near"), 0.125),
+                                    {"far", -1e300},
+                                    {"", 1.0},
+                                    {std::string(hal::kMaxRecordedName + 1, 'x'), 1.0},
+                                    {"nan", std::numeric_limits<double>::quiet_NaN()},
+                                    {"near", 0.25}}) {
+    records.push_back(action_of(ActionKind::kRecord, name));
+    records.back().value = value;
+  }
+  brain(once(kMote, records));
+  ASSERT_TRUE(until([&] { return sight().records(kMote).size() >= 3; }));
+  ASSERT_TRUE(pass(3));
+  const std::vector<std::pair<std::string, double>> good{
+      {"near", 0.125}, {"far", -1e300}, {"near", 0.25}};
+  EXPECT_EQ(sight().records(kMote), good);
+  EXPECT_TRUE(sight().records(kRobot).empty());
+  EXPECT_EQ(host_->end().refused, 3u);
 }
 
 INSTANTIATE_TEST_SUITE_P(Hosts, AgentContract,

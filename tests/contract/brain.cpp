@@ -97,7 +97,11 @@ void RemoteBrain::run() {
 
 void RemoteBrain::on(const hal::exchange::Session& session) {
   const std::lock_guard lock(mutex_);
-  if (!session.refusal.empty()) refusal_ = session.refusal;
+  if (!session.refusal.empty()) {
+    refusal_ = session.refusal;
+  } else {
+    directories_.push_back(session.directory);
+  }
 }
 
 void RemoteBrain::on(const Step& step) {
@@ -112,6 +116,11 @@ void RemoteBrain::on(const Step& step) {
 std::string RemoteBrain::refusal() const {
   const std::lock_guard lock(mutex_);
   return refusal_;
+}
+
+std::vector<std::vector<hal::exchange::AgentName>> RemoteBrain::directories() const {
+  const std::lock_guard lock(mutex_);
+  return directories_;
 }
 
 }  // namespace contract

@@ -55,6 +55,8 @@ class RemoteBrain final : public Brain {
   /// Answers nobody until it is released.
   void hold(bool held) { held_ = held; }
   std::string refusal() const;
+  /// Who is who, as each server that granted agents told.
+  std::vector<std::vector<hal::exchange::AgentName>> directories() const;
 
  private:
   void run();
@@ -65,6 +67,7 @@ class RemoteBrain final : public Brain {
   std::map<std::string, hal::exchange::Reply> replies_;  ///< The last one to each server.
   std::atomic<bool> held_ = false, stop_ = false;
   std::string refusal_;
+  std::vector<std::vector<hal::exchange::AgentName>> directories_;
   std::thread thread_;
 };
 

@@ -10,6 +10,7 @@
 #include <optional>
 #include <ostream>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hal/exchange/ports.h"
@@ -34,6 +35,10 @@ class Sight {
     top_speed_ = std::max(top_speed_.load(), speed);
     wheels_turn_ = speed > kStanding;
   }
+  void on_record(hal::AgentId agent, const std::string& name, double value) {
+    const std::lock_guard lock(mutex_);
+    records_[agent].emplace_back(name, value);
+  }
   void on_range(hal::AgentId agent) {
     const std::lock_guard lock(mutex_);
     ++ranges_[agent];
@@ -43,6 +48,11 @@ class Sight {
     const std::lock_guard lock(mutex_);
     const auto found = states_.find(agent);
     return found == states_.end() ? std::vector<std::string>{} : found->second;
+  }
+  std::vector<std::pair<std::string, double>> records(hal::AgentId agent) const {
+    const std::lock_guard lock(mutex_);
+    const auto found = records_.find(agent);
+    return found == records_.end() ? decltype(found->second){} : found->second;
   }
   bool wheels_turn() const { return wheels_turn_; }
   double speed() const { return speed_; }          ///< m/s, as seen last …
@@ -57,6 +67,7 @@ class Sight {
  private:
   mutable std::mutex mutex_;
   std::map<hal::AgentId, std::vector<std::string>> states_;
+  std::map<hal::AgentId, std::vector<std::pair<std::string, double>>> records_;
   std::map<hal::AgentId, std::size_t> ranges_;
   std::atomic<bool> wheels_turn_ = false;
   std::atomic<double> speed_ = 0, top_speed_ = 0;
@@ -81,6 +92,8 @@ class ContractHost {
   /// The controller of an agent, called on the host's thread; outlives the host. @pre no domain
   virtual void connect(std::shared_ptr<hal::exchange::ControllerPort> port, hal::AgentId agent,
                        const hal::Wants& wants) = 0;
+  /// Whom the host of the agent knows by name. @pre no domain
+  virtual std::vector<hal::exchange::AgentName> directory(hal::AgentId agent) const = 0;
   /// Ends it, if it has not ended.
   virtual End end() = 0;
 };

@@ -1,5 +1,7 @@
 #include <chrono>
 #include <cmath>
+#include <future>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <thread>
@@ -28,6 +30,7 @@ hal::hardware::RobotFile file_of(hal::AgentId agent, const std::string& name,
   file.command_timeout = 200ms;
   file.routing.jitter_max = 1ms;
   file.routing.retry_period = 200ms;
+  file.localisation.map = {{kRobot, "r0", {}}, {kMote, "m0", {}}};
   if (agent == kRobot) {
     file.kind = hal::AgentKind::kRobot;
     file.robot.emplace();
@@ -65,12 +68,16 @@ class Daemon final : public hal::agent::AgentObserver {
   }
 
   std::uint16_t port() const { return link_.port(); }
+  std::vector<hal::exchange::AgentName> directory() const { return agent_.directory(); }
   void stop() { agent_.stop(); }
   bool is_over() const { return agent_.is_over(); }
   hal::hardware::AgentCounts counts() const { return agent_.counts(); }
 
   void on_state(hal::Time, hal::AgentId agent, std::string_view state) override {
     sight_.on_state(agent, std::string(state));
+  }
+  void on_record(hal::Time, hal::AgentId agent, std::string_view name, double value) override {
+    sight_.on_record(agent, std::string(name), value);
   }
   bool observes(hal::AgentId, const hal::Channel& channel) const override {
     return channel.kind == "range";
@@ -110,7 +117,9 @@ class Daemon final : public hal::agent::AgentObserver {
 class DaemonHost final : public ContractHost {
  public:
   DaemonHost(hal::Duration control_period, std::optional<int> domain)
-      : domain_(domain), thread_([this, control_period] { run(control_period); }) {}
+      : domain_(domain), thread_([this, control_period] { run(control_period); }) {
+    ready_.get_future().wait();
+  }
   ~DaemonHost() override { end(); }
 
   std::optional<int> domain() const override { return domain_; }
@@ -123,6 +132,9 @@ class DaemonHost final : public ContractHost {
     const std::lock_guard lock(mutex_);
     waiting_.push_back({std::move(controller), agent, wants});
   }
+  std::vector<hal::exchange::AgentName> directory(hal::AgentId agent) const override {
+    return directories_.at(agent);
+  }
   End end() override {
     stop_ = true;
     if (thread_.joinable()) thread_.join();
@@ -134,6 +146,8 @@ class DaemonHost final : public ContractHost {
     EventLoop loop;
     Daemon robot(file_of(kRobot, "r0", control_period), 0, loop, domain_, sight_);
     Daemon mote(file_of(kMote, "m0", control_period), robot.port(), loop, domain_, sight_);
+    directories_ = {{kRobot, robot.directory()}, {kMote, mote.directory()}};
+    ready_.set_value();
     while (!stop_) {
       for (auto& [controller, agent, wants] : newcomers()) {
         (agent == kRobot ? robot : mote).connect(std::move(controller), wants);
@@ -164,6 +178,8 @@ class DaemonHost final : public ContractHost {
   std::atomic<bool> stop_ = false;
   End end_;  ///< Of the thread until it has ended.
   std::optional<int> domain_;
+  std::map<hal::AgentId, std::vector<hal::exchange::AgentName>> directories_;  ///< Once ready.
+  std::promise<void> ready_;
   std::thread thread_;
 };
 

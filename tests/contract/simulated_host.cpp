@@ -27,6 +27,9 @@ class SightObserver final : public sim::agents::Observer {
   void on_state(hal::Time, hal::AgentId agent, std::string_view state) override {
     sight_.on_state(agent, std::string(state));
   }
+  void on_record(hal::Time, hal::AgentId agent, std::string_view name, double value) override {
+    sight_.on_record(agent, std::string(name), value);
+  }
   bool observes(hal::AgentId, const hal::Channel& channel) const override {
     return channel.kind == "range";
   }
@@ -95,6 +98,9 @@ class SimulatedHost final : public ContractHost {
     const std::lock_guard lock(mutex_);
     simulation_.connect(std::move(controller), {agent}, wants);
     ++connected_;
+  }
+  std::vector<hal::exchange::AgentName> directory(hal::AgentId) const override {
+    return simulation_.directory();
   }
   End end() override {
     stop_ = true;

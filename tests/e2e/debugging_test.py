@@ -20,7 +20,9 @@ def at(fault, when="2 s"):
 class Exits(Case):
     def test_a_controller_that_calls_exit_fails_the_run_and_is_named(self):
         for mode in (IN_PROCESS, []):
-            for fault, what in (("exit_at", r"called exit\(0\) in step\(\)"),):
+            for fault, what in (("exit_at", r"called exit\(0\) in step\(\)"),
+                                ("leave_at", r"called _exit\(0\) in step\(\)"),
+                                ("quick_exit_at", r"called quick_exit\(0\) in step\(\)")):
                 with self.subTest(mode=mode, fault=fault):
                     begin = time.monotonic()
                     finished = self.run_baraka(FAULTY, *mode, *at(fault), *NEVER, status=1)

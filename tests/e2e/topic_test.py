@@ -17,6 +17,7 @@ TOPICS = {
     "rt/baraka/frames": "baraka_msgs::msg::dds_::Frame_",
     "rt/baraka/routes": "baraka_msgs::msg::dds_::Route_",
     "rt/baraka/controller_states": "baraka_msgs::msg::dds_::ControllerState_",
+    "rt/baraka/values": "baraka_msgs::msg::dds_::Value_",
     "rt/baraka/link_quality": "baraka_msgs::msg::dds_::LinkQuality_",
 }
 

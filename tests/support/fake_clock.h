@@ -2,14 +2,17 @@
 
 #include <functional>
 #include <map>
+#include <span>
 #include <utility>
 
 #include "hal/routing/ports.h"
+#include "hal/types/clock.h"
 
 namespace tests {
 
-/// Time and its events, in order of (time, insertion).
-class FakeClock final : public hal::routing::Timers {
+/// Time, and its events in order of (time, insertion). It passes by run_until(), and while somebody
+/// waits for what is not there.
+class FakeClock final : public hal::routing::Timers, public hal::Clock {
  public:
   hal::Time now() const override { return now_; }
   Handle schedule(hal::Time at, std::function<void()> handler) override {
@@ -21,6 +24,11 @@ class FakeClock final : public hal::routing::Timers {
     if (const auto time = times_.find(handle); time != times_.end()) {
       events_.erase({time->second, handle});
     }
+  }
+  int wait(std::span<pollfd> descriptors, hal::Duration at_most) override {
+    const int there = hal::poll_for(descriptors, hal::Duration::zero());
+    if (there == 0) run_until(now_ + at_most);
+    return there;
   }
   /// Runs everything before and at `end`.
   void run_until(hal::Time end) {

@@ -16,10 +16,13 @@ class ScriptedPort final : public hal::exchange::ControllerPort {
  public:
   using Rule = std::function<std::vector<hal::exchange::Action>(const hal::exchange::Event& event)>;
 
-  explicit ScriptedPort(Rule rule = {}) : rule_(std::move(rule)) {}
+  /// @param calls  gets a word for each begin() and finish(); null: none; outlives the port.
+  explicit ScriptedPort(Rule rule = {}, std::string name = "script", std::string* calls = nullptr)
+      : name_(std::move(name)), rule_(std::move(rule)), calls_(calls) {}
 
   const std::string& name() const override { return name_; }
   hal::Result<void> begin(const hal::exchange::Step& step) override {
+    note("begin ");
     steps.push_back(step);
     reply_ = {};
     reply_.sequence = step.sequence;
@@ -34,7 +37,11 @@ class ScriptedPort final : public hal::exchange::ControllerPort {
     }
     return {};
   }
-  hal::Result<hal::exchange::Reply> finish() override { return std::move(reply_); }
+  hal::Result<hal::exchange::Reply> finish() override {
+    note("finish ");
+    if (auto alive = check_alive(); !alive) return tl::unexpected<hal::Error>(alive.error());
+    return std::move(reply_);
+  }
   hal::Result<std::optional<hal::exchange::Reply>> try_finish() override {
     if (auto alive = check_alive(); !alive) return tl::unexpected<hal::Error>(alive.error());
     if (answers == 0) return std::nullopt;
@@ -61,8 +68,13 @@ class ScriptedPort final : public hal::exchange::ControllerPort {
   bool dead = false;
 
  private:
-  std::string name_ = "script";
+  void note(const char* call) {
+    if (calls_ != nullptr) *calls_ += call + name_ + "; ";
+  }
+
+  std::string name_;
   Rule rule_;
+  std::string* calls_;
   hal::exchange::Reply reply_;
 };
 

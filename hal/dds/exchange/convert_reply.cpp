@@ -5,12 +5,17 @@ namespace hal::dds {
 namespace {
 
 static_assert(static_cast<int>(exchange::ActionKind::kError) == static_cast<int>(wire::ERROR));
+static_assert(static_cast<int>(exchange::ActionKind::kRecord) == static_cast<int>(wire::RECORD));
 static_assert(static_cast<int>(exchange::ActionKind::kRadio) == static_cast<int>(wire::RADIO));
 static_assert(static_cast<int>(log::Level::kError) == static_cast<int>(wire::LEVEL_ERROR));
 
 bool has_outgoing(const exchange::Action& action) {
   return action.kind == exchange::ActionKind::kSend ||
          action.kind == exchange::ActionKind::kInvalidate;
+}
+
+bool has_value(const exchange::Action& action) {
+  return action.kind == exchange::ActionKind::kRecord;
 }
 
 void to_wire(const exchange::Action& action, wire::Drive& out) {
@@ -51,13 +56,14 @@ void to_wire(const exchange::Action& action, wire::Action& out) {
   out.at(to_ns(action.at));
   out.radio_on(action.radio_on);
   out.text(action.text);
+  out.value().assign(has_value(action) ? 1 : 0, action.value);
   out.level(static_cast<wire::LogLevel>(action.level));
 }
 
 void from_wire(const wire::Action& action, Ranges& ranges, exchange::Action& out) {
   out.agent = AgentId{action.agent()};
   out.event = action.event();
-  out.kind = ranges.enumerator(action.kind(), exchange::ActionKind::kError, "action kind");
+  out.kind = ranges.enumerator(action.kind(), exchange::ActionKind::kRecord, "action kind");
   ranges.exactly(action.drive().size(), exchange::drives(out) ? 1 : 0, "velocities in an action");
   if (!action.drive().empty()) from_wire(action.drive()[0], out);
   ranges.exactly(action.outgoing().size(), has_outgoing(out) ? 1 : 0, "messages in an action");
@@ -66,6 +72,8 @@ void from_wire(const wire::Action& action, Ranges& ranges, exchange::Action& out
   out.at = time_from_ns(action.at());
   out.radio_on = action.radio_on();
   out.text = action.text();
+  ranges.exactly(action.value().size(), has_value(out) ? 1 : 0, "values in an action");
+  if (!action.value().empty()) out.value = action.value()[0];
   out.level = ranges.enumerator(action.level(), log::Level::kError, "log level");
 }
 

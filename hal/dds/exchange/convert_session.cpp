@@ -22,11 +22,13 @@ wire::Wants to_wire(const Wants& wants) {
   out.watched(wants.watched);
   out.neighbours(wants.neighbours);
   out.optional_channels(wants.optional);
+  out.names(wants.names);
   return out;
 }
 
 Wants from_wire(const wire::Wants& wants) {
-  return {wants.channels(), wants.watched(), wants.neighbours(), wants.optional_channels()};
+  return {wants.channels(), wants.watched(), wants.neighbours(), wants.optional_channels(),
+          wants.names()};
 }
 
 wire::Channel to_wire(const Channel& channel) {
@@ -78,6 +80,13 @@ wire::WheelRow to_wire(const std::array<double, 3>& row) {
   out.vx(row[0]);
   out.vy(row[1]);
   out.omega(row[2]);
+  return out;
+}
+
+wire::AgentName to_wire(const exchange::AgentName& agent) {
+  wire::AgentName out;
+  out.agent(agent.agent.value);
+  out.name(agent.name);
   return out;
 }
 
@@ -167,6 +176,7 @@ wire::Session to_wire(const exchange::Session& session, const ProcessIdentity& s
   out.run(session.run);
   out.refusal(session.refusal);
   for (const exchange::AgentSession& agent : session.agents) out.agents().push_back(to_wire(agent));
+  for (const exchange::AgentName& one : session.directory) out.directory().push_back(to_wire(one));
   return out;
 }
 
@@ -180,6 +190,9 @@ Result<exchange::Session> from_wire(const wire::Session& session) {
   out.refusal = session.refusal();
   for (const wire::AgentSession& agent : session.agents()) {
     out.agents.push_back(from_wire(agent, ranges));
+  }
+  for (const wire::AgentName& one : session.directory()) {
+    out.directory.push_back({AgentId{one.agent()}, one.name()});
   }
   if (auto checked = ranges.check(); !checked) return tl::unexpected(checked.error());
   return out;

@@ -1,7 +1,10 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <functional>
+#include <mutex>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -141,6 +144,54 @@ class OwnTopic {
  private:
   Participant& participant_;
   api::Topic* topic_;
+};
+
+/// The latest good sample of a topic of somebody else's, as a value of ours. Any thread.
+template <class PubSub, class Value>
+class LatestSample {
+ public:
+  /// A sample as a value, by the one before it; none: it is not good, and is dropped.
+  using Read = std::optional<Value> (*)(const typename PubSub::type& sample,
+                                        const std::optional<Value>& before);
+  using OnValue = std::function<void(const Value&)>;
+
+  /// @param topic  in DDS: "rt/r0/cmd_vel".
+  /// @param on_value  called on a thread of DDS; may be empty.
+  /// @throws std::runtime_error
+  LatestSample(Participant& participant, const std::string& topic, Read read, OnValue on_value)
+      : read_(read),
+        on_value_(std::move(on_value)),
+        topic_(participant, topic),
+        reader_(participant, topic_.get(),
+                inspection_reader_qos(api::BEST_EFFORT_RELIABILITY_QOS, Keep::kForThoseHere),
+                [this](const auto& sample, const api::SampleInfo&) { on_sample(sample); }) {}
+
+  std::optional<Value> last() const {
+    const std::lock_guard lock(mutex_);
+    return last_;
+  }
+  std::uint64_t dropped() const { return dropped_; }
+  int writers() const { return reader_.writers(); }
+
+ private:
+  void on_sample(const typename PubSub::type& sample) {
+    std::optional<Value> value;
+    {
+      const std::lock_guard lock(mutex_);
+      value = read_(sample, last_);
+      if (value) last_ = value;
+    }
+    if (!value) ++dropped_;
+    if (value && on_value_) on_value_(*value);
+  }
+
+  Read read_;
+  OnValue on_value_;
+  mutable std::mutex mutex_;
+  std::optional<Value> last_;
+  std::atomic<std::uint64_t> dropped_{0};
+  OwnTopic<PubSub> topic_;
+  InspectionReader<PubSub> reader_;
 };
 
 }  // namespace hal::dds

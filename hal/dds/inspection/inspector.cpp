@@ -20,13 +20,14 @@ using baraka_msgs::msg::dds_::Frame_PubSubType;
 using baraka_msgs::msg::dds_::LinkQuality_PubSubType;
 using baraka_msgs::msg::dds_::MessageFate_PubSubType;
 using baraka_msgs::msg::dds_::Route_PubSubType;
+using baraka_msgs::msg::dds_::Value_PubSubType;
 using geometry_msgs::msg::dds_::TransformStamped_;
 using nav_msgs::msg::dds_::Odometry_PubSubType;
 using rosgraph_msgs::msg::dds_::Clock_PubSubType;
 using sensor_msgs::msg::dds_::Range_PubSubType;
 using tf2_msgs::msg::dds_::TFMessage_PubSubType;
 
-constexpr std::size_t kTopics = 10;
+constexpr std::size_t kTopics = 11;
 constexpr const char* kWorld = "world";
 constexpr std::uint8_t kInfrared = 1;  // sensor_msgs/Range: INFRARED
 
@@ -78,6 +79,7 @@ class Inspector::Implementation {
   InspectionWriter<Frame_PubSubType> frames;
   InspectionWriter<Route_PubSubType> routes;
   InspectionWriter<ControllerState_PubSubType> states;
+  InspectionWriter<Value_PubSubType> values;
   InspectionWriter<LinkQuality_PubSubType> links;
   std::vector<std::unique_ptr<Robot>> robots;
 };
@@ -115,6 +117,7 @@ Inspector::Implementation::Implementation(InspectionParticipant& inspection,
       frames(participant_, "rt/baraka/frames", kManySamples, readers(Topic::kFrames)),
       routes(participant_, "rt/baraka/routes", kManySamples, readers(Topic::kRoutes)),
       states(participant_, "rt/baraka/controller_states", kManySamples, readers(Topic::kStates)),
+      values(participant_, "rt/baraka/values", kManySamples, readers(Topic::kValues)),
       links(participant_, "rt/baraka/link_quality", kManySamples, readers(Topic::kLinks)) {
   if (stamps == Stamps::kSimulated) {
     clock.emplace(participant_, "rt/clock", kFewSamples, readers(Topic::kClock));
@@ -229,7 +232,7 @@ void Inspector::publish_fate(Time at, const MessageEnd& end) {
   sample.sender(std::string(end.sender));
   sample.id(end.id);
   sample.node(std::string(end.node));
-  sample.fate(end.fate ? std::string(name(*end.fate)) : "");
+  sample.fate(end.fate ? std::string(to_string(*end.fate)) : "");
   sample.verdict(end.verdict ? std::string(hal::name(*end.verdict)) : "");
   writer.write();
 }
@@ -277,6 +280,17 @@ void Inspector::publish_state(Time at, std::string_view agent, std::string_view 
   writer.write();
 }
 
+void Inspector::publish_value(Time at, std::string_view agent, std::string_view name,
+                              double value) {
+  auto& writer = implementation_->values;
+  if (!writer.has_readers()) return;
+  writer.sample().stamp(to_ros(at));
+  writer.sample().agent(std::string(agent));
+  writer.sample().name(std::string(name));
+  writer.sample().value(value);
+  writer.write();
+}
+
 void Inspector::publish_link(Time at, const Link& link) {
   auto& writer = implementation_->links;
   if (!writer.has_readers()) return;
@@ -288,11 +302,6 @@ void Inspector::publish_link(Time at, const Link& link) {
   sample.delivered(link.delivered);
   sample.lost(link.lost);
   writer.write();
-}
-
-std::string_view name(Fate fate) {
-  constexpr std::string_view kNames[] = {"handed over", "no route", "queue full", "failed"};
-  return kNames[static_cast<int>(fate)];
 }
 
 }  // namespace hal::dds

@@ -54,6 +54,7 @@ struct InspectedRobot {
 /// rt/baraka/frames             baraka_msgs/Frame                not every one
 /// rt/baraka/routes             baraka_msgs/Route
 /// rt/baraka/controller_states  baraka_msgs/ControllerState
+/// rt/baraka/values             baraka_msgs/Value                that controllers record
 /// rt/baraka/link_quality       baraka_msgs/LinkQuality
 ///
 /// Nothing is written while no reader of that topic is matched; publishing then costs one load.
@@ -72,6 +73,7 @@ class Inspector {
     kFrames,
     kRoutes,
     kStates,
+    kValues,
     kLinks,
   };
 
@@ -134,14 +136,12 @@ class Inspector {
   void publish_frame(Time at, const FrameStart& frame);
   void publish_route(Time at, const RouteEntry& entry);
   void publish_state(Time at, std::string_view agent, std::string_view state);
+  void publish_value(Time at, std::string_view agent, std::string_view name, double value);
   void publish_link(Time at, const Link& link);
 
  private:
   class Implementation;
   std::unique_ptr<Implementation> implementation_;
 };
-
-/// "handed over", "no route", "queue full", "failed".
-std::string_view name(Fate fate);
 
 }  // namespace hal::dds

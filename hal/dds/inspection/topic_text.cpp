@@ -193,6 +193,12 @@ void put_members(Lines& out, const own::ControllerState_& m) {
   out.put("agent", m.agent());
   out.put("state", m.state());
 }
+void put_members(Lines& out, const own::Value_& m) {
+  put(out, "stamp", m.stamp());
+  out.put("agent", m.agent());
+  out.put("name", m.name());
+  out.put("value", m.value());
+}
 void put_members(Lines& out, const own::LinkQuality_& m) {
   put(out, "stamp", m.stamp());
   out.put("receiver", m.receiver());
@@ -241,8 +247,8 @@ std::optional<std::string> to_yaml(const std::string& type, const Bytes& sample)
                tf2_msgs::msg::dds_::TFMessage_PubSubType, nav_msgs::msg::dds_::Odometry_PubSubType,
                sensor_msgs::msg::dds_::Range_PubSubType, geometry::Twist_PubSubType,
                geometry::PoseStamped_PubSubType, own::MessageFate_PubSubType, own::Frame_PubSubType,
-               own::Route_PubSubType, own::ControllerState_PubSubType,
-               own::LinkQuality_PubSubType>();
+               own::Route_PubSubType, own::ControllerState_PubSubType, own::LinkQuality_PubSubType,
+               own::Value_PubSubType>();
   const auto found = all.find(type);
   return found == all.end() ? std::nullopt : found->second(sample);
 }

@@ -2,6 +2,7 @@
 
 #include <chrono>
 
+#include "hal/types/clock.h"
 #include "hal/types/time.h"
 
 namespace hal::hardware {
@@ -20,5 +21,8 @@ struct BootClock {
 };
 
 using BootTime = BootClock::time_point;
+
+/// The BootClock to be handed in; its time is that since the epoch of the BootClock.
+Clock& boot_clock();
 
 }  // namespace hal::hardware

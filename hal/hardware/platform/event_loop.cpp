@@ -1,6 +1,5 @@
 #include "hal/hardware/platform/event_loop.h"
 
-#include <poll.h>
 #include <pthread.h>
 #include <sys/eventfd.h>
 #include <sys/signalfd.h>
@@ -18,7 +17,6 @@
 namespace hal::hardware {
 namespace {
 
-constexpr std::int64_t kNsPerSecond = 1'000'000'000;
 constexpr Duration kLongestSleep = std::chrono::hours{1};  // a sleep; a longer one is two
 
 int checked(int result, const char* what) {
@@ -42,8 +40,9 @@ void block_signals(std::initializer_list<int> signals) {
   }
 }
 
-EventLoop::EventLoop()
-    : start_(BootClock::now()),
+EventLoop::EventLoop(Clock& clock)
+    : clock_(clock),
+      start_(clock.now()),
       wake_up_(checked(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK), "no event descriptor")) {
   watch(wake_up_, [this] { run_posted(); });
 }
@@ -53,7 +52,7 @@ EventLoop::~EventLoop() {
   if (signals_ >= 0) ::close(signals_);
 }
 
-Time EventLoop::now() const { return Time{BootClock::now() - start_}; }
+Time EventLoop::now() const { return Time{clock_.now() - start_}; }
 
 EventLoop::Handle EventLoop::schedule(Time at, Handler handler) {
   at = std::max(at, now());
@@ -136,10 +135,7 @@ void EventLoop::wait(Duration at_most) {
     polled.push_back({watched.descriptor, POLLIN, 0});
     watches.push_back(watch);
   }
-  timespec left{};
-  left.tv_sec = at_most.count() / kNsPerSecond;
-  left.tv_nsec = at_most.count() % kNsPerSecond;
-  if (ppoll(polled.data(), polled.size(), &left, nullptr) <= 0) return;  // EINTR: look again
+  if (clock_.wait(polled, at_most) <= 0) return;  // EINTR: look again
   for (std::size_t i = 0; i < polled.size(); ++i) {
     if (polled[i].revents == 0) continue;
     // A handler before may have taken this one away. A copy, as it may take itself away, too.

@@ -17,7 +17,7 @@ namespace hal::hardware {
 /// an EventLoop takes them they wait. @throws std::system_error
 void block_signals(std::initializer_list<int> signals);
 
-/// The one thread of an agent daemon: timers on the BootClock, descriptors, signals, and what other
+/// The one thread of an agent daemon: timers on a clock, descriptors, signals, and what other
 /// threads hand over. Everything runs in run(), one handler at a time. A timer that came due while
 /// the computer was suspended comes late, by no more than the loop would still have slept.
 ///
@@ -31,14 +31,18 @@ class EventLoop final : public routing::Timers {
  public:
   using Handler = std::function<void()>;
 
+  /// @param clock  outlives the loop.
   /// @throws std::system_error  if the process has too many open files.
-  EventLoop();
+  explicit EventLoop(Clock& clock = boot_clock());
   ~EventLoop() override;
   EventLoop(const EventLoop&) = delete;
   EventLoop& operator=(const EventLoop&) = delete;
 
   Time now() const override;
-  BootTime on_boot_clock(Time at) const { return start_ + at.time_since_epoch(); }
+  /// When the loop goes by the BootClock: a time of the loop as that clock tells it.
+  BootTime on_boot_clock(Time at) const {
+    return BootTime{start_.time_since_epoch() + at.time_since_epoch()};
+  }
   /// A time in the past is now.
   Handle schedule(Time at, Handler handler) override;
   void cancel(Handle handle) override;
@@ -71,7 +75,8 @@ class EventLoop final : public routing::Timers {
   void run_posted();
   void take_signals();
 
-  BootTime start_;
+  Clock& clock_;
+  Time start_;
   Handle last_ = 0;
   std::map<Due, Handler> timers_;
   std::map<Handle, Time> times_;

@@ -9,6 +9,7 @@
 #include "sim/agents/simulation.h"
 #include "tests/support/no_pace.h"
 #include "tests/support/printers.h"
+#include "tests/support/scripted_port.h"
 
 namespace {
 
@@ -17,8 +18,6 @@ using hal::AgentId;
 using hal::Duration;
 using hal::Time;
 using hal::exchange::Action;
-using hal::exchange::Reply;
-using hal::exchange::Step;
 using sim::agents::SimulationConfig;
 
 constexpr int kHops = 8;
@@ -45,37 +44,19 @@ SimulationConfig chain(std::uint64_t seed) {
 
 /// The controller of the first mote: at 10 h seconds it sends a message to the node h hops away,
 /// which finds the route, and 5 s later, when all is silent, another one.
-class Caller final : public hal::exchange::ControllerPort {
- public:
-  const std::string& name() const override { return name_; }
-  hal::Result<void> begin(const Step& step) override {
-    reply_ = {};
-    for (std::uint32_t i = 0; i < step.events.size(); ++i) answer(step.events[i], i);
-    return {};
+std::vector<Action> calls(const hal::exchange::Event& event, hal::MessageId& sent) {
+  std::vector<Action> actions;
+  if (event.agent != node(0) || event.cause != hal::exchange::Cause::kControl) return actions;
+  for (int h = 1; h <= kHops; ++h) {
+    if (event.time != Time{h * 10s} && event.time != Time{h * 10s + 5s}) continue;
+    Action& send = actions.emplace_back();
+    send.kind = hal::exchange::ActionKind::kSend;
+    send.message_id = ++sent;
+    send.destination = node(h);
+    send.topic = "test";
   }
-  hal::Result<Reply> finish() override { return reply_; }
-  hal::Result<void> check_alive() override { return {}; }
-
- private:
-  void answer(const hal::exchange::Event& event, std::uint32_t index) {
-    if (event.agent != node(0) || event.cause != hal::exchange::Cause::kControl) return;
-    for (int h = 1; h <= kHops; ++h) {
-      if (event.time != Time{h * 10s} && event.time != Time{h * 10s + 5s}) continue;
-      Action send;
-      send.agent = event.agent;
-      send.event = index;
-      send.kind = hal::exchange::ActionKind::kSend;
-      send.message_id = ++sent_;
-      send.destination = node(h);
-      send.topic = "test";
-      reply_.actions.push_back(send);
-    }
-  }
-
-  std::string name_ = "caller";
-  Reply reply_;
-  hal::MessageId sent_ = 0;
-};
+  return actions;
+}
 
 /// Delays of messages by destination: the first of each waits for a route, the second does not.
 class Delays final : public sim::agents::Observer {
@@ -97,7 +78,10 @@ std::map<AgentId, std::vector<Duration>> delays_of_run(std::uint64_t seed) {
   sim::agents::Simulation simulation(config, {&delays});
   std::vector<AgentId> agents;
   for (const auto& agent : config.agents) agents.push_back(agent.id);
-  simulation.connect(std::make_shared<Caller>(), agents, {});
+  simulation.connect(
+      std::make_shared<tests::ScriptedPort>(
+          [sent = hal::MessageId{0}](const auto& event) mutable { return calls(event, sent); }),
+      agents, {});
   tests::NoPace pace;
   simulation.run(Time{(kHops + 1) * 10s}, pace);
   return delays.of;

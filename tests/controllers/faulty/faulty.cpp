@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include <chrono>
 #include <cmath>
 #include <cstdlib>
@@ -17,6 +19,8 @@ class Faulty : public hal::Controller {
     if (is_due("throw_at")) throw std::runtime_error("the wheels have come off");
     if (is_due("hang_at")) std::this_thread::sleep_for(std::chrono::hours(1));
     if (is_due("exit_at")) std::exit(0);
+    if (is_due("leave_at")) ::_exit(0);
+    if (is_due("quick_exit_at")) std::quick_exit(0);
     if (is_due("thread_exit_at")) {
       std::thread([] { std::exit(0); }).join();
     }
@@ -60,6 +64,8 @@ BARAKA_CONTROLLER {
           .parameters = {{"throw_at", "s", never, 0, never, "Throws."},
                          {"hang_at", "s", never, 0, never, "Does not return."},
                          {"exit_at", "s", never, 0, never, "Calls exit(0)."},
+                         {"leave_at", "s", never, 0, never, "Calls _exit(0)."},
+                         {"quick_exit_at", "s", never, 0, never, "Calls quick_exit(0)."},
                          {"thread_exit_at", "s", never, 0, never, "The same on another thread."},
                          {"shout_at", "s", never, 0, never, "Says escape sequences."},
                          {"throw_loudly_at", "s", never, 0, never, "Throws an escape sequence."},

@@ -28,6 +28,7 @@ const auto kGoOn = [] { return hal::Result<void>{}; };
 class FakeHost : public hal::exchange::AgentHost {
  public:
   std::vector<hal::exchange::AgentOffer> offers() const override { return sample_offers(); }
+  std::vector<hal::exchange::AgentName> directory() const override { return directory_; }
   void connect(std::shared_ptr<hal::exchange::ControllerPort> port,
                const std::vector<hal::AgentId>& agents, const hal::Wants& wants) override {
     wants_.push_back(wants);
@@ -37,6 +38,8 @@ class FakeHost : public hal::exchange::AgentHost {
   std::vector<std::shared_ptr<hal::exchange::ControllerPort>> ports_;
   std::vector<std::vector<hal::AgentId>> agents_;
   std::vector<hal::Wants> wants_;
+  std::vector<hal::exchange::AgentName> directory_ = {{hal::AgentId{1}, "m1"},
+                                                      {hal::AgentId{7}, "x"}};
 };
 
 hal::exchange::Hello robot_hello(const std::string& process) {
@@ -104,6 +107,21 @@ TEST_F(ServedHost, ProcessesAreConnectedInOrderOfTheirAgentsNotOfArrival) {
   EXPECT_EQ(host_.ports_[2]->name(), "a");
   EXPECT_EQ(host_.agents_[1], (std::vector{hal::AgentId{2}, hal::AgentId{3}}));
   EXPECT_EQ(host_.wants_[2].channels, std::vector<std::string>{"infrared"});
+}
+
+TEST_F(ServedHost, WhoAsksForNamesGetsThemOnceForAllItsAgents) {
+  hal::exchange::Hello asks = hello_for("asks", {"m1", "m2"});
+  asks.wants.names = true;
+  Client asking(server_.domain(), asks);
+  Client other(server_.domain(), hello_for("other", {"m3"}));
+  Client robot(server_.domain(), robot_hello("robot"));
+  ASSERT_TRUE(gather());
+  const auto arrival = asking.next(kPatience);
+  const auto& session = std::get<Session>(arrival);
+  EXPECT_EQ(session.agents.size(), 2);
+  EXPECT_EQ(session.directory, host_.directory_);
+  const auto silence = other.next(kPatience);
+  EXPECT_TRUE(std::get<Session>(silence).directory.empty());
 }
 
 TEST_F(ServedHost, ActionsForOthersAgentsAndMalformedOnesAreDroppedCountedAndNamed) {

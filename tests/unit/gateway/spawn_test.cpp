@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "gateway/find_program.h"
+#include "tests/support/fake_clock.h"
 
 namespace gateway {
 namespace {
@@ -81,9 +82,12 @@ TEST_F(Spawning, StopsWithSigtermFirst) {
 }
 
 TEST_F(Spawning, KillsWhatIgnoresSigterm) {
-  spawner_.start(shell("trap '' TERM; echo ready; while :; do sleep 0.01; done"));
+  tests::FakeClock clock;
+  Spawner spawner(clock);
+  spawner.start(shell("trap '' TERM; echo ready; while :; do sleep 0.01; done"));
   while (logged() != "ready\n") usleep(1000);
-  EXPECT_EQ(spawner_.stop_all().at(0).cause, "killed by signal 9");
+  EXPECT_EQ(spawner.stop_all().at(0).cause, "killed by signal 9");
+  EXPECT_EQ(clock.now(), hal::Time{std::chrono::seconds{2}}) << "so long it is left";
 }
 
 TEST_F(Spawning, ProcessesHaveTheirOwnGroupAndDieWithTheSpawner) {

@@ -1,5 +1,6 @@
 #include "hal/agent/agent_core.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <chrono>
@@ -83,9 +84,12 @@ class Notes final : public AgentObserver, public AgentListener {
   void on_inbox(AgentId) override { ++inbox; }
   void on_state(AgentId, const std::string& state) override { states.push_back(state); }
   void on_state(Time, AgentId, std::string_view) override {}
+  void on_record(Time at, AgentId, std::string_view name, double value) override {
+    records.push_back(fmt::format("{} {} {}", to_seconds(at), name, value));
+  }
 
   std::string observed;
-  std::vector<std::string> readings, states;
+  std::vector<std::string> readings, states, records;
   std::vector<MessageId> sent;
   int inbox = 0;
 };
@@ -131,6 +135,14 @@ class Core : public testing::Test {
     Action sends = action(ActionKind::kSend);
     sends.message_id = id;
     return core_->apply(sends, clock_.now()).has_value();
+  }
+
+  bool record(const std::string& name, double value, Time at) {
+    Action records = action(ActionKind::kRecord);
+    records.text = name;
+    records.value = value;
+    records.at = at;
+    return core_->apply(records, clock_.now()).has_value();
   }
 
   FakeClock clock_;
@@ -300,6 +312,29 @@ TEST_F(Core, SwitchesTheRadio) {
   radio.radio_on = false;
   EXPECT_TRUE(core_->apply(radio, {}));
   EXPECT_FALSE(link_.on);
+}
+
+TEST_F(Core, ShowsWhatIsRecordedWithItsTimeUpToNowAndAlsoInTheEnd) {
+  start();
+  clock_.run_until(Time{2s});
+  EXPECT_TRUE(record("a", 1.5, Time{1s}));
+  EXPECT_TRUE(record("b", -2, Time{3s})) << "a time to come is none";
+  core_->stop();
+  EXPECT_TRUE(record("c", 0, Time{-1s}));
+  EXPECT_FALSE(record("", 0, Time{1s}));
+  EXPECT_EQ(notes_.records, (std::vector<std::string>{"1 a 1.5", "2 b -2", "0 c 0"}));
+  EXPECT_EQ(core_->refused(), 1u);
+}
+
+TEST_F(Core, RecordsSoManyNamesOfEachControllerAndNoMore) {
+  for (std::uint64_t controllers = 1; controllers <= 2; ++controllers) {
+    start();
+    for (std::size_t i = 0; i <= kMaxRecordedNames; ++i) {
+      EXPECT_EQ(record(fmt::format("{} {}", controllers, i), 1, {}), i < kMaxRecordedNames);
+    }
+    EXPECT_EQ(core_->refused(), controllers);
+    core_->disconnect();
+  }
 }
 
 }  // namespace

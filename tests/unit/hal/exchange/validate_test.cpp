@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hal/types/message.h"
+#include "hal/types/record.h"
 
 namespace hal::exchange {
 namespace {
@@ -26,6 +27,7 @@ class ValidAction : public testing::Test {
     action_.message_id = 1;
     action_.destination = AgentId{5};
     action_.topic = "test";
+    action_.text = "distance";
   }
 
   std::string mistake(ActionKind kind) {
@@ -41,9 +43,9 @@ class ValidAction : public testing::Test {
 };
 
 TEST_F(ValidAction, HasNothingWrong) {
-  for (const ActionKind kind :
-       {ActionKind::kDriveBody, ActionKind::kSend, ActionKind::kInvalidate, ActionKind::kTimer,
-        ActionKind::kRadio, ActionKind::kState, ActionKind::kLog, ActionKind::kError}) {
+  for (const ActionKind kind : {ActionKind::kDriveBody, ActionKind::kSend, ActionKind::kInvalidate,
+                                ActionKind::kTimer, ActionKind::kRadio, ActionKind::kState,
+                                ActionKind::kLog, ActionKind::kError, ActionKind::kRecord}) {
     EXPECT_EQ(mistake(kind), "") << name(kind);
   }
   action_.wheel_speeds = {20, -20, 0};
@@ -103,6 +105,24 @@ TEST_F(ValidAction, IsNoLongerThanAMessageMayBe) {
   }
   action_.topic = std::string("a\0b", 3);
   EXPECT_EQ(mistake(ActionKind::kSend), "topic has a zero byte");
+}
+
+TEST_F(ValidAction, RecordsFiniteNumbersUnderNames) {
+  action_.text = std::string(kMaxRecordedName, 'n');
+  action_.value = -1e308;
+  EXPECT_EQ(mistake(ActionKind::kRecord), "");
+  action_.text += 'n';
+  EXPECT_EQ(mistake(ActionKind::kRecord),
+            "name '" + action_.text + "' has 65 bytes, 1 to 64 are allowed");
+  action_.text.clear();
+  EXPECT_EQ(mistake(ActionKind::kRecord), "name '' has 0 bytes, 1 to 64 are allowed");
+  action_.text = std::string("a\0b", 3);
+  EXPECT_EQ(mistake(ActionKind::kRecord), "name has a zero byte");
+  action_.text = "distance";
+  action_.value = kNan;
+  EXPECT_EQ(mistake(ActionKind::kRecord), "'distance' is nan, it must be finite");
+  action_.value = -std::numeric_limits<double>::infinity();
+  EXPECT_EQ(mistake(ActionKind::kRecord), "'distance' is -inf, it must be finite");
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <thread>
 
+#include "tests/support/fake_clock.h"
 #include "tests/unit/hal/hardware/fakes.h"
 
 namespace hal::hardware {
@@ -11,7 +12,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr Duration kTimeout = 400ms;  // longer than a busy machine keeps a thread waiting
+constexpr Duration kTimeout = 400ms;
 
 class Guarded : public testing::Test {
  protected:
@@ -20,7 +21,8 @@ class Guarded : public testing::Test {
     while (loop_.now() < end) loop_.run_once(end - loop_.now());
   }
 
-  EventLoop loop_;
+  tests::FakeClock clock_;
+  EventLoop loop_{clock_};
   RecordedWheels wheels_{SpeedLimits(0.5, 1.0)};
   DriveGuard guard_{wheels_, loop_, kTimeout, "r0"};
 };
@@ -49,9 +51,9 @@ TEST_F(Guarded, WheelSpeedsMoveTheBody) {
 TEST_F(Guarded, TheWheelsStopWhenTheControllerHasBeenSilentForTheTimeout) {
   guard_.feed(loop_.now());
   ASSERT_TRUE(guard_.drive({0.1, 0, 0}, loop_.now()));
-  run_for(kTimeout / 2);
+  run_for(kTimeout - 1ns);
   EXPECT_NE(wheels_.twist, Twist2{});
-  run_for(kTimeout);
+  run_for(1ns);
   EXPECT_EQ(wheels_.twist, Twist2{});
   EXPECT_EQ(guard_.counts().silences, 1u);
 }
@@ -60,7 +62,7 @@ TEST_F(Guarded, AnswersKeepTheWheelsTurning) {
   guard_.feed(loop_.now());
   ASSERT_TRUE(guard_.drive({0.1, 0, 0}, loop_.now()));
   for (int i = 0; i < 30; ++i) {
-    run_for(kTimeout / 10);
+    run_for(kTimeout - 1ns);
     guard_.feed(loop_.now());
   }
   EXPECT_EQ(wheels_.twist, (Twist2{0.1, 0, 0}));

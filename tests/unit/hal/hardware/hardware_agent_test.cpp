@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "tests/support/fake_clock.h"
 #include "tests/unit/hal/hardware/fakes.h"
 
 namespace hal::hardware {
@@ -19,7 +20,7 @@ using exchange::ActionKind;
 using exchange::Cause;
 using exchange::Event;
 
-constexpr Duration kPatience = 30s;  // of the wall clock: reached by a failing test only
+constexpr Duration kPatience = 30s;  // reached by a failing test only
 constexpr Duration kPeriod = 10ms, kTimeout = 300ms;
 
 RobotFile file_of(int agent) {
@@ -33,9 +34,11 @@ RobotFile file_of(int agent) {
   return file;
 }
 
-/// A robot with all devices; some tests give it a neighbour.
+/// A robot with all devices; some tests give it a neighbour. Time passes only while it waits.
 class HardwareAgents : public testing::Test {
  protected:
+  explicit HardwareAgents(Clock* clock = nullptr) : loop_(clock == nullptr ? clock_ : *clock) {}
+
   struct Node {
     Node(EventLoop& loop, int agent, std::uint16_t port, Devices devices)
         : file(file_of(agent)),
@@ -82,6 +85,7 @@ class HardwareAgents : public testing::Test {
     while (loop_.now() < end) loop_.run_once(end - loop_.now());
   }
 
+  tests::FakeClock clock_;
   EventLoop loop_;
   RecordedWheels wheels_;
   FixedInfrared infrared_;
@@ -104,6 +108,11 @@ TEST_F(HardwareAgents, OffersTheChannelsOfASimulatedRobot) {
                                              "odometry|odometry|m, rad, m/s", "infrared|range|m",
                                              "infrared_volts|voltage|V"}));
   EXPECT_EQ(session.channels[2].headings.size(), session.channels[2].length);
+}
+
+TEST_F(HardwareAgents, KnowsItselfAndTheAgentsOnItsMapByName) {
+  EXPECT_EQ(agent().directory(),
+            (std::vector<exchange::AgentName>{{AgentId{1}, robot_.file.name}, {AgentId{7}, "m7"}}));
 }
 
 TEST_F(HardwareAgents, AMoteOffersNeitherWheelsNorWhatItLacks) {
@@ -291,8 +300,7 @@ TEST_F(HardwareAgents, ACommandIsAsOldAsTheAnswerItCameWith) {
     return std::vector{drive_action({0.1, 0, 0})};
   });
   ASSERT_TRUE(until([&] { return wheels_.commands > 3; }));
-  EXPECT_LE(wheels_.as_of, BootClock::now());
-  EXPECT_LT(BootClock::now() - wheels_.as_of, kPatience);
+  EXPECT_EQ(wheels_.as_of, loop_.on_boot_clock(loop_.now()));
   EXPECT_EQ(wheels_.kept, wheels_.as_of) << "one reading of the clock for the whole answer";
 }
 
@@ -323,9 +331,11 @@ TEST_F(HardwareAgents, WhatIsMalformedIsRefusedAndCounted) {
   EXPECT_TRUE(until([&] { return agent().counts().refused_actions == 4; }));
 }
 
-/// A robot and a mote that talk over real sockets.
+/// A robot and a mote that talk over real sockets, which take their time.
 class TwoAgents : public HardwareAgents {
  protected:
+  TwoAgents() : HardwareAgents(&boot_clock()) {}
+
   Node mote_{loop_, 2, robot_.link.port(), {}};
 };
 

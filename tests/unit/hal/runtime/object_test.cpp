@@ -213,6 +213,66 @@ TEST(State, WithoutANameIsRefused) {
   EXPECT_TRUE(tests::states(actions).empty());
 }
 
+TEST(Names, AreKnownToAControllerThatAsked) {
+  Scripted::next() = {.step = [](hal::Robot& robot) {
+    EXPECT_EQ(robot.address_of("m17"), AgentId{17});
+    EXPECT_EQ(robot.address_of("r0"), robot.id());
+    EXPECT_EQ(robot.address_of("m18"), std::nullopt);
+    EXPECT_EQ(robot.name_of(AgentId{17}), "m17");
+    EXPECT_EQ(robot.name_of(AgentId{18}), std::nullopt);
+    EXPECT_EQ(robot.name_of(hal::kEveryone), std::nullopt);
+  }};
+  hal::ControllerKind kind = Scripted::kind();
+  kind.wants.names = true;
+  tests::OneAgent agent(kind, tests::robot_session(), {{AgentId{26}, "r0"}, {AgentId{17}, "m17"}});
+  EXPECT_TRUE(agent.control().empty()) << "unknown is no mistake";
+}
+
+TEST(Names, AreUnknownToAControllerThatDidNotAskAndItIsToldWhyOnce) {
+  const Actions actions = actions_of([](hal::Robot& robot) {
+    for (int i = 0; i < 3; ++i) {
+      EXPECT_EQ(robot.address_of("r0"), std::nullopt);
+      EXPECT_EQ(robot.name_of(AgentId{26}), std::nullopt);
+    }
+  });
+  const std::string why = "the controller did not ask for it: .wants = {.names = true}";
+  EXPECT_EQ(tests::texts(actions, ActionKind::kLog),
+            (std::vector<std::string>{"r0: address_of: " + why, "r0: name_of: " + why}));
+}
+
+TEST(Record, TakesFiniteNumbersWithTheTimeOfTheEvent) {
+  Scripted::next() = {.step = [](hal::Robot& robot) {
+    robot.record("distance", -0.25);
+    robot.record("distance", std::numeric_limits<double>::quiet_NaN());
+    robot.record("", 1);
+  }};
+  tests::OneAgent agent(Scripted::kind(), tests::robot_session());
+  agent.now = hal::Time{std::chrono::seconds{3}};
+  const Actions actions = agent.control();
+  ASSERT_EQ(actions.size(), 3U);
+  EXPECT_EQ(actions[0].kind, ActionKind::kRecord);
+  EXPECT_EQ(actions[0].text, "distance");
+  EXPECT_EQ(actions[0].value, -0.25);
+  EXPECT_EQ(actions[0].at, agent.now);
+  EXPECT_EQ(tests::texts(actions, ActionKind::kLog),
+            (std::vector<std::string>{"r0: record: 'distance' is nan, it must be finite",
+                                      "r0: record: name '' has 0 bytes, 1 to 64 are allowed"}));
+}
+
+TEST(Record, TakesAsManyNamesAsAnAgentMayUse) {
+  const Actions actions = actions_of([](hal::Robot& robot) {
+    for (int round = 0; round < 2; ++round) {
+      for (std::size_t i = 0; i <= hal::kMaxRecordedNames; ++i) {
+        robot.record("value " + std::to_string(i), 1);
+      }
+    }
+  });
+  EXPECT_EQ(tests::texts(actions, ActionKind::kRecord).size(), 2 * hal::kMaxRecordedNames);
+  EXPECT_EQ(tests::texts(actions, ActionKind::kLog),
+            std::vector<std::string>{"r0: record: 'value 64' would be value 65 of this agent, at "
+                                     "most 64 are allowed"});
+}
+
 TEST(Object, ActionsKeepTheOrderOfTheCalls) {
   const Actions actions = actions_of([](hal::Robot& robot) {
     robot.set_radio(false);

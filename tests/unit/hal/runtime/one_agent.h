@@ -60,9 +60,12 @@ inline hal::exchange::Session session_of(hal::exchange::AgentSession agent) {
 /// One agent in a ControllerHost, fed one event at a time.
 class OneAgent {
  public:
-  OneAgent(const hal::ControllerKind& kind, hal::exchange::AgentSession session)
-      : session_(std::move(session)) {
-    auto host = hal::runtime::ControllerHost::create(kind, session_of(session_));
+  OneAgent(const hal::ControllerKind& kind, hal::exchange::AgentSession agent,
+           std::vector<hal::exchange::AgentName> directory = {})
+      : session_(std::move(agent)) {
+    hal::exchange::Session session = session_of(session_);
+    session.directory = std::move(directory);
+    auto host = hal::runtime::ControllerHost::create(kind, session);
     if (!host) std::fprintf(stderr, "%s\n", host.error().message.c_str());
     BARAKA_CHECK(host.has_value());
     host_ = std::move(*host);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "tests/support/printers.h"
+#include "tests/support/scripted_port.h"
 
 namespace {
 
@@ -16,48 +17,11 @@ using hal::AgentId;
 using hal::Time;
 using hal::exchange::Action;
 using hal::exchange::Event;
-using hal::exchange::Reply;
-using hal::exchange::Step;
 using sim::agents::Controllers;
+using tests::ScriptedPort;
 
-/// A process that answers by a rule, and writes down when it is called.
-class RuledPort final : public hal::exchange::ControllerPort {
- public:
-  using Rule = std::function<hal::Result<Reply>(const Step&)>;
-  RuledPort(std::string name, std::string& calls, Rule rule)
-      : name_(std::move(name)), calls_(calls), rule_(std::move(rule)) {}
-
-  const std::string& name() const override { return name_; }
-  hal::Result<void> begin(const Step& step) override {
-    calls_ += "begin " + name_ + "; ";
-    step_ = step;
-    return {};
-  }
-  hal::Result<Reply> finish() override {
-    calls_ += "finish " + name_ + "; ";
-    return rule_(step_);
-  }
-  hal::Result<void> check_alive() override { return {}; }
-
- private:
-  std::string name_;
-  std::string& calls_;
-  Rule rule_;
-  Step step_;
-};
-
-/// Answers each event with one log action that says the step's sequence.
-hal::Result<Reply> echo(const Step& step) {
-  Reply reply;
-  for (std::uint32_t i = 0; i < step.events.size(); ++i) {
-    Action action;
-    action.agent = step.events[i].agent;
-    action.event = i;
-    action.text = std::to_string(step.sequence);
-    reply.actions.push_back(action);
-  }
-  return reply;
-}
+/// Answers each event with one log action.
+std::vector<Action> echo(const Event&) { return {Action{}}; }
 
 Event event(std::uint16_t agent, hal::Duration at = {}) {
   Event e;
@@ -68,9 +32,11 @@ Event event(std::uint16_t agent, hal::Duration at = {}) {
 
 class ControllersTest : public testing::Test {
  protected:
-  void connect(const std::string& name, const std::vector<AgentId>& agents,
-               RuledPort::Rule rule = echo) {
-    controllers_.connect(std::make_shared<RuledPort>(name, calls_, std::move(rule)), agents);
+  std::shared_ptr<ScriptedPort> connect(const std::string& name,
+                                        const std::vector<AgentId>& agents) {
+    auto port = std::make_shared<ScriptedPort>(echo, name, &calls_);
+    controllers_.connect(port, agents);
+    return port;
   }
 
   std::string calls_;
@@ -103,22 +69,20 @@ TEST_F(ControllersTest, AnswersComeByAgentHoweverAgentsShareProcesses) {
 }
 
 TEST_F(ControllersTest, SequenceNumbersCountPerProcess) {
-  connect("a", {AgentId{1}});
-  connect("b", {AgentId{2}});
+  const auto a = connect("a", {AgentId{1}});
+  const auto b = connect("b", {AgentId{2}});
   controllers_.exchange({event(1)}, Time{});
-  const auto round = controllers_.exchange({event(1), event(2)}, Time{});
-  EXPECT_EQ(round.answers[0].action.text, "2");
-  EXPECT_EQ(round.answers[1].action.text, "1");
+  controllers_.exchange({event(1), event(2)}, Time{});
+  EXPECT_EQ(a->steps.back().sequence, 2u);
+  EXPECT_EQ(b->steps.back().sequence, 1u);
 }
 
 TEST_F(ControllersTest, AFailedProcessIsNamedAndTheOthersAreHeard) {
-  connect("a", {AgentId{1}}, [](const Step&) -> hal::Result<Reply> {
-    return hal::fail(hal::Errc::kTimeout, "a is silent");
-  });
+  connect("a", {AgentId{1}})->dead = true;
   connect("b", {AgentId{2}});
   auto round = controllers_.exchange({event(1), event(2)}, Time{});
   ASSERT_EQ(round.failures.size(), 1u);
-  EXPECT_EQ(round.failures[0].error.message, "a is silent");
+  EXPECT_EQ(round.failures[0].error.message, "killed by signal 9");
   EXPECT_EQ(round.answers.size(), 1u);
 
   controllers_.drop(round.failures[0].port);

@@ -192,6 +192,15 @@ TEST(FingerprintFeed, OneBitOfAnyIngredientChangesIt) {
   }
 }
 
+TEST(FingerprintFeed, OneBitOfARecordedValueChangesItAndOfNothingElse) {
+  Observations sends, records, other;
+  nudge(sends.action.value);
+  EXPECT_EQ(sends.total(), Observations().total()) << "it belongs to the other kind of action";
+  records.action.kind = other.action.kind = hal::exchange::ActionKind::kRecord;
+  nudge(other.action.value);
+  EXPECT_NE(records.total(), other.total());
+}
+
 TEST(FingerprintFeed, HowTheRunWasComputedDoesNotCount) {
   Observations one, two;
   two.action.event = 17;  // index in a Step, which depends on how agents share processes

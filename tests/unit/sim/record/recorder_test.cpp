@@ -294,5 +294,13 @@ TEST_F(RecorderTest, KeepsLinksDiscoveriesAndStates) {
   EXPECT_EQ(asked("SELECT agent || state || at_ns FROM states"), "2WAIT3000000000");
 }
 
+TEST_F(RecorderTest, KeepsWhatControllersRecord) {
+  recorder->on_record(Time{1s}, AgentId{2}, "distance", 0.1);
+  recorder->on_record(Time{1s}, AgentId{1}, "tries", -3);
+  EXPECT_EQ(asked("SELECT group_concat(agent || name || at_ns || '/' || (value = 0.1) || '/' ||"
+                  " (value = -3), ' ') FROM recorded"),
+            "2distance1000000000/1/0 1tries1000000000/0/1");
+}
+
 }  // namespace
 }  // namespace sim::record::test

@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <utility>
+#include <vector>
 
 #include "hal/types/math.h"
 #include "hal/types/random.h"
@@ -179,6 +181,65 @@ TEST(Imu, OfADrivingRobotTellsItsTurnAndItsAcceleration) {
   EXPECT_NEAR(turning[2], 0.5, 0.002);       // rad/s
   EXPECT_NEAR(turning[3], 0.5 * 0.3, 0.01);  // m/s^2, to the left: its x
   EXPECT_FALSE(sensor->sample({})) << "no physics step since";
+}
+
+/// What an IMU tells of a robot at rest beyond what one without noise tells at the same instants,
+/// value by value.
+std::vector<std::array<double, 6>> noise_of(double gyro_sigma, double accelerometer_sigma,
+                                            int samples) {
+  World world(physics::WorldConfig{});
+  world.add_robot(kRobot, robertino(), {});
+  hal::devices::ImuSensor description;
+  const auto exact = simulated(description, site(world));
+  description.gyro_sigma = gyro_sigma;
+  description.accelerometer_sigma = accelerometer_sigma;
+  const auto noisy = simulated(description, site(world));
+  std::vector<std::array<double, 6>> noise(static_cast<std::size_t>(samples));
+  for (auto& one : noise) {
+    world.step();
+    const auto true_values = *exact->sample({}), values = *noisy->sample({});
+    for (std::size_t i = 0; i < 6; ++i) one[i] = values[i] - true_values[i];
+  }
+  return noise;
+}
+
+// With n independent normal values x of deviation sigma, the sum of (x / sigma)^2 has the mean n
+// and the deviation sqrt(2 n), that of x / sigma the deviation sqrt(n), and so have the products of
+// two axes, or of successive values. Allowed are four deviations each.
+TEST(Imu, NoiseOfEachValueIsIndependentAndHasTheSigmaOfTheFile) {
+  constexpr int kSamples = 4000;
+  const double allowed = 4 * std::sqrt(double{kSamples});
+  for (const auto& [gyro, accelerometer] : {std::pair(0.01, 0.05), {2.0, 0.003}}) {
+    const auto noise = noise_of(gyro, accelerometer, kSamples);
+    for (std::size_t i = 0; i < 6; ++i) {
+      const auto at = [&, sigmas = std::pair(gyro, accelerometer)](std::size_t k,
+                                                                   std::size_t axis) {
+        return noise[k][axis] / (axis < 3 ? sigmas.first : sigmas.second);
+      };
+      const std::size_t next_axis = (i + 1) % 6;
+      double sum = 0, squares = 0, across = 0, after = 0;
+      for (std::size_t k = 0; k < noise.size(); ++k) {
+        sum += at(k, i);
+        squares += at(k, i) * at(k, i);
+        across += at(k, i) * at(k, next_axis);
+        if (k > 0) after += at(k, i) * at(k - 1, i);
+      }
+      EXPECT_NEAR(sum, 0, allowed) << i;
+      EXPECT_NEAR(squares, kSamples, std::sqrt(2.0) * allowed) << i;
+      EXPECT_NEAR(across, 0, allowed) << i;
+      EXPECT_NEAR(after, 0, allowed) << i;
+    }
+  }
+}
+
+TEST(Imu, EachSigmaIsOfItsOwnInstrumentAndNoneIsNoNoise) {
+  for (const bool gyro : {true, false}) {
+    const auto noise = noise_of(gyro ? 0.01 : 0, gyro ? 0 : 0.05, 50);
+    for (std::size_t i = 0; i < 6; ++i) {
+      const bool has_noise = (i < 3) == gyro;
+      for (const auto& one : noise) EXPECT_EQ(one[i] != 0, has_noise) << i;
+    }
+  }
 }
 
 }  // namespace

@@ -94,7 +94,7 @@ exchange::Hello any_hello(Anything& any) {
   hello.patterns = any.texts();
   hello.kind = any.enumerator(AgentKind::kRobot);
   hello.both_kinds = any.flag();
-  hello.wants = {any.texts(), any.texts(), any.flag(), any.texts()};
+  hello.wants = {any.texts(), any.texts(), any.flag(), any.texts(), any.flag()};
   return hello;
 }
 
@@ -160,7 +160,7 @@ exchange::Action any_action(Anything& any) {
   exchange::Action action;
   action.agent = any.agent();
   action.event = any.u32();
-  action.kind = any.enumerator(kError);
+  action.kind = any.enumerator(kRecord);
   if (action.kind == kDriveBody || action.kind == kDriveWheels) {
     action.twist = {any.number(), any.number(), any.number()};
     action.wheel_speeds = any.numbers();
@@ -175,6 +175,7 @@ exchange::Action any_action(Anything& any) {
   action.at = any.time();
   action.radio_on = any.flag();
   action.text = any.text();
+  if (action.kind == kRecord) action.value = any.number();
   action.level = any.enumerator(log::Level::kError);
   return action;
 }
@@ -190,9 +191,15 @@ TEST(Conversion, AnyHelloArrivesAsItWas) {
 TEST(Conversion, AnySessionArrivesAsItWas) {
   Anything any;
   for (int round = 0; round < kRounds; ++round) {
-    const exchange::Session session{any.u32(),  any.text(),
-                                    any.text(), any.u64(),
-                                    any.text(), any.list([&] { return any_agent(any); })};
+    const exchange::Session session{any.u32(),
+                                    any.text(),
+                                    any.text(),
+                                    any.u64(),
+                                    any.text(),
+                                    any.list([&] { return any_agent(any); }),
+                                    any.list([&] {
+                                      return exchange::AgentName{any.agent(), any.text()};
+                                    })};
     const ProcessIdentity server{any.text(), any.i64(), any.u64()};
     const wire::Session arrived = travelled(to_wire(session, server));
     EXPECT_EQ(*from_wire(arrived), session);
@@ -252,7 +259,8 @@ TEST(Conversion, ValueOutsideItsEnumerationIsAProtocolError) {
 
 TEST(Conversion, AnActionWithoutWhatItsKindNeedsIsAProtocolError) {
   for (const auto& [kind, message] : {std::pair{wire::SEND, "0 messages in an action"},
-                                      std::pair{wire::DRIVE_BODY, "0 velocities in an action"}}) {
+                                      std::pair{wire::DRIVE_BODY, "0 velocities in an action"},
+                                      std::pair{wire::RECORD, "0 values in an action"}}) {
     wire::Reply sample;
     sample.actions().resize(1);
     sample.actions()[0].kind(kind);
