@@ -40,11 +40,11 @@ void FrameCounts::on_reception(const radio::Frame& frame, hal::AgentId receiver,
   const bool addressed = frame.is_broadcast() || frame.receiver == receiver;
   const int kind = (kind_of(frame) << kClassShift) | (addressed ? 1 << kAddressedBit : 0) |
                    static_cast<int>(verdict);
-  receptions_.add(receiver, frame.transmitter, static_cast<std::uint8_t>(kind));
+  receptions_.add(frame.transmitter, receiver, static_cast<std::uint8_t>(kind));
 }
 
 void FrameCounts::on_delivered(const radio::Frame& frame, hal::AgentId receiver) {
-  packets_.add(receiver, frame.transmitter, kind_of(frame));
+  packets_.add(frame.transmitter, receiver, kind_of(frame));
 }
 
 void FrameCounts::on_request_end(hal::AgentId sender, hal::AgentId destination,
@@ -64,15 +64,15 @@ void FrameCounts::write() {
   sent_.write_changes([this](auto sender, auto receiver, std::uint8_t kind, std::uint64_t count) {
     put_sent_.run(sender.value, receiver.value, class_in(kind), count);
   });
-  receptions_.write_changes(
-      [this](auto receiver, auto sender, std::uint8_t kind, std::uint64_t count) {
+  receptions_.write_changes_by_second(
+      [this](auto sender, auto receiver, std::uint8_t kind, std::uint64_t count) {
         const bool addressed = (kind & (1 << kAddressedBit)) != 0;
         put_reception_.run(receiver.value, sender.value,
                            class_in(static_cast<std::uint8_t>(kind >> kClassShift)), addressed,
                            verdict_in(kind), count);
       });
-  packets_.write_changes(
-      [this](auto receiver, auto sender, std::uint8_t kind, std::uint64_t count) {
+  packets_.write_changes_by_second(
+      [this](auto sender, auto receiver, std::uint8_t kind, std::uint64_t count) {
         put_packet_.run(receiver.value, sender.value, class_in(kind), count);
       });
   requests_.write_changes(
