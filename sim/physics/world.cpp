@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hal/types/check.h"
+#include "sim/physics/awake_list.h"
 #include "sim/physics/body_loss.h"
 #include "sim/physics/contact_pass.h"
 #include "sim/physics/jam_guard.h"
@@ -63,7 +64,7 @@ Shape::Kind kind_of(dGeomID geometry) {
 class World::Implementation {
  public:
   explicit Implementation(const WorldConfig& given)
-      : config(checked(given)), ode(config), pass(ode, objects, config.ground_friction) {}
+      : config(checked(given)), ode(config), pass(ode, objects, awake, config.ground_friction) {}
 
   bool has(AgentId agent) const {
     return agent.value < index.size() && index[agent.value] != kNone;
@@ -77,7 +78,8 @@ class World::Implementation {
   void adopt(dGeomID geometry, const Solid& solid, AgentId owner);
   void furnish(Object& object, Solid::Kind kind, const Geometries& geometries);
   void step();
-  void follow(std::size_t object);
+  void actuate();
+  bool follow(std::size_t object);
   void look_for_loss(Object& object, hal::Vec3& origin);
   Result<Drivetrain*> drivetrain(AgentId agent);
 
@@ -87,8 +89,11 @@ class World::Implementation {
   std::vector<std::size_t> index;  ///< Of an agent's object, by address; kNone: no such agent.
   std::deque<Solid> solids;        ///< Addresses stay: geometries point here.
   std::vector<Shape> shapes;
-  std::vector<hal::Vec3> origins;  ///< m, of the objects, in their order.
-  std::vector<AgentId> moved;      ///< Those that were awake after the last step.
+  std::vector<hal::Vec3> origins;       ///< m, of the objects, in their order.
+  std::vector<std::uint64_t> moved_at;  ///< Last steps that may have moved them, likewise.
+  AwakeList awake;
+  std::vector<std::size_t> robots;  ///< The objects with wheels, ascending.
+  std::vector<AgentId> moved;       ///< Those that were awake after the last step.
   ContactPass pass;
   std::uint64_t steps = 0;
   std::uint64_t jams = 0;
@@ -123,11 +128,24 @@ void World::Implementation::furnish(Object& object, Solid::Kind kind,
   const Solid solid{kind, index[object.agent.value], object.friction};
   for (const dGeomID geometry : geometries.all) adopt(geometry, solid, object.agent);
   origins.push_back(position_of(object.rigid));
+  moved_at.push_back(0);
+  const std::size_t place = index[object.agent.value];
+  awake.add(place);
+  if (object.drivetrain != nullptr) robots.push_back(place);
+}
+
+/// A robot is woken by its command, too.
+void World::Implementation::actuate() {
+  for (const std::size_t robot : robots) {
+    Object& object = *objects[robot];
+    if (object.frozen) continue;
+    object.drivetrain->actuate(config.step);
+    if (object.awake()) awake.add(robot);
+  }
 }
 
 void World::Implementation::step() {
-  for (const auto& object : objects)
-    if (object->drivetrain != nullptr && !object->frozen) object->drivetrain->actuate(config.step);
+  actuate();
   pass.run(config.step * static_cast<std::int64_t>(steps) + hal::Time{});
   const Solve how{hal::to_seconds(config.step), config.jam_contacts, config.jam_robots, config.seed,
                   steps};
@@ -137,21 +155,24 @@ void World::Implementation::step() {
   dJointGroupEmpty(ode.contacts());
   ++steps;
   moved.clear();
-  for (std::size_t i = 0; i < objects.size(); ++i) follow(i);
+  awake.keep_if([this](std::size_t object) { return follow(object); });
 }
 
 /// What the step has done to an object. All at once: there may be thousands, and what is looked at
 /// of each is not in the cache for long. One that sleeps is where it was.
-void World::Implementation::follow(std::size_t index_of_object) {
+/// @return whether it is awake.
+bool World::Implementation::follow(std::size_t index_of_object) {
   Object& object = *objects[index_of_object];
-  if (!object.awake()) return;
+  if (!object.awake()) return false;
+  moved_at[index_of_object] = steps;
   moved.push_back(object.agent);
   if (object.drivetrain != nullptr) object.drivetrain->follow(config.step);
   object.pose.reset();
   look_for_loss(object, origins[index_of_object]);
-  if (!object.awake()) return;
+  if (!object.awake()) return false;
   for (std::size_t i = 0; i < object.geometries.size(); ++i)
     refresh(shapes[object.first_shape + i], object.geometries[i]);
+  return true;
 }
 
 /// @param origin  is brought up to date.
@@ -261,6 +282,11 @@ hal::Time World::now() const {
 hal::Vec3 World::position(AgentId agent) const {
   BARAKA_CHECK(has(agent));
   return implementation_->origins[implementation_->index[agent.value]];
+}
+
+std::uint64_t World::moved_at(AgentId agent) const {
+  BARAKA_CHECK(has(agent));
+  return implementation_->moved_at[implementation_->index[agent.value]];
 }
 
 BodyPose World::pose(AgentId agent) const {
