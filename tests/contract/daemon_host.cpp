@@ -72,6 +72,7 @@ class Daemon final : public hal::agent::AgentObserver {
   void on_state(hal::Time, hal::AgentId agent, std::string_view state) override {
     sight_.on_state(agent, std::string(state));
   }
+  bool observes_readings() const override { return true; }
   bool observes(hal::AgentId, const hal::Channel& channel) const override {
     return channel.kind == "range";
   }

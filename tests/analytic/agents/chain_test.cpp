@@ -81,7 +81,7 @@ class Caller final : public hal::exchange::ControllerPort {
 class Delays final : public sim::agents::Observer {
  public:
   void on_message_sent(Time at, const hal::Message& message) override { sent_[message.id] = at; }
-  void on_message_delivered(Time at, AgentId receiver, const hal::Message& message) override {
+  void on_message_delivered(Time at, AgentId receiver, const hal::Message& message, int) override {
     of[receiver].push_back(at - sent_.at(message.id));
   }
 
