@@ -39,6 +39,8 @@ bool is_awake(dBodyID body) { return body != nullptr && dBodyIsEnabled(body) != 
 void ContactPass::run(hal::Time now) {
   now_ = now;
   forget();
+  if (!Clearance::measures(objects_))
+    for (const AwakeList::Member i : awake_.members()) zones_.place(i);
   if (clearance_.may_touch(objects_)) {
     dSpaceCollide(world_.space(), this, [](void* self, dGeomID a, dGeomID b) {
       static_cast<ContactPass*>(self)->touch(a, b);
@@ -74,6 +76,12 @@ bool ContactPass::count_rest(std::size_t object) {
   if (mote) ++sleeper.contacts.motes.steps;
   if (robot || mote) ++sleeper.contacts.bodies.steps;
   return wall || robot || mote;
+}
+
+/// Sleepers that touch each other wake each other in one and the same step: these stay in sight.
+void ContactPass::rest(std::size_t object) {
+  const auto [wall, robot, mote] = touched_[object];
+  if (!Clearance::measures(objects_) && !robot && !mote) zones_.rest(object);
 }
 
 void ContactPass::note(ContactRecord& record) const {

@@ -5,6 +5,7 @@
 #include "sim/physics/contact_islands.h"
 #include "sim/physics/object.h"
 #include "sim/physics/ode_world.h"
+#include "sim/physics/quiet_zones.h"
 
 namespace sim::physics {
 
@@ -13,11 +14,18 @@ class ContactPass {
  public:
   /// @param awake  the objects that may be awake; those that are woken by a touch are added.
   ContactPass(const OdeWorld& world, Objects& objects, AwakeList& awake, double ground_friction)
-      : world_(world), objects_(objects), awake_(awake), ground_friction_(ground_friction) {}
+      : world_(world),
+        objects_(objects),
+        awake_(awake),
+        zones_(objects),
+        ground_friction_(ground_friction) {}
 
   /// @param now  start of the step. Objects first, then the ground: whoever is woken by a push must
   /// stand on the ground in this very step.
   void run(hal::Time now);
+
+  /// An object has fallen asleep in the step after the last run().
+  void rest(std::size_t object);
 
   /// A wall that was added to the world.
   void add_wall(const Shape& wall) { clearance_.add_wall(wall); }
@@ -40,6 +48,7 @@ class ContactPass {
   const OdeWorld& world_;
   Objects& objects_;
   AwakeList& awake_;
+  QuietZones zones_;
   double ground_friction_;
   ContactIslands islands_;
   Clearance clearance_;

@@ -80,6 +80,8 @@ class World::Implementation {
   void step();
   void actuate();
   bool follow(std::size_t object);
+  void outdate(std::size_t object);
+  std::span<const Shape> refreshed_shapes();
   void look_for_loss(Object& object, hal::Vec3& origin);
   Result<Drivetrain*> drivetrain(AgentId agent);
 
@@ -89,8 +91,10 @@ class World::Implementation {
   std::vector<std::size_t> index;  ///< Of an agent's object, by address; kNone: no such agent.
   std::deque<Solid> solids;        ///< Addresses stay: geometries point here.
   std::vector<Shape> shapes;
-  std::vector<hal::Vec3> origins;       ///< m, of the objects, in their order.
-  std::vector<std::uint64_t> moved_at;  ///< Last steps that may have moved them, likewise.
+  std::vector<std::uint8_t> is_outdated;  ///< By object: its shapes are as of an earlier step.
+  std::vector<std::size_t> outdated;      ///< Those objects.
+  std::vector<hal::Vec3> origins;         ///< m, of the objects, in their order.
+  std::vector<std::uint64_t> moved_at;    ///< Last steps that may have moved them, likewise.
   AwakeList awake;
   std::vector<std::size_t> robots;  ///< The objects with wheels, ascending.
   std::vector<AgentId> moved;       ///< Those that were awake after the last step.
@@ -129,6 +133,7 @@ void World::Implementation::furnish(Object& object, Solid::Kind kind,
   for (const dGeomID geometry : geometries.all) adopt(geometry, solid, object.agent);
   origins.push_back(position_of(object.rigid));
   moved_at.push_back(0);
+  is_outdated.push_back(0);
   const std::size_t place = index[object.agent.value];
   awake.add(place);
   if (object.drivetrain != nullptr) robots.push_back(place);
@@ -152,27 +157,46 @@ void World::Implementation::step() {
   const Solved solved = solve(ode, objects, pass.islands(), how);
   if (solved.jam) ++jams;
   largest_exact = std::max(largest_exact, solved.largest_exact);
-  dJointGroupEmpty(ode.contacts());
+  ode.drop_contacts();
   ++steps;
   moved.clear();
   awake.keep_if([this](std::size_t object) { return follow(object); });
 }
 
 /// What the step has done to an object. All at once: there may be thousands, and what is looked at
-/// of each is not in the cache for long. One that sleeps is where it was.
-/// @return whether it is awake.
+/// of each is not in the cache for long. One that sleeps is where it was. @return whether it is
+/// awake.
 bool World::Implementation::follow(std::size_t index_of_object) {
   Object& object = *objects[index_of_object];
-  if (!object.awake()) return false;
+  if (!object.awake()) {
+    pass.rest(index_of_object);
+    return false;
+  }
   moved_at[index_of_object] = steps;
   moved.push_back(object.agent);
   if (object.drivetrain != nullptr) object.drivetrain->follow(config.step);
   object.pose.reset();
   look_for_loss(object, origins[index_of_object]);
-  if (!object.awake()) return false;
-  for (std::size_t i = 0; i < object.geometries.size(); ++i)
-    refresh(shapes[object.first_shape + i], object.geometries[i]);
+  outdate(index_of_object);
   return true;
+}
+
+void World::Implementation::outdate(std::size_t object) {
+  if (is_outdated[object] != 0) return;
+  is_outdated[object] = 1;
+  outdated.push_back(object);
+}
+
+/// Brought up to date for who looks: nobody may for many steps.
+std::span<const Shape> World::Implementation::refreshed_shapes() {
+  for (const std::size_t index_of_object : outdated) {
+    const Object& object = *objects[index_of_object];
+    for (std::size_t i = 0; i < object.geometries.size(); ++i)
+      refresh(shapes[object.first_shape + i], object.geometries[i]);
+    is_outdated[index_of_object] = 0;
+  }
+  outdated.clear();
+  return shapes;
 }
 
 /// @param origin  is brought up to date.
@@ -343,7 +367,7 @@ std::span<const Shape> World::shapes_of(AgentId agent) const {
   return shapes().subspan(object.first_shape, object.geometries.size());
 }
 
-std::span<const Shape> World::shapes() const { return implementation_->shapes; }
+std::span<const Shape> World::shapes() const { return implementation_->refreshed_shapes(); }
 
 std::uint64_t World::solver_messages() const { return implementation_->ode.messages(); }
 

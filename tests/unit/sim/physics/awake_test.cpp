@@ -109,6 +109,56 @@ TEST_P(AwakeWorld, MotorsThatAreSwitchedOffWakeARobot) {
   EXPECT_EQ(world.moved_at(kRobot), world.steps());
 }
 
+/// A robot that drives through pairs of motes which touch each other, and others far away.
+class Pairs {
+ public:
+  explicit Pairs(int far_away) {
+    world.add_robot(kRobot, robertino(hal::devices::WheelLevel::kContact), {-1, 0.05, 0});
+    const double side = MoteDescription{}.size.x - 1e-5;  // m: they touch
+    for (std::uint16_t i = 0; i < kPairs; ++i) {
+      add({1.0 * i, 0, 0});
+      add({1.0 * i + side, 0, 0});
+    }
+    for (int i = 0; i < far_away; ++i) add({10.0 + i, 20, 0});
+  }
+
+  void add(const hal::Pose2& pose) { world.add_mote(AgentId{next_++}, MoteDescription{}, pose); }
+
+  static constexpr std::uint16_t kPairs = 5;
+  static constexpr std::uint16_t kLast = kFirstMote + 2 * kPairs - 1;
+  World world{WorldConfig{}};
+
+ private:
+  std::uint16_t next_ = kFirstMote;
+};
+
+// What is far away does not matter, and neither does it that sleepers are left out of the search
+// for contacts if there are many: one that is touched wakes the one that it touches in that step.
+TEST(QuietZones, LeaveOutNothingThatWouldBeFound) {
+  Pairs few(0), many(100);
+  for (int step = 0; step < 1500; ++step) {
+    if (step == 100) {
+      for (Pairs* pairs : {&few, &many})
+        ASSERT_TRUE(pairs->world.set_body_velocity(kRobot, {0.5, 0, 0}).has_value());
+    }
+    few.world.step();
+    many.world.step();
+    for (std::uint16_t i = 1; i <= Pairs::kLast; ++i) {
+      const AgentId agent{i};
+      ASSERT_EQ(few.world.asleep(agent), many.world.asleep(agent)) << i << " in step " << step;
+      ASSERT_EQ(few.world.pose(agent).position, many.world.pose(agent).position)
+          << i << " in step " << step;
+      ASSERT_EQ(few.world.contacts(agent).bodies.steps, many.world.contacts(agent).bodies.steps)
+          << i << " in step " << step;
+    }
+  }
+  EXPECT_EQ(few.world.jammed_steps(), many.world.jammed_steps());
+  EXPECT_GT(many.world.contacts(AgentId{Pairs::kLast}).robots.steps +
+                many.world.contacts(AgentId{Pairs::kLast}).motes.steps,
+            0U);
+  EXPECT_GT(many.world.contacts(kRobot).motes.steps, 100U);
+}
+
 INSTANTIATE_TEST_SUITE_P(Motes, AwakeWorld, testing::Values(3, 90));
 
 }  // namespace
