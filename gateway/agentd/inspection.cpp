@@ -58,7 +58,7 @@ void AgentInspection::on_pose(hal::Time at, hal::AgentId, const hal::Pose2& pose
 
 bool AgentInspection::observes(hal::AgentId, const hal::Channel& channel) const {
   const auto topic = topic_of(channel);
-  return inspector_ && is_robot() && topic && inspector_->has_readers(*topic);
+  return observes_readings() && topic && inspector_->has_readers(*topic);
 }
 
 void AgentInspection::on_reading(hal::Time at, hal::AgentId, const hal::Channel& channel,

@@ -42,6 +42,7 @@ class AgentInspection final : public hal::agent::AgentObserver {
 
   void on_cycle(hal::Time at, hal::AgentId agent) override;
   void on_pose(hal::Time at, hal::AgentId agent, const hal::Pose2& pose) override;
+  bool observes_readings() const override { return inspector_ && is_robot(); }
   bool observes(hal::AgentId agent, const hal::Channel& channel) const override;
   void on_reading(hal::Time at, hal::AgentId agent, const hal::Channel& channel,
                   std::span<const double> values) override;

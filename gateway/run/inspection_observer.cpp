@@ -83,6 +83,10 @@ void InspectionObserver::on_body(hal::Time at, hal::AgentId id,
   inspector_->publish_transform(at, agent.name, pose);
 }
 
+bool InspectionObserver::observes_readings() const {
+  return is_read(Topic::kRange) || is_read(Topic::kOdometry) || is_read(Topic::kChannels);
+}
+
 bool InspectionObserver::observes(hal::AgentId agent, const hal::Channel& channel) const {
   const auto topic = topic_of(channel);
   if (!topic || !is_read(*topic)) return false;

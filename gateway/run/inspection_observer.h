@@ -30,6 +30,7 @@ class InspectionObserver final : public sim::agents::Observer {
   void start(hal::dds::InspectionParticipant& participant);
 
   void on_body(hal::Time at, hal::AgentId agent, const sim::agents::BodyState& body) override;
+  bool observes_readings() const override;
   bool observes(hal::AgentId agent, const hal::Channel& channel) const override;
   void on_reading(hal::Time at, hal::AgentId agent, const hal::Channel& channel,
                   std::span<const double> values) override;

@@ -18,8 +18,9 @@ using exchange::Event;
 
 AgentCore::AgentCore(exchange::AgentSession session, const routing::RoutingConfig& routing,
                      const Ports& ports)
-    : session_(std::move(session)),
-      ports_(ports),
+    : ports_(ports),
+      id_(session.agent),
+      session_(std::move(session)),
       router_(
           session_.agent, routing, {session_.seed, session_.name},
           {.link = ports.link, .timers = ports.timers, .application = *this, .observer = *this}) {}
@@ -40,6 +41,7 @@ void AgentCore::begin_anew(const Wants& wants) {
   wants_ = wants;
   asked_.clear();
   for (const Channel& channel : session_.channels) asked_.push_back(wants.asks_for(channel.name));
+  asks_ = std::ranges::find(asked_, true) != asked_.end();
 }
 
 void AgentCore::connect(const Wants& wants) {
@@ -93,16 +95,22 @@ void AgentCore::add(Event event) {
 }
 
 std::vector<Event> AgentCore::take_events() {
-  std::vector<Event> events = inbox_.take();
-  for (const Event& event : events) ports_.observer.on_event(event);
+  std::vector<Event> events;
+  take_events(events);
   return events;
+}
+
+void AgentCore::take_events(std::vector<Event>& to) {
+  const std::size_t first = to.size();
+  inbox_.take(to);
+  for (std::size_t i = first; i < to.size(); ++i) ports_.observer.on_event(to[i]);
 }
 
 void AgentCore::control() {
   ports_.observer.on_cycle(now(), id());
   ports_.sensors.advance(now());
   Event control = event(Cause::kControl);
-  sample(control);
+  if ((asks_ && is_connected()) || ports_.observer.observes_readings()) sample(control);
   add(std::move(control));
 }
 
@@ -110,15 +118,14 @@ void AgentCore::control() {
 void AgentCore::sample(Event& control) {
   for (std::size_t i = 0; i < session_.channels.size(); ++i) {
     const Channel& channel = session_.channels[i];
-    const bool is_asked_for = is_connected() && asked_[i];
     const bool is_observed = ports_.observer.observes(id(), channel);
-    if (!is_asked_for && !is_observed) continue;
+    if (!is_asked_for(i) && !is_observed) continue;
     exchange::Reading reading{.channel = channel.id, .values = {}};
     reading.lost = !ports_.sensors.sample(i, control.time, reading.values);
     if (is_observed && !reading.lost) {
       ports_.observer.on_reading(control.time, id(), channel, reading.values);
     }
-    if (is_asked_for) control.readings.push_back(std::move(reading));
+    if (is_asked_for(i)) control.readings.push_back(std::move(reading));
   }
 }
 
@@ -218,8 +225,8 @@ void AgentCore::halt() {
   if (ports_.drive != nullptr) ports_.drive->halt();
 }
 
-void AgentCore::on_message(Message message) {
-  ports_.observer.on_message_delivered(now(), id(), message);
+void AgentCore::on_message(Message message, int transmissions) {
+  ports_.observer.on_message_delivered(now(), id(), message, transmissions);
   Event received = event(Cause::kMessage);
   received.message = std::move(message);
   add(std::move(received));

@@ -56,7 +56,7 @@ class AgentCore final : public routing::Application, public routing::RoutingObse
   AgentCore& operator=(const AgentCore&) = delete;
 
   const exchange::AgentSession& session() const { return session_; }
-  AgentId id() const { return session_.agent; }
+  AgentId id() const { return id_; }
   const std::string& name() const { return session_.name; }
   const std::string& last_state() const { return last_state_; }
 
@@ -79,6 +79,8 @@ class AgentCore final : public routing::Application, public routing::RoutingObse
 
   /// What there is to be handed over now, by (time, cause, arrival).
   std::vector<exchange::Event> take_events();
+  /// The same, appended.
+  void take_events(std::vector<exchange::Event>& to);
 
   /// Lets an action take effect now. kError has none: that the controller threw is for the host.
   /// @param as_of  when the answer came in that it is of.
@@ -92,7 +94,7 @@ class AgentCore final : public routing::Application, public routing::RoutingObse
   bool has_wheels() const { return ports_.drive != nullptr; }
   void halt();  ///< Without wheels: no effect.
 
-  void on_message(Message message) override;
+  void on_message(Message message, int transmissions) override;
   void on_fate(MessageId id, Fate fate) override;
   void on_route_change(const RouteChange& change) override;
   void on_neighbour(const Neighbour& neighbour) override;
@@ -110,6 +112,7 @@ class AgentCore final : public routing::Application, public routing::RoutingObse
   void begin_anew(const Wants& wants);
   exchange::Event event(exchange::Cause cause) const;
   void add(exchange::Event event);
+  bool is_asked_for(std::size_t channel) const { return is_connected() && asked_[channel]; }
   void sample(exchange::Event& control);
   Result<void> take_effect(const exchange::Action& action, Time as_of);
   Result<void> drive(const exchange::Action& action, Time as_of);
@@ -118,11 +121,15 @@ class AgentCore final : public routing::Application, public routing::RoutingObse
   void set_timer(const exchange::Action& action);
   void set_state(const std::string& state);
 
-  const exchange::AgentSession session_;
+  // First what every control instant needs: of thousands of agents, little else is in the cache.
   const Ports ports_;
-  routing::Router router_;
-
+  const AgentId id_;
   Phase phase_ = Phase::kNoController;
+  bool asks_ = false;  ///< The controller asked for some channel.
+  Inbox inbox_;
+
+  const exchange::AgentSession session_;
+  routing::Router router_;
   Wants wants_;
   std::vector<bool> asked_;  ///< By channel: the controller asked for it.
   Topics topics_;            ///< That it named.
@@ -133,7 +140,6 @@ class AgentCore final : public routing::Application, public routing::RoutingObse
   std::map<MessageId, MessageId> sent_;
   std::set<AgentId> told_;  ///< Neighbours that it knows, or is about to.
 
-  Inbox inbox_;
   std::vector<exchange::Event> early_;  ///< Before the start.
   MessageId last_message_ = 0;          ///< The network's number.
   std::string last_state_;

@@ -34,7 +34,11 @@ class AgentObserver {
   virtual void on_pose(Time at, AgentId agent, const Pose2& pose) {
     (void)at, (void)agent, (void)pose;
   }
-  /// Whether it wants the readings of a channel now, also those that no controller asked for.
+  /// Whether it may want readings of some channel of some agent now. While nobody does, the
+  /// channels are not gone through.
+  virtual bool observes_readings() const { return false; }
+  /// Asked only if so: whether it wants the readings of a channel now, also those that no
+  /// controller asked for.
   virtual bool observes(AgentId agent, const Channel& channel) const {
     (void)agent, (void)channel;
     return false;
@@ -50,8 +54,10 @@ class AgentObserver {
   /// Numbered by the agent, over all its controllers.
   virtual void on_message_sent(Time at, const Message& message) { (void)at, (void)message; }
   /// At one receiver; a flood is delivered once per node that it reaches.
-  virtual void on_message_delivered(Time at, AgentId receiver, const Message& message) {
-    (void)at, (void)receiver, (void)message;
+  /// @param transmissions  on its way, the last hop included.
+  virtual void on_message_delivered(Time at, AgentId receiver, const Message& message,
+                                    int transmissions) {
+    (void)at, (void)receiver, (void)message, (void)transmissions;
   }
   virtual void on_fate(Time at, AgentId sender, MessageId id, Fate fate) {
     (void)at, (void)sender, (void)id, (void)fate;

@@ -1,6 +1,7 @@
 #include "hal/agent/inbox.h"
 
 #include <algorithm>
+#include <iterator>
 #include <tuple>
 #include <utility>
 
@@ -17,7 +18,8 @@ void move_until(Time until, std::vector<At>& from, std::vector<T>& to) {
 
 }  // namespace
 
-std::vector<exchange::Event> Inbox::take() {
+void Inbox::take(std::vector<exchange::Event>& to) {
+  // What is taken is given back: the next agent's events find that memory in the cache.
   std::vector<exchange::Event> events = std::exchange(events_, {});
   const auto before = [](const auto& a, const auto& b) {
     return std::tie(a.time, a.cause) < std::tie(b.time, b.cause);
@@ -28,7 +30,8 @@ std::vector<exchange::Event> Inbox::take() {
     move_until(event.time, routes_, event.routes);
     if (!neighbours_.empty()) move_neighbours(event);
   }
-  return events;
+  to.insert(to.end(), std::make_move_iterator(events.begin()),
+            std::make_move_iterator(events.end()));
 }
 
 void Inbox::move_neighbours(exchange::Event& event) {

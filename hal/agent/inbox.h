@@ -24,7 +24,8 @@ class Inbox {
   /// The events by (time, cause, arrival), with the changes in them. Of a neighbour an event has
   /// the last word: as it was heard last, or that it was lost. Changes later than the last event
   /// stay.
-  std::vector<exchange::Event> take();
+  /// @param to  they are appended.
+  void take(std::vector<exchange::Event>& to);
 
  private:
   template <class T>

@@ -1,5 +1,6 @@
 #include "hal/routing/hello.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace hal::routing {
@@ -29,38 +30,51 @@ void Hellos::schedule_next() {
   node_.timers.schedule(node_.now() + wait, [this] { schedule_next(); });
 }
 
-void Hellos::on_heard(AgentId from) {
-  const auto [watch, is_new] = watched_.try_emplace(from);
-  watch->second.last_heard = node_.now();
-  if (!is_new) return;
-  watch->second.period = node_.config.hello_period;
-  wait_for(from, watch->second);
+Hellos::Watch& Hellos::watch_of(AgentId neighbour) {
+  const auto place = std::ranges::lower_bound(watched_, neighbour, {}, &Watch::neighbour);
+  if (place != watched_.end() && place->neighbour == neighbour) return *place;
+  const Watch watch{neighbour, node_.now(), node_.config.hello_period};
+  wait_for(watch);
+  return *watched_.insert(place, watch);
 }
 
+void Hellos::on_heard(AgentId from) { watch_of(from).last_heard = node_.now(); }
+
 void Hellos::on_hello(AgentId from, const Hello& hello) {
-  on_heard(from);
-  Watch& watch = watched_.at(from);
+  Watch& watch = watch_of(from);
+  watch.last_heard = node_.now();
   if (watch.period == hello.period) return;
   watch.period = hello.period;
-  node_.timers.cancel(watch.timer);
-  wait_for(from, watch);
+  wait_for(watch);
 }
 
 Time Hellos::deadline(const Watch& watch) const {
   return watch.last_heard + watch.period * node_.config.hello_limit + watch.period / 2;
 }
 
-/// The timer is not moved with every frame: when it runs, it looks whether it came too early.
-void Hellos::wait_for(AgentId neighbour, Watch& watch) {
-  watch.timer =
-      node_.timers.schedule(deadline(watch), [this, neighbour] { on_deadline(neighbour); });
+/// One timer for all, at the first deadline. It is not moved with every frame: when it runs, it
+/// looks who has been heard since.
+void Hellos::wait_for(const Watch& watch) {
+  if (!wake_at_ || deadline(watch) < *wake_at_) wait_until(deadline(watch));
 }
 
-void Hellos::on_deadline(AgentId neighbour) {
-  Watch& watch = watched_.at(neighbour);
-  if (node_.now() < deadline(watch)) return wait_for(neighbour, watch);
-  watched_.erase(neighbour);
-  on_silence_(neighbour);
+void Hellos::wait_until(Time deadline) {
+  if (wake_at_) node_.timers.cancel(timer_);
+  wake_at_ = deadline;
+  timer_ = node_.timers.schedule(deadline, [this] { on_deadline(); });
+}
+
+void Hellos::on_deadline() {
+  wake_at_.reset();
+  const auto is_silent = [this](const Watch& watch) { return deadline(watch) <= node_.now(); };
+  std::vector<AgentId> silent;
+  for (const Watch& watch : watched_)
+    if (is_silent(watch)) silent.push_back(watch.neighbour);
+  std::erase_if(watched_, is_silent);
+  const auto first = std::ranges::min_element(
+      watched_, {}, [this](const Watch& watch) { return deadline(watch); });
+  if (first != watched_.end()) wait_until(deadline(*first));
+  for (const AgentId neighbour : silent) on_silence_(neighbour);
 }
 
 }  // namespace hal::routing

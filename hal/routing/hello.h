@@ -1,7 +1,8 @@
 #pragma once
 
 #include <functional>
-#include <map>
+#include <optional>
+#include <vector>
 
 #include "hal/routing/frame.h"
 #include "hal/routing/node.h"
@@ -29,20 +30,24 @@ class Hellos {
 
  private:
   struct Watch {
+    AgentId neighbour;
     Time last_heard{};
     Duration period{};
-    OwnTimers::Handle timer = 0;
   };
 
   void schedule_next();
   Time deadline(const Watch& watch) const;
-  void wait_for(AgentId neighbour, Watch& watch);
-  void on_deadline(AgentId neighbour);
+  Watch& watch_of(AgentId neighbour);
+  void wait_for(const Watch& watch);
+  void wait_until(Time deadline);
+  void on_deadline();
 
   Node& node_;
   Link& link_;
   std::function<void(AgentId)> on_silence_;
-  std::map<AgentId, Watch> watched_;
+  std::vector<Watch> watched_;   ///< By address.
+  std::optional<Time> wake_at_;  ///< When the timer runs; none: there is none.
+  OwnTimers::Handle timer_ = 0;
 };
 
 }  // namespace hal::routing

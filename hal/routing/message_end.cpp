@@ -43,7 +43,8 @@ void deliver(Node& node, Data data) {
                                      .destination = header.destination,
                                      .id = data.id,
                                      .topic = header.topic,
-                                     .payload = std::move(data.payload)});
+                                     .payload = std::move(data.payload)},
+                                    data.transmissions);
 }
 
 Transit to_transit(Node& node, const Message& message) {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <map>
+#include <algorithm>
 #include <vector>
 
 #include "hal/routing/node.h"
@@ -13,26 +13,27 @@ class Neighbourhood {
   explicit Neighbourhood(Node& node) : node_(node) {}
 
   void on_heard(const Reception& reception) {
-    Neighbour& neighbour = known_[reception.from];
+    const auto place = std::ranges::lower_bound(known_, reception.from, {}, &Neighbour::id);
+    const bool is_known = place != known_.end() && place->id == reception.from;
+    Neighbour& neighbour = is_known ? *place : *known_.insert(place, Neighbour{});
     neighbour = {.id = reception.from, .last_heard = node_.now(), .rssi_dbm = reception.rssi_dbm};
     node_.ports.observer.on_neighbour(neighbour);
   }
 
   /// Reported once per loss, however many frames to it were under way.
   void on_no_answer(AgentId neighbour) {
-    if (known_.erase(neighbour) > 0) node_.ports.observer.on_neighbour_lost(neighbour);
+    const auto place = std::ranges::lower_bound(known_, neighbour, {}, &Neighbour::id);
+    if (place == known_.end() || place->id != neighbour) return;
+    known_.erase(place);
+    node_.ports.observer.on_neighbour_lost(neighbour);
   }
 
   /// By address.
-  std::vector<Neighbour> known() const {
-    std::vector<Neighbour> all;
-    for (const auto& [id, neighbour] : known_) all.push_back(neighbour);
-    return all;
-  }
+  const std::vector<Neighbour>& known() const { return known_; }
 
  private:
   Node& node_;
-  std::map<AgentId, Neighbour> known_;
+  std::vector<Neighbour> known_;  ///< By address. Some twenty, asked for with every frame.
 };
 
 }  // namespace hal::routing

@@ -1,25 +1,34 @@
 #include "hal/routing/own_timers.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace hal::routing {
 
 OwnTimers::~OwnTimers() {
-  for (const auto& [own, handle] : pending_) timers_.cancel(handle);
+  for (const Pending& pending : pending_) timers_.cancel(pending.handle);
 }
 
 OwnTimers::Handle OwnTimers::schedule(Time at, std::function<void()> handler) {
   const Handle own = ++last_;
-  pending_[own] = timers_.schedule(at, [this, own, run = std::move(handler)] {
-    pending_.erase(own);
-    run();
-  });
+  // What is handed on is small enough to be kept without memory of its own.
+  const Timers::Handle handle = timers_.schedule(at, [this, own] { take_out(own).run(); });
+  pending_.push_back({own, handle, std::move(handler)});
   return own;
 }
 
 void OwnTimers::cancel(Handle handle) {
-  const auto pending = pending_.extract(handle);
-  if (!pending.empty()) timers_.cancel(pending.mapped());
+  const Pending pending = take_out(handle);
+  if (pending.own != 0) timers_.cancel(pending.handle);
+}
+
+/// Empty: it has run, or was cancelled.
+OwnTimers::Pending OwnTimers::take_out(Handle own) {
+  const auto place = std::ranges::lower_bound(pending_, own, {}, &Pending::own);
+  if (place == pending_.end() || place->own != own) return {};
+  Pending pending = std::move(*place);
+  pending_.erase(place);
+  return pending;
 }
 
 }  // namespace hal::routing

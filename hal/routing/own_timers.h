@@ -2,7 +2,7 @@
 
 #include <cstdint>
 #include <functional>
-#include <map>
+#include <vector>
 
 #include "hal/routing/ports.h"
 
@@ -22,9 +22,17 @@ class OwnTimers {
   void cancel(Handle handle);
 
  private:
+  struct Pending {
+    Handle own = 0;
+    Timers::Handle handle = 0;
+    std::function<void()> run;
+  };
+
+  Pending take_out(Handle own);
+
   Timers& timers_;
   Handle last_ = 0;
-  std::map<Handle, Timers::Handle> pending_;
+  std::vector<Pending> pending_;  ///< By own handle. A few.
 };
 
 }  // namespace hal::routing

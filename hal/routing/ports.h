@@ -70,7 +70,8 @@ class Timers {
 class Application {
  public:
   virtual ~Application() = default;
-  virtual void on_message(Message message) = 0;
+  /// A message has arrived. @param transmissions  on its way, the last hop included.
+  virtual void on_message(Message message, int transmissions) = 0;
   /// Exactly once per message this node sent.
   virtual void on_fate(MessageId id, Fate fate) = 0;
 };

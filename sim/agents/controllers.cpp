@@ -35,10 +35,7 @@ const std::string& Controllers::process_of(hal::AgentId agent) const {
 
 Controllers::Round Controllers::exchange(std::vector<hal::exchange::Event> events,
                                          hal::Time until) {
-  for (hal::exchange::Event& event : events) {
-    Connection& connection = ports_[port_of_[event.agent.value]];
-    if (!connection.dropped) connection.step.events.push_back(std::move(event));
-  }
+  distribute(std::move(events));
   Round round;
   std::vector<std::size_t> waiting;
   for (std::size_t i = 0; i < ports_.size(); ++i) {
@@ -67,6 +64,18 @@ Controllers::Round Controllers::exchange(std::vector<hal::exchange::Event> event
   if (!std::is_sorted(round.answers.begin(), round.answers.end(), before))
     std::stable_sort(round.answers.begin(), round.answers.end(), before);
   return round;
+}
+
+void Controllers::distribute(std::vector<hal::exchange::Event> events) {
+  const bool is_one = ports_.size() == 1 && !ports_.front().dropped;
+  if (is_one) {
+    ports_.front().step.events = std::move(events);
+    return;
+  }
+  for (hal::exchange::Event& event : events) {
+    Connection& connection = ports_[port_of_[event.agent.value]];
+    if (!connection.dropped) connection.step.events.push_back(std::move(event));
+  }
 }
 
 void Controllers::log_exchange(const Connection& connection, const hal::exchange::Reply& reply) {

@@ -63,6 +63,7 @@ class Controllers {
     bool dropped = false;
   };
 
+  void distribute(std::vector<hal::exchange::Event> events);
   static void log_exchange(const Connection& connection, const hal::exchange::Reply& reply);
   void sort_out(Connection& connection, hal::exchange::Reply reply, Round& round);
 

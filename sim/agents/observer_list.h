@@ -45,15 +45,21 @@ class ObserverList final : public Observer {
   void on_pose(hal::Time at, hal::AgentId agent, const hal::Pose2& pose) override {
     for (Observer* o : observers_) o->on_pose(at, agent, pose);
   }
-  bool observes(hal::AgentId agent, const hal::Channel& channel) const override {
+  bool observes_readings() const override {
     return std::ranges::any_of(observers_,
-                               [&](const Observer* o) { return o->observes(agent, channel); });
+                               [](const Observer* o) { return o->observes_readings(); });
+  }
+  bool observes(hal::AgentId agent, const hal::Channel& channel) const override {
+    return std::ranges::any_of(observers_, [&](const Observer* o) {
+      return o->observes_readings() && o->observes(agent, channel);
+    });
   }
   /// To those that observe the channel.
   void on_reading(hal::Time at, hal::AgentId agent, const hal::Channel& channel,
                   std::span<const double> values) override {
     for (Observer* o : observers_) {
-      if (o->observes(agent, channel)) o->on_reading(at, agent, channel, values);
+      if (o->observes_readings() && o->observes(agent, channel))
+        o->on_reading(at, agent, channel, values);
     }
   }
   void on_body_lost(const physics::LostBody& lost) override {
@@ -68,9 +74,9 @@ class ObserverList final : public Observer {
   void on_message_sent(hal::Time at, const hal::Message& message) override {
     for (Observer* o : observers_) o->on_message_sent(at, message);
   }
-  void on_message_delivered(hal::Time at, hal::AgentId receiver,
-                            const hal::Message& message) override {
-    for (Observer* o : observers_) o->on_message_delivered(at, receiver, message);
+  void on_message_delivered(hal::Time at, hal::AgentId receiver, const hal::Message& message,
+                            int transmissions) override {
+    for (Observer* o : observers_) o->on_message_delivered(at, receiver, message, transmissions);
   }
   void on_fate(hal::Time at, hal::AgentId sender, hal::MessageId id, hal::Fate fate) override {
     for (Observer* o : observers_) o->on_fate(at, sender, id, fate);

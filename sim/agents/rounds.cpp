@@ -2,7 +2,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <iterator>
 #include <utility>
 
 #include "hal/types/log.h"
@@ -70,8 +69,7 @@ std::vector<Event> Simulation::State::take_events() {
   waiting.erase(std::unique(waiting.begin(), waiting.end()), waiting.end());
   std::vector<Event> taken;
   for (const hal::AgentId agent : waiting) {
-    std::vector<Event> events_of_agent = agents.at(agent)->core().take_events();
-    std::move(events_of_agent.begin(), events_of_agent.end(), std::back_inserter(taken));
+    agents.at(agent)->core().take_events(taken);
   }
   waiting.clear();
   // By agent already, and by cause within; with a window of time, time comes first. Without one

@@ -27,6 +27,7 @@ SimulatedMote::SimulatedMote(const AgentConfig& config, radio::MacSap& mac,
                              hal::agent::Drive* drive)
     : config_(config),
       surroundings_(surroundings),
+      id_(config.id),
       link_(mac, surroundings.config.link),
       timers_(surroundings.events, config.id),
       core_(offer_of(config, surroundings.config).session, surroundings.config.routing,

@@ -55,7 +55,7 @@ class SimulatedMote : public hal::agent::Sensors {
   SimulatedMote(const AgentConfig& config, radio::MacSap& mac, Surroundings surroundings,
                 hal::agent::AgentListener& listener, hal::agent::Drive* drive);
 
-  hal::AgentId id() const { return config_.id; }
+  hal::AgentId id() const { return id_; }
   Surroundings& surroundings() { return surroundings_; }
 
  private:
@@ -74,6 +74,7 @@ class SimulatedMote : public hal::agent::Sensors {
 
   const AgentConfig& config_;
   Surroundings surroundings_;
+  const hal::AgentId id_;
   RadioLink link_;
   QueueTimers timers_;
   hal::agent::AgentCore core_;

@@ -31,7 +31,7 @@ Scene::Scene(const physics::World& world, const std::vector<hal::AgentId>& agent
     index_[agent.value] = static_cast<std::uint32_t>(positions_.size());
     positions_.push_back({agent, {}});
   }
-  clearances_.resize(index_.size());
+  known_.resize(index_.size());
   for (const physics::Shape& shape : world.shapes())
     if (shape.is_static()) walls_.push_back(shape);
 }
@@ -68,22 +68,28 @@ void Scene::follow(double range) {
   positions_at_ = world_.steps();
 }
 
-BodyState Scene::body(hal::AgentId agent) {
+const BodyState& Scene::body(hal::AgentId agent) {
+  Known& known = known_[agent.value];
+  const std::uint64_t moved_at = world_.moved_at(agent);
+  if (known.since == moved_at) return known.state;
   const physics::BodyPose pose = world_.pose(agent);
-  return {.x = pose.position.x,
-          .y = pose.position.y,
-          .theta = pose.heading,
-          .tilt = pose.tilt,
-          .clearance = clearance(agent, {pose.position.x, pose.position.y})};
+  const hal::Vec2 place{pose.position.x, pose.position.y};
+  // One that turns on the spot, or is about to fall asleep, is where it was.
+  const bool is_elsewhere =
+      known.since == kNever || place != hal::Vec2{known.state.x, known.state.y};
+  known.since = moved_at;
+  known.state = {.x = place.x,
+                 .y = place.y,
+                 .theta = pose.heading,
+                 .tilt = pose.tilt,
+                 .clearance = is_elsewhere ? clearance(place) : known.state.clearance};
+  return known.state;
 }
 
-double Scene::clearance(hal::AgentId agent, hal::Vec2 place) {
-  Clearance& known = clearances_[agent.value];
-  if (known.is_known && known.place == place) return known.metres;
-  known = {place, std::numeric_limits<double>::infinity(), true};
-  for (const physics::Shape& wall : walls_)
-    known.metres = std::min(known.metres, distance(place, wall));
-  return known.metres;
+double Scene::clearance(hal::Vec2 place) const {
+  double metres = std::numeric_limits<double>::infinity();
+  for (const physics::Shape& wall : walls_) metres = std::min(metres, distance(place, wall));
+  return metres;
 }
 
 hal::Vec3 BodyPositions::position(hal::AgentId agent, hal::Time) const {

@@ -30,22 +30,23 @@ class Scene {
   /// more. Good until the next call. @param range  m, the same in all calls.
   std::span<const sensing::AgentPosition> near(hal::Vec2 point, double range);
 
-  /// State of a body, with the distance to the nearest wall's surface (0 inside a wall).
-  BodyState body(hal::AgentId agent);
+  /// State of a body, with the distance to the nearest wall's surface (0 inside a wall). Costs
+  /// something only if the body may have moved since it was asked for.
+  const BodyState& body(hal::AgentId agent);
 
  private:
-  /// The distance of a place to the walls: most bodies are asked for at the place where they were.
-  struct Clearance {
-    hal::Vec2 place;
-    double metres = 0;
-    bool is_known = false;
+  struct Known {
+    BodyState state;
+    std::uint64_t since = kNever;  ///< Step that had last moved the body then.
   };
-  double clearance(hal::AgentId agent, hal::Vec2 place);
+  static constexpr std::uint64_t kNever = ~std::uint64_t{0};
+
+  double clearance(hal::Vec2 place) const;
   void follow(double range);
 
   const physics::World& world_;
   std::vector<physics::Shape> walls_;
-  std::vector<Clearance> clearances_;  ///< By address.
+  std::vector<Known> known_;  ///< By address.
   sensing::Proximity proximity_;
   std::vector<sensing::AgentPosition> positions_;
   std::vector<std::uint32_t> index_;  ///< In positions_, by address.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <bit>
+#include <utility>
 
 namespace sim {
 namespace {
@@ -46,8 +47,14 @@ void FutureEvents::push(const Entry& entry) {
 }
 
 void FutureEvents::append(const Entry& entry) {
-  const std::uint64_t bucket = (entry.time - buckets_begin_) >> bucket_shift_;
-  (bucket < bucket_count_ ? buckets_[bucket] : far_).push_back(entry);
+  const std::uint64_t number = (entry.time - buckets_begin_) >> bucket_shift_;
+  if (number >= bucket_count_) return far_.push_back(entry);
+  std::vector<Entry>& bucket = buckets_[number];
+  if (bucket.capacity() == 0 && !spare_.empty()) {
+    bucket = std::move(spare_.back());
+    spare_.pop_back();
+  }
+  bucket.push_back(entry);
 }
 
 void FutureEvents::note_cancelled() {
@@ -108,7 +115,11 @@ void FutureEvents::take_near(std::vector<Entry>& list) {
     __builtin_prefetch(&slots_[entry.slot]);  // its handler runs soon
     push_near(entry);
   }
+  // Its memory is for the next bucket: so there is as much as there are entries, and not as much
+  // as every bucket once held.
   list.clear();
+  spare_.push_back(std::move(list));
+  list = {};
   spill_at_ = std::max(kLargeHeap, 2 * near_.size());
 }
 

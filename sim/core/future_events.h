@@ -70,6 +70,7 @@ class FutureEvents {
   std::uint64_t near_end_ = 0;               ///< ns
   std::size_t spill_at_ = 1024;              ///< Size of the heap.
   std::vector<std::vector<Entry>> buckets_;
+  std::vector<std::vector<Entry>> spare_;           ///< Empty lists with memory, for buckets.
   std::size_t next_bucket_ = 0, bucket_count_ = 0;  ///< Of those in use.
   std::uint64_t buckets_begin_ = 0;                 ///< ns
   int bucket_shift_ = 0;                            ///< Width: 2^shift ns.

@@ -9,9 +9,6 @@ namespace {
 
 using hal::Vec3;
 
-/// Measuring costs the square of the number of objects: beyond this the broad phase is cheaper.
-constexpr std::size_t kMostObjects = 64;
-
 /// m; far above what rounding can do, far below a contact's depth.
 constexpr double kDoubt = 1e-6;
 
@@ -37,12 +34,6 @@ double radius_of(dGeomID geometry) {
   return size + std::sqrt(dot(offset, offset));
 }
 
-double radius_of(const Object& object) {
-  double radius = 0;
-  for (const dGeomID geometry : object.geometries) radius = std::max(radius, radius_of(geometry));
-  return radius;
-}
-
 /// From a point to a wall, 0 inside. m
 double distance(const Vec3& point, const Shape& wall) {
   const hal::Vec2 to{point.x - wall.centre.x, point.y - wall.centre.y};
@@ -54,8 +45,14 @@ double distance(const Vec3& point, const Shape& wall) {
 
 }  // namespace
 
+double radius_of(const Object& object) {
+  double radius = 0;
+  for (const dGeomID geometry : object.geometries) radius = std::max(radius, radius_of(geometry));
+  return radius;
+}
+
 bool Clearance::may_touch(const Objects& objects) {
-  if (objects.size() > kMostObjects) return true;
+  if (!measures(objects)) return true;
   if (crowded_ || has_strayed(objects)) measure(objects);
   return crowded_;
 }

@@ -18,6 +18,10 @@ class Clearance {
   /// A wall that was added to the world.
   void add_wall(const Shape& wall) { walls_.push_back(wall); }
 
+  /// Measuring costs the square of the number of objects: beyond this the broad phase is cheaper.
+  static constexpr std::size_t kMostObjects = 64;
+  static bool measures(const Objects& objects) { return objects.size() <= kMostObjects; }
+
   /// Whether some objects, or an object and a wall, may touch now; true in doubt.
   bool may_touch(const Objects& objects);
 

@@ -4,34 +4,48 @@
 
 namespace sim::physics {
 
-void ContactIslands::reset(std::size_t count) {
-  parents_.resize(count);
-  for (std::size_t i = 0; i < count; ++i) parents_[i] = i;
-  totals_.assign(count, {});
-  empty_ = true;
+void ContactIslands::add_object(bool is_robot) {
+  members_.push_back({members_.size(), {0, is_robot ? 1 : 0}, is_robot, false});
+}
+
+void ContactIslands::reset() {
+  for (const std::size_t object : touching_) {
+    Member& member = members_[object];
+    member = {object, {0, member.is_robot ? 1 : 0}, member.is_robot, false};
+  }
+  touching_.clear();
+}
+
+void ContactIslands::note(std::size_t object) {
+  if (members_[object].touches) return;
+  members_[object].touches = true;
+  touching_.push_back(object);
 }
 
 void ContactIslands::add(std::size_t object, int contacts) {
-  empty_ = false;
-  totals_[root(object)].contacts += contacts;
+  note(object);
+  members_[root(object)].total.contacts += contacts;
 }
 
 void ContactIslands::join(std::size_t a, std::size_t b, int contacts) {
-  empty_ = false;
+  note(a);
+  note(b);
   const auto [low, high] = std::minmax({root(a), root(b)});
-  totals_[low].contacts += contacts;
+  members_[low].total.contacts += contacts;
   if (low == high) return;
-  parents_[high] = low;
-  totals_[low].contacts += totals_[high].contacts;
-  totals_[low].robots += totals_[high].robots;
+  members_[high].parent = low;
+  members_[low].total.contacts += members_[high].total.contacts;
+  members_[low].total.robots += members_[high].total.robots;
 }
 
-ContactIslands::Total ContactIslands::total(std::size_t object) { return totals_[root(object)]; }
+ContactIslands::Total ContactIslands::total(std::size_t object) {
+  return members_[root(object)].total;
+}
 
 std::size_t ContactIslands::root(std::size_t object) {
-  while (parents_[object] != object) {
-    parents_[object] = parents_[parents_[object]];
-    object = parents_[object];
+  while (members_[object].parent != object) {
+    members_[object].parent = members_[members_[object].parent].parent;
+    object = members_[object].parent;
   }
   return object;
 }

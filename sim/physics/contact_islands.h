@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 namespace sim::physics {
@@ -15,11 +16,11 @@ class ContactIslands {
     int robots = 0;
   };
 
-  /// Forgets everything; objects are 0 .. count-1, each on its own and none a robot.
-  void reset(std::size_t count);
+  /// One more object: its number is how many there were before. No contacts are known.
+  void add_object(bool is_robot);
 
-  /// @pre once per object, before its first contact.
-  void mark_robot(std::size_t object) { totals_[object].robots = 1; }
+  /// Forgets all contacts. Costs as much as there were.
+  void reset();
 
   /// Contacts of an object with something that does not move.
   void add(std::size_t object, int contacts);
@@ -28,17 +29,27 @@ class ContactIslands {
   void join(std::size_t a, std::size_t b, int contacts);
 
   /// Whether nothing has touched anything since reset().
-  bool empty() const { return empty_; }
+  bool empty() const { return touching_.empty(); }
+
+  /// Those that have touched something since reset(), in no order.
+  std::span<const std::size_t> touching() const { return touching_; }
 
   /// Of the group that an object belongs to.
   Total total(std::size_t object);
 
  private:
+  struct Member {
+    std::size_t parent = 0;
+    Total total;  ///< Valid at roots.
+    bool is_robot = false;
+    bool touches = false;
+  };
+
+  void note(std::size_t object);
   std::size_t root(std::size_t object);
 
-  std::vector<std::size_t> parents_;
-  std::vector<Total> totals_;  ///< Valid at roots.
-  bool empty_ = true;
+  std::vector<Member> members_;
+  std::vector<std::size_t> touching_;
 };
 
 }  // namespace sim::physics

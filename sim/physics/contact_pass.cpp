@@ -38,33 +38,35 @@ bool is_awake(dBodyID body) { return body != nullptr && dBodyIsEnabled(body) != 
 
 void ContactPass::run(hal::Time now) {
   now_ = now;
-  if (!islands_.empty() || resting_ || touched_.size() != objects_.size()) forget();
+  forget();
+  if (!Clearance::measures(objects_))
+    for (const AwakeList::Member i : awake_.members()) zones_.place(i);
   if (clearance_.may_touch(objects_)) {
     dSpaceCollide(world_.space(), this, [](void* self, dGeomID a, dGeomID b) {
       static_cast<ContactPass*>(self)->touch(a, b);
     });
   }
-  for (const auto& object : objects_) {
-    if (object->drivetrain != nullptr)
-      object->drivetrain->touch_ground(world_);
+  for (const AwakeList::Member i : awake_.members()) {
+    const Object& object = *objects_[i];
+    if (object.drivetrain != nullptr)
+      object.drivetrain->touch_ground(world_);
     else
-      stand_on_ground(*object);
+      stand_on_ground(object);
   }
 }
 
 void ContactPass::forget() {
   deepest_ = 0;
-  islands_.reset(objects_.size());
-  for (std::size_t i = 0; i < objects_.size(); ++i)
-    if (objects_[i]->drivetrain != nullptr) islands_.mark_robot(i);
+  islands_.reset();
+  for (std::size_t i = touched_.size(); i < objects_.size(); ++i)
+    islands_.add_object(objects_[i]->drivetrain != nullptr);
   touched_.resize(objects_.size());
-  resting_ = false;
-  for (std::size_t i = 0; i < objects_.size(); ++i) count_rest(i);
+  std::erase_if(touching_, [this](std::size_t object) { return !count_rest(object); });
 }
 
 /// A body falls asleep where it is: what it touched in that step it touches until something that is
-/// awake touches it, which wakes it.
-void ContactPass::count_rest(std::size_t object) {
+/// awake touches it, which wakes it. @return whether it touches something.
+bool ContactPass::count_rest(std::size_t object) {
   std::array<bool, 3>& touched = touched_[object];
   Object& sleeper = *objects_[object];
   if (sleeper.awake() || sleeper.frozen) touched = {};
@@ -73,7 +75,13 @@ void ContactPass::count_rest(std::size_t object) {
   if (robot) ++sleeper.contacts.robots.steps;
   if (mote) ++sleeper.contacts.motes.steps;
   if (robot || mote) ++sleeper.contacts.bodies.steps;
-  resting_ = resting_ || wall || robot || mote;
+  return wall || robot || mote;
+}
+
+/// Sleepers that touch each other wake each other in one and the same step: these stay in sight.
+void ContactPass::rest(std::size_t object) {
+  const auto [wall, robot, mote] = touched_[object];
+  if (!Clearance::measures(objects_) && !robot && !mote) zones_.rest(object);
 }
 
 void ContactPass::note(ContactRecord& record) const {
@@ -100,11 +108,13 @@ void ContactPass::record(const Solid& self, const Solid& other) {
   if (self.kind == Solid::Kind::kWall) return;
   Object& object = *objects_[self.object];
   if (!object.awake()) object.wake();
+  awake_.add(self.object);
   std::array<bool, 3>& touched = touched_[self.object];
   bool& known = touched[static_cast<std::size_t>(other.kind)];
   if (known) return;
   const bool first_body = !touched[static_cast<std::size_t>(Solid::Kind::kRobot)] &&
                           !touched[static_cast<std::size_t>(Solid::Kind::kMote)];
+  if (touched == std::array<bool, 3>{}) touching_.push_back(self.object);
   known = true;
   Contacts& contacts = object.contacts;
   if (other.kind == Solid::Kind::kWall) return note(contacts.walls);

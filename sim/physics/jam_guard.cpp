@@ -22,13 +22,31 @@ struct Parts {
   int most_contacts = 0;  ///< Of an island that is free.
 };
 
+bool is_jam(const ContactIslands::Total& total, const Solve& how) {
+  return total.contacts > how.jam_contacts || total.robots > how.jam_robots;
+}
+
+/// An island of one that touches nothing never is one.
+bool holds_jam(ContactIslands& islands, const Solve& how) {
+  return std::ranges::any_of(
+      islands.touching(), [&](std::size_t object) { return is_jam(islands.total(object), how); });
+}
+
+/// Of an island.
+int most_contacts(ContactIslands& islands) {
+  int most = 0;
+  for (const std::size_t object : islands.touching())
+    most = std::max(most, islands.total(object).contacts);
+  return most;
+}
+
 Parts divide(const Objects& objects, ContactIslands& islands, const Solve& how) {
   Parts parts;
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const ContactIslands::Total total = islands.total(i);
-    const bool is_jam = total.contacts > how.jam_contacts || total.robots > how.jam_robots;
-    auto& part = is_jam ? parts.jammed : parts.free;
-    if (!is_jam) parts.most_contacts = std::max(parts.most_contacts, total.contacts);
+    const bool jams = is_jam(total, how);
+    auto& part = jams ? parts.jammed : parts.free;
+    if (!jams) parts.most_contacts = std::max(parts.most_contacts, total.contacts);
     for (const dBodyID body : objects[i]->bodies)
       if (dBodyIsEnabled(body) != 0) part.push_back(body);
   }
@@ -42,11 +60,11 @@ Solved solve(OdeWorld& world, const Objects& objects, ContactIslands& islands, c
     world.solve_exactly(how.seconds);
     return {};
   }
-  const Parts parts = divide(objects, islands, how);
-  if (parts.jammed.empty()) {
+  if (!holds_jam(islands, how)) {
     world.solve_exactly(how.seconds);
-    return {false, parts.most_contacts};
+    return {false, most_contacts(islands)};
   }
+  const Parts parts = divide(objects, islands, how);
   for (const dBodyID body : parts.jammed) dBodyDisable(body);
   world.solve_exactly(how.seconds);
   // Enabling restarts a body's countdown to sleep: while a jam lasts, no mote elsewhere falls

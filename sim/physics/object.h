@@ -32,6 +32,9 @@ struct Object {
   }
 };
 
+/// Of a ball around the centre of mass that holds all geometries. m
+double radius_of(const Object& object);
+
 using Objects = std::vector<std::unique_ptr<Object>>;
 
 }  // namespace sim::physics

@@ -70,6 +70,16 @@ OdeWorld::~OdeWorld() {
   dThreadingFreeImplementation(threading_);
 }
 
+void OdeWorld::drop_contacts() {
+  // An emptied group keeps its memory: that of the first steps, in which every mote is awake, for
+  // the whole run.
+  constexpr int kGiveBackEvery = 100;
+  if (++drops_ < kGiveBackEvery) return dJointGroupEmpty(contacts_);
+  drops_ = 0;
+  dJointGroupDestroy(contacts_);
+  contacts_ = dJointGroupCreate(0);
+}
+
 void OdeWorld::solve_exactly(double seconds) {
   message_count = &messages_;
   dWorldStep(dynamics_, seconds);

@@ -25,6 +25,9 @@ class OdeWorld {
   dJointGroupID contacts() const { return contacts_; }
   dGeomID ground() const { return ground_; }
 
+  /// Removes all contact joints: at the end of a step.
+  void drop_contacts();
+
   /// One step by the exact solver, or by the iterative one seeded with `seed`. Counts messages.
   void solve_exactly(double seconds);
   void solve_iteratively(double seconds, std::uint32_t seed);
@@ -38,6 +41,7 @@ class OdeWorld {
   dJointGroupID contacts_;
   dGeomID ground_;
   std::uint64_t messages_ = 0;
+  int drops_ = 0;  ///< Since the memory of contacts was given back.
 };
 
 }  // namespace sim::physics

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "hal/types/check.h"
+#include "sim/physics/awake_list.h"
 #include "sim/physics/body_loss.h"
 #include "sim/physics/contact_pass.h"
 #include "sim/physics/jam_guard.h"
@@ -63,7 +64,7 @@ Shape::Kind kind_of(dGeomID geometry) {
 class World::Implementation {
  public:
   explicit Implementation(const WorldConfig& given)
-      : config(checked(given)), ode(config), pass(ode, objects, config.ground_friction) {}
+      : config(checked(given)), ode(config), pass(ode, objects, awake, config.ground_friction) {}
 
   bool has(AgentId agent) const {
     return agent.value < index.size() && index[agent.value] != kNone;
@@ -77,7 +78,10 @@ class World::Implementation {
   void adopt(dGeomID geometry, const Solid& solid, AgentId owner);
   void furnish(Object& object, Solid::Kind kind, const Geometries& geometries);
   void step();
-  void follow(std::size_t object);
+  void actuate();
+  bool follow(std::size_t object);
+  void outdate(std::size_t object);
+  std::span<const Shape> refreshed_shapes();
   void look_for_loss(Object& object, hal::Vec3& origin);
   Result<Drivetrain*> drivetrain(AgentId agent);
 
@@ -87,8 +91,13 @@ class World::Implementation {
   std::vector<std::size_t> index;  ///< Of an agent's object, by address; kNone: no such agent.
   std::deque<Solid> solids;        ///< Addresses stay: geometries point here.
   std::vector<Shape> shapes;
-  std::vector<hal::Vec3> origins;  ///< m, of the objects, in their order.
-  std::vector<AgentId> moved;      ///< Those that were awake after the last step.
+  std::vector<std::uint8_t> is_outdated;  ///< By object: its shapes are as of an earlier step.
+  std::vector<std::size_t> outdated;      ///< Those objects.
+  std::vector<hal::Vec3> origins;         ///< m, of the objects, in their order.
+  std::vector<std::uint64_t> moved_at;    ///< Last steps that may have moved them, likewise.
+  AwakeList awake;
+  std::vector<std::size_t> robots;  ///< The objects with wheels, ascending.
+  std::vector<AgentId> moved;       ///< Those that were awake after the last step.
   ContactPass pass;
   std::uint64_t steps = 0;
   std::uint64_t jams = 0;
@@ -123,35 +132,71 @@ void World::Implementation::furnish(Object& object, Solid::Kind kind,
   const Solid solid{kind, index[object.agent.value], object.friction};
   for (const dGeomID geometry : geometries.all) adopt(geometry, solid, object.agent);
   origins.push_back(position_of(object.rigid));
+  moved_at.push_back(0);
+  is_outdated.push_back(0);
+  const std::size_t place = index[object.agent.value];
+  awake.add(place);
+  if (object.drivetrain != nullptr) robots.push_back(place);
+}
+
+/// A robot is woken by its command, too.
+void World::Implementation::actuate() {
+  for (const std::size_t robot : robots) {
+    Object& object = *objects[robot];
+    if (object.frozen) continue;
+    object.drivetrain->actuate(config.step);
+    if (object.awake()) awake.add(robot);
+  }
 }
 
 void World::Implementation::step() {
-  for (const auto& object : objects)
-    if (object->drivetrain != nullptr && !object->frozen) object->drivetrain->actuate(config.step);
+  actuate();
   pass.run(config.step * static_cast<std::int64_t>(steps) + hal::Time{});
   const Solve how{hal::to_seconds(config.step), config.jam_contacts, config.jam_robots, config.seed,
                   steps};
   const Solved solved = solve(ode, objects, pass.islands(), how);
   if (solved.jam) ++jams;
   largest_exact = std::max(largest_exact, solved.largest_exact);
-  dJointGroupEmpty(ode.contacts());
+  ode.drop_contacts();
   ++steps;
   moved.clear();
-  for (std::size_t i = 0; i < objects.size(); ++i) follow(i);
+  awake.keep_if([this](std::size_t object) { return follow(object); });
 }
 
 /// What the step has done to an object. All at once: there may be thousands, and what is looked at
-/// of each is not in the cache for long. One that sleeps is where it was.
-void World::Implementation::follow(std::size_t index_of_object) {
+/// of each is not in the cache for long. One that sleeps is where it was. @return whether it is
+/// awake.
+bool World::Implementation::follow(std::size_t index_of_object) {
   Object& object = *objects[index_of_object];
-  if (!object.awake()) return;
+  if (!object.awake()) {
+    pass.rest(index_of_object);
+    return false;
+  }
+  moved_at[index_of_object] = steps;
   moved.push_back(object.agent);
   if (object.drivetrain != nullptr) object.drivetrain->follow(config.step);
   object.pose.reset();
   look_for_loss(object, origins[index_of_object]);
-  if (!object.awake()) return;
-  for (std::size_t i = 0; i < object.geometries.size(); ++i)
-    refresh(shapes[object.first_shape + i], object.geometries[i]);
+  outdate(index_of_object);
+  return true;
+}
+
+void World::Implementation::outdate(std::size_t object) {
+  if (is_outdated[object] != 0) return;
+  is_outdated[object] = 1;
+  outdated.push_back(object);
+}
+
+/// Brought up to date for who looks: nobody may for many steps.
+std::span<const Shape> World::Implementation::refreshed_shapes() {
+  for (const std::size_t index_of_object : outdated) {
+    const Object& object = *objects[index_of_object];
+    for (std::size_t i = 0; i < object.geometries.size(); ++i)
+      refresh(shapes[object.first_shape + i], object.geometries[i]);
+    is_outdated[index_of_object] = 0;
+  }
+  outdated.clear();
+  return shapes;
 }
 
 /// @param origin  is brought up to date.
@@ -263,6 +308,11 @@ hal::Vec3 World::position(AgentId agent) const {
   return implementation_->origins[implementation_->index[agent.value]];
 }
 
+std::uint64_t World::moved_at(AgentId agent) const {
+  BARAKA_CHECK(has(agent));
+  return implementation_->moved_at[implementation_->index[agent.value]];
+}
+
 BodyPose World::pose(AgentId agent) const {
   const Object& object = implementation_->at(agent);
   if (!object.pose) object.pose = pose_of(object.rigid);
@@ -318,7 +368,7 @@ std::span<const Shape> World::shapes_of(AgentId agent) const {
   return shapes().subspan(object.first_shape, object.geometries.size());
 }
 
-std::span<const Shape> World::shapes() const { return implementation_->shapes; }
+std::span<const Shape> World::shapes() const { return implementation_->refreshed_shapes(); }
 
 std::uint64_t World::solver_messages() const { return implementation_->ode.messages(); }
 

@@ -155,6 +155,9 @@ class World {
   /// All of these: @pre the agent was added.
   BodyPose pose(AgentId agent) const;
   hal::Vec3 position(AgentId agent) const;  ///< That of pose(), without its angles.
+  /// The last of steps() that may have moved the body; 0: none. Who knows its pose of that step, or
+  /// of a later one, knows it still.
+  std::uint64_t moved_at(AgentId agent) const;
   BodyVelocity velocity(AgentId agent) const;
   const Contacts& contacts(AgentId agent) const;
   bool asleep(AgentId agent) const;  ///< At rest and not computed until something touches it.

@@ -11,7 +11,8 @@ struct sqlite3_stmt;
 
 namespace sim::record {
 
-/// One SQLite file. Everything throws std::runtime_error with the file and SQLite's reason.
+/// One SQLite file. Everything throws std::runtime_error with the file and SQLite's reason. One
+/// thread at a time, its statements included.
 class Database {
  public:
   enum class Mode : std::uint8_t { kCreate, kRead };

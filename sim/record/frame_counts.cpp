@@ -41,7 +41,7 @@ void FrameCounts::on_reception(const radio::Frame& frame, hal::AgentId receiver,
   const bool addressed = frame.is_broadcast() || frame.receiver == receiver;
   const int kind = (kind_of(frame) << kClassShift) | (addressed ? 1 << kAddressedBit : 0) |
                    static_cast<int>(verdict);
-  receptions_.add(receiver, frame.transmitter, static_cast<std::uint8_t>(kind));
+  receptions_.add(frame.transmitter, receiver, static_cast<std::uint8_t>(kind));
 }
 
 void FrameCounts::on_faint(const radio::Frame& frame, std::uint32_t radios) {
@@ -51,7 +51,7 @@ void FrameCounts::on_faint(const radio::Frame& frame, std::uint32_t radios) {
 }
 
 void FrameCounts::on_delivered(const radio::Frame& frame, hal::AgentId receiver) {
-  packets_.add(receiver, frame.transmitter, kind_of(frame));
+  packets_.add(frame.transmitter, receiver, kind_of(frame));
 }
 
 void FrameCounts::on_request_end(hal::AgentId sender, hal::AgentId destination,
@@ -71,8 +71,8 @@ void FrameCounts::write() {
   sent_.write_changes([this](auto sender, auto receiver, std::uint8_t kind, std::uint64_t count) {
     put_sent_.run(sender.value, receiver.value, class_in(kind), count);
   });
-  receptions_.write_changes(
-      [this](auto receiver, auto sender, std::uint8_t kind, std::uint64_t count) {
+  receptions_.write_changes_by_second(
+      [this](auto sender, auto receiver, std::uint8_t kind, std::uint64_t count) {
         const bool addressed = (kind & (1 << kAddressedBit)) != 0;
         put_reception_.run(receiver.value, sender.value,
                            class_in(static_cast<std::uint8_t>(kind >> kClassShift)), addressed,
@@ -81,8 +81,8 @@ void FrameCounts::write() {
   for (std::size_t agent = 0; agent < faint_.size(); ++agent) {
     if (faint_[agent] > 0) put_faint_.run(agent, faint_[agent]);
   }
-  packets_.write_changes(
-      [this](auto receiver, auto sender, std::uint8_t kind, std::uint64_t count) {
+  packets_.write_changes_by_second(
+      [this](auto sender, auto receiver, std::uint8_t kind, std::uint64_t count) {
         put_packet_.run(receiver.value, sender.value, class_in(kind), count);
       });
   requests_.write_changes(

@@ -1,7 +1,5 @@
 #include "sim/record/message_log.h"
 
-#include "hal/routing/frame.h"
-
 namespace sim::record {
 
 MessageLog::MessageLog(Database& database)
@@ -23,29 +21,10 @@ void MessageLog::on_sent(hal::Time at, const hal::Message& message) {
               message.topic, std::uint64_t{message.payload.size()}, hal::to_ns(at));
 }
 
-void MessageLog::on_frame_delivered(const radio::Frame& frame, hal::AgentId receiver) {
-  arriving_.reset();
-  if (frame.ethertype != radio::kEthertypeRouting || frame.payload == nullptr) return;
-  const auto routed = hal::routing::parse_frame(*frame.payload);
-  const auto* packet = routed ? hal::routing::packet_in(*routed) : nullptr;
-  const auto* data = packet ? std::get_if<hal::routing::Data>(packet) : nullptr;
-  if (data == nullptr) return;
-  arriving_ = {receiver, data->header.source, data->id, data->transmissions};
-}
-
-std::optional<int> MessageLog::transmissions_of(hal::AgentId receiver,
-                                                const hal::Message& message) const {
-  if (!arriving_ || arriving_->receiver != receiver || arriving_->sender != message.source ||
-      arriving_->id != message.id) {
-    return std::nullopt;
-  }
-  return arriving_->transmissions;
-}
-
 void MessageLog::on_message_delivered(hal::Time at, hal::AgentId receiver,
-                                      const hal::Message& message) {
+                                      const hal::Message& message, int transmissions) {
   insert_delivery_.run(message.source.value, std::int64_t{message.id}, receiver.value,
-                       hal::to_ns(at), transmissions_of(receiver, message));
+                       hal::to_ns(at), transmissions);
   set_delivered_.run(message.source.value, std::int64_t{message.id});
 }
 

@@ -1,7 +1,6 @@
 #include "sim/record/pair_counts.h"
 
 #include <algorithm>
-#include <utility>
 
 namespace sim::record {
 namespace {
@@ -34,7 +33,7 @@ bool PairCounts::Table::add(std::uint32_t key) {
   }
   const bool is_first = (word & kChanged) == 0;
   word = (word | kChanged) + 1;
-  changed_ = true;
+  changed_ += is_first ? 1 : 0;
   return is_first;
 }
 
@@ -46,16 +45,19 @@ void PairCounts::Table::grow() {
   }
 }
 
-std::vector<PairCounts::Change> PairCounts::Table::take_changes() {
-  std::vector<Change> changes;
-  if (!std::exchange(changed_, false)) return changes;
+void PairCounts::Table::take_changes(Seconds range, std::uint16_t first,
+                                     std::vector<Change>& changes) {
+  if (changed_ == 0) return;
   for (std::uint64_t& word : words_) {
     if ((word & kChanged) == 0) continue;
+    const auto key = static_cast<std::uint32_t>(word >> kKeyShift);
+    const std::uint32_t second = key >> kKindBits;
+    if (second < range.low || second >= range.high) continue;
     word &= ~kChanged;
-    changes.push_back({static_cast<std::uint32_t>(word >> kKeyShift), word & kCountMask});
+    --changed_;
+    changes.push_back({first, static_cast<std::uint16_t>(second), static_cast<std::uint8_t>(key),
+                       word & kCountMask});
   }
-  std::ranges::sort(changes, {}, &Change::key);
-  return changes;
 }
 
 }  // namespace sim::record

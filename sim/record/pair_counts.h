@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -8,30 +9,48 @@
 
 namespace sim::record {
 
-/// How often something of a kind happened between an agent and another one. Made for millions of
-/// pairs: one word each. Between two calls of write_changes() the cost of a count is constant, and
-/// those that did not change cost nothing but their memory.
+/// How often something of a kind happened between two agents. Made for millions of pairs: one word
+/// each. Between two calls of write_changes() the cost of a count is constant, and those that did
+/// not change cost nothing but their memory.
+///
+/// The counts of one first agent lie together: where one frame is noticed by hundreds, and its
+/// transmitter is the first agent, they are found in the cache.
 class PairCounts {
  public:
   static constexpr int kKindBits = 8;
 
   /// @param kind  below 2^kKindBits.
-  void add(hal::AgentId agent, hal::AgentId other, std::uint8_t kind) {
-    if (agent.value >= tables_.size()) tables_.resize(agent.value + 1u);
+  void add(hal::AgentId first, hal::AgentId second, std::uint8_t kind) {
+    if (first.value >= tables_.size()) tables_.resize(first.value + 1u);
     ++added_;
-    if (tables_[agent.value].add((std::uint32_t{other.value} << kKindBits) | kind)) ++changed_;
+    largest_ = std::max(largest_, second.value);
+    if (tables_[first.value].add((std::uint32_t{second.value} << kKindBits) | kind)) ++changed_;
   }
 
-  /// Calls write(agent, other, kind, count) for each count that grew since the last call, in that
+  /// Calls write(first, second, kind, count) for each count that grew since the last call, in that
   /// order.
   template <class Write>
   void write_changes(Write write) {
-    for (std::size_t agent = 0; agent < tables_.size(); ++agent) {
-      for (const Change& change : tables_[agent].take_changes()) {
-        write(hal::AgentId{static_cast<std::uint16_t>(agent)},
-              hal::AgentId{static_cast<std::uint16_t>(change.key >> kKindBits)},
-              static_cast<std::uint8_t>(change.key), change.count);
-      }
+    for (std::size_t first = 0; first < tables_.size(); ++first) {
+      changes_.clear();
+      tables_[first].take_changes(all(), static_cast<std::uint16_t>(first), changes_);
+      write_sorted(Change::by_first, write);
+    }
+    added_ = changed_ = 0;
+  }
+
+  /// The same in order of second, first, kind.
+  template <class Write>
+  void write_changes_by_second(Write write) {
+    // In passes over all tables, so that what is sorted needs little memory.
+    const std::uint32_t passes = static_cast<std::uint32_t>(changed_ / kSorted) + 1;
+    const std::uint32_t width = largest_ / passes + 1;
+    for (std::uint32_t low = 0; changed_ > 0 && low <= largest_; low += width) {
+      const Seconds range{low, low + width};
+      changes_.clear();
+      for (std::size_t first = 0; first < tables_.size(); ++first)
+        tables_[first].take_changes(range, static_cast<std::uint16_t>(first), changes_);
+      write_sorted(Change::by_second, write);
     }
     added_ = changed_ = 0;
   }
@@ -40,19 +59,42 @@ class PairCounts {
   std::uint64_t changed() const { return changed_; }  ///< how many counts that changed.
 
  private:
+  static constexpr std::uint64_t kSorted = 1U << 16U;
+
+  /// Addresses of second agents: from low up to, and without, high.
+  struct Seconds {
+    std::uint32_t low = 0, high = 0;
+  };
+  Seconds all() const { return {0, largest_ + 1u}; }
+
   struct Change {
-    std::uint32_t key;
-    std::uint64_t count;
+    std::uint16_t first = 0, second = 0;
+    std::uint8_t kind = 0;
+    std::uint64_t count = 0;
+
+    static std::uint64_t by_first(const Change& c) { return order(c.first, c.second, c.kind); }
+    static std::uint64_t by_second(const Change& c) { return order(c.second, c.first, c.kind); }
+    static std::uint64_t order(std::uint64_t high, std::uint64_t middle, std::uint64_t low) {
+      return (high << 32U) | (middle << 16U) | low;
+    }
   };
 
-  /// Of one agent: a hash table with open addressing and linear probing (D. E. Knuth, "The Art of
-  /// Computer Programming", vol. 3, 6.4, algorithm L). A word is, from high bits to low, the key
-  /// (24), whether it changed (1), and the count (39), which is at least 1; 0: free.
+  template <class Order, class Write>
+  void write_sorted(Order order, Write& write) {
+    std::ranges::sort(changes_, {}, order);
+    for (const Change& c : changes_)
+      write(hal::AgentId{c.first}, hal::AgentId{c.second}, c.kind, c.count);
+  }
+
+  /// Of one first agent: a hash table with open addressing and linear probing (D. E. Knuth, "The
+  /// Art of Computer Programming", vol. 3, 6.4, algorithm L). A word is, from high bits to low, the
+  /// key (24), whether it changed (1), and the count (39), which is at least 1; 0: free.
   class Table {
    public:
-    /// @return whether this is the first change since take_changes().
+    /// @return whether this is the first change since it was taken.
     bool add(std::uint32_t key);
-    std::vector<Change> take_changes();
+    /// Appends what changed of the second agents of a range.
+    void take_changes(Seconds range, std::uint16_t first, std::vector<Change>& changes);
 
    private:
     std::size_t place_of(std::uint32_t key) const;
@@ -60,10 +102,12 @@ class PairCounts {
 
     std::vector<std::uint64_t> words_;
     std::uint32_t used_ = 0;
-    bool changed_ = false;
+    std::uint32_t changed_ = 0;
   };
 
-  std::vector<Table> tables_;  ///< By address.
+  std::vector<Table> tables_;    ///< By address.
+  std::uint16_t largest_ = 0;    ///< Of the second agents.
+  std::vector<Change> changes_;  ///< While they are written.
   std::uint64_t added_ = 0;
   std::uint64_t changed_ = 0;
 };

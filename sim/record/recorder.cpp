@@ -231,7 +231,6 @@ void Recorder::on_reception(hal::Time at, const radio::Frame& frame, hal::AgentI
 
 void Recorder::on_delivered(hal::Time, const radio::Frame& frame, hal::AgentId receiver) {
   frames_.on_delivered(frame, receiver);
-  messages_.on_frame_delivered(frame, receiver);
 }
 
 void Recorder::on_request_end(hal::Time, hal::AgentId sender, hal::AgentId destination,
@@ -254,8 +253,8 @@ void Recorder::on_message_sent(hal::Time at, const hal::Message& message) {
 }
 
 void Recorder::on_message_delivered(hal::Time at, hal::AgentId receiver,
-                                    const hal::Message& message) {
-  messages_.on_message_delivered(at, receiver, message);
+                                    const hal::Message& message, int transmissions) {
+  messages_.on_message_delivered(at, receiver, message, transmissions);
   on_rows(at, 1);
 }
 

@@ -96,8 +96,8 @@ class Recorder final : public agents::Observer {
   void on_body(hal::Time at, hal::AgentId agent, const agents::BodyState& body) override;
   void on_body_lost(const physics::LostBody& lost) override;
   void on_message_sent(hal::Time at, const hal::Message& message) override;
-  void on_message_delivered(hal::Time at, hal::AgentId receiver,
-                            const hal::Message& message) override;
+  void on_message_delivered(hal::Time at, hal::AgentId receiver, const hal::Message& message,
+                            int transmissions) override;
   void on_fate(hal::Time at, hal::AgentId sender, hal::MessageId id, hal::Fate fate) override;
   void on_message_end(hal::Time at, hal::AgentId at_node, hal::AgentId sender, hal::MessageId id,
                       hal::Verdict verdict) override;

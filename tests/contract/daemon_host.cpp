@@ -79,6 +79,7 @@ class Daemon final : public hal::agent::AgentObserver {
   void on_record(hal::Time, hal::AgentId agent, std::string_view name, double value) override {
     sight_.on_record(agent, std::string(name), value);
   }
+  bool observes_readings() const override { return true; }
   bool observes(hal::AgentId, const hal::Channel& channel) const override {
     return channel.kind == "range";
   }

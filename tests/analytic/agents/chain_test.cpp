@@ -62,7 +62,7 @@ std::vector<Action> calls(const hal::exchange::Event& event, hal::MessageId& sen
 class Delays final : public sim::agents::Observer {
  public:
   void on_message_sent(Time at, const hal::Message& message) override { sent_[message.id] = at; }
-  void on_message_delivered(Time at, AgentId receiver, const hal::Message& message) override {
+  void on_message_delivered(Time at, AgentId receiver, const hal::Message& message, int) override {
     of[receiver].push_back(at - sent_.at(message.id));
   }
 

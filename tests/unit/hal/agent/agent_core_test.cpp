@@ -76,6 +76,7 @@ class FakeSensors final : public Sensors {
 
 class Notes final : public AgentObserver, public AgentListener {
  public:
+  bool observes_readings() const override { return !observed.empty(); }
   bool observes(AgentId, const Channel& channel) const override { return channel.name == observed; }
   void on_reading(Time, AgentId, const Channel& channel, std::span<const double>) override {
     readings.push_back(channel.name);
@@ -154,7 +155,7 @@ class Core : public testing::Test {
 };
 
 TEST_F(Core, WithoutAControllerNothingWaitsForAnybody) {
-  core_->on_message({kOther, kSelf, 1, "test", {}});
+  core_->on_message({kOther, kSelf, 1, "test", {}}, 1);
   core_->on_neighbour(kHeard);
   core_->control();
   core_->stop();
@@ -165,7 +166,7 @@ TEST_F(Core, WithoutAControllerNothingWaitsForAnybody) {
 
 TEST_F(Core, WhatComesBeforeTheStartIsToldAfterItAsOfThen) {
   core_->connect({});
-  core_->on_message({kOther, kSelf, 1, "test", {}});
+  core_->on_message({kOther, kSelf, 1, "test", {}}, 1);
   EXPECT_TRUE(core_->take_events().empty());
   clock_.run_until(Time{3s});
   core_->start();
@@ -181,7 +182,7 @@ TEST_F(Core, WhatComesBeforeTheStartIsToldAfterItAsOfThen) {
 TEST_F(Core, AfterStopOnlyWordsTakeEffect) {
   start();
   core_->stop();
-  core_->on_message({kOther, kSelf, 1, "test", {}});
+  core_->on_message({kOther, kSelf, 1, "test", {}}, 1);
   EXPECT_EQ(causes(), std::vector{Cause::kStop});
   Action drive = action(ActionKind::kDriveBody), state = action(ActionKind::kState);
   drive.twist.vx = 1;

@@ -154,7 +154,7 @@ TEST_F(HardwareAgents, AControllerThatIsBusyLosesItsWheelsButNoMessage) {
   ASSERT_TRUE(until([&] { return wheels_.commands > 0; }));
   port->answers = 0;
   for (MessageId i = 1; i <= 100; ++i) {
-    agent().core().on_message({AgentId{2}, AgentId{1}, i, "test", {}});
+    agent().core().on_message({AgentId{2}, AgentId{1}, i, "test", {}}, 1);
   }
   ASSERT_TRUE(until([&] { return wheels_.twist == Twist2{}; }));
   run_for(3 * kPeriod);

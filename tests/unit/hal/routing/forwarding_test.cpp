@@ -38,6 +38,7 @@ TEST(Forwarding, DeliversTheMessageAsItWasSent) {
   const Message expected{
       .source = id(1), .destination = id(3), .id = 1, .topic = "audio", .payload = {1}};
   EXPECT_EQ(network.node(3).messages[0], expected);
+  EXPECT_EQ(network.node(3).transmissions_of, std::vector{2}) << "over two hops";
   EXPECT_TRUE(network.node(2).messages.empty());
 }
 

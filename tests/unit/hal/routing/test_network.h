@@ -55,7 +55,10 @@ class TestNode final : public Link, public Application, public RoutingObserver {
   Duration expected_delay() const override { return 1ms; }
   double transmit_energy(std::size_t) const override { return 0.5; }
 
-  void on_message(Message message) override { messages.push_back(std::move(message)); }
+  void on_message(Message message, int transmissions) override {
+    messages.push_back(std::move(message));
+    transmissions_of.push_back(transmissions);
+  }
   void on_fate(MessageId id, Fate fate) override;
   void on_route_change(const RouteChange& change) override { changes.push_back(change); }
   void on_neighbour(const Neighbour& neighbour) override { heard.push_back(neighbour); }
@@ -67,6 +70,7 @@ class TestNode final : public Link, public Application, public RoutingObserver {
 
   AgentId self;
   std::vector<Message> messages;
+  std::vector<int> transmissions_of;  ///< Those messages.
   std::vector<FateRecord> fates;
   std::vector<RouteChange> changes;
   std::vector<Neighbour> heard;

@@ -138,9 +138,7 @@ TEST(Jam, BodiesOfAJamMoveOncePerStep) {
 
 TEST(ContactIslands, CountOfAGroupIsTheSumOverItsMembers) {
   ContactIslands islands;
-  islands.reset(6);
-  islands.mark_robot(4);
-  islands.mark_robot(5);
+  for (int i = 0; i < 6; ++i) islands.add_object(i >= 4);
   islands.join(4, 1, 3);
   islands.add(4, 2);
   islands.join(1, 5, 4);
@@ -152,8 +150,11 @@ TEST(ContactIslands, CountOfAGroupIsTheSumOverItsMembers) {
     EXPECT_EQ(islands.total(member).robots, 2) << member;
   EXPECT_EQ(islands.total(0).contacts, 7);
   EXPECT_EQ(islands.total(2).contacts, 0);
-  islands.reset(6);
+  islands.reset();
+  EXPECT_TRUE(islands.empty());
   EXPECT_EQ(islands.total(4).contacts, 0);
+  EXPECT_EQ(islands.total(4).robots, 1);
+  EXPECT_EQ(islands.total(1).robots, 0);
 }
 
 }  // namespace

@@ -55,7 +55,8 @@ class BroadcastRecord : public testing::Test {
     for (const Verdict verdict : verdicts) {
       recorder->on_reception(at + frame.airtime, frame, receiver, verdict, -60);
       if (verdict == Verdict::kDelivered) {
-        recorder->on_message_delivered(at + frame.airtime, receiver, message(id, hal::kEveryone));
+        recorder->on_message_delivered(at + frame.airtime, receiver, message(id, hal::kEveryone),
+                                       1);
       }
       ++receiver.value;
     }
