@@ -13,7 +13,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr hal::Milliwatts kSent{2};
+constexpr hal::Milliwatts kTxPower{2};
 
 /// Counts how often each antenna's position is asked for.
 class CountedAntennas final : public Positions {
@@ -37,7 +37,7 @@ class CountedAntennas final : public Positions {
 class NeighbourhoodTest : public testing::Test {
  protected:
   void add(const hal::Vec3& at, const hal::Vec3& velocity = {}) {
-    agents_.push_back({hal::AgentId{static_cast<std::uint16_t>(agents_.size() + 1)}, kSent});
+    agents_.push_back({hal::AgentId{static_cast<std::uint16_t>(agents_.size() + 1)}, kTxPower});
     positions.antennas.place(agents_.back().agent, {at, velocity});
   }
   void build() { neighbourhood.emplace(events, positions, propagation, agents_); }
@@ -55,7 +55,7 @@ class NeighbourhoodTest : public testing::Test {
     for (StationIndex i = 0; i < agents_.size(); ++i) {
       const hal::Vec3 there = positions.antennas.position(agents_[i].agent, events.now());
       const double d2 = dot(there - here, there - here);
-      if (i != from && d2 <= propagation.reach(kSent) * propagation.reach(kSent)) {
+      if (i != from && d2 <= propagation.reach(kTxPower) * propagation.reach(kTxPower)) {
         found.push_back(i);
       }
     }

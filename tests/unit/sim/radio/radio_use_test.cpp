@@ -62,7 +62,7 @@ TEST_F(RadioUseTest, AFrameThatIsCutCountsAsFarAsItCame) {
 // 64 bytes of payload + 36 of headers at 1 Mb/s: 800 us.
 TEST(RadioUseOfADisk, IsTheAirtimeOfItsOwnFrames) {
   Air air(Profile::kDisk);
-  air.config.data_rate = hal::BitsPerSecond{1e6};
+  std::get<DiskConfig>(air.config).data_rate = hal::BitsPerSecond{1e6};
   air.add_line(2, 200);
   air.build();
   air.send(1, 2, 64);
