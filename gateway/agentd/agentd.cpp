@@ -64,7 +64,7 @@ std::string address_for_topics(const AgentdOptions& options) {
 
 /// Motes have nothing to be stopped.
 EmergencyLatch latch_for(const RobotFile& file, const AgentdOptions& options) {
-  if (std::holds_alternative<std::monostate>(file.wheels)) return {};
+  if (file.wheels == nullptr) return {};
   if (options.remembers) {
     return {file.name,
             options.state.empty() ? default_state_folder() : std::filesystem::path(options.state)};

@@ -1,15 +1,11 @@
 #include <CLI/CLI.hpp>
-#include <cstdio>
-#include <exception>
 
 #include "gateway/agentd/agentd.h"
-#include "gateway/exit_status.h"
-#include "hal/config/errors.h"
+#include "gateway/status_of_command.h"
 #include "hal/dds/domains.h"
 #include "hal/runtime/command_line.h"
 #include "hal/runtime/standard_output.h"
 #include "hal/types/log.h"
-#include "hal/types/printable.h"
 
 namespace {
 
@@ -55,27 +51,9 @@ int command(int argc, char** argv) {
   return gateway::serve(options);
 }
 
-/// The same with what was thrown as an exit status.
-int status_of_command(int argc, char** argv) {
-  try {
-    return command(argc, argv);
-  } catch (const hal::config::ConfigErrors& e) {
-    std::fprintf(stderr, "%s\n", hal::printable_lines(e.what()).c_str());
-    return gateway::kUsage;
-  } catch (const gateway::UsageError& e) {
-    std::fprintf(stderr, "error: %s\n", hal::printable_lines(e.what()).c_str());
-    return gateway::kUsage;
-  } catch (const hal::dds::NoSuchDomain& e) {
-    std::fprintf(stderr, "error: %s\n", hal::printable(e.what()).c_str());
-    return gateway::kUsage;
-  } catch (const std::exception& e) {
-    std::fprintf(stderr, "error: %s\n", hal::printable_lines(e.what()).c_str());
-    return gateway::kRunFailed;
-  }
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  return hal::runtime::with_output_written(status_of_command(argc, argv));
+  return hal::runtime::with_output_written(
+      gateway::status_of_command([&] { return command(argc, argv); }));
 }

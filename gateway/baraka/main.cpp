@@ -2,10 +2,8 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdio>
-#include <exception>
 #include <limits>
 #include <map>
-#include <system_error>
 
 #include "gateway/commands/check_command.h"
 #include "gateway/commands/describe_command.h"
@@ -15,15 +13,13 @@
 #include "gateway/commands/report_command.h"
 #include "gateway/commands/topic_command.h"
 #include "gateway/exit_status.h"
-#include "gateway/limits.h"
 #include "gateway/run/domain_range.h"
 #include "gateway/run/replications.h"
 #include "gateway/run/run_command.h"
-#include "hal/config/errors.h"
+#include "gateway/status_of_command.h"
 #include "hal/dds/domains.h"
 #include "hal/runtime/command_line.h"
 #include "hal/runtime/standard_output.h"
-#include "hal/types/printable.h"
 
 namespace {
 
@@ -236,38 +232,9 @@ int command(int argc, char** argv) {
   return gateway::run(run_options);
 }
 
-void print_error(const std::string& what) {
-  std::fprintf(stderr, "error: %s\n", hal::printable_lines(what).c_str());
-}
-
-/// The same with what was thrown as an exit status.
-int status_of_command(int argc, char** argv) {
-  try {
-    return command(argc, argv);
-  } catch (const hal::config::ConfigErrors& e) {
-    std::fprintf(stderr, "%s\n", hal::printable_lines(e.what()).c_str());
-    return gateway::kUsage;
-  } catch (const gateway::UsageError& e) {
-    print_error(e.what());
-    return gateway::kUsage;
-  } catch (const hal::dds::NoSuchDomain& e) {
-    print_error(e.what());
-    return gateway::kUsage;
-  } catch (const gateway::Interrupted& e) {
-    std::fprintf(stderr, "%s\n", e.what());
-    return gateway::kInterrupted;
-  } catch (const std::system_error& e) {
-    const bool is_thread_missing = e.code() == std::errc::resource_unavailable_try_again;
-    print_error(is_thread_missing ? gateway::limit_met(e.code().value()) : e.what());
-    return gateway::kRunFailed;
-  } catch (const std::exception& e) {
-    print_error(e.what());
-    return gateway::kRunFailed;
-  }
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
-  return hal::runtime::with_output_written(status_of_command(argc, argv));
+  return hal::runtime::with_output_written(
+      gateway::status_of_command([&] { return command(argc, argv); }));
 }

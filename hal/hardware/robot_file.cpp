@@ -130,6 +130,16 @@ RobotFile RobotFile::load(const std::filesystem::path& path,
   return file;
 }
 
+std::unique_ptr<WheelDriver> make_wheels(const RobotFile& file) {
+  if (!file.wheels) return nullptr;
+  return file.wheels->make({*file.robot, file.limits, file.command_timeout});
+}
+
+std::unique_ptr<InfraredDriver> make_infrared(const RobotFile& file) {
+  if (!file.infrared) return nullptr;
+  return file.infrared->make({*file.robot, file.limits, file.command_timeout});
+}
+
 std::unique_ptr<PoseSource> make_static_pose(const RobotFile& file) {
   const Pose2* pose = std::get_if<Pose2>(&file.localisation.source);
   return pose == nullptr ? nullptr : std::make_unique<StaticPose>(*pose);

@@ -11,10 +11,8 @@
 #include "hal/config/mapping.h"
 #include "hal/devices/robot_description.h"
 #include "hal/exchange/session.h"
-#include "hal/hardware/drivers/infrared.h"
-#include "hal/hardware/drivers/settings.h"
+#include "hal/hardware/drivers/drivers.h"
 #include "hal/hardware/drivers/speed_limits.h"
-#include "hal/hardware/drivers/wheels.h"
 #include "hal/hardware/localisation.h"
 #include "hal/routing/routing_config.h"
 #include "hal/types/agent_id.h"
@@ -79,8 +77,8 @@ struct RobotFile {
   std::optional<devices::RobotDescription> robot;
   SpeedLimits limits;
   OnLostSensor on_lost_sensor = OnLostSensor::kStop;
-  std::variant<std::monostate, RobotinoSettings, Tmc200Settings> wheels;
-  std::variant<std::monostate, RobotinoSettings, IioSettings> infrared;
+  std::shared_ptr<const DriverChoice<WheelDriver>> wheels;       ///< Null: none, as
+  std::shared_ptr<const DriverChoice<InfraredDriver>> infrared;  ///< here.
 
   std::vector<std::string> warnings;  ///< What is allowed and hardly meant, a line each.
 

@@ -10,19 +10,6 @@
 #include "hal/devices/channels.h"
 
 namespace hal::hardware {
-namespace {
-
-Duration period_of(const RobotFile& file) {
-  return std::visit(
-      [](const auto& settings) -> Duration {
-        if constexpr (requires { settings.times; }) return settings.times.period;
-        return {};
-      },
-      file.infrared);
-}
-
-}  // namespace
-
 exchange::AgentOffer offer_of(const RobotFile& file, const Devices& devices) {
   exchange::AgentOffer offer;
   offer.program = file.program;
@@ -41,7 +28,7 @@ exchange::AgentOffer offer_of(const RobotFile& file, const Devices& devices) {
     session.channels.push_back(devices::odometry_channel());
   }
   if (devices.infrared != nullptr && file.robot) {
-    std::ranges::copy(devices::infrared_channels(file.robot->infrared, period_of(file)),
+    std::ranges::copy(devices::infrared_channels(file.robot->infrared, file.infrared->period()),
                       std::back_inserter(session.channels));
   }
   return offer;

@@ -42,7 +42,7 @@ bool SensorWatch::stops_wheels(const SilentDevice& device) const {
 }
 
 std::string SensorWatch::consequence(const SilentDevice& device) const {
-  const bool has_wheels = !std::holds_alternative<std::monostate>(file_.wheels);
+  const bool has_wheels = file_.wheels != nullptr;
   if (!has_wheels || !device.wanted) return {};
   return stops_wheels(device) ? "; the wheels stand until it is back"
                               : "; on_lost_sensor is 'ignore': the wheels may turn";

@@ -9,6 +9,7 @@
 
 #include "gateway/server.h"
 #include "hal/dds/domains.h"
+#include "hal/hardware/drivers/iio.h"
 #include "hal/hardware/hardware_agent.h"
 #include "tests/contract/contract_host.h"
 #include "tests/support/test_domain.h"
@@ -36,7 +37,9 @@ hal::hardware::RobotFile file_of(hal::AgentId agent, const std::string& name,
     file.robot.emplace();
     file.robot->wheels = hal::hardware::three_wheels();
     file.robot->infrared.resize(1);
-    file.infrared = hal::hardware::IioSettings{};
+    file.infrared = std::make_shared<
+        hal::hardware::ChosenDriver<hal::hardware::InfraredDriver, hal::hardware::IioSettings>>(
+        hal::hardware::IioSettings{}, hal::hardware::make_iio_infrared);
   }
   return file;
 }

@@ -138,8 +138,8 @@ fs::path IioInfrared::attribute(const std::string& name, const std::string& what
 }  // namespace
 
 std::unique_ptr<InfraredDriver> make_iio_infrared(const IioSettings& settings,
-                                                  const devices::RobotDescription& robot) {
-  return std::make_unique<IioInfrared>(settings, robot);
+                                                  const DrivenRobot& robot) {
+  return std::make_unique<IioInfrared>(settings, robot.description);
 }
 
 }  // namespace hal::hardware

@@ -1,12 +1,24 @@
 #pragma once
 
+#include <filesystem>
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "hal/devices/robot_description.h"
+#include "hal/hardware/drivers/device_times.h"
+#include "hal/hardware/drivers/driver_choice.h"
 #include "hal/hardware/drivers/infrared.h"
-#include "hal/hardware/drivers/settings.h"
 
 namespace hal::hardware {
+
+/// Sensors on an analog-to-digital converter of Linux's Industrial I/O subsystem.
+struct IioSettings {
+  std::filesystem::path folder;       ///< E.g. "/sys/bus/iio/devices/iio:device0".
+  std::vector<std::string> channels;  ///< E.g. "voltage0", one per sensor of the robot.
+  DeviceTimes times;
+  bool operator==(const IioSettings&) const = default;
+};
 
 /// Infrared sensors on an analog-to-digital converter of Linux's Industrial I/O subsystem (Linux
 /// kernel, Documentation/ABI/testing/sysfs-bus-iio): millivolts = (raw + offset) * scale, read from
@@ -14,6 +26,10 @@ namespace hal::hardware {
 /// in_<type>_scale and _offset. The offset may be missing.
 /// @param robot  with as many infrared sensors as there are channels; their curves give the metres.
 std::unique_ptr<InfraredDriver> make_iio_infrared(const IioSettings& settings,
-                                                  const devices::RobotDescription& robot);
+                                                  const DrivenRobot& robot);
+
+/// Their keys in a robot's file.
+std::shared_ptr<const DriverChoice<InfraredDriver>> read_iio_infrared(
+    config::Mapping& in, const devices::RobotDescription& robot);
 
 }  // namespace hal::hardware

@@ -96,8 +96,8 @@ class RobotinoInfrared final : public InfraredDriver, private Device {
 }  // namespace
 
 std::unique_ptr<InfraredDriver> make_robotino_infrared(const RobotinoSettings& settings,
-                                                       const devices::RobotDescription& robot) {
-  return std::make_unique<RobotinoInfrared>(settings, robot);
+                                                       const DrivenRobot& robot) {
+  return std::make_unique<RobotinoInfrared>(settings, robot.description);
 }
 
 }  // namespace hal::hardware

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "hal/hardware/drivers/settings.h"
+#include "hal/hardware/drivers/robotino.h"
 #include "hal/hardware/drivers/velocity_command.h"
 #include "hal/types/result.h"
 

@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "hal/hardware/drivers/driven_robot.h"
-#include "hal/hardware/drivers/settings.h"
+#include "hal/hardware/drivers/driver_choice.h"
+#include "hal/hardware/drivers/tmc200_protocol.h"
 #include "hal/hardware/drivers/wheels.h"
 
 namespace hal::hardware {
@@ -15,5 +15,9 @@ namespace hal::hardware {
 /// @param robot  with three wheels.
 std::unique_ptr<WheelDriver> make_tmc200_wheels(const Tmc200Settings& settings,
                                                 const DrivenRobot& robot);
+
+/// Their keys in a robot's file.
+std::shared_ptr<const DriverChoice<WheelDriver>> read_tmc200_wheels(
+    config::Mapping& in, const devices::RobotDescription& robot);
 
 }  // namespace hal::hardware

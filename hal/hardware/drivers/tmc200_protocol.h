@@ -6,10 +6,26 @@
 #include <vector>
 
 #include "hal/devices/robot_description.h"
-#include "hal/hardware/drivers/settings.h"
+#include "hal/hardware/drivers/device_times.h"
 #include "hal/types/result.h"
 
 namespace hal::hardware {
+
+/// Fraunhofer AiS TMC200 triple motor controller on a serial line, 57600 8N1.
+struct Tmc200Settings {
+  struct Motor {
+    int encoder_lines = 0;  ///< Per turn of the motor shaft, > 0.
+    double gear = 1;        ///< Turns of the motor per turn of the wheel, > 0.
+    double max_speed = 0;   ///< rad/s of the motor shaft, > 0: the controller's full scale.
+    bool inverted = false;  ///< Wired so that it turns against the wheel's positive direction.
+    bool operator==(const Motor&) const = default;
+  };
+  std::string device;  ///< E.g. "/dev/ttyUSB0".
+  Motor motor;         ///< All three are alike, in the order of the robot's wheels.
+  Duration cut_off{};  ///< The controller stops the motors after this silence; 10 ms .. 2.55 s.
+  DeviceTimes times;   ///< Period <= cut_off / 2.
+  bool operator==(const Tmc200Settings&) const = default;
+};
 
 /// The lines of Fraunhofer AiS's TMC200 triple motor controller: a command, its arguments, a blank,
 /// a line feed. Sources: the command list of libtmc200ctrl (Fraunhofer AiS users' library, 2013);

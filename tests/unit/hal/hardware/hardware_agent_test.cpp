@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "hal/hardware/drivers/iio.h"
 #include "tests/support/fake_clock.h"
 #include "tests/unit/hal/hardware/fakes.h"
 
@@ -52,7 +53,8 @@ class HardwareAgents : public testing::Test {
         file.robot.emplace();
         file.robot->wheels = three_wheels();
         file.robot->infrared.resize(1);
-        file.infrared = IioSettings{};
+        file.infrared = std::make_shared<ChosenDriver<InfraredDriver, IioSettings>>(
+            IioSettings{}, make_iio_infrared);
       }
       agent_.emplace(file, HardwareAgent::Surroundings{loop, link, devices, observer});
     }

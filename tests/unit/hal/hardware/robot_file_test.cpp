@@ -7,6 +7,9 @@
 #include <variant>
 #include <vector>
 
+#include "hal/hardware/drivers/iio.h"
+#include "hal/hardware/drivers/robotino.h"
+#include "hal/hardware/drivers/tmc200.h"
 #include "hal/types/math.h"
 #include "tests/unit/hal/config/files.h"
 
@@ -18,6 +21,12 @@ using config::Lines;
 
 const std::filesystem::path kHardware = std::filesystem::path(CONFIG_DIR) / "hardware";
 const std::string kRobertino = (std::filesystem::path(CONFIG_DIR) / "robots/robertino.yaml");
+
+/// @throws std::bad_cast  of another driver
+template <class Settings, class Driver>
+const Settings& settings_of(const std::shared_ptr<const DriverChoice<Driver>>& choice) {
+  return dynamic_cast<const ChosenDriver<Driver, Settings>&>(*choice).settings();
+}
 
 class RobotFileTest : public config::Files {
  protected:
@@ -51,7 +60,7 @@ TEST(HardwareExamples, OfARobotinoSayWhatTheirCommentsSay) {
   EXPECT_EQ(file.radio, (RadioSettings{"wlan0", "", 7300, 6e6, 0.1}));
   EXPECT_EQ(file.robot->infrared.size(), 9U);
   EXPECT_EQ(file.limits, (SpeedLimits{0.6, 1.5}));
-  const auto& wheels = std::get<RobotinoSettings>(file.wheels);
+  const auto& wheels = settings_of<RobotinoSettings>(file.wheels);
   EXPECT_EQ(wheels.host, "192.168.0.1");
   EXPECT_EQ(wheels.times, (DeviceTimes{50ms, 150ms, 500ms}));
   EXPECT_EQ(std::get<PoseTopicSettings>(file.localisation.source),
@@ -62,11 +71,11 @@ TEST(HardwareExamples, OfARobotinoSayWhatTheirCommentsSay) {
 
 TEST(HardwareExamples, OfATmc200SayWhatTheirCommentsSay) {
   const RobotFile file = RobotFile::load(kHardware / "tmc200.yaml");
-  const auto& wheels = std::get<Tmc200Settings>(file.wheels);
+  const auto& wheels = settings_of<Tmc200Settings>(file.wheels);
   EXPECT_EQ(wheels.motor.encoder_lines, 500);
   EXPECT_NEAR(wheels.motor.max_speed, 120 * math::kPi, 1e-9);
   EXPECT_EQ(wheels.cut_off, 200ms);
-  const auto& infrared = std::get<IioSettings>(file.infrared);
+  const auto& infrared = settings_of<IioSettings>(file.infrared);
   EXPECT_EQ(infrared.folder, "/sys/bus/iio/devices/iio:device0");
   EXPECT_EQ(infrared.channels.size(), 6U);
 }
@@ -183,7 +192,7 @@ TEST_F(RobotFileTest, UnknownDriversAreNamedWithTheirLikes) {
 TEST_F(RobotFileTest, OverridesReachEveryKey) {
   const RobotFile file = RobotFile::load(
       kHardware / "robotino.yaml", {"wheels.port=8080", "radio.interface=lo", "agent.name=r7"});
-  EXPECT_EQ(std::get<RobotinoSettings>(file.wheels).port, 8080);
+  EXPECT_EQ(settings_of<RobotinoSettings>(file.wheels).port, 8080);
   EXPECT_EQ(file.radio.interface, "lo");
   EXPECT_EQ(file.name, "r7");
 }

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "hal/hardware/drivers/robotino.h"
 #include "hal/types/log.h"
 
 namespace hal::hardware {
@@ -24,7 +25,8 @@ class SensorWatchTest : public testing::Test {
     log::set_level(log::Level::kInfo);
     log::set_sink(remember);
     said.clear();
-    file_.wheels = RobotinoSettings{};
+    file_.wheels = std::make_shared<ChosenDriver<WheelDriver, RobotinoSettings>>(
+        RobotinoSettings{}, make_robotino_wheels);
     watch_.look({}, {});
   }
   ~SensorWatchTest() override {

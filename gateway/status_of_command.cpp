@@ -1,0 +1,45 @@
+#include "gateway/status_of_command.h"
+
+#include <cstdio>
+#include <exception>
+#include <string>
+#include <system_error>
+
+#include "gateway/exit_status.h"
+#include "gateway/limits.h"
+#include "hal/config/errors.h"
+#include "hal/dds/domains.h"
+#include "hal/types/printable.h"
+
+namespace gateway {
+namespace {
+
+int failed(ExitStatus status, const std::string& what) {
+  std::fprintf(stderr, "error: %s\n", hal::printable_lines(what).c_str());
+  return status;
+}
+
+}  // namespace
+
+int status_of_command(const std::function<int()>& command) {
+  try {
+    return command();
+  } catch (const hal::config::ConfigErrors& e) {
+    std::fprintf(stderr, "%s\n", hal::printable_lines(e.what()).c_str());
+    return kUsage;
+  } catch (const UsageError& e) {
+    return failed(kUsage, e.what());
+  } catch (const hal::dds::NoSuchDomain& e) {
+    return failed(kUsage, e.what());
+  } catch (const Interrupted& e) {
+    std::fprintf(stderr, "%s\n", e.what());
+    return kInterrupted;
+  } catch (const std::system_error& e) {
+    const bool is_thread_missing = e.code() == std::errc::resource_unavailable_try_again;
+    return failed(kRunFailed, is_thread_missing ? limit_met(e.code().value()) : e.what());
+  } catch (const std::exception& e) {
+    return failed(kRunFailed, e.what());
+  }
+}
+
+}  // namespace gateway
