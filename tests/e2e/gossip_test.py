@@ -100,7 +100,7 @@ class Gossip(Case):
         domain = some_domain(self)
         echo = Program("baraka", "topic", "echo", "baraka/values", "--domain", domain, "--count", 10)
         self.addCleanup(echo.clean_up)
-        self.run_baraka(GOSSIP, "--domain", domain, "--max-speed", 0.5)
+        self.run_baraka(GOSSIP, "--domain", domain, "--max-speed", 0.3)
         rows = self.query("SELECT at_ns, agents.name, recorded.name, value FROM recorded JOIN agents USING (agent)")
         samples = re.findall(r'stamp:\n  sec: (\d+)\n  nanosec: (\d+)\nagent: "(.*)"\nname: "(.*)"\nvalue: (.*)\n',
                              echo.finish().out)
