@@ -109,16 +109,20 @@ TEST_P(HostContract, WhatComesWhileAControllerIsBusyReachesItInOrder) {
     *mote_has_started = true;
     return std::vector<Action>{};
   });
-  brain("robot", {"r0"}, [mote_has_started, id = 0u](const Event& event) mutable {
-    std::vector<Action> actions;
-    if (!*mote_has_started || event.cause != Cause::kControl || id == 50) return actions;
-    ++id;
-    actions.push_back(send(kMote, id, {static_cast<std::uint8_t>(id)}));
-    return actions;
-  });
+  const RemoteBrain& robot =
+      brain("robot", {"r0"}, [mote_has_started, id = 0u](const Event& event) mutable {
+        std::vector<Action> actions;
+        if (!*mote_has_started || event.cause != Cause::kControl || id == 50) return actions;
+        ++id;
+        actions.push_back(send(kMote, id, {static_cast<std::uint8_t>(id)}));
+        return actions;
+      });
   ASSERT_TRUE(until([&] { return mote.seen(kMote, Cause::kMessage).size() >= 5; }));
   mote.hold(true);
-  std::this_thread::sleep_for(500ms);
+  const std::size_t cycles = robot.seen(kRobot, Cause::kControl).size();
+  // In lock-step time stands still meanwhile.
+  ASSERT_TRUE(promises().waits_for_answers ||
+              until([&] { return robot.seen(kRobot, Cause::kControl).size() >= cycles + 25; }));
   mote.hold(false);
   ASSERT_TRUE(until([&] { return mote.seen(kMote, Cause::kMessage).size() >= 50; }));
   const auto messages = mote.seen(kMote, Cause::kMessage);

@@ -14,8 +14,7 @@
 #include <string>
 #include <system_error>
 
-#include "hal/hardware/platform/device_thread.h"
-#include "hal/hardware/platform/latest.h"
+#include "hal/hardware/drivers/threaded_infrared.h"
 
 namespace hal::hardware {
 namespace {
@@ -56,20 +55,13 @@ Result<double> read_attribute(const fs::path& file) {
   return value;
 }
 
-class IioInfrared final : public InfraredDriver, private Device {
+class IioInfrared final : public InfraredDevice {
  public:
   IioInfrared(const IioSettings& settings, const devices::RobotDescription& robot)
-      : settings_(settings),
-        sensors_(robot.infrared),
-        latest_(settings.times.stale_after),
-        thread_(*this,
-                {settings.times.period, {}, settings.times.period + 3 * settings.times.timeout}) {}
-  ~IioInfrared() override { thread_.finish(); }
+      : settings_(settings), sensors_(robot.infrared) {}
 
-  Result<InfraredReadings> latest() const override { return latest_.get(thread_); }
-  bool connected() const override { return thread_.connected(); }
-  std::string trouble() const override { return thread_.trouble(); }
-  DeviceCounts counts() const override { return thread_.counts(); }
+  Result<void> connect() override;
+  Result<InfraredReadings> measure() override;
 
  private:
   struct Channel {
@@ -78,16 +70,12 @@ class IioInfrared final : public InfraredDriver, private Device {
     double offset = 0;  ///< counts
   };
 
-  Result<void> connect() override;
-  Result<void> work() override;
   Result<Channel> find(const std::string& name) const;
   fs::path attribute(const std::string& name, const std::string& what) const;
 
   IioSettings settings_;
   std::vector<devices::InfraredSensor> sensors_;
   std::vector<Channel> channels_;
-  Latest<InfraredReadings> latest_;
-  DeviceThread thread_;  ///< Last: it uses the others.
 };
 
 Result<void> IioInfrared::connect() {
@@ -97,10 +85,10 @@ Result<void> IioInfrared::connect() {
     if (!channel) return tl::unexpected<Error>(channel.error());
     channels_.push_back(*channel);
   }
-  return work();
+  return {};
 }
 
-Result<void> IioInfrared::work() {
+Result<InfraredReadings> IioInfrared::measure() {
   InfraredReadings readings;
   for (std::size_t i = 0; i < channels_.size(); ++i) {
     const auto raw = read_attribute(channels_[i].raw);
@@ -109,9 +97,7 @@ Result<void> IioInfrared::work() {
     readings.volts.push_back(volts);
     readings.metres.push_back(sensors_[i].curve.metres(volts));
   }
-  readings.stamp = BootClock::now();
-  latest_.set(std::move(readings));
-  return {};
+  return readings;
 }
 
 Result<IioInfrared::Channel> IioInfrared::find(const std::string& name) const {
@@ -139,7 +125,8 @@ fs::path IioInfrared::attribute(const std::string& name, const std::string& what
 
 std::unique_ptr<InfraredDriver> make_iio_infrared(const IioSettings& settings,
                                                   const DrivenRobot& robot) {
-  return std::make_unique<IioInfrared>(settings, robot.description);
+  return std::make_unique<ThreadedInfrared>(
+      std::make_unique<IioInfrared>(settings, robot.description), settings.times);
 }
 
 }  // namespace hal::hardware

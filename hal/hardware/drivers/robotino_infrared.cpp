@@ -6,8 +6,7 @@
 
 #include "hal/hardware/drivers/robotino.h"
 #include "hal/hardware/drivers/robotino_rest.h"
-#include "hal/hardware/platform/device_thread.h"
-#include "hal/hardware/platform/latest.h"
+#include "hal/hardware/drivers/threaded_infrared.h"
 #include "hal/types/math.h"
 
 namespace hal::hardware {
@@ -36,26 +35,12 @@ Pair pair_for(double heading, bool clockwise) {
   return {index(std::floor(turns)), index(std::floor(turns) + 1)};
 }
 
-class RobotinoInfrared final : public InfraredDriver, private Device {
+class RobotinoInfrared final : public InfraredDevice {
  public:
   RobotinoInfrared(const RobotinoSettings& settings, const devices::RobotDescription& robot)
-      : settings_(settings),
-        sensors_(robot.infrared),
-        rest_(settings),
-        latest_(settings.times.stale_after),
-        thread_(*this,
-                {settings.times.period, {}, settings.times.period + 3 * settings.times.timeout}) {}
-  ~RobotinoInfrared() override { thread_.finish(); }
+      : settings_(settings), sensors_(robot.infrared), rest_(settings) {}
 
-  Result<InfraredReadings> latest() const override { return latest_.get(thread_); }
-  bool connected() const override { return thread_.connected(); }
-  std::string trouble() const override { return thread_.trouble(); }
-  DeviceCounts counts() const override { return thread_.counts(); }
-
- private:
-  Result<void> connect() override { return work(); }
-
-  Result<void> work() override {
+  Result<InfraredReadings> measure() override {
     const auto array = rest_.distances();
     if (!array) return tl::unexpected<Error>(array.error());
     const auto negative =
@@ -65,11 +50,10 @@ class RobotinoInfrared final : public InfraredDriver, private Device {
     }
     InfraredReadings readings;
     for (const devices::InfraredSensor& sensor : sensors_) add(sensor, *array, readings);
-    readings.stamp = BootClock::now();
-    latest_.set(std::move(readings));
-    return {};
+    return readings;
   }
 
+ private:
   void add(const devices::InfraredSensor& sensor, const std::vector<double>& array,
            InfraredReadings& readings) const {
     const Pair pair = pair_for(sensor.heading, settings_.clockwise);
@@ -89,15 +73,14 @@ class RobotinoInfrared final : public InfraredDriver, private Device {
   RobotinoSettings settings_;
   std::vector<devices::InfraredSensor> sensors_;
   RobotinoRest rest_;
-  Latest<InfraredReadings> latest_;
-  DeviceThread thread_;  ///< Last: it uses the others.
 };
 
 }  // namespace
 
 std::unique_ptr<InfraredDriver> make_robotino_infrared(const RobotinoSettings& settings,
                                                        const DrivenRobot& robot) {
-  return std::make_unique<RobotinoInfrared>(settings, robot.description);
+  return std::make_unique<ThreadedInfrared>(
+      std::make_unique<RobotinoInfrared>(settings, robot.description), settings.times);
 }
 
 }  // namespace hal::hardware

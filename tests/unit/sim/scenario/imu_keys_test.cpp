@@ -20,6 +20,7 @@ using hal::Time;
 /// What the channel "imu" read, in the order of time.
 class ImuReadings final : public agents::Observer {
  public:
+  bool observes_readings() const override { return true; }
   bool observes(hal::AgentId, const hal::Channel& channel) const override {
     return channel.name == "imu";
   }
