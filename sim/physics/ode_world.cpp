@@ -73,7 +73,7 @@ OdeWorld::~OdeWorld() {
 void OdeWorld::drop_contacts() {
   // An emptied group keeps its memory: that of the first steps, in which every mote is awake, for
   // the whole run.
-  constexpr int kGiveBackEvery = 100;
+  constexpr int kGiveBackEvery = 10;
   if (++drops_ < kGiveBackEvery) return dJointGroupEmpty(contacts_);
   drops_ = 0;
   dJointGroupDestroy(contacts_);
