@@ -103,7 +103,8 @@ void Results::record(const fs::path& folder) {
                         .pose_period = scenario_.record.pose_period,
                         .all_frames = scenario_.record.frames == sim::scenario::FrameRecord::kAll});
   recorder_->add_settings(settings_);
-  settings_ = {};  // half a kilobyte per agent, not needed any more
+  // Half a kilobyte per agent, not needed any more.
+  std::vector<std::pair<std::string, std::string>>().swap(settings_);
   recorder_->set("run_id", folder_.run_id());
   recorder_->set("scenario", scenario_.name);
   recorder_->set("version", BARAKA_VERSION);

@@ -15,6 +15,7 @@ constexpr std::size_t kPerBucket = 48;  // a heap of three levels; fewer buckets
 constexpr std::size_t kLargeHeap = 1024;  // 24 KiB: what the first cache can hold
 constexpr std::size_t kLeastSample = 12;  // of 64: so an entry is spread about five times at most
 constexpr std::uint64_t kDenser = 8;
+constexpr std::size_t kMostSpare = 16;  // more would make large lists of all the small ones
 constexpr std::size_t kLeastSwept = 1024;
 
 /// A time that most entries are not after, from a sample: three quarters of them, so that a few in
@@ -118,8 +119,9 @@ void FutureEvents::take_near(std::vector<Entry>& list) {
   // Its memory is for the next bucket: so there is as much as there are entries, and not as much
   // as every bucket once held.
   list.clear();
-  spare_.push_back(std::move(list));
-  list = {};
+  std::vector<Entry> spare;
+  spare.swap(list);
+  if (spare_.size() < kMostSpare) spare_.push_back(std::move(spare));
   spill_at_ = std::max(kLargeHeap, 2 * near_.size());
 }
 

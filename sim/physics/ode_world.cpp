@@ -1,5 +1,6 @@
 #include "sim/physics/ode_world.h"
 
+#include <algorithm>
 #include <cstdarg>
 
 #include "hal/types/check.h"
@@ -70,12 +71,12 @@ OdeWorld::~OdeWorld() {
   dThreadingFreeImplementation(threading_);
 }
 
-void OdeWorld::drop_contacts() {
+void OdeWorld::drop_contacts(std::size_t awake) {
   // An emptied group keeps its memory: that of the first steps, in which every mote is awake, for
   // the whole run.
-  constexpr int kGiveBackEvery = 100;
-  if (++drops_ < kGiveBackEvery) return dJointGroupEmpty(contacts_);
-  drops_ = 0;
+  most_awake_ = std::max(most_awake_, awake);
+  if (2 * awake >= most_awake_) return dJointGroupEmpty(contacts_);
+  most_awake_ = awake;
   dJointGroupDestroy(contacts_);
   contacts_ = dJointGroupCreate(0);
 }

@@ -2,6 +2,7 @@
 
 #include <ode/ode.h>
 
+#include <cstddef>
 #include <cstdint>
 
 #include "sim/physics/world.h"
@@ -25,8 +26,9 @@ class OdeWorld {
   dJointGroupID contacts() const { return contacts_; }
   dGeomID ground() const { return ground_; }
 
-  /// Removes all contact joints: at the end of a step.
-  void drop_contacts();
+  /// Removes all contact joints: at the end of a step. @param awake  objects that have some; when
+  /// there are far fewer than there were, what memory their joints took is given back.
+  void drop_contacts(std::size_t awake);
 
   /// One step by the exact solver, or by the iterative one seeded with `seed`. Counts messages.
   void solve_exactly(double seconds);
@@ -41,7 +43,7 @@ class OdeWorld {
   dJointGroupID contacts_;
   dGeomID ground_;
   std::uint64_t messages_ = 0;
-  int drops_ = 0;  ///< Since the memory of contacts was given back.
+  std::size_t most_awake_ = 0;  ///< Since the memory of contacts was given back.
 };
 
 }  // namespace sim::physics

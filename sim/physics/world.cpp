@@ -157,7 +157,7 @@ void World::Implementation::step() {
   const Solved solved = solve(ode, objects, pass.islands(), how);
   if (solved.jam) ++jams;
   largest_exact = std::max(largest_exact, solved.largest_exact);
-  ode.drop_contacts();
+  ode.drop_contacts(awake.members().size());
   ++steps;
   moved.clear();
   awake.keep_if([this](std::size_t object) { return follow(object); });

@@ -36,7 +36,7 @@ class PairCounts {
       tables_[first].take_changes(all(), static_cast<std::uint16_t>(first), changes_);
       write_sorted(Change::by_first, write);
     }
-    added_ = changed_ = 0;
+    end_of_writing();
   }
 
   /// The same in order of second, first, kind.
@@ -52,14 +52,14 @@ class PairCounts {
         tables_[first].take_changes(range, static_cast<std::uint16_t>(first), changes_);
       write_sorted(Change::by_second, write);
     }
-    added_ = changed_ = 0;
+    end_of_writing();
   }
 
   std::uint64_t added() const { return added_; }      ///< Since the last write_changes(), and
   std::uint64_t changed() const { return changed_; }  ///< how many counts that changed.
 
  private:
-  static constexpr std::uint64_t kSorted = 1U << 16U;
+  static constexpr std::uint64_t kSorted = 1U << 17U;
 
   /// Addresses of second agents: from low up to, and without, high.
   struct Seconds {
@@ -78,6 +78,11 @@ class PairCounts {
       return (high << 32U) | (middle << 16U) | low;
     }
   };
+
+  void end_of_writing() {
+    std::vector<Change>().swap(changes_);
+    added_ = changed_ = 0;
+  }
 
   template <class Order, class Write>
   void write_sorted(Order order, Write& write) {

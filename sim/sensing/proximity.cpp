@@ -16,11 +16,18 @@ using physics::Shape;
 /// m, edge of the cells for moving shapes: about what a sensor sees and what a robot measures.
 constexpr double kCell = 1;
 
-std::vector<std::size_t> select(std::span<const Shape> shapes, bool is_static) {
+std::vector<std::size_t> fixed_among(std::span<const Shape> shapes) {
   std::vector<std::size_t> chosen;
   for (std::size_t i = 0; i < shapes.size(); ++i)
-    if (shapes[i].is_static() == is_static) chosen.push_back(i);
+    if (shapes[i].is_static()) chosen.push_back(i);
   return chosen;
+}
+
+/// The shapes of a body follow one another.
+std::size_t end_of_body(std::span<const Shape> shapes, std::size_t first) {
+  std::size_t end = first + 1;
+  while (end < shapes.size() && shapes[end].owner == shapes[first].owner) ++end;
+  return end;
 }
 
 /// m, of a circle around the centre that holds the shape, seen from above.
@@ -34,32 +41,38 @@ double radius_of(const Shape& shape) {
 class Proximity::Implementation {
  public:
   explicit Implementation(const physics::World& given)
-      : world(given), fixed(given.shapes(), select(given.shapes(), true)) {
+      : world(given), fixed(given.shapes(), fixed_among(given.shapes())) {
     follow_all();
   }
 
-  void follow(std::size_t shape) {
-    const Shape& now = world.shapes()[shape];
-    largest = std::max(largest, radius_of(now));
-    moving.put(static_cast<CellGrid::Member>(shape), now.centre);
+  /// One entry per body: where its first shape is. @return the end of its shapes.
+  std::size_t follow(std::span<const Shape> shapes, std::size_t first) {
+    const hal::Vec2 place = shapes[first].centre;
+    const std::size_t end = end_of_body(shapes, first);
+    for (std::size_t i = first; i < end; ++i) {
+      const hal::Vec2 away = shapes[i].centre - place;
+      largest = std::max(largest, std::sqrt(dot(away, away)) + radius_of(shapes[i]));
+    }
+    moving.put(static_cast<CellGrid::Member>(first), place);
+    return end;
   }
   void follow_all() {
-    for (const std::size_t shape : select(world.shapes(), false)) follow(shape);
+    const std::span<const Shape> shapes = world.shapes();
+    for (std::size_t i = 0; i < shapes.size();)
+      i = shapes[i].is_static() ? i + 1 : follow(shapes, i);
     followed = world.steps();
   }
   void follow_moved() {
-    for (const hal::AgentId agent : world.moved()) {
-      const auto first = world.shapes_of(agent).data() - world.shapes().data();
-      for (std::size_t i = 0; i < world.shapes_of(agent).size(); ++i)
-        follow(static_cast<std::size_t>(first) + i);
-    }
+    const std::span<const Shape> shapes = world.shapes();
+    for (const hal::AgentId agent : world.moved())
+      follow(shapes, static_cast<std::size_t>(world.shapes_of(agent).data() - shapes.data()));
     followed = world.steps();
   }
 
   const physics::World& world;
   ShapeTree fixed;  ///< Built once.
   CellGrid moving{kCell};
-  double largest = 0;          ///< m, radius of the moving shapes.
+  double largest = 0;          ///< m, from a body's place in `moving` to where it ends.
   std::uint64_t followed = 0;  ///< Step of the world that `moving` is of.
   std::vector<std::size_t> candidates;
   std::vector<CellGrid::Member> found;
@@ -85,7 +98,11 @@ std::span<const std::size_t> Proximity::within(const Region& region) const {
   i.fixed.overlapping(region, i.candidates);
   i.moving.within({region.low.x - i.largest, region.low.y - i.largest},
                   {region.high.x + i.largest, region.high.y + i.largest}, i.found);
-  i.candidates.insert(i.candidates.end(), i.found.begin(), i.found.end());
+  const std::span<const Shape> shapes = i.world.shapes();
+  for (const CellGrid::Member first : i.found) {
+    const std::size_t end = end_of_body(shapes, first);
+    for (std::size_t shape = first; shape < end; ++shape) i.candidates.push_back(shape);
+  }
   std::sort(i.candidates.begin(), i.candidates.end());
   return i.candidates;
 }

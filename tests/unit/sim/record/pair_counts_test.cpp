@@ -46,13 +46,13 @@ TEST(PairCounts, HandsOverWhatChangedInOrderAndNothingElse) {
 TEST(PairCounts, HandsOverByTheSecondAgentInSeveralPassesAsWellAsInOne) {
   PairCounts counts;
   std::map<Key, std::uint64_t> expected;  // by second, first, kind
-  for (std::uint16_t first = 1; first <= 400; ++first) {
+  for (std::uint16_t first = 1; first <= 600; ++first) {
     for (std::uint16_t second = 1; second <= 400; ++second) {
       counts.add(AgentId{first}, AgentId{second}, static_cast<std::uint8_t>(first % 3));
       expected[{AgentId{second}, AgentId{first}, first % 3}] = 1;
     }
   }
-  ASSERT_EQ(counts.changed(), 160'000u);  // more than are sorted at once
+  ASSERT_EQ(counts.changed(), 240'000u);  // more than are sorted at once
   std::map<Key, std::uint64_t> changes;
   counts.write_changes_by_second(
       [&](AgentId first, AgentId second, std::uint8_t kind, std::uint64_t count) {
