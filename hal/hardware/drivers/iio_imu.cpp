@@ -30,11 +30,11 @@ class IioImu {
  private:
   Result<double> component(const char* quantity, char axis) const {
     const auto raw = read_attribute(folder_ / fmt::format("in_{}_{}_raw", quantity, axis));
-    if (!raw) return raw;
+    if (!raw) return tl::unexpected<Error>(raw.error());
     const std::filesystem::path own = folder_ / fmt::format("in_{}_{}_scale", quantity, axis);
     const auto scale =
         read_attribute(has_attribute(own) ? own : folder_ / fmt::format("in_{}_scale", quantity));
-    if (!scale) return scale;
+    if (!scale) return tl::unexpected<Error>(scale.error());
     return *raw * *scale;
   }
 
