@@ -87,7 +87,7 @@ class Agentd {
 
  private:
   std::unique_ptr<hal::hardware::PoseSource> make_pose_source();
-  hal::hardware::Devices devices() const { return {wheels_.get(), infrared_.get(), pose_.get()}; }
+  hal::hardware::Devices devices() const;
   void drive_here();
   void stop_as_before();
   void set_emergency_stop(bool stop, StopSource source);
@@ -110,6 +110,7 @@ class Agentd {
   hal::dds::InspectionParticipant participant_;
   std::unique_ptr<hal::hardware::WheelDriver> wheels_;
   std::unique_ptr<hal::hardware::InfraredDriver> infrared_;
+  std::vector<std::unique_ptr<hal::hardware::SensorDriver>> sensors_;
   std::unique_ptr<hal::hardware::PoseSource> pose_;
   hal::hardware::UdpLink link_;
   AgentInspection inspection_;
@@ -138,6 +139,7 @@ Agentd::Agentd(const AgentdOptions& options)
                     .name = "baraka-agentd " + file_.name}),
       wheels_(hal::hardware::make_wheels(file_)),
       infrared_(hal::hardware::make_infrared(file_)),
+      sensors_(hal::hardware::make_sensors(file_)),
       pose_(make_pose_source()),
       link_(open_radio(file_, loop_)),
       inspection_(file_),
@@ -153,6 +155,12 @@ Agentd::Agentd(const AgentdOptions& options)
       ServerSettings{.run = kOnlyRun, .reply_timeout = {}, .attendance = Attendance::kAnyTime});
   if (wheels_) loop_watch_.emplace(loop_, *wheels_, std::min(file_.command_timeout, kLongestHang));
   if (options.shown) inspection_.start(participant_);
+}
+
+hal::hardware::Devices Agentd::devices() const {
+  hal::hardware::Devices devices{wheels_.get(), infrared_.get(), pose_.get()};
+  for (const auto& sensor : sensors_) devices.sensors.push_back(sensor.get());
+  return devices;
 }
 
 void Agentd::stop_as_before() {

@@ -15,8 +15,10 @@ using hal::dds::Inspector;
 using Topic = hal::dds::Inspector::Topic;
 
 hal::dds::InspectedRobot describe(const hal::hardware::RobotFile& file) {
-  return {
-      .name = file.name, .start = std::nullopt, .ranges = inspected_ranges(file.robot->infrared)};
+  return {.name = file.name,
+          .start = std::nullopt,
+          .ranges = inspected_ranges(file.robot->infrared),
+          .channels = sensor_channels(file)};
 }
 
 }  // namespace

@@ -18,6 +18,11 @@ void read_devices(Mapping& in, RobotFile& file) {
   if (in.has("infrared"))
     file.infrared =
         read_infrared(in.mapping({"infrared", "The robot's infrared sensors."}), *file.robot);
+  file.sensors = read_driven_sensors(
+      in.mappings(
+          {"sensors", "Which drivers feed which sensors of the robot; others are not there.",
+           "[{name: battery, driver: power_supply, folder: /sys/class/power_supply/BAT0}]"}),
+      file.robot->sensors);
   file.on_lost_sensor = in.choice(
       {"on_lost_sensor",
        "Whether the wheels stop while a sensor that the controller wants is silent.", "stop"},

@@ -10,6 +10,7 @@
 #include "hal/description/body_section.h"
 #include "hal/description/names.h"
 #include "hal/description/routing_section.h"
+#include "hal/devices/channels.h"
 #include "hal/hardware/robot_file_sections.h"
 
 namespace hal::hardware {
@@ -97,7 +98,8 @@ void read_body(Mapping& in, RobotFile& file) {
     read_devices(in, file);
     return;
   }
-  for (const std::string key : {"robot", "wheels", "infrared", "limits", "on_lost_sensor"}) {
+  for (const std::string key :
+       {"robot", "wheels", "infrared", "sensors", "limits", "on_lost_sensor"}) {
     in.refuse(key, "a mote has none");
   }
 }
@@ -138,6 +140,23 @@ std::unique_ptr<WheelDriver> make_wheels(const RobotFile& file) {
 std::unique_ptr<InfraredDriver> make_infrared(const RobotFile& file) {
   if (!file.infrared) return nullptr;
   return file.infrared->make({*file.robot, file.limits, file.command_timeout});
+}
+
+std::vector<std::unique_ptr<SensorDriver>> make_sensors(const RobotFile& file) {
+  std::vector<std::unique_ptr<SensorDriver>> drivers;
+  for (const DrivenSensor& one : file.sensors) drivers.push_back(one.driver->make());
+  return drivers;
+}
+
+std::vector<Channel> sensor_channels(const RobotFile& file) {
+  std::vector<Channel> channels;
+  if (file.sensors.empty()) return channels;
+  const std::vector<Channel> all = devices::sensor_channels(file.robot->sensors);
+  for (const DrivenSensor& one : file.sensors) {
+    channels.push_back(all.at(one.sensor));
+    channels.back().period = one.driver->period();
+  }
+  return channels;
 }
 
 std::unique_ptr<PoseSource> make_static_pose(const RobotFile& file) {

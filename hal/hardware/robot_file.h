@@ -12,6 +12,7 @@
 #include "hal/devices/robot_description.h"
 #include "hal/exchange/session.h"
 #include "hal/hardware/drivers/drivers.h"
+#include "hal/hardware/drivers/sensor_choice.h"
 #include "hal/hardware/drivers/speed_limits.h"
 #include "hal/hardware/localisation.h"
 #include "hal/routing/routing_config.h"
@@ -80,6 +81,8 @@ struct RobotFile {
   std::shared_ptr<const DriverChoice<WheelDriver>> wheels;       ///< Null: none, as
   std::shared_ptr<const DriverChoice<InfraredDriver>> infrared;  ///< here.
 
+  std::vector<DrivenSensor> sensors;  ///< Those of the robot that have a driver.
+
   std::vector<std::string> warnings;  ///< What is allowed and hardly meant, a line each.
 
   /// Reads the top level of a file; notes mistakes there.
@@ -96,6 +99,11 @@ struct RobotFile {
 /// that does not answer is no error: the driver goes on trying.
 std::unique_ptr<WheelDriver> make_wheels(const RobotFile& file);
 std::unique_ptr<InfraredDriver> make_infrared(const RobotFile& file);
+/// In the order of `file.sensors`.
+std::vector<std::unique_ptr<SensorDriver>> make_sensors(const RobotFile& file);
+
+/// The channels of `file.sensors`, in their order.
+std::vector<Channel> sensor_channels(const RobotFile& file);
 
 /// The pose of a static agent; null for the other drivers, which need the program's help.
 std::unique_ptr<PoseSource> make_static_pose(const RobotFile& file);

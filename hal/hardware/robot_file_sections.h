@@ -5,8 +5,8 @@
 
 namespace hal::hardware {
 
-/// `wheels:`, `infrared:`, `limits:` and `on_lost_sensor:` of a robot's file. @pre the file's
-/// `robot` is read.
+/// `wheels:`, `infrared:`, `sensors:`, `limits:` and `on_lost_sensor:` of a robot's file. @pre the
+/// file's `robot` is read.
 void read_devices(config::Mapping& in, RobotFile& file);
 
 /// `localisation:`. @pre the file's address is read.

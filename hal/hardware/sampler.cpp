@@ -31,6 +31,8 @@ exchange::AgentOffer offer_of(const RobotFile& file, const Devices& devices) {
     std::ranges::copy(devices::infrared_channels(file.robot->infrared, file.infrared->period()),
                       std::back_inserter(session.channels));
   }
+  if (!devices.sensors.empty())
+    std::ranges::copy(sensor_channels(file), std::back_inserter(session.channels));
   return offer;
 }
 
@@ -52,11 +54,18 @@ void Sampler::advance(Time) {
       values_[devices::kOdometry] = devices::odometry_values(pose, twist);
     }
   }
+  for (std::size_t i = 0; i < devices_.sensors.size(); ++i) {
+    if (auto latest = devices_.sensors[i]->latest()) values_[id_of(i)] = std::move(latest->values);
+  }
   if (devices_.infrared == nullptr) return;
   if (auto latest = devices_.infrared->latest()) {
     values_[devices::kInfrared] = std::move(latest->metres);
     values_[devices::kInfraredVolts] = std::move(latest->volts);
   }
+}
+
+std::uint16_t Sampler::id_of(std::size_t sensor) const {
+  return static_cast<std::uint16_t>(devices::kFirstSensor + file_.sensors.at(sensor).sensor);
 }
 
 bool Sampler::sample(std::size_t channel, Time, std::vector<double>& values) {
@@ -80,6 +89,10 @@ std::vector<SilentDevice> Sampler::silent(BootTime now) const {
   if (devices_.infrared != nullptr) {
     ask("infrared", devices_.infrared->latest(),
         wants_.needs("infrared") || wants_.needs("infrared_volts"));
+  }
+  for (std::size_t i = 0; i < devices_.sensors.size(); ++i) {
+    const std::string& name = mount_of(file_.robot->sensors.at(file_.sensors.at(i).sensor)).name;
+    ask(name.c_str(), devices_.sensors[i]->latest(), wants_.needs(name));
   }
   if (has_pose()) ask("localisation", pose(now), wants_.needs("localisation"));
   return silent;

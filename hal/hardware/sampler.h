@@ -18,6 +18,7 @@ struct Devices {
   WheelDriver* wheels = nullptr;
   InfraredDriver* infrared = nullptr;
   PoseSource* pose = nullptr;
+  std::vector<const SensorDriver*> sensors{};  ///< In the order of the file's `sensors`.
 };
 
 /// What a real agent can be asked for: the channels of its file, with the names, kinds and units
@@ -48,6 +49,8 @@ class Sampler final : public agent::Sensors {
   bool has_pose() const { return devices_.pose != nullptr; }
 
  private:
+  std::uint16_t id_of(std::size_t sensor) const;  ///< Of a channel. @param sensor  of the file
+
   const RobotFile& file_;
   const Devices& devices_;
   const exchange::AgentOffer offer_;

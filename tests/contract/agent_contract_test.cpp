@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <map>
 #include <memory>
 #include <optional>
 #include <set>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "hal/types/message.h"
 #include "hal/types/record.h"
@@ -324,6 +327,62 @@ TEST_P(AgentContract, WhatAControllerRecordsIsShownInItsOrderIfItIsFiniteAndHasA
   EXPECT_EQ(sight().records(kMote), good);
   EXPECT_TRUE(sight().records(kRobot).empty());
   EXPECT_EQ(host_->end().refused, 3u);
+}
+
+/// A kind of sensor, as the robot of all hosts has it.
+struct KindOfSensor {
+  std::string kind;  ///< And name.
+  std::uint16_t channel = 0;
+  std::size_t values = 0;
+  bool needs_a_world = false;
+  std::function<bool(const std::vector<double>&)> is_plausible;
+};
+
+std::vector<KindOfSensor> kinds_of_sensors() {
+  using Values = std::vector<double>;
+  const auto close = [](double a, double b, double by) { return std::abs(a - b) < by; };
+  return {{"battery", 16, 3, false,
+           [=](const Values& v) { return close(v[0], 0.73, 0.01) && close(v[1], 12, 0.01); }},
+          {"imu", 17, 6, false,
+           [=](const Values& v) { return close(v[2], 0, 0.01) && close(v[5], 9.81, 0.05); }},
+          {"pose", 18, 3, true,
+           [=](const Values& v) { return close(v[0], 0, 0.01) && close(v[1], 0, 0.01); }},
+          {"bumper", 19, 1, true, [](const Values& v) { return v[0] == 0; }},
+          {"scan", 20, 90, true, [](const Values& v) {
+             return std::ranges::all_of(v, [](double range) { return std::isnan(range); });
+           }}};
+}
+
+TEST_P(AgentContract, EachKindOfSensorGivesTheValuesOfItsChannelToWhoAsksForIt) {
+  hal::Wants wants;
+  for (const KindOfSensor& sensor : kinds_of_sensors()) wants.optional.push_back(sensor.kind);
+  const Brain& both = brain({}, wants);
+  for (const KindOfSensor& sensor : kinds_of_sensors()) {
+    if (sensor.needs_a_world && !promises().senses_the_world) continue;
+    SCOPED_TRACE(sensor.kind);
+    std::vector<double> values;
+    ASSERT_TRUE(until([&] {
+      for (const Event& control : both.seen(kRobot, Cause::kControl))
+        for (const hal::exchange::Reading& reading : control.readings)
+          if (reading.channel == sensor.channel && !reading.lost) values = reading.values;
+      return !values.empty();
+    }));
+    ASSERT_EQ(values.size(), sensor.values);
+    EXPECT_TRUE(sensor.is_plausible(values)) << values.front();
+  }
+  EXPECT_TRUE(both.seen(kMote, Cause::kControl).empty() ||
+              both.seen(kMote, Cause::kControl).back().readings.empty())
+      << "the mote has none";
+}
+
+TEST_P(AgentContract, ASensorThatNobodyAskedForGivesNothing) {
+  const Brain& both = brain({}, {.channels = {}, .optional = {"imu"}});
+  ASSERT_TRUE(until([&] {
+    return std::ranges::any_of(both.seen(kRobot, Cause::kControl),
+                               [](const Event& control) { return !control.readings.empty(); });
+  }));
+  for (const Event& control : both.seen(kRobot, Cause::kControl))
+    for (const hal::exchange::Reading& reading : control.readings) EXPECT_EQ(reading.channel, 17);
 }
 
 INSTANTIATE_TEST_SUITE_P(Hosts, AgentContract,

@@ -103,6 +103,7 @@ struct Promises {
   bool waits_for_answers = false;  ///< Lock-step.
   bool takes_successors = false;   ///< Of controllers that died.
   bool has_neighbours = false;     ///< Several servers share the domain.
+  bool senses_the_world = false;   ///< Has the sensors that need a world: pose, bumper, scan.
 };
 
 struct Implementation {

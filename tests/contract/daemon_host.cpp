@@ -10,8 +10,11 @@
 #include "gateway/server.h"
 #include "hal/dds/domains.h"
 #include "hal/hardware/drivers/iio.h"
+#include "hal/hardware/drivers/iio_imu.h"
+#include "hal/hardware/drivers/power_supply.h"
 #include "hal/hardware/hardware_agent.h"
 #include "tests/contract/contract_host.h"
+#include "tests/support/sysfs_folder.h"
 #include "tests/support/test_domain.h"
 #include "tests/unit/hal/hardware/fakes.h"
 
@@ -40,9 +43,38 @@ hal::hardware::RobotFile file_of(hal::AgentId agent, const std::string& name,
     file.infrared = std::make_shared<
         hal::hardware::ChosenDriver<hal::hardware::InfraredDriver, hal::hardware::IioSettings>>(
         hal::hardware::IioSettings{}, hal::hardware::make_iio_infrared);
+    file.robot->sensors = {hal::devices::Battery{}, hal::devices::ImuSensor{}};
   }
   return file;
 }
+
+/// The gauge and the inertial unit of the robot, as Linux shows them, and their drivers.
+class RobotSensors {
+ public:
+  RobotSensors() {
+    supply_.set("capacity", "73");
+    supply_.set("voltage_now", "12000000");
+    for (const std::string axis : {"x", "y", "z"}) {
+      imu_.set("in_anglvel_" + axis + "_raw", "0");
+      imu_.set("in_accel_" + axis + "_raw", axis == "z" ? "981" : "0");
+    }
+    imu_.set("in_anglvel_scale", "0.001");
+    imu_.set("in_accel_scale", "0.01");
+  }
+
+  /// @pre the file has a robot.
+  void add_to(hal::hardware::RobotFile& file) const {
+    using namespace hal::hardware;
+    const DeviceTimes times{10ms, 100ms, 60s};
+    file.sensors = {{0, std::make_shared<ChosenSensor<PowerSupplySettings>>(
+                            PowerSupplySettings{supply_.path(), times}, make_power_supply)},
+                    {1, std::make_shared<ChosenSensor<IioImuSettings>>(
+                            IioImuSettings{imu_.path(), times}, make_iio_imu)}};
+  }
+
+ private:
+  tests::SysfsFolder supply_, imu_;
+};
 
 /// One agent with its radio and, in a domain, its server, as a daemon has them.
 class Daemon final : public hal::agent::AgentObserver {
@@ -50,6 +82,7 @@ class Daemon final : public hal::agent::AgentObserver {
   Daemon(hal::hardware::RobotFile file, std::uint16_t port, EventLoop& loop,
          std::optional<int> domain, Sight& sight)
       : file_(std::move(file)),
+        sensors_(make_sensors(file_)),
         loop_(loop),
         sight_(sight),
         link_({.self = file_.address,
@@ -97,7 +130,9 @@ class Daemon final : public hal::agent::AgentObserver {
  private:
   hal::hardware::Devices devices() {
     if (!file_.robot) return {};
-    return {.wheels = &wheels_, .infrared = &infrared_};
+    hal::hardware::Devices devices{.wheels = &wheels_, .infrared = &infrared_};
+    for (const auto& sensor : sensors_) devices.sensors.push_back(sensor.get());
+    return devices;
   }
   void attend() {
     for (const EventLoop::Watch watch : std::exchange(watches_, {})) loop_.unwatch(watch);
@@ -108,6 +143,7 @@ class Daemon final : public hal::agent::AgentObserver {
   }
 
   hal::hardware::RobotFile file_;
+  std::vector<std::unique_ptr<hal::hardware::SensorDriver>> sensors_;
   EventLoop& loop_;
   Sight& sight_;
   hal::hardware::RecordedWheels wheels_;
@@ -148,7 +184,10 @@ class DaemonHost final : public ContractHost {
  private:
   void run(hal::Duration control_period) {
     EventLoop loop;
-    Daemon robot(file_of(kRobot, "r0", control_period), 0, loop, domain_, sight_);
+    const RobotSensors sensors;
+    hal::hardware::RobotFile file = file_of(kRobot, "r0", control_period);
+    sensors.add_to(file);
+    Daemon robot(std::move(file), 0, loop, domain_, sight_);
     Daemon mote(file_of(kMote, "m0", control_period), robot.port(), loop, domain_, sight_);
     directories_ = {{kRobot, robot.directory()}, {kMote, mote.directory()}};
     ready_.set_value();

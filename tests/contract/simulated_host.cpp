@@ -150,19 +150,19 @@ class SimulatedHost final : public ContractHost {
 }  // namespace
 
 Implementation simulator_in_lock_step() {
-  return {"SimulatorInLockStep", {.waits_for_answers = true}, [] {
+  return {"SimulatorInLockStep", {.waits_for_answers = true, .senses_the_world = true}, [] {
             return std::make_unique<SimulatedHost>(true, test_domain(), kAsItIs);
           }};
 }
 
 Implementation simulator_in_real_time() {
-  return {"SimulatorInRealTime", {}, [] {
+  return {"SimulatorInRealTime", {.senses_the_world = true}, [] {
             return std::make_unique<SimulatedHost>(false, test_domain(), kAsItIs);
           }};
 }
 
 Implementation simulator_in_process() {
-  return {"SimulatorInProcess", {.waits_for_answers = true}, [] {
+  return {"SimulatorInProcess", {.waits_for_answers = true, .senses_the_world = true}, [] {
             return std::make_unique<SimulatedHost>(
                 true, std::nullopt, std::vector<std::string>{"controller_latency=10 ms"});
           }};

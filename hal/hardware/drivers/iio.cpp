@@ -1,59 +1,18 @@
 #include "hal/hardware/drivers/iio.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
-#include <array>
-#include <cerrno>
-#include <charconv>
-#include <cmath>
-#include <cstring>
 #include <filesystem>
 #include <optional>
 #include <string>
-#include <system_error>
 
+#include "hal/hardware/drivers/attributes.h"
 #include "hal/hardware/drivers/threaded_infrared.h"
 
 namespace hal::hardware {
 namespace {
 
 namespace fs = std::filesystem;
-
-bool is_there(const fs::path& file) {
-  std::error_code ignored;
-  return fs::exists(file, ignored);
-}
-
-struct Descriptor {
-  explicit Descriptor(const fs::path& file) : number(::open(file.c_str(), O_RDONLY | O_CLOEXEC)) {}
-  ~Descriptor() {
-    if (number >= 0) ::close(number);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  int number;
-};
-
-/// The number an attribute holds: one read, as sysfs wants it.
-Result<double> read_attribute(const fs::path& file) {
-  const Descriptor descriptor(file);
-  std::array<char, 64> bytes{};
-  const ssize_t size =
-      descriptor.number < 0 ? -1 : ::read(descriptor.number, bytes.data(), bytes.size());
-  if (size < 0) {
-    return fail(Errc::kNotConnected, fmt::format("{}: {}", file.string(), std::strerror(errno)));
-  }
-  std::string_view text(bytes.data(), static_cast<std::size_t>(size));
-  while (!text.empty() && (text.back() == '\n' || text.back() == ' ')) text.remove_suffix(1);
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
-    return fail(Errc::kProtocol, fmt::format("{}: '{}' is not a number", file.string(), text));
-  }
-  return value;
-}
 
 class IioInfrared final : public InfraredDevice {
  public:
@@ -106,7 +65,7 @@ Result<IioInfrared::Channel> IioInfrared::find(const std::string& name) const {
   if (!scale) return tl::unexpected<Error>(scale.error());
   channel.scale = *scale;
   const fs::path offset_file = attribute(name, "offset");
-  if (!is_there(offset_file)) return channel;
+  if (!has_attribute(offset_file)) return channel;
   const auto offset = read_attribute(offset_file);
   if (!offset) return tl::unexpected<Error>(offset.error());
   channel.offset = *offset;
@@ -116,7 +75,7 @@ Result<IioInfrared::Channel> IioInfrared::find(const std::string& name) const {
 /// A channel's own attribute or, if there is none, that of all channels of its type.
 fs::path IioInfrared::attribute(const std::string& name, const std::string& what) const {
   fs::path own = settings_.folder / fmt::format("in_{}_{}", name, what);
-  if (is_there(own)) return own;
+  if (has_attribute(own)) return own;
   const std::string type = name.substr(0, name.find_first_of("0123456789"));
   return settings_.folder / fmt::format("in_{}_{}", type, what);
 }

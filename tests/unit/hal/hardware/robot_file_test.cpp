@@ -138,6 +138,41 @@ TEST_F(RobotFileTest, EveryMistakeIsNamedAtOnce) {
             }));
 }
 
+TEST_F(RobotFileTest, DriversFeedSensorsThatTheRobotHasEachOneOfItsKind) {
+  const std::string robot =
+      "version: 1\nagent: {name: r0, address: 1, kind: robot}\nradio: {interface: eth0}\n"
+      "robot: {include: " +
+      kRobertino +
+      ", sensors: [{kind: battery, capacity: 1 kJ, full_voltage: 12 V}, {kind: bumper}, "
+      "{kind: imu}]}\nwheels: {driver: none}\nlimits: {linear: 1 m/s, angular: 1 rad/s}\n"
+      "sensors:\n";
+  const RobotFile file = RobotFile::load(
+      write("good.yaml", robot + "  - {name: imu, driver: iio_imu, folder: /a, period: 10 ms}\n"
+                                 "  - {name: battery, driver: power_supply, folder: /b}\n"));
+  ASSERT_EQ(file.sensors.size(), 2U);
+  EXPECT_EQ(file.sensors[0].sensor, 2U);
+  const std::vector<Channel> channels = sensor_channels(file);
+  ASSERT_EQ(channels.size(), 2U);
+  EXPECT_EQ(channels[0].name, "imu");
+  EXPECT_EQ(channels[0].id, 18);
+  EXPECT_EQ(channels[0].period, 10ms);
+  EXPECT_EQ(channels[1].name, "battery");
+  EXPECT_EQ(channels[1].id, 16);
+
+  EXPECT_EQ(mistakes(robot + "  - {name: sonar, driver: iio_imu, folder: /a}\n"
+                             "  - {name: bumper, driver: power_supply, folder: /b}\n"
+                             "  - {name: imu, driver: iio_imu, folder: /a}\n"
+                             "  - {name: imu, driver: iio_imu, folder: /a}\n"
+                             "  - {name: battery, driver: coin}\n"),
+            (Lines{
+                "8:12: sensors.name: the robot has no sensor 'sonar'",
+                "9:28: sensors.driver: feeds a sensor of the kind battery, but 'bumper' is of the "
+                "kind bumper",
+                "11:12: sensors.name: 'imu' has a driver already",
+                "12:29: sensors.driver: 'coin' is not one of power_supply, iio_imu",
+            }));
+}
+
 TEST_F(RobotFileTest, DevicesMustKeepTheirOwnRules) {
   EXPECT_EQ(
       device_mistakes("wheels: {driver: robotino_rest, host: r, period: 150 ms, session: a&b}\n"
