@@ -35,10 +35,10 @@ TEST_F(RadioUseTest, IsTheAirtimeOfTheFramesOfAnExchange) {
   const auto use = use_at(900ms);
   ASSERT_EQ(air.log.story(), "DATA1 ACK2");
   ASSERT_EQ(use.size(), 3u);
-  constexpr hal::Duration kSent = test::kData, kAnswered = test::kAck;
-  expect_use(use[0], {kSent, kAnswered, 900ms - kSent - kAnswered, 0ms});
-  expect_use(use[1], {kAnswered, kSent, 900ms - kSent - kAnswered, 0ms});
-  expect_use(use[2], {0ms, kAnswered, 900ms - kAnswered, 0ms});
+  const hal::Duration data = test::kData, ack = test::kAck;
+  expect_use(use[0], {data, ack, 900ms - data - ack, 0ms});
+  expect_use(use[1], {ack, data, 900ms - data - ack, 0ms});
+  expect_use(use[2], {0ms, ack, 900ms - ack, 0ms});
 }
 
 TEST_F(RadioUseTest, ARadioThatIsOffNeitherListensNorReceives) {
