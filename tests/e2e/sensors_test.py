@@ -4,7 +4,7 @@ and as a reader that knows only ROS 2 sees them, against the record."""
 import math
 import unittest
 
-from baraka import ROOT, Case, some_domain
+from baraka import ROOT, Case, Program, some_domain
 from rays import ray_to_box, turned
 from ros import Peer, needs_peer
 
@@ -42,6 +42,15 @@ class Sensors(Case):
         first = self.state()
         self.run_baraka(SCENARIO, "--controllers", "in-process", "--seed", 2)
         self.assertNotEqual(first[0], self.state()[0])
+
+    def test_echo_prints_them(self):
+        domain = some_domain(self)
+        self.start(SCENARIO, "--domain", domain, "--max-speed", 0.5)
+        for name, pattern in (("scan", r"angle_min: -?[\d.]+\n(.*\n)*ranges: \[([-.\w]+, )+[-.\w]+\]\nintensities: \[\]\n"),
+                              ("imu", r"angular_velocity:\n  x: [^\n]+\n(.*\n)*linear_acceleration:\n(  [xy]: .*\n)+  z: \d")):
+            echo = Program("baraka", "topic", "echo", f"rt/b0/{name}", "--count", 1, "--domain", domain)
+            self.addCleanup(echo.clean_up)
+            self.assertRegex(echo.finish().out, pattern)
 
     @needs_peer
     def test_a_reader_of_ros_2_sees_what_the_geometry_says(self):

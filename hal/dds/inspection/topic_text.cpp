@@ -37,29 +37,32 @@ class Lines {
   }
   void put(std::string_view key, bool flag) { line(fmt::format("{}: {}", key, flag)); }
   void put(std::string_view key, double value) { line(fmt::format("{}: {}", key, number(value))); }
-  void put(std::string_view key, float value) { put_value(key, fmt::format("{}", value), value); }
+  void put(std::string_view key, float value) { line(fmt::format("{}: {}", key, number(value))); }
   template <std::integral Integer>
   void put(std::string_view key, Integer value) {
     line(fmt::format("{}: {}", key, value));
   }
   template <std::size_t n>
   void put(std::string_view key, const std::array<double, n>& values) {
-    std::string list;
-    for (const double value : values) list += (list.empty() ? "" : ", ") + number(value);
-    line(fmt::format("{}: [{}]", key, list));
+    put_list(key, values);
   }
+  void put(std::string_view key, const std::vector<float>& values) { put_list(key, values); }
 
   std::string take() { return std::move(text_); }
 
  private:
-  static std::string number(double value) {
+  /// Single precision has fewer digits to show.
+  template <std::floating_point Number>
+  static std::string number(Number value) {
     if (std::isnan(value)) return ".nan";
     if (std::isinf(value)) return value < 0 ? "-.inf" : ".inf";
     return fmt::format("{}", value);
   }
-  /// Single precision has fewer digits to show.
-  void put_value(std::string_view key, const std::string& digits, float value) {
-    line(fmt::format("{}: {}", key, std::isfinite(value) ? digits : number(double{value})));
+  template <class List>
+  void put_list(std::string_view key, const List& values) {
+    std::string list;
+    for (const auto value : values) list += (list.empty() ? "" : ", ") + number(value);
+    line(fmt::format("{}: [{}]", key, list));
   }
   void line(const std::string& text) {
     const std::size_t indent = 2 * depth_;
@@ -157,6 +160,45 @@ void put_members(Lines& out, const sensor_msgs::msg::dds_::Range_& m) {
   out.put("max_range", m.max_range());
   out.put("range", m.range());
 }
+void put_members(Lines& out, const sensor_msgs::msg::dds_::LaserScan_& m) {
+  put(out, "header", m.header());
+  out.put("angle_min", m.angle_min());
+  out.put("angle_max", m.angle_max());
+  out.put("angle_increment", m.angle_increment());
+  out.put("time_increment", m.time_increment());
+  out.put("scan_time", m.scan_time());
+  out.put("range_min", m.range_min());
+  out.put("range_max", m.range_max());
+  out.put("ranges", m.ranges());
+  out.put("intensities", m.intensities());
+}
+void put_members(Lines& out, const sensor_msgs::msg::dds_::Imu_& m) {
+  put(out, "header", m.header());
+  put(out, "orientation", m.orientation());
+  out.put("orientation_covariance", m.orientation_covariance());
+  put(out, "angular_velocity", m.angular_velocity());
+  out.put("angular_velocity_covariance", m.angular_velocity_covariance());
+  put(out, "linear_acceleration", m.linear_acceleration());
+  out.put("linear_acceleration_covariance", m.linear_acceleration_covariance());
+}
+void put_members(Lines& out, const sensor_msgs::msg::dds_::BatteryState_& m) {
+  put(out, "header", m.header());
+  out.put("voltage", m.voltage());
+  out.put("temperature", m.temperature());
+  out.put("current", m.current());
+  out.put("charge", m.charge());
+  out.put("capacity", m.capacity());
+  out.put("design_capacity", m.design_capacity());
+  out.put("percentage", m.percentage());
+  out.put("power_supply_status", m.power_supply_status());
+  out.put("power_supply_health", m.power_supply_health());
+  out.put("power_supply_technology", m.power_supply_technology());
+  out.put("present", m.present());
+  out.put("cell_voltage", m.cell_voltage());
+  out.put("cell_temperature", m.cell_temperature());
+  out.put("location", m.location());
+  out.put("serial_number", m.serial_number());
+}
 void put_members(Lines& out, const own::MessageFate_& m) {
   put(out, "stamp", m.stamp());
   out.put("sender", m.sender());
@@ -245,7 +287,10 @@ std::optional<std::string> to_yaml(const std::string& type, const Bytes& sample)
   static const std::map<std::string, Decoder> all =
       decoders<rosgraph_msgs::msg::dds_::Clock_PubSubType, std_msgs::msg::dds_::Bool_PubSubType,
                tf2_msgs::msg::dds_::TFMessage_PubSubType, nav_msgs::msg::dds_::Odometry_PubSubType,
-               sensor_msgs::msg::dds_::Range_PubSubType, geometry::Twist_PubSubType,
+               sensor_msgs::msg::dds_::Range_PubSubType,
+               sensor_msgs::msg::dds_::LaserScan_PubSubType,
+               sensor_msgs::msg::dds_::Imu_PubSubType,
+               sensor_msgs::msg::dds_::BatteryState_PubSubType, geometry::Twist_PubSubType,
                geometry::PoseStamped_PubSubType, own::MessageFate_PubSubType, own::Frame_PubSubType,
                own::Route_PubSubType, own::ControllerState_PubSubType, own::LinkQuality_PubSubType,
                own::Value_PubSubType>();
