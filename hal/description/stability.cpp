@@ -18,7 +18,7 @@ using devices::Wheel;
 using devices::WheelType;
 
 /// A solid part of the robot.
-struct Part {
+struct SolidPart {
   double mass;
   Vec3 centre;  ///< m, body frame
   Vec2 spread;  ///< m^2, mean square distance of its mass from its centre along x and y; z: `rise`.
@@ -26,8 +26,8 @@ struct Part {
   double rise;        ///< m^2
 };
 
-std::vector<Part> parts_of(const RobotDescription& robot) {
-  std::vector<Part> parts;
+std::vector<SolidPart> parts_of(const RobotDescription& robot) {
+  std::vector<SolidPart> parts;
   for (const auto& c : robot.cylinders) {
     const double length = c.z_top - c.z_bottom;
     const double round = c.radius * c.radius / 4;
@@ -53,23 +53,23 @@ std::vector<Part> parts_of(const RobotDescription& robot) {
   return parts;
 }
 
-double mass_of(const std::vector<Part>& parts) {
+double mass_of(const std::vector<SolidPart>& parts) {
   double mass = 0;
-  for (const Part& part : parts) mass += part.mass;
+  for (const SolidPart& part : parts) mass += part.mass;
   return mass;
 }
 
-Vec3 centre_of(const std::vector<Part>& parts) {
+Vec3 centre_of(const std::vector<SolidPart>& parts) {
   Vec3 moment;
-  for (const Part& part : parts) moment = moment + part.mass * part.centre;
+  for (const SolidPart& part : parts) moment = moment + part.mass * part.centre;
   return (1 / mass_of(parts)) * moment;
 }
 
 /// Squared radius of gyration about a horizontal axis through the centre of mass. m^2
 /// @param across  unit vector across the axis.
-double gyration(const std::vector<Part>& parts, const Vec3& centre, Vec2 across) {
+double gyration(const std::vector<SolidPart>& parts, const Vec3& centre, Vec2 across) {
   double sum = 0;
-  for (const Part& p : parts) {
+  for (const SolidPart& p : parts) {
     const Vec3 to = p.centre - centre;
     const double aside = to.x * across.x + to.y * across.y;
     const double own = p.spread.x * across.x * across.x + p.spread.y * across.y * across.y +
@@ -209,7 +209,7 @@ bool goes_over(const Pivot& pivot, const std::vector<Push>& pushes) {
 }
 
 /// What the robot's motors do to it over one edge.
-void drive_over(const RobotDescription& robot, const std::vector<Part>& parts, Vec2 inward,
+void drive_over(const RobotDescription& robot, const std::vector<SolidPart>& parts, Vec2 inward,
                 double gravity, Stability& result) {
   const auto& limits = robot.acceleration;
   const double most = traction(robot, result.centre_of_mass, mass_of(parts), gravity, inward);
@@ -234,7 +234,7 @@ auto strength(const Stability& s) {
 }  // namespace
 
 Stability stability_of(const RobotDescription& robot, double gravity) {
-  const std::vector<Part> parts = parts_of(robot);
+  const std::vector<SolidPart> parts = parts_of(robot);
   Stability weakest{.centre_of_mass = centre_of(parts)};
   const Vec3& centre = weakest.centre_of_mass;
   const std::vector<Vec2> corners = support(robot.wheels);

@@ -9,8 +9,8 @@
 namespace sim::report {
 namespace {
 
-Drive drive_of(const RunResult& run, const RunResult::Agent& robot, const RunResult::Body& body) {
-  Drive drive{.robot = robot.name,
+RobotDrive drive_of(const RunResult& run, const RunResult::Agent& robot, const RunResult::Body& body) {
+  RobotDrive drive{.robot = robot.name,
               .path = body.path,
               .straight = hal::math::hypot(body.x - robot.x, body.y - robot.y),
               .clearance = body.clearance,
@@ -25,8 +25,8 @@ Drive drive_of(const RunResult& run, const RunResult::Agent& robot, const RunRes
 
 }  // namespace
 
-std::vector<Drive> drives(const RunResult& run) {
-  std::vector<Drive> drives;
+std::vector<RobotDrive> drives(const RunResult& run) {
+  std::vector<RobotDrive> drives;
   for (const RunResult::Agent& agent : run.agents) {
     const auto body = run.bodies.find(agent.agent);
     if (agent.is_robot && body != run.bodies.end()) {
@@ -54,10 +54,10 @@ std::vector<double> Group::delays() const {
   return pooled;
 }
 
-std::vector<Drive> Group::all_drives() const {
-  std::vector<Drive> all;
+std::vector<RobotDrive> Group::all_drives() const {
+  std::vector<RobotDrive> all;
   for (const RunResult* run : runs) {
-    const std::vector<Drive> some = drives(*run);
+    const std::vector<RobotDrive> some = drives(*run);
     all.insert(all.end(), some.begin(), some.end());
   }
   return all;

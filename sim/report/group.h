@@ -12,7 +12,7 @@
 namespace sim::report {
 
 /// How one robot drove in one run.
-struct Drive {
+struct RobotDrive {
   std::string robot;
   double path = 0;      ///< m
   double straight = 0;  ///< m from its start to the goal, or to where it ended if there is none.
@@ -20,7 +20,7 @@ struct Drive {
   std::optional<std::uint64_t> wall_steps, object_steps;
   double ratio() const { return straight > 0 ? path / straight : 0; }
 };
-std::vector<Drive> drives(const RunResult& run);
+std::vector<RobotDrive> drives(const RunResult& run);
 
 /// Keys of the table settings and their values.
 using Settings = std::map<std::string, std::string>;
@@ -38,7 +38,7 @@ struct Group {
 
   std::vector<double> discoveries() const;  ///< s, pooled.
   std::vector<double> delays() const;       ///< s, pooled.
-  std::vector<Drive> all_drives() const;
+  std::vector<RobotDrive> all_drives() const;
   std::map<int, std::uint64_t> packets() const;  ///< By agent, summed.
 };
 

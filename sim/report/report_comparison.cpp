@@ -36,7 +36,7 @@ std::vector<double> of_runs(const Group& group, Read read) {
 template <class Read>
 std::vector<double> of_drives(const Group& group, Read read) {
   std::vector<double> values;
-  for (const Drive& drive : group.all_drives()) {
+  for (const RobotDrive& drive : group.all_drives()) {
     if (const std::optional<double> value = read(drive)) values.push_back(*value);
   }
   return values;
@@ -114,16 +114,16 @@ std::vector<Figure> run_figures() {
 
 std::vector<Figure> drive_figures() {
   const auto path = [](const Group& g) {
-    return of_drives(g, [](const Drive& d) { return std::optional(d.path); });
+    return of_drives(g, [](const RobotDrive& d) { return std::optional(d.path); });
   };
   const auto ratio = [](const Group& g) {
-    return of_drives(g, [](const Drive& d) { return std::optional(d.ratio()); });
+    return of_drives(g, [](const RobotDrive& d) { return std::optional(d.ratio()); });
   };
   const auto clearance = [](const Group& g) {
-    return of_drives(g, [](const Drive& d) { return d.clearance; });
+    return of_drives(g, [](const RobotDrive& d) { return d.clearance; });
   };
   const auto contacts = [](const Group& g) {
-    return of_drives(g, [](const Drive& d) -> std::optional<double> {
+    return of_drives(g, [](const RobotDrive& d) -> std::optional<double> {
       return d.wall_steps ? std::optional(static_cast<double>(*d.wall_steps)) : std::nullopt;
     });
   };

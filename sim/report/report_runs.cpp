@@ -12,7 +12,7 @@ std::vector<std::string> head_of(const RunResult& run) {
           number(run.number("simulated_s"), 1)};
 }
 
-std::vector<std::string> row(const RunResult& run, const Drive& drive) {
+std::vector<std::string> row(const RunResult& run, const RobotDrive& drive) {
   std::vector<std::string> cells = head_of(run);
   for (const std::string& cell :
        {drive.robot, number(drive.path, 1), number(drive.straight, 1), number(drive.ratio(), 2),
@@ -28,8 +28,8 @@ std::string runs_section(const std::vector<RunResult>& runs) {
   TextTable table({"run", "profile", "seed", "result", "time s", "robot", "path m", "straight m",
                    "ratio", "clearance m", "wall contacts", "other contacts"});
   for (const RunResult& run : runs) {
-    const std::vector<Drive> robots = drives(run);
-    for (const Drive& drive : robots) table.add_row(row(run, drive));
+    const std::vector<RobotDrive> robots = drives(run);
+    for (const RobotDrive& drive : robots) table.add_row(row(run, drive));
     if (robots.empty()) table.add_row(head_of(run));
   }
   return "Runs (clearance: robot's centre to the nearest wall's surface; contacts: physics "

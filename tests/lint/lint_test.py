@@ -76,6 +76,21 @@ class DeterminismRules(unittest.TestCase):
         self.check("double y = std::sqrt(x);  // not std::sin(x)", "")
 
 
+class TypeNames(unittest.TestCase):
+    def test_a_name_in_three_folders_is_found_and_in_two_it_is_not(self):
+        files = {f"{folder}/x.h": "struct Link {\n};\n" for folder in ("hal/types", "sim/core")}
+        self.assertEqual(lint("type_names.py", files)[0], 0)
+        files["gateway/y.cpp"] = "class Link final : public Base {\n};\n"
+        status, out = lint("type_names.py", files)
+        self.assertEqual(status, 1)
+        self.assertIn("Link is a type in 3 folders: gateway, hal/types, sim/core", out)
+
+    def test_declarations_and_inner_types_pass(self):
+        files = {"hal/types/x.h": "struct Link {\n};\n", "sim/core/x.h": "struct Link;\n",
+                 "gateway/x.h": "class X {\n  struct Link {\n  };\n};\n"}
+        self.assertEqual(lint("type_names.py", files)[0], 0)
+
+
 class FunctionSizes(unittest.TestCase):
     def check(self, lines, status):
         body = "\n".join("  x += 1;" for _ in range(lines - 3))
