@@ -95,27 +95,27 @@ class Sensors(Case):
         self.assertGreater(hits, 1000)
 
     def check_sonar(self, samples, track):
-        far = near = 0
+        far = near = 0  # both also on the way back: the reader may have missed the start
         for sample in samples:
             self.assertEqual(sample["frame"], "b0/sonar")
             self.assertEqual(sample["radiation_type"], 0)
             field, low, high, seen = sample["values"]
             self.assertAlmostEqual(field, math.radians(30), places=6)
             self.assertAlmostEqual(low, 0.02, places=6)
-            self.assertAlmostEqual(high, 1)
+            self.assertAlmostEqual(high, 0.6, places=6)
             if sample["t"] not in track:
                 continue
             distance = WALL - track[sample["t"]][0] - SONAR  # ahead, where the whole cone meets the wall
-            if distance > 1.02:
+            if distance > 0.62:
                 far += 1
                 self.assertEqual(seen, math.inf)
-            elif 0.05 < distance < 0.98:
+            elif 0.05 < distance < 0.58:
                 near += 1
                 # Up to 60 ms old, at 0.2 m/s.
                 self.assertAlmostEqual(seen, distance, delta=0.012 + 5 * SONAR_SIGMA + 0.0015)
                 self.assertAlmostEqual(seen / 0.003, round(seen / 0.003), delta=1e-3)
         self.assertGreater(far, 10)
-        self.assertGreater(near, 20)
+        self.assertGreater(near, 10)
 
     def check_imu(self, samples):
         self.assertGreater(len(samples), 50)
