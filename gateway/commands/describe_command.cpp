@@ -18,7 +18,10 @@
 namespace gateway {
 namespace {
 
+using hal::config::Condition;
+using hal::config::Form;
 using hal::config::KeyDescription;
+using hal::config::KeyTable;
 
 void print_kinds() {
   fmt::print("Kinds of files:\n");
@@ -26,6 +29,7 @@ void print_kinds() {
   fmt::print(
       "\nbaraka describe KIND        all keys of a kind of file\n"
       "baraka describe KEY         one key: `seed`, `radio.tx_power`\n"
+      "baraka describe VALUE       a sensor, a driver, a profile with its keys: `imu`, `tmc200`\n"
       "baraka describe CONTROLLER  a controller's parameters\n"
       "baraka describe --markdown  everything as one page\n");
 }
@@ -72,22 +76,73 @@ bool ends_like(const std::string& path, const std::vector<std::string>& end) {
                     });
 }
 
+/// Texts, each printed once, below all places that it holds for.
+class Descriptions {
+ public:
+  void add(const std::string& place, const std::string& text) {
+    if (!places_.contains(text)) texts_.push_back(text);
+    places_[text] += place + "\n";
+  }
+  /// @return whether there was any.
+  bool print() const {
+    for (const std::string& text : texts_) fmt::print("{}{}", places_.at(text), text);
+    return !texts_.empty();
+  }
+
+ private:
+  std::vector<std::string> texts_;
+  std::map<std::string, std::string> places_;
+};
+
+/// "    keys:    columns, rows", of a mapping or of a list's items; else nothing.
+std::string inner_keys(const KeyTable& table, const KeyDescription& key) {
+  std::vector<std::string> names;
+  for (const KeyDescription& other : table.keys) {
+    const std::string mapping = mapping_of(other.path);
+    if (mapping == key.path || mapping == key.path + "[]") names.push_back(last_part(other.path));
+  }
+  return names.empty() ? "" : fmt::format("    keys:    {}\n", fmt::join(names, ", "));
+}
+
 /// Keys of that name, those with one description together.
 bool print_key(const std::string& what) {
   const std::vector<std::string> end = parts_of(what);
   if (end.back().empty()) return false;
-  std::vector<std::string> bodies;
-  std::map<std::string, std::string> places;
+  Descriptions descriptions;
   for (const FileKind& kind : file_kinds()) {
-    for (const KeyDescription& key : keys_of(kind).keys) {
+    const KeyTable& table = keys_of(kind);
+    for (const KeyDescription& key : table.keys) {
       if (!ends_like(key.path, end) || last_part(key.path) == "NAME") continue;
-      const std::string text = body(key);
-      if (!places.contains(text)) bodies.push_back(text);
-      places[text] += fmt::format("{} ({} file)\n", key.path, kind.name);
+      descriptions.add(fmt::format("{} ({} file)", key.path, kind.name),
+                       body(key) + inner_keys(table, key));
     }
   }
-  for (const std::string& text : bodies) fmt::print("{}{}", places[text], text);
-  return !bodies.empty();
+  return descriptions.print();
+}
+
+/// Whether a key is there only, or also, if `choice` has that value.
+bool comes_with(const KeyDescription& key, const KeyDescription& choice, const std::string& value) {
+  return std::ranges::any_of(key.conditions, [&](const Condition& condition) {
+    return !condition.presence && condition.path == choice.path &&
+           std::ranges::find(condition.values, value) != condition.values.end();
+  });
+}
+
+/// What may be chosen under that name (a kind of sensor, a driver, a profile), with the keys that
+/// it brings.
+bool print_option(const std::string& what) {
+  Descriptions descriptions;
+  for (const FileKind& kind : file_kinds()) {
+    const KeyTable& table = keys_of(kind);
+    for (const KeyDescription& choice : table.keys) {
+      if (std::ranges::find(choice.form.options, what) == choice.form.options.end()) continue;
+      std::string text = fmt::format("    {}\n", choice.meaning);
+      for (const KeyDescription& key : table.keys)
+        if (comes_with(key, choice, what)) text += last_part(key.path) + "\n" + body(key);
+      descriptions.add(fmt::format("{}: {} ({} file)", choice.path, what, kind.name), text);
+    }
+  }
+  return descriptions.print();
 }
 
 void print_controller(const hal::ControllerKind& kind) {
@@ -110,7 +165,10 @@ std::vector<std::string> candidates() {
   std::vector<std::string> result;
   for (const FileKind& kind : file_kinds()) {
     result.push_back(kind.name);
-    for (const KeyDescription& key : keys_of(kind).keys) result.push_back(last_part(key.path));
+    for (const KeyDescription& key : keys_of(kind).keys) {
+      result.push_back(last_part(key.path));
+      result.insert(result.end(), key.form.options.begin(), key.form.options.end());
+    }
   }
   return result;
 }
@@ -129,6 +187,7 @@ int describe(const std::string& what) {
     return kDone;
   }
   found = print_key(what);
+  found = print_option(what) || found;
   const auto folders = hal::runtime::controller_folders();
   if (const auto kind = hal::runtime::load_plugin(what, folders)) {
     print_controller(**kind);
@@ -136,7 +195,8 @@ int describe(const std::string& what) {
   }
   if (found) return kDone;
   throw UsageError(fmt::format(
-      "no kind of file, key or controller is called '{}'{}; controllers were looked for in {}",
+      "no kind of file, key, value or controller is called '{}'{}; controllers were looked for in "
+      "{}; `baraka check` judges a file",
       what, hal::config::suggestion(what, candidates()), [&] {
         std::vector<std::string> names;
         names.reserve(folders.size());

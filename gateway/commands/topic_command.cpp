@@ -191,7 +191,9 @@ int topic_info(const TopicOptions& options) {
   const TopicBrowser browser(domain_of(options));
   if (!wait_for(browser, options, false)) return complain(browser, options);
   std::this_thread::sleep_for(kAsk);  // endpoints announce themselves one by one
-  const SeenTopic topic = find(browser, options.topic).value_or(SeenTopic{});
+  const auto found = find(browser, options.topic);
+  if (!found) return complain(browser, options);  // it ended just now
+  const SeenTopic& topic = *found;
   fmt::print("topic: {}\ntype: {}\nkeyed: {}\n", hal::printable(topic.name),
              hal::printable(topic.type), topic.has_key);
   for (const bool writers : {true, false}) {

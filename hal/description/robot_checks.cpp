@@ -51,9 +51,24 @@ void check_stability(Mapping& wheels, const RobotDescription& robot, double grav
   }
 }
 
+/// The one motion that a robot has, in its own frame, when fixed wheels on several axles leave no
+/// other: mostly straight ahead.
+void check_motions(Mapping& wheels, const devices::WheelDrive& drive) {
+  if (drive.degrees_of_freedom() > 1) return;
+  const Twist2 only = drive.limits();
+  wheels.warn(
+      "joints",
+      fmt::format(
+          "the robot can {}: its fixed wheels, which do not slip sideways, have axles on "
+          "more than one line. What a velocity holds beside that is left out; if corner "
+          "wheels are omni, it turns, too",
+          only.omega == 0 ? "only drive straight and never turn" : "drive one circle only"));
+}
+
 void check_wheels(Mapping wheels, const RobotDescription& robot, double gravity) {
   try {
     const devices::WheelDrive drive(robot.wheels);
+    check_motions(wheels, drive);
     check_stability(wheels, robot, gravity);
   } catch (const std::invalid_argument& error) {
     wheels.mistake("joints", error.what());

@@ -7,7 +7,7 @@ namespace hal::description {
 
 /// Notes what no single value shows: wheels that cannot drive the robot in every direction or do
 /// not carry it or let it tip over when its motors reverse, infrared sensors inside its body. Warns
-/// of robots that are close to tipping over.
+/// of robots that cannot turn, or are close to tipping over.
 /// @param in  the robot's mapping. @param gravity  m/s^2; 0: nothing tips over.
 void check_robot(config::Mapping& in, const devices::RobotDescription& robot, double gravity);
 

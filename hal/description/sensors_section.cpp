@@ -11,6 +11,7 @@
 #include "hal/description/imu_section.h"
 #include "hal/description/pose_section.h"
 #include "hal/description/scan_section.h"
+#include "hal/description/sonar_section.h"
 
 namespace hal::description {
 namespace {

@@ -119,13 +119,22 @@ void check_complete(Mapping& all, Mapping& joint) {
   check(all.within("limit"), joint.within("limit"), "velocity");
 }
 
+WheelType read_common_type(Mapping& in) {
+  static constexpr std::array kAlike{kTypes[0], kTypes[2]};
+  return in.choice({"type",
+                    "Of the `joints` that have none of their own; a mecanum wheel's stands beside "
+                    "its `roller_angle`.",
+                    "fixed"},
+                   kAlike, WheelType::kOmni);
+}
+
 Wheel read_joint(Mapping& in, Mapping& all, const Wheel& common) {
   Wheel wheel = common;
   wheel.type = in.choice(
       {"type",
        "omni: rollers let it give way along its axle; mecanum: at `roller_angle` to it; fixed: an "
        "ordinary wheel; caster: a ball without a motor, which carries and goes anywhere.",
-       "fixed"},
+       "fixed", "that of `wheel`, which is omni if it has none"},
       kTypes, wheel.type);
   read_roller(in, wheel);
   if (wheel.is_driven()) {
@@ -147,6 +156,7 @@ std::vector<Wheel> read_wheels(Mapping in) {
   Wheel common;
   common.mu = kGripOfDriven;
   Mapping all = in.mapping({"wheel", "What all driven wheels have in common."});
+  common.type = read_common_type(all);
   read_driven(all, common, false);
   all.finish();
   std::vector<Wheel> wheels;

@@ -8,13 +8,14 @@
 #include "hal/devices/imu.h"
 #include "hal/devices/pose_sensor.h"
 #include "hal/devices/scan.h"
+#include "hal/devices/sonar.h"
 #include "hal/types/channel.h"
 
 namespace hal::devices {
 
 /// Every kind of sensor that `sensors:` of a robot file may list. Each names itself in `kKind` and
 /// describes its channel; it is read and written in hal/description and simulated in sim/sensing.
-using SensorDescription = std::variant<ScanSensor, PoseSensor, Bumper, ImuSensor, Battery>;
+using SensorDescription = std::variant<ScanSensor, PoseSensor, Bumper, ImuSensor, Battery, Sonar>;
 
 inline Channel channel_of(const SensorDescription& sensor) {
   return std::visit([](const auto& one) { return one.describe(); }, sensor);

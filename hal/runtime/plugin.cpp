@@ -74,8 +74,10 @@ Result<const ControllerKind*> load_plugin(std::string_view name,
     std::error_code ignored;
     if (fs::is_regular_file(file, ignored)) return load(file);
   }
-  return fail(Errc::kNotAvailable, fmt::format("no controller '{}': looked for {}.so in {}", name,
-                                               name, list_of(folders)));
+  return fail(
+      Errc::kNotAvailable,
+      fmt::format("no controller '{}': looked for {}.so in {}; BARAKA_CONTROLLER_PATH adds folders",
+                  name, name, list_of(folders)));
 }
 
 }  // namespace hal::runtime

@@ -22,8 +22,8 @@ namespace hal {
 /// pose          pose                m, rad          x, y, heading in the world
 /// bumper        bumper              1               1: touched since the reading before, else 0
 /// battery       battery             1, V, A         charge 0..1; voltage; current drawn
-/// imu           imu                 rad/s, m/s^2    angular velocity x, y, z; specific force x, y,
-/// z
+/// imu           imu                 rad/s, m/s^2    rate of turn x, y, z; specific force x, y, z
+/// sonar         sonar               m               as one of scan
 ///
 /// The first four are there if the agent has such devices; those of `sensors:` in its file have the
 /// names that the file gives them.
@@ -36,7 +36,7 @@ struct Channel {
   Duration period{};         ///< Between samples; zero: sampled when the control cycle asks.
   std::string frame;         ///< "base" or the link that carries the sensor.
   std::vector<double>
-      headings;              ///< rad in `frame`, per value, of the kinds range, scan; else empty.
+      headings;              ///< rad in `frame`, per value, of range, scan; sonar: two, its edges.
   double low = 0, high = 0;  ///< What it can measure, in `unit`; 0, 0: not said.
   Vec3 position;             ///< m in "base", of the origin of a frame of its own
   double heading = 0;        ///< rad in "base", of the x axis of a frame of its own

@@ -65,8 +65,11 @@ template <class Io>
 void record_keys(Io& io, RecordOptions& c) {
   io.choice({"frames", "Frames in the results: counted, or a row for each as well.", "counts"},
             kFrames, c.frames);
-  io.duration({"pose_period", "Between two rows of an agent's pose in the results.", "1 s"},
-              {1e-3, 3600}, c.pose_period);
+  io.duration(
+      {"pose_period",
+       "Between two rows of an agent's pose in the results; at most one row per control cycle.",
+       "1 s"},
+      {1e-3, 3600}, c.pose_period);
 }
 
 }  // namespace

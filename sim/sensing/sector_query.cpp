@@ -22,20 +22,6 @@ Vec2 from_box(const Shape& box, Vec2 v) {
   return {v.x * box.axis.x - v.y * box.axis.y, v.x * box.axis.y + v.y * box.axis.x};
 }
 
-/// From `origin` to the nearest point of a shape's outline or inside; zero if origin is inside.
-Vec2 to_nearest(const Shape& shape, Vec2 origin) {
-  const Vec2 to_centre = shape.centre - origin;
-  if (shape.kind == Shape::Kind::kCylinder) {
-    const double distance = length(to_centre);
-    if (distance <= shape.radius) return {};
-    return (1 - shape.radius / distance) * to_centre;
-  }
-  const Vec2 seen = to_box(shape, Vec2{} - to_centre);
-  const Vec2 nearest{std::clamp(seen.x, -shape.half.x, shape.half.x),
-                     std::clamp(seen.y, -shape.half.y, shape.half.y)};
-  return from_box(shape, nearest - seen);
-}
-
 std::optional<Interval> inside_circle(const Shape& shape, Vec2 origin, Vec2 direction) {
   const double size = length(direction);
   const Vec2 to_centre = shape.centre - origin;
@@ -73,6 +59,28 @@ Vec2 unit(double heading) { return {hal::math::cos(heading), hal::math::sin(head
 std::optional<Interval> inside(const Shape& shape, Vec2 origin, Vec2 direction) {
   return shape.kind == Shape::Kind::kCylinder ? inside_circle(shape, origin, direction)
                                               : inside_box(shape, origin, direction);
+}
+
+Vec2 to_nearest(const Shape& shape, Vec2 origin) {
+  const Vec2 to_centre = shape.centre - origin;
+  if (shape.kind == Shape::Kind::kCylinder) {
+    const double distance = length(to_centre);
+    if (distance <= shape.radius) return {};
+    return (1 - shape.radius / distance) * to_centre;
+  }
+  const Vec2 seen = to_box(shape, Vec2{} - to_centre);
+  const Vec2 nearest{std::clamp(seen.x, -shape.half.x, shape.half.x),
+                     std::clamp(seen.y, -shape.half.y, shape.half.y)};
+  return from_box(shape, nearest - seen);
+}
+
+Interval extent_along(const Shape& shape, Vec2 origin, Vec2 direction) {
+  const double middle = dot(shape.centre - origin, direction);
+  const Vec2 own = to_box(shape, direction);
+  const double half = shape.kind == Shape::Kind::kCylinder
+                          ? shape.radius
+                          : shape.half.x * std::abs(own.x) + shape.half.y * std::abs(own.y);
+  return {middle - half, middle + half};
 }
 
 SectorQuery::SectorQuery(const Sector& sector)

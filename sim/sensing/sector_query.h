@@ -68,4 +68,10 @@ struct Interval {
 /// the line passes by. @param direction  any length > 0.
 std::optional<Interval> inside(const physics::Shape& shape, hal::Vec2 origin, hal::Vec2 direction);
 
+/// From `origin` to the nearest point of a shape, seen from above; zero if origin is inside.
+hal::Vec2 to_nearest(const physics::Shape& shape, hal::Vec2 origin);
+
+/// Where a shape begins and ends along a direction from an origin. m @param direction  unit vector.
+Interval extent_along(const physics::Shape& shape, hal::Vec2 origin, hal::Vec2 direction);
+
 }  // namespace sim::sensing

@@ -5,6 +5,7 @@
 #include "sim/sensing/imu.h"
 #include "sim/sensing/pose_sensor.h"
 #include "sim/sensing/scan.h"
+#include "sim/sensing/sonar.h"
 
 namespace sim::sensing {
 

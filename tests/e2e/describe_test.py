@@ -45,6 +45,24 @@ class Describe(unittest.TestCase):
     def test_a_key_shows_the_defaults_of_each_profile(self):
         self.assertIn("7 (mobility_framework), 31 (ieee80211b)", describe("radio.cw_min").out)
 
+    def test_a_list_shows_the_keys_of_its_items(self):
+        self.assertRegex(describe("sensors").out, r"(?m)^    keys:    kind, name, .*half_angle")
+        self.assertRegex(describe("grid").out, r"(?m)^    keys:    columns, rows, spacing, origin, yaw$")
+
+    def test_a_value_shows_the_keys_that_it_brings(self):
+        finished = describe("sonar")
+        self.assertEqual(finished.status, 0, finished)
+        self.assertIn("sensors[].kind: sonar (robot file)", finished.out)
+        self.assertIn("sensors[].kind: sonar (mote file)", finished.out)
+        self.assertRegex(finished.out, r"(?m)^half_angle\n.*\n.*\(rad\), 0.001 rad .. 1.5 rad$")
+        self.assertNotRegex(finished.out, r"(?m)^gyro_sigma$")
+        self.assertIn("wheels.driver: tmc200 (hardware file)", describe("tmc200").out)
+
+    def test_a_file_is_none_of_these(self):
+        finished = describe("rover.yaml")
+        self.assertEqual(finished.status, 2)
+        self.assertIn("`baraka check` judges a file", finished.err)
+
     def test_a_controller_shows_its_parameters(self):
         finished = describe("help_mote")
         self.assertEqual(finished.status, 0, finished)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Laser scanner, inertial unit, pose and bumper: as their controller meets them over DDS and in process,
+"""Laser scanner, sonar, inertial unit, pose and bumper: as their controller meets them over DDS and in process,
 and as a reader that knows only ROS 2 sees them, against the record."""
 import math
 import unittest
@@ -10,12 +10,14 @@ from ros import Peer, needs_peer
 
 SCENARIO = ROOT / "tests/e2e/sensors.yaml"
 READ = ["LaserScan", "rt/b0/scan", "Imu", "rt/b0/imu", "PoseStamped", "rt/b0/pose",
-        "Bool", "rt/b0/bumper", "TFMessage", "rt/tf_static", "TFMessage", "rt/tf"]
+        "Bool", "rt/b0/bumper", "Range", "rt/b0/sonar", "TFMessage", "rt/tf_static", "TFMessage", "rt/tf"]
 WALL = 1.5  # m, x of its face
 NOSE = 0.037  # m, of the robot ahead of its origin: 69 - 32 mm
 SCANNER = (-0.032, 0, 0.182)  # m
 BOXES = [(1.6, 0, 0, 0.2, 4), (0, 1, math.radians(30), 0.3, 0.3)]  # x, y, yaw, sizes
 SIGMA = 0.01  # m
+SONAR = 0.03  # m ahead of its origin
+SONAR_SIGMA = 0.005  # m
 
 
 class Sensors(Case):
@@ -68,6 +70,7 @@ class Sensors(Case):
         self.check_scans(peer.samples("rt/b0/scan"), track)
         self.check_imu(peer.samples("rt/b0/imu"))
         self.check_poses(peer.samples("rt/b0/pose"), track)
+        self.check_sonar(peer.samples("rt/b0/sonar"), track)
         touched = [sample["data"] for sample in peer.samples("rt/b0/bumper")]
         self.assertIn(True, touched)
         self.assertIn(False, touched)
@@ -99,6 +102,29 @@ class Sensors(Case):
                 self.assertGreater(seen, min(nearby) - 5 * SIGMA)
                 self.assertLess(seen, max(nearby) + 5 * SIGMA)
         self.assertGreater(hits, 1000)
+
+    def check_sonar(self, samples, track):
+        far = near = 0  # both also on the way back: the reader may have missed the start
+        for sample in samples:
+            self.assertEqual(sample["frame"], "b0/sonar")
+            self.assertEqual(sample["radiation_type"], 0)
+            field, low, high, seen = sample["values"]
+            self.assertAlmostEqual(field, math.radians(30), places=6)
+            self.assertAlmostEqual(low, 0.02, places=6)
+            self.assertAlmostEqual(high, 0.6, places=6)
+            if sample["t"] not in track:
+                continue
+            distance = WALL - track[sample["t"]][0] - SONAR  # ahead, where the whole cone meets the wall
+            if distance > 0.62:
+                far += 1
+                self.assertEqual(seen, math.inf)
+            elif 0.05 < distance < 0.58:
+                near += 1
+                # Up to 60 ms old, at 0.2 m/s.
+                self.assertAlmostEqual(seen, distance, delta=0.012 + 5 * SONAR_SIGMA + 0.0015)
+                self.assertAlmostEqual(seen / 0.003, round(seen / 0.003), delta=1e-3)
+        self.assertGreater(far, 10)
+        self.assertGreater(near, 10)
 
     def check_imu(self, samples):
         self.assertGreater(len(samples), 50)

@@ -19,7 +19,7 @@ struct Kind {
 constexpr std::array kKinds{
     Kind{"pose", make_pose_writer},     Kind{"battery", make_battery_writer},
     Kind{"bumper", make_bumper_writer}, Kind{"imu", make_imu_writer},
-    Kind{"scan", make_scan_writer},
+    Kind{"scan", make_scan_writer},     Kind{"sonar", make_sonar_writer},
 };
 
 }  // namespace

@@ -13,5 +13,6 @@ std::unique_ptr<ChannelWriter> make_pose_writer(const ChannelTopic& topic);  // 
 std::unique_ptr<ChannelWriter> make_battery_writer(const ChannelTopic& topic);
 std::unique_ptr<ChannelWriter> make_bumper_writer(const ChannelTopic& topic);  // Bool
 std::unique_ptr<ChannelWriter> make_imu_writer(const ChannelTopic& topic);     // Imu
+std::unique_ptr<ChannelWriter> make_sonar_writer(const ChannelTopic& topic);   // Range
 
 }  // namespace hal::dds

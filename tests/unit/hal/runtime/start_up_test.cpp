@@ -208,7 +208,8 @@ TEST(LoadPlugin, NamesTheFoldersItLookedIn) {
   ASSERT_FALSE(kind.has_value());
   EXPECT_EQ(kind.error().code, hal::Errc::kNotAvailable);
   EXPECT_EQ(kind.error().message,
-            "no controller 'nobody': looked for nobody.so in /nowhere, /elsewhere");
+            "no controller 'nobody': looked for nobody.so in /nowhere, /elsewhere; "
+            "BARAKA_CONTROLLER_PATH adds folders");
 }
 
 TEST(LoadPlugin, TakesNoPathForAName) {
