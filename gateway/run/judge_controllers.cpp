@@ -27,9 +27,7 @@ const sim::agents::AgentConfig& config_of(const sim::scenario::Scenario& scenari
 }
 
 bool drives(const hal::ControllerKind& kind, const sim::agents::AgentConfig& agent) {
-  return std::holds_alternative<hal::devices::MoteDescription>(agent.body)
-             ? kind.make_for_mote != nullptr
-             : kind.make_for_robot != nullptr;
+  return is_robot(agent) ? kind.make_for_robot != nullptr : kind.make_for_mote != nullptr;
 }
 
 void judge_group(const sim::scenario::Scenario& scenario, const sim::scenario::Group& group,
@@ -112,8 +110,7 @@ void judge_teleop(const sim::scenario::Scenario& scenario, const sim::scenario::
   std::set<std::string> said;
   for (const hal::AgentId id : group.agents) {
     const sim::agents::AgentConfig& agent = config_of(scenario, id);
-    if (std::holds_alternative<hal::devices::MoteDescription>(agent.body) &&
-        said.insert(group.program_place).second) {
+    if (!is_robot(agent) && said.insert(group.program_place).second) {
       mistakes.push_back(fmt::format("{}: program: '{}' does not drive agents like {}",
                                      group.program_place, kTeleop, agent.name));
     }

@@ -51,6 +51,12 @@ bool Mapping::has(const std::string& key) {
   return survey_->decide({path_of(key), true, {"there", "absent"}, kThere}) == kThere;
 }
 
+bool Mapping::has_scalar(const std::string& key) {
+  if (survey_ != nullptr) return false;
+  const Entry* entry = find(key);
+  return entry != nullptr && entry->value.kind == Kind::kScalar;
+}
+
 void Mapping::note(const Key& key, const Form& form, const std::string& otherwise) {
   if (survey_ != nullptr) survey_->note(path_of(key.name), key, form, otherwise);
 }

@@ -116,6 +116,10 @@ class Mapping {
   /// Whether the key is there. It counts as known from now on.
   bool has(const std::string& key);
 
+  /// Whether the key is there and its value is a single one, not a mapping or a list: of keys that
+  /// may have either.
+  bool has_scalar(const std::string& key);
+
   /// All keys in order, for mappings whose keys are names.
   std::vector<std::string> keys() const;
   /// All entries, for mappings whose keys are names and whose values are scalars or lists of them.

@@ -5,7 +5,10 @@
 namespace hal::description {
 namespace {
 
+using routing::Algorithm;
 using routing::RoutingConfig;
+
+constexpr std::array<Option<Algorithm>, 1> kNoRouting{{{"none", Algorithm::kNone}}};
 
 /// How the router finds out for itself whether a hop works.
 template <class Io>
@@ -65,15 +68,24 @@ void routing_keys(Io& io, RoutingConfig& c, TransmitStatus status) {
 
 }  // namespace
 
-RoutingConfig read_routing(Mapping in, TransmitStatus status) {
+RoutingConfig read_routing(Mapping& in, TransmitStatus status) {
+  const Key key{"routing",
+                "How messages find their way over several hops: ant routing, with these keys; or "
+                "`none`: straight to the MAC, one hop."};
   RoutingConfig config;
-  FieldReader reader(in);
+  if (in.has_scalar(key.name)) {
+    config.algorithm = in.choice(key, kNoRouting, Algorithm::kNone);
+    return config;
+  }
+  Mapping ants = in.mapping(key);
+  FieldReader reader(ants);
   routing_keys(reader, config, status);
-  in.finish();
+  ants.finish();
   return config;
 }
 
 void write_routing(Writer& out, const RoutingConfig& config, TransmitStatus status) {
+  if (config.algorithm == Algorithm::kNone) return out.text("routing", kNoRouting[0].name);
   RoutingConfig copy = config;
   FieldWriter writer(out);
   out.open("routing");

@@ -12,8 +12,8 @@ enum class TransmitStatus {
   kNone,      ///< The router finds out for itself: they are used.
 };
 
-/// `routing:` of a scenario, or of a real agent's file.
-routing::RoutingConfig read_routing(config::Mapping in, TransmitStatus status);
+/// `routing:` of a scenario, or of a real agent's file: a mapping, or `none`.
+routing::RoutingConfig read_routing(config::Mapping& in, TransmitStatus status);
 void write_routing(config::Writer& out, const routing::RoutingConfig& config,
                    TransmitStatus status);
 

@@ -5,6 +5,15 @@
 namespace hal::routing {
 namespace {
 
+void tell_sender(Node& node, const Transit& transit, Fate fate) {
+  if (!transit.owes_fate) return;
+  node.timers.schedule(node.now(), [&node, id = transit.data.id, fate] {
+    node.ports.application.on_fate(id, fate);
+  });
+}
+
+}  // namespace
+
 Fate fate_of(Verdict verdict) {
   switch (verdict) {
     case Verdict::kNoRoute:
@@ -16,15 +25,6 @@ Fate fate_of(Verdict verdict) {
       return Fate::kFailed;
   }
 }
-
-void tell_sender(Node& node, const Transit& transit, Fate fate) {
-  if (!transit.owes_fate) return;
-  node.timers.schedule(node.now(), [&node, id = transit.data.id, fate] {
-    node.ports.application.on_fate(id, fate);
-  });
-}
-
-}  // namespace
 
 void hand_over(Node& node, const Transit& transit) {
   tell_sender(node, transit, Fate::kHandedOver);

@@ -4,6 +4,9 @@
 
 namespace hal::routing {
 
+/// What its sender is told of a message that ended with this, other than kDelivered.
+Fate fate_of(Verdict verdict);
+
 /// How a message leaves a node's care. Its sender is told in an event of its own at the same time,
 /// so never from within its own call.
 

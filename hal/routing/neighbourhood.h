@@ -3,21 +3,21 @@
 #include <algorithm>
 #include <vector>
 
-#include "hal/routing/node.h"
+#include "hal/routing/ports.h"
 
 namespace hal::routing {
 
 /// Who was heard directly and has not failed to answer since.
 class Neighbourhood {
  public:
-  explicit Neighbourhood(Node& node) : node_(node) {}
+  Neighbourhood(Timers& timers, RoutingObserver& observer) : timers_(timers), observer_(observer) {}
 
   void on_heard(const Reception& reception) {
     const auto place = std::ranges::lower_bound(known_, reception.from, {}, &Neighbour::id);
     const bool is_known = place != known_.end() && place->id == reception.from;
     Neighbour& neighbour = is_known ? *place : *known_.insert(place, Neighbour{});
-    neighbour = {.id = reception.from, .last_heard = node_.now(), .rssi_dbm = reception.rssi_dbm};
-    node_.ports.observer.on_neighbour(neighbour);
+    neighbour = {.id = reception.from, .last_heard = timers_.now(), .rssi_dbm = reception.rssi_dbm};
+    observer_.on_neighbour(neighbour);
   }
 
   /// Reported once per loss, however many frames to it were under way.
@@ -25,14 +25,15 @@ class Neighbourhood {
     const auto place = std::ranges::lower_bound(known_, neighbour, {}, &Neighbour::id);
     if (place == known_.end() || place->id != neighbour) return;
     known_.erase(place);
-    node_.ports.observer.on_neighbour_lost(neighbour);
+    observer_.on_neighbour_lost(neighbour);
   }
 
   /// By address.
   const std::vector<Neighbour>& known() const { return known_; }
 
  private:
-  Node& node_;
+  Timers& timers_;
+  RoutingObserver& observer_;
   std::vector<Neighbour> known_;  ///< By address. Some twenty, asked for with every frame.
 };
 

@@ -8,6 +8,7 @@
 #include "hal/routing/hello.h"
 #include "hal/routing/hop_acknowledgement.h"
 #include "hal/routing/neighbourhood.h"
+#include "hal/routing/one_hop.h"
 #include "hal/types/check.h"
 
 namespace hal::routing {
@@ -110,16 +111,20 @@ struct Router::State final : OutboxListener {
   Node node;
   RouteTable table;
   Hellos hellos;
-  Neighbourhood neighbourhood{node};
+  Neighbourhood neighbourhood{node.ports.timers, node.ports.observer};
   Outbox outbox{node, *this};
   Forwarding forwarding{node, table, outbox};
   Flooding flooding{node, outbox};
   Ants ants{node, table, outbox, forwarding};
-  std::uint64_t malformed = 0;
 };
 
 Router::Router(AgentId self, const RoutingConfig& config, const RouterStreams& streams,
-               RouterPorts ports) {
+               RouterPorts ports)
+    : self_(self) {
+  if (config.algorithm == Algorithm::kNone) {
+    one_hop_ = std::make_unique<OneHop>(self, ports);
+    return;
+  }
   BARAKA_CHECK(is_valid(config));
   state_ = std::make_unique<State>(self, config, streams, ports);
 }
@@ -127,10 +132,12 @@ Router::Router(AgentId self, const RoutingConfig& config, const RouterStreams& s
 Router::~Router() = default;
 
 void Router::send(const Message& message) {
-  BARAKA_CHECK(message.source == state_->node.self && message.destination != message.source);
+  BARAKA_CHECK(message.source == self_ && message.destination != message.source);
   BARAKA_CHECK(message.id != 0 && !message.topic.empty() && message.topic.size() <= kMaxTopic);
   BARAKA_CHECK(message.payload.size() <= kMaxPayload);
-  if (is_broadcast(message.destination)) {
+  if (one_hop_) {
+    one_hop_->send(message);
+  } else if (is_broadcast(message.destination)) {
     state_->flooding.send(message);
   } else {
     state_->forwarding.send(message);
@@ -138,35 +145,42 @@ void Router::send(const Message& message) {
 }
 
 void Router::invalidate(std::string_view topic, AgentId destination) {
-  state_->table.remove(topic, destination);
+  if (state_) state_->table.remove(topic, destination);
 }
 
 std::vector<Route> Router::routes(std::string_view topic, AgentId destination) const {
+  if (!state_) return {};
   return state_->table.routes(topic, destination);
 }
 
-std::vector<Route> Router::routes() const { return state_->table.routes(); }
+std::vector<Route> Router::routes() const {
+  if (!state_) return {};
+  return state_->table.routes();
+}
 
-std::vector<Neighbour> Router::neighbours() const { return state_->neighbourhood.known(); }
+std::vector<Neighbour> Router::neighbours() const {
+  return one_hop_ ? one_hop_->neighbours() : state_->neighbourhood.known();
+}
 
 void Router::on_frame(const Reception& reception, std::span<const std::uint8_t> bytes) {
   const AgentId from = reception.from;
+  if (from == self_ || is_broadcast(from) || !take_frame(reception, bytes)) ++malformed_;
+}
+
+bool Router::take_frame(const Reception& reception, std::span<const std::uint8_t> bytes) {
+  if (one_hop_) return one_hop_->on_frame(reception, bytes);
   auto frame = parse_frame(bytes);
-  if (!frame || from == state_->node.self || is_broadcast(from)) {
-    ++state_->malformed;
-    return;
-  }
+  if (!frame) return false;
   state_->on_heard(reception);
   const Arrival arrival{reception, bytes.size()};
-  const bool is_good =
-      std::visit([&](auto& kind) { return state_->take(std::move(kind), arrival); }, *frame);
-  if (!is_good) ++state_->malformed;
+  return std::visit([&](auto& kind) { return state_->take(std::move(kind), arrival); }, *frame);
 }
 
 void Router::on_transmitted(const Transmission& transmission) {
+  if (one_hop_) return one_hop_->on_transmitted(transmission);
   if (state_->has_status) state_->outbox.on_transmitted(transmission);
 }
 
-std::uint64_t Router::malformed_frames() const { return state_->malformed; }
+std::uint64_t Router::malformed_frames() const { return malformed_; }
 
 }  // namespace hal::routing

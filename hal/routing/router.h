@@ -15,6 +15,8 @@
 
 namespace hal::routing {
 
+class OneHop;
+
 /// The surroundings of one router; all outlive it.
 struct RouterPorts {
   Link& link;
@@ -40,6 +42,8 @@ struct RouterStreams {
 /// Over a link without tx_status each unicast frame is acknowledged by the next hop's router and
 /// repeated until it is (hop_acknowledgement.h), and neighbours are known by their hellos
 /// (hello.h).
+///
+/// With Algorithm::kNone nothing of this: each message is one frame (one_hop.h).
 ///
 /// Portable node code: time, radio and randomness are handed in. One thread.
 class Router {
@@ -79,7 +83,15 @@ class Router {
 
  private:
   struct State;
+
+  /// @return false: it is malformed.
+  bool take_frame(const Reception& reception, std::span<const std::uint8_t> bytes);
+
+  /// One of the two.
   std::unique_ptr<State> state_;
+  std::unique_ptr<OneHop> one_hop_;
+  AgentId self_;
+  std::uint64_t malformed_ = 0;
 };
 
 }  // namespace hal::routing

@@ -8,9 +8,16 @@ namespace hal::routing {
 
 using namespace std::chrono_literals;
 
+/// How messages find their way.
+enum class Algorithm : std::uint8_t {
+  kAnts,
+  kNone,  ///< Not at all: one hop, straight to the link (one_hop.h).
+};
+
 /// Parameters of the ant routing. Defaults: the replica of the paper's case study.
 struct RoutingConfig {
-  double beta = 2;  ///< Exponent of the forwarding probability, >= 1.
+  Algorithm algorithm = Algorithm::kAnts;  ///< kNone: nothing below counts.
+  double beta = 2;                         ///< Exponent of the forwarding probability, >= 1.
   double direct_weight =
       1e6;  ///< > 0: r of a neighbour that is the destination; else r = 1 / hops.
   Duration jitter_max = 100ms;  ///< Rebroadcasts wait U(0, jitter_max); >= 0.

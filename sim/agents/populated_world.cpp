@@ -10,8 +10,8 @@ std::unique_ptr<physics::World> populated_world(const SimulationConfig& config) 
   for (const AgentConfig& agent : config.agents) {
     if (const auto* mote = std::get_if<hal::devices::MoteDescription>(&agent.body)) {
       world->add_mote(agent.id, *mote, agent.pose);
-    } else {
-      world->add_robot(agent.id, std::get<hal::devices::RobotDescription>(agent.body), agent.pose);
+    } else if (const auto* robot = std::get_if<hal::devices::RobotDescription>(&agent.body)) {
+      world->add_robot(agent.id, *robot, agent.pose);
     }
   }
   return world;

@@ -25,8 +25,10 @@ void Simulation::State::on_state(hal::AgentId agent, const std::string& state) {
 void Simulation::State::start() {
   observers.on_start(air.links());
   for (const auto& [id, agent] : agents) agent->start();
-  events.schedule(hal::Time{} + config.world.step, Rank::kPhysics, kWorld,
-                  [this] { step_bodies(); });
+  if (std::ranges::any_of(config.agents, has_body)) {
+    events.schedule(hal::Time{} + config.world.step, Rank::kPhysics, kWorld,
+                    [this] { step_bodies(); });
+  }
   for (const EndCondition& condition : config.ends) {
     if (condition.agent) continue;
     events.schedule(hal::Time{} + condition.after, Rank::kScenario, kWorld,

@@ -20,6 +20,12 @@ double energy(const radio::RadioUse& use, const devices::RadioPower& power) {
          power.listen * hal::to_seconds(use.listening) + power.off * hal::to_seconds(use.off);
 }
 
+hal::routing::RoutingConfig routing_of(const AgentConfig& agent, const SimulationConfig& config) {
+  hal::routing::RoutingConfig routing = config.routing;
+  routing.algorithm = agent.routing.value_or(routing.algorithm);
+  return routing;
+}
+
 }  // namespace
 
 SimulatedMote::SimulatedMote(const AgentConfig& config, radio::MacSap& mac,
@@ -30,7 +36,7 @@ SimulatedMote::SimulatedMote(const AgentConfig& config, radio::MacSap& mac,
       id_(config.id),
       link_(mac, surroundings.config.link),
       timers_(surroundings.events, config.id),
-      core_(offer_of(config, surroundings.config).session, surroundings.config.routing,
+      core_(offer_of(config, surroundings.config).session, routing_of(config, surroundings.config),
             {.timers = timers_,
              .link = link_,
              .drive = drive,
@@ -71,7 +77,7 @@ void SimulatedMote::start() {
 
 void SimulatedMote::on_control() {
   const hal::Time now = surroundings_.events.now();
-  surroundings_.observer.on_body(now, id(), surroundings_.scene.body(id()));
+  surroundings_.observer.on_body(now, id(), surroundings_.scene.body(id(), now));
   core_.control();
   if (cutting_ && read(sensors_[*cutting_], now).front() <= 0) cut_power();
   surroundings_.events.schedule(now + surroundings_.config.control_period, Rank::kControl, id(),
@@ -92,7 +98,7 @@ void SimulatedMote::cut_power() {
 
 bool SimulatedMote::sample(std::size_t channel, hal::Time at, std::vector<double>& values) {
   const std::uint16_t id = core_.session().channels[channel].id;
-  if (id == devices::kLocalisation) localise(values);
+  if (id == devices::kLocalisation) localise(at, values);
   if (id >= devices::kFirstSensor) values = read(sensors_.at(id - devices::kFirstSensor), at);
   return true;
 }
@@ -102,12 +108,12 @@ const std::vector<double>& SimulatedMote::read(Part& part, hal::Time at) {
   return part.held;
 }
 
-void SimulatedMote::localise(std::vector<double>& values) {
-  const BodyState self = surroundings_.scene.body(id());
+void SimulatedMote::localise(hal::Time at, std::vector<double>& values) {
+  const BodyState self = surroundings_.scene.body(id(), at);
   const double range = surroundings_.config.localisation.range.value;
   for (const auto& other :
        sensing::localise({self.x, self.y, self.theta}, id(),
-                         surroundings_.scene.near({self.x, self.y}, range), range)) {
+                         surroundings_.scene.near({self.x, self.y}, range, at), range)) {
     values.insert(values.end(),
                   {static_cast<double>(other.agent.value), other.position.x, other.position.y});
   }

@@ -26,7 +26,7 @@ struct Surroundings {
 };
 
 /// An agent in the simulator: its core, whose ports end in the event queue, the simulated MAC and
-/// the scene. Its body is in the world already.
+/// the scene. Its body, if it has one, is in the world already.
 class SimulatedMote : public hal::agent::Sensors {
  public:
   SimulatedMote(const AgentConfig& config, radio::MacSap& mac, Surroundings surroundings,
@@ -70,7 +70,7 @@ class SimulatedMote : public hal::agent::Sensors {
   void on_control();
   void cut_power();
   virtual void cut_motors() {}
-  void localise(std::vector<double>& values);
+  void localise(hal::Time at, std::vector<double>& values);
 
   const AgentConfig& config_;
   Surroundings surroundings_;

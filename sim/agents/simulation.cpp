@@ -18,7 +18,7 @@ namespace {
 double speed_bound(const physics::World& world, const SimulationConfig& config) {
   double bound = 0;
   for (const AgentConfig& agent : config.agents) {
-    if (!std::holds_alternative<hal::devices::RobotDescription>(agent.body)) continue;
+    if (!is_robot(agent)) continue;
     const hal::Twist2 limits = world.drive(agent.id).limits();
     bound = std::max({bound, 2 * limits.vx, 2 * limits.vy});
   }
@@ -45,8 +45,9 @@ Simulation::State::State(const SimulationConfig& the_config, std::vector<Observe
     : config(the_config),
       observers(std::move(the_observers)),
       world(populated_world(the_config)),
-      scene(*world, ids(config)),
-      positions(*world, speed_bound(*world, config)),
+      paths(config),
+      scene(*world, ids(config), &paths),
+      positions(*world, paths, speed_bound(*world, config)),
       obstacles(*world),
       air(config.radio, stations(config),
           {.events = events,
@@ -57,7 +58,7 @@ Simulation::State::State(const SimulationConfig& the_config, std::vector<Observe
   const Surroundings surroundings{events, *world, scene, observers, config};
   for (const AgentConfig& agent : config.agents) {
     auto& made = agents[agent.id];
-    if (std::holds_alternative<hal::devices::RobotDescription>(agent.body)) {
+    if (is_robot(agent)) {
       made = std::make_unique<SimulatedRobot>(agent, air.sap(agent.id), surroundings, *this);
     } else {
       made = std::make_unique<SimulatedMote>(agent, air.sap(agent.id), surroundings, *this);
@@ -146,9 +147,12 @@ Outcome Simulation::broken_off_by(const std::string& error) {
   return state_->outcome();
 }
 
-BodyState Simulation::body(hal::AgentId agent) const { return state_->scene.body(agent); }
+BodyState Simulation::body(hal::AgentId agent) const {
+  return state_->scene.body(agent, state_->events.now());
+}
 
 ContactCounts Simulation::contacts(hal::AgentId agent) const {
+  if (!state_->world->has(agent)) return {};  // a station: nothing touches it
   const physics::Contacts& contacts = state_->world->contacts(agent);
   return {.wall_steps = contacts.walls.steps, .object_steps = contacts.bodies.steps};
 }

@@ -13,6 +13,7 @@
 #include "hal/types/geometry.h"
 #include "hal/types/quantity.h"
 #include "hal/types/time.h"
+#include "sim/agents/path.h"
 #include "sim/physics/world.h"
 #include "sim/radio/radio_config.h"
 
@@ -36,15 +37,33 @@ enum class LinkKind : std::uint8_t {
   kUdpLike,  ///< As much as a UDP socket tells: nothing. The air is the same.
 };
 
+/// An agent without a body: a radio that stands or moves on its path. Nothing collides with it, no
+/// sensor of a robot sees it.
+struct Station {
+  PathDescription path;
+  std::vector<hal::devices::SensorDescription> sensors{};  ///< None: it has nothing to sense with.
+  bool operator==(const Station&) const = default;
+};
+
 struct AgentConfig {
   hal::AgentId id;  ///< 1 … kLastAddress
   std::string name;
   hal::Pose2 pose;  ///< At time 0, world frame.
-  std::variant<hal::devices::MoteDescription, hal::devices::RobotDescription> body;
+  std::variant<hal::devices::MoteDescription, hal::devices::RobotDescription, Station> body;
   std::string program;  ///< Controller.
   std::vector<hal::exchange::ParameterText> parameters;
   std::optional<hal::Milliwatts> tx_power{};  ///< Of its radio; none: as SimulationConfig::radio.
+  /// None: as SimulationConfig::routing.
+  std::optional<hal::routing::Algorithm> routing{};
 };
+
+/// To its controller it is a robot; all others are motes.
+inline bool is_robot(const AgentConfig& agent) {
+  return std::holds_alternative<hal::devices::RobotDescription>(agent.body);
+}
+inline bool has_body(const AgentConfig& agent) {
+  return !std::holds_alternative<Station>(agent.body);
+}
 
 inline const std::vector<hal::devices::SensorDescription>& sensors_of(const AgentConfig& agent) {
   return std::visit(

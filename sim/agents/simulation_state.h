@@ -51,8 +51,9 @@ struct Simulation::State final : hal::agent::AgentListener {
   OutsideInput outside;  ///< Before the controllers, which may put something in from threads.
   EventQueue events;
   std::unique_ptr<physics::World> world;
+  Paths paths;
   Scene scene;
-  BodyPositions positions;
+  AgentPositions positions;
   WallObstacles obstacles;
   radio::RadioNetwork air;
   hal::exchange::AgentTable<std::unique_ptr<SimulatedMote>> agents;

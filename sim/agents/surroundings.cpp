@@ -22,13 +22,18 @@ double distance(hal::Vec2 point, const physics::Shape& box) {
   return std::sqrt(x * x + y * y);
 }
 
+hal::Vec3 ground(const PathState& state) { return {state.position.x, state.position.y, 0}; }
+
 }  // namespace
 
-Scene::Scene(const physics::World& world, const std::vector<hal::AgentId>& agents)
-    : world_(world), proximity_(world) {
+Scene::Scene(const physics::World& world, const std::vector<hal::AgentId>& agents,
+             const Paths* paths)
+    : world_(world), proximity_(world), paths_(paths) {
   for (const hal::AgentId agent : agents) {
     if (agent.value >= index_.size()) index_.resize(agent.value + 1u, 0);
     index_[agent.value] = static_cast<std::uint32_t>(positions_.size());
+    const Path* const path = paths_ == nullptr ? nullptr : paths_->find(agent);
+    if (path != nullptr && path->max_speed() > 0) moving_.push_back(index_[agent.value]);
     positions_.push_back({agent, {}});
   }
   known_.resize(index_.size());
@@ -42,8 +47,9 @@ const sensing::Proximity& Scene::proximity() {
   return proximity_;
 }
 
-std::span<const sensing::AgentPosition> Scene::near(hal::Vec2 point, double range) {
+std::span<const sensing::AgentPosition> Scene::near(hal::Vec2 point, double range, hal::Time now) {
   if (positions_at_ != world_.steps()) follow(range);
+  if (paths_at_ != now) follow_paths(now);
   found_.clear();
   grid_->within({point.x - range, point.y - range}, {point.x + range, point.y + range}, found_);
   near_.clear();
@@ -54,7 +60,9 @@ std::span<const sensing::AgentPosition> Scene::near(hal::Vec2 point, double rang
 /// Brings the positions and their grid up to date: after one step, those that it moved.
 void Scene::follow(double range) {
   const auto put = [this](std::uint32_t i) {
-    const hal::Vec3 p = world_.position(positions_[i].agent);
+    const hal::AgentId agent = positions_[i].agent;
+    const Path* const path = paths_ == nullptr ? nullptr : paths_->find(agent);
+    const hal::Vec3 p = path == nullptr ? world_.position(agent) : ground(path->at(paths_at_));
     positions_[i].position = {p.x, p.y};
     grid_->put(i, positions_[i].position);
   };
@@ -68,8 +76,31 @@ void Scene::follow(double range) {
   positions_at_ = world_.steps();
 }
 
-const BodyState& Scene::body(hal::AgentId agent) {
+void Scene::follow_paths(hal::Time now) {
+  paths_at_ = now;
+  for (const std::uint32_t i : moving_) {
+    positions_[i].position = paths_->find(positions_[i].agent)->at(now).position;
+    grid_->put(i, positions_[i].position);
+  }
+}
+
+const BodyState& Scene::place(const Path& path, Known& known, hal::Time now) const {
+  const PathState at = path.at(now);
+  const bool is_elsewhere =
+      known.since == kNever || at.position != hal::Vec2{known.state.x, known.state.y};
+  known.since = 0;
+  known.state = {.x = at.position.x,
+                 .y = at.position.y,
+                 .theta = at.heading,
+                 .tilt = 0,
+                 .clearance = is_elsewhere ? clearance(at.position) : known.state.clearance};
+  return known.state;
+}
+
+const BodyState& Scene::body(hal::AgentId agent, hal::Time now) {
   Known& known = known_[agent.value];
+  const Path* const path = paths_ == nullptr ? nullptr : paths_->find(agent);
+  if (path != nullptr) return place(*path, known, now);
   const std::uint64_t moved_at = world_.moved_at(agent);
   if (known.since == moved_at) return known.state;
   const physics::BodyPose pose = world_.pose(agent);
@@ -92,19 +123,27 @@ double Scene::clearance(hal::Vec2 place) const {
   return metres;
 }
 
-hal::Vec3 BodyPositions::position(hal::AgentId agent, hal::Time) const {
+hal::Vec3 AgentPositions::position(hal::AgentId agent, hal::Time at) const {
+  if (const Path* path = paths_.find(agent)) return ground(path->at(at));
   return world_.position(agent);
 }
 
-hal::Vec3 BodyPositions::velocity(hal::AgentId agent, hal::Time) const {
-  return world_.velocity(agent).linear;
+hal::Vec3 AgentPositions::velocity(hal::AgentId agent, hal::Time at) const {
+  const Path* const path = paths_.find(agent);
+  if (path == nullptr) return world_.velocity(agent).linear;
+  const hal::Vec2 velocity = path->at(at).velocity;
+  return {velocity.x, velocity.y, 0};
 }
 
-hal::Time BodyPositions::valid_until(hal::AgentId, hal::Time) const {
+hal::Time AgentPositions::valid_until(hal::AgentId agent, hal::Time at) const {
+  if (const Path* path = paths_.find(agent)) return path->at(at).valid_until;
   return max_speed_ > 0 ? world_.now() + world_.config().step : hal::Time::max();
 }
 
-double BodyPositions::max_speed(hal::AgentId) const { return max_speed_; }
+double AgentPositions::max_speed(hal::AgentId agent) const {
+  const Path* const path = paths_.find(agent);
+  return path == nullptr ? max_speed_ : path->max_speed();
+}
 
 hal::Decibels WallObstacles::loss(const hal::Vec3& from, const hal::Vec3& to) const {
   const sensing::Crossing crossing = line_of_sight_.between(from, to);

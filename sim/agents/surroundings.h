@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/agents/observer.h"
+#include "sim/agents/paths.h"
 #include "sim/agents/simulation_config.h"
 #include "sim/core/cell_grid.h"
 #include "sim/core/event_queue.h"
@@ -21,18 +22,21 @@ namespace sim::agents {
 class Scene {
  public:
   /// @param world  outlives this; everything was added to it.
-  Scene(const physics::World& world, const std::vector<hal::AgentId>& agents);
+  /// @param paths  of the agents without bodies; outlives this. Null: all have bodies.
+  Scene(const physics::World& world, const std::vector<hal::AgentId>& agents,
+        const Paths* paths = nullptr);
 
   const physics::World& world() const { return world_; }
   const sensing::Proximity& proximity();
 
   /// Agents that may be within `range` of a point, in the order of the configuration, and some
   /// more. Good until the next call. @param range  m, the same in all calls.
-  std::span<const sensing::AgentPosition> near(hal::Vec2 point, double range);
+  std::span<const sensing::AgentPosition> near(hal::Vec2 point, double range, hal::Time now);
 
   /// State of a body, with the distance to the nearest wall's surface (0 inside a wall). Costs
-  /// something only if the body may have moved since it was asked for.
-  const BodyState& body(hal::AgentId agent);
+  /// something only if the body may have moved since it was asked for. @param now  not before
+  /// that of earlier calls; counts for agents without bodies.
+  const BodyState& body(hal::AgentId agent, hal::Time now);
 
  private:
   struct Known {
@@ -42,25 +46,32 @@ class Scene {
   static constexpr std::uint64_t kNever = ~std::uint64_t{0};
 
   double clearance(hal::Vec2 place) const;
+  const BodyState& place(const Path& path, Known& known, hal::Time now) const;
   void follow(double range);
+  void follow_paths(hal::Time now);
 
   const physics::World& world_;
   std::vector<physics::Shape> walls_;
   std::vector<Known> known_;  ///< By address.
   sensing::Proximity proximity_;
   std::vector<sensing::AgentPosition> positions_;
-  std::vector<std::uint32_t> index_;  ///< In positions_, by address.
-  std::optional<CellGrid> grid_;      ///< Of positions_.
+  const Paths* paths_;
+  std::vector<std::uint32_t> index_;   ///< In positions_, by address.
+  std::vector<std::uint32_t> moving_;  ///< In positions_: on paths.
+  std::optional<CellGrid> grid_;       ///< Of positions_.
   std::vector<std::uint32_t> found_;
   std::vector<sensing::AgentPosition> near_;
   std::optional<std::uint64_t> proximity_at_, positions_at_;  ///< Physics steps.
+  hal::Time paths_at_{};
 };
 
-/// The antennas: one in the origin of every body, as of the last physics step.
-class BodyPositions final : public radio::Positions {
+/// The antennas: one in the origin of every body, as of the last physics step; of agents without
+/// bodies where their paths are, on the ground.
+class AgentPositions final : public radio::Positions {
  public:
-  BodyPositions(const physics::World& world, double max_speed)
-      : world_(world), max_speed_(max_speed) {}
+  /// @param max_speed  of bodies, m/s.
+  AgentPositions(const physics::World& world, const Paths& paths, double max_speed)
+      : world_(world), paths_(paths), max_speed_(max_speed) {}
 
   hal::Vec3 position(hal::AgentId agent, hal::Time at) const override;
   hal::Vec3 velocity(hal::AgentId agent, hal::Time at) const override;
@@ -69,6 +80,7 @@ class BodyPositions final : public radio::Positions {
 
  private:
   const physics::World& world_;
+  const Paths& paths_;
   double max_speed_;  ///< m/s; bounds every body, pushed ones included.
 };
 

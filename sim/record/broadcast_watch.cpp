@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "hal/routing/frame.h"
+#include "hal/routing/one_hop.h"
 
 namespace sim::record {
 namespace {
@@ -15,6 +16,9 @@ std::optional<hal::MessageId> own_broadcast(const radio::Frame& frame) {
   if (!frame.is_broadcast() || frame.ethertype != radio::kEthertypeRouting || !frame.payload) {
     return std::nullopt;
   }
+  const auto one_hop =
+      hal::routing::parse_one_hop(*frame.payload, frame.transmitter, hal::kEveryone);
+  if (one_hop) return one_hop->id;
   const auto routed = hal::routing::parse_frame(*frame.payload);
   const auto* packet = routed ? hal::routing::packet_in(*routed) : nullptr;
   const auto* data = packet ? std::get_if<hal::routing::Data>(packet) : nullptr;

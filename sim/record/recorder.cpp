@@ -20,6 +20,11 @@ std::string_view name(radio::Profile profile) {
   return kNames[static_cast<int>(profile)];
 }
 
+std::string_view kind_of(const agents::AgentConfig& agent) {
+  if (!has_body(agent)) return "station";
+  return is_robot(agent) ? "robot" : "mote";
+}
+
 /// A commit() writes so many rows of totals in any case, and more if each stands for so many
 /// frames.
 constexpr std::uint64_t kFewTotals = 2000;
@@ -90,8 +95,7 @@ void Recorder::describe(const agents::SimulationConfig& config) {
   set("control_period_s", hal::to_seconds(config.control_period));
   Statement insert(database_, "INSERT INTO agents VALUES (?, ?, ?, ?, ?, ?, ?)");
   for (const agents::AgentConfig& agent : config.agents) {
-    const bool is_mote = std::holds_alternative<hal::devices::MoteDescription>(agent.body);
-    insert.run(agent.id.value, agent.name, is_mote ? "mote" : "robot", agent.program, agent.pose.x,
+    insert.run(agent.id.value, agent.name, kind_of(agent), agent.program, agent.pose.x,
                agent.pose.y, agent.pose.theta);
   }
   Statement insert_wall(database_, "INSERT INTO walls VALUES (?, ?, ?, ?, ?, ?)");

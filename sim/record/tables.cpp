@@ -20,7 +20,7 @@ std::vector<Table> setup_tables() {
        "who took part",
        {{"agent", "INTEGER PRIMARY KEY", "", "address"},
         {"name", "TEXT NOT NULL", "", "for people"},
-        {"kind", "TEXT NOT NULL", "", "'mote' or 'robot'"},
+        {"kind", "TEXT NOT NULL", "", "'mote', 'robot' or 'station'"},
         {"program", "TEXT NOT NULL", "", "controller"},
         {"x_m", "REAL NOT NULL", "m", "place at the start"},
         {"y_m", "REAL NOT NULL", "m", "place at the start"},

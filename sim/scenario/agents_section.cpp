@@ -15,6 +15,7 @@
 #include "sim/scenario/fields.h"
 #include "sim/scenario/placement.h"
 #include "sim/scenario/radio_section.h"
+#include "sim/scenario/station_section.h"
 
 namespace sim::scenario {
 namespace {
@@ -38,6 +39,19 @@ const Key kWheels{
     "How much of the wheels is simulated: bodies on hinges with motors, or only where "
     "they touch the ground, which is some 3.5 times faster.",
     "jointed"};
+
+const Key kStation{
+    "station",
+    "The group's agents are radios without bodies, which stand or move on a path; to "
+    "their controllers they are motes."};
+
+using Algorithm = hal::routing::Algorithm;
+const Key kRouting{"routing",
+                   "How the group's messages find their way: ant routing with the keys of the "
+                   "scenario's `routing`, or `none`: straight to the MAC, one hop.",
+                   "none", "that of the scenario"};
+constexpr std::array<Option<Algorithm>, 2> kAlgorithms{
+    {{"ants", Algorithm::kAnts}, {"none", Algorithm::kNone}}};
 
 using hal::kLastAddress;
 
@@ -65,16 +79,28 @@ MoteDescription read_mote_group(Mapping& in) {
        "The group's agents are motes of this kind, mostly {include: ../robots/mote.yaml}."}));
 }
 
+sim::agents::Station read_station_group(Mapping& in) {
+  in.refuse("wheels", "a station has none");
+  return read_station_body(in.mapping(kStation));
+}
+
 /// @param gravity  m/s^2, of the scenario's world.
 auto read_body(Mapping& in, double gravity) -> decltype(AgentConfig::body) {
-  const bool robot = in.has("robot");
-  if (robot == in.has("mote")) {
-    in.mistake("", "must have either robot or mote");
-    if (robot) in.mapping(kRobot);
+  constexpr const char* kOneOfThem = "must have either robot or mote or station";
+  int bodies = 0;
+  for (const std::string& key : in.keys()) {
+    bodies += key == "robot" || key == "mote" || key == "station" ? 1 : 0;
+  }
+  if (bodies > 1) {
+    in.mistake("", kOneOfThem);
+    for (const char* body : {"robot", "mote", "station"}) in.has(body);
     return MoteDescription{};
   }
-  if (robot) return read_robot_group(in, gravity);
-  return read_mote_group(in);
+  if (in.has("robot")) return read_robot_group(in, gravity);
+  if (in.has("mote")) return read_mote_group(in);
+  if (in.has("station")) return read_station_group(in);
+  in.mistake("", kOneOfThem);
+  return MoteDescription{};
 }
 
 void take_names(Mapping& in, const std::vector<std::string>& names, Taken& taken) {
@@ -113,19 +139,25 @@ std::vector<AgentId> take_addresses(Mapping& in, std::size_t count, Taken& taken
 void read_group(const std::string& name, Mapping in, Scenario& scenario, Taken& taken) {
   Group group{.name = name, .agents = {}, .places = {}, .program = {}, .program_place = {}};
   const auto body = read_body(in, scenario.simulation.world.gravity);
-  const std::vector<hal::Pose2> poses = read_poses(in, group.places);
+  const std::vector<hal::Pose2> poses =
+      read_poses(in, scenario.simulation.seed, name, group.places);
   const std::vector<std::string> names = read_names(in, name, poses.size());
   take_names(in, names, taken);
   group.agents = take_addresses(in, poses.size(), taken);
   std::vector<AgentConfig> agents;
   for (std::size_t i = 0; i < group.agents.size(); ++i) {
-    agents.push_back({group.agents[i], names[i], poses[i], body, {}, {}, {}});
+    agents.push_back({group.agents[i], names[i], poses[i], body, {}, {}, {}, {}});
   }
   read_controller(in.mapping({"controller", "The program that drives the agents."}), group, agents);
   const auto tx_power = read_station(
       in.mapping({"radio", "What the radios of the group's agents have of their own."}),
       scenario.simulation.radio);
-  for (AgentConfig& agent : agents) agent.tx_power = tx_power;
+  const bool has_routing = in.has(kRouting.name);
+  const Algorithm routing = in.choice(kRouting, kAlgorithms, scenario.simulation.routing.algorithm);
+  for (AgentConfig& agent : agents) {
+    agent.tx_power = tx_power;
+    if (has_routing) agent.routing = routing;
+  }
   in.finish();
   auto& all = scenario.simulation.agents;
   all.insert(all.end(), agents.begin(), agents.end());
@@ -134,7 +166,8 @@ void read_group(const std::string& name, Mapping in, Scenario& scenario, Taken& 
 
 /// A group that only the command line names: it meant to change one of the file's.
 bool is_reached_for(Mapping& in) {
-  return in.place().starts_with("--set") && !in.has("robot") && !in.has("mote");
+  return in.place().starts_with("--set") && !in.has("robot") && !in.has("mote") &&
+         !in.has("station");
 }
 
 /// "m{}" if the names are "m0", "m1", …
@@ -159,8 +192,10 @@ void write_group(Writer& out, const Group& group, std::span<const AgentConfig> a
   if (const auto* robot = std::get_if<RobotDescription>(&agents.front().body)) {
     FieldWriter(out).choice(kWheels, kWheelLevels, robot->wheel_level);
     write_robot(out, *robot);
+  } else if (const auto* mote = std::get_if<MoteDescription>(&agents.front().body)) {
+    write_mote(out, *mote);
   } else {
-    write_mote(out, std::get<MoteDescription>(agents.front().body));
+    write_station_body(out, std::get<sim::agents::Station>(agents.front().body));
   }
   out.open_list("poses");
   for (const AgentConfig& agent : agents) {
@@ -173,6 +208,8 @@ void write_group(Writer& out, const Group& group, std::span<const AgentConfig> a
   out.close();
   write_controller(out, group, agents);
   write_station(out, agents.front().tx_power);
+  if (agents.front().routing)
+    FieldWriter(out).choice(kRouting, kAlgorithms, *agents.front().routing);
   out.close();
 }
 

@@ -2,54 +2,51 @@
 
 #include <fmt/format.h>
 
+#include <optional>
+#include <utility>
+
 #include "hal/description/names.h"
-#include "hal/types/agent_id.h"
 #include "sim/scenario/fields.h"
+#include "sim/scenario/layouts.h"
 
 namespace sim::scenario {
 namespace {
 
-constexpr std::int64_t kMostAgents = hal::kLastAddress;
+using Poses = std::vector<hal::Pose2>;
 
-/// Row by row from the origin: x first, then y.
-std::vector<hal::Pose2> read_grid(Mapping in) {
-  const std::int64_t columns =
-      in.integer({"columns", "Agents side by side along x.", "5"}, 1, kMostAgents);
-  const std::int64_t rows =
-      in.integer({"rows", "Agents side by side along y.", "5"}, 1, kMostAgents);
-  const hal::Vec2 spacing =
-      in.vec2({"spacing", "Between neighbours along x and y.", "[125 m, 125 m]"}, "m",
-              {0, kCoordinate.high});
-  const hal::Vec2 origin = in.vec2(
-      {"origin", "Where the first one stands, world frame.", "[0 m, 0 m]"}, "m", kCoordinate, {});
-  const double yaw = in.number({"yaw", "Heading of all of them.", "90 deg"}, "rad", kAngle, 0);
-  in.finish();
-  std::vector<hal::Pose2> poses;
-  if (columns * rows > kMostAgents) {
-    in.mistake("", fmt::format("{} x {} are {} agents; network addresses have 16 bits, which is "
-                               "enough for {}",
-                               columns, rows, columns * rows, kMostAgents));
-    return poses;
+/// The layout that the group names; none: it has to list poses.
+std::optional<std::pair<std::string, Poses>> read_layout(Mapping& in, std::uint64_t seed,
+                                                         const std::string& group) {
+  if (in.has("grid")) return {{"grid", read_grid(in.mapping({"grid", "Places them row by row."}))}};
+  if (in.has("circle")) {
+    return {{"circle", read_circle_layout(in.mapping(
+                           {"circle", "Places them on a circle, the first one east."}))}};
   }
-  for (std::int64_t row = 0; row < rows; ++row) {
-    for (std::int64_t column = 0; column < columns; ++column) {
-      poses.push_back({origin.x + spacing.x * static_cast<double>(column),
-                       origin.y + spacing.y * static_cast<double>(row), yaw});
-    }
+  if (in.has("line")) {
+    return {{"line", read_line_layout(in.mapping({"line", "Places them on a straight line."}))}};
   }
-  return poses;
+  if (in.has("uniform")) {
+    return {{"uniform",
+             read_uniform(in.mapping({"uniform",
+                                      "Places them at random in a rectangle, by the run's seed and "
+                                      "the group's name."}),
+                          seed, group + "/layout")}};
+  }
+  return std::nullopt;
 }
 
 }  // namespace
 
-std::vector<hal::Pose2> read_poses(Mapping& in, std::vector<std::string>& places) {
-  std::vector<hal::Pose2> poses;
-  if (in.has("grid")) {
-    in.refuse("poses", "cannot stand beside grid");
-    poses = read_grid(in.mapping({"grid", "Places them row by row."}));
-    places.assign(poses.size(), in.place("grid"));
-    return poses;
+std::vector<hal::Pose2> read_poses(Mapping& in, std::uint64_t seed, const std::string& group,
+                                   std::vector<std::string>& places) {
+  if (auto layout = read_layout(in, seed, group)) {
+    for (const std::string other : {"poses", "grid", "circle", "line", "uniform"}) {
+      if (other != layout->first) in.refuse(other, "cannot stand beside " + layout->first);
+    }
+    places.assign(layout->second.size(), in.place(layout->first));
+    return std::move(layout->second);
   }
+  Poses poses;
   for (Mapping& pose :
        in.mappings({"poses", "Places them one by one.", "[{x: 0 m, y: 0 m}, {x: 100 m, y: 0 m}]",
                     hal::config::kMustBeGiven})) {
@@ -60,7 +57,8 @@ std::vector<hal::Pose2> read_poses(Mapping& in, std::vector<std::string>& places
     places.push_back(pose.place());
     pose.finish();
   }
-  if (poses.empty()) in.mistake("poses", "no agents: give poses or a grid");
+  if (poses.empty())
+    in.mistake("poses", "no agents: give poses, or a grid, circle, line or uniform");
   return poses;
 }
 

@@ -25,7 +25,7 @@ namespace {
 namespace fs = std::filesystem;
 using Lines = std::vector<std::string>;
 
-const fs::path kConfig = CONFIG_DIR;
+const fs::path kConfig = CONFIG_DIR, kTests = TESTS_DIR;
 
 void read_scenario(Mapping in) { sim::scenario::read_scenario(in, "a.yaml"); }
 void read_hardware(Mapping in) { hardware::RobotFile::read(in); }
@@ -41,7 +41,10 @@ struct Kind {
 };
 
 const std::vector<Kind> kKinds = {
-    {"scenario", read_scenario, {kConfig / "scenarios/case_study.yaml"}},
+    {"scenario",
+     read_scenario,
+     {kConfig / "scenarios/case_study.yaml", kTests / "config/stations.yaml",
+      kTests / "config/random_stations.yaml"}},
     {"hardware",
      read_hardware,
      {kConfig / "hardware/robotino.yaml", kConfig / "hardware/tmc200.yaml",

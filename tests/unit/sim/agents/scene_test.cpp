@@ -14,7 +14,7 @@ constexpr AgentId kRobot{1}, kMote{2};
 
 void expect_seen_as_it_is(Scene& scene, const physics::World& world, AgentId agent) {
   const physics::BodyPose pose = world.pose(agent);
-  const BodyState& seen = scene.body(agent);
+  const BodyState& seen = scene.body(agent, world.now());
   EXPECT_EQ(seen.x, pose.position.x);
   EXPECT_EQ(seen.y, pose.position.y);
   EXPECT_EQ(seen.theta, pose.heading);
@@ -37,7 +37,7 @@ TEST(Scene, SeesABodyThatRestedAndThenIsPushed) {
     expect_seen_as_it_is(scene, world, kRobot);
     if (i % 7 == 0) expect_seen_as_it_is(scene, world, kMote);
   }
-  EXPECT_GT(scene.body(kMote).x, 0.1) << "it was pushed";
+  EXPECT_GT(scene.body(kMote, world.now()).x, 0.1) << "it was pushed";
 }
 
 }  // namespace

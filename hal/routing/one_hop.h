@@ -1,0 +1,61 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "hal/routing/neighbourhood.h"
+#include "hal/routing/own_timers.h"
+#include "hal/routing/router.h"
+
+namespace hal::routing {
+
+/// What stands in place of routing with `RoutingConfig::algorithm` kNone: a message goes to the
+/// link as one frame to its destination, or to whoever hears it (kNeighbours, and kEveryone
+/// likewise), and nobody passes it on. Its fate is the link's verdict on that frame. The bytes of
+/// the frame, integers big-endian, 6 octets and the topic more than the payload:
+///
+///   octet  0       version 1 (high nibble), kind (low nibble): 7 to one node, 8 to the neighbours,
+///                  9 to everyone
+///          1       length of the topic, then the topic
+///          u32     message id, then the payload to the end of the frame
+///
+/// Source and destination are those of the link's own frame.
+Bytes encode_one_hop(const Message& message);
+
+/// The message in a frame that `from` transmitted and `self` received; none if the bytes are not
+/// such a frame.
+std::optional<Message> parse_one_hop(std::span<const std::uint8_t> bytes, AgentId from,
+                                     AgentId self);
+
+/// Octets that such a frame has beside topic and payload.
+inline constexpr std::size_t kOneHopHeader = 6;
+
+/// One node's end of that.
+class OneHop {
+ public:
+  OneHop(AgentId self, const RouterPorts& ports);
+
+  /// As Router::send().
+  void send(const Message& message);
+  /// @return false: the bytes are no such frame.
+  bool on_frame(const Reception& reception, std::span<const std::uint8_t> bytes);
+  void on_transmitted(const Transmission& transmission);
+
+  const std::vector<Neighbour>& neighbours() const { return neighbourhood_.known(); }
+
+ private:
+  struct Sent {
+    AgentId destination;
+    std::string topic;
+  };
+
+  const AgentId self_;
+  const RouterPorts ports_;
+  OwnTimers timers_;
+  Neighbourhood neighbourhood_;
+  std::map<MessageId, Sent> sent_;  ///< That the link has not reported on.
+};
+
+}  // namespace hal::routing
