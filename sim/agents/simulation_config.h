@@ -43,7 +43,8 @@ struct AgentConfig {
   std::variant<hal::devices::MoteDescription, hal::devices::RobotDescription> body;
   std::string program;  ///< Controller.
   std::vector<hal::exchange::ParameterText> parameters;
-  std::optional<hal::Milliwatts> tx_power{};  ///< Of its radio; none: as SimulationConfig::radio.
+  std::optional<hal::Milliwatts> tx_power{};    ///< Of its radio; none: as SimulationConfig::radio.
+  std::optional<hal::Metres> antenna_height{};  ///< Likewise; above the body's origin, >= 0.
 };
 
 inline const std::vector<hal::devices::SensorDescription>& sensors_of(const AgentConfig& agent) {

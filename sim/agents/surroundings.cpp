@@ -7,9 +7,6 @@
 namespace sim::agents {
 namespace {
 
-constexpr double kLossPerWall = 9.0;   // dB, Sommer et al. 2011, table II
-constexpr double kLossPerMetre = 0.4;  // dB/m, likewise
-
 /// Of the range of localisation: edge of the cells in which agents are looked for.
 constexpr double kCellShare = 0.5;
 
@@ -105,10 +102,5 @@ hal::Time BodyPositions::valid_until(hal::AgentId, hal::Time) const {
 }
 
 double BodyPositions::max_speed(hal::AgentId) const { return max_speed_; }
-
-hal::Decibels WallObstacles::loss(const hal::Vec3& from, const hal::Vec3& to) const {
-  const sensing::Crossing crossing = line_of_sight_.between(from, to);
-  return hal::Decibels{kLossPerWall * crossing.walls + kLossPerMetre * crossing.thickness};
-}
 
 }  // namespace sim::agents

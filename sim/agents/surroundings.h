@@ -10,7 +10,6 @@
 #include "sim/core/event_queue.h"
 #include "sim/physics/world.h"
 #include "sim/radio/ports.h"
-#include "sim/sensing/line_of_sight.h"
 #include "sim/sensing/proximity.h"
 #include "sim/sensing/relative_localisation.h"
 
@@ -56,7 +55,7 @@ class Scene {
   std::optional<std::uint64_t> proximity_at_, positions_at_;  ///< Physics steps.
 };
 
-/// The antennas: one in the origin of every body, as of the last physics step.
+/// The origin of every body, as of the last physics step. Antennas are above it.
 class BodyPositions final : public radio::Positions {
  public:
   BodyPositions(const physics::World& world, double max_speed)
@@ -70,18 +69,6 @@ class BodyPositions final : public radio::Positions {
  private:
   const physics::World& world_;
   double max_speed_;  ///< m/s; bounds every body, pushed ones included.
-};
-
-/// Walls between antennas: C. Sommer, D. Eckhoff, R. German, F. Dressler, "A Computationally
-/// Inexpensive Empirical Model of IEEE 802.11p Radio Shadowing in Urban Environments", WONS 2011:
-/// a loss per wall and a loss per metre inside.
-class WallObstacles final : public radio::Obstacles {
- public:
-  explicit WallObstacles(const physics::World& world) : line_of_sight_(world) {}
-  hal::Decibels loss(const hal::Vec3& from, const hal::Vec3& to) const override;
-
- private:
-  sensing::LineOfSight line_of_sight_;
 };
 
 }  // namespace sim::agents

@@ -122,10 +122,13 @@ void read_group(const std::string& name, Mapping in, Scenario& scenario, Taken& 
     agents.push_back({group.agents[i], names[i], poses[i], body, {}, {}, {}});
   }
   read_controller(in.mapping({"controller", "The program that drives the agents."}), group, agents);
-  const auto tx_power = read_station(
+  const StationRadio radio = read_station(
       in.mapping({"radio", "What the radios of the group's agents have of their own."}),
       scenario.simulation.radio);
-  for (AgentConfig& agent : agents) agent.tx_power = tx_power;
+  for (AgentConfig& agent : agents) {
+    agent.tx_power = radio.tx_power;
+    agent.antenna_height = radio.antenna_height;
+  }
   in.finish();
   auto& all = scenario.simulation.agents;
   all.insert(all.end(), agents.begin(), agents.end());
@@ -172,7 +175,7 @@ void write_group(Writer& out, const Group& group, std::span<const AgentConfig> a
   }
   out.close();
   write_controller(out, group, agents);
-  write_station(out, agents.front().tx_power);
+  write_station(out, {agents.front().tx_power, agents.front().antenna_height});
   out.close();
 }
 
