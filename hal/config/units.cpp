@@ -54,6 +54,7 @@ constexpr std::array kUnits = {
     Unit{"kJ", kEnergy, 1e3},
     Unit{"Wh", kEnergy, 3600},
     Unit{"dB", kRatio},
+    Unit{"dB/m", kAttenuation},
     Unit{"Hz", kFrequency},
     Unit{"kHz", kFrequency, 1e3},
     Unit{"MHz", kFrequency, 1e6},

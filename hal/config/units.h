@@ -22,6 +22,7 @@ enum class Dimension {
   kPower,
   kEnergy,
   kRatio,
+  kAttenuation,
   kFrequency,
   kBitRate,
 };

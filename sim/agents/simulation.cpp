@@ -34,7 +34,7 @@ std::vector<hal::AgentId> ids(const SimulationConfig& config) {
 std::vector<radio::RadioNetwork::Station> stations(const SimulationConfig& config) {
   std::vector<radio::RadioNetwork::Station> stations;
   for (const AgentConfig& agent : config.agents) {
-    stations.push_back({agent.id, agent.name, agent.tx_power});
+    stations.push_back({agent.id, agent.name, agent.tx_power, agent.antenna_height});
   }
   return stations;
 }
@@ -48,7 +48,7 @@ Simulation::State::State(const SimulationConfig& the_config, std::vector<Observe
       paths(config),
       scene(*world, ids(config), &paths),
       positions(*world, paths, speed_bound(*world, config)),
-      obstacles(*world),
+      obstacles(*world, config),
       air(config.radio, stations(config),
           {.events = events,
            .positions = positions,

@@ -52,7 +52,8 @@ struct AgentConfig {
   std::variant<hal::devices::MoteDescription, hal::devices::RobotDescription, Station> body;
   std::string program;  ///< Controller.
   std::vector<hal::exchange::ParameterText> parameters;
-  std::optional<hal::Milliwatts> tx_power{};  ///< Of its radio; none: as SimulationConfig::radio.
+  std::optional<hal::Milliwatts> tx_power{};    ///< Of its radio; none: as SimulationConfig::radio.
+  std::optional<hal::Metres> antenna_height{};  ///< Likewise; above the body's origin, >= 0.
   /// None: as SimulationConfig::routing.
   std::optional<hal::routing::Algorithm> routing{};
 };

@@ -10,6 +10,7 @@
 #include "sim/agents/observer_list.h"
 #include "sim/agents/simulated_mote.h"
 #include "sim/agents/simulation.h"
+#include "sim/agents/world_obstacles.h"
 #include "sim/radio/radio_network.h"
 
 namespace sim::agents {
@@ -54,7 +55,7 @@ struct Simulation::State final : hal::agent::AgentListener {
   Paths paths;
   Scene scene;
   AgentPositions positions;
-  WallObstacles obstacles;
+  WorldObstacles obstacles;
   radio::RadioNetwork air;
   hal::exchange::AgentTable<std::unique_ptr<SimulatedMote>> agents;
   Controllers controllers;

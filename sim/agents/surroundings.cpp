@@ -7,9 +7,6 @@
 namespace sim::agents {
 namespace {
 
-constexpr double kLossPerWall = 9.0;   // dB, Sommer et al. 2011, table II
-constexpr double kLossPerMetre = 0.4;  // dB/m, likewise
-
 /// Of the range of localisation: edge of the cells in which agents are looked for.
 constexpr double kCellShare = 0.5;
 
@@ -143,11 +140,6 @@ hal::Time AgentPositions::valid_until(hal::AgentId agent, hal::Time at) const {
 double AgentPositions::max_speed(hal::AgentId agent) const {
   const Path* const path = paths_.find(agent);
   return path == nullptr ? max_speed_ : path->max_speed();
-}
-
-hal::Decibels WallObstacles::loss(const hal::Vec3& from, const hal::Vec3& to) const {
-  const sensing::Crossing crossing = line_of_sight_.between(from, to);
-  return hal::Decibels{kLossPerWall * crossing.walls + kLossPerMetre * crossing.thickness};
 }
 
 }  // namespace sim::agents

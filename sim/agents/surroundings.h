@@ -11,7 +11,6 @@
 #include "sim/core/event_queue.h"
 #include "sim/physics/world.h"
 #include "sim/radio/ports.h"
-#include "sim/sensing/line_of_sight.h"
 #include "sim/sensing/proximity.h"
 #include "sim/sensing/relative_localisation.h"
 
@@ -65,8 +64,8 @@ class Scene {
   hal::Time paths_at_{};
 };
 
-/// The antennas: one in the origin of every body, as of the last physics step; of agents without
-/// bodies where their paths are, on the ground.
+/// Where agents are: the origin of every body as of the last physics step; of agents without bodies
+/// where their paths are, on the ground. Antennas are above it.
 class AgentPositions final : public radio::Positions {
  public:
   /// @param max_speed  of bodies, m/s.
@@ -82,18 +81,6 @@ class AgentPositions final : public radio::Positions {
   const physics::World& world_;
   const Paths& paths_;
   double max_speed_;  ///< m/s; bounds every body, pushed ones included.
-};
-
-/// Walls between antennas: C. Sommer, D. Eckhoff, R. German, F. Dressler, "A Computationally
-/// Inexpensive Empirical Model of IEEE 802.11p Radio Shadowing in Urban Environments", WONS 2011:
-/// a loss per wall and a loss per metre inside.
-class WallObstacles final : public radio::Obstacles {
- public:
-  explicit WallObstacles(const physics::World& world) : line_of_sight_(world) {}
-  hal::Decibels loss(const hal::Vec3& from, const hal::Vec3& to) const override;
-
- private:
-  sensing::LineOfSight line_of_sight_;
 };
 
 }  // namespace sim::agents

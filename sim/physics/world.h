@@ -14,6 +14,7 @@
 #include "hal/types/geometry.h"
 #include "hal/types/result.h"
 #include "hal/types/time.h"
+#include "sim/core/obstacle_loss.h"
 #include "sim/physics/shape.h"
 
 namespace sim::physics {
@@ -44,6 +45,7 @@ struct StaticBox {
   hal::Vec3 size;    ///< m along its own axes, each > 0
   double yaw = 0;    ///< rad
   double friction = 0.6;
+  ObstacleLoss radio_loss = kBrickWall;  ///< The world itself makes nothing of it.
 };
 
 /// Where a body is. Its origin is the middle of a robot's footprint, of the face on which a mote

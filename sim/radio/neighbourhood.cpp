@@ -16,14 +16,14 @@ constexpr double kMarginShare = 0.1;
 /// often.
 constexpr int kCellsInReach = 4;
 
-void take(Link& link, const Propagation::Arrival& arrival) { link.arrival = arrival; }
+void take(Link& link, const Link& now) { link = now; }
 
-void take(FaintLink& link, const Propagation::Arrival& arrival) {
-  link.power = arrival.power.value;
-  link.delay = static_cast<std::uint32_t>(arrival.delay.count());
+void take(FaintLink& link, const Link& now) {
+  link.power = now.arrival.power.value;
+  link.delay = static_cast<std::uint32_t>(now.arrival.delay.count());
 }
 
-void take(DistantLink&, const Propagation::Arrival&) {}
+void take(DistantLink&, const Link&) {}
 
 /// Of the strongest transmitter, m; above 0, so that there is a grid without stations, too.
 double longest_reach(const Propagation& propagation,
@@ -51,15 +51,15 @@ Neighbourhood::Neighbourhood(EventQueue& events, const Positions& positions,
 
 void Neighbourhood::add(const Antenna& antenna) {
   const hal::AgentId agent = antenna.agent;
-  BARAKA_CHECK(stations_.empty() || stations_.back().agent < agent);
+  BARAKA_CHECK(stations_.empty() || stations_.back().site.agent < agent);
   const auto index = static_cast<StationIndex>(stations_.size());
-  Station& station = stations_.emplace_back();
-  station.agent = agent;
-  station.tx_power = antenna.tx_power;
-  station.max_speed = positions_.max_speed(agent);
+  stations_.push_back(
+      {.site = Site(positions_.position(agent, events_.now()), antenna.height, antenna.name, agent),
+       .tx_power = antenna.tx_power,
+       .max_speed = positions_.max_speed(agent)});
+  const Station& station = stations_.back();
   BARAKA_CHECK(std::isfinite(station.max_speed) && station.max_speed >= 0);
-  station.position = positions_.position(agent, events_.now());
-  grid_.put(index, {station.position.x, station.position.y});
+  grid_.put(index, {station.site.position.x, station.site.position.y});
   links_.emplace_back();
   anything_moves_ = anything_moves_ || station.max_speed > 0;
   if (station.max_speed > 0 && std::isfinite(margin_)) watch_cell(index);
@@ -68,7 +68,7 @@ void Neighbourhood::add(const Antenna& antenna) {
 void Neighbourhood::watch_cell(StationIndex index) {
   const Station& station = stations_[index];
   const hal::Duration safe = hal::from_seconds(std::min(margin_ / station.max_speed, 1e6));
-  events_.schedule(events_.now() + safe, Rank::kRadio, station.agent, [this, index] {
+  events_.schedule(events_.now() + safe, Rank::kRadio, station.site.agent, [this, index] {
     refresh(stations_[index]);
     change_cell(index);
     watch_cell(index);
@@ -76,7 +76,8 @@ void Neighbourhood::watch_cell(StationIndex index) {
 }
 
 void Neighbourhood::change_cell(StationIndex index) {
-  const hal::Vec2 position{stations_[index].position.x, stations_[index].position.y};
+  const hal::Vec3& at = stations_[index].site.position;
+  const hal::Vec2 position{at.x, at.y};
   if (!grid_.would_move(index, position)) return;
   outdate_around(index);
   grid_.put(index, position);
@@ -93,15 +94,21 @@ void Neighbourhood::outdate_around(StationIndex index) {
 void Neighbourhood::refresh(Station& station) {
   const hal::Time now = events_.now();
   if (now < station.valid_until) return;
-  const hal::Vec3 position = positions_.position(station.agent, now);
-  station.valid_until = positions_.valid_until(station.agent, now);
-  if (position == station.position) return;
-  station.position = position;
+  const hal::Vec3 position = positions_.position(station.site.agent, now);
+  station.valid_until = positions_.valid_until(station.site.agent, now);
+  if (position == station.site.position) return;
+  station.site.position = position;
   ++station.moves;
 }
 
-Propagation::Arrival Neighbourhood::arrival(const Station& from, const Station& to) const {
-  return propagation_.arrival(from.tx_power, from.position, to.position);
+Link Neighbourhood::link(StationIndex transmitter, StationIndex receiver) const {
+  const Station& from = stations_[transmitter];
+  const Station& to = stations_[receiver];
+  const auto steady = propagation_.steady(from.tx_power, from.site, to.site);
+  return {.receiver = receiver,
+          .moves = from.moves + to.moves,
+          .arrival = propagation_.arrival(steady, from.site, to.site, events_.now()),
+          .steady = steady};
 }
 
 void Neighbourhood::collect(StationIndex transmitter) {
@@ -110,9 +117,8 @@ void Neighbourhood::collect(StationIndex transmitter) {
   Links& links = links_[transmitter];
   links = {};
   for (const StationIndex receiver : grid_.around(transmitter, kCellsInReach)) {
-    const Station& to = stations_[receiver];
-    put(links, {.receiver = receiver, .moves = from.moves + to.moves, .arrival = arrival(from, to)},
-        from.max_speed == 0 && to.max_speed == 0);
+    put(links, link(transmitter, receiver),
+        from.max_speed == 0 && stations_[receiver].max_speed == 0);
   }
   links.audible.shrink_to_fit();
   links.faint.shrink_to_fit();
@@ -127,7 +133,7 @@ void Neighbourhood::put(Links& links, const Link& link, bool is_fixed) {
                                                 [](const auto& other) { return other.receiver; });
     list.insert(place, entry);
   };
-  switch (link.arrival.strength) {
+  switch (link.steady.strength) {
     case Propagation::Strength::kAudible:
       return into(links.audible, link);
     case Propagation::Strength::kFaint:
@@ -146,38 +152,47 @@ const Links& Neighbourhood::links_from(StationIndex transmitter) {
   refresh(from);
   if (from.is_out_of_date) collect(transmitter);
   if (anything_moves_) follow(transmitter);
+  if (propagation_.changes_in_time()) follow_time(transmitter);
   return links_[transmitter];
 }
 
 /// Those of which an end has moved.
 void Neighbourhood::follow(StationIndex transmitter) {
-  const Station& from = stations_[transmitter];
   Links& links = links_[transmitter];
   changed_.clear();
-  follow(from, links.audible, Propagation::Strength::kAudible);
-  follow(from, links.faint, Propagation::Strength::kFaint);
-  follow(from, links.distant, Propagation::Strength::kNothing);
+  follow(transmitter, links.audible, Propagation::Strength::kAudible);
+  follow(transmitter, links.faint, Propagation::Strength::kFaint);
+  follow(transmitter, links.distant, Propagation::Strength::kNothing);
   for (const Link& link : changed_) put(links, link, false);
 }
 
 template <class OneLink>
-void Neighbourhood::follow(const Station& from, std::vector<OneLink>& links,
+void Neighbourhood::follow(StationIndex from, std::vector<OneLink>& links,
                            Propagation::Strength strength) {
-  std::erase_if(links, [&](OneLink& link) {
-    Station& to = stations_[link.receiver];
+  std::erase_if(links, [&](OneLink& known) {
+    Station& to = stations_[known.receiver];
     refresh(to);
     // Neither count ever falls: the same sum is the same two.
-    const std::uint32_t moves = from.moves + to.moves;
-    if (link.moves == moves) return false;
-    link.moves = moves;
-    const auto now = arrival(from, to);
-    if (now.strength == strength) {
-      take(link, now);
+    const std::uint32_t moves = stations_[from].moves + to.moves;
+    if (known.moves == moves) return false;
+    known.moves = moves;
+    const Link now = link(from, known.receiver);
+    if (now.steady.strength == strength) {
+      take(known, now);
       return false;
     }
-    changed_.push_back({.receiver = link.receiver, .moves = moves, .arrival = now});
+    changed_.push_back(now);
     return true;
   });
+}
+
+/// Those whose ends may stand still.
+void Neighbourhood::follow_time(StationIndex transmitter) {
+  const Site& from = stations_[transmitter].site;
+  for (Link& link : links_[transmitter].audible) {
+    link.arrival =
+        propagation_.arrival(link.steady, from, stations_[link.receiver].site, events_.now());
+  }
 }
 
 void Neighbourhood::forget(StationIndex transmitter) {

@@ -18,6 +18,7 @@ struct Link {
   StationIndex receiver = 0;
   std::uint32_t moves = 0;  ///< Of both together when this was computed.
   Propagation::Arrival arrival;
+  Propagation::Steady steady;  ///< Of which `arrival` is the value at the last look.
 };
 
 /// The same where the frames are interference only.
@@ -52,6 +53,8 @@ class Neighbourhood {
   struct Antenna {
     hal::AgentId agent;
     hal::Milliwatts tx_power;
+    double height = 0;       ///< m above the agent's position.
+    std::uint64_t name = 0;  ///< As Site::name.
   };
   /// @param antennas  in ascending order of agents; the index into it is the StationIndex.
   Neighbourhood(EventQueue& events, const Positions& positions, const Propagation& propagation,
@@ -65,22 +68,22 @@ class Neighbourhood {
 
  private:
   struct Station {
-    hal::AgentId agent;
+    Site site;
     hal::Milliwatts tx_power;
     double max_speed = 0;  ///< m/s
-    hal::Vec3 position;
     hal::Time valid_until{};
     std::uint32_t moves = 1;
     bool is_out_of_date = true;  ///< Its links: who is near has changed.
   };
 
   void add(const Antenna& antenna);
-  Propagation::Arrival arrival(const Station& from, const Station& to) const;
+  Link link(StationIndex from, StationIndex to) const;
   void refresh(Station& station);
   void collect(StationIndex transmitter);
   void follow(StationIndex transmitter);
   template <class OneLink>
-  void follow(const Station& from, std::vector<OneLink>& links, Propagation::Strength strength);
+  void follow(StationIndex from, std::vector<OneLink>& links, Propagation::Strength strength);
+  void follow_time(StationIndex transmitter);
   void put(Links& links, const Link& link, bool is_fixed);
   void watch_cell(StationIndex station);
   void change_cell(StationIndex station);

@@ -1,17 +1,50 @@
 #pragma once
 
+#include <cstdint>
+
+#include "hal/types/agent_id.h"
 #include "hal/types/geometry.h"
 #include "hal/types/quantity.h"
+#include "hal/types/time.h"
 
 namespace sim::radio {
 
-/// From one antenna to another. World frame, m.
-struct Path {
-  Path(const hal::Vec3& a, const hal::Vec3& b)
-      : from(a), to(b), distance_squared(dot(b - a, b - a)) {}
+/// An antenna where it stands.
+struct Site {
+  /// @param the_position  m, world frame, of what carries it. @param the_height  m above that.
+  // NOLINTNEXTLINE(google-explicit-constructor): a place is a site without more said of it.
+  Site(const hal::Vec3& the_position, double the_height = 0, std::uint64_t the_name = 0,
+       hal::AgentId the_agent = {})
+      : position(the_position), height(the_height), name(the_name), agent(the_agent) {}
 
-  const hal::Vec3& from;
-  const hal::Vec3& to;
+  hal::Vec3 antenna() const { return {position.x, position.y, position.z + height}; }
+
+  hal::Vec3 position;
+  double height;
+  std::uint64_t name;  ///< Of the station, with the run's seed: names the randomness of its links.
+  hal::AgentId agent;
+};
+
+/// From one antenna to another, at an instant. World frame, m.
+struct Path {
+  Path(const Site& the_from, const Site& the_to, hal::Time the_time = {})
+      : from(the_from), to(the_to), at(the_time) {
+    hal::Vec3 way = to.position - from.position;
+    way.z += to.height - from.height;
+    distance_squared = dot(way, way);
+  }
+
+  /// Names the randomness of the link; the same in both directions.
+  std::uint64_t link() const {
+    // Odd factor: another order of the two names would be another link, so they are put in order.
+    return first().name * 0x9e3779b97f4a7c15u + second().name;
+  }
+  const Site& first() const { return from.name < to.name ? from : to; }
+  const Site& second() const { return from.name < to.name ? to : from; }
+
+  const Site& from;
+  const Site& to;
+  hal::Time at;
   double distance_squared;  ///< m^2
 };
 
@@ -21,11 +54,18 @@ class PathLoss {
  public:
   virtual ~PathLoss() = default;
 
-  /// @param power  mW, > 0. @return no more than that.
+  /// @param power  mW, > 0. @return at most most_gain() times that.
   virtual hal::Milliwatts after(hal::Milliwatts power, const Path& path) const = 0;
 
-  /// At no greater distance, m, more than `least` is left of `power`; may be infinite.
+  /// At no greater distance, m, more than `least` is left of `power` if nothing gains; may be
+  /// infinite.
   virtual double reach(hal::Milliwatts power, hal::Milliwatts least) const = 0;
+
+  /// By how much it may strengthen, >= 1.
+  virtual double most_gain() const { return 1; }
+
+  /// Whether the same places may give something else at another time.
+  virtual bool changes_in_time() const { return false; }
 };
 
 }  // namespace sim::radio

@@ -7,7 +7,7 @@
 
 namespace sim::radio {
 
-/// Where the antennas are. The radio pulls positions when it needs them; nobody tells it of every
+/// Where the stations are. The radio pulls positions when it needs them; nobody tells it of every
 /// move. World frame, metres.
 class Positions {
  public:
@@ -26,6 +26,14 @@ class Obstacles {
   virtual ~Obstacles() = default;
   /// Loss of the walls that the segment crosses; 0 dB: free.
   virtual hal::Decibels loss(const hal::Vec3& from, const hal::Vec3& to) const = 0;
+
+  /// Antenna of an agent, whose own body is not in its way.
+  struct End {
+    hal::AgentId agent;
+    hal::Vec3 antenna;
+  };
+  /// The same of what may move. Asked when a frame starts. @return 0 dB by default.
+  virtual hal::Decibels moving_loss(const End& /*from*/, const End& /*to*/) const { return {}; }
 };
 
 }  // namespace sim::radio

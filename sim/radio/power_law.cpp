@@ -6,22 +6,21 @@
 
 namespace sim::radio {
 
+double to_the(double exponent, double square) {
+  if (exponent == 2) return square;
+  if (exponent == 3) return square * std::sqrt(square);
+  if (exponent == 4) return square * square;
+  return hal::math::pow(square, exponent / 2);
+}
+
 /// Of a transmitter with this power [mW], were the law true there.
 double PowerLaw::at_one_metre(double power) const {
   return power * wavelength_ * wavelength_ / (16 * hal::math::kPi * hal::math::kPi);
 }
 
-/// Distance to the exponent; those of almost every scenario need no pow().
-double PowerLaw::spread(double distance_squared) const {
-  if (exponent_ == 2) return distance_squared;
-  if (exponent_ == 3) return distance_squared * std::sqrt(distance_squared);
-  if (exponent_ == 4) return distance_squared * distance_squared;
-  return hal::math::pow(distance_squared, exponent_ / 2);
-}
-
 hal::Milliwatts PowerLaw::after(hal::Milliwatts power, const Path& path) const {
   const double near = at_one_metre(power.value);
-  const double loss = spread(path.distance_squared);
+  const double loss = to_the(exponent_, path.distance_squared);
   return hal::Milliwatts{near < power.value * loss ? near / loss : power.value};
 }
 

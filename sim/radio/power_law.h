@@ -4,6 +4,9 @@
 
 namespace sim::radio {
 
+/// The root of `square` to an exponent >= 1; the exponents of almost every scenario need no pow().
+double to_the(double exponent, double square);
+
 /// Friis' law with an exponent: P = Ptx lambda^2 / (16 pi^2 d^alpha) with d in metres, never more
 /// than Ptx (H. T. Friis, "A Note on a Simple Transmission Formula", Proc. IRE, 1946; exponent on
 /// the distance only as in the Mobility Framework).
@@ -18,7 +21,6 @@ class PowerLaw final : public PathLoss {
 
  private:
   double at_one_metre(double power) const;
-  double spread(double distance_squared) const;
 
   double wavelength_;  ///< m
   double exponent_;

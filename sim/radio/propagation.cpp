@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <type_traits>
+#include <utility>
 
 #include "hal/types/math.h"
+#include "sim/radio/path_losses.h"
 #include "sim/radio/power_law.h"
 
 namespace sim::radio {
@@ -13,6 +14,9 @@ namespace {
 
 constexpr double kSpeedOfLight = 299792458.0;  // m/s
 constexpr hal::Milliwatts kAnyPower{1e-300};
+
+/// What is left of a power, as a share.
+double share(hal::Decibels loss) { return hal::math::pow(10, -loss.value / 10); }
 
 }  // namespace
 
@@ -34,8 +38,9 @@ Propagation::Propagation(const RadioConfig& config, const Obstacles& obstacles) 
 
 void Propagation::add(const WavesConfig& config, const Obstacles& obstacles) {
   const PropagationConfig& air = config.propagation;
-  chain_.push_back(std::make_unique<PowerLaw>(air.wavelength, air.path_loss_exponent));
+  for (const PathLossConfig& one : air.chain) add(path_loss(one, air));
   if (air.obstacles) obstacles_ = &obstacles;
+  if (air.obstacles && !air.body_loss.is_none()) moving_obstacles_ = &obstacles;
   delays_ = air.propagation_delay;
   sensitivity_ = to_milliwatts(config.receiver.sensitivity);
   floor_ = to_milliwatts(air.interference_floor);
@@ -43,36 +48,60 @@ void Propagation::add(const WavesConfig& config, const Obstacles& obstacles) {
 }
 
 void Propagation::add(hal::Metres range) {
-  chain_.push_back(std::make_unique<Cutoff>(range));
+  add(std::make_unique<Cutoff>(range));
   sensitivity_ = floor_ = audible_ = kAnyPower;
 }
 
+void Propagation::add(std::unique_ptr<const PathLoss> loss) {
+  const bool in_time = loss->changes_in_time();
+  most_gain_ *= loss->most_gain();
+  if (in_time) most_in_time_ *= loss->most_gain();
+  (in_time ? in_time_ : chain_).push_back(std::move(loss));
+}
+
 double Propagation::reach(hal::Milliwatts sent, hal::Milliwatts least) const {
+  const hal::Milliwatts most = most_gain_ * sent;
   double reach = std::numeric_limits<double>::infinity();
-  for (const auto& loss : chain_) reach = std::min(reach, loss->reach(sent, least));
+  for (const auto& loss : chain_) reach = std::min(reach, loss->reach(most, least));
   return reach;
 }
 
-Propagation::Strength Propagation::strength(const Arrival& arrival) const {
-  if (arrival.blocked || arrival.power >= audible_) return Strength::kAudible;
-  return arrival.power >= floor_ ? Strength::kFaint : Strength::kNothing;
+Propagation::Strength Propagation::strength(const Steady& steady) const {
+  const hal::Milliwatts free = most_in_time_ * steady.free;
+  const hal::Milliwatts left = steady.walls * free;
+  if (is_blocked(free, left) || left >= audible_) return Strength::kAudible;
+  return left >= floor_ ? Strength::kFaint : Strength::kNothing;
 }
 
-Propagation::Arrival Propagation::arrival(hal::Milliwatts sent, const hal::Vec3& from,
-                                          const hal::Vec3& to) const {
+Propagation::Steady Propagation::steady(hal::Milliwatts sent, const Site& from,
+                                        const Site& to) const {
   const Path path(from, to);
-  Arrival result{.power = sent};
-  for (const auto& loss : chain_) result.power = loss->after(result.power, path);
-  if (obstacles_ != nullptr && result.power >= floor_) {
-    const hal::Milliwatts free = result.power;
-    const hal::Decibels loss = obstacles_->loss(from, to);
-    if (loss.value > 0) {
-      result.power = hal::Milliwatts{free.value * hal::math::pow(10, -loss.value / 10)};
-    }
-    result.blocked = is_receivable(free) && !is_receivable(result.power);
+  Steady result{.free = sent};
+  for (const auto& loss : chain_) result.free = loss->after(result.free, path);
+  if (obstacles_ != nullptr && most_in_time_ * result.free >= floor_) {
+    const hal::Decibels loss = obstacles_->loss(from.antenna(), to.antenna());
+    if (loss.value > 0) result.walls = share(loss);
   }
   result.strength = strength(result);
-  if (result.strength == Strength::kAudible) result.level = to_dbm(result.power);
+  return result;
+}
+
+Propagation::Arrival Propagation::arrival(const Steady& steady, const Site& from, const Site& to,
+                                          hal::Time at) const {
+  const Path path(from, to, at);
+  hal::Milliwatts free = steady.free;
+  double left = steady.walls;
+  Arrival result{.strength = steady.strength};
+  if (steady.strength == Strength::kAudible) {
+    for (const auto& loss : in_time_) free = loss->after(free, path);
+    if (moving_obstacles_ != nullptr) {
+      left *= share(
+          moving_obstacles_->moving_loss({from.agent, from.antenna()}, {to.agent, to.antenna()}));
+    }
+  }
+  result.power = left * free;
+  result.blocked = is_blocked(free, result.power);
+  if (steady.strength == Strength::kAudible) result.level = to_dbm(result.power);
   if (result.power < floor_) result.power = {};
   if (delays_) result.delay = hal::from_seconds(std::sqrt(path.distance_squared) / kSpeedOfLight);
   return result;

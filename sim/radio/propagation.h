@@ -18,8 +18,12 @@ hal::Milliwatts to_milliwatts(hal::Dbm level);
 
 /// From one antenna to another: what arrives of a frame. A chain of path losses, then the walls.
 ///
-/// mobility_framework and ieee80211b: PowerLaw. disk and ideal: Cutoff. A new law of propagation is
-/// a class of path loss and a line where the chain is made.
+/// mobility_framework and ieee80211b: the chain of their config. disk and ideal: Cutoff. A new law
+/// of propagation is a class of path loss and a line where the chain is made.
+///
+/// What depends only on where the two ends are is a Steady, computed when one has moved. The rest,
+/// fading in time and bodies in the way, is looked at when a frame starts, and only where it is
+/// audible: elsewhere frames keep their mean.
 class Propagation {
  public:
   Propagation(const RadioConfig& config, const Obstacles& obstacles);
@@ -36,8 +40,22 @@ class Propagation {
     Strength strength = Strength::kNothing;
     bool blocked = false;  ///< Only walls keep it below the sensitivity.
   };
+  /// What holds as long as neither end moves.
+  struct Steady {
+    hal::Milliwatts free{};                  ///< Without walls.
+    double walls = 1;                        ///< What walls leave of it, as a share.
+    Strength strength = Strength::kNothing;  ///< Of the most that it may become.
+  };
   /// @param sent  by the antenna at `from`.
-  Arrival arrival(hal::Milliwatts sent, const hal::Vec3& from, const hal::Vec3& to) const;
+  Steady steady(hal::Milliwatts sent, const Site& from, const Site& to) const;
+  /// @param at  now.
+  Arrival arrival(const Steady& steady, const Site& from, const Site& to, hal::Time at) const;
+  Arrival arrival(hal::Milliwatts sent, const Site& from, const Site& to, hal::Time at = {}) const {
+    return arrival(steady(sent, from, to), from, to, at);
+  }
+
+  /// Whether arrivals change although neither end moves.
+  bool changes_in_time() const { return moving_obstacles_ != nullptr || !in_time_.empty(); }
 
   /// Nobody further away than this notices a frame that is sent with this power, m. May be
   /// infinite.
@@ -50,12 +68,21 @@ class Propagation {
   bool is_receivable(hal::Milliwatts power) const { return power >= sensitivity_; }
 
  private:
+  using Chain = std::vector<std::unique_ptr<const PathLoss>>;
+
   void add(const WavesConfig& config, const Obstacles& obstacles);
   void add(hal::Metres range);
-  Strength strength(const Arrival& arrival) const;
+  void add(std::unique_ptr<const PathLoss> loss);
+  Strength strength(const Steady& steady) const;
+  bool is_blocked(hal::Milliwatts free, hal::Milliwatts left) const {
+    return is_receivable(free) && !is_receivable(left);
+  }
 
-  std::vector<std::unique_ptr<const PathLoss>> chain_;  ///< Not empty.
-  const Obstacles* obstacles_ = nullptr;                ///< Null: walls do not matter.
+  Chain chain_, in_time_;                        ///< Of what is steady, and of the rest.
+  double most_gain_ = 1;                         ///< Of both chains.
+  double most_in_time_ = 1;                      ///< Of the second one.
+  const Obstacles* obstacles_ = nullptr;         ///< Null: walls do not matter.
+  const Obstacles* moving_obstacles_ = nullptr;  ///< Null: bodies do not matter.
   bool delays_ = false;
   hal::Milliwatts sensitivity_{};
   hal::Milliwatts floor_{};

@@ -1,5 +1,6 @@
 #include "sim/radio/radio_config.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -29,6 +30,13 @@ void check_phy(const DsssConfig& phy) {
   require(is_dsss_rate(phy.broadcast_rate), "broadcast_rate must be 1, 2, 5.5 or 11 Mb/s");
 }
 
+void check_chain(const std::vector<PathLossConfig>& chain) {
+  require(std::ranges::count_if(chain, is_law_of_distance) == 1,
+          "the chain of propagation must have one law of distance");
+  require(std::ranges::count_if(chain, is_fading) <= 1,
+          "the chain of propagation must have one kind of fading at most");
+}
+
 void check_contention(const ContentionConfig& mac) {
   require(is_contention_window(mac.cw_min) && is_contention_window(mac.cw_max) &&
               mac.cw_min <= mac.cw_max,
@@ -43,6 +51,8 @@ void check_one(const WavesConfig& config) {
   require(config.tx_power.value > 0, "tx_power must be positive");
   require(config.propagation.wavelength.value > 0, "wavelength must be positive");
   require(config.propagation.path_loss_exponent >= 1, "path_loss_exponent must be 1 or more");
+  require(config.propagation.antenna_height.value >= 0, "antenna_height must be 0 or more");
+  check_chain(config.propagation.chain);
   require(config.propagation.interference_floor <= config.receiver.sensitivity,
           "interference_floor must not be above sensitivity");
   check_phy(config.phy);

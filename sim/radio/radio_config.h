@@ -4,9 +4,12 @@
 #include <limits>
 #include <optional>
 #include <variant>
+#include <vector>
 
 #include "hal/types/quantity.h"
 #include "hal/types/time.h"
+#include "sim/core/obstacle_loss.h"
+#include "sim/radio/path_loss_config.h"
 
 namespace sim::radio {
 
@@ -25,10 +28,13 @@ enum class Preamble : std::uint8_t { kLong, kShort };
 
 /// From antenna to antenna.
 struct PropagationConfig {
-  hal::Metres wavelength{0.125};     ///< > 0.
-  double path_loss_exponent = 2;     ///< Power law, reference 1 m; >= 1.
+  hal::Metres wavelength{0.125};                        ///< > 0.
+  double path_loss_exponent = 2;                        ///< Of PowerLawConfig; reference 1 m, >= 1.
+  std::vector<PathLossConfig> chain{PowerLawConfig{}};  ///< Exactly one law of distance.
+  hal::Metres antenna_height{0.1};   ///< Above the body's origin; of a station without its own.
   bool propagation_delay = false;    ///< Distance over 299792458 m/s.
-  bool obstacles = false;            ///< Walls attenuate.
+  bool obstacles = false;            ///< Walls attenuate, and bodies if they have a loss.
+  ObstacleLoss body_loss{};          ///< Of the bodies of robots and motes, with `obstacles`.
   hal::Dbm interference_floor{-85};  ///< Weaker than this does not exist. <= sensitivity.
 };
 

@@ -32,6 +32,12 @@ hal::Milliwatts tx_power(const RadioConfig& config) {
       config);
 }
 
+/// Of a station that has none of its own, m above its position.
+double antenna_height(const RadioConfig& config) {
+  const WavesConfig* const waves = waves_of(config);
+  return waves != nullptr ? waves->propagation.antenna_height.value : 0;
+}
+
 std::vector<RadioNetwork::Station> by_address(std::vector<RadioNetwork::Station> stations) {
   std::sort(stations.begin(), stations.end(),
             [](const auto& a, const auto& b) { return a.agent < b.agent; });
@@ -39,11 +45,15 @@ std::vector<RadioNetwork::Station> by_address(std::vector<RadioNetwork::Station>
 }
 
 std::vector<Neighbourhood::Antenna> antennas(const std::vector<RadioNetwork::Station>& stations,
-                                             const RadioConfig& config) {
+                                             const RadioConfig& config, std::uint64_t seed) {
   std::vector<Neighbourhood::Antenna> result;
   result.reserve(stations.size());
   for (const auto& station : stations) {
-    result.push_back({station.agent, station.tx_power.value_or(tx_power(config))});
+    const hal::Metres height{antenna_height(config)};
+    result.push_back({.agent = station.agent,
+                      .tx_power = station.tx_power.value_or(tx_power(config)),
+                      .height = station.antenna_height.value_or(height).value,
+                      .name = hal::RandomStream(seed, station.name + "/propagation").next()});
     if (!(result.back().tx_power.value > 0)) {
       throw std::invalid_argument("radio: tx_power of '" + station.name + "' must be positive");
     }
@@ -60,7 +70,7 @@ struct RadioNetwork::State {
         surroundings(around),
         modes(config),
         propagation(config, around.obstacles),
-        antennas(radio::antennas(stations, config)),
+        antennas(radio::antennas(stations, config, around.seed)),
         neighbourhood(around.events, around.positions, propagation, antennas) {
     std::visit([this](const auto& one) { add_all(one); }, config);
   }

@@ -28,8 +28,9 @@ class RadioNetwork {
   };
   struct Station {
     hal::AgentId agent;
-    std::string name;                           ///< Of the agent; names its random streams.
-    std::optional<hal::Milliwatts> tx_power{};  ///< > 0; none: the config's.
+    std::string name;                             ///< Of the agent; names its random streams.
+    std::optional<hal::Milliwatts> tx_power{};    ///< > 0; none: the config's.
+    std::optional<hal::Metres> antenna_height{};  ///< Above its position, >= 0; none: the config's.
   };
 
   RadioNetwork(const RadioConfig& config, const std::vector<Station>& stations,

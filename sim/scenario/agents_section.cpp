@@ -149,13 +149,14 @@ void read_group(const std::string& name, Mapping in, Scenario& scenario, Taken& 
     agents.push_back({group.agents[i], names[i], poses[i], body, {}, {}, {}, {}});
   }
   read_controller(in.mapping({"controller", "The program that drives the agents."}), group, agents);
-  const auto tx_power = read_station(
+  const StationRadio radio = read_station(
       in.mapping({"radio", "What the radios of the group's agents have of their own."}),
       scenario.simulation.radio);
   const bool has_routing = in.has(kRouting.name);
   const Algorithm routing = in.choice(kRouting, kAlgorithms, scenario.simulation.routing.algorithm);
   for (AgentConfig& agent : agents) {
-    agent.tx_power = tx_power;
+    agent.tx_power = radio.tx_power;
+    agent.antenna_height = radio.antenna_height;
     if (has_routing) agent.routing = routing;
   }
   in.finish();
@@ -207,7 +208,7 @@ void write_group(Writer& out, const Group& group, std::span<const AgentConfig> a
   }
   out.close();
   write_controller(out, group, agents);
-  write_station(out, agents.front().tx_power);
+  write_station(out, {agents.front().tx_power, agents.front().antenna_height});
   if (agents.front().routing)
     FieldWriter(out).choice(kRouting, kAlgorithms, *agents.front().routing);
   out.close();

@@ -24,12 +24,21 @@ inline constexpr std::array kErrorModels = {
 
 inline constexpr Range kPowerLevel{-200, 50};      // dBm; thermal noise in 1 Hz is -174
 inline constexpr Range kSensitivity{-130, 0};      // dBm
+inline constexpr Range kAntennaHeight{0, 1000};    // m
+inline constexpr Range kObstacleLoss{0, 1000};     // dB, dB/m
 inline constexpr Range kNoise{-200, 0};            // dBm
 inline constexpr Range kTxPower{1e-6, 1e5};        // mW
 inline constexpr Range kBitRate{1e3, 1e9};         // b/s
 inline constexpr Range kShortTime{1e-6, 1e-2};     // s
 inline constexpr std::int64_t kMaxBits = 100'000;  // five times the longest MPDU
 inline constexpr std::int64_t kMaxWindow = 32'767;
+
+template <class Io>
+void antenna_height(Io& io, hal::Metres& height) {
+  io.quantity({"antenna_height",
+               "Of the antennas above the origin of their body, the ground it stands on.", "1.5 m"},
+              "m", kAntennaHeight, height);
+}
 
 template <class Io>
 void keys_of(Io& io, radio::PropagationConfig& c) {
@@ -39,7 +48,18 @@ void keys_of(Io& io, radio::PropagationConfig& c) {
   io.flag(
       {"propagation_delay", "Whether waves take time: distance over the speed of light.", "true"},
       c.propagation_delay);
-  io.flag({"obstacles", "Whether walls attenuate.", "true"}, c.obstacles);
+  antenna_height(io, c.antenna_height);
+  io.flag(
+      {"obstacles",
+       "Whether walls attenuate, each as its `radio_loss` says, and bodies as said here.", "true"},
+      c.obstacles);
+  io.quantity({"body_loss_per_crossing",
+               "With `obstacles: true`: of each body of a robot or mote on the way, the two ends' "
+               "own apart. Looked at when a frame starts.",
+               "5 dB"},
+              "dB", kObstacleLoss, c.body_loss.per_crossing);
+  io.number({"body_loss_per_metre", "The same for each metre inside a body.", "10 dB/m"}, "dB/m",
+            kObstacleLoss, c.body_loss.per_metre);
   io.quantity(
       {"interference_floor", "Weaker frames do not exist; at most the sensitivity.", "-101 dBm"},
       "dBm", kPowerLevel, c.interference_floor);

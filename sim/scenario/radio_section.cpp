@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "sim/scenario/propagation_section.h"
 #include "sim/scenario/radio_keys.h"
 
 namespace sim::scenario {
@@ -124,6 +125,18 @@ void check_waves(Mapping& in, const radio::WavesConfig& c) {
   check_levels(in, c);
 }
 
+/// The list, which the keys of the profiles do not have; its place is behind them.
+void read_chain(Mapping& in, RadioConfig& config) {
+  radio::WavesConfig* const waves = waves_of(config);
+  if (waves == nullptr) {
+    const std::string profile(name(profile_of(config)));
+    return in.refuse("propagation", "is not used by the profile '" + profile + "'");
+  }
+  waves->propagation.chain = read_propagation(in, waves->propagation.chain);
+}
+
+const Key kStationHeight{"antenna_height", "Of these agents, above the origin of their body.",
+                         "1.5 m", "that of `radio`"};
 const Key kStationPower{"tx_power", "Of the transmitters of these agents.", "10 mW",
                         "that of `radio`"};
 
@@ -141,6 +154,7 @@ RadioConfig read_radio(Mapping in) {
   RadioConfig config = radio::profile_defaults(*profile);
   FieldReader reader(in);
   std::visit([&reader](auto& one) { keys_of(reader, one); }, config);
+  read_chain(in, config);
   refuse_others(reader, *profile);
   if (const radio::WavesConfig* const waves = waves_of(config)) check_waves(in, *waves);
   in.finish();
@@ -153,25 +167,34 @@ void write_radio(Writer& out, const RadioConfig& config) {
   out.text("profile", name(profile_of(config)));
   FieldWriter writer(out);
   std::visit([&writer](auto& one) { keys_of(writer, one); }, copy);
+  if (const auto* const waves = waves_of(config)) write_propagation(out, waves->propagation.chain);
   out.close();
 }
 
-std::optional<hal::Milliwatts> read_station(Mapping in, const RadioConfig& config) {
-  std::optional<hal::Milliwatts> power;
+StationRadio read_station(Mapping in, const RadioConfig& config) {
+  StationRadio station;
   if (std::holds_alternative<radio::IdealConfig>(config)) {
     in.refuse(kStationPower.name, "is not used by the profile 'ideal'");
   } else if (const double given = in.number(kStationPower, "mW", kTxPower, kTxPower.low);
              in.has(kStationPower.name)) {
-    power = hal::Milliwatts{given};
+    station.tx_power = hal::Milliwatts{given};
+  }
+  if (waves_of(config) == nullptr) {
+    const std::string profile(name(profile_of(config)));
+    in.refuse(kStationHeight.name, "is not used by the profile '" + profile + "'");
+  } else if (const double given = in.number(kStationHeight, "m", kAntennaHeight, 0);
+             in.has(kStationHeight.name)) {
+    station.antenna_height = hal::Metres{given};
   }
   in.finish();
-  return power;
+  return station;
 }
 
-void write_station(Writer& out, std::optional<hal::Milliwatts> tx_power) {
-  if (!tx_power) return;
+void write_station(Writer& out, const StationRadio& station) {
+  if (!station.tx_power && !station.antenna_height) return;
   out.open("radio");
-  out.number(kStationPower.name, tx_power->value, "mW");
+  if (station.tx_power) out.number(kStationPower.name, station.tx_power->value, "mW");
+  if (station.antenna_height) out.number(kStationHeight.name, station.antenna_height->value, "m");
   out.close();
 }
 

@@ -13,9 +13,12 @@ namespace sim::scenario {
 radio::RadioConfig read_radio(hal::config::Mapping in);
 void write_radio(hal::config::Writer& out, const radio::RadioConfig& config);
 
-/// `radio:` of a group of agents: the transmit power of its radios, if they have one of their own.
-std::optional<hal::Milliwatts> read_station(hal::config::Mapping in,
-                                            const radio::RadioConfig& config);
-void write_station(hal::config::Writer& out, std::optional<hal::Milliwatts> tx_power);
+/// `radio:` of a group of agents: what their radios have of their own.
+struct StationRadio {
+  std::optional<hal::Milliwatts> tx_power{};
+  std::optional<hal::Metres> antenna_height{};
+};
+StationRadio read_station(hal::config::Mapping in, const radio::RadioConfig& config);
+void write_station(hal::config::Writer& out, const StationRadio& station);
 
 }  // namespace sim::scenario

@@ -14,6 +14,7 @@ const Key kRange{"range", "Agents farther away are not reported.", "300 m"};
 
 constexpr Range kBoxSize{1e-3, 1e5};  // m
 constexpr Range kFriction{0, 100};
+constexpr Range kRadioLoss{0, 1000};  // dB, dB/m
 
 template <class Io>
 void physics_keys(Io& io, WorldConfig& c) {
@@ -47,6 +48,15 @@ void physics_keys(Io& io, WorldConfig& c) {
            1000, c.jam_robots);
 }
 
+/// By default those of Sommer et al. 2011 (kBrickWall); docs/models.md, 4, lists others.
+template <class Io>
+void loss_keys(Io& io, ObstacleLoss& c) {
+  io.quantity({"per_crossing", "For having to pass at all.", "15 dB"}, "dB", kRadioLoss,
+              c.per_crossing);
+  io.number({"per_metre", "For each metre of the way inside.", "0.4 dB/m"}, "dB/m", kRadioLoss,
+            c.per_metre);
+}
+
 StaticBox read_box(Mapping& in, const std::string& default_name) {
   StaticBox box;
   box.name = in.text(
@@ -62,6 +72,12 @@ StaticBox read_box(Mapping& in, const std::string& default_name) {
                       box.yaw);
   box.friction =
       in.number({"friction", "Coefficient of its surface.", "0.6"}, "1", kFriction, box.friction);
+  Mapping loss = in.mapping({"radio_loss",
+                             "Of a frame that passes through it, with "
+                             "`obstacles: true` of the radio."});
+  FieldReader reader(loss);
+  loss_keys(reader, box.radio_loss);
+  loss.finish();
   in.finish();
   return box;
 }
@@ -73,6 +89,11 @@ void write_box(Writer& out, const StaticBox& box) {
   out.numbers("position", {box.centre.x, box.centre.y}, "m");
   out.number("yaw", box.yaw, "rad");
   out.number("friction", box.friction, "1");
+  ObstacleLoss loss = box.radio_loss;
+  FieldWriter writer(out);
+  out.open("radio_loss");
+  loss_keys(writer, loss);
+  out.close();
   out.close();
 }
 

@@ -55,6 +55,11 @@ double share_inside(const Shape& shape, const Vec3& from, const Vec3& slope) {
 
 }  // namespace
 
+double length_inside(const Shape& shape, const Vec3& from, const Vec3& to) {
+  const Vec3 slope = to - from;
+  return share_inside(shape, from, slope) * std::sqrt(dot(slope, slope));
+}
+
 class LineOfSight::Implementation {
  public:
   explicit Implementation(const physics::World& world)
@@ -63,6 +68,7 @@ class LineOfSight::Implementation {
   std::vector<Shape> walls;
   ShapeTree tree;
   std::vector<std::size_t> candidates;
+  std::vector<Wall> crossed;
 };
 
 LineOfSight::LineOfSight(const physics::World& world)
@@ -70,18 +76,24 @@ LineOfSight::LineOfSight(const physics::World& world)
 
 LineOfSight::~LineOfSight() = default;
 
-Crossing LineOfSight::between(const Vec3& from, const Vec3& to) const {
-  const Vec3 slope = to - from;
-  const double length = std::sqrt(dot(slope, slope));
-  auto& candidates = implementation_->candidates;
+std::span<const LineOfSight::Wall> LineOfSight::walls_between(const Vec3& from,
+                                                              const Vec3& to) const {
+  auto& [walls, tree, candidates, crossed] = *implementation_;
   candidates.clear();
-  if (length > 0) implementation_->tree.along(from, to, candidates);
-  Crossing crossing;
+  crossed.clear();
+  if (from != to) tree.along(from, to, candidates);
   for (const std::size_t index : candidates) {
-    const double share = share_inside(implementation_->walls[index], from, slope);
-    if (share <= 0) continue;
+    const double length = length_inside(walls[index], from, to);
+    if (length > 0) crossed.push_back({index, length});
+  }
+  return crossed;
+}
+
+Crossing LineOfSight::between(const Vec3& from, const Vec3& to) const {
+  Crossing crossing;
+  for (const Wall& wall : walls_between(from, to)) {
     ++crossing.walls;
-    crossing.thickness += share * length;
+    crossing.thickness += wall.thickness;
   }
   return crossing;
 }

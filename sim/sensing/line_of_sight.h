@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <memory>
+#include <span>
 
 #include "hal/types/geometry.h"
 #include "sim/physics/world.h"
@@ -13,6 +15,9 @@ struct Crossing {
   double thickness = 0;  ///< m inside walls, together.
 };
 
+/// m of the way from one point to another inside a shape. World frame, m.
+double length_inside(const physics::Shape& shape, const hal::Vec3& from, const hal::Vec3& to);
+
 /// Counts the fixed things between two points, for radio obstacles. Bodies of agents do not count.
 class LineOfSight {
  public:
@@ -24,6 +29,14 @@ class LineOfSight {
 
   /// @param from, to  m, world frame. Touching a surface without entering it is no crossing.
   Crossing between(const hal::Vec3& from, const hal::Vec3& to) const;
+
+  /// One wall that the line passes through.
+  struct Wall {
+    std::size_t index;  ///< Among the walls, in the order in which they were added to the world.
+    double thickness;   ///< m inside it.
+  };
+  /// The same one by one. Good until the next call.
+  std::span<const Wall> walls_between(const hal::Vec3& from, const hal::Vec3& to) const;
 
  private:
   class Implementation;

@@ -45,15 +45,16 @@ TEST(PowerLaw, ExponentActsOnTheDistanceOnly) {
   waves_of(config)->propagation.path_loss_exponent = 4;
   const Propagation fourth(config, free_air);
   const Propagation second(replica(), free_air);
-  const double at_10 = fourth.arrival(kSent, {}, {10, 0, 0}).power.value;
-  EXPECT_NEAR(at_10 * 1e4, second.arrival(kSent, {}, {1, 0, 0}).power.value, 1e-15);  // mW
+  const double at_10 = fourth.arrival(kSent, hal::Vec3{}, hal::Vec3{10, 0, 0}).power.value;
+  EXPECT_NEAR(at_10 * 1e4, second.arrival(kSent, hal::Vec3{}, hal::Vec3{1, 0, 0}).power.value,
+              1e-15);  // mW
 }
 
 TEST(PowerLaw, NeverGivesMoreThanWasSent) {
   const Wall free_air;
   const Propagation propagation(replica(), free_air);
-  EXPECT_EQ(propagation.arrival(kSent, {}, {}).power, kSent);
-  EXPECT_EQ(propagation.arrival(kSent, {}, {1e-4, 0, 0}).power, kSent);
+  EXPECT_EQ(propagation.arrival(kSent, hal::Vec3{}, hal::Vec3{}).power, kSent);
+  EXPECT_EQ(propagation.arrival(kSent, hal::Vec3{}, hal::Vec3{1e-4, 0, 0}).power, kSent);
 }
 
 /// 25 motes, 125 m apart.

@@ -30,7 +30,8 @@ world:
   physics:
     {step: 5 ms, gravity: 1.62 m/s^2, erp: 0.3, cfm: 1e-7, surface_layer: 0.2 mm,
      max_correcting_velocity: 0.2 m/s, ground_friction: 0.4, jam_contacts: 9, jam_robots: 5}
-  walls: [{name: w, size: [1 m, 2 m, 3 m], position: [4 m, 5 m], yaw: 10 deg, friction: 0.7}]
+  walls: [{name: w, size: [1 m, 2 m, 3 m], position: [4 m, 5 m], yaw: 10 deg, friction: 0.7,
+           radio_loss: {per_crossing: 15 dB, per_metre: 2 dB/m}}]
   boxes: [{size: [1 m, 1 m, 0.1 m], position: [-4 m, -5 m]}]
 radio:
   profile: mobility_framework
@@ -39,6 +40,14 @@ radio:
   path_loss_exponent: 2.5
   propagation_delay: true
   obstacles: true
+  antenna_height: 1.5 m
+  body_loss_per_crossing: 5 dB
+  body_loss_per_metre: 10 dB/m
+  propagation:
+    - {model: log_distance, reference_loss: 40 dB, reference_distance: 2 m, exponent: 2.7}
+    - {model: shadowing, sigma: 7 dB, decorrelation_distance: 9 m}
+    - {model: nakagami, m_near: 4, m_middle: 3, m_far: 2, middle_from: 50 m, far_from: 60 m,
+       scatterer_speed: 0.5 m/s}
   sensitivity: -84 dBm
   interference_floor: -100 dBm
   noise_floor: -109.5 dBm
@@ -74,7 +83,7 @@ agents:
     name: x0{}
     address: 300
     mote: {model: brick, size: [1 cm, 2 cm, 3 cm], mass: 7 g, friction: 0.1}
-    radio: {tx_power: 0.5 mW}
+    radio: {tx_power: 0.5 mW, antenna_height: 30 cm}
     grid: {columns: 2, rows: 2, spacing: [1 m, 2 m], origin: [-1 m, -1 m], yaw: 5 deg}
     controller:
       program: help_mote
@@ -175,6 +184,51 @@ TEST_F(Resolved, KeepsTheWorld) {
   EXPECT_EQ(c.walls[0].friction, 0.7);
   EXPECT_DOUBLE_EQ(c.walls[0].yaw, 3.14159265358979323846 / 18);
   EXPECT_EQ(c.walls[1].name, "box0");
+  EXPECT_EQ(c.walls[0].radio_loss, (ObstacleLoss{hal::Decibels{15}, 2}));
+  EXPECT_EQ(c.walls[1].radio_loss, kBrickWall);
+}
+
+TEST_F(Resolved, KeepsTheChainOfPropagation) {
+  const auto all = load(resolved_yaml(load(kEverything)));
+  const auto& c = waves_of(all.simulation.radio)->propagation;
+  EXPECT_EQ(c.antenna_height.value, 1.5);
+  EXPECT_EQ(c.body_loss, (ObstacleLoss{hal::Decibels{5}, 10}));
+  ASSERT_EQ(c.chain.size(), 3u);
+  const auto& law = std::get<radio::LogDistanceConfig>(c.chain[0]);
+  EXPECT_EQ(law.reference_loss.value, 40);
+  EXPECT_EQ(law.reference_distance.value, 2);
+  EXPECT_EQ(law.exponent, 2.7);
+  const auto& shadowing = std::get<radio::ShadowingConfig>(c.chain[1]);
+  EXPECT_EQ(shadowing.sigma.value, 7);
+  EXPECT_EQ(shadowing.decorrelation_distance.value, 9);
+  const auto& fading = std::get<radio::NakagamiConfig>(c.chain[2]);
+  EXPECT_EQ(fading.m_near, 4);
+  EXPECT_EQ(fading.m_middle, 3);
+  EXPECT_EQ(fading.m_far, 2);
+  EXPECT_EQ(fading.middle_from.value, 50);
+  EXPECT_EQ(fading.far_from.value, 60);
+  EXPECT_EQ(fading.scatterer_speed, 0.5);
+}
+
+TEST_F(Resolved, KeepsTheOtherEntriesOfAChain) {
+  const auto chain = [this](const std::string& entries) {
+    const std::string text =
+        "version: 1\nend: [{at: 1 s}]\nradio: {profile: ieee80211b, "
+        "propagation: [" +
+        entries +
+        "]}\nagents: {m: {mote: {size: [1 cm, 1 cm, "
+        "1 cm], mass: 1 g}, controller: {program: help_mote}}}\n";
+    return waves_of(load(resolved_yaml(load(text))).simulation.radio)->propagation.chain;
+  };
+  EXPECT_TRUE(std::holds_alternative<radio::FriisConfig>(chain("{model: friis}").at(0)));
+  EXPECT_TRUE(
+      std::holds_alternative<radio::TwoRayGroundConfig>(chain("{model: two_ray_ground}").at(0)));
+  EXPECT_TRUE(std::holds_alternative<radio::PowerLawConfig>(chain("").at(0)));
+  const auto rician = chain("{model: power_law}, {model: rician, k: 3 dB, scatterer_speed: 2 m/s}");
+  EXPECT_EQ(std::get<radio::RicianConfig>(rician.at(1)).k.value, 3);
+  EXPECT_EQ(std::get<radio::RicianConfig>(rician.at(1)).scatterer_speed, 2);
+  const auto rayleigh = chain("{model: friis}, {model: rayleigh, scatterer_speed: 2 m/s}");
+  EXPECT_EQ(std::get<radio::RayleighConfig>(rayleigh.at(1)).scatterer_speed, 2);
 }
 
 TEST_F(Resolved, KeepsTheRadiosAir) {
@@ -261,6 +315,8 @@ TEST_F(Resolved, KeepsAgentsAndTheirParameters) {
   EXPECT_EQ(all[4].id.value, 303);
   EXPECT_EQ(all[4].tx_power->value, 0.5);
   EXPECT_FALSE(all[0].tx_power) << "that of the radio";
+  EXPECT_EQ(all[4].antenna_height->value, 0.3);
+  EXPECT_FALSE(all[0].antenna_height) << "that of the radio";
   EXPECT_EQ(all[4].pose.x, 0);
   EXPECT_EQ(all[4].pose.y, 1);
   ASSERT_EQ(scenario.groups.size(), 2u);

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "sim/agents/simulation_config.h"
+#include "sim/core/cell_grid.h"
+#include "sim/core/obstacle_loss.h"
+#include "sim/physics/world.h"
+#include "sim/radio/ports.h"
+#include "sim/sensing/line_of_sight.h"
+
+namespace sim::agents {
+
+/// The world's own shapes between antennas: each wall and each body costs a loss for its crossing
+/// and one for each metre inside.
+class WorldObstacles final : public radio::Obstacles {
+ public:
+  /// @param world  outlives this; everything was added to it, walls in the order of `config`.
+  WorldObstacles(const physics::World& world, const SimulationConfig& config);
+
+  hal::Decibels loss(const hal::Vec3& from, const hal::Vec3& to) const override;
+  hal::Decibels moving_loss(const End& from, const End& to) const override;
+
+ private:
+  void follow() const;
+  void collect(const hal::Vec3& from, const hal::Vec3& to) const;
+
+  const physics::World& world_;
+  sensing::LineOfSight line_of_sight_;
+  std::vector<ObstacleLoss> walls_;  ///< By wall.
+  ObstacleLoss body_;
+  std::vector<hal::AgentId> agents_;
+  std::vector<std::uint32_t> index_;  ///< In agents_, by address.
+  double largest_ = 0;                ///< Radius of a body round its origin, seen from above, m.
+  mutable CellGrid grid_;             ///< Of agents_, by origin.
+  mutable std::optional<std::uint64_t> followed_;  ///< Physics step up to which the grid is right.
+  mutable std::vector<std::uint32_t> near_;
+};
+
+}  // namespace sim::agents

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "hal/types/quantity.h"
+
+namespace sim {
+
+/// What a radio wave loses in a thing that it passes through.
+struct ObstacleLoss {
+  hal::Decibels per_crossing{};  ///< >= 0
+  double per_metre = 0;          ///< dB per metre of the way inside, >= 0
+
+  constexpr bool operator==(const ObstacleLoss&) const = default;
+  constexpr bool is_none() const { return per_crossing.value == 0 && per_metre == 0; }
+};
+
+/// Of the walls of buildings: C. Sommer, D. Eckhoff, R. German, F. Dressler, "A Computationally
+/// Inexpensive Empirical Model of IEEE 802.11p Radio Shadowing in Urban Environments", WONS 2011,
+/// table II.
+inline constexpr ObstacleLoss kBrickWall{hal::Decibels{9.0}, 0.4};
+
+}  // namespace sim

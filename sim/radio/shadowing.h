@@ -1,0 +1,32 @@
+#pragma once
+
+#include "sim/radio/path_loss.h"
+#include "sim/radio/path_loss_config.h"
+
+namespace sim::radio {
+
+/// Log-normal shadowing, frozen for each link as long as its ends stay: X dB, normal with mean 0
+/// and standard deviation sigma, cut at 3 sigma. Where one end goes from p to p' the correlation
+/// is exp(-|p' - p| / d) (M. Gudmundson, "Correlation model for shadow fading in mobile radio
+/// systems", Electronics Letters 27(23), 1991); where both move it is the product of the two
+/// (Z. Wang, E. K. Tameh, A. R. Nix, "Joint shadowing process in urban peer-to-peer radio
+/// channels", IEEE Trans. Veh. Technol. 57(1), 2008). The same in both directions.
+///
+/// X is a function of the two places, not of the way there: a sum of cosines over both, their wave
+/// vectors drawn from the spectrum of the exponential in the plane, 1 / (1 + k^2 d^2)^(3/2), from
+/// the stream of the link.
+class Shadowing final : public PathLoss {
+ public:
+  explicit Shadowing(const ShadowingConfig& config)
+      : sigma_(config.sigma.value), distance_(config.decorrelation_distance.value) {}
+
+  hal::Milliwatts after(hal::Milliwatts power, const Path& path) const override;
+  double reach(hal::Milliwatts power, hal::Milliwatts least) const override;
+  double most_gain() const override;
+
+ private:
+  double sigma_;     ///< dB
+  double distance_;  ///< m
+};
+
+}  // namespace sim::radio

@@ -1,0 +1,60 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "sim/radio/distance_laws.h"
+
+namespace sim::radio::test {
+namespace {
+
+constexpr double kLambda = 299792458.0 / 2.412e9;  // m
+constexpr hal::Milliwatts kSent{40};
+constexpr double kPi = 3.14159265358979323846;
+
+double left_in_db(const PathLoss& loss, const Site& from, const Site& to) {
+  return 10 * std::log10(loss.after(kSent, Path(from, to)).value / kSent.value);
+}
+
+// Heights 1.5 m: crossover at 4 pi 1.5^2 / lambda = 227.5 m. Below it Friis, 20 log10(lambda / 4 pi
+// d); beyond it 20 log10(ht hr) - 40 log10(d); d from antenna to antenna. dB, rounding only.
+TEST(TwoRayGround, FollowsItsClosedFormAtTwelveDistances) {
+  const TwoRayGround loss{hal::Metres{kLambda}};
+  for (const double d :
+       {1.0, 5.0, 20.0, 50.0, 100.0, 200.0, 227.0, 228.0, 300.0, 500.0, 1e3, 5e3}) {
+    const double friis = 20 * std::log10(kLambda / (4 * kPi * d));
+    const double rays = 20 * std::log10(1.5 * 1.5) - 40 * std::log10(d);
+    EXPECT_NEAR(left_in_db(loss, Site({0, 0, 0}, 1.5), Site({d, 0, 0}, 1.5)),
+                d < 227.5 ? friis : rays, 1e-9)
+        << d << " m";
+  }
+}
+
+TEST(TwoRayGround, TakesTheHeightsOfTheAntennas) {
+  const TwoRayGround loss{hal::Metres{kLambda}};
+  const double d = std::sqrt(1e6 + 9);  // 1 km away and 3 m higher
+  const double rays = 20 * std::log10(2.0 * 5.0) - 40 * std::log10(d);
+  EXPECT_NEAR(left_in_db(loss, Site({0, 0, 1}, 1), Site({1000, 0, 0}, 5)), rays, 1e-9);
+  EXPECT_EQ(loss.after(kSent, Path(Site({0, 0, 0}), Site({5, 0, 0}, 1.5))).value, 0);
+}
+
+// 46.6777 dB + 30 log10(d): at 51.3 m with 16.0206 dBm that is -81.96 dBm, where ns-3's detector
+// (-82 dBm) ends the range of every DSSS rate (range_ns3.csv).
+TEST(LogDistance, GivesNs3sLossesAndItsOwnReach) {
+  const LogDistance loss{LogDistanceConfig{}};
+  for (const double d : {1.0, 2.0, 10.0, 51.3, 192.4}) {
+    EXPECT_NEAR(left_in_db(loss, Site({}), Site({d, 0, 0})), -46.6777 - 30 * std::log10(d), 1e-9);
+  }
+  EXPECT_NEAR(left_in_db(loss, Site({}), Site({0.2, 0, 0})), -46.6777, 1e-9);
+  const hal::Milliwatts least{std::pow(10, -8.2)};
+  EXPECT_NEAR(loss.reach(hal::Milliwatts{std::pow(10, 1.60206)}, least),
+              std::pow(10, (16.0206 + 82 - 46.6777) / 30), 1e-9);  // 51.4 m
+}
+
+TEST(LogDistance, TakesItsParameters) {
+  const LogDistance loss{LogDistanceConfig{
+      .reference_loss = hal::Decibels{60}, .reference_distance = hal::Metres{10}, .exponent = 2.7}};
+  EXPECT_NEAR(left_in_db(loss, Site({}), Site({0, 100, 0})), -87, 1e-9);
+}
+
+}  // namespace
+}  // namespace sim::radio::test
