@@ -16,7 +16,7 @@ Backoff::Backoff(EventQueue& events, hal::AgentId agent, const DcfTiming& timing
 
 void Backoff::request(std::uint32_t contention_window) {
   if (wanted_) return;
-  if (!busy_) count_slots();
+  if (!busy_) count_slots(events_.now());
   wanted_ = true;
   if (busy_ && !backing_off_) {
     draw(contention_window);
@@ -33,10 +33,10 @@ void Backoff::draw(std::uint32_t contention_window) {
 
 void Backoff::on_busy(std::uint32_t contention_window) {
   if (busy_) return;
-  // A frame that starts in the very slot where this backoff ends cannot be sensed in time: both
-  // stations transmit and the frames collide.
-  const bool too_late = events_.is_pending(access_) && access_at_ == events_.now();
-  if (!too_late) count_slots();
+  // Two stations whose backoffs end in one slot do not sense each other: their frames collide.
+  const hal::Time sensed = events_.now() + timing_.cca_time;
+  const bool too_late = events_.is_pending(access_) && access_at_ <= sensed;
+  if (!too_late) count_slots(sensed);
   busy_ = true;
   if (too_late) return;
   events_.cancel(access_);
@@ -69,14 +69,14 @@ hal::Time Backoff::counting_from() const {
 }
 
 /// Only whole idle slots after the interframe space count; a slot cut short is counted again later.
-void Backoff::count_slots() {
-  const hal::Duration counted = events_.now() - counting_from();
+void Backoff::count_slots(hal::Time until) {
+  const hal::Duration counted = until - counting_from();
   if (!backing_off_ || counted < hal::Duration{}) return;
   const std::int64_t passed = counted / timing_.slot;
   if (passed >= slots_ && !wanted_) backing_off_ = false;
   // Counting goes on from the slot boundary, so what has been counted is not counted twice.
   slots_ -= std::min(slots_, passed);
-  idle_since_ = events_.now() - counted % timing_.slot - timing_.difs;
+  idle_since_ = until - counted % timing_.slot - timing_.difs;
 }
 
 void Backoff::schedule() {

@@ -37,8 +37,10 @@ class ContentionWindow {
 ///      +--------------- all slots counted: on_access(), if wanted -+
 ///
 /// A station that wants the medium and finds it idle for long enough gets it at once; if it finds
-/// it busy, it draws a backoff. Slots are counted lazily: there is one event, at the end, and only
-/// while somebody wants the medium.
+/// it busy, it draws a backoff. What begins within the CCA time before a slot boundary is not
+/// noticed there (10.3.7): the slot counts as idle, and who is to send at the boundary does so.
+/// Slots are counted lazily: there is one event, at the end, and only while somebody wants the
+/// medium.
 class Backoff {
  public:
   Backoff(EventQueue& events, hal::AgentId agent, const DcfTiming& timing, hal::RandomStream random,
@@ -66,7 +68,7 @@ class Backoff {
 
  private:
   hal::Time counting_from() const;
-  void count_slots();
+  void count_slots(hal::Time until);
   void schedule();
 
   EventQueue& events_;

@@ -6,13 +6,13 @@
 
 namespace sim::radio {
 
-DcfMac::DcfMac(const Context& context, const Ieee80211bConfig& config, Radio& radio,
+DcfMac::DcfMac(const Context& context, const DcfConfig& config, Radio& radio,
                hal::RandomStream backoff)
     : MacBase(context),
       config_(config),
       radio_(radio),
       frames_(context.lengths, context.modes, context.agent),
-      timing_(config.contention, context.lengths, context.modes),
+      timing_(config, context.modes),
       backoff_(context.events, context.agent, timing_, backoff, *this),
       window_(config.contention.cw_min, config.contention.cw_max),
       retries_(config.contention.short_retry_limit, config.long_retry_limit),
@@ -35,11 +35,12 @@ void DcfMac::set_radio(bool on) {
     events().cancel(*event);
   }
   state_ = State::kIdle;
+  awaiting_ = false;
   answer_.reset();
   nav_.reset();
   last_was_wrong_ = false;
   window_.reset();
-  retries_ = RetryCounters(config_.contention.short_retry_limit, config_.long_retry_limit);
+  retries_.reset();
   backoff_.reset(radio_.state() != Radio::State::kIdle);
   for (Outgoing& outgoing : queue_.take_all()) {
     report_later(std::move(outgoing.request), hal::Verdict::kRadioOff);
@@ -66,12 +67,19 @@ void DcfMac::set_nav(const Frame& frame) {
   events().cancel(nav_reset_);
   nav_end_ = events().schedule(nav_.until(), Rank::kRadio, agent(), [this] { update_medium(); });
   if (frame.type == FrameType::kRts) {
-    nav_reset_ = events().schedule(now() + timing_.nav_reset, Rank::kRadio, agent(), [this] {
-      events().cancel(nav_end_);
-      nav_.reset();
-      update_medium();
-    });
+    const hal::Time since = now();
+    nav_reset_ =
+        events().schedule(since + timing_.nav_reset(modes().response_to(*frame.mode)), Rank::kRadio,
+                          agent(), [this, since] { reset_nav_unless_used(since); });
   }
+}
+
+/// 10.3.2.4: no PHY-RXSTART has come since the RTS.
+void DcfMac::reset_nav_unless_used(hal::Time since) {
+  if (radio_.has_received_since(since)) return;
+  events().cancel(nav_end_);
+  nav_.reset();
+  update_medium();
 }
 
 void DcfMac::ask_for_medium() {
@@ -98,18 +106,21 @@ void DcfMac::on_transmit_end(const Frame& frame) {
   update_medium();
   if (state_ == State::kBroadcasting) return succeed();
   if (frame.type != FrameType::kRts && frame.type != FrameType::kData) return;
-  no_answer_ = events().schedule(now() + timing_.response_timeout, Rank::kRadio, agent(),
-                                 [this] { on_no_answer(); });
+  awaiting_ = true;
+  const hal::Duration timeout = timing_.response_timeout(modes().response_to(*frame.mode));
+  no_answer_ =
+      events().schedule(now() + timeout, Rank::kRadio, agent(), [this] { on_no_answer(); });
 }
 
-/// A frame that is coming in may be the answer; then its end decides (10.3.2.9).
+/// If PHY-RXSTART has come, the frame may be the answer, and its end decides (10.3.2.9).
 void DcfMac::on_no_answer() {
-  if (!radio_.is_receiving()) fail();
+  const bool has_begun = radio_.is_receiving();
+  if (awaiting_ && !has_begun) fail();
 }
 
 void DcfMac::fail() {
   events().cancel(no_answer_);
-  events().cancel(sifs_);
+  awaiting_ = false;
   const bool after_rts = state_ == State::kWaitAck && uses_rts();
   const auto kind = after_rts ? RetryCounters::Kind::kLong : RetryCounters::Kind::kShort;
   state_ = State::kIdle;
@@ -124,9 +135,7 @@ void DcfMac::fail() {
 
 void DcfMac::succeed() {
   events().cancel(no_answer_);
-  if (state_ == State::kWaitAck) {
-    retries_.succeed(uses_rts() ? RetryCounters::Kind::kLong : RetryCounters::Kind::kShort);
-  }
+  awaiting_ = false;
   state_ = State::kIdle;
   report(end_service(true), hal::Verdict::kDelivered);
 }
@@ -135,6 +144,7 @@ MacRequest DcfMac::end_service(bool count_time) {
   if (count_time) learn_service_time(now() - queue_.head_since());
   MacRequest done = queue_.pop(now());
   window_.reset();
+  retries_.reset();
   backoff_.draw(window_.value());
   ask_for_medium();
   return done;
@@ -148,15 +158,18 @@ bool DcfMac::uses_rts() {
 FramePtr DcfMac::make_rts() {
   const MacRequest& request = queue_.head().request;
   return frames_.rts(request.destination,
-                     3 * timing_.sifs + frames_.control_airtime(FrameType::kCts) +
-                         frames_.data_airtime(request) + frames_.control_airtime(FrameType::kAck));
+                     3 * timing_.sifs +
+                         frames_.response_airtime(FrameType::kCts, modes().control()) +
+                         frames_.data_airtime(request) +
+                         frames_.response_airtime(FrameType::kAck, frames_.data_mode(request)));
 }
 
 FramePtr DcfMac::make_data() {
   Outgoing& head = queue_.head();
-  const hal::Duration follows = head.is_broadcast()
-                                    ? hal::Duration{}
-                                    : timing_.sifs + frames_.control_airtime(FrameType::kAck);
+  const hal::Duration follows =
+      head.is_broadcast() ? hal::Duration{}
+                          : timing_.sifs + frames_.response_airtime(
+                                               FrameType::kAck, frames_.data_mode(head.request));
   const bool retry = std::exchange(head.sent, true);
   return frames_.data(head.request,
                       {.sequence = head.sequence, .retry = retry, .duration = follows});
@@ -166,9 +179,10 @@ void DcfMac::on_receive(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
   last_was_wrong_ = false;
   backoff_.hold_until({});
   const bool for_us = frame.receiver == agent();
-  const bool awaited = for_us && ((state_ == State::kWaitCts && frame.type == FrameType::kCts) ||
-                                  (state_ == State::kWaitAck && frame.type == FrameType::kAck));
-  if (!awaited && (state_ == State::kWaitCts || state_ == State::kWaitAck)) fail();
+  const bool awaited = awaiting_ && for_us &&
+                       ((state_ == State::kWaitCts && frame.type == FrameType::kCts) ||
+                        (state_ == State::kWaitAck && frame.type == FrameType::kAck));
+  if (!awaited && awaiting_) fail();
   if (for_us) {
     if (awaited || frame.type == FrameType::kRts || frame.type == FrameType::kData) {
       on_unicast(frame, rssi, snr);
@@ -180,9 +194,10 @@ void DcfMac::on_receive(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
   }
 }
 
-void DcfMac::on_receive_error(ReceiveError) {
+void DcfMac::on_receive_error(ReceiveError error) {
   last_was_wrong_ = true;
-  if (state_ == State::kWaitCts || state_ == State::kWaitAck) fail();
+  // Without PHY-RXSTART the timeout goes on.
+  if (error != ReceiveError::kHeader && awaiting_) fail();
 }
 
 void DcfMac::on_unicast(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
@@ -190,9 +205,10 @@ void DcfMac::on_unicast(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
     case FrameType::kRts:
       // Somebody near us has reserved the medium: no answer (10.3.2.7).
       if (nav_.is_set(now())) return;
-      return answer(frames_.cts(frame.transmitter, frame.duration, timing_.sifs));
+      return answer(frames_.cts(frame, timing_.sifs));
     case FrameType::kCts:
       events().cancel(no_answer_);
+      awaiting_ = false;
       retries_.succeed(RetryCounters::Kind::kShort);
       state_ = State::kWaitAck;
       return answer(make_data());
@@ -204,7 +220,7 @@ void DcfMac::on_unicast(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
 }
 
 void DcfMac::on_data(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
-  answer(frames_.ack(frame.transmitter));
+  answer(frames_.ack(frame));
   if (duplicates_.is_duplicate(frame.transmitter, frame.sequence, frame.retry)) return;
   hand_up(frame, rssi, snr);
 }

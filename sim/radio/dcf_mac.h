@@ -30,8 +30,7 @@ namespace sim::radio {
 class DcfMac final : public MacBase, public RadioListener, private AccessListener {
  public:
   /// @param config  outlives it.
-  DcfMac(const Context& context, const Ieee80211bConfig& config, Radio& radio,
-         hal::RandomStream backoff);
+  DcfMac(const Context& context, const DcfConfig& config, Radio& radio, hal::RandomStream backoff);
 
   MacCapabilities capabilities() const override { return {.tx_status = true, .rssi = true}; }
   void transmit(const MacRequest& request) override;
@@ -46,7 +45,7 @@ class DcfMac final : public MacBase, public RadioListener, private AccessListene
 
   void on_medium_busy() override { update_medium(); }
   void on_medium_idle() override;
-  void on_receive_start() override { events().cancel(nav_reset_); }
+  void on_receive_start() override {}
   void on_receive(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) override;
   void on_receive_error(ReceiveError error) override;
   void on_transmit_end(const Frame& frame) override;
@@ -55,6 +54,7 @@ class DcfMac final : public MacBase, public RadioListener, private AccessListene
   // The medium.
   void update_medium();
   void set_nav(const Frame& frame);
+  void reset_nav_unless_used(hal::Time since);
 
   // As sender.
   void ask_for_medium();
@@ -72,7 +72,7 @@ class DcfMac final : public MacBase, public RadioListener, private AccessListene
   void on_data(const Frame& frame, hal::Dbm rssi, hal::Decibels snr);
   void answer(FramePtr frame);
 
-  const Ieee80211bConfig& config_;
+  const DcfConfig& config_;
   Radio& radio_;
   FrameFactory frames_;
   DcfTiming timing_;
@@ -84,6 +84,7 @@ class DcfMac final : public MacBase, public RadioListener, private AccessListene
   DuplicateFilter duplicates_;
 
   State state_ = State::kIdle;
+  bool awaiting_ = false;        ///< Its RTS or DATA has gone out; what comes in now is the answer.
   bool last_was_wrong_ = false;  ///< The last frame came in with an error: EIFS.
   FramePtr answer_;              ///< Goes out at the end of the SIFS.
   EventQueue::EventId sifs_;

@@ -9,22 +9,29 @@ namespace sim::radio {
 
 /// Intervals of the DCF (IEEE Std 802.11-2016, 10.3.2.3 and 10.3.2.4).
 struct DcfTiming {
-  DcfTiming(const ContentionConfig& mac, const LengthsConfig& lengths, const ModeSet& modes)
-      : slot(mac.slot), sifs(mac.sifs), difs(mac.sifs + 2 * mac.slot) {
-    const PhyMode& control = modes.control();
-    const hal::Duration rx_start_delay = control.preamble_and_header();
-    eifs = sifs + modes.lowest().airtime(mpdu_bits(lengths, FrameType::kAck)) + difs;
-    response_timeout = sifs + slot + rx_start_delay;
-    const hal::Duration cts = control.airtime(mpdu_bits(lengths, FrameType::kCts));
-    nav_reset = 2 * sifs + cts + rx_start_delay + 2 * slot;
+  DcfTiming(const DcfConfig& config, const ModeSet& modes)
+      : slot(config.contention.slot),
+        sifs(config.contention.sifs),
+        difs(config.contention.sifs + 2 * config.contention.slot),
+        eifs(sifs + modes.lowest().airtime(mpdu_bits(config.lengths, FrameType::kAck)) + difs),
+        cca_time(config.cca_time),
+        cts_bits(mpdu_bits(config.lengths, FrameType::kCts)) {}
+
+  /// From the end of RTS or DATA to the PHY-RXSTART of a CTS or ACK that is sent so (10.3.2.9).
+  hal::Duration response_timeout(const PhyMode& response) const {
+    return sifs + slot + response.preamble_and_header();
+  }
+  /// No PHY-RXSTART so long after an RTS that a CTS in this mode answers: its NAV is void.
+  hal::Duration nav_reset(const PhyMode& cts) const {
+    return 2 * sifs + cts.airtime(cts_bits) + cts.preamble_and_header() + 2 * slot;
   }
 
   hal::Duration slot;
   hal::Duration sifs;
   hal::Duration difs;
-  hal::Duration eifs{};              ///< After a frame that came in wrong.
-  hal::Duration response_timeout{};  ///< From the end of RTS or DATA to the start of CTS or ACK.
-  hal::Duration nav_reset{};         ///< Nothing came in this long after an RTS: its NAV is void.
+  hal::Duration eifs;      ///< After a frame that came in wrong.
+  hal::Duration cca_time;  ///< What begins within it before a slot boundary is not noticed there.
+  std::uint32_t cts_bits;
 };
 
 }  // namespace sim::radio

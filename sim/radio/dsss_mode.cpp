@@ -5,7 +5,6 @@
 namespace sim::radio {
 namespace {
 
-constexpr hal::BitsPerSecond kHeaderRate{1e6};
 constexpr double kHeaderBits = 48;
 constexpr std::int64_t kNsPerSecond = 1'000'000'000;
 
@@ -29,6 +28,7 @@ bool is_short(hal::BitsPerSecond rate, Preamble preamble) {
 DsssMode::DsssMode(hal::BitsPerSecond rate, const Options& options)
     : PhyMode(rate, is_short(rate, options.preamble) ? 72us : 144us,
               is_short(rate, options.preamble) ? 24us : 48us),
+      header_rate_(is_short(rate, options.preamble) ? 2e6 : 1e6),
       rounding_(options.rounding),
       errors_(options.errors) {}
 
@@ -41,7 +41,7 @@ hal::Duration DsssMode::airtime(std::uint32_t mpdu_bits) const {
 }
 
 double DsssMode::header_success(double sinr, double share) const {
-  return success_probability(errors_, sinr, kHeaderRate, share * kHeaderBits);
+  return success_probability(errors_, sinr, header_rate_, share * kHeaderBits);
 }
 
 double DsssMode::success(double sinr, double bits) const {

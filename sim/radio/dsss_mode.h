@@ -8,7 +8,7 @@ namespace sim::radio {
 /// DSSS and HR/DSSS: IEEE Std 802.11-2016, clauses 15 and 16.
 ///
 /// Preamble and PLCP header take 144 us and 48 us, with the short format 72 us and 24 us (16.2.2);
-/// at 1 Mb/s the format is always the long one.
+/// at 1 Mb/s the format is always the long one. The header is at 1 Mb/s, the short one at 2 Mb/s.
 class DsssMode final : public PhyMode {
  public:
   struct Options {
@@ -19,11 +19,13 @@ class DsssMode final : public PhyMode {
   /// @pre rate is 1, 2, 5.5 or 11 Mb/s.
   DsssMode(hal::BitsPerSecond rate, const Options& options);
 
+  ModulationClass modulation_class() const override { return ModulationClass::kDsss; }
   hal::Duration airtime(std::uint32_t mpdu_bits) const override;  ///< 16.3.4.
   double header_success(double sinr, double share) const override;
   double success(double sinr, double bits) const override;
 
  private:
+  hal::BitsPerSecond header_rate_;
   Rounding rounding_;
   ErrorModel errors_;
 };

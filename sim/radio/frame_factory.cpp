@@ -27,23 +27,27 @@ void FrameFactory::send_in(const PhyMode& mode, std::uint32_t bits, Frame& frame
   frame.airtime = mode.airtime(bits);
 }
 
-FramePtr FrameFactory::control(FrameType type, hal::AgentId to, hal::Duration duration) {
+FramePtr FrameFactory::control(FrameType type, const PhyMode& mode, hal::AgentId to,
+                               hal::Duration duration) {
   auto frame = blank(type, to);
   frame->duration = duration;
-  send_in(modes_.control(), mpdu_bits(lengths_, type), *frame);
+  send_in(mode, mpdu_bits(lengths_, type), *frame);
   return frame;
 }
 
 FramePtr FrameFactory::rts(hal::AgentId to, hal::Duration duration) {
-  return control(FrameType::kRts, to, duration);
+  return control(FrameType::kRts, modes_.control(), to, duration);
 }
 
-FramePtr FrameFactory::cts(hal::AgentId to, hal::Duration duration, hal::Duration sifs) {
-  const hal::Duration spent = sifs + control_airtime(FrameType::kCts);
-  return control(FrameType::kCts, to, std::max(hal::Duration{}, duration - spent));
+FramePtr FrameFactory::cts(const Frame& rts, hal::Duration sifs) {
+  const hal::Duration spent = sifs + response_airtime(FrameType::kCts, *rts.mode);
+  return control(FrameType::kCts, modes_.response_to(*rts.mode), rts.transmitter,
+                 std::max(hal::Duration{}, rts.duration - spent));
 }
 
-FramePtr FrameFactory::ack(hal::AgentId to) { return control(FrameType::kAck, to, {}); }
+FramePtr FrameFactory::ack(const Frame& data) {
+  return control(FrameType::kAck, modes_.response_to(*data.mode), data.transmitter, {});
+}
 
 FramePtr FrameFactory::data(const MacRequest& request, const DataOptions& options) {
   auto frame = blank(FrameType::kData, request.destination);
@@ -67,8 +71,8 @@ hal::Duration FrameFactory::data_airtime(const MacRequest& request) const {
   return data_mode(request).airtime(mpdu_bits(lengths_, FrameType::kData, request.payload->size()));
 }
 
-hal::Duration FrameFactory::control_airtime(FrameType type) const {
-  return modes_.control().airtime(mpdu_bits(lengths_, type));
+hal::Duration FrameFactory::response_airtime(FrameType type, const PhyMode& to) const {
+  return modes_.response_to(to).airtime(mpdu_bits(lengths_, type));
 }
 
 }  // namespace sim::radio

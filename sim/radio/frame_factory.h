@@ -23,18 +23,19 @@ class FrameFactory {
 
   /// @param duration  what follows the RTS.
   FramePtr rts(hal::AgentId to, hal::Duration duration);
-  /// @param duration  of the RTS; the CTS and the SIFS before it are taken off.
-  FramePtr cts(hal::AgentId to, hal::Duration duration, hal::Duration sifs);
-  FramePtr ack(hal::AgentId to);
+  /// Answers to an RTS, and to a data frame. The duration is the RTS's without CTS and SIFS.
+  FramePtr cts(const Frame& rts, hal::Duration sifs);
+  FramePtr ack(const Frame& data);
 
+  const PhyMode& data_mode(const MacRequest& request) const;
   hal::Duration data_airtime(const MacRequest& request) const;
-  hal::Duration control_airtime(FrameType type) const;
+  /// Of the CTS or ACK that answers a frame sent in this mode.
+  hal::Duration response_airtime(FrameType type, const PhyMode& to) const;
 
  private:
   std::shared_ptr<Frame> blank(FrameType type, hal::AgentId to);
-  const PhyMode& data_mode(const MacRequest& request) const;
   static void send_in(const PhyMode& mode, std::uint32_t bits, Frame& frame);
-  FramePtr control(FrameType type, hal::AgentId to, hal::Duration duration);
+  FramePtr control(FrameType type, const PhyMode& mode, hal::AgentId to, hal::Duration duration);
 
   const LengthsConfig& lengths_;
   const ModeSet& modes_;

@@ -54,6 +54,7 @@ class MacBase : public MacSap {
   virtual std::size_t queued() const = 0;
 
   EventQueue& events() const { return events_; }
+  const ModeSet& modes() const { return modes_; }
   const LengthsConfig& lengths() const { return lengths_; }
   RadioObserver& observer() const { return observer_; }
   hal::AgentId agent() const { return agent_; }

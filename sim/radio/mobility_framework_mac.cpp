@@ -156,7 +156,7 @@ void MobilityFrameworkMac::on_rts(const Frame& frame) {
   if (state_ != State::kIdle && state_ != State::kContend) return;
   stop(contention_);
   data_due_ = frame.duration - airtime_of(FrameType::kAck) - 2 * config_.contention.sifs + kDelta;
-  answer(frames_.cts(frame.transmitter, frame.duration, config_.contention.sifs));
+  answer(frames_.cts(frame, config_.contention.sifs));
 }
 
 void MobilityFrameworkMac::on_cts(const Frame&) {
@@ -171,7 +171,7 @@ void MobilityFrameworkMac::on_data(const Frame& frame, hal::Dbm rssi, hal::Decib
   if (!expected) return;
   stop(timeout_);
   stop(contention_);
-  answer(frames_.ack(frame.transmitter));
+  answer(frames_.ack(frame));
   hand_up(frame, rssi, snr);
 }
 
@@ -193,7 +193,7 @@ void MobilityFrameworkMac::on_overheard(const Frame& frame) {
 }
 
 void MobilityFrameworkMac::on_receive_error(ReceiveError error) {
-  if (error == ReceiveError::kBitError) {
+  if (error != ReceiveError::kCollision) {
     keep_quiet(eifs_);
   } else if (state_ == State::kContend) {
     next_cycle();

@@ -79,7 +79,9 @@ class MobilityFrameworkMac final : public MacBase, public RadioListener {
   FramePtr make_rts();
   FramePtr make_data();
   bool uses_rts(const MacRequest& request) const;
-  hal::Duration airtime_of(FrameType type) const { return frames_.control_airtime(type); }
+  hal::Duration airtime_of(FrameType type) const {
+    return frames_.response_airtime(type, modes().control());
+  }
 
   template <class F>
   void start(Timer& timer, hal::Duration delay, F&& handler);

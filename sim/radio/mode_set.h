@@ -19,15 +19,22 @@ class ModeSet {
   const PhyMode& lowest() const { return *modes_.front(); }
   const PhyMode& data() const { return *data_; }
   const PhyMode& broadcast() const { return *broadcast_; }
-  const PhyMode& control() const { return *control_; }  ///< RTS, CTS, ACK.
+  const PhyMode& control() const { return *control_; }  ///< RTS.
+  /// Of a CTS or ACK that answers a frame sent so: DcfConfig::basic_rates, or control() without.
+  const PhyMode& response_to(const PhyMode& mode) const;
 
  private:
   void add(const WavesConfig& config);
+  void add(const DcfConfig& config);
+  void add(const Ieee80211gConfig& config);
+  void add_dsss(const WavesConfig& config);
+  void choose(const PhyConfig& config);
   void add(const DiskConfig& config);
   void add(const IdealConfig& config);
   void add_plain(hal::BitsPerSecond rate, bool is_instant);
 
   std::vector<std::unique_ptr<const PhyMode>> modes_;  ///< By rate, not empty.
+  std::vector<const PhyMode*> basic_;                  ///< Ascending rates; none: control_.
   const PhyMode *data_ = nullptr, *broadcast_ = nullptr, *control_ = nullptr;
 };
 

@@ -7,6 +7,9 @@
 
 namespace sim::radio {
 
+/// Frames are answered in their own class (IEEE Std 802.11-2016, 10.7.6.5.3).
+enum class ModulationClass : std::uint8_t { kNone, kDsss, kOfdm };
+
 /// One way to send an MPDU: its rate, and the preamble and PHY header that its frames begin with.
 /// How long such a frame is on the air, and how likely it comes in. Says nothing of a station.
 class PhyMode {
@@ -14,11 +17,17 @@ class PhyMode {
   virtual ~PhyMode() = default;
 
   hal::BitsPerSecond rate() const { return rate_; }  ///< Of the MPDU.
+  virtual ModulationClass modulation_class() const { return ModulationClass::kNone; }
+  /// Every station that has this class can receive and send this mode.
+  virtual bool is_mandatory() const { return true; }
   /// What a receiver synchronises to; then the header, in another rate than the MPDU.
   hal::Duration preamble() const { return preamble_; }
   hal::Duration preamble_and_header() const { return preamble_ + header_; }
 
-  /// TXTIME: preamble, header and an MPDU of so many bits (with FCS).
+  /// Of the airtime, what passes in silence behind the last bit.
+  virtual hal::Duration signal_extension() const { return {}; }
+
+  /// TXTIME: preamble, header and an MPDU of so many bits (with FCS), and the signal extension.
   virtual hal::Duration airtime(std::uint32_t mpdu_bits) const = 0;
 
   /// Probability that all of a share of the header, or so many bits of the MPDU, arrive when the

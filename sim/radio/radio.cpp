@@ -25,6 +25,7 @@ Radio::Radio(Air air, StationIndex index, hal::AgentId agent, hal::RandomStream 
       errors_(errors),
       cca_threshold_(to_milliwatts(air.config.cca_threshold).value),
       energy_detection_(to_milliwatts(air.config.energy_detection).value),
+      capture_window_(air.config.capture_window),
       preamble_window_(air.config.preamble_window),
       state_(air.events, State::kIdle) {
   if (air.config.capture_margin) {
@@ -133,7 +134,7 @@ bool Radio::can_capture(const Signal& signal) const {
   if (held_->start() == signal.start) {
     return signal.arrival.power.value > held_->power();
   }
-  return capture_margin_ && held_->in_header(events_.now()) &&
+  return capture_margin_ && events_.now() - held_->locked() <= capture_window_ &&
          signal.arrival.power.value >= *capture_margin_ * held_->power();
 }
 
@@ -168,9 +169,13 @@ Radio::Signal* Radio::strongest_in_window() {
 void Radio::hold(const Signal& signal) {
   held_.emplace(*signal.frame, signal.arrival.power.value, signal.start, events_.now());
   faint().keep_from(events_.now());
+  // Whoever is sensed by its power is so until its end; others only as long as they are held.
+  if (signal.arrival.power.value >= cca_threshold_) return;
+  header_look_ = events_.schedule(held_->header_end(), Rank::kRadio, agent_, [this] { hear(); });
 }
 
 void Radio::release() {
+  events_.cancel(header_look_);
   held_.reset();
   faint().keep_nothing();
 }
@@ -224,15 +229,46 @@ FaintSignals& Radio::faint() { return channel_.faint_at(index_); }
 /// is not.
 void Radio::hear() {
   if (!held_) return;
-  const Interference others = interference(held_->frame());
   const hal::Time now = events_.now();
-  while (held_->heard_until() < now) {
+  if (!held_->has_header() && held_->header_end() <= now) {
+    hear_until(held_->header_end());
+    held_->judge_header(rules_, errors_);
+    if (held_->has_wrong_header()) return lose_header();
+    last_header_ = held_->header_end();
+  }
+  hear_until(now);
+}
+
+void Radio::hear_until(hal::Time end) {
+  const Interference others = interference(held_->frame());
+  while (held_->heard_until() < end) {
     Interference all = others;
-    hal::Time until = now;
+    hal::Time until = end;
     faint().add_to(all, held_->heard_until(), until);
     held_->hear(rules_, all, until);
   }
-  faint().keep_from(now);
+  faint().keep_from(end);
+}
+
+/// The receiver is free for other frames from here on.
+void Radio::lose_header() {
+  find(held_->frame())->verdict = held_->judge(rules_, errors_).verdict;
+  release();
+  sense();
+  listener_->on_receive_error(ReceiveError::kHeader);
+  announce();
+}
+
+bool Radio::is_receiving() {
+  settle();
+  hear();
+  return held_ && held_->has_header();
+}
+
+bool Radio::has_received_since(hal::Time since) {
+  settle();
+  hear();
+  return last_header_ >= since;
 }
 
 Radio::Signal* Radio::find(const Frame& frame) {

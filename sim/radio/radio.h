@@ -50,7 +50,8 @@ class RadioListener {
 ///
 /// Every frame that the radio is told of ends in exactly one verdict, at the frame's end. What ends
 /// now is over, whichever of several events at one time comes first. Frames that are faint here are
-/// interference that the radio looks at when it needs to (FaintSignals).
+/// interference that the radio looks at when it needs to (FaintSignals). A frame whose PHY header
+/// is wrong is given up at the header's end; that, too, is looked at when somebody needs to know.
 class Radio {
  public:
   enum class State : std::uint8_t { kOff, kIdle, kReceive, kTransmit };
@@ -75,8 +76,11 @@ class Radio {
     return {state_.spent(State::kTransmit), state_.spent(State::kReceive),
             state_.spent(State::kIdle), state_.spent(State::kOff)};
   }
-  /// Synchronised to a frame.
-  bool is_receiving() const { return held_.has_value(); }
+  /// The PHY header of a frame has come in, and the frame is still coming: between PHY-RXSTART and
+  /// PHY-RXEND. May tell the listener what has ended by now.
+  bool is_receiving();
+  /// A PHY header has come in at this time or later: PHY-RXSTART.
+  bool has_received_since(hal::Time since);
 
   /// @pre on, and not transmitting. A frame that is coming in is lost.
   void transmit(FramePtr frame);
@@ -119,6 +123,8 @@ class Radio {
   Interference interference(const Frame& wanted) const;
   FaintSignals& faint();
   void hear();
+  void hear_until(hal::Time until);
+  void lose_header();
   Signal* find(const Frame& frame);
   void release();
   void sense();
@@ -138,6 +144,7 @@ class Radio {
   double cca_threshold_;     ///< mW
   double energy_detection_;  ///< mW
   std::optional<double> capture_margin_;
+  hal::Duration capture_window_;
   hal::Duration preamble_window_;
 
   TimedState<State, 4> state_;
@@ -146,8 +153,10 @@ class Radio {
   hal::Time sending_until_{};
   std::vector<Signal> signals_;  ///< By arrival.
   std::optional<Reception> held_;
-  std::optional<hal::Time> window_;  ///< Start of the open preamble window.
-  EventQueue::EventId energy_look_;  ///< At the next change of faint signals.
+  std::optional<hal::Time> window_;           ///< Start of the open preamble window.
+  hal::Time last_header_ = hal::Time::min();  ///< The end of the last one that came in.
+  EventQueue::EventId energy_look_;           ///< At the next change of faint signals.
+  EventQueue::EventId header_look_;           ///< At the end of a header that alone is sensed.
 };
 
 }  // namespace sim::radio

@@ -1,6 +1,7 @@
 #include "sim/radio/radio_config.h"
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -16,18 +17,16 @@ void require(bool holds, const char* what) {
   if (!holds) throw std::invalid_argument(std::string("radio: ") + what);
 }
 
-bool is_dsss_rate(hal::BitsPerSecond rate) {
-  return rate.value == 1e6 || rate.value == 2e6 || rate.value == 5.5e6 || rate.value == 11e6;
-}
+constexpr std::array kDsssRates{1e6, 2e6, 5.5e6, 11e6};
+constexpr std::array kOfdmRates{6e6, 9e6, 12e6, 18e6, 24e6, 36e6, 48e6, 54e6};
 
 bool is_contention_window(std::uint32_t window) {
   return window < (1u << 16) && (window & (window + 1)) == 0;
 }
 
-void check_phy(const DsssConfig& phy) {
-  require(is_dsss_rate(phy.data_rate), "data_rate must be 1, 2, 5.5 or 11 Mb/s");
-  require(is_dsss_rate(phy.control_rate), "control_rate must be 1, 2, 5.5 or 11 Mb/s");
-  require(is_dsss_rate(phy.broadcast_rate), "broadcast_rate must be 1, 2, 5.5 or 11 Mb/s");
+void check_rate(Profile profile, const char* key, hal::BitsPerSecond rate) {
+  const std::string what = std::string(key) + " must be " + rates_of(profile);
+  require(is_rate(profile, rate), what.c_str());
 }
 
 void check_chain(const std::vector<PathLossConfig>& chain) {
@@ -47,7 +46,7 @@ void check_contention(const ContentionConfig& mac) {
           "slot and sifs must be positive");
 }
 
-void check_one(const WavesConfig& config) {
+void check_waves(Profile profile, const WavesConfig& config) {
   require(config.tx_power.value > 0, "tx_power must be positive");
   require(config.propagation.wavelength.value > 0, "wavelength must be positive");
   require(config.propagation.path_loss_exponent >= 1, "path_loss_exponent must be 1 or more");
@@ -55,13 +54,30 @@ void check_one(const WavesConfig& config) {
   check_chain(config.propagation.chain);
   require(config.propagation.interference_floor <= config.receiver.sensitivity,
           "interference_floor must not be above sensitivity");
-  check_phy(config.phy);
+  check_rate(profile, "data_rate", config.phy.data_rate);
+  check_rate(profile, "control_rate", config.phy.control_rate);
+  check_rate(profile, "broadcast_rate", config.phy.broadcast_rate);
   check_contention(config.contention);
 }
 
-void check_one(const Ieee80211bConfig& config) {
-  check_one(static_cast<const WavesConfig&>(config));
+void check_dcf(Profile profile, const DcfConfig& config) {
+  check_waves(profile, config);
   require(config.long_retry_limit >= 1, "retry limits must be 1 or more");
+  require(!config.basic_rates.empty(), "basic_rates must not be empty");
+  for (const auto rate : config.basic_rates) check_rate(profile, "basic_rates", rate);
+  require(config.cca_time >= hal::Duration{} && config.cca_time < config.contention.slot,
+          "cca_time must not be negative, and shorter than the slot");
+}
+
+void check_one(const MobilityFrameworkConfig& config) {
+  check_waves(Profile::kMobilityFramework, config);
+}
+
+void check_one(const Ieee80211bConfig& config) { check_dcf(Profile::kIeee80211b, config); }
+
+void check_one(const Ieee80211gConfig& config) {
+  check_dcf(Profile::kIeee80211g, config);
+  require(config.receiver.error_model == ErrorModel::kDsss, "error_model must be dsss");
 }
 
 void check_one(const DiskConfig& config) {
@@ -77,7 +93,7 @@ void check_one(const IdealConfig& config) {
 
 }  // namespace
 
-Ieee80211bConfig::Ieee80211bConfig() {
+DcfConfig::DcfConfig() {
   tx_power = hal::Milliwatts{40};
   propagation = {.wavelength = hal::Metres{299792458.0 / 2.412e9},  // channel 1
                  .propagation_delay = true,
@@ -85,7 +101,7 @@ Ieee80211bConfig::Ieee80211bConfig() {
   receiver = {.sensitivity = hal::Dbm{-82},
               .noise_floor = hal::Dbm{-93.97},  // 20 MHz at 290 K, noise figure 7 dB
               .cca_threshold = hal::Dbm{-82},
-              .energy_detection = hal::Dbm{-62},
+              .energy_detection = hal::Dbm{-70},
               .error_model = ErrorModel::kDsss,
               .preamble_window = 4us,
               .capture_margin = std::nullopt};
@@ -99,6 +115,19 @@ Ieee80211bConfig::Ieee80211bConfig() {
                 .queue_limit = 500};
 }
 
+Ieee80211bConfig::Ieee80211bConfig() = default;
+
+Ieee80211gConfig::Ieee80211gConfig() {
+  receiver.energy_detection = hal::Dbm{-62};  // 17.3.10.6
+  phy = {.data_rate = hal::BitsPerSecond{54e6},
+         .control_rate = hal::BitsPerSecond{24e6},
+         .broadcast_rate = hal::BitsPerSecond{6e6},
+         .rounding = Rounding::kMicrosecond};
+  basic_rates = {hal::BitsPerSecond{6e6}, hal::BitsPerSecond{12e6}, hal::BitsPerSecond{24e6}};
+  contention.cw_min = 15;
+  cca_time = 4us;
+}
+
 Profile profile_of(const RadioConfig& config) { return static_cast<Profile>(config.index()); }
 
 RadioConfig profile_defaults(Profile profile) {
@@ -107,6 +136,8 @@ RadioConfig profile_defaults(Profile profile) {
       return MobilityFrameworkConfig{};
     case Profile::kIeee80211b:
       return Ieee80211bConfig{};
+    case Profile::kIeee80211g:
+      return Ieee80211gConfig{};
     case Profile::kDisk:
       return DiskConfig{};
     case Profile::kIdeal:
@@ -126,6 +157,30 @@ const WavesConfig* waves_of(const RadioConfig& config) {
 
 WavesConfig* waves_of(RadioConfig& config) {
   return const_cast<WavesConfig*>(waves_of(std::as_const(config)));
+}
+
+const DcfConfig* dcf_of(const RadioConfig& config) {
+  return std::visit(
+      [](const auto& one) -> const DcfConfig* {
+        if constexpr (std::is_base_of_v<DcfConfig, std::decay_t<decltype(one)>>) return &one;
+        return nullptr;
+      },
+      config);
+}
+
+DcfConfig* dcf_of(RadioConfig& config) {
+  return const_cast<DcfConfig*>(dcf_of(std::as_const(config)));
+}
+
+std::string rates_of(Profile profile) {
+  if (profile != Profile::kIeee80211g) return "1, 2, 5.5 or 11 Mb/s";
+  return "1, 2, 5.5, 11, 6, 9, 12, 18, 24, 36, 48 or 54 Mb/s";
+}
+
+bool is_rate(Profile profile, hal::BitsPerSecond rate) {
+  if (std::ranges::find(kDsssRates, rate.value) != kDsssRates.end()) return true;
+  return profile == Profile::kIeee80211g &&
+         std::ranges::find(kOfdmRates, rate.value) != kOfdmRates.end();
 }
 
 const LengthsConfig& lengths_of(const RadioConfig& config) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -51,17 +52,18 @@ struct ReceiverConfig {
   /// The receiver takes the strongest of the frames that start within this time of the first one.
   /// Zero: the first frame.
   hal::Duration preamble_window{};
-  /// A frame that much stronger takes the receiver over while the held one is still in its preamble
-  /// or PLCP header. None: the held frame stays.
+  /// A frame that much stronger takes the receiver over as long as this after it has synchronised
+  /// to the held one. None: the held frame stays.
   std::optional<hal::Decibels> capture_margin;
+  hal::Duration capture_window = 16us;
 };
 
-/// DSSS and HR/DSSS. Rates: 1, 2, 5.5 or 11 Mb/s.
-struct DsssConfig {
+/// DSSS and HR/DSSS, with ieee80211g also OFDM: rates_of().
+struct PhyConfig {
   hal::BitsPerSecond data_rate{11e6};
-  hal::BitsPerSecond control_rate{11e6};  ///< RTS, CTS, ACK.
+  hal::BitsPerSecond control_rate{11e6};  ///< RTS; mobility_framework: also CTS and ACK.
   hal::BitsPerSecond broadcast_rate{11e6};
-  Preamble preamble = Preamble::kLong;  ///< kShort: not for frames at 1 Mb/s.
+  Preamble preamble = Preamble::kLong;  ///< Of DSSS; frames at 1 Mb/s have the long one anyway.
   Rounding rounding = Rounding::kExact;
 };
 
@@ -87,7 +89,7 @@ struct WavesConfig {
   hal::Milliwatts tx_power{2};  ///< > 0; of a station that has none of its own.
   PropagationConfig propagation;
   ReceiverConfig receiver;
-  DsssConfig phy;
+  PhyConfig phy;
   LengthsConfig lengths{.lengths = Lengths::kFixed};
   ContentionConfig contention;
 };
@@ -98,11 +100,31 @@ struct MobilityFrameworkConfig : WavesConfig {
   std::uint32_t cw_broadcast = 31;
 };
 
-/// IEEE Std 802.11-2016, clauses 10 and 16, with a long preamble and the figures of ns-3.37's
-/// helper: 40 mW, 2.412 GHz, -82 dBm.
-struct Ieee80211bConfig : WavesConfig {
-  Ieee80211bConfig();
+/// The distributed coordination function of IEEE Std 802.11-2016, clause 10.
+struct DcfConfig : WavesConfig {
+  /// CTS and ACK are sent at the highest of these that is not above the rate of the frame that they
+  /// answer, and in its modulation class; without any, at the highest mandatory rate (10.7.6.5).
+  /// Not empty.
+  std::vector<hal::BitsPerSecond> basic_rates{hal::BitsPerSecond{1e6}};
   std::uint32_t long_retry_limit = 4;  ///< Of data frames after RTS/CTS.
+  /// aCCATime and aRxTxTurnaroundTime: a station that is to send at a slot boundary does so
+  /// whatever begins to arrive within this time before (10.3.7). < slot.
+  hal::Duration cca_time = 15us;
+
+ protected:
+  DcfConfig();
+};
+
+/// IEEE Std 802.11-2016, clauses 10 and 16, with a long preamble and the figures of ns-3.37's
+/// helper: 40 mW, 2.412 GHz, -82 dBm. Energy detection: 16.3.8.5, up to 50 mW.
+struct Ieee80211bConfig : DcfConfig {
+  Ieee80211bConfig();
+};
+
+/// The same, clauses 10, 16 and 18: ERP-OFDM, and DSSS for broadcasts at 1 to 11 Mb/s. 54 Mb/s, RTS
+/// at 24 Mb/s, broadcasts at 6 Mb/s; the long slot, as in an independent network (18.4.4).
+struct Ieee80211gConfig : DcfConfig {
+  Ieee80211gConfig();
 };
 
 /// Range of mobility_framework: 0.125 m / (4 pi) * sqrt(2 mW / -85 dBm), rounded up.
@@ -125,11 +147,11 @@ struct DiskConfig {
 
 /// One radio profile with every key resolved; without more said, with its own values. A radio file
 /// may set any key of its profile.
-using RadioConfig =
-    std::variant<MobilityFrameworkConfig, Ieee80211bConfig, DiskConfig, IdealConfig>;
+using RadioConfig = std::variant<MobilityFrameworkConfig, Ieee80211bConfig, Ieee80211gConfig,
+                                 DiskConfig, IdealConfig>;
 
 /// In the order of RadioConfig.
-enum class Profile : std::uint8_t { kMobilityFramework, kIeee80211b, kDisk, kIdeal };
+enum class Profile : std::uint8_t { kMobilityFramework, kIeee80211b, kIeee80211g, kDisk, kIdeal };
 
 Profile profile_of(const RadioConfig& config);
 RadioConfig profile_defaults(Profile profile);
@@ -137,6 +159,14 @@ RadioConfig profile_defaults(Profile profile);
 /// What profiles with a medium have in common; null: of disk and ideal.
 const WavesConfig* waves_of(const RadioConfig& config);
 WavesConfig* waves_of(RadioConfig& config);
+
+/// Null: the profile has no DCF.
+const DcfConfig* dcf_of(const RadioConfig& config);
+DcfConfig* dcf_of(RadioConfig& config);
+
+/// The rates of a profile with a medium, Mb/s, for people; and whether this is one of them.
+std::string rates_of(Profile profile);
+bool is_rate(Profile profile, hal::BitsPerSecond rate);
 
 const LengthsConfig& lengths_of(const RadioConfig& config);
 

@@ -94,7 +94,7 @@ struct RadioNetwork::State {
   }
 
   void add_all(const MobilityFrameworkConfig& one) { add_radios<MobilityFrameworkMac>(one); }
-  void add_all(const Ieee80211bConfig& one) { add_radios<DcfMac>(one); }
+  void add_all(const DcfConfig& one) { add_radios<DcfMac>(one); }
   template <class Mac, class Config>
   void add_radios(const Config& one) {
     rules = std::make_unique<ReceptionRules>(one.receiver);

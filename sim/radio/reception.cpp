@@ -32,6 +32,7 @@ Reception::Reception(const Frame& frame, double power, hal::Time start, hal::Tim
     : frame_(&frame),
       power_(power),
       start_(start),
+      locked_(locked),
       heard_until_(locked),
       min_sinr_(std::numeric_limits<double>::infinity()) {}
 
@@ -51,7 +52,7 @@ double Reception::success_of_interval(double sinr, hal::Time from, hal::Time to)
   const PhyMode& mode = *frame_->mode;
   const hal::Time header = start_ + mode.preamble();
   const hal::Time body = start_ + mode.preamble_and_header();
-  const hal::Time end = start_ + frame_->airtime;
+  const hal::Time end = start_ + frame_->airtime - mode.signal_extension();
   const double header_share =
       hal::to_seconds(overlap(from, to, header, body)) / hal::to_seconds(body - header);
   const double body_share =
@@ -65,8 +66,16 @@ double Reception::success_at_min_sinr() const {
          frame_->mode->success(min_sinr_, frame_->air_length);
 }
 
-bool Reception::in_header(hal::Time now) const {
-  return now < start_ + frame_->mode->preamble_and_header();
+hal::Time Reception::header_end() const { return start_ + frame_->mode->preamble_and_header(); }
+
+void Reception::judge_header(const ReceptionRules& rules, hal::RandomStream& errors) {
+  if (header_ != Header::kComing || heard_until_ < header_end()) return;
+  // Drawn even if it is certain: the order in which powers add up may move the last bit of 1, and
+  // must not move the stream.
+  const bool is_right =
+      rules.error_model == ErrorModel::kMobilityFramework || errors.uniform() < success_;
+  header_ = is_right ? Header::kRight : Header::kWrong;
+  success_ = 1;
 }
 
 Reception::Outcome Reception::judge(const ReceptionRules& rules, hal::RandomStream& errors) const {
@@ -77,9 +86,9 @@ Reception::Outcome Reception::judge(const ReceptionRules& rules, hal::RandomStre
   if (mobility_framework) {
     const double success = success_at_min_sinr();
     if (success >= 1 || errors.uniform() < success) return {};
-  } else if (errors.uniform() < success_) {
-    // Drawn even if it is certain: the order in which powers add up may move the last bit of 1, and
-    // must not move the stream.
+  } else if (header_ == Header::kWrong) {
+    return {cause_of_loss(rules, worst_), ReceiveError::kHeader};
+  } else if (errors.uniform() < success_) {  // drawn even if it is certain, as above
     return {};
   }
   return {cause_of_loss(rules, worst_), ReceiveError::kBitError};

@@ -13,7 +13,8 @@ namespace sim::radio {
 /// How the MAC sees a frame that its radio held and lost.
 enum class ReceiveError : std::uint8_t {
   kCollision,  ///< SINR below the decoder's threshold (mobility_framework only).
-  kBitError,   ///< PLCP header or FCS wrong.
+  kHeader,     ///< PHY header wrong: no PHY-RXSTART (kDsss only).
+  kBitError,   ///< FCS wrong; mobility_framework: or the PHY header.
 };
 
 /// What all receptions of one air have in common, in mW and ratios.
@@ -47,34 +48,45 @@ class Reception {
   const Frame& frame() const { return *frame_; }
   double power() const { return power_; }  ///< mW
   hal::Time start() const { return start_; }
+  hal::Time locked() const { return locked_; }
+  hal::Time header_end() const;
   hal::Time heard_until() const { return heard_until_; }  ///< Of the last hear().
 
   /// The interference was this from the last call (or from synchronising) until now.
   void hear(const ReceptionRules& rules, const Interference& interference, hal::Time now);
 
-  /// Whether some of preamble and PHY header is still to come in.
-  bool in_header(hal::Time now) const;
+  /// Judges the PHY header once, with the first hear() from its end on (kDsss; draws once from
+  /// `errors`): a receiver does not stay with a frame whose header is wrong.
+  /// @pre heard_until() has not gone past header_end() before that.
+  void judge_header(const ReceptionRules& rules, hal::RandomStream& errors);
+  /// The header came in: PHY-RXSTART (IEEE Std 802.11-2016, 8.3.5.11).
+  bool has_header() const { return header_ == Header::kRight; }
+  bool has_wrong_header() const { return header_ == Header::kWrong; }
 
   struct Outcome {
     hal::Verdict verdict = hal::Verdict::kDelivered;
     ReceiveError error = ReceiveError::kBitError;  ///< If not delivered.
   };
-  /// At the end, after the last hear(). kDsss: draws once from `errors`; kMobilityFramework: unless
-  /// the SINR alone decides.
+  /// At the end, after the last hear(). kDsss: draws once from `errors` unless the header was
+  /// wrong; kMobilityFramework: unless the SINR alone decides.
   Outcome judge(const ReceptionRules& rules, hal::RandomStream& errors) const;
 
   double min_sinr() const { return min_sinr_; }  ///< Ratio, not dB.
 
  private:
+  enum class Header : std::uint8_t { kComing, kRight, kWrong };
+
   double success_of_interval(double sinr, hal::Time from, hal::Time to) const;
   double success_at_min_sinr() const;
 
   const Frame* frame_;
   double power_;
   hal::Time start_;
+  hal::Time locked_;
   hal::Time heard_until_;
   double min_sinr_;
-  double success_ = 1;  ///< kDsss: of all intervals so far.
+  double success_ = 1;  ///< kDsss: of all intervals so far of the header, then of the MPDU.
+  Header header_ = Header::kComing;
   Interference worst_;
 };
 

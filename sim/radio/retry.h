@@ -4,8 +4,8 @@
 
 namespace sim::radio {
 
-/// Retry counters of a station (IEEE Std 802.11-2016, 10.3.4.4): the short one counts RTS and data
-/// frames sent without RTS, the long one data frames sent after RTS/CTS.
+/// Retry counters of a station and the frame in service (IEEE Std 802.11-2016, 10.3.4.4): the short
+/// one counts RTS and data frames sent without RTS, the long one data frames sent after RTS/CTS.
 class RetryCounters {
  public:
   RetryCounters(std::uint32_t short_limit, std::uint32_t long_limit)
@@ -13,15 +13,15 @@ class RetryCounters {
 
   enum class Kind : std::uint8_t { kShort, kLong };
 
-  /// One more failure. @return whether the frame must be given up; the counter then starts anew.
+  /// One more failure. @return whether the frame must be given up.
   bool fail(Kind kind) {
     std::uint32_t& count = kind == Kind::kShort ? short_ : long_;
     const std::uint32_t limit = kind == Kind::kShort ? short_limit_ : long_limit_;
-    if (++count < limit) return false;
-    count = 0;
-    return true;
+    return ++count >= limit;
   }
   void succeed(Kind kind) { (kind == Kind::kShort ? short_ : long_) = 0; }
+  /// The next frame starts anew, whatever became of this one; so does who has sent to a group.
+  void reset() { short_ = long_ = 0; }
 
  private:
   std::uint32_t short_limit_, long_limit_;

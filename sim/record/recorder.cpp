@@ -16,7 +16,8 @@ namespace sim::record {
 namespace {
 
 std::string_view name(radio::Profile profile) {
-  constexpr std::string_view kNames[] = {"mobility_framework", "ieee80211b", "disk", "ideal"};
+  constexpr std::string_view kNames[] = {"mobility_framework", "ieee80211b", "ieee80211g", "disk",
+                                         "ideal"};
   return kNames[static_cast<int>(profile)];
 }
 

@@ -79,8 +79,6 @@ void keys_of(Io& io, radio::ReceiverConfig& c) {
   level(
       {"energy_detection", "Carrier sense: so much power in sum makes the medium busy.", "-62 dBm"},
       kPowerLevel, c.energy_detection);
-  io.choice({"error_model", "When a frame is lost to noise and interference.", "dsss"},
-            kErrorModels, c.error_model);
   io.quantity({"min_sinr",
                "Lowest usable signal to interference and noise: of the whole frame with "
                "`error_model: mobility_framework`, of the preamble with `dsss`.",
@@ -91,34 +89,53 @@ void keys_of(Io& io, radio::ReceiverConfig& c) {
                "first; 0 s: the first.",
                "4 us"},
               {0, 1e-3}, c.preamble_window);
-  io.optional({"capture_margin",
-               "A frame that much stronger takes the receiver over during the other one's "
-               "preamble and PLCP header.",
-               "10 dB"},
-              "dB", 0, c.capture_margin);
+  io.optional(
+      {"capture_margin",
+       "A frame that much stronger takes the receiver over within the `capture_window`.", "10 dB"},
+      "dB", 0, c.capture_margin);
+  io.duration(
+      {"capture_window",
+       "How long after it has synchronised to a frame the receiver can be taken over.", "16 us"},
+      {0, 1e-2}, c.capture_window);
+}
+
+template <class Io>
+void error_model(Io& io, radio::ErrorModel& model) {
+  io.choice({"error_model", "When a frame is lost to noise and interference.", "dsss"},
+            kErrorModels, model);
 }
 
 template <class Io>
 void data_rate(Io& io, hal::BitsPerSecond& rate) {
-  io.quantity(
-      {"data_rate", "Of data frames; 1, 2, 5.5 or 11 Mb/s where waves are modelled.", "11 Mb/s"},
-      "b/s", kBitRate, rate);
+  io.quantity({"data_rate",
+               "Of data frames; where waves are modelled 1, 2, 5.5 or 11 Mb/s, with `ieee80211g` "
+               "also 6, 9, "
+               "12, 18, 24, 36, 48 or 54 Mb/s.",
+               "11 Mb/s"},
+              "b/s", kBitRate, rate);
 }
 
 template <class Io>
-void keys_of(Io& io, radio::DsssConfig& c) {
+void keys_of(Io& io, radio::PhyConfig& c) {
   data_rate(io, c.data_rate);
-  io.quantity({"control_rate", "Of RTS, CTS and ACK; 1, 2, 5.5 or 11 Mb/s.", "2 Mb/s"}, "b/s",
-              kBitRate, c.control_rate);
-  io.quantity({"broadcast_rate", "Of broadcast frames; 1, 2, 5.5 or 11 Mb/s.", "2 Mb/s"}, "b/s",
+  io.quantity({"control_rate",
+               "Of RTS, with `mobility_framework` also of CTS and ACK; one of the rates of data.",
+               "2 Mb/s"},
+              "b/s", kBitRate, c.control_rate);
+  io.quantity({"broadcast_rate", "Of broadcast frames; one of the rates of data.", "2 Mb/s"}, "b/s",
               kBitRate, c.broadcast_rate);
-  io.choice({"preamble", "Of the PHY; a short one not for frames at 1 Mb/s.", "long"}, kPreambles,
-            c.preamble);
+  io.choice(
+      {"preamble", "Of frames at 2, 5.5 and 11 Mb/s; those at 1 Mb/s have the long one.", "long"},
+      kPreambles, c.preamble);
+}
+
+template <class Io>
+void rounding(Io& io, radio::Rounding& value) {
   io.choice(
       {"rounding",
        "Of airtimes: none below a nanosecond, or up to whole microseconds as in the standard.",
        "microsecond"},
-      kRoundings, c.rounding);
+      kRoundings, value);
 }
 
 template <class Io>
@@ -165,7 +182,7 @@ void range(Io& io, hal::Metres& range) {
 }
 
 template <class Io>
-void keys_of(Io& io, radio::WavesConfig& c) {
+void common_keys_of(Io& io, radio::WavesConfig& c) {
   tx_power(io, c.tx_power);
   keys_of(io, c.propagation);
   keys_of(io, c.receiver);
@@ -176,16 +193,36 @@ void keys_of(Io& io, radio::WavesConfig& c) {
 
 template <class Io>
 void keys_of(Io& io, radio::MobilityFrameworkConfig& c) {
-  keys_of(io, static_cast<radio::WavesConfig&>(c));
+  common_keys_of(io, c);
+  error_model(io, c.receiver.error_model);
+  rounding(io, c.phy.rounding);
   io.count({"cw_broadcast", "Contention window of broadcast frames.", "31"}, 0, kMaxWindow,
            c.cw_broadcast);
 }
 
 template <class Io>
-void keys_of(Io& io, radio::Ieee80211bConfig& c) {
-  keys_of(io, static_cast<radio::WavesConfig&>(c));
+void keys_of(Io& io, radio::DcfConfig& c) {
+  common_keys_of(io, c);
   io.count({"long_retry_limit", "Transmissions of a data frame after RTS/CTS in all.", "4"}, 1, 255,
            c.long_retry_limit);
+  io.duration(
+      {"cca_time",
+       "Of carrier sense and turnaround: who is to send at a slot boundary does so whatever "
+       "begins to arrive within this time before. Shorter than the slot.",
+       "15 us"},
+      {0, 1e-2}, c.cca_time);
+}
+
+template <class Io>
+void keys_of(Io& io, radio::Ieee80211bConfig& c) {
+  keys_of(io, static_cast<radio::DcfConfig&>(c));
+  error_model(io, c.receiver.error_model);
+  rounding(io, c.phy.rounding);
+}
+
+template <class Io>
+void keys_of(Io& io, radio::Ieee80211gConfig& c) {
+  keys_of(io, static_cast<radio::DcfConfig&>(c));
 }
 
 template <class Io>

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "hal/config/value.h"
 #include "sim/scenario/propagation_section.h"
 #include "sim/scenario/radio_keys.h"
 
@@ -19,7 +20,8 @@ using radio::RadioConfig;
 
 constexpr std::array kProfiles = {
     Option<Profile>{"mobility_framework", Profile::kMobilityFramework},
-    Option<Profile>{"ieee80211b", Profile::kIeee80211b}, Option<Profile>{"disk", Profile::kDisk},
+    Option<Profile>{"ieee80211b", Profile::kIeee80211b},
+    Option<Profile>{"ieee80211g", Profile::kIeee80211g}, Option<Profile>{"disk", Profile::kDisk},
     Option<Profile>{"ideal", Profile::kIdeal}};
 std::string_view name(Profile profile) {
   return std::find_if(kProfiles.begin(), kProfiles.end(),
@@ -74,18 +76,9 @@ void refuse_others(FieldReader& reader, Profile profile) {
   }
 }
 
-/// IEEE Std 802.11-2016, 16.2.3.3 and 16.3.2: the rates of DSSS and HR/DSSS.
-bool is_dsss_rate(hal::BitsPerSecond rate) {
-  return rate.value == 1e6 || rate.value == 2e6 || rate.value == 5.5e6 || rate.value == 11e6;
-}
-
-void check_rates(Mapping& in, const radio::DsssConfig& c) {
+void check_rates(Mapping& in, Profile profile, const radio::PhyConfig& c) {
   const auto check = [&](const char* key, hal::BitsPerSecond rate) {
-    if (!is_dsss_rate(rate)) in.mistake(key, "must be 1, 2, 5.5 or 11 Mb/s");
-    // IEEE Std 802.11-2016, 16.2.2.3: the short PLCP format starts at 2 Mb/s.
-    if (c.preamble == radio::Preamble::kShort && rate.value == 1e6) {
-      in.mistake(key, "must be above 1 Mb/s with a short preamble");
-    }
+    if (!is_rate(profile, rate)) in.mistake(key, "must be " + rates_of(profile));
   };
   check("data_rate", c.data_rate);
   check("control_rate", c.control_rate);
@@ -119,8 +112,34 @@ void check_levels(Mapping& in, const radio::WavesConfig& c) {
   }
 }
 
-void check_waves(Mapping& in, const radio::WavesConfig& c) {
-  check_rates(in, c.phy);
+const Key kBasicRates{"basic_rates",
+                      "CTS and ACK are sent at the highest of these that is not above the rate of "
+                      "the frame that they answer, in its kind of modulation; if there is none, at "
+                      "the highest mandatory rate. Not empty.",
+                      "[1 Mb/s, 2 Mb/s]",
+                      "[1 Mb/s] (ieee80211b), [6 Mb/s, 12 Mb/s, 24 Mb/s] "
+                      "(ieee80211g)"};
+
+void read_basic_rates(Mapping& in, Profile profile, radio::DcfConfig& c) {
+  const auto texts = in.texts(kBasicRates);
+  if (!in.has(kBasicRates.name)) return;
+  c.basic_rates.clear();
+  for (const hal::config::Scalar& text : texts) {
+    const auto rate = hal::config::parse_value(text.text, "b/s", kBitRate.low, kBitRate.high);
+    if (!rate || !is_rate(profile, hal::BitsPerSecond{rate.value()})) {
+      return in.mistake(kBasicRates.name, "'" + text.text + "' must be " + rates_of(profile));
+    }
+    c.basic_rates.emplace_back(rate.value());
+  }
+  if (c.basic_rates.empty()) in.mistake(kBasicRates.name, "must not be empty");
+}
+
+void check_slots(Mapping& in, const radio::DcfConfig& c) {
+  if (c.cca_time >= c.contention.slot) in.mistake("cca_time", "must be shorter than the slot");
+}
+
+void check_waves(Mapping& in, Profile profile, const radio::WavesConfig& c) {
+  check_rates(in, profile, c.phy);
   check_windows(in, c.contention);
   check_levels(in, c);
 }
@@ -144,19 +163,25 @@ const Key kStationPower{"tx_power", "Of the transmitters of these agents.", "10 
 
 RadioConfig read_radio(Mapping in) {
   in.integer({"version", "Of the format of this file.", "1"}, 1, 1, 1);
-  const std::optional<Profile> profile =
-      in.choice({"profile",
-                 "The model: the paper's network card, the 802.11b standard, a range and a bit "
-                 "rate, or instant and lossless. It sets the defaults.",
-                 "ieee80211b"},
-                kProfiles);
+  const std::optional<Profile> profile = in.choice(
+      {"profile",
+       "The model: the paper's network card, the 802.11b or 802.11g standard, a range and a bit "
+       "rate, or instant and lossless. It sets the defaults.",
+       "ieee80211b"},
+      kProfiles);
   if (!profile) return {};  // which of the other keys are right depends on it
   RadioConfig config = radio::profile_defaults(*profile);
   FieldReader reader(in);
   std::visit([&reader](auto& one) { keys_of(reader, one); }, config);
   read_chain(in, config);
   refuse_others(reader, *profile);
-  if (const radio::WavesConfig* const waves = waves_of(config)) check_waves(in, *waves);
+  if (radio::DcfConfig* const dcf = dcf_of(config)) {
+    read_basic_rates(in, *profile, *dcf);
+    check_slots(in, *dcf);
+  } else {
+    reader.unused(kBasicRates.name, fmt::format("is not used by the profile '{}'", name(*profile)));
+  }
+  if (const radio::WavesConfig* const waves = waves_of(config)) check_waves(in, *profile, *waves);
   in.finish();
   return config;
 }
@@ -168,6 +193,11 @@ void write_radio(Writer& out, const RadioConfig& config) {
   FieldWriter writer(out);
   std::visit([&writer](auto& one) { keys_of(writer, one); }, copy);
   if (const auto* const waves = waves_of(config)) write_propagation(out, waves->propagation.chain);
+  if (const radio::DcfConfig* const dcf = dcf_of(config)) {
+    std::vector<double> rates;
+    for (const hal::BitsPerSecond rate : dcf->basic_rates) rates.push_back(rate.value);
+    out.numbers(kBasicRates.name, rates, "b/s");
+  }
   out.close();
 }
 

@@ -54,7 +54,8 @@ const std::vector<Kind> kKinds = {
     {"radio",
      read_radio,
      {kConfig / "radios/ieee80211b.yaml", kConfig / "radios/mobility_framework.yaml",
-      kConfig / "radios/disk.yaml", kConfig / "radios/ideal.yaml"}}};
+      kConfig / "radios/ieee80211g.yaml", kConfig / "radios/disk.yaml",
+      kConfig / "radios/ideal.yaml"}}};
 
 /// Mistakes of a file with overrides.
 Lines mistakes(const Kind& kind, const fs::path& file, const Lines& overrides) {

@@ -8,6 +8,7 @@
 
 #include "hal/types/math.h"
 #include "sim/radio/error_model.h"
+#include "sim/radio/ofdm_error_model.h"
 
 namespace sim::radio::test {
 namespace {
@@ -21,12 +22,12 @@ struct Row {
   double snr_db;
   double per;
 };
-std::vector<Row> peer_rows() {
+std::vector<Row> peer_rows(const std::string& family) {
   std::ifstream file(std::string(TESTS_DIR) + "/analytic/radio/per_ns3.csv");
   std::vector<Row> rows;
   for (std::string line; std::getline(file, line);) {
-    if (line.rfind("dsss,b", 0) != 0) continue;
-    std::istringstream fields(line.substr(6));
+    if (!line.starts_with(family)) continue;
+    std::istringstream fields(line.substr(family.size()));
     Row row{};
     char comma = 0;
     fields >> row.rate >> comma >> row.bytes >> comma >> row.snr_db >> comma >> row.per;
@@ -39,7 +40,7 @@ std::vector<Row> peer_rows() {
 // The same formulas on both sides; the CCK integral by another quadrature. 1e-4 relative; or 3e-8
 // absolute at 11 Mb/s, where ns-3 integrates to that accuracy only.
 TEST(DsssPacketError, MatchesThePeer) {
-  const std::vector<Row> rows = peer_rows();
+  const std::vector<Row> rows = peer_rows("dsss,b");
   ASSERT_EQ(rows.size(), 103u);
   for (const Row& row : rows) {
     const double per = 1 - success_probability(ErrorModel::kDsss, ratio(row.snr_db),
@@ -47,6 +48,33 @@ TEST(DsssPacketError, MatchesThePeer) {
     const double reserve = row.rate > 2e6 ? 3e-8 : 1e-12;
     EXPECT_NEAR(per, row.per, 1e-4 * row.per + reserve)
         << row.rate << " bit/s, " << row.bytes << " bytes, " << row.snr_db << " dB";
+  }
+}
+
+// Every OFDM row (6 to 54 Mb/s; the peer has none of 48). The issue asks for 0.005; the same
+// published formula gives 1e-8, the rounding of the rows.
+TEST(OfdmPacketError, MatchesThePeer) {
+  const std::vector<Row> rows = peer_rows("nist,g");
+  ASSERT_EQ(rows.size(), 158u);
+  for (const Row& row : rows) {
+    const double per = 1 - ofdm_success_probability(ratio(row.snr_db), hal::BitsPerSecond{row.rate},
+                                                    8.0 * row.bytes);
+    EXPECT_NEAR(per, row.per, 1e-8)
+        << row.rate << " bit/s, " << row.bytes << " bytes, " << row.snr_db << " dB";
+  }
+}
+
+TEST(OfdmPacketError, FallsWithTheSinrAndVanishes) {
+  for (const double rate : {6e6, 9e6, 12e6, 18e6, 24e6, 36e6, 48e6, 54e6}) {
+    const hal::BitsPerSecond r{rate};
+    EXPECT_EQ(ofdm_success_probability(std::numeric_limits<double>::infinity(), r, 1e4), 1.0);
+    EXPECT_EQ(ofdm_success_probability(0, r, 1e4), 0.0);
+    double before = 0;
+    for (double db = 0; db < 30; db += 0.5) {
+      const double here = ofdm_success_probability(ratio(db), r, 800);
+      EXPECT_GE(here, before) << rate << " at " << db << " dB";
+      before = here;
+    }
   }
 }
 

@@ -60,6 +60,12 @@ TEST(ShortPreamble, SavesHalfExceptAt1MbPerSecond) {
   EXPECT_EQ(modes.at(hal::BitsPerSecond{2e6}).airtime(112), 96us + 56us);
   EXPECT_EQ(modes.at(hal::BitsPerSecond{2e6}).preamble(), 72us);
   EXPECT_EQ(modes.at(hal::BitsPerSecond{1e6}).airtime(112), 192us + 112us);
+  // 16.2.2.3: its 48 bits are at 2 Mb/s, so at 1.5 dB they are lost as often as such bits are.
+  const double sinr = 1.4;
+  EXPECT_EQ(modes.at(hal::BitsPerSecond{2e6}).header_success(sinr, 1),
+            modes.at(hal::BitsPerSecond{2e6}).success(sinr, 48));
+  EXPECT_EQ(modes.at(hal::BitsPerSecond{1e6}).header_success(sinr, 1),
+            modes.at(hal::BitsPerSecond{1e6}).success(sinr, 48));
   EXPECT_EQ(&modes.lowest(), &modes.at(hal::BitsPerSecond{1e6}));
 }
 
@@ -91,11 +97,69 @@ TEST(PlainModes, AreInstantOrBitsOverRate) {
 // IEEE Std 802.11-2016, 10.3.2.3.7: EIFS = SIFS + ACK at the lowest rate + DIFS.
 TEST(Interframe, SpacesOf80211b) {
   const Ieee80211bConfig config;
-  const DcfTiming timing(config.contention, config.lengths, ModeSet(config));
+  const ModeSet modes(config);
+  const DcfTiming timing(config, modes);
   EXPECT_EQ(timing.difs, 50us);
   EXPECT_EQ(timing.eifs, 364us);
-  EXPECT_EQ(timing.response_timeout, 222us);  // SIFS + slot + 192 us
-  EXPECT_EQ(timing.nav_reset, 556us);         // 2 SIFS + CTS + 192 us + 2 slots
+  EXPECT_EQ(timing.response_timeout(modes.control()), 222us);  // SIFS + slot + 192 us
+  EXPECT_EQ(timing.nav_reset(modes.control()), 556us);         // 2 SIFS + CTS + 192 us + 2 slots
+}
+
+// 18.4.4: DIFS = 10 + 2 * 9; EIFS = 10 + 304 + 28, the ACK being the one at 1 Mb/s; timeouts of
+// OFDM answers 10 + 9 + 20.
+TEST(Interframe, SpacesOf80211gWithTheShortSlot) {
+  Ieee80211gConfig config;
+  config.contention.slot = 9us;
+  const ModeSet modes(config);
+  const DcfTiming timing(config, modes);
+  EXPECT_EQ(timing.difs, 28us);
+  EXPECT_EQ(timing.eifs, 342us);
+  EXPECT_EQ(timing.response_timeout(modes.control()), 39us);
+  EXPECT_EQ(timing.nav_reset(modes.control()), 20us + 34us + 20us + 18us);  // CTS at 24 Mb/s: 34 us
+}
+
+// IEEE Std 802.11-2016, 17.4.3 and 18.4.3: 20 us + 4 us * ceil((22 + bits) / NDBPS) + 6 us.
+class OfdmAirtime : public testing::TestWithParam<AirtimeCase> {};
+TEST_P(OfdmAirtime, IsWholeSymbolsAndTheSignalExtension) {
+  const ModeSet modes(Ieee80211gConfig{});
+  EXPECT_EQ(modes.at(hal::BitsPerSecond{GetParam().rate}).airtime(GetParam().bits),
+            GetParam().airtime);
+}
+INSTANTIATE_TEST_SUITE_P(
+    Std80211Clause18, OfdmAirtime,
+    testing::Values(AirtimeCase{"AckAt6", 8 * 14, 6e6, 50us},        // 134 / 24: 6
+                    AirtimeCase{"RtsAt9", 8 * 20, 9e6, 50us},        // 182 / 36: 6
+                    AirtimeCase{"AckAt12", 8 * 14, 12e6, 38us},      // 134 / 48: 3
+                    AirtimeCase{"RtsAt18", 8 * 20, 18e6, 38us},      // 182 / 72: 3
+                    AirtimeCase{"AckAt24", 8 * 14, 24e6, 34us},      // 134 / 96: 2
+                    AirtimeCase{"LongAt36", 8 * 1536, 36e6, 370us},  // 12310 / 144: 86
+                    AirtimeCase{"LongAt48", 8 * 1536, 48e6, 286us},  // 12310 / 192: 65
+                    AirtimeCase{"LongAt54", 8 * 1536, 54e6, 254us},  // 12310 / 216: 57
+                    AirtimeCase{"WholeSymbolsAt54", 216 * 3 - 22, 54e6, 38us},
+                    AirtimeCase{"OneBitMoreAt54", 216 * 3 - 21, 54e6, 42us}),
+    name_of);
+
+// 10.7.6.5.2: the highest basic rate that is not above the frame's, in its modulation class;
+// without one the highest mandatory one.
+TEST(ControlResponse, IsAtTheHighestBasicRateNotAboveTheFrames) {
+  Ieee80211gConfig config;
+  const auto response = [&config](double rate) {
+    const ModeSet modes(config);
+    return modes.response_to(modes.at(hal::BitsPerSecond{rate})).rate().value;
+  };
+  config.basic_rates = {hal::BitsPerSecond{5.5e6}, hal::BitsPerSecond{1e6},
+                        hal::BitsPerSecond{2e6}};
+  EXPECT_EQ(response(11e6), 5.5e6);
+  EXPECT_EQ(response(5.5e6), 5.5e6);
+  EXPECT_EQ(response(2e6), 2e6);
+  EXPECT_EQ(response(1e6), 1e6);
+  EXPECT_EQ(response(54e6), 24e6) << "mandatory";
+  EXPECT_EQ(response(18e6), 12e6) << "mandatory";
+  EXPECT_EQ(response(9e6), 6e6) << "mandatory";
+  config.basic_rates = {hal::BitsPerSecond{6e6}, hal::BitsPerSecond{36e6}};
+  EXPECT_EQ(response(54e6), 36e6);
+  EXPECT_EQ(response(24e6), 6e6);
+  EXPECT_EQ(response(11e6), 11e6) << "mandatory";
 }
 
 }  // namespace

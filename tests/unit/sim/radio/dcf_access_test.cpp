@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <optional>
+
 #include "tests/unit/sim/radio/dcf.h"
 
 namespace sim::radio::test {
@@ -89,10 +91,12 @@ TEST_F(DcfAccess, BacksOffWhenTheMediumIsBusy) {
   expect_slots(start_of(1) - 1280us - kDifs, 31);
 }
 
-// Station 1 runs undisturbed to learn its backoff; then station 2 cuts in 27 us after the DIFS. The
-// first slot is counted, the 7 us of the second are not.
-TEST_F(DcfAccess, FrozenBackoffCountsWholeSlotsOnly) {
-  const auto second_start = [](bool disturbed) {
+// Station 1 runs undisturbed to learn its backoff; then station 2 cuts in 22 us after the DIFS, or
+// 27 us. The first slot is counted. In the second one, a frame that begins 18 us before its end is
+// noticed, and the slot does not count; one that begins 13 us before it, less than the 15 us of
+// aCCATime and turnaround, is not (10.3.7).
+TEST_F(DcfAccess, FrozenBackoffCountsWholeSlotsUpToItsCcaTime) {
+  const auto second_start = [](std::optional<hal::Duration> disturbed) {
     Air world(Profile::kIeee80211b);
     waves_of(world.config)->propagation.propagation_delay = false;
     world.seed = 2;
@@ -100,14 +104,15 @@ TEST_F(DcfAccess, FrozenBackoffCountsWholeSlotsOnly) {
     world.build();
     world.broadcast(1);  // 36 bytes at 1 Mb/s: 480 us
     world.broadcast(1);
-    if (disturbed) world.at(480us + kDifs + 27us, [&world] { world.broadcast(2); });
+    if (disturbed) world.at(480us + kDifs + *disturbed, [&world] { world.broadcast(2); });
     world.run();
     return world.log.starts.back().at.time_since_epoch();
   };
-  const hal::Duration undisturbed = second_start(false);
-  const hal::Duration slots = undisturbed - 480us - kDifs;
-  ASSERT_GE(slots, 2 * kSlot) << "choose a seed with a longer backoff";
-  EXPECT_EQ(second_start(true), 480us + kDifs + 27us + 480us + kDifs + slots - kSlot);
+  const hal::Duration slots = second_start(std::nullopt) - 480us - kDifs;
+  ASSERT_GE(slots, 3 * kSlot) << "choose a seed with a longer backoff";
+  const hal::Duration again = 480us + kDifs + 480us + kDifs;
+  EXPECT_EQ(second_start(22us), again + 22us + slots - kSlot);
+  EXPECT_EQ(second_start(27us), again + 27us + slots - 2 * kSlot);
 }
 
 TEST_F(DcfAccess, StaysAwayForTheDurationOfAnOverheardRts) {

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/unit/sim/radio/dcf.h"
 
 namespace sim::radio::test {
@@ -104,6 +106,62 @@ TEST_F(DcfExchange, RepeatedFrameIsAcknowledgedAgainAndDeliveredOnce) {
   EXPECT_NE(air.log.verdicts(1, 1)[0], Verdict::kDelivered);
   EXPECT_EQ(air.inbox(2).received.size(), 1u);
   EXPECT_EQ(air.inbox(1).ended.at(0).verdict, Verdict::kDelivered);
+}
+
+// 10.3.2.9: the ACK's PHY-RXSTART must come within SIFS + slot + 192 us of the frame's end, so both
+// ways together may take 20 us: 2998 m. That the receiver has synchronised to it is not enough.
+TEST_F(DcfExchange, AckThatBeginsTooLateIsNone) {
+  for (const double distance : {2900.0, 3100.0, 6000.0}) {
+    Air world(Profile::kIeee80211b);
+    waves_of(world.config)->tx_power = hal::Milliwatts{4000};  // 7.8 km
+    world.add_line(2, distance);
+    world.build();
+    world.send(1, 2, kPayload);
+    world.run();
+    ASSERT_EQ(world.inbox(1).ended.size(), 1u);
+    EXPECT_EQ(world.inbox(1).ended[0].verdict,
+              distance < 2998 ? Verdict::kDelivered : Verdict::kRetryLimit)
+        << distance << " m";
+    EXPECT_EQ(world.inbox(2).received.size(), 1u) << distance << " m";
+  }
+}
+
+// Three DATA fail, then seven RTS, so the frame is given up with a long retry count of three. The
+// next frame has four tries with DATA as the first had.
+TEST_F(DcfExchange, RetriesOfOneFrameDoNotCountForTheNext) {
+  with_rts();
+  waves_of(air.config)->receiver.noise_floor =
+      hal::Dbm{-84.65};  // as above: DATA never gets through
+  build_line(2);
+  const auto data = [this] {
+    return std::ranges::count_if(air.log.starts, [](const Log::Start& start) {
+      return start.frame.type == FrameType::kData && start.frame.transmitter.value == 1;
+    });
+  };
+  air.send(1, 2, 2000);
+  while (data() < 3) air.events.run_next();
+  air.sap(2).set_radio(false);
+  air.run();
+  ASSERT_EQ(air.inbox(1).ended.at(0).verdict, Verdict::kRetryLimit);
+  ASSERT_EQ(data(), 3);
+  air.sap(2).set_radio(true);
+  air.send(1, 2, 2000);
+  air.run(2s);
+  EXPECT_EQ(data(), 3 + 4);
+}
+
+TEST_F(DcfExchange, AnswersAtTheHighestBasicRateNotAboveTheFrames) {
+  dcf_of(air.config)->basic_rates = {hal::BitsPerSecond{1e6}, hal::BitsPerSecond{5.5e6}};
+  with_rts();
+  build_line(2);
+  air.send(1, 2, kPayload);
+  air.run();
+  ASSERT_EQ(air.log.story(), "RTS1 CTS2 DATA1 ACK2");
+  EXPECT_EQ(air.log.starts[1].frame.rate.value, 1e6) << "the RTS was at 1 Mb/s";
+  EXPECT_EQ(air.log.starts[3].frame.rate.value, 5.5e6);
+  const hal::Duration ack = 192us + 21us;  // 112 bits at 5.5 Mb/s: 20.4 us
+  EXPECT_EQ(air.log.starts[2].frame.duration, kSifs + ack);
+  EXPECT_EQ(air.log.starts[0].frame.duration, 3 * kSifs + kCts + kData + ack);
 }
 
 TEST_F(DcfExchange, RadioOffForgetsQueueNavAndBackoff) {

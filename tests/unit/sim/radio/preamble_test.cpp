@@ -70,6 +70,40 @@ TEST_F(PreambleTest, SingleFrameNearTheNoiseIsLostToNoise) {
   EXPECT_EQ(at_2(0), Verdict::kNoise);
 }
 
+// Frame 0, 12 ms long, loses its PLCP header (32 us .. 192 us) to a short one that is 12 dB
+// stronger. Nobody stays with a frame whose header was wrong: a later one comes in (16.3.7, PLCP
+// receive).
+TEST_F(PreambleTest, FrameWithAWrongHeaderDoesNotHoldTheReceiver) {
+  place(400, 100);
+  bench.send_at(0us, 1, 1500);
+  bench.send_at(20us, 3);  // until 500 us
+  bench.send_at(1ms, 3);
+  bench.run();
+  EXPECT_EQ(at_2(0), Verdict::kCollision);
+  EXPECT_EQ(at_2(1), Verdict::kPreambleMissed);
+  EXPECT_EQ(at_2(2), Verdict::kDelivered);
+  EXPECT_EQ(bench.said(2), (Said{"busy", "start", "error", "start", "frame", "idle"}));
+}
+
+// Too weak to be sensed by its power, and at -13 dB its header is lost in 9999 of 10000 cases: the
+// medium is busy as long as the frame is held, which is until the header's end.
+TEST_F(PreambleTest, MediumIsIdleAfterAWrongHeaderThatAloneWasSensed) {
+  WavesConfig& waves = *waves_of(bench.config);
+  waves.receiver.sensitivity = waves.propagation.interference_floor = hal::Dbm{-120};
+  waves.receiver.min_sinr = hal::Decibels{-20};
+  place(100, 14000);  // -107 dBm
+  bench.send_at(0us, 3, 1500);
+  hal::Time idle{};
+  while (bench.events.next_time()) {
+    bench.events.run_next();
+    const bool is_idle = !bench.said(2).empty() && bench.said(2).back() == "idle";
+    if (is_idle && idle == hal::Time{}) idle = bench.events.now();
+  }
+  EXPECT_EQ(bench.said(2), (Said{"start", "busy", "error", "idle"}));
+  EXPECT_EQ(idle, hal::Time{} + 192us);
+  EXPECT_EQ(at_2(0), Verdict::kNoise);
+}
+
 // Below sensitivity by itself, but with 4.9 dB less than the wanted frame it breaks CCK at 11 Mb/s.
 TEST_F(PreambleTest, FrameLostToUnreceivableOnesIsInterference) {
   waves_of(bench.config)->phy.broadcast_rate = hal::BitsPerSecond{11e6};

@@ -89,24 +89,34 @@ TEST_F(RadioTest, StrongerFrameComesTooLateWithoutCapture) {
   EXPECT_EQ(bench.said(2), (Said{"start", "busy", "collision", "idle"}));
 }
 
-TEST_F(RadioTest, StrongerFrameTakesOverInsideThePlcpWithCapture) {
+TEST_F(RadioTest, StrongerFrameTakesOverInsideTheCaptureWindow) {
   waves_of(bench.config)->receiver.capture_margin = hal::Decibels{5};
   place({0, 200, 250});
   bench.send_at(0us, 1);
-  bench.send_at(100us, 3);
+  bench.send_at(16us, 3);
   bench.run();
   expect_verdicts(0, 2, Verdict::kCollision);
   expect_verdicts(1, 2, Verdict::kDelivered);
   EXPECT_EQ(bench.said(2), (Said{"start", "busy", "start", "frame", "idle"}));
 }
 
-TEST_F(RadioTest, CaptureEndsWithThePlcp) {
+TEST_F(RadioTest, CaptureEndsWithItsWindow) {
   waves_of(bench.config)->receiver.capture_margin = hal::Decibels{5};
   place({0, 200, 250});
   bench.send_at(0us, 1);
-  bench.send_at(192us, 3);
+  bench.send_at(17us, 3);
   bench.run();
   expect_verdicts(1, 2, Verdict::kPreambleMissed);
+}
+
+TEST_F(RadioTest, CaptureWindowIsAKey) {
+  waves_of(bench.config)->receiver.capture_margin = hal::Decibels{5};
+  waves_of(bench.config)->receiver.capture_window = 192us;
+  place({0, 200, 250});
+  bench.send_at(0us, 1);
+  bench.send_at(150us, 3);
+  bench.run();
+  expect_verdicts(1, 2, Verdict::kDelivered);
 }
 
 TEST_F(RadioTest, CannotReceiveWhileItTransmits) {
