@@ -43,7 +43,7 @@ void Channel::transmit(Radio& from, const FramePtr& frame) {
   transmission->start = events_.now();
   const Links& links = neighbourhood_.links_from(from.index());
   transmission->receivers.reserve(links.audible.size());
-  for (const Link& link : links.audible) {
+  for (const AudibleLink& link : links.audible) {
     transmission->receivers.push_back({radios_[link.receiver], link.arrival});
   }
   current_[from.index()] = transmission;

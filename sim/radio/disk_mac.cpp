@@ -30,7 +30,7 @@ void DiskMac::start_head() {
                           {.sequence = static_cast<std::uint16_t>(next_sequence_++ % 4096)});
   observer().on_frame_start(now(), *sending_);
   receivers_.clear();
-  for (const Link& link : air_.neighbourhood.links_from(index_).audible) {
+  for (const AudibleLink& link : air_.neighbourhood.links_from(index_).audible) {
     receivers_.push_back(link.receiver);
   }
   end_ = events().schedule(now() + sending_->airtime, Rank::kRadio, agent(),

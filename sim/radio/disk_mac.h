@@ -20,10 +20,10 @@ struct DiskAir {
   std::vector<DiskMac*> stations;  ///< By StationIndex.
 };
 
-/// Link without physics. `disk`: the frames of a station take length over bit rate each, go out one
-/// after the other, and never collide. `ideal`: the same with no time at all. A unicast frame whose
-/// destination is out of range or off when it ends, ends in kRetryLimit. Receivers are those within
-/// range when the frame starts, and on when it ends.
+/// Link without physics. `disk`: the frames of a station take length over bit rate each, go
+/// out one after the other, and never collide. `ideal`: the same with no time at all. A unicast
+/// frame whose destination is out of range or off when it ends, ends in kRetryLimit. Receivers are
+/// those within range when the frame starts, and on when it ends.
 class DiskMac final : public MacBase {
  public:
   /// Adds itself to `air`. @param queue_limit  frames; none: as many as there are.

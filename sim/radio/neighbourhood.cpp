@@ -16,14 +16,14 @@ constexpr double kMarginShare = 0.1;
 /// often.
 constexpr int kCellsInReach = 4;
 
-void take(Link& link, const Link& now) { link = now; }
+void take(AudibleLink& link, const AudibleLink& now) { link = now; }
 
-void take(FaintLink& link, const Link& now) {
+void take(FaintLink& link, const AudibleLink& now) {
   link.power = now.arrival.power.value;
   link.delay = static_cast<std::uint32_t>(now.arrival.delay.count());
 }
 
-void take(DistantLink&, const Link&) {}
+void take(DistantLink&, const AudibleLink&) {}
 
 /// Of the strongest transmitter, m; above 0, so that there is a grid without stations, too.
 double longest_reach(const Propagation& propagation,
@@ -101,7 +101,7 @@ void Neighbourhood::refresh(Station& station) {
   ++station.moves;
 }
 
-Link Neighbourhood::link(StationIndex transmitter, StationIndex receiver) const {
+AudibleLink Neighbourhood::link(StationIndex transmitter, StationIndex receiver) const {
   const Station& from = stations_[transmitter];
   const Station& to = stations_[receiver];
   const auto steady = propagation_.steady(from.tx_power, from.site, to.site);
@@ -126,7 +126,7 @@ void Neighbourhood::collect(StationIndex transmitter) {
 }
 
 /// Into the list where it belongs, unless it is out of reach for ever.
-void Neighbourhood::put(Links& links, const Link& link, bool is_fixed) {
+void Neighbourhood::put(Links& links, const AudibleLink& link, bool is_fixed) {
   const auto into = [&link](auto& list, const auto& entry) {
     // When links are collected they come by receiver: each is the last.
     const auto place = std::ranges::lower_bound(list, link.receiver, {},
@@ -163,7 +163,7 @@ void Neighbourhood::follow(StationIndex transmitter) {
   follow(transmitter, links.audible, Propagation::Strength::kAudible);
   follow(transmitter, links.faint, Propagation::Strength::kFaint);
   follow(transmitter, links.distant, Propagation::Strength::kNothing);
-  for (const Link& link : changed_) put(links, link, false);
+  for (const AudibleLink& link : changed_) put(links, link, false);
 }
 
 template <class OneLink>
@@ -176,7 +176,7 @@ void Neighbourhood::follow(StationIndex from, std::vector<OneLink>& links,
     const std::uint32_t moves = stations_[from].moves + to.moves;
     if (known.moves == moves) return false;
     known.moves = moves;
-    const Link now = link(from, known.receiver);
+    const AudibleLink now = link(from, known.receiver);
     if (now.steady.strength == strength) {
       take(known, now);
       return false;
@@ -189,7 +189,7 @@ void Neighbourhood::follow(StationIndex from, std::vector<OneLink>& links,
 /// Those whose ends may stand still.
 void Neighbourhood::follow_time(StationIndex transmitter) {
   const Site& from = stations_[transmitter].site;
-  for (Link& link : links_[transmitter].audible) {
+  for (AudibleLink& link : links_[transmitter].audible) {
     link.arrival =
         propagation_.arrival(link.steady, from, stations_[link.receiver].site, events_.now());
   }

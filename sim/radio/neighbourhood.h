@@ -14,7 +14,7 @@
 namespace sim::radio {
 
 /// What a station's frames are at one other station, as long as neither of the two moves.
-struct Link {
+struct AudibleLink {
   StationIndex receiver = 0;
   std::uint32_t moves = 0;  ///< Of both together when this was computed.
   Propagation::Arrival arrival;
@@ -37,7 +37,7 @@ struct DistantLink {
 
 /// From one station to all that it matters to, each list by receiver.
 struct Links {
-  std::vector<Link> audible;
+  std::vector<AudibleLink> audible;
   std::vector<FaintLink> faint;
   std::vector<DistantLink> distant;
 };
@@ -77,14 +77,14 @@ class Neighbourhood {
   };
 
   void add(const Antenna& antenna);
-  Link link(StationIndex from, StationIndex to) const;
+  AudibleLink link(StationIndex from, StationIndex to) const;
   void refresh(Station& station);
   void collect(StationIndex transmitter);
   void follow(StationIndex transmitter);
   template <class OneLink>
   void follow(StationIndex from, std::vector<OneLink>& links, Propagation::Strength strength);
   void follow_time(StationIndex transmitter);
-  void put(Links& links, const Link& link, bool is_fixed);
+  void put(Links& links, const AudibleLink& link, bool is_fixed);
   void watch_cell(StationIndex station);
   void change_cell(StationIndex station);
   void outdate_around(StationIndex station);
@@ -96,8 +96,9 @@ class Neighbourhood {
   bool anything_moves_ = false;
   CellGrid grid_;
   std::vector<Station> stations_;
-  std::vector<Links> links_;   ///< By transmitter.
-  std::vector<Link> changed_;  ///< While links are followed: those that belong into another list.
+  std::vector<Links> links_;  ///< By transmitter.
+  std::vector<AudibleLink>
+      changed_;  ///< While links are followed: those that belong into another list.
 };
 
 }  // namespace sim::radio

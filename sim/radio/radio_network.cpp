@@ -143,7 +143,7 @@ MacSap& RadioNetwork::sap(hal::AgentId agent) {
 std::vector<std::pair<hal::AgentId, hal::AgentId>> RadioNetwork::links() const {
   std::vector<std::pair<StationIndex, StationIndex>> ways;  // in ascending order
   for (StationIndex from = 0; from < state_->stations.size(); ++from) {
-    for (const Link& link : state_->neighbourhood.links_from(from).audible) {
+    for (const AudibleLink& link : state_->neighbourhood.links_from(from).audible) {
       if (!state_->propagation.is_receivable(link.arrival.power)) continue;
       ways.emplace_back(from, link.receiver);
     }

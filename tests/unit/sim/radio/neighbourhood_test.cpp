@@ -44,7 +44,7 @@ class NeighbourhoodTest : public testing::Test {
   std::vector<StationIndex> noticing(StationIndex from) {
     std::vector<StationIndex> found;
     const Links& links = neighbourhood->links_from(from);
-    for (const Link& link : links.audible) found.push_back(link.receiver);
+    for (const AudibleLink& link : links.audible) found.push_back(link.receiver);
     for (const FaintLink& link : links.faint) found.push_back(link.receiver);
     std::ranges::sort(found);
     return found;

@@ -128,7 +128,7 @@ TEST(PropagationChain, TheIndexFindsWhomAGainReaches) {
       far += dot(way, way) > 223.0 * 223.0;  // reach of the mean: 223 m at -101 dBm
     }
     const Links& links = neighbourhood.links_from(from);
-    for (const Link& link : links.audible) found.insert(link.receiver);
+    for (const AudibleLink& link : links.audible) found.insert(link.receiver);
     for (const FaintLink& link : links.faint) found.insert(link.receiver);
     EXPECT_EQ(found, expected) << from;
   }
