@@ -31,9 +31,9 @@ TEST(TwoRayGround, FollowsItsClosedFormAtTwelveDistances) {
 
 TEST(TwoRayGround, TakesTheHeightsOfTheAntennas) {
   const TwoRayGround loss{hal::Metres{kLambda}};
-  const double d = std::sqrt(1e6 + 9);  // 1 km away and 3 m higher
+  const double d = std::sqrt(4e6 + 9);  // 2 km away and 3 m higher: beyond the crossover, 1011 m
   const double rays = 20 * std::log10(2.0 * 5.0) - 40 * std::log10(d);
-  EXPECT_NEAR(left_in_db(loss, Site({0, 0, 1}, 1), Site({1000, 0, 0}, 5)), rays, 1e-9);
+  EXPECT_NEAR(left_in_db(loss, Site({0, 0, 1}, 1), Site({2000, 0, 0}, 5)), rays, 1e-9);
   EXPECT_EQ(loss.after(kSent, Path(Site({0, 0, 0}), Site({5, 0, 0}, 1.5))).value, 0);
 }
 

@@ -67,7 +67,7 @@ TEST(WorldObstacles, LoseWhatAnIndependentIntersectionSays) {
     EXPECT_NEAR(obstacles.loss(from, to).value, expected, 1e-9) << k;
     EXPECT_NEAR(obstacles.loss(to, from).value, expected, 1e-9) << k;
   }
-  EXPECT_GT(crossed, 1000);
+  EXPECT_GT(crossed, 500) << "the case must be tried";
 }
 
 // A Robertino, 0.37 m wide up to 0.21 m, drives along x = 0 between two antennas at x = -3 and 3 m.

@@ -213,11 +213,12 @@ TEST_F(Resolved, KeepsTheChainOfPropagation) {
 TEST_F(Resolved, KeepsTheOtherEntriesOfAChain) {
   const auto chain = [this](const std::string& entries) {
     const std::string text =
-        "version: 1\nend: [{at: 1 s}]\nradio: {profile: ieee80211b, "
-        "propagation: [" +
+        "version: 1\nend: [{at: 1 s, result: done}]\n"
+        "radio: {profile: ieee80211b, propagation: [" +
         entries +
-        "]}\nagents: {m: {mote: {size: [1 cm, 1 cm, "
-        "1 cm], mass: 1 g}, controller: {program: help_mote}}}\n";
+        "]}\n"
+        "agents: {m: {mote: {model: brick, size: [1 cm, 1 cm, 1 cm], mass: 1 g},\n"
+        "  poses: [{x: 0 m, y: 0 m}], controller: {program: help_mote}}}\n";
     return waves_of(load(resolved_yaml(load(text))).simulation.radio)->propagation.chain;
   };
   EXPECT_TRUE(std::holds_alternative<radio::FriisConfig>(chain("{model: friis}").at(0)));
