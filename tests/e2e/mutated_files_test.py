@@ -190,7 +190,10 @@ class MutatedFiles(unittest.TestCase):
         slow = [path for path, (status, _) in ends.items() if status is None]
         print(f"\n{len(ends)} runs, {len(slow)} of them slow")
         for path, (status, said) in ends.items():
-            # 3: it ended before what the scenario expects came true; 2: not fit for this scenario.
+            # 3: it ended before what the scenario expects came true; 2: not fit for this scenario; 1: a
+            # controller found that it cannot do with its parameters, such as the name of nobody.
+            if status == 1 and re.search(r"^error: the controller of \S+ .*failed at [\d.]+ s: to: ", said, re.M):
+                continue
             self.assertIn(status, (0, 2, 3, None), f"{path}:\n{path.read_text()}\n{said}")
         self.assertLess(len(slow), 1 + len(ends) // 20, slow)
 
