@@ -9,13 +9,14 @@
 namespace sim::report {
 namespace {
 
-RobotDrive drive_of(const RunResult& run, const RunResult::Agent& robot, const RunResult::Body& body) {
+RobotDrive drive_of(const RunResult& run, const RunResult::Agent& robot,
+                    const RunResult::Body& body) {
   RobotDrive drive{.robot = robot.name,
-              .path = body.path,
-              .straight = hal::math::hypot(body.x - robot.x, body.y - robot.y),
-              .clearance = body.clearance,
-              .wall_steps = body.wall_steps,
-              .object_steps = body.object_steps};
+                   .path = body.path,
+                   .straight = hal::math::hypot(body.x - robot.x, body.y - robot.y),
+                   .clearance = body.clearance,
+                   .wall_steps = body.wall_steps,
+                   .object_steps = body.object_steps};
   for (const RunResult::Agent& agent : run.agents) {
     if (agent.agent != run.goal || agent.agent == robot.agent) continue;
     drive.straight = hal::math::hypot(agent.x - robot.x, agent.y - robot.y);

@@ -3,8 +3,8 @@
 #include <memory>
 #include <string>
 
-#include "hal/hardware/drivers/infrared.h"
 #include "hal/hardware/drivers/device_times.h"
+#include "hal/hardware/drivers/infrared.h"
 #include "hal/hardware/platform/device_thread.h"
 #include "hal/hardware/platform/latest.h"
 
