@@ -105,6 +105,12 @@ void check_levels(Mapping& in, const radio::WavesConfig& c) {
     in.mistake("interference_floor", fmt::format("{} dBm is above the sensitivity, {} dBm",
                                                  floor.value, sensitivity.value));
   }
+  if (c.propagation.obstacles && c.propagation.antenna_height.value == 0) {
+    in.warn(
+        "obstacles",
+        "with an antenna_height of 0 m nothing is in the way, except of agents that have one of "
+        "their own: walls begin at the ground");
+  }
   if (noise > sensitivity) {
     in.warn("noise_floor", fmt::format("{} dBm is above the sensitivity, {} dBm: what is received "
                                        "at that level drowns in noise",
