@@ -127,7 +127,7 @@ std::vector<Table> message_tables() {
         {"receiver", "INTEGER NOT NULL", "", "agent"},
         {"at_ns", "INTEGER NOT NULL", "ns", "when"},
         {"delay_ns", "INTEGER NOT NULL", "ns", "since it was sent, waiting for a route included"},
-        {"transmissions", "INTEGER", "", "on its way, the last hop included; null: unknown"}},
+        {"transmissions", "INTEGER", "", "on its way, the last hop included"}},
        "sender, id, receiver"},
       {"discoveries",
        "searches for a route",
