@@ -59,10 +59,11 @@ void Simulation::State::fail(std::string with) {
 }
 
 void Simulation::State::work_off(hal::Time begin) {
+  const hal::Time last = last_instant(begin);
   while (!result) {
     const auto next = events.next_time();
-    if (!next || !within(*next, begin)) break;
-    events.run_next();
+    if (!next || *next > last) break;
+    events.run_next(last);
   }
 }
 

@@ -261,7 +261,8 @@ class Bench {
 
  private:
   void run_until(hal::Time end) {
-    while (events_.next_time().value_or(end) < end) events_.run_next();
+    const hal::Time last = end - hal::Duration{1};
+    while (events_.next_time().value_or(end) < end) events_.run_next(last);
     events_.advance_to(end);
   }
   double grown() const {
