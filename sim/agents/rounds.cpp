@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <vector>
 
 #include "hal/types/log.h"
 #include "sim/agents/simulation_state.h"
@@ -12,6 +13,24 @@ namespace sim::agents {
 using hal::exchange::Action;
 using hal::exchange::ActionKind;
 using hal::exchange::Event;
+
+namespace {
+
+/// Those of one time stay as they are. Events are large: each is moved once at most.
+std::vector<Event> by_time(std::vector<Event> events) {
+  const auto earlier = [](const Event& a, const Event& b) { return a.time < b.time; };
+  if (std::is_sorted(events.begin(), events.end(), earlier)) return events;
+  std::vector<std::pair<hal::Time, std::size_t>> order;
+  order.reserve(events.size());
+  for (const Event& event : events) order.emplace_back(event.time, order.size());
+  std::sort(order.begin(), order.end());
+  std::vector<Event> sorted;
+  sorted.reserve(events.size());
+  for (const auto& [time, index] : order) sorted.push_back(std::move(events[index]));
+  return sorted;
+}
+
+}  // namespace
 
 void Simulation::State::on_state(hal::AgentId agent, const std::string& state) {
   hal::log::debug(events.now(), agents.at(agent)->name(), "state {}", state);
@@ -59,27 +78,25 @@ void Simulation::State::fail(std::string with) {
 }
 
 void Simulation::State::work_off(hal::Time begin) {
+  const hal::Time last = last_instant(begin);
   while (!result) {
     const auto next = events.next_time();
-    if (!next || !within(*next, begin)) break;
-    events.run_next();
+    if (!next || *next > last) break;
+    events.run_next(last);
   }
 }
 
 std::vector<Event> Simulation::State::take_events() {
+  std::vector<Event> taken;
+  taken.reserve(waiting.size());
   std::sort(waiting.begin(), waiting.end());
   waiting.erase(std::unique(waiting.begin(), waiting.end()), waiting.end());
-  std::vector<Event> taken;
   for (const hal::AgentId agent : waiting) {
     agents.at(agent)->core().take_events(taken);
   }
   waiting.clear();
-  // By agent already, and by cause within; with a window of time, time comes first. Without one
-  // they are in order, and std::stable_sort would move each through a buffer.
-  const auto earlier = [](const Event& a, const Event& b) { return a.time < b.time; };
-  if (!std::is_sorted(taken.begin(), taken.end(), earlier))
-    std::stable_sort(taken.begin(), taken.end(), earlier);
-  return taken;
+  // By agent already, and by cause within; with a window of time, time comes first.
+  return by_time(std::move(taken));
 }
 
 void Simulation::State::exchange(hal::Time window_end) {

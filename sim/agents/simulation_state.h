@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,10 +30,11 @@ struct Simulation::State final : hal::agent::AgentListener {
   void end(std::string result);
   void fail(std::string error);
 
-  bool within(hal::Time next, hal::Time begin) const {
+  /// The last instant of the window that begins there.
+  hal::Time last_instant(hal::Time begin) const {
     const auto window = config.controller_latency;
-    if (window == hal::Duration::zero()) return next == begin;
-    return next < begin + window && (!until || next <= *until);
+    if (window == hal::Duration::zero()) return begin;
+    return std::min(begin + window - hal::Duration{1}, until.value_or(hal::Time::max()));
   }
   bool take_outside(hal::Time now);
   void work_off(hal::Time begin);

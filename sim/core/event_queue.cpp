@@ -10,17 +10,31 @@ constexpr int kAgentBits = 16;
 
 }  // namespace
 
-EventSlot& EventQueue::claim(Time at, Rank rank, AgentId agent, bool must_destroy, EventId& id) {
-  BARAKA_CHECK(at >= now_);
-  const std::uint32_t index = slots_.claim(must_destroy);
+EventQueue::Place EventQueue::reserve(Rank rank, AgentId agent) {
   if (agent.value >= counters_.size()) counters_.resize(agent.value + 1u, 0);
   const std::uint64_t counter = counters_[agent.value]++;
   // Rank, agent, counter from high bits to low.
-  const std::uint64_t order = (static_cast<std::uint64_t>(rank) << (kAgentBits + kCounterBits)) |
-                              (static_cast<std::uint64_t>(agent.value) << kCounterBits) | counter;
+  return {(static_cast<std::uint64_t>(rank) << (kAgentBits + kCounterBits)) |
+          (static_cast<std::uint64_t>(agent.value) << kCounterBits) | counter};
+}
+
+EventSlot& EventQueue::claim(Time at, Place place, bool must_destroy, EventId& id) {
+  BARAKA_CHECK(at >= now_);
+  const std::uint32_t index = slots_.claim(must_destroy);
   id = {index, slots_.generation(index)};
-  events_.push({static_cast<std::uint64_t>(hal::to_ns(at)), order, id.slot, id.generation});
+  events_.push({static_cast<std::uint64_t>(hal::to_ns(at)), place.order, id.slot, id.generation});
   return slots_[index];
+}
+
+bool EventQueue::go_on(Time at, Place place) {
+  if (at > last_) return false;
+  BARAKA_CHECK(at >= now_);
+  const FutureEvents::Entry* const first = events_.front();
+  const FutureEvents::Entry next{static_cast<std::uint64_t>(hal::to_ns(at)), place.order, 0, 0};
+  if (first != nullptr && first->before(next)) return false;
+  now_ = at;
+  ++executed_;
+  return true;
 }
 
 bool EventQueue::is_pending(EventId id) const {
@@ -48,10 +62,11 @@ std::optional<Time> EventQueue::next_time() {
   return hal::time_from_ns(static_cast<std::int64_t>(entry->time));
 }
 
-void EventQueue::run_next() {
+void EventQueue::run_next(Time last) {
   const FutureEvents::Entry* entry = events_.front();
   BARAKA_CHECK(entry != nullptr);
   now_ = hal::time_from_ns(static_cast<std::int64_t>(entry->time));
+  last_ = last;
   const std::uint32_t index = entry->slot;
   events_.pop();
   ++executed_;

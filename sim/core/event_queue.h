@@ -52,6 +52,24 @@ class EventQueue {
   template <class F>
   EventId schedule(Time at, Rank rank, AgentId agent, F&& handler);
 
+  /// A place among the events of one time, for an event that is scheduled later.
+  struct Place {
+    std::uint64_t order = 0;
+    bool operator==(const Place&) const = default;
+  };
+
+  /// The place that an event scheduled now would have.
+  Place reserve(Rank rank, AgentId agent);
+
+  /// @param place  of this queue, each for one event.
+  template <class F>
+  EventId schedule(Time at, Place place, F&& handler);
+
+  /// For a handler that works off a series of events: makes (at, place) the event that runs now, as
+  /// if it had been scheduled, if nothing else comes before it and the caller of run_next() lets
+  /// handlers go on so far. @return false: schedule it.
+  bool go_on(Time at, Place place);
+
   /// @return false if the event has run, was cancelled, or `id` names none. Clears `id`.
   bool cancel(EventId& id);
 
@@ -61,8 +79,9 @@ class EventQueue {
   /// Time of the next event; none if the queue is empty.
   std::optional<Time> next_time();
 
-  /// Runs the next event. @pre there is one.
-  void run_next();
+  /// Runs the next event, and the rest of its series (go_on()) as far as it is at `last` or before.
+  /// @pre there is one.
+  void run_next(Time last = Time::min());
 
   /// Sets now() without running anything. @pre no event is pending before `at`.
   void advance_to(Time at);
@@ -71,21 +90,27 @@ class EventQueue {
   std::size_t pending() const { return events_.size(); }
 
  private:
-  EventSlot& claim(Time at, Rank rank, AgentId agent, bool must_destroy, EventId& id);
+  EventSlot& claim(Time at, Place place, bool must_destroy, EventId& id);
 
   EventSlots slots_;
   FutureEvents events_{slots_};
   std::vector<std::uint64_t> counters_;  ///< Per agent.
   Time now_{};
+  Time last_ = Time::min();  ///< How far the running handler may go on.
   std::uint64_t executed_ = 0;
 };
 
 template <class F>
 EventQueue::EventId EventQueue::schedule(Time at, Rank rank, AgentId agent, F&& handler) {
+  return schedule(at, reserve(rank, agent), std::forward<F>(handler));
+}
+
+template <class F>
+EventQueue::EventId EventQueue::schedule(Time at, Place place, F&& handler) {
   using Handler = std::decay_t<F>;
   static_assert(sizeof(Handler) <= EventSlot::kHandlerSize && alignof(Handler) <= alignof(void*));
   EventId id;
-  EventSlot& slot = claim(at, rank, agent, !std::is_trivially_destructible_v<Handler>, id);
+  EventSlot& slot = claim(at, place, !std::is_trivially_destructible_v<Handler>, id);
   ::new (static_cast<void*>(slot.storage)) Handler(std::forward<F>(handler));
   slot.act = [](void* h, EventSlot::Act act) {
     auto& stored = *static_cast<Handler*>(h);

@@ -6,19 +6,6 @@
 
 namespace sim::radio {
 
-struct Channel::Transmission {
-  struct Receiver {
-    Radio* radio;
-    Propagation::Arrival arrival;
-  };
-
-  FramePtr frame;
-  Radio* from = nullptr;
-  hal::Time start{};
-  std::vector<Receiver> receivers;
-  EventQueue::EventId end;
-};
-
 Channel::Channel(EventQueue& events, Neighbourhood& neighbourhood, RadioObserver& observer,
                  const WavesConfig& config)
     : events_(events),
@@ -37,24 +24,27 @@ void Channel::add(Radio& radio) {
 
 void Channel::transmit(Radio& from, const FramePtr& frame) {
   observer_.on_frame_start(events_.now(), *frame);
-  const auto transmission = std::make_shared<Transmission>();
-  transmission->frame = frame;
-  transmission->from = &from;
-  transmission->start = events_.now();
+  Transmission& transmission = transmissions_.claim();
+  transmission.frame = frame;
+  transmission.from = &from;
+  transmission.start = events_.now();
+  transmission.after_arrival = {hal::Duration{}, preamble_window_, frame->airtime};
   const Links& links = neighbourhood_.links_from(from.index());
-  transmission->receivers.reserve(links.audible.size());
-  for (const AudibleLink& link : links.audible) {
-    transmission->receivers.push_back({radios_[link.receiver], link.arrival});
+  transmission.receivers.reserve(links.audible.size());
+  for (const std::uint32_t one : links.by_arrival) {
+    const AudibleLink& link = links.audible[one];
+    transmission.receivers.push_back({.radio = radios_[link.receiver], .arrival = link.arrival});
   }
-  current_[from.index()] = transmission;
+  current_[from.index()] = &transmission;
+  transmissions_.add_use(transmission);
   start_faint(*frame, from.index(), links.faint);
   if (delays_) {
     start_one_by_one(transmission);
   } else {
     start_everywhere(transmission);
   }
-  transmission->end = events_.schedule(events_.now() + frame->airtime, Rank::kRadio, from.agent(),
-                                       [this, transmission] { finish(transmission); });
+  transmission.end = events_.schedule(events_.now() + frame->airtime, Rank::kRadio, from.agent(),
+                                      [this, &transmission] { finish(transmission); });
 }
 
 void Channel::start_faint(const Frame& frame, StationIndex from,
@@ -69,52 +59,107 @@ void Channel::start_faint(const Frame& frame, StationIndex from,
   }
 }
 
-void Channel::start_everywhere(const TransmissionPtr& transmission) {
+void Channel::start_everywhere(Transmission& transmission) {
   bool window_opened = false;
-  for (const auto& receiver : transmission->receivers) {
-    window_opened |= receiver.radio->begin_signal(transmission->frame, receiver.arrival);
+  for (const auto& receiver : transmission.receivers) {
+    window_opened |= receiver.radio->begin_signal(*transmission.frame, receiver.arrival);
   }
   if (!window_opened) return;
-  events_.schedule(events_.now() + preamble_window_, Rank::kRadio, transmission->from->agent(),
-                   [transmission] {
-                     for (const auto& receiver : transmission->receivers) {
+  transmissions_.add_use(transmission);
+  events_.schedule(events_.now() + preamble_window_, Rank::kRadio, transmission.from->agent(),
+                   [this, &transmission] {
+                     for (const auto& receiver : transmission.receivers) {
                        receiver.radio->close_preamble_window();
                      }
+                     transmissions_.drop_use(transmission);
                    });
 }
 
-void Channel::start_one_by_one(const TransmissionPtr& transmission) {
-  for (std::size_t i = 0; i < transmission->receivers.size(); ++i) {
-    const auto& receiver = transmission->receivers[i];
-    events_.schedule(events_.now() + receiver.arrival.delay, Rank::kRadio, receiver.radio->agent(),
-                     [this, transmission, i] { arrive(transmission, i); });
+EventQueue::Place Channel::place_for(const Radio& radio) {
+  return events_.reserve(Rank::kRadio, radio.agent());
+}
+
+void Channel::start_one_by_one(Transmission& transmission) {
+  for (auto& receiver : transmission.receivers) {
+    receiver.places[static_cast<std::size_t>(Phase::kArrival)] = place_for(*receiver.radio);
+  }
+  if (transmission.receivers.empty()) return;
+  transmissions_.add_use(transmission);
+  schedule(transmission, Phase::kArrival);
+}
+
+/// This phase comes for this receiver, later than for those before it.
+void Channel::follow(Transmission& transmission, Phase phase, std::size_t index) {
+  auto& receiver = transmission.receivers[index];
+  receiver.places[static_cast<std::size_t>(phase)] = place_for(*receiver.radio);
+  auto& series = transmission.series[static_cast<std::size_t>(phase)];
+  if (series.is_pending) return;
+  series.next = index;
+  transmissions_.add_use(transmission);
+  schedule(transmission, phase);
+}
+
+void Channel::schedule(Transmission& transmission, Phase phase) {
+  auto& series = transmission.series[static_cast<std::size_t>(phase)];
+  const auto& receiver = transmission.receivers[series.next];
+  series.is_pending = true;
+  events_.schedule(transmission.due(phase, receiver),
+                   receiver.places[static_cast<std::size_t>(phase)],
+                   [this, &transmission, phase] { work_off(transmission, phase); });
+}
+
+void Channel::work_off(Transmission& transmission, Phase phase) {
+  const auto p = static_cast<std::size_t>(phase);
+  auto& series = transmission.series[p];
+  const auto& receivers = transmission.receivers;
+  do {
+    act(transmission, phase, series.next);
+    do {
+      ++series.next;
+    } while (series.next < receivers.size() && receivers[series.next].places[p].order == 0);
+    if (series.next == receivers.size()) {
+      series.is_pending = false;
+      return transmissions_.drop_use(transmission);
+    }
+  } while (events_.go_on(transmission.due(phase, receivers[series.next]),
+                         receivers[series.next].places[p]));
+  schedule(transmission, phase);
+}
+
+void Channel::act(Transmission& transmission, Phase phase, std::size_t receiver) {
+  Radio& radio = *transmission.receivers[receiver].radio;
+  switch (phase) {
+    case Phase::kArrival:
+      return arrive(transmission, receiver);
+    case Phase::kWindow:
+      return radio.close_preamble_window();
+    case Phase::kEnd:
+      return radio.end_signal(*transmission.frame, false);
   }
 }
 
-void Channel::arrive(const TransmissionPtr& transmission, std::size_t receiver) {
-  Radio& radio = *transmission->receivers[receiver].radio;
-  const FramePtr& frame = transmission->frame;
-  if (radio.begin_signal(frame, transmission->receivers[receiver].arrival)) {
-    events_.schedule(events_.now() + preamble_window_, Rank::kRadio, radio.agent(),
-                     [&radio] { radio.close_preamble_window(); });
-  }
-  events_.schedule(events_.now() + frame->airtime, Rank::kRadio, radio.agent(),
-                   [&radio, frame] { radio.end_signal(*frame, false); });
+void Channel::arrive(Transmission& transmission, std::size_t index) {
+  const auto& receiver = transmission.receivers[index];
+  const bool window_opened = receiver.radio->begin_signal(*transmission.frame, receiver.arrival);
+  if (window_opened) follow(transmission, Phase::kWindow, index);
+  follow(transmission, Phase::kEnd, index);
 }
 
-void Channel::finish(const TransmissionPtr& transmission) {
-  TransmissionPtr& current = current_[transmission->from->index()];
-  if (current == transmission) current.reset();
-  transmission->from->end_transmit(*transmission->frame);
-  if (delays_) return;
-  for (const auto& receiver : transmission->receivers) {
-    receiver.radio->end_signal(*transmission->frame, false);
+void Channel::finish(Transmission& transmission) {
+  Transmission*& current = current_[transmission.from->index()];
+  if (current == &transmission) current = nullptr;
+  transmission.from->end_transmit(*transmission.frame);
+  if (!delays_) {
+    for (const auto& receiver : transmission.receivers) {
+      receiver.radio->end_signal(*transmission.frame, false);
+    }
   }
+  transmissions_.drop_use(transmission);
 }
 
 void Channel::cut(const Radio& from) {
-  const TransmissionPtr transmission = std::exchange(current_[from.index()], nullptr);
-  if (!transmission) return;
+  Transmission* const transmission = std::exchange(current_[from.index()], nullptr);
+  if (transmission == nullptr) return;
   events_.cancel(transmission->end);
   for (FaintSignals& faint : faint_) {
     faint.cut(from.index(), transmission->start, events_.now());
@@ -125,9 +170,14 @@ void Channel::cut(const Radio& from) {
       radio.end_signal(*transmission->frame, true);
       continue;
     }
+    transmissions_.add_use(*transmission);
     events_.schedule(events_.now() + receiver.arrival.delay, Rank::kRadio, radio.agent(),
-                     [&radio, transmission] { radio.end_signal(*transmission->frame, true); });
+                     [this, &radio, transmission] {
+                       radio.end_signal(*transmission->frame, true);
+                       transmissions_.drop_use(*transmission);
+                     });
   }
+  transmissions_.drop_use(*transmission);
 }
 
 }  // namespace sim::radio

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "sim/core/event_queue.h"
@@ -9,6 +8,7 @@
 #include "sim/radio/neighbourhood.h"
 #include "sim/radio/observer.h"
 #include "sim/radio/radio_config.h"
+#include "sim/radio/transmission.h"
 
 namespace sim::radio {
 
@@ -16,7 +16,10 @@ class Radio;
 
 /// The air: carries each frame to the radios that can notice it and to nobody else. Without
 /// propagation delay a frame costs one event at its end, whatever the number of receivers, which
-/// are visited in order of their addresses. Where it is faint it costs no event at all.
+/// are visited in order of their addresses. With it, receivers are visited in the order in which
+/// the frame arrives, and in each phase the event of one follows that of the one before without
+/// having waited in the queue, unless somebody else's comes between. Where a frame is faint it
+/// costs no event at all.
 class Channel {
  public:
   Channel(EventQueue& events, Neighbourhood& neighbourhood, RadioObserver& observer,
@@ -36,14 +39,18 @@ class Channel {
   void cut(const Radio& from);
 
  private:
-  struct Transmission;
-  using TransmissionPtr = std::shared_ptr<Transmission>;
+  using Phase = Transmission::Phase;
 
   void start_faint(const Frame& frame, StationIndex from, const std::vector<FaintLink>& links);
-  void start_everywhere(const TransmissionPtr& transmission);
-  void start_one_by_one(const TransmissionPtr& transmission);
-  void finish(const TransmissionPtr& transmission);
-  void arrive(const TransmissionPtr& transmission, std::size_t receiver);
+  void start_everywhere(Transmission& transmission);
+  void start_one_by_one(Transmission& transmission);
+  void finish(Transmission& transmission);
+  EventQueue::Place place_for(const Radio& radio);
+  void follow(Transmission& transmission, Phase phase, std::size_t receiver);
+  void schedule(Transmission& transmission, Phase phase);
+  void work_off(Transmission& transmission, Phase phase);
+  void act(Transmission& transmission, Phase phase, std::size_t receiver);
+  void arrive(Transmission& transmission, std::size_t receiver);
 
   EventQueue& events_;
   Neighbourhood& neighbourhood_;
@@ -51,8 +58,9 @@ class Channel {
   bool delays_;
   hal::Duration preamble_window_;
   std::vector<Radio*> radios_;
-  std::vector<FaintSignals> faint_;       ///< Per receiver.
-  std::vector<TransmissionPtr> current_;  ///< Per transmitter.
+  Transmissions transmissions_;
+  std::vector<FaintSignals> faint_;     ///< Per receiver.
+  std::vector<Transmission*> current_;  ///< Per transmitter; null: it is silent.
 };
 
 }  // namespace sim::radio

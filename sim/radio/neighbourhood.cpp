@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 #include "hal/types/check.h"
@@ -123,6 +124,16 @@ void Neighbourhood::collect(StationIndex transmitter) {
   links.audible.shrink_to_fit();
   links.faint.shrink_to_fit();
   links.distant.shrink_to_fit();
+  sort_by_arrival(links);
+}
+
+void Neighbourhood::sort_by_arrival(Links& links) {
+  links.by_arrival.resize(links.audible.size());
+  std::iota(links.by_arrival.begin(), links.by_arrival.end(), 0u);
+  // By receiver already: what is stable leaves those of one delay so.
+  std::ranges::stable_sort(links.by_arrival, {}, [&links](std::uint32_t one) {
+    return links.audible[one].arrival.delay;
+  });
 }
 
 /// Into the list where it belongs, unless it is out of reach for ever.
@@ -160,21 +171,25 @@ const Links& Neighbourhood::links_from(StationIndex transmitter) {
 void Neighbourhood::follow(StationIndex transmitter) {
   Links& links = links_[transmitter];
   changed_.clear();
-  follow(transmitter, links.audible, Propagation::Strength::kAudible);
+  const std::size_t heard = links.audible.size();
+  const bool moved = follow(transmitter, links.audible, Propagation::Strength::kAudible);
   follow(transmitter, links.faint, Propagation::Strength::kFaint);
   follow(transmitter, links.distant, Propagation::Strength::kNothing);
   for (const AudibleLink& link : changed_) put(links, link, false);
+  if (moved || links.audible.size() != heard) sort_by_arrival(links);
 }
 
 template <class OneLink>
-void Neighbourhood::follow(StationIndex from, std::vector<OneLink>& links,
+bool Neighbourhood::follow(StationIndex from, std::vector<OneLink>& links,
                            Propagation::Strength strength) {
+  bool any = false;
   std::erase_if(links, [&](OneLink& known) {
     Station& to = stations_[known.receiver];
     refresh(to);
     // Neither count ever falls: the same sum is the same two.
     const std::uint32_t moves = stations_[from].moves + to.moves;
     if (known.moves == moves) return false;
+    any = true;
     known.moves = moves;
     const AudibleLink now = link(from, known.receiver);
     if (now.steady.strength == strength) {
@@ -184,6 +199,7 @@ void Neighbourhood::follow(StationIndex from, std::vector<OneLink>& links,
     changed_.push_back(now);
     return true;
   });
+  return any;
 }
 
 /// Those whose ends may stand still.

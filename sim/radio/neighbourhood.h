@@ -35,11 +35,12 @@ struct DistantLink {
   std::uint32_t moves = 0;
 };
 
-/// From one station to all that it matters to, each list by receiver.
+/// From one station to all that it matters to, each list of links by receiver.
 struct Links {
   std::vector<AudibleLink> audible;
   std::vector<FaintLink> faint;
   std::vector<DistantLink> distant;
+  std::vector<std::uint32_t> by_arrival;  ///< Indices into `audible` by (delay, receiver).
 };
 
 /// Who can notice whose frames, and how strongly. Positions are pulled when a frame starts; what
@@ -81,9 +82,11 @@ class Neighbourhood {
   void refresh(Station& station);
   void collect(StationIndex transmitter);
   void follow(StationIndex transmitter);
+  /// @return whether any link has changed.
   template <class OneLink>
-  void follow(StationIndex from, std::vector<OneLink>& links, Propagation::Strength strength);
+  bool follow(StationIndex from, std::vector<OneLink>& links, Propagation::Strength strength);
   void follow_time(StationIndex transmitter);
+  static void sort_by_arrival(Links& links);
   void put(Links& links, const AudibleLink& link, bool is_fixed);
   void watch_cell(StationIndex station);
   void change_cell(StationIndex station);

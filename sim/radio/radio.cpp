@@ -86,14 +86,14 @@ void Radio::settle() {
   if (window_ && events_.now() - *window_ >= preamble_window_) take_strongest();
 }
 
-bool Radio::begin_signal(const FramePtr& frame, const Propagation::Arrival& arrival) {
+bool Radio::begin_signal(const Frame& frame, const Propagation::Arrival& arrival) {
   settle();
   hear();
   const hal::Time now = events_.now();
-  signals_.push_back({.frame = frame,
+  signals_.push_back({.frame = &frame,
                       .arrival = arrival,
                       .start = now,
-                      .end = now + frame->airtime,
+                      .end = now + frame.airtime,
                       .verdict = refuse(arrival)});
   const bool had_window = window_.has_value();
   const bool holds_it = !signals_.back().verdict && synchronise(signals_.back());
@@ -216,7 +216,7 @@ void Radio::end_signal(const Frame& frame, bool cut) {
 Interference Radio::interference(const Frame& wanted) const {
   Interference others;
   for (const Signal& signal : signals_) {
-    if (signal.frame.get() == &wanted) continue;
+    if (signal.frame == &wanted) continue;
     others.sum += signal.arrival.power.value;
     others.strongest = std::max(others.strongest, signal.arrival.power.value);
   }
@@ -273,7 +273,7 @@ bool Radio::has_received_since(hal::Time since) {
 
 Radio::Signal* Radio::find(const Frame& frame) {
   const auto found = std::find_if(signals_.begin(), signals_.end(), [&frame](const Signal& signal) {
-    return signal.frame.get() == &frame;
+    return signal.frame == &frame;
   });
   return found == signals_.end() ? nullptr : &*found;
 }

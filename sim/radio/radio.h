@@ -91,8 +91,9 @@ class Radio {
   double energy_detection() const { return energy_detection_; }  ///< mW
 
   // For the channel.
+  /// @param frame  outlives its signal here.
   /// @return whether a preamble window opened, which must be closed after its time.
-  bool begin_signal(const FramePtr& frame, const Propagation::Arrival& arrival);
+  bool begin_signal(const Frame& frame, const Propagation::Arrival& arrival);
   void close_preamble_window() { settle(); }
   /// The faint frames may add up to energy that is sensed: looks at each of their starts and ends
   /// from now on, until they do not.
@@ -104,7 +105,7 @@ class Radio {
 
  private:
   struct Signal {
-    FramePtr frame;
+    const Frame* frame;
     Propagation::Arrival arrival;
     hal::Time start{};
     hal::Time end{};

@@ -84,6 +84,49 @@ TEST(DsssPacketError, CckSymbolWithoutSignalIsAGuess) {
               1e-5);
 }
 
+/// J. G. Proakis, "Digital Communications", 4th edition, section 5.2.2, by the midpoint rule.
+double proakis(double energy) {
+  constexpr int kIntervals = 20'000;
+  const double beta = std::sqrt(2 * energy);
+  const double step = (beta + 10) / kIntervals;
+  double sum = 0;
+  for (int i = 0; i < kIntervals; ++i) {
+    const double x = (i + 0.5) * step - beta;
+    sum += std::pow(1 - std::erfc((x + beta) / std::sqrt(2.0)), 7) * std::exp(-x * x / 2);
+  }
+  return sum * step / std::sqrt(2 * hal::math::kPi);
+}
+
+// A symbol is 4 bits at 5.5 Mb/s, with 8 times the SINR as energy, and 2 * 8 bits are two with 4
+// times at 11 Mb/s. Tolerance: that of Simpson's rule in it; 4,600 symbols of 18,432 bits make 1e-7
+// of it.
+TEST(DsssPacketError, CckIsProakisIntegralAtEverySinr) {
+  for (double db = -25; db < 13.1; db += 0.37) {
+    const double sinr = ratio(db);
+    EXPECT_NEAR(success_probability(ErrorModel::kDsss, sinr, hal::BitsPerSecond{5.5e6}, 4),
+                proakis(8 * sinr), 1e-10)
+        << db << " dB";
+    EXPECT_NEAR(success_probability(ErrorModel::kDsss, sinr, hal::BitsPerSecond{11e6}, 4),
+                proakis(4 * sinr), 1e-10)
+        << db << " dB";
+  }
+}
+
+// What is called certain is so but for 1e-11 of the longest frame.
+TEST(DsssPacketError, IsCertainOnlyWhereTheErrorIsBelowTheLastBit) {
+  for (const double rate : {1e6, 2e6, 5.5e6, 11e6}) {
+    for (double sinr = 0.01; sinr < 30; sinr *= 1.01) {
+      const double symbol =
+          success_probability(ErrorModel::kDsss, sinr, hal::BitsPerSecond{rate}, 1);
+      if (symbol < 1) continue;
+      const double q = rate <= 1e6   ? std::exp(-22 * sinr)
+                       : rate <= 2e6 ? std::exp(-(2 - std::sqrt(2.0)) * 11 * sinr)
+                                     : std::erfc(std::sqrt((rate < 1e7 ? 8 : 4) * sinr / 2)) * 7;
+      EXPECT_LT(q, 1e-15) << rate << " at " << sinr;
+    }
+  }
+}
+
 TEST(DsssPacketError, VanishesAtHighSinrAtEveryRate) {
   for (const double rate : {1e6, 2e6, 5.5e6, 11e6}) {
     EXPECT_EQ(success_probability(ErrorModel::kDsss, std::numeric_limits<double>::infinity(),
@@ -98,7 +141,7 @@ TEST(DsssPacketError, FallsWithTheSinrAndRisesWithTheRate) {
     for (const double rate : {1e6, 2e6, 5.5e6, 11e6}) {
       const hal::BitsPerSecond r{rate};
       const double here = success_probability(ErrorModel::kDsss, ratio(db), r, 800);
-      EXPECT_GE(success_probability(ErrorModel::kDsss, ratio(db + 0.5), r, 800), here);
+      EXPECT_GE(success_probability(ErrorModel::kDsss, ratio(db + 0.5), r, 800), here - 1e-12);
       EXPECT_LE(here, slower + 1e-12) << rate << " at " << db << " dB";
       slower = here;
     }

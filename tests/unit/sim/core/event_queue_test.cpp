@@ -49,6 +49,61 @@ TEST_F(EventQueueTest, RunsByTimeThenRankThenAgentThenCounter) {
   EXPECT_EQ(queue_.executed(), 7u);
 }
 
+/// An agent's events at 1, 2, 3, … us, of which only the next one is in the queue, or none.
+class Series {
+ public:
+  Series(EventQueue& queue, std::string& seen, std::uint16_t agent, int length)
+      : queue_(queue), seen_(seen) {
+    for (int i = 0; i < length; ++i) places_.push_back(queue.reserve(Rank::kRadio, AgentId{agent}));
+    schedule();
+  }
+
+ private:
+  Time due() const { return Time{1us} + next_ * 1us; }
+  void schedule() {
+    queue_.schedule(due(), places_[next_], [this] { work_off(); });
+  }
+  void work_off() {
+    do {
+      EXPECT_EQ(queue_.now(), due());
+      seen_ += static_cast<char>('1' + next_);
+      if (++next_ == places_.size()) return;
+    } while (queue_.go_on(due(), places_[next_]));
+    schedule();
+  }
+
+  EventQueue& queue_;
+  std::string& seen_;
+  std::vector<EventQueue::Place> places_;
+  std::size_t next_ = 0;
+};
+
+TEST_F(EventQueueTest, ASeriesGoesOnOnlyWhileNothingComesBetween) {
+  note(Time{3us}, Rank::kRadio, 5, "a");  // before, by its counter
+  const Series series(queue_, seen_, 5, 6);
+  note(Time{2us}, Rank::kRadio, 5, "c");  // after, by its counter
+  note(Time{4us}, Rank::kRadio, 4, "d");  // before, by its agent
+  note(Time{5us}, Rank::kControl, 1, "e");
+  queue_.run_next(Time{4us});
+  EXPECT_EQ(seen_, "12");
+  EXPECT_EQ(queue_.executed(), 2u);
+  while (queue_.next_time()) queue_.run_next(Time{10us});
+  EXPECT_EQ(seen_, "12ca3d45e6");
+  EXPECT_EQ(queue_.executed(), 10u);
+}
+
+TEST_F(EventQueueTest, ASeriesGoesNoFartherThanTheCallerLetsIt) {
+  const Series series(queue_, seen_, 5, 6);
+  queue_.run_next();
+  EXPECT_EQ(seen_, "1");
+  queue_.run_next(Time{4us});
+  EXPECT_EQ(seen_, "1234");
+  EXPECT_EQ(queue_.now(), Time{4us});
+  EXPECT_EQ(queue_.next_time(), Time{5us});
+  run_all();
+  EXPECT_EQ(seen_, "123456");
+}
+
 TEST_F(EventQueueTest, OrderOfTwoAgentsDoesNotDependOnWhoScheduledFirst) {
   note(Time{1us}, Rank::kRadio, 7, "7");
   note(Time{1us}, Rank::kRadio, 3, "3");

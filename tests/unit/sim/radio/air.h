@@ -184,9 +184,10 @@ class Air {
     events.schedule(hal::Time{} + time, Rank::kScenario, kWorld, [stored] { (*stored)(); });
   }
   void run(hal::Duration until = std::chrono::seconds{1}) {
+    const hal::Time last = hal::Time{} + until;
     while (const auto next = events.next_time()) {
-      if (*next > hal::Time{} + until) return;
-      events.run_next();
+      if (*next > last) return;
+      one_by_one ? events.run_next() : events.run_next(last);
     }
   }
 
@@ -196,6 +197,7 @@ class Air {
   Wall wall;
   Log log;
   std::uint64_t seed = 1;
+  bool one_by_one = false;  ///< Every event waits in the queue for its turn.
   std::unique_ptr<RadioNetwork> network;
 
  private:

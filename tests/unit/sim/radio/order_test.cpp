@@ -80,5 +80,43 @@ TEST(Simultaneity, AddressesDecideNothingInIeee80211b) {
   EXPECT_EQ(run(Profile::kIeee80211b, false), run(Profile::kIeee80211b, true));
 }
 
+/// Twelve stations, some of which move, send and are switched off and on, with propagation delay.
+Seen run_far_apart(bool one_by_one) {
+  Air air(Profile::kIeee80211b);
+  air.one_by_one = one_by_one;
+  for (std::uint16_t i = 0; i < kStations; ++i) {
+    air.add({kPlaces[i].x, kPlaces[i].y, 0}, {i % 3 == 0 ? 2.0 : 0.0, 0, 0});
+  }
+  air.build();
+  hal::RandomStream random(7, "traffic");
+  const auto one = [&random] { return static_cast<std::uint16_t>(1 + random.below(kStations)); };
+  for (int i = 0; i < 600; ++i) {
+    const std::uint16_t from = one(), to = one();
+    const bool broadcast = to == from || i % 3 == 0;
+    air.at(random.below(1'000'000) * 1us, [&air, from, to, broadcast] {
+      air.send(from, broadcast ? hal::kEveryone.value : to, 200);
+    });
+  }
+  for (int i = 0; i < 20; ++i) {
+    const std::uint16_t station = one();
+    const auto off = random.below(1'000'000) * 1us;
+    air.at(off, [&air, station] { air.sap(station).set_radio(false); });
+    air.at(off + 3ms, [&air, station] { air.sap(station).set_radio(true); });
+  }
+  air.run(5s);
+  Seen seen;
+  for (const auto& reception : air.log.receptions) {
+    seen.emplace_back(reception.at, static_cast<int>(reception.verdict), reception.receiver.value);
+  }
+  return seen;
+}
+
+// The events of a frame at its receivers do not wait in the queue where nothing comes between.
+TEST(Simultaneity, WhetherTheEventsOfAFrameWaitForTheirTurnMakesNoDifference) {
+  const Seen seen = run_far_apart(true);
+  EXPECT_GT(seen.size(), 5000u);
+  EXPECT_EQ(seen, run_far_apart(false));
+}
+
 }  // namespace
 }  // namespace sim::radio::test
