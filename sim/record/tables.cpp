@@ -92,7 +92,7 @@ std::vector<Table> count_tables() {
 std::vector<Table> message_tables() {
   return {
       {"messages",
-       "what controllers sent",
+       "what controllers sent; only with record: {messages: all}, the default up to 100 agents",
        {{"sender", "INTEGER NOT NULL", "", "agent"},
         {"id", "INTEGER NOT NULL", "", "of the message, by its sender"},
         {"destination", "INTEGER NOT NULL", "", "agent, or everyone"},
@@ -107,7 +107,7 @@ std::vector<Table> message_tables() {
          "sensitivity' if none was in range"}},
        "sender, id"},
       {"broadcasts",
-       "the messages to everyone or to neighbours: how many got them",
+       "of the listed messages those to everyone or to neighbours: how many got them",
        {{"sender", "INTEGER", "", "agent"},
         {"id", "INTEGER", "", "of the message, by its sender"},
         {"topic", "TEXT", "", "class of the message"},
@@ -121,7 +121,7 @@ std::vector<Table> message_tables() {
        " (SELECT COUNT(*) FROM deliveries d WHERE d.sender = m.sender AND d.id = m.id) AS reached,"
        " verdict FROM messages m WHERE destination >= 65534"},
       {"deliveries",
-       "messages handed to a controller; a flood once per agent",
+       "listed messages handed to a controller; a flood once per agent",
        {{"sender", "INTEGER NOT NULL", "", "of the message"},
         {"id", "INTEGER NOT NULL", "", "of the message, by its sender"},
         {"receiver", "INTEGER NOT NULL", "", "agent"},
@@ -137,6 +137,113 @@ std::vector<Table> message_tables() {
         {"ended_ns", "INTEGER NOT NULL", "ns", "when"},
         {"took_ns", "INTEGER NOT NULL", "ns", "since the first message waited for it"},
         {"found", "INTEGER NOT NULL", "", "0: given up"}}},
+  };
+}
+
+std::vector<Table> counted_message_tables() {
+  return {
+      {"counted_ends",
+       "messages that are not listed (record: {messages: counts}), by how they ended; read "
+       "message_ends",
+       {{"sender", "INTEGER NOT NULL", "", "agent"},
+        {"destination", "INTEGER NOT NULL", "", "agent, or everyone"},
+        {"topic", "TEXT NOT NULL", "", "class of the message"},
+        {"verdict", "TEXT NOT NULL", "", "as in message_ends"},
+        {"count", "INTEGER NOT NULL", "", "messages"},
+        {"bytes", "INTEGER NOT NULL", "byte", "of their payloads"}},
+       "sender, destination, topic, verdict"},
+      {"counted_fates",
+       "the same by what their senders were told; read message_fates",
+       {{"sender", "INTEGER NOT NULL", "", "agent"},
+        {"destination", "INTEGER NOT NULL", "", "agent, or everyone"},
+        {"topic", "TEXT NOT NULL", "", "class of the message"},
+        {"fate", "TEXT NOT NULL", "", "as told to the sender"},
+        {"count", "INTEGER NOT NULL", "", "messages"}},
+       "sender, destination, topic, fate"},
+      {"counted_deliveries",
+       "deliveries that are not listed; read message_deliveries",
+       {{"sender", "INTEGER NOT NULL", "", "of the messages"},
+        {"destination", "INTEGER NOT NULL", "", "agent, or everyone"},
+        {"topic", "TEXT NOT NULL", "", "class of the messages"},
+        {"receiver", "INTEGER NOT NULL", "", "agent"},
+        {"transmissions", "INTEGER NOT NULL", "", "on their way, the last hop included"},
+        {"count", "INTEGER NOT NULL", "", "deliveries"},
+        {"bytes", "INTEGER NOT NULL", "byte", "of their payloads"},
+        {"late", "INTEGER NOT NULL", "", "as in message_deliveries"},
+        {"delay_sum_ns", "INTEGER NOT NULL", "ns", "as in message_deliveries"},
+        {"delay_least_ns", "INTEGER", "ns", "the shortest; null: all were late"},
+        {"delay_greatest_ns", "INTEGER", "ns", "the longest; null: all were late"}},
+       "sender, destination, topic, receiver, transmissions"},
+  };
+}
+
+/// What holds whether messages are listed or counted.
+std::vector<Table> message_sum_tables() {
+  return {
+      {"message_ends",
+       "how messages ended, whether they are listed or counted; all that were sent are in the sum",
+       {{"sender", "INTEGER", "", "agent"},
+        {"destination", "INTEGER", "", "agent, or everyone"},
+        {"topic", "TEXT", "", "class of the message"},
+        {"verdict", "TEXT", "", "as in messages; 'under way': on its way at the end of the run"},
+        {"count", "INTEGER", "", "messages"},
+        {"bytes", "INTEGER", "byte", "of their payloads"}},
+       "sender, destination, topic, verdict",
+       "SELECT sender, destination, topic, IFNULL(verdict, 'under way') AS verdict,"
+       " COUNT(*) AS count, SUM(bytes) AS bytes FROM messages GROUP BY 1, 2, 3, 4"
+       " UNION ALL SELECT sender, destination, topic, verdict, count, bytes FROM counted_ends"
+       " WHERE count > 0"},
+      {"message_fates",
+       "what senders were told of their messages, whether they are listed or counted",
+       {{"sender", "INTEGER", "", "agent"},
+        {"destination", "INTEGER", "", "agent, or everyone"},
+        {"topic", "TEXT", "", "class of the message"},
+        {"fate", "TEXT", "", "as told to the sender"},
+        {"count", "INTEGER", "", "messages"}},
+       "sender, destination, topic, fate",
+       "SELECT sender, destination, topic, fate, COUNT(*) AS count FROM messages"
+       " WHERE fate IS NOT NULL GROUP BY 1, 2, 3, 4"
+       " UNION ALL SELECT sender, destination, topic, fate, count FROM counted_fates"},
+  };
+}
+
+std::vector<Table> delivery_sum_tables() {
+  return {
+      {"message_deliveries",
+       "messages handed to controllers, whether they are listed or counted",
+       {{"sender", "INTEGER", "", "of the messages"},
+        {"destination", "INTEGER", "", "agent, or everyone"},
+        {"topic", "TEXT", "", "class of the messages"},
+        {"receiver", "INTEGER", "", "agent"},
+        {"transmissions", "INTEGER", "", "on their way, the last hop included"},
+        {"count", "INTEGER", "", "deliveries"},
+        {"bytes", "INTEGER", "byte", "of their payloads"},
+        {"late", "INTEGER", "",
+         "so many of them came over 10 s after the message was sent, and after its sender was done "
+         "with it, while messages were counted: the delays are of the others"},
+        {"delay_sum_ns", "INTEGER", "ns", "of the times since they were sent"},
+        {"delay_least_ns", "INTEGER", "ns", "the shortest"},
+        {"delay_greatest_ns", "INTEGER", "ns", "the longest"}},
+       "sender, destination, topic, receiver, transmissions",
+       "SELECT m.sender, m.destination, m.topic, d.receiver, d.transmissions, COUNT(*) AS count,"
+       " SUM(m.bytes) AS bytes, 0 AS late, SUM(d.delay_ns) AS delay_sum_ns,"
+       " MIN(d.delay_ns) AS delay_least_ns, MAX(d.delay_ns) AS delay_greatest_ns"
+       " FROM deliveries d JOIN messages m USING (sender, id) GROUP BY 1, 2, 3, 4, 5"
+       " UNION ALL SELECT * FROM counted_deliveries"},
+      {"broadcast_sums",
+       "the messages to everyone or to neighbours, whether they are listed or counted: how many "
+       "were sent and got",
+       {{"sender", "INTEGER", "", "agent"},
+        {"topic", "TEXT", "", "class of the message"},
+        {"messages", "INTEGER", "", "sent"},
+        {"addressees", "INTEGER", "", "of all of them together: all other agents, each time"},
+        {"reached", "INTEGER", "", "so many of those got theirs"}},
+       "sender, topic",
+       "SELECT e.sender, e.topic, SUM(e.count) AS messages,"
+       " SUM(e.count) * (SELECT COUNT(*) FROM agents WHERE agent <> e.sender) AS addressees,"
+       " IFNULL((SELECT SUM(d.count) FROM message_deliveries d WHERE d.sender = e.sender"
+       " AND d.topic = e.topic AND d.destination >= 65534), 0) AS reached"
+       " FROM message_ends e WHERE e.destination >= 65534 GROUP BY 1, 2"},
   };
 }
 
@@ -246,7 +353,8 @@ const std::vector<Table>& tables() {
   static const std::vector<Table> all = [] {
     std::vector<Table> sum;
     for (const auto& part :
-         {setup_tables(), count_tables(), message_tables(), body_tables(), trace_tables()}) {
+         {setup_tables(), count_tables(), message_tables(), counted_message_tables(),
+          message_sum_tables(), delivery_sum_tables(), body_tables(), trace_tables()}) {
       sum.insert(sum.end(), part.begin(), part.end());
     }
     return sum;

@@ -17,8 +17,9 @@ constexpr std::array kDeaths = {Option<OnDeath>{"fail", OnDeath::kFail},
                                 Option<OnDeath>{"silence", OnDeath::kSilence}};
 constexpr std::array kLinks = {Option<LinkKind>{"mac", LinkKind::kMac},
                                Option<LinkKind>{"udp_like", LinkKind::kUdpLike}};
-constexpr std::array kFrames = {Option<FrameRecord>{"counts", FrameRecord::kCounts},
-                                Option<FrameRecord>{"all", FrameRecord::kAll}};
+constexpr std::array kDetails = {Option<record::Detail>{"none", record::Detail::kNone},
+                                 Option<record::Detail>{"counts", record::Detail::kCounts},
+                                 Option<record::Detail>{"all", record::Detail::kAll}};
 
 /// What a file that says nothing gets: a controller 10 ms away.
 constexpr hal::Duration kDefaultLatency = 10ms;
@@ -63,8 +64,14 @@ void run_keys(Io& io, Scenario& scenario) {
 
 template <class Io>
 void record_keys(Io& io, RecordOptions& c) {
-  io.choice({"frames", "Frames in the results: counted, or a row for each as well.", "counts"},
-            kFrames, c.frames);
+  io.choice({"frames", "Frames in the results: not at all, counted, or a row for each as well.",
+             "counts"},
+            kDetails, c.frames);
+  io.choice({"messages",
+             "Messages and deliveries in the results: not at all, counted, or a row for each, as "
+             "quartiles of their delays need.",
+             "counts", "all; counts above 100 agents"},
+            kDetails, c.messages);
   io.duration(
       {"pose_period",
        "Between two rows of an agent's pose in the results; at most one row per control cycle.",
@@ -83,10 +90,14 @@ void read_run(Mapping& in, Scenario& scenario) {
                "must not be shorter than control_period: the wheels would stop between commands");
   }
   scenario.simulation.world.seed = scenario.simulation.seed;
-  Mapping record = in.mapping({"record", "What goes into the results."});
-  FieldReader record_reader(record);
-  record_keys(record_reader, scenario.record);
-  record.finish();
+}
+
+void read_record(Mapping in, Scenario& scenario) {
+  const bool many = scenario.simulation.agents.size() > kAgentsOfListedMessages;
+  scenario.record.messages = many ? record::Detail::kCounts : record::Detail::kAll;
+  FieldReader reader(in);
+  record_keys(reader, scenario.record);
+  in.finish();
 }
 
 void write_run(Writer& out, const Scenario& scenario) {

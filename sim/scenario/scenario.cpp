@@ -49,6 +49,7 @@ Scenario read_scenario(Mapping in, const std::filesystem::path& file) {
       in.mapping(
           {"agents", "Groups of agents, each under a name of its own (here NAME); at least one."}),
       scenario);
+  read_record(in.mapping({"record", "What goes into the results."}), scenario);
   read_ends(in, scenario);
   read_expectations(in, scenario);
   in.finish();

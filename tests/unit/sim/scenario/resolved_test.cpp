@@ -163,7 +163,7 @@ TEST_F(Resolved, KeepsTheRun) {
   EXPECT_EQ(scenario.reply_timeout, std::nullopt);
   EXPECT_EQ(scenario.wait, 12s);
   EXPECT_EQ(c.link, agents::LinkKind::kUdpLike);
-  EXPECT_EQ(scenario.record.frames, FrameRecord::kAll);
+  EXPECT_EQ(scenario.record.frames, sim::record::Detail::kAll);
   EXPECT_EQ(scenario.record.pose_period, 250ms);
   EXPECT_TRUE(std::isinf(c.localisation.range.value));
 }
