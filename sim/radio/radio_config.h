@@ -26,6 +26,12 @@ enum class Rounding : std::uint8_t {
 };
 enum class ErrorModel : std::uint8_t { kMobilityFramework, kDsss };
 enum class Preamble : std::uint8_t { kLong, kShort };
+/// Which bits of an OFDM frame must arrive.
+enum class BitsAtRisk : std::uint8_t {
+  kMpdu,         ///< Those of the MPDU, FCS included.
+  kPayloadTime,  ///< As many as fit between header and end, pad and signal extension included:
+                 ///< ns-3.
+};
 
 /// From antenna to antenna.
 struct PropagationConfig {
@@ -125,6 +131,7 @@ struct Ieee80211bConfig : DcfConfig {
 /// at 24 Mb/s, broadcasts at 6 Mb/s; the long slot, as in an independent network (18.4.4).
 struct Ieee80211gConfig : DcfConfig {
   Ieee80211gConfig();
+  BitsAtRisk bits_at_risk = BitsAtRisk::kMpdu;
 };
 
 /// Range of mobility_framework: 0.125 m / (4 pi) * sqrt(2 mW / -85 dBm), rounded up.

@@ -58,7 +58,7 @@ double Reception::success_of_interval(double sinr, hal::Time from, hal::Time to)
   const double body_share =
       hal::to_seconds(overlap(from, to, body, end)) / hal::to_seconds(end - body);
   return mode.header_success(sinr, header_share) *
-         mode.success(sinr, body_share * frame_->air_length);
+         mode.success(sinr, body_share * mode.bits_at_risk(frame_->air_length));
 }
 
 double Reception::success_at_min_sinr() const {

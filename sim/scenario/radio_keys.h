@@ -18,6 +18,9 @@ inline constexpr std::array kRoundings = {
     Option<radio::Rounding>{"microsecond", radio::Rounding::kMicrosecond}};
 inline constexpr std::array kLengths = {Option<radio::Lengths>{"bytes", radio::Lengths::kBytes},
                                         Option<radio::Lengths>{"fixed", radio::Lengths::kFixed}};
+inline constexpr std::array kBitsAtRisk = {
+    Option<radio::BitsAtRisk>{"mpdu", radio::BitsAtRisk::kMpdu},
+    Option<radio::BitsAtRisk>{"payload_time", radio::BitsAtRisk::kPayloadTime}};
 inline constexpr std::array kErrorModels = {
     Option<radio::ErrorModel>{"mobility_framework", radio::ErrorModel::kMobilityFramework},
     Option<radio::ErrorModel>{"dsss", radio::ErrorModel::kDsss}};
@@ -223,6 +226,11 @@ void keys_of(Io& io, radio::Ieee80211bConfig& c) {
 template <class Io>
 void keys_of(Io& io, radio::Ieee80211gConfig& c) {
   keys_of(io, static_cast<radio::DcfConfig&>(c));
+  io.choice({"bits_at_risk",
+             "What must arrive of an OFDM frame: the bits of the MPDU; or, as in ns-3, as many as "
+             "fit between the header and the frame's end, pad and signal extension included.",
+             "mpdu"},
+            kBitsAtRisk, c.bits_at_risk);
 }
 
 template <class Io>
