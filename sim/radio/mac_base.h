@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/core/event_queue.h"
+#include "sim/radio/cell.h"
 #include "sim/radio/frame.h"
 #include "sim/radio/mac_sap.h"
 #include "sim/radio/mode_set.h"
@@ -23,6 +24,7 @@ class MacBase : public MacSap {
     const LengthsConfig& lengths;
     hal::Milliwatts tx_power;
     hal::AgentId agent;
+    const Cell& cell;
   };
 
   explicit MacBase(const Context& context);

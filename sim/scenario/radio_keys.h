@@ -28,6 +28,7 @@ inline constexpr std::array kErrorModels = {
 inline constexpr Range kPowerLevel{-200, 50};      // dBm; thermal noise in 1 Hz is -174
 inline constexpr Range kSensitivity{-130, 0};      // dBm
 inline constexpr Range kAntennaHeight{0, 1000};    // m
+inline constexpr Range kAntennaGain{-50, 50};      // dB
 inline constexpr Range kObstacleLoss{0, 1000};     // dB, dB/m
 inline constexpr Range kNoise{-200, 0};            // dBm
 inline constexpr Range kTxPower{1e-6, 1e5};        // mW
@@ -45,13 +46,20 @@ void antenna_height(Io& io, hal::Metres& height) {
 
 template <class Io>
 void keys_of(Io& io, radio::PropagationConfig& c) {
-  io.quantity({"wavelength", "Of the carrier.", "0.125 m"}, "m", {1e-3, 10}, c.wavelength);
+  io.quantity(
+      {"wavelength",
+       "Of the carrier on the radio's `channel`. Where it is not given, that of the profile "
+       "is for channel 1.",
+       "0.125 m"},
+      "m", {1e-3, 10}, c.wavelength);
   io.number({"path_loss_exponent", "Of the power law (2: free space, Friis), reference 1 m.", "2"},
             "1", {1, 8}, c.path_loss_exponent);
   io.flag(
       {"propagation_delay", "Whether waves take time: distance over the speed of light.", "true"},
       c.propagation_delay);
   antenna_height(io, c.antenna_height);
+  io.quantity({"antenna_gain", "Of the antennas, to all sides, sending and receiving.", "2 dB"},
+              "dB", kAntennaGain, c.antenna_gain);
   io.flag(
       {"obstacles",
        "Whether walls attenuate, each as its `radio_loss` says, and bodies as said here.", "true"},
@@ -120,6 +128,11 @@ void data_rate(Io& io, hal::BitsPerSecond& rate) {
 
 template <class Io>
 void keys_of(Io& io, radio::PhyConfig& c) {
+  io.count({"channel",
+            "Its number in 2.4 GHz. Agents on different ones neither hear nor disturb each other; "
+            "what leaks into the next channels is not modelled.",
+            "6"},
+           1, radio::kChannels, c.channel);
   data_rate(io, c.data_rate);
   io.quantity({"control_rate",
                "Of RTS, with `mobility_framework` also of CTS and ACK; one of the rates of data.",
