@@ -8,6 +8,7 @@
 #include "sim/radio/channel.h"
 #include "sim/radio/dcf_mac.h"
 #include "sim/radio/disk_mac.h"
+#include "sim/radio/infrastructure.h"
 #include "sim/radio/mobility_framework_mac.h"
 #include "sim/radio/mode_set.h"
 #include "sim/radio/neighbourhood.h"
@@ -94,7 +95,11 @@ struct RadioNetwork::State {
   }
 
   void add_all(const MobilityFrameworkConfig& one) { add_radios<MobilityFrameworkMac>(one); }
-  void add_all(const DcfConfig& one) { add_radios<DcfMac>(one); }
+  void add_all(const DcfConfig& one) {
+    infrastructure =
+        std::make_unique<Infrastructure>(profile_of(config), one, stations, surroundings.events);
+    add_radios<DcfMac>(one);
+  }
   template <class Mac, class Config>
   void add_radios(const Config& one) {
     rules = std::make_unique<ReceptionRules>(one.receiver);
@@ -106,9 +111,13 @@ struct RadioNetwork::State {
           Radio::Air{surroundings.events, *channel, surroundings.observer, one.receiver, *rules},
           static_cast<StationIndex>(i), station.agent, stream(station, "/errors")));
       channel->add(*radios.back());
-      macs.push_back(
-          std::make_unique<Mac>(context(i), one, *radios.back(), stream(station, "/backoff")));
+      macs.push_back(completed(
+          i, std::make_unique<Mac>(context(i), one, *radios.back(), stream(station, "/backoff"))));
     }
+  }
+  std::unique_ptr<MacBase> completed(std::size_t, std::unique_ptr<MacBase> mac) { return mac; }
+  std::unique_ptr<MacBase> completed(std::size_t index, std::unique_ptr<DcfMac> mac) {
+    return infrastructure->completed(context(index), std::move(mac));
   }
 
   RadioConfig config;
@@ -120,7 +129,8 @@ struct RadioNetwork::State {
   Neighbourhood neighbourhood;
   std::unique_ptr<ReceptionRules> rules;  ///< This and the next: of profiles with waves.
   std::unique_ptr<Channel> channel;
-  std::unique_ptr<DiskAir> disk;  ///< Of the others.
+  std::unique_ptr<DiskAir> disk;                   ///< Of the others.
+  std::unique_ptr<Infrastructure> infrastructure;  ///< Of profiles with a DCF.
   std::vector<std::unique_ptr<Radio>> radios;
   std::vector<std::unique_ptr<MacBase>> macs;
 };

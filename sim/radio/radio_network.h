@@ -31,8 +31,12 @@ class RadioNetwork {
     std::string name;                             ///< Of the agent; names its random streams.
     std::optional<hal::Milliwatts> tx_power{};    ///< > 0; none: the config's.
     std::optional<hal::Metres> antenna_height{};  ///< Above its position, >= 0; none: the config's.
+    /// Names of the access points that it may use, empty: none, it is in an ad hoc network; none:
+    /// those of the config (BssConfig). Who is named anywhere is an access point itself.
+    std::optional<std::vector<std::string>> access_points{};
   };
 
+  /// @throws std::invalid_argument  what check() refuses, and an access point that is no station.
   RadioNetwork(const RadioConfig& config, const std::vector<Station>& stations,
                Surroundings surroundings);
   ~RadioNetwork();
