@@ -105,7 +105,7 @@ void DcfMac::on_transmit_end(const Frame& frame) {
   last_was_wrong_ = false;
   update_medium();
   if (state_ == State::kBroadcasting) return succeed();
-  if (frame.type != FrameType::kRts && frame.type != FrameType::kData) return;
+  if (frame.type == FrameType::kCts || frame.type == FrameType::kAck) return;
   awaiting_ = true;
   const hal::Duration timeout = timing_.response_timeout(modes().response_to(*frame.mode));
   no_answer_ =
@@ -151,8 +151,9 @@ MacRequest DcfMac::end_service(bool count_time) {
 }
 
 bool DcfMac::uses_rts() {
-  const std::size_t payload = queue_.head().request.payload->size();
-  return mpdu_bits(lengths(), FrameType::kData, payload) > 8 * config_.contention.rts_threshold;
+  const MacRequest& request = queue_.head().request;
+  return mpdu_bits(lengths(), request.header.type, request.payload->size()) >
+         8 * config_.contention.rts_threshold;
 }
 
 FramePtr DcfMac::make_rts() {
@@ -171,8 +172,8 @@ FramePtr DcfMac::make_data() {
                           : timing_.sifs + frames_.response_airtime(
                                                FrameType::kAck, frames_.data_mode(head.request));
   const bool retry = std::exchange(head.sent, true);
-  return frames_.data(head.request,
-                      {.sequence = head.sequence, .retry = retry, .duration = follows});
+  return frames_.data(
+      head.request, {.sequence = head.sequence, .retry = retry, .duration = follows, .at = now()});
 }
 
 void DcfMac::on_receive(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
@@ -184,7 +185,7 @@ void DcfMac::on_receive(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
                         (state_ == State::kWaitAck && frame.type == FrameType::kAck));
   if (!awaited && awaiting_) fail();
   if (for_us) {
-    if (awaited || frame.type == FrameType::kRts || frame.type == FrameType::kData) {
+    if (awaited || frame.type == FrameType::kRts || !is_control(frame.type)) {
       on_unicast(frame, rssi, snr);
     }
   } else if (frame.is_broadcast()) {
@@ -212,10 +213,10 @@ void DcfMac::on_unicast(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
       retries_.succeed(RetryCounters::Kind::kShort);
       state_ = State::kWaitAck;
       return answer(make_data());
-    case FrameType::kData:
-      return on_data(frame, rssi, snr);
     case FrameType::kAck:
       return succeed();
+    default:
+      return on_data(frame, rssi, snr);
   }
 }
 

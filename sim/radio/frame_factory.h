@@ -18,7 +18,9 @@ class FrameFactory {
     std::uint16_t sequence = 0;
     bool retry = false;
     hal::Duration duration{};
+    hal::Time at{};  ///< When it starts: beacons say so.
   };
+  /// Data and management.
   FramePtr data(const MacRequest& request, const DataOptions& options);
 
   /// @param duration  what follows the RTS.

@@ -73,6 +73,19 @@ void check_waves(Profile profile, const WavesConfig& config) {
   check_contention(config.contention);
 }
 
+void check_bss(const BssConfig& config) {
+  require(!config.ssid.empty() && config.ssid.size() <= kMaxSsid, "ssid must have 1 to 32 bytes");
+  const auto units = config.beacon_interval / kTimeUnit;
+  require(config.beacon_interval % kTimeUnit == hal::Duration{} && units >= 1 && units <= 65535,
+          "beacon_interval must be 1 to 65535 times 1.024 ms");
+  require(config.hysteresis.value >= 0, "hysteresis must not be negative");
+  require(config.beacon_weight > 0 && config.beacon_weight <= 1, "beacon_weight must be in (0, 1]");
+  require(config.beacon_loss >= 1, "beacon_loss must be 1 or more");
+  require(config.scan_time > hal::Duration{} && config.answer_timeout > hal::Duration{},
+          "scan_time and answer_timeout must be positive");
+  require(config.distribution_delay >= hal::Duration{}, "distribution_delay must not be negative");
+}
+
 void check_dcf(Profile profile, const DcfConfig& config) {
   check_waves(profile, config);
   require(config.long_retry_limit >= 1, "retry limits must be 1 or more");
@@ -80,6 +93,7 @@ void check_dcf(Profile profile, const DcfConfig& config) {
   for (const auto rate : config.basic_rates) check_rate(profile, "basic_rates", rate);
   require(config.cca_time >= hal::Duration{} && config.cca_time < config.contention.slot,
           "cca_time must not be negative, and shorter than the slot");
+  check_bss(config.bss);
 }
 
 void check_one(const MobilityFrameworkConfig& config) {

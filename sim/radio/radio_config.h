@@ -10,6 +10,7 @@
 #include "hal/types/quantity.h"
 #include "hal/types/time.h"
 #include "sim/core/obstacle_loss.h"
+#include "sim/radio/bss_config.h"
 #include "sim/radio/channel_number.h"
 #include "sim/radio/loss_config.h"
 #include "sim/radio/path_loss_config.h"
@@ -124,6 +125,7 @@ struct DcfConfig : WavesConfig {
   /// aCCATime and aRxTxTurnaroundTime: a station that is to send at a slot boundary does so
   /// whatever begins to arrive within this time before (10.3.7). < slot.
   hal::Duration cca_time = 15us;
+  BssConfig bss;
 
  protected:
   DcfConfig();
