@@ -54,6 +54,8 @@ struct AgentConfig {
   std::vector<hal::exchange::ParameterText> parameters;
   std::optional<hal::Milliwatts> tx_power{};    ///< Of its radio; none: as SimulationConfig::radio.
   std::optional<hal::Metres> antenna_height{};  ///< Likewise; above the body's origin, >= 0.
+  /// As radio::RadioNetwork::Station::access_points.
+  std::optional<std::vector<std::string>> access_points{};
   /// None: as SimulationConfig::routing.
   std::optional<hal::routing::Algorithm> routing{};
 };

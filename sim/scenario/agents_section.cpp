@@ -146,7 +146,7 @@ void read_group(const std::string& name, Mapping in, Scenario& scenario, Taken& 
   group.agents = take_addresses(in, poses.size(), taken);
   std::vector<AgentConfig> agents;
   for (std::size_t i = 0; i < group.agents.size(); ++i) {
-    agents.push_back({group.agents[i], names[i], poses[i], body, {}, {}, {}, {}});
+    agents.push_back({group.agents[i], names[i], poses[i], body, {}, {}, {}, {}, {}});
   }
   read_controller(in.mapping({"controller", "The program that drives the agents."}), group, agents);
   const StationRadio radio = read_station(
@@ -157,6 +157,7 @@ void read_group(const std::string& name, Mapping in, Scenario& scenario, Taken& 
   for (AgentConfig& agent : agents) {
     agent.tx_power = radio.tx_power;
     agent.antenna_height = radio.antenna_height;
+    agent.access_points = radio.access_points;
     if (has_routing) agent.routing = routing;
   }
   in.finish();
@@ -208,7 +209,8 @@ void write_group(Writer& out, const Group& group, std::span<const AgentConfig> a
   }
   out.close();
   write_controller(out, group, agents);
-  write_station(out, {agents.front().tx_power, agents.front().antenna_height});
+  write_station(
+      out, {agents.front().tx_power, agents.front().antenna_height, agents.front().access_points});
   if (agents.front().routing)
     FieldWriter(out).choice(kRouting, kAlgorithms, *agents.front().routing);
   out.close();

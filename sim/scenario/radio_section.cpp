@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hal/config/value.h"
+#include "sim/scenario/bss_section.h"
 #include "sim/scenario/propagation_section.h"
 #include "sim/scenario/radio_keys.h"
 
@@ -160,6 +161,8 @@ void read_chain(Mapping& in, RadioConfig& config) {
   waves->propagation.chain = read_propagation(in, waves->propagation.chain);
 }
 
+const Key kBssKey{"bss", "Infrastructure mode: stations send to each other through access points."};
+const Key kStationBss{"bss", "Of these agents, where they are not as `radio.bss` says."};
 const Key kStationHeight{"antenna_height", "Of these agents, above the origin of their body.",
                          "1.5 m", "that of `radio`"};
 const Key kStationPower{"tx_power", "Of the transmitters of these agents.", "10 mW",
@@ -184,8 +187,11 @@ RadioConfig read_radio(Mapping in) {
   if (radio::DcfConfig* const dcf = dcf_of(config)) {
     read_basic_rates(in, *profile, *dcf);
     check_slots(in, *dcf);
+    read_bss(in.mapping(kBssKey), dcf->bss);
   } else {
-    reader.unused(kBasicRates.name, fmt::format("is not used by the profile '{}'", name(*profile)));
+    const std::string why = fmt::format("is not used by the profile '{}'", name(*profile));
+    reader.unused(kBasicRates.name, why);
+    reader.unused(kBssKey.name, why);
   }
   if (const radio::WavesConfig* const waves = waves_of(config)) check_waves(in, *profile, *waves);
   in.finish();
@@ -203,6 +209,7 @@ void write_radio(Writer& out, const RadioConfig& config) {
     std::vector<double> rates;
     for (const hal::BitsPerSecond rate : dcf->basic_rates) rates.push_back(rate.value);
     out.numbers(kBasicRates.name, rates, "b/s");
+    write_bss(out, dcf->bss);
   }
   out.close();
 }
@@ -222,15 +229,22 @@ StationRadio read_station(Mapping in, const RadioConfig& config) {
              in.has(kStationHeight.name)) {
     station.antenna_height = hal::Metres{given};
   }
+  if (dcf_of(config) == nullptr) {
+    const std::string profile(name(profile_of(config)));
+    in.refuse(kStationBss.name, "is not used by the profile '" + profile + "'");
+  } else {
+    station.access_points = read_own_access_points(in.mapping(kStationBss));
+  }
   in.finish();
   return station;
 }
 
 void write_station(Writer& out, const StationRadio& station) {
-  if (!station.tx_power && !station.antenna_height) return;
+  if (!station.tx_power && !station.antenna_height && !station.access_points) return;
   out.open("radio");
   if (station.tx_power) out.number(kStationPower.name, station.tx_power->value, "mW");
   if (station.antenna_height) out.number(kStationHeight.name, station.antenna_height->value, "m");
+  write_own_access_points(out, station.access_points);
   out.close();
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "hal/config/mapping.h"
 #include "hal/config/writer.h"
@@ -17,6 +19,7 @@ void write_radio(hal::config::Writer& out, const radio::RadioConfig& config);
 struct StationRadio {
   std::optional<hal::Milliwatts> tx_power{};
   std::optional<hal::Metres> antenna_height{};
+  std::optional<std::vector<std::string>> access_points{};
 };
 StationRadio read_station(hal::config::Mapping in, const radio::RadioConfig& config);
 void write_station(hal::config::Writer& out, const StationRadio& station);
