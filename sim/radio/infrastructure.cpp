@@ -63,7 +63,8 @@ Infrastructure::Infrastructure(const DcfConfig& config,
   const std::vector<hal::AgentId> of_all = agents_of(config.bss.access_points, stations);
   std::set<hal::AgentId> named(of_all.begin(), of_all.end());
   for (const RadioNetwork::Station& station : stations) {
-    const auto own = station.access_points ? agents_of(*station.access_points, stations) : of_all;
+    const auto own =
+        station.radio.access_points ? agents_of(*station.radio.access_points, stations) : of_all;
     if (!own.empty()) usable_[station.agent] = own;
     named.insert(own.begin(), own.end());
   }

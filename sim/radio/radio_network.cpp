@@ -153,6 +153,7 @@ struct RadioNetwork::State {
     settings.tx_power.reset();
     settings.antenna_height.reset();
     settings.antenna_gain.reset();
+    settings.access_points.reset();
     if (waves_of(config) != nullptr) settings.channel = air.channel;
     const auto found = std::ranges::find_if(
         profiles, [&settings](const auto& shared) { return shared->settings == settings; });

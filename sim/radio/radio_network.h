@@ -30,9 +30,6 @@ class RadioNetwork {
     hal::AgentId agent;
     std::string name;  ///< Of the agent; names its random streams.
     StationConfig radio{};
-    /// Names of the access points that it may use, empty: none, it is in an ad hoc network; none:
-    /// those of the config (BssConfig). Who is named anywhere is an access point itself.
-    std::optional<std::vector<std::string>> access_points{};
   };
 
   /// @throws std::invalid_argument  what check() refuses, and an access point that is no station.

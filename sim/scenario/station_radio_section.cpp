@@ -4,7 +4,9 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 
+#include "sim/scenario/bss_section.h"
 #include "sim/scenario/override_agents.h"
 #include "sim/scenario/radio_keys.h"
 #include "sim/scenario/radio_section.h"
@@ -39,11 +41,13 @@ const Key kStationDataRate{"data_rate", "Of data frames of these agents.", "11 M
 const Key kStationControlRate{"control_rate", "Of RTS of these agents.", "2 Mb/s", kOfRadio};
 const Key kStationBroadcastRate{"broadcast_rate", "Of broadcast frames of these agents.", "2 Mb/s",
                                 kOfRadio};
+const Key kStationBss{"bss", "Of these agents, where they are not as `radio.bss` says."};
 
 /// Of a group, or of one entry of its `overrides`.
 class StationReader {
  public:
-  StationReader(Mapping& in, const RadioConfig& config) : in_(in), profile_(profile_of(config)) {}
+  StationReader(Mapping& in, const RadioConfig& config)
+      : in_(in), profile_(profile_of(config)), has_dcf_(dcf_of(config) != nullptr) {}
 
   /// What is not there keeps its value.
   void read(StationConfig& station) {
@@ -56,6 +60,7 @@ class StationReader {
     rate(kStationDataRate, has_waves, station);
     rate(kStationControlRate, has_waves, station);
     rate(kStationBroadcastRate, has_waves, station);
+    access_points(station);
   }
 
  private:
@@ -95,8 +100,15 @@ class StationReader {
     if (key.name == kStationBroadcastRate.name) station.broadcast_rate = given;
   }
 
+  void access_points(StationConfig& station) {
+    if (!has_dcf_) return refuse(kStationBss);
+    auto own = read_own_access_points(in_.mapping(kStationBss));
+    if (own) station.access_points = std::move(own);
+  }
+
   Mapping& in_;
   Profile profile_;
+  bool has_dcf_;
 };
 
 void write_fields(Writer& out, const StationConfig& station) {
@@ -111,6 +123,7 @@ void write_fields(Writer& out, const StationConfig& station) {
   number(kStationDataRate, station.data_rate, "b/s");
   number(kStationControlRate, station.control_rate, "b/s");
   number(kStationBroadcastRate, station.broadcast_rate, "b/s");
+  write_own_access_points(out, station.access_points);
 }
 
 }  // namespace

@@ -170,9 +170,9 @@ class Air {
   }
   RadioNetwork::Station& station(std::uint16_t address) { return stations_.at(address - 1u); }
   StationConfig& station_config(std::uint16_t address) { return station(address).radio; }
-  /// As RadioNetwork::Station::access_points.
+  /// As StationConfig::access_points.
   void set_access_points(std::uint16_t station, const std::vector<std::string>& names) {
-    stations_.at(station - 1u).access_points = names;
+    station_config(station).access_points = names;
   }
   /// On the x axis, the first at the origin.
   void add_line(int stations, double spacing) {
