@@ -23,6 +23,9 @@ class ObserverList final : public Observer {
   void on_faint(const radio::Frame& frame, std::uint32_t radios) override {
     for (Observer* o : observers_) o->on_faint(frame, radios);
   }
+  void on_frame_cut(hal::Time at, const radio::Frame& frame) override {
+    for (Observer* o : observers_) o->on_frame_cut(at, frame);
+  }
   void on_reception(hal::Time at, const radio::Frame& frame, hal::AgentId receiver,
                     hal::Verdict verdict, double rssi_dbm) override {
     for (Observer* o : observers_) o->on_reception(at, frame, receiver, verdict, rssi_dbm);

@@ -20,6 +20,8 @@ class RadioObserver {
   /// After that: at so many radios the frame is above the interference floor and too weak to be
   /// received or sensed. Nothing else is said of it there. Not called if there are none.
   virtual void on_faint(const Frame& frame, std::uint32_t radios) { (void)frame, (void)radios; }
+  /// The transmitter breaks off a frame that it began before: its radio is switched off.
+  virtual void on_frame_cut(hal::Time at, const Frame& frame) { (void)at, (void)frame; }
   /// How a frame ended at one radio that could receive or sense it by itself, or could but for
   /// walls. Addressed to it or not.
   virtual void on_reception(hal::Time at, const Frame& frame, hal::AgentId receiver,

@@ -1,6 +1,10 @@
 #include "sim/scenario/run_section.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <limits>
+#include <string>
 
 #include "sim/scenario/fields.h"
 
@@ -79,6 +83,63 @@ void record_keys(Io& io, RecordOptions& c) {
       {1e-3, 3600}, c.pose_period);
 }
 
+constexpr std::string_view kNoCapture = "none";
+constexpr std::string_view kEar = "all";
+constexpr std::string_view kCaptureEnding = ".pcapng";
+
+bool is_capture_name(const std::string& name) {
+  const bool allowed = std::ranges::all_of(name, [](char c) {
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    return letter || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
+  });
+  return allowed && name.size() > kCaptureEnding.size() && name.ends_with(kCaptureEnding) &&
+         name.front() != '.';
+}
+
+void read_air(Mapping& in, Scenario& scenario) {
+  const std::string file = in.text(
+      {"air",
+       "File in the results' folder for the frames as they are on the air (radiotap and IEEE "
+       "802.11 in pcapng, for Wireshark); none: no such file.",
+       "air.pcapng"},
+      std::string(kNoCapture));
+  const std::string station =
+      in.text({"air_heard_by",
+               "With `air`: the agent that sends and receives these frames; all: an ear "
+               "that hears whatever is sent.",
+               "all"},
+              std::string(kEar));
+  if (file == kNoCapture) {
+    if (in.has("air_heard_by") && station != kEar) {
+      in.mistake("air_heard_by", "needs `air`, the file for what is heard");
+    }
+    return;
+  }
+  scenario.record.air = file;
+  if (!is_capture_name(file)) {
+    in.mistake("air", fmt::format("'{}' must be a name of letters, digits, '_', '-' and '.' that "
+                                  "ends in {}, without a folder: it goes to the results",
+                                  file, kCaptureEnding));
+  }
+  const auto& agents = scenario.simulation.agents;
+  const auto agent = std::ranges::find(agents, station, &agents::AgentConfig::name);
+  if (agent != agents.end()) {
+    scenario.record.air_heard_by = agent->id;
+  } else if (station != kEar) {
+    in.mistake("air_heard_by", fmt::format("unknown agent '{}'", station));
+  }
+}
+
+void write_air(Writer& out, const Scenario& scenario) {
+  const RecordOptions& record = scenario.record;
+  out.text("air", record.air.empty() ? kNoCapture : std::string_view(record.air));
+  std::string_view heard_by = kEar;
+  for (const agents::AgentConfig& agent : scenario.simulation.agents) {
+    if (agent.id == record.air_heard_by) heard_by = agent.name;
+  }
+  out.text("air_heard_by", heard_by);
+}
+
 }  // namespace
 
 void read_run(Mapping& in, Scenario& scenario) {
@@ -97,6 +158,7 @@ void read_record(Mapping in, Scenario& scenario) {
   scenario.record.messages = many ? record::Detail::kCounts : record::Detail::kAll;
   FieldReader reader(in);
   record_keys(reader, scenario.record);
+  read_air(in, scenario);
   in.finish();
 }
 
@@ -106,6 +168,7 @@ void write_run(Writer& out, const Scenario& scenario) {
   run_keys(writer, copy);
   out.open("record");
   record_keys(writer, copy.record);
+  write_air(out, scenario);
   out.close();
 }
 

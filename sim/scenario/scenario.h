@@ -55,6 +55,8 @@ struct RecordOptions {
   record::Detail frames = record::Detail::kCounts;
   record::Detail messages = record::Detail::kAll;
   hal::Duration pose_period = 1s;
+  std::string air{};                           ///< File of the captured frames; empty: none.
+  std::optional<hal::AgentId> air_heard_by{};  ///< None: by an ear that hears all.
 };
 
 /// Above so many agents messages are counted and not listed, unless the file asks for it.
