@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string_view>
 
 #include "hal/types/agent_id.h"
 
@@ -22,6 +23,24 @@ enum class FrameType : std::uint8_t {
   kDisassociation,
 };
 inline constexpr int kFrameTypes = 12;
+
+/// "data", "rts", …
+constexpr std::string_view name(FrameType type) {
+  constexpr std::string_view kNames[kFrameTypes] = {"data",
+                                                    "rts",
+                                                    "cts",
+                                                    "ack",
+                                                    "beacon",
+                                                    "authentication",
+                                                    "deauthentication",
+                                                    "association request",
+                                                    "association response",
+                                                    "reassociation request",
+                                                    "reassociation response",
+                                                    "disassociation"};
+  return kNames[static_cast<int>(type)];
+}
+static_assert(name(FrameType::kDisassociation) == "disassociation");
 
 constexpr bool is_management(FrameType type) { return type >= FrameType::kBeacon; }
 constexpr bool is_control(FrameType type) {
