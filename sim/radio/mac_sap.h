@@ -42,7 +42,7 @@ class MacClient {
   virtual ~MacClient() = default;
   virtual void on_receive(const MacIndication& indication) = 0;
   /// Exactly once per request: kDelivered (acknowledged; broadcast: sent), kRetryLimit, kQueueFull,
-  /// kRadioOff. Never from within transmit().
+  /// kRadioOff, kExpired. Never from within transmit().
   virtual void on_transmitted(std::uint64_t tag, hal::Verdict verdict) = 0;
 };
 

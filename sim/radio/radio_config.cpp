@@ -73,6 +73,16 @@ void check_waves(Profile profile, const WavesConfig& config) {
   check_contention(config.contention);
 }
 
+void check_rate_control(const RateControlConfig& rates) {
+  require(rates.aarf_threshold >= 1 && rates.aarf_max_threshold >= rates.aarf_threshold &&
+              rates.aarf_timeout >= 1,
+          "thresholds of AARF must be 1 or more, the largest not the smallest");
+  require(rates.minstrel_interval > hal::Duration{} && rates.minstrel_past >= 0 &&
+              rates.minstrel_past < 1 && rates.minstrel_sampling >= 0 &&
+              rates.minstrel_sampling <= 1,
+          "minstrel_interval must be positive, and its shares 0 .. 1, minstrel_past below 1");
+}
+
 void check_dcf(Profile profile, const DcfConfig& config) {
   check_waves(profile, config);
   require(config.long_retry_limit >= 1, "retry limits must be 1 or more");
@@ -80,6 +90,10 @@ void check_dcf(Profile profile, const DcfConfig& config) {
   for (const auto rate : config.basic_rates) check_rate(profile, "basic_rates", rate);
   require(config.cca_time >= hal::Duration{} && config.cca_time < config.contention.slot,
           "cca_time must not be negative, and shorter than the slot");
+  require(!config.msdu_lifetime || *config.msdu_lifetime > hal::Duration{},
+          "msdu_lifetime must be positive");
+  require(is_dsss_rate(config.protection_rate), "protection_rate must be 1, 2, 5.5 or 11 Mb/s");
+  check_rate_control(config.rate_control);
 }
 
 void check_one(const MobilityFrameworkConfig& config) {

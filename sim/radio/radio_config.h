@@ -13,6 +13,7 @@
 #include "sim/radio/channel_number.h"
 #include "sim/radio/loss_config.h"
 #include "sim/radio/path_loss_config.h"
+#include "sim/radio/rate_control_config.h"
 #include "sim/radio/station_config.h"
 
 namespace sim::radio {
@@ -29,6 +30,7 @@ enum class Rounding : std::uint8_t {
 };
 enum class ErrorModel : std::uint8_t { kMobilityFramework, kDsss };
 enum class Preamble : std::uint8_t { kLong, kShort };
+enum class ProtectionKind : std::uint8_t { kNone, kCtsToSelf, kRtsCts, kAuto };
 
 /// From antenna to antenna.
 struct PropagationConfig {
@@ -118,6 +120,12 @@ struct DcfConfig : WavesConfig {
   /// aCCATime and aRxTxTurnaroundTime: a station that is to send at a slot boundary does so
   /// whatever begins to arrive within this time before (10.3.7). < slot.
   hal::Duration cca_time = 15us;
+  /// Since it was queued; a frame that is older is given up instead of being sent (again). > 0.
+  std::optional<hal::Duration> msdu_lifetime{};
+  RateControlConfig rate_control{};
+  /// Of frames in OFDM. kAuto: kCtsToSelf in a mixed cell, else kNone.
+  ProtectionKind protection = ProtectionKind::kAuto;
+  hal::BitsPerSecond protection_rate{1e6};  ///< DSSS; of what protects.
 
  protected:
   DcfConfig();

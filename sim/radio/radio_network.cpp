@@ -192,7 +192,9 @@ struct RadioNetwork::State {
   void add(const Station& station, Air& air, const StationProfile& profile,
            const MacBase::Context& context, const DcfConfig& one) {
     Radio& radio = add_radio(station, air, profile);
-    macs.push_back(std::make_unique<DcfMac>(context, one, radio, stream(station, "/backoff")));
+    macs.push_back(std::make_unique<DcfMac>(
+        context, one, radio,
+        DcfMac::Streams{stream(station, "/backoff"), stream(station, "/rates")}));
   }
 
   Radio& add_radio(const Station& station, Air& air, const StationProfile& profile) {
