@@ -204,7 +204,9 @@ struct RadioNetwork::State {
     radios.push_back(std::make_unique<Radio>(
         Radio::Air{surroundings.events, air.band->channel(), surroundings.observer,
                    waves_of(profile.config)->receiver, *profile.rules,
-                   air.cell.knows_ofdm(station.agent), loss ? &*loss : nullptr},
+                   // Where there is no OFDM nobody need ask.
+                   !air.cell.is_mixed() || air.cell.knows_ofdm(station.agent),
+                   loss ? &*loss : nullptr},
         index, station.agent, stream(station, "/errors")));
     air.band->channel().add(*radios.back());
     return *radios.back();
