@@ -19,7 +19,7 @@ class Cell {
       non_erp_.insert(std::ranges::lower_bound(non_erp_, station), station);
     }
   }
-  /// Some know OFDM and some do not: frames in OFDM need protection (10.26).
+  /// Some know OFDM and some do not: frames in OFDM need protection (10.26.2).
   bool is_mixed() const { return has_erp_ && !non_erp_.empty(); }
   /// True of addresses that nobody has.
   bool knows_ofdm(hal::AgentId station) const {

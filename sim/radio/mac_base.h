@@ -77,6 +77,7 @@ class MacBase : public MacSap {
   const LengthsConfig& lengths() const { return lengths_; }
   RadioObserver& observer() const { return observer_; }
   hal::AgentId agent() const { return agent_; }
+  const Cell& cell() const { return cell_; }
   hal::Time now() const { return events_.now(); }
 
  private:
@@ -88,6 +89,7 @@ class MacBase : public MacSap {
   const LengthsConfig& lengths_;
   hal::Milliwatts tx_power_;
   hal::AgentId agent_;
+  const Cell& cell_;
   hal::Duration service_time_;
   std::vector<std::pair<Ethertype, MacClient*>> clients_;
   FrameListener* listener_ = nullptr;

@@ -14,6 +14,7 @@
 #include "sim/radio/channel_number.h"
 #include "sim/radio/loss_config.h"
 #include "sim/radio/path_loss_config.h"
+#include "sim/radio/rate_control_config.h"
 #include "sim/radio/station_config.h"
 
 namespace sim::radio {
@@ -36,6 +37,7 @@ enum class BitsAtRisk : std::uint8_t {
   kPayloadTime,  ///< As many as fit between header and end, pad and signal extension included:
                  ///< ns-3.
 };
+enum class ProtectionKind : std::uint8_t { kNone, kCtsToSelf, kRtsCts, kAuto };
 
 /// From antenna to antenna.
 struct PropagationConfig {
@@ -126,6 +128,12 @@ struct DcfConfig : WavesConfig {
   /// whatever begins to arrive within this time before (10.3.7). < slot.
   hal::Duration cca_time = 15us;
   BssConfig bss;
+  /// Since it was queued; a frame that is older is given up instead of being sent (again). > 0.
+  std::optional<hal::Duration> msdu_lifetime{};
+  RateControlConfig rate_control{};
+  /// Of frames in OFDM. kAuto: kCtsToSelf in a mixed cell, else kNone.
+  ProtectionKind protection = ProtectionKind::kAuto;
+  hal::BitsPerSecond protection_rate{1e6};  ///< DSSS; of what protects.
 
  protected:
   DcfConfig();

@@ -197,7 +197,9 @@ struct RadioNetwork::State {
   void add(const Station& station, Air& air, const StationProfile& profile,
            const MacBase::Context& context, const DcfConfig& one) {
     Radio& radio = add_radio(station, air, profile);
-    auto dcf = std::make_unique<DcfMac>(context, one, radio, stream(station, "/backoff"));
+    auto dcf = std::make_unique<DcfMac>(
+        context, one, radio,
+        DcfMac::Streams{stream(station, "/backoff"), stream(station, "/rates")});
     macs.push_back(infrastructure->completed(context, std::move(dcf),
                                              {radio::profile_of(profile.config), one}));
   }
@@ -209,7 +211,9 @@ struct RadioNetwork::State {
     radios.push_back(std::make_unique<Radio>(
         Radio::Air{surroundings.events, air.band->channel(), surroundings.observer,
                    waves_of(profile.config)->receiver, *profile.rules,
-                   air.cell.knows_ofdm(station.agent), loss ? &*loss : nullptr},
+                   // Where there is no OFDM nobody need ask.
+                   !air.cell.is_mixed() || air.cell.knows_ofdm(station.agent),
+                   loss ? &*loss : nullptr},
         index, station.agent, stream(station, "/errors")));
     air.band->channel().add(*radios.back());
     return *radios.back();

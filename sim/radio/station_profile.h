@@ -12,7 +12,7 @@ namespace sim::radio {
 ///
 /// A station of ieee80211b in a network of ieee80211g has the values of that profile wherever the
 /// network has those of ieee80211g: rates, windows, thresholds. In a mixed cell everybody has the
-/// slot of 20 us (IEEE Std 802.11-2016, 10.18), and group frames and basic rates are such as all
+/// slot of 20 us (IEEE Std 802.11-2016, 18.4.4), and group frames and basic rates are such as all
 /// know.
 /// @param network, own  checked.  @param is_mixed  Cell::is_mixed() of its channel number.
 RadioConfig config_for(const RadioConfig& network, const StationConfig& own, bool is_mixed);

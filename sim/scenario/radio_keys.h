@@ -217,36 +217,6 @@ void keys_of(Io& io, radio::MobilityFrameworkConfig& c) {
 }
 
 template <class Io>
-void keys_of(Io& io, radio::DcfConfig& c) {
-  common_keys_of(io, c);
-  io.count({"long_retry_limit", "Transmissions of a data frame after RTS/CTS in all.", "4"}, 1, 255,
-           c.long_retry_limit);
-  io.duration(
-      {"cca_time",
-       "Of carrier sense and turnaround: who is to send at a slot boundary does so whatever "
-       "begins to arrive within this time before. Shorter than the slot.",
-       "15 us"},
-      {0, 1e-2}, c.cca_time);
-}
-
-template <class Io>
-void keys_of(Io& io, radio::Ieee80211bConfig& c) {
-  keys_of(io, static_cast<radio::DcfConfig&>(c));
-  error_model(io, c.receiver.error_model);
-  rounding(io, c.phy.rounding);
-}
-
-template <class Io>
-void keys_of(Io& io, radio::Ieee80211gConfig& c) {
-  keys_of(io, static_cast<radio::DcfConfig&>(c));
-  io.choice({"bits_at_risk",
-             "What must arrive of an OFDM frame: the bits of the MPDU; or, as in ns-3, as many as "
-             "fit between the header and the frame's end, pad and signal extension included.",
-             "mpdu"},
-            kBitsAtRisk, c.bits_at_risk);
-}
-
-template <class Io>
 void keys_of(Io& io, radio::DiskConfig& c) {
   tx_power(io, c.tx_power);
   range(io, c.range);

@@ -10,6 +10,7 @@
 
 #include "hal/config/value.h"
 #include "sim/scenario/bss_section.h"
+#include "sim/scenario/dcf_keys.h"
 #include "sim/scenario/loss_section.h"
 #include "sim/scenario/propagation_section.h"
 #include "sim/scenario/radio_keys.h"
@@ -40,6 +41,7 @@ class Names {
   }
   void count(const Key& key, std::int64_t, std::int64_t, std::uint32_t) { add(key); }
   void duration(const Key& key, Range, hal::Duration) { add(key); }
+  void optional_duration(const Key& key, double, const std::optional<hal::Duration>&) { add(key); }
   void flag(const Key& key, bool) { add(key); }
   template <class Options, class E>
   void choice(const Key& key, const Options&, E) {
@@ -137,7 +139,13 @@ void read_basic_rates(Mapping& in, Profile profile, radio::DcfConfig& c) {
   if (c.basic_rates.empty()) in.mistake(kBasicRates.name, "must not be empty");
 }
 
-void check_slots(Mapping& in, const radio::DcfConfig& c) {
+void check_dcf(Mapping& in, const radio::DcfConfig& c) {
+  if (!radio::is_dsss_rate(c.protection_rate)) {
+    in.mistake("protection_rate", "must be 1, 2, 5.5 or 11 Mb/s");
+  }
+  if (c.rate_control.aarf_max_threshold < c.rate_control.aarf_threshold) {
+    in.mistake("aarf_max_threshold", "must not be below aarf_threshold");
+  }
   if (c.cca_time >= c.contention.slot) in.mistake("cca_time", "must be shorter than the slot");
 }
 
@@ -204,7 +212,7 @@ RadioConfig read_radio(Mapping in) {
   refuse_others(reader, *profile);
   if (radio::DcfConfig* const dcf = dcf_of(config)) {
     read_basic_rates(in, *profile, *dcf);
-    check_slots(in, *dcf);
+    check_dcf(in, *dcf);
     read_bss(in.mapping(kBssKey), dcf->bss);
   } else {
     const std::string why = fmt::format("is not used by the profile '{}'", name_of(*profile));
