@@ -15,14 +15,34 @@ std::string_view name(Part part) {
 
 void Hash::add(std::string_view text) { add_bytes(text.data(), text.size()); }
 
-void Hash::add_bytes(const void* data, std::size_t size) {
-  add(static_cast<std::uint64_t>(size));
+namespace {
+
+/// Eight bytes a word, the last one filled up with zeros.
+template <class Add>
+void add_words(const void* data, std::size_t size, Add add) {
   const auto* bytes = static_cast<const unsigned char*>(data);
-  for (std::size_t i = 0; i < size; i += 8) {
+  std::size_t i = 0;
+  for (; i + 8 <= size; i += 8) {
     std::uint64_t word = 0;
-    std::memcpy(&word, bytes + i, std::min<std::size_t>(8, size - i));
+    std::memcpy(&word, bytes + i, 8);
     add(word);
   }
+  if (i == size) return;
+  std::uint64_t last = 0;
+  std::memcpy(&last, bytes + i, size - i);
+  add(last);
+}
+
+}  // namespace
+
+void Hash::add_bytes(const void* data, std::size_t size) {
+  add(static_cast<std::uint64_t>(size));
+  add_words(data, size, [this](std::uint64_t word) { add(word); });
+}
+
+void Fingerprint::Cell::add_bytes(const void* data, std::size_t size) {
+  add(static_cast<std::uint64_t>(size));
+  add_words(data, size, [this](std::uint64_t word) { add(word); });
 }
 
 Fingerprint::Cell& Fingerprint::at(Part part, hal::AgentId agent, hal::Time time) {
