@@ -25,12 +25,15 @@ bool DeliveryTotals::add(const Key& key, std::uint64_t bytes, std::optional<hal:
 }
 
 DeliveryTotals::Total& DeliveryTotals::total_of(const Key& key) {
+  if (next_ >= totals_.size()) next_ = 0;
+  if (next_ < totals_.size() && totals_[next_].key == key) return totals_[next_++];
   if (4 * totals_.size() >= 3 * places_.size()) grow();
   std::uint32_t& place = *place_of(key);
   if (place == 0) {
     totals_.push_back({.key = key});
     place = static_cast<std::uint32_t>(totals_.size());
   }
+  next_ = place;
   return totals_[place - 1];
 }
 

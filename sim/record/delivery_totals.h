@@ -48,6 +48,7 @@ class DeliveryTotals {
   void grow();
 
   std::vector<Total> totals_;
+  std::size_t next_ = 0;  ///< Behind the one found last: most senders reach the same, in order.
   std::vector<std::uint32_t>
       places_;  ///< Open addressing, linear probing; 0: free, else 1 + place.
 };

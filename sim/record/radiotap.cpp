@@ -74,7 +74,8 @@ hal::Bytes with_radiotap(const radio::Frame& frame, const RadiotapFields& fields
 
   hal::Bytes out{0, 0, 0, 0};  // version, padding, length
   put_field(out, present);
-  put_field(out,
+  put_field(
+      out,
       std::chrono::floor<std::chrono::microseconds>(fields.mpdu_start.time_since_epoch()).count());
   out.push_back(flags_of(frame));
   if (rate) out.push_back(*rate);

@@ -27,6 +27,14 @@ std::string_view kind_of(const agents::AgentConfig& agent) {
   return is_robot(agent) ? "robot" : "mote";
 }
 
+/// How long after its end at the transmitter a frame may end at a receiver: what radio waves need
+/// from one end of any field to the other (300 km).
+hal::Duration tail_of(const radio::RadioConfig& config) {
+  const radio::WavesConfig* const waves = radio::waves_of(config);
+  const bool is_delayed = waves != nullptr && waves->propagation.propagation_delay;
+  return is_delayed ? std::chrono::milliseconds{1} : hal::Duration{};
+}
+
 /// A commit() writes so many rows of totals in any case, and more if each stands for so many
 /// frames or messages: a row costs some 2 us, to count some 10 ns.
 constexpr std::uint64_t kFewTotals = 1000;
@@ -39,6 +47,7 @@ Recorder::Recorder(const std::filesystem::path& file, const agents::SimulationCo
     : database_(file),
       options_(options),
       frames_(database_),
+      in_the_air_(database_, tail_of(config.radio)),
       broadcasts_([this](auto... end) { on_message_end(hal::Time{}, hal::AgentId{}, end...); }),
       bodies_(database_, options.pose_period),
       set_(database_, "REPLACE INTO run VALUES (?, ?)"),
@@ -143,6 +152,7 @@ void Recorder::commit() {
 
 void Recorder::update_totals() {
   frames_.write();
+  if (counts_frames()) in_the_air_.write(now_);
   if (message_counts_) message_counts_->write();
   bodies_.write();
 }
@@ -222,7 +232,7 @@ void Recorder::on_start(const std::vector<std::pair<hal::AgentId, hal::AgentId>>
 }
 
 void Recorder::on_frame_start(hal::Time at, const radio::Frame& frame) {
-  if (counts_frames()) frames_.on_frame_start(frame);
+  if (counts_frames()) count_start(at, frame);
   if (options_.messages != Detail::kNone) broadcasts_.on_frame_start(at, frame);
   if (!lists_frames()) return;
   insert_frame_.run(frame.id, hal::to_ns(at), class_of(frame), frame.transmitter.value,
@@ -231,17 +241,34 @@ void Recorder::on_frame_start(hal::Time at, const radio::Frame& frame) {
   on_rows(at, 1);
 }
 
+void Recorder::count_start(hal::Time at, const radio::Frame& frame) {
+  now_ = std::max(now_, at);
+  frames_.on_frame_start(frame);
+  in_the_air_.on_frame_start(at, frame);
+}
+
+void Recorder::on_frame_cut(hal::Time at, const radio::Frame& frame) {
+  in_the_air_.on_frame_cut(at, frame);
+}
+
 void Recorder::on_faint(const radio::Frame& frame, std::uint32_t radios) {
   if (counts_frames()) frames_.on_faint(frame, radios);
 }
 
 void Recorder::on_reception(hal::Time at, const radio::Frame& frame, hal::AgentId receiver,
                             hal::Verdict verdict, double rssi_dbm) {
-  if (counts_frames()) frames_.on_reception(frame, receiver, verdict);
+  if (counts_frames()) count_end(at, frame, receiver, verdict);
   if (options_.messages != Detail::kNone) broadcasts_.on_reception(frame, verdict);
   if (!lists_frames()) return;
   insert_frame_end_.run(frame.id, receiver.value, hal::to_ns(at), hal::name(verdict), rssi_dbm);
   on_rows(at, 1);
+}
+
+void Recorder::count_end(hal::Time at, const radio::Frame& frame, hal::AgentId receiver,
+                         hal::Verdict verdict) {
+  now_ = std::max(now_, at);
+  frames_.on_reception(frame, receiver, verdict);
+  in_the_air_.on_reception(frame, receiver);
 }
 
 void Recorder::on_delivered(hal::Time, const radio::Frame& frame, hal::AgentId receiver) {

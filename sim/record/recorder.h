@@ -17,6 +17,7 @@
 #include "sim/record/database.h"
 #include "sim/record/detail.h"
 #include "sim/record/frame_counts.h"
+#include "sim/record/frames_in_the_air.h"
 #include "sim/record/message_counts.h"
 #include "sim/record/message_log.h"
 #include "sim/record/unheard_topics.h"
@@ -92,6 +93,7 @@ class Recorder final : public agents::Observer {
   void on_start(const std::vector<std::pair<hal::AgentId, hal::AgentId>>& links) override;
   void on_frame_start(hal::Time at, const radio::Frame& frame) override;
   void on_faint(const radio::Frame& frame, std::uint32_t radios) override;
+  void on_frame_cut(hal::Time at, const radio::Frame& frame) override;
   void on_reception(hal::Time at, const radio::Frame& frame, hal::AgentId receiver,
                     hal::Verdict verdict, double rssi_dbm) override;
   void on_delivered(hal::Time at, const radio::Frame& frame, hal::AgentId receiver) override;
@@ -122,6 +124,9 @@ class Recorder final : public agents::Observer {
   void write(const agents::Outcome& outcome);
   void write(const agents::RealTimeSummary& summary);
   void write_totals(const Fingerprint& fingerprint);
+  void count_start(hal::Time at, const radio::Frame& frame);
+  void count_end(hal::Time at, const radio::Frame& frame, hal::AgentId receiver,
+                 hal::Verdict verdict);
   void on_rows(hal::Time at, int rows);
   void update_totals();
   void commit_rows();
@@ -131,6 +136,7 @@ class Recorder final : public agents::Observer {
   NewDatabase database_;
   RecorderOptions options_;
   FrameCounts frames_;
+  FramesInTheAir in_the_air_;
   std::optional<MessageLog> message_log_;
   std::optional<MessageCounts> message_counts_;
   BroadcastWatch broadcasts_;

@@ -96,6 +96,93 @@ std::vector<Table> count_tables() {
   };
 }
 
+std::vector<Table> air_tables() {
+  return {
+      {"in_the_air",
+       "frames that had not ended at their transmitters when the totals were written, the last "
+       "time "
+       "at the end of the run",
+       {{"agent", "INTEGER PRIMARY KEY", "", "transmitter"},
+        {"peer", "INTEGER NOT NULL", "", "receiver"},
+        {"class", "TEXT NOT NULL", "", "as in frames_sent"}}},
+      {"in_the_air_ended",
+       "radios at which such a frame had ended: it is in receptions",
+       {{"agent", "INTEGER NOT NULL", "", "receiver"},
+        {"peer", "INTEGER NOT NULL", "", "transmitter"}},
+       "agent, peer"},
+  };
+}
+
+/// Of the two views of what became of all that was sent.
+constexpr std::string_view kDerived =
+    "how it ended: as in receptions; 'below sensitivity' also if the radio did not notice it, or "
+    "only as interference (faint): all that was sent and is not recorded otherwise; 'under way': "
+    "it was in the air at the end or, with propagation delay, had ended less than 1 ms before";
+
+std::vector<Table> link_verdict_tables() {
+  return {
+      {"link_verdicts",
+       "what became of each frame at each radio, for pairs of which one noticed a frame of the "
+       "other, now or then: in sum, what the transmitter sent",
+       {{"agent", "INTEGER", "", "receiver"},
+        {"peer", "INTEGER", "", "transmitter"},
+        {"class", "TEXT", "", "as in frames_sent"},
+        {"addressed", "INTEGER", "", "1: to this agent or to everyone"},
+        {"verdict", "TEXT", "", kDerived},
+        {"count", "INTEGER", "", "frames"}},
+       "agent, peer, class, addressed, verdict",
+       "WITH pairs AS (SELECT DISTINCT agent, peer FROM receptions),"
+       " sent AS (SELECT p.agent, p.peer, f.class, f.peer IN (p.agent, 65534, 65535) AS addressed,"
+       " SUM(f.count) AS count FROM pairs p JOIN frames_sent f ON f.agent = p.peer"
+       " GROUP BY 1, 2, 3, 4),"
+       " ended AS (SELECT agent, peer, class, addressed, verdict, count FROM receptions"
+       " UNION ALL SELECT p.agent, p.peer, a.class, a.peer IN (p.agent, 65534, 65535),"
+       " 'under way', 1 FROM pairs p JOIN in_the_air a ON a.agent = p.peer"
+       " WHERE NOT EXISTS (SELECT 1 FROM in_the_air_ended e"
+       " WHERE e.agent = p.agent AND e.peer = p.peer)),"
+       " told AS (SELECT agent, peer, class, addressed, SUM(count) AS count FROM ended"
+       " GROUP BY 1, 2, 3, 4)"
+       " SELECT agent, peer, class, addressed, verdict, SUM(count) AS count FROM ("
+       "SELECT * FROM ended UNION ALL SELECT s.agent, s.peer, s.class, s.addressed,"
+       " 'below sensitivity', s.count - IFNULL(t.count, 0) FROM sent s"
+       " LEFT JOIN told t USING (agent, peer, class, addressed)"
+       " WHERE s.count <> IFNULL(t.count, 0)) GROUP BY 1, 2, 3, 4, 5"},
+  };
+}
+
+std::vector<Table> verdict_sum_tables() {
+  return {
+      {"verdict_sums",
+       "what became of all frames at all other radios: in sum, frames sent times radios",
+       {{"class", "TEXT", "", "as in frames_sent"},
+        {"addressed", "INTEGER", "", "1: to this radio or to everyone"},
+        {"verdict", "TEXT", "", kDerived},
+        {"count", "INTEGER", "", "pairs of a frame and a radio"}},
+       "class, addressed, verdict",
+       "WITH others AS (SELECT COUNT(*) - 1 AS radios FROM agents),"
+       " possible AS (SELECT class, 1 AS addressed,"
+       " SUM(count * CASE WHEN peer >= 65534 THEN radios ELSE 1 END) AS count"
+       " FROM frames_sent, others GROUP BY 1"
+       " UNION ALL SELECT class, 0, SUM(count * (radios - 1)) FROM frames_sent, others"
+       " WHERE peer < 65534 GROUP BY 1),"
+       " in_air AS (SELECT class, 1 AS addressed,"
+       " SUM(CASE WHEN peer >= 65534 THEN radios ELSE 1 END) AS count FROM in_the_air, others"
+       " GROUP BY 1"
+       " UNION ALL SELECT class, 0, SUM(radios - 1) FROM in_the_air, others WHERE peer < 65534"
+       " GROUP BY 1"
+       " UNION ALL SELECT a.class, a.peer IN (e.agent, 65534, 65535), -COUNT(*)"
+       " FROM in_the_air_ended e JOIN in_the_air a ON a.agent = e.peer GROUP BY 1, 2),"
+       " ended AS (SELECT class, addressed, verdict, SUM(count) AS count FROM receptions"
+       " GROUP BY 1, 2, 3"
+       " UNION ALL SELECT class, addressed, 'under way', SUM(count) FROM in_air GROUP BY 1, 2),"
+       " told AS (SELECT class, addressed, SUM(count) AS count FROM ended GROUP BY 1, 2)"
+       " SELECT class, addressed, verdict, SUM(count) AS count FROM (SELECT * FROM ended"
+       " UNION ALL SELECT p.class, p.addressed, 'below sensitivity', p.count - IFNULL(t.count, 0)"
+       " FROM possible p LEFT JOIN told t USING (class, addressed))"
+       " GROUP BY 1, 2, 3 HAVING SUM(count) <> 0"},
+  };
+}
+
 std::vector<Table> message_tables() {
   return {
       {"messages",
@@ -361,8 +448,9 @@ const std::vector<Table>& tables() {
   static const std::vector<Table> all = [] {
     std::vector<Table> sum;
     for (const auto& part :
-         {setup_tables(), count_tables(), message_tables(), counted_message_tables(),
-          message_sum_tables(), delivery_sum_tables(), body_tables(), trace_tables()}) {
+         {setup_tables(), count_tables(), air_tables(), link_verdict_tables(), verdict_sum_tables(),
+          message_tables(), counted_message_tables(), message_sum_tables(), delivery_sum_tables(),
+          body_tables(), trace_tables()}) {
       sum.insert(sum.end(), part.begin(), part.end());
     }
     return sum;

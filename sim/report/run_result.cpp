@@ -91,6 +91,25 @@ void read_network(RunReader& reader, RunResult& run) {
   }
 }
 
+void read_frame_verdicts(RunReader& reader, RunResult& run) {
+  Statement sums = reader.query("SELECT class, addressed, verdict, count FROM verdict_sums");
+  while (sums.next()) {
+    run.frame_verdicts.push_back({.kind = sums.text(0),
+                                  .addressed = sums.integer(1) != 0,
+                                  .verdict = sums.text(2),
+                                  .count = static_cast<std::uint64_t>(sums.integer(3))});
+  }
+  Statement links = reader.query(
+      "SELECT peer, agent, verdict, SUM(count) FROM link_verdicts WHERE addressed"
+      " GROUP BY 1, 2, 3 ORDER BY 1, 2, 3");
+  while (links.next()) {
+    run.link_verdicts.push_back({.from = static_cast<int>(links.integer(0)),
+                                 .to = static_cast<int>(links.integer(1)),
+                                 .verdict = links.text(2),
+                                 .count = static_cast<std::uint64_t>(links.integer(3))});
+  }
+}
+
 void read_messages(RunReader& reader, RunResult& run) {
   Statement ends = reader.query(
       "SELECT destination >= 65534, verdict, SUM(count) FROM message_ends GROUP BY 1, 2");
@@ -208,6 +227,7 @@ RunResult read_run(const fs::path& folder) {
   read_walls(reader, run);
   read_tracks(reader, run);
   read_network(reader, run);
+  read_frame_verdicts(reader, run);
   read_messages(reader, run);
   read_delivery_sums(reader, run);
   read_deliveries(reader, run);
