@@ -1,8 +1,14 @@
 #include "sim/record/message_counts.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace sim::record {
+namespace {
+
+constexpr hal::MessageId kForgetEvery = 32;
+
+}  // namespace
 
 MessageCounts::MessageCounts(Database& database)
     : put_end_(database, "REPLACE INTO counted_ends VALUES (?, ?, ?, ?, ?, ?)"),
@@ -12,7 +18,8 @@ MessageCounts::MessageCounts(Database& database)
 
 void MessageCounts::on_sent(hal::Time at, const hal::Message& message) {
   Sender& from = sender(message.source);
-  forget(from, at);
+  // The oldest are looked at now and then only: they have long left the cache.
+  if (message.id % kForgetEvery == 0) forget(from, at);
   if (from.sent.empty()) from.first = message.id;
   // Numbers that a sender left out belong to no message.
   while (from.first + from.sent.size() < message.id) from.sent.push_back({.at = at});
@@ -58,7 +65,7 @@ void MessageCounts::on_end(hal::AgentId agent, hal::MessageId id, hal::Verdict v
   Sent* const sent = find(from, id);
   if (sent == nullptr || sent->verdict == kDelivered) return;
   Kind& kind = from.kinds[sent->kind];
-  Count& before = kind.ends[sent->verdict];
+  Count& before = count_of(kind.ends, sent->verdict);
   --before.messages;
   before.bytes -= sent->bytes;
   before.changed = true;
@@ -101,9 +108,13 @@ std::uint32_t MessageCounts::kind_of(Sender& sender, const hal::Message& message
   return sender.last_kind = place->second;
 }
 
-void MessageCounts::count(Kind& kind, std::map<std::uint8_t, Count>& counts, std::uint8_t key,
-                          const Sent& sent) {
-  Count& count = counts[key];
+MessageCounts::Count& MessageCounts::count_of(Counts& counts, std::uint8_t key) {
+  const auto found = std::ranges::find(counts, key, &Count::key);
+  return found != counts.end() ? *found : counts.emplace_back(Count{.key = key});
+}
+
+void MessageCounts::count(Kind& kind, Counts& counts, std::uint8_t key, const Sent& sent) {
+  Count& count = count_of(counts, key);
   ++count.messages;
   count.bytes += sent.bytes;
   count.changed = true;
@@ -147,17 +158,17 @@ void MessageCounts::write(std::uint16_t address, Sender& sender) {
 }
 
 void MessageCounts::write_kind(std::uint16_t address, Kind& kind) {
-  for (auto& [verdict, count] : kind.ends) {
+  for (Count& count : kind.ends) {
     if (!std::exchange(count.changed, false)) continue;
     put_end_.run(address, kind.destination.value, topics_[kind.topic],
-                 verdict == kNothingYet ? std::string_view("under way")
-                                        : hal::name(static_cast<hal::Verdict>(verdict)),
+                 count.key == kNothingYet ? std::string_view("under way")
+                                          : hal::name(static_cast<hal::Verdict>(count.key)),
                  count.messages, count.bytes);
   }
-  for (auto& [fate, count] : kind.fates) {
+  for (Count& count : kind.fates) {
     if (!std::exchange(count.changed, false)) continue;
     put_fate_.run(address, kind.destination.value, topics_[kind.topic],
-                  hal::to_string(static_cast<hal::Fate>(fate)), count.messages);
+                  hal::to_string(static_cast<hal::Fate>(count.key)), count.messages);
   }
 }
 

@@ -20,8 +20,9 @@ namespace sim::record {
 /// The tables counted_ends, counted_fates and counted_deliveries: of messages that are not listed.
 ///
 /// Of each message its class, its time and how it ended so far are kept, 16 bytes: until both its
-/// verdict and its fate are there and another kKept of simulated time is over. What is delivered
-/// later still is counted, without its delay, and changes no verdict.
+/// verdict and its fate are there and another kKept of simulated time is over, and somewhat longer:
+/// they are looked at now and then. What is delivered later still is counted, without its delay,
+/// and changes no verdict.
 class MessageCounts {
  public:
   static constexpr hal::Duration kKept = std::chrono::seconds{10};
@@ -53,16 +54,19 @@ class MessageCounts {
 
     bool is_settled() const { return verdict != kNothingYet && fate != kNothingYet; }
   };
+  /// Of one verdict or fate.
   struct Count {
-    std::uint64_t messages = 0, bytes = 0;
+    std::uint64_t messages = 0;
+    std::uint64_t bytes = 0;
+    std::uint8_t key = 0;
     bool changed = false;
   };
+  using Counts = std::vector<Count>;  ///< Few; in the order in which they came.
   /// Messages of one sender with one destination and topic.
   struct Kind {
     std::uint32_t topic = 0;
     hal::AgentId destination{};
-    std::map<std::uint8_t, Count> ends{};  ///< By verdict.
-    std::map<std::uint8_t, Count> fates{};
+    Counts ends{}, fates{};
     bool changed = false;
   };
   struct Sender {
@@ -78,7 +82,8 @@ class MessageCounts {
   Sender& sender(hal::AgentId agent);
   static Sent* find(Sender& sender, hal::MessageId id);
   std::uint32_t kind_of(Sender& sender, const hal::Message& message);
-  void count(Kind& kind, std::map<std::uint8_t, Count>& counts, std::uint8_t key, const Sent& sent);
+  static Count& count_of(Counts& counts, std::uint8_t key);
+  void count(Kind& kind, Counts& counts, std::uint8_t key, const Sent& sent);
   static void forget(Sender& sender, hal::Time now);
   void write(std::uint16_t address, Sender& sender);
   void write_kind(std::uint16_t address, Kind& kind);
