@@ -112,10 +112,12 @@ void DcfMac::open_exchange() {
 void DcfMac::choose_exchange() {
   const Outgoing& head = queue_.head();
   const MacRequest& request = head.request;
-  data_mode_ = head.is_broadcast() ? &modes().broadcast()
-                                   : &rates_->mode(request.destination, head.attempts, now());
-  opening_ = protection_.opening(head.is_broadcast(), *data_mode_,
-                                 mpdu_bits(lengths(), FrameType::kData, request.payload->size()));
+  is_rated_ = !head.is_broadcast() && request.header.type == FrameType::kData;
+  data_mode_ = is_rated_ ? &rates_->mode(request.destination, head.attempts, now())
+                         : &frames_.data_mode(request);
+  opening_ =
+      protection_.opening(head.is_broadcast(), *data_mode_,
+                          mpdu_bits(lengths(), request.header.type, request.payload->size()));
 }
 
 bool DcfMac::is_expired() {
@@ -143,7 +145,7 @@ void DcfMac::on_transmit_end(const Frame& frame) {
     return answer(make_data());
   }
   if (state_ == State::kBroadcasting) return succeed();
-  if (frame.type != FrameType::kRts && frame.type != FrameType::kData) return;
+  if (frame.type == FrameType::kCts || frame.type == FrameType::kAck) return;
   awaiting_ = true;
   const hal::Duration timeout = timing_.response_timeout(modes().response_to(*frame.mode));
   no_answer_ =
@@ -163,7 +165,7 @@ void DcfMac::fail() {
   const bool after_rts = was_data && opening_ == Opening::kRts;
   const auto kind = after_rts ? RetryCounters::Kind::kLong : RetryCounters::Kind::kShort;
   // That an RTS got no answer says nothing of the rate of data.
-  if (was_data) rates_->on_result(queue_.head().request.destination, false);
+  if (was_data && is_rated_) rates_->on_result(queue_.head().request.destination, false);
   state_ = State::kIdle;
   backoff_.restart_idle();
   const bool is_last = retries_.fail(kind);
@@ -178,7 +180,8 @@ void DcfMac::fail() {
 void DcfMac::succeed() {
   events().cancel(no_answer_);
   awaiting_ = false;
-  if (state_ == State::kWaitAck) rates_->on_result(queue_.head().request.destination, true);
+  if (state_ == State::kWaitAck && is_rated_)
+    rates_->on_result(queue_.head().request.destination, true);
   state_ = State::kIdle;
   report(end_service(true), hal::Verdict::kDelivered);
 }
@@ -217,9 +220,11 @@ FramePtr DcfMac::make_cts_to_self() {
 FramePtr DcfMac::make_data() {
   Outgoing& head = queue_.head();
   const bool retry = head.attempts++ > 0;
-  return frames_.data(
-      head.request,
-      {.sequence = head.sequence, .retry = retry, .duration = after_data(), .mode = data_mode_});
+  return frames_.data(head.request, {.sequence = head.sequence,
+                                     .retry = retry,
+                                     .duration = after_data(),
+                                     .mode = data_mode_,
+                                     .at = now()});
 }
 
 void DcfMac::on_receive(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
@@ -231,7 +236,7 @@ void DcfMac::on_receive(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
                         (state_ == State::kWaitAck && frame.type == FrameType::kAck));
   if (!awaited && awaiting_) fail();
   if (for_us) {
-    if (awaited || frame.type == FrameType::kRts || frame.type == FrameType::kData) {
+    if (awaited || frame.type == FrameType::kRts || !is_control(frame.type)) {
       on_unicast(frame, rssi, snr);
     }
   } else if (frame.is_broadcast()) {
@@ -259,10 +264,10 @@ void DcfMac::on_unicast(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
       retries_.succeed(RetryCounters::Kind::kShort);
       state_ = State::kWaitAck;
       return answer(make_data());
-    case FrameType::kData:
-      return on_data(frame, rssi, snr);
     case FrameType::kAck:
       return succeed();
+    default:
+      return on_data(frame, rssi, snr);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sim/radio/frame_lengths.h"
+#include "sim/radio/management.h"
 
 namespace sim::radio {
 namespace {
@@ -58,21 +59,27 @@ FramePtr FrameFactory::ack(const Frame& data) {
 }
 
 FramePtr FrameFactory::data(const MacRequest& request, const DataOptions& options) {
-  auto frame = blank(FrameType::kData, request.destination);
+  const MacHeader& header = request.header;
+  auto frame = blank(header.type, request.destination);
   frame->duration = options.duration;
   frame->sequence = options.sequence;
   frame->retry = options.retry;
+  frame->ds = header.ds;
+  frame->address3 = header.address3;
   send_in(options.mode ? *options.mode : data_mode(request),
-          mpdu_bits(lengths_, FrameType::kData, request.payload->size()), *frame);
+          mpdu_bits(lengths_, header.type, request.payload->size()), *frame);
   frame->priority = request.priority;
   frame->ethertype = request.ethertype;
-  frame->payload = request.payload;
+  frame->payload = header.type == FrameType::kBeacon
+                       ? with_timestamp(*request.payload, options.at, *frame->mode)
+                       : request.payload;
   frame->tag = request.tag;
   return frame;
 }
 
 const PhyMode& FrameFactory::data_mode(const MacRequest& request) const {
-  return request.destination == hal::kEveryone ? modes_.broadcast() : modes_.data();
+  const bool is_basic = request.destination == hal::kEveryone || is_management(request.header.type);
+  return is_basic ? modes_.broadcast() : modes_.data();
 }
 
 hal::Duration FrameFactory::data_airtime(const MacRequest& request) const {
@@ -80,7 +87,7 @@ hal::Duration FrameFactory::data_airtime(const MacRequest& request) const {
 }
 
 hal::Duration FrameFactory::data_airtime(const MacRequest& request, const PhyMode& mode) const {
-  return mode.airtime(mpdu_bits(lengths_, FrameType::kData, request.payload->size()));
+  return mode.airtime(mpdu_bits(lengths_, request.header.type, request.payload->size()));
 }
 
 hal::Duration FrameFactory::response_airtime(FrameType type, const PhyMode& to) const {

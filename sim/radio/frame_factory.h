@@ -19,7 +19,9 @@ class FrameFactory {
     bool retry = false;
     hal::Duration duration{};
     const PhyMode* mode = nullptr;  ///< Null: data_mode().
+    hal::Time at{};                 ///< When it starts: beacons say so.
   };
+  /// Data and management.
   FramePtr data(const MacRequest& request, const DataOptions& options);
 
   /// @param duration  what follows the RTS.

@@ -13,6 +13,16 @@
 
 namespace sim::radio {
 
+/// Who takes a MAC's frames and reports instead of its clients: the layer of a BSS.
+class FrameListener {
+ public:
+  virtual ~FrameListener() = default;
+  /// To this station or to everyone, without duplicates.
+  virtual void on_frame(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) = 0;
+  /// As MacClient::on_transmitted().
+  virtual void on_sent(const MacRequest& request, hal::Verdict verdict) = 0;
+};
+
 /// What every MAC does for its clients in the same way: hand frames up, report how requests ended,
 /// estimate delay and energy.
 class MacBase : public MacSap {
@@ -29,6 +39,9 @@ class MacBase : public MacSap {
 
   explicit MacBase(const Context& context);
 
+  /// From now on there are no clients. @pre before the first frame; it outlives the MAC.
+  void set_listener(FrameListener& listener) { listener_ = &listener; }
+
   void add_client(Ethertype ethertype, MacClient& client) final;
   hal::Duration expected_delay() const final;
   double transmit_energy(std::size_t bytes) const final;
@@ -37,8 +50,12 @@ class MacBase : public MacSap {
   /// Checks the preconditions of transmit().
   void check(const MacRequest& request) const;
 
-  /// Gives the payload to the client of its type, if there is one.
+  /// Gives the frame to the listener or the payload to the client of its type, if there is one.
   void hand_up(const Frame& frame, hal::Dbm rssi, hal::Decibels snr);
+
+  /// Gives the payload to the client of its type, if there is one.
+  void deliver(const Frame& frame, hal::Dbm rssi, hal::Decibels snr);
+  void deliver(Ethertype ethertype, const MacIndication& indication);
 
   /// The request ended. Calls the client: state must be up to date. Never from within a client's
   /// call; there, use report_later().
@@ -75,6 +92,7 @@ class MacBase : public MacSap {
   const Cell& cell_;
   hal::Duration service_time_;
   std::vector<std::pair<Ethertype, MacClient*>> clients_;
+  FrameListener* listener_ = nullptr;
 };
 
 }  // namespace sim::radio

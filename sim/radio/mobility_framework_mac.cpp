@@ -149,6 +149,8 @@ void MobilityFrameworkMac::on_receive(const Frame& frame, hal::Dbm rssi, hal::De
       return on_data(frame, rssi, snr);
     case FrameType::kAck:
       return on_ack();
+    default:
+      return;  // there is no management in this profile
   }
 }
 

@@ -83,6 +83,19 @@ void check_rate_control(const RateControlConfig& rates) {
           "minstrel_interval must be positive, and its shares 0 .. 1, minstrel_past below 1");
 }
 
+void check_bss(const BssConfig& config) {
+  require(!config.ssid.empty() && config.ssid.size() <= kMaxSsid, "ssid must have 1 to 32 bytes");
+  const auto units = config.beacon_interval / kTimeUnit;
+  require(config.beacon_interval % kTimeUnit == hal::Duration{} && units >= 1 && units <= 65535,
+          "beacon_interval must be 1 to 65535 times 1.024 ms");
+  require(config.hysteresis.value >= 0, "hysteresis must not be negative");
+  require(config.beacon_weight > 0 && config.beacon_weight <= 1, "beacon_weight must be in (0, 1]");
+  require(config.beacon_loss >= 1, "beacon_loss must be 1 or more");
+  require(config.scan_time > hal::Duration{} && config.answer_timeout > hal::Duration{},
+          "scan_time and answer_timeout must be positive");
+  require(config.distribution_delay >= hal::Duration{}, "distribution_delay must not be negative");
+}
+
 void check_dcf(Profile profile, const DcfConfig& config) {
   check_waves(profile, config);
   require(config.long_retry_limit >= 1, "retry limits must be 1 or more");
@@ -94,6 +107,7 @@ void check_dcf(Profile profile, const DcfConfig& config) {
           "msdu_lifetime must be positive");
   require(is_dsss_rate(config.protection_rate), "protection_rate must be 1, 2, 5.5 or 11 Mb/s");
   check_rate_control(config.rate_control);
+  check_bss(config.bss);
 }
 
 void check_one(const MobilityFrameworkConfig& config) {

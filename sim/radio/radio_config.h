@@ -10,6 +10,7 @@
 #include "hal/types/quantity.h"
 #include "hal/types/time.h"
 #include "sim/core/obstacle_loss.h"
+#include "sim/radio/bss_config.h"
 #include "sim/radio/channel_number.h"
 #include "sim/radio/loss_config.h"
 #include "sim/radio/path_loss_config.h"
@@ -126,6 +127,7 @@ struct DcfConfig : WavesConfig {
   /// Of frames in OFDM. kAuto: kCtsToSelf in a mixed cell, else kNone.
   ProtectionKind protection = ProtectionKind::kAuto;
   hal::BitsPerSecond protection_rate{1e6};  ///< DSSS; of what protects.
+  BssConfig bss;
 
  protected:
   DcfConfig();

@@ -11,6 +11,7 @@
 #include "sim/radio/cell.h"
 #include "sim/radio/dcf_mac.h"
 #include "sim/radio/disk_mac.h"
+#include "sim/radio/infrastructure.h"
 #include "sim/radio/mobility_framework_mac.h"
 #include "sim/radio/radio.h"
 #include "sim/radio/random_loss.h"
@@ -121,6 +122,9 @@ struct RadioNetwork::State {
       loss.emplace(waves->receiver.loss, around.seed, names(stations));
     }
     for (const auto& air : airs) open(*air);
+    if (const DcfConfig* const dcf = dcf_of(config)) {
+      infrastructure = std::make_unique<Infrastructure>(*dcf, stations, around.events);
+    }
     for (const Station& station : stations) add(station);
   }
 
@@ -149,6 +153,7 @@ struct RadioNetwork::State {
     settings.tx_power.reset();
     settings.antenna_height.reset();
     settings.antenna_gain.reset();
+    settings.access_points.reset();
     if (waves_of(config) != nullptr) settings.channel = air.channel;
     const auto found = std::ranges::find_if(
         profiles, [&settings](const auto& shared) { return shared->settings == settings; });
@@ -192,9 +197,11 @@ struct RadioNetwork::State {
   void add(const Station& station, Air& air, const StationProfile& profile,
            const MacBase::Context& context, const DcfConfig& one) {
     Radio& radio = add_radio(station, air, profile);
-    macs.push_back(std::make_unique<DcfMac>(
-        context, one, radio,
-        DcfMac::Streams{stream(station, "/backoff"), stream(station, "/rates")}));
+    macs.push_back(infrastructure->completed(
+        context, profile.config,
+        std::make_unique<DcfMac>(
+            context, one, radio,
+            DcfMac::Streams{stream(station, "/backoff"), stream(station, "/rates")})));
   }
 
   Radio& add_radio(const Station& station, Air& air, const StationProfile& profile) {
@@ -218,6 +225,7 @@ struct RadioNetwork::State {
   std::optional<RandomLoss> loss;
   std::vector<std::unique_ptr<Air>> airs;  ///< By their first station.
   std::vector<std::unique_ptr<Shared>> profiles;
+  std::unique_ptr<Infrastructure> infrastructure;  ///< Of profiles with a DCF.
   std::vector<std::unique_ptr<Radio>> radios;
   std::vector<std::unique_ptr<MacBase>> macs;
 };

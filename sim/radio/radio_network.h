@@ -32,6 +32,7 @@ class RadioNetwork {
     StationConfig radio{};
   };
 
+  /// @throws std::invalid_argument  what check() refuses, and an access point that is no station.
   RadioNetwork(const RadioConfig& config, const std::vector<Station>& stations,
                Surroundings surroundings);
   ~RadioNetwork();

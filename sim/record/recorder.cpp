@@ -10,6 +10,7 @@
 #include "hal/types/log.h"
 #include "sim/record/frame_class.h"
 #include "sim/record/hexadecimal.h"
+#include "sim/record/message_in.h"
 #include "sim/record/schema.h"
 
 namespace sim::record {
@@ -48,6 +49,7 @@ Recorder::Recorder(const std::filesystem::path& file, const agents::SimulationCo
       insert_value_(database_, "INSERT INTO recorded VALUES (?, ?, ?, ?)"),
       insert_turn_(database_, "INSERT INTO turns VALUES (?, ?, ?, ?)"),
       insert_arrival_(database_, "INSERT INTO arrivals VALUES (?, ?, ?)"),
+      insert_association_(database_, "INSERT INTO associations VALUES (?, ?, ?)"),
       insert_frame_(database_, "INSERT INTO frames VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"),
       insert_frame_end_(database_, "INSERT INTO frame_ends VALUES (?, ?, ?, ?, ?)"),
       insert_fingerprint_(database_, "INSERT INTO fingerprints VALUES (?, ?, ?, ?)") {
@@ -241,6 +243,21 @@ void Recorder::on_delivered(hal::Time, const radio::Frame& frame, hal::AgentId r
 void Recorder::on_request_end(hal::Time, hal::AgentId sender, hal::AgentId destination,
                               hal::Verdict verdict) {
   frames_.on_request_end(sender, destination, verdict);
+}
+
+void Recorder::on_relay_lost(hal::Time at, hal::AgentId source, const radio::MacRequest& request,
+                             hal::Verdict verdict) {
+  if (const auto message = message_in(request, source)) {
+    on_message_end(at, source, message->sender, message->id, verdict);
+  }
+}
+
+void Recorder::on_association(hal::Time at, hal::AgentId station,
+                              std::optional<hal::AgentId> access_point) {
+  std::optional<int> with;
+  if (access_point) with = access_point->value;
+  insert_association_.run(hal::to_ns(at), station.value, with);
+  on_rows(at, 1);
 }
 
 void Recorder::on_body(hal::Time at, hal::AgentId agent, const agents::BodyState& body) {

@@ -93,6 +93,10 @@ class Recorder final : public agents::Observer {
   void on_delivered(hal::Time at, const radio::Frame& frame, hal::AgentId receiver) override;
   void on_request_end(hal::Time at, hal::AgentId sender, hal::AgentId destination,
                       hal::Verdict verdict) override;
+  void on_relay_lost(hal::Time at, hal::AgentId source, const radio::MacRequest& request,
+                     hal::Verdict verdict) override;
+  void on_association(hal::Time at, hal::AgentId station,
+                      std::optional<hal::AgentId> access_point) override;
   void on_body(hal::Time at, hal::AgentId agent, const agents::BodyState& body) override;
   void on_body_lost(const physics::LostBody& lost) override;
   void on_message_sent(hal::Time at, const hal::Message& message) override;
@@ -125,7 +129,7 @@ class Recorder final : public agents::Observer {
   BroadcastWatch broadcasts_;
   BodyLog bodies_;
   Statement set_, insert_discovery_, insert_lost_body_, insert_state_, insert_value_, insert_turn_,
-      insert_arrival_, insert_frame_, insert_frame_end_, insert_fingerprint_;
+      insert_arrival_, insert_association_, insert_frame_, insert_frame_end_, insert_fingerprint_;
   int rows_ = 0;     ///< Since the last commit.
   hal::Time now_{};  ///< Of the latest row, or of the end.
   hal::Time next_commit_{kCommitPeriod};

@@ -52,7 +52,9 @@ std::vector<Table> count_tables() {
        "how many frames were sent",
        {{"agent", "INTEGER NOT NULL", "", "transmitter"},
         {"peer", "INTEGER NOT NULL", "", "receiver"},
-        {"class", "TEXT NOT NULL", "", "'broadcast' or 'unicast' (data), 'rts', 'cts', 'ack'"},
+        {"class", "TEXT NOT NULL", "",
+         "'broadcast' or 'unicast' (data), 'rts', 'cts', 'ack', 'beacon', 'management' (the other "
+         "management frames)"},
         {"count", "INTEGER NOT NULL", "", "frames"}},
        "agent, peer, class"},
       {"receptions",
@@ -64,6 +66,11 @@ std::vector<Table> count_tables() {
         {"verdict", "TEXT NOT NULL", "", "how it ended"},
         {"count", "INTEGER NOT NULL", "", "receptions"}},
        "agent, peer, class, addressed, verdict"},
+      {"associations",
+       "with radio: {bss: ...}: which access point stations were with",
+       {{"at_ns", "INTEGER NOT NULL", "ns", "since when"},
+        {"station", "INTEGER NOT NULL", "", "agent"},
+        {"access_point", "INTEGER", "", "agent; null: none"}}},
       {"faint",
        "interference: frames too weak for a radio to receive or sense, nothing else is said of "
        "them",

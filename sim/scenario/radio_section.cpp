@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "hal/config/value.h"
+#include "sim/scenario/bss_section.h"
 #include "sim/scenario/dcf_keys.h"
 #include "sim/scenario/loss_section.h"
 #include "sim/scenario/propagation_section.h"
@@ -164,6 +165,8 @@ void read_chain(Mapping& in, RadioConfig& config) {
   waves->propagation.chain = read_propagation(in, waves->propagation.chain);
 }
 
+const Key kBssKey{"bss", "Infrastructure mode: stations send to each other through access points."};
+
 const Key kRandomLoss{
     "loss", "Frames that get lost although the physics let them in; told as `random loss`."};
 
@@ -211,9 +214,11 @@ RadioConfig read_radio(Mapping in) {
   if (radio::DcfConfig* const dcf = dcf_of(config)) {
     read_basic_rates(in, *profile, *dcf);
     check_dcf(in, *dcf);
+    read_bss(in.mapping(kBssKey), dcf->bss);
   } else {
-    reader.unused(kBasicRates.name,
-                  fmt::format("is not used by the profile '{}'", name_of(*profile)));
+    const std::string why = fmt::format("is not used by the profile '{}'", name_of(*profile));
+    reader.unused(kBasicRates.name, why);
+    reader.unused(kBssKey.name, why);
   }
   if (const radio::WavesConfig* const waves = waves_of(config)) check_waves(in, *profile, *waves);
   in.finish();
@@ -234,6 +239,7 @@ void write_radio(Writer& out, const RadioConfig& config) {
     std::vector<double> rates;
     for (const hal::BitsPerSecond rate : dcf->basic_rates) rates.push_back(rate.value);
     out.numbers(kBasicRates.name, rates, "b/s");
+    write_bss(out, dcf->bss);
   }
   out.close();
 }

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "sim/scenario/bss_section.h"
 #include "sim/scenario/override_agents.h"
 #include "sim/scenario/radio_keys.h"
 #include "sim/scenario/radio_section.h"
@@ -39,6 +40,7 @@ const Key kStationDataRate{"data_rate", "Of data frames of these agents.", "11 M
 const Key kStationControlRate{"control_rate", "Of RTS of these agents.", "2 Mb/s", kOfRadio};
 const Key kStationBroadcastRate{"broadcast_rate", "Of broadcast frames of these agents.", "2 Mb/s",
                                 kOfRadio};
+const Key kStationBss{"bss", "Of these agents, where they are not as `radio.bss` says."};
 
 /// Of a group, or of one entry of its `overrides`.
 class StationReader {
@@ -56,6 +58,7 @@ class StationReader {
     rate(kStationDataRate, has_waves, station);
     rate(kStationControlRate, has_waves, station);
     rate(kStationBroadcastRate, has_waves, station);
+    bss(station.access_points);
   }
 
  private:
@@ -81,6 +84,13 @@ class StationReader {
     if (profile_ != Profile::kIeee80211g) return refuse(kStandard);
     const Standard given = in_.choice(kStandard, kStandards, Standard::kIeee80211g);
     if (in_.has(kStandard.name)) value = given;
+  }
+
+  void bss(std::optional<std::vector<std::string>>& access_points) {
+    if (profile_ != Profile::kIeee80211b && profile_ != Profile::kIeee80211g) {
+      return refuse(kStationBss);
+    }
+    if (auto given = read_own_access_points(in_.mapping(kStationBss))) access_points = given;
   }
 
   void rate(const Key& key, bool is_used, StationConfig& station) {
@@ -111,6 +121,7 @@ void write_fields(Writer& out, const StationConfig& station) {
   number(kStationDataRate, station.data_rate, "b/s");
   number(kStationControlRate, station.control_rate, "b/s");
   number(kStationBroadcastRate, station.broadcast_rate, "b/s");
+  write_own_access_points(out, station.access_points);
 }
 
 }  // namespace

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <deque>
+#include <map>
+#include <memory>
+#include <vector>
+
+#include "sim/radio/distribution_system.h"
+#include "sim/radio/mac_base.h"
+#include "sim/radio/management.h"
+#include "sim/radio/radio_network.h"
+
+namespace sim::radio {
+
+class DcfMac;
+
+/// Infrastructure mode of one network: who is an access point, who uses which, and the wire.
+class Infrastructure {
+ public:
+  /// @param config  outlives it.
+  /// @throws std::invalid_argument  an access point that is no station.
+  Infrastructure(const DcfConfig& config, const std::vector<RadioNetwork::Station>& stations,
+                 EventQueue& events);
+
+  /// The MAC of a station: its DCF, and what it has above that if it is in a BSS.
+  /// @param own  the config as it is for that station.
+  std::unique_ptr<MacBase> completed(const MacBase::Context& context, const RadioConfig& own,
+                                     std::unique_ptr<DcfMac> dcf);
+
+ private:
+  std::unique_ptr<MacBase> access_point(const MacBase::Context& context, const RadioConfig& own,
+                                        std::unique_ptr<DcfMac> dcf);
+
+  const BssParameters& parameters_of(const RadioConfig& own, const Cell& cell);
+
+  const DcfConfig& config_;
+  std::deque<BssParameters> parameters_;  ///< All that differ.
+  DistributionSystem distribution_;
+  std::vector<hal::AgentId> access_points_;  ///< By address.
+  /// Of the stations that are in a BSS and are no access points: those that they may use.
+  std::map<hal::AgentId, std::vector<hal::AgentId>> usable_;
+};
+
+}  // namespace sim::radio
