@@ -112,17 +112,12 @@ void DcfMac::open_exchange() {
 void DcfMac::choose_exchange() {
   const Outgoing& head = queue_.head();
   const MacRequest& request = head.request;
-  const bool is_basic = head.is_broadcast() || is_management(request.header.type);
-  data_mode_ =
-      is_basic ? &modes().broadcast() : &rates_->mode(request.destination, head.attempts, now());
+  is_rated_ = !head.is_broadcast() && request.header.type == FrameType::kData;
+  data_mode_ = is_rated_ ? &rates_->mode(request.destination, head.attempts, now())
+                         : &frames_.data_mode(request);
   opening_ =
       protection_.opening(head.is_broadcast(), *data_mode_,
                           mpdu_bits(lengths(), request.header.type, request.payload->size()));
-}
-
-void DcfMac::tell_rates(bool is_success) {
-  const MacRequest& request = queue_.head().request;
-  if (!is_management(request.header.type)) rates_->on_result(request.destination, is_success);
 }
 
 bool DcfMac::is_expired() {
@@ -172,7 +167,7 @@ void DcfMac::fail() {
   const bool after_rts = was_data && opening_ == Opening::kRts;
   const auto kind = after_rts ? RetryCounters::Kind::kLong : RetryCounters::Kind::kShort;
   // That an RTS got no answer says nothing of the rate of data.
-  if (was_data) tell_rates(false);
+  if (was_data && is_rated_) rates_->on_result(queue_.head().request.destination, false);
   state_ = State::kIdle;
   backoff_.restart_idle();
   const bool is_last = retries_.fail(kind);
@@ -187,7 +182,8 @@ void DcfMac::fail() {
 void DcfMac::succeed() {
   events().cancel(no_answer_);
   awaiting_ = false;
-  if (state_ == State::kWaitAck) tell_rates(true);
+  if (state_ == State::kWaitAck && is_rated_)
+    rates_->on_result(queue_.head().request.destination, true);
   state_ = State::kIdle;
   report(end_service(true), hal::Verdict::kDelivered);
 }

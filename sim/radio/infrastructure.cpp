@@ -31,14 +31,16 @@ std::vector<std::uint8_t> supported_rates(Profile profile, const DcfConfig& conf
   return rates;
 }
 
-BssParameters parameters(Profile profile, const DcfConfig& config, bool is_mixed) {
+/// As the station has them and says them. @param own  of a profile with a DCF.
+BssParameters parameters(const RadioConfig& own, const Cell& cell) {
+  const DcfConfig& config = *dcf_of(own);
   return {.ssid = config.bss.ssid,
-          .rates = supported_rates(profile, config),
+          .rates = supported_rates(profile_of(own), config),
           .channel = static_cast<std::uint8_t>(config.phy.channel),
           .short_preamble = config.phy.preamble == Preamble::kShort,
           .short_slot = config.contention.slot == kShortSlotTime,
-          .erp = profile == Profile::kIeee80211g,
-          .use_protection = is_mixed};
+          .erp = profile_of(own) == Profile::kIeee80211g,
+          .use_protection = cell.is_mixed()};
 }
 
 std::vector<hal::AgentId> agents_of(const std::vector<std::string>& names,
@@ -72,32 +74,40 @@ Infrastructure::Infrastructure(const DcfConfig& config,
   access_points_.assign(named.begin(), named.end());
 }
 
+const BssParameters& Infrastructure::parameters_of(const RadioConfig& own, const Cell& cell) {
+  const BssParameters wanted = parameters(own, cell);
+  const auto known = std::ranges::find(parameters_, wanted);
+  return known != parameters_.end() ? *known : parameters_.emplace_back(wanted);
+}
+
 std::unique_ptr<MacBase> Infrastructure::completed(const MacBase::Context& context,
-                                                   std::unique_ptr<DcfMac> dcf, const Own& own) {
-  const bool is_access_point = std::ranges::binary_search(access_points_, context.agent);
+                                                   const RadioConfig& own,
+                                                   std::unique_ptr<DcfMac> dcf) {
+  if (std::ranges::binary_search(access_points_, context.agent)) {
+    return access_point(context, own, std::move(dcf));
+  }
   const auto usable = usable_.find(context.agent);
-  if (!is_access_point && usable == usable_.end()) return dcf;
-  parameters_.push_back(parameters(own.profile, own.config, context.cell.is_mixed()));
-  if (is_access_point) return access_point(context, std::move(dcf), own);
+  if (usable == usable_.end()) return dcf;
   return std::make_unique<BssStation>(
-      context, std::move(dcf), own.config.contention.queue_limit,
-      BssStation::Membership{config_.bss, parameters_.back(), usable->second});
+      context, std::move(dcf), config_.contention.queue_limit,
+      BssStation::Membership{config_.bss, parameters_of(own, context.cell), usable->second});
 }
 
 /// The target transmission times of their beacons are spread evenly over the interval.
 std::unique_ptr<MacBase> Infrastructure::access_point(const MacBase::Context& context,
-                                                      std::unique_ptr<DcfMac> dcf, const Own& own) {
+                                                      const RadioConfig& own,
+                                                      std::unique_ptr<DcfMac> dcf) {
   const auto place = std::ranges::find(access_points_, context.agent) - access_points_.begin();
   const auto count = static_cast<std::int64_t>(access_points_.size());
   const double power = to_dbm(context.tx_power).value;
   return std::make_unique<AccessPoint>(
-      context, std::move(dcf), own.config.contention.queue_limit,
+      context, std::move(dcf), config_.contention.queue_limit,
       AccessPoint::Network{.config = config_.bss,
-                           .bss = parameters_.back(),
+                           .bss = parameters_of(own, context.cell),
                            .distribution = distribution_,
                            .first_beacon = place * config_.bss.beacon_interval / count,
                            .rssi_dbm = power,
-                           .snr_db = power - own.config.receiver.noise_floor.value});
+                           .snr_db = power - config_.receiver.noise_floor.value});
 }
 
 }  // namespace sim::radio

@@ -22,21 +22,19 @@ class Infrastructure {
   Infrastructure(const DcfConfig& config, const std::vector<RadioNetwork::Station>& stations,
                  EventQueue& events);
 
-  /// Of one station, which may differ from the network's.
-  struct Own {
-    Profile profile;
-    const DcfConfig& config;  ///< Outlives the station.
-  };
   /// The MAC of a station: its DCF, and what it has above that if it is in a BSS.
-  std::unique_ptr<MacBase> completed(const MacBase::Context& context, std::unique_ptr<DcfMac> dcf,
-                                     const Own& own);
+  /// @param own  the config as it is for that station.
+  std::unique_ptr<MacBase> completed(const MacBase::Context& context, const RadioConfig& own,
+                                     std::unique_ptr<DcfMac> dcf);
 
  private:
-  std::unique_ptr<MacBase> access_point(const MacBase::Context& context,
-                                        std::unique_ptr<DcfMac> dcf, const Own& own);
+  std::unique_ptr<MacBase> access_point(const MacBase::Context& context, const RadioConfig& own,
+                                        std::unique_ptr<DcfMac> dcf);
+
+  const BssParameters& parameters_of(const RadioConfig& own, const Cell& cell);
 
   const DcfConfig& config_;
-  std::deque<BssParameters> parameters_;  ///< Of each station in a BSS, which refers to it.
+  std::deque<BssParameters> parameters_;  ///< All that differ.
   DistributionSystem distribution_;
   std::vector<hal::AgentId> access_points_;  ///< By address.
   /// Of the stations that are in a BSS and are no access points: those that they may use.

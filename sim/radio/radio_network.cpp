@@ -197,11 +197,11 @@ struct RadioNetwork::State {
   void add(const Station& station, Air& air, const StationProfile& profile,
            const MacBase::Context& context, const DcfConfig& one) {
     Radio& radio = add_radio(station, air, profile);
-    auto dcf = std::make_unique<DcfMac>(
-        context, one, radio,
-        DcfMac::Streams{stream(station, "/backoff"), stream(station, "/rates")});
-    macs.push_back(infrastructure->completed(context, std::move(dcf),
-                                             {radio::profile_of(profile.config), one}));
+    macs.push_back(infrastructure->completed(
+        context, profile.config,
+        std::make_unique<DcfMac>(
+            context, one, radio,
+            DcfMac::Streams{stream(station, "/backoff"), stream(station, "/rates")})));
   }
 
   Radio& add_radio(const Station& station, Air& air, const StationProfile& profile) {
@@ -218,6 +218,7 @@ struct RadioNetwork::State {
     air.band->channel().add(*radios.back());
     return *radios.back();
   }
+
   RadioConfig config;
   std::vector<Station> stations;  ///< In order of addresses.
   Surroundings surroundings;

@@ -25,6 +25,10 @@ struct StationConfig {
   /// those of the config (BssConfig). Who is named anywhere is an access point itself.
   std::optional<std::vector<std::string>> access_points{};
 
+  /// Names of the access points that it may use, empty: none, it is in an ad hoc network; not set:
+  /// those of the config (BssConfig). Who is named anywhere is an access point itself.
+  std::optional<std::vector<std::string>> access_points{};
+
   bool operator==(const StationConfig&) const = default;
 };
 

@@ -82,6 +82,19 @@ void check_names(Mapping in, const Key& key, const std::vector<std::string>& nam
   }
 }
 
+/// @param radio  of a group, or an entry of its overrides.
+void check_own(Mapping& radio, const std::vector<std::string>& agents) {
+  Mapping bss = radio.within(kBss);
+  std::vector<std::string> names;
+  if (bss.has_scalar(kOwnAccessPoints.name)) {
+    names = {bss.text(kOwnAccessPoints)};
+  } else {
+    for (const hal::config::Scalar& name : bss.texts(kOwnAccessPoints)) names.push_back(name.text);
+  }
+  std::erase(names, kNone);
+  check_names(bss, kOwnAccessPoints, names, agents);
+}
+
 }  // namespace
 
 void read_bss(Mapping in, radio::BssConfig& config) {
@@ -138,16 +151,9 @@ void check_access_points(Mapping& in, const Scenario& scenario) {
   if (dcf == nullptr) return;
   check_names(in.within("radio").within(kBss), kAccessPoints, dcf->bss.access_points, agents);
   for (const Group& group : scenario.groups) {
-    std::vector<std::string> named;
-    for (const agents::AgentConfig& agent : scenario.simulation.agents) {
-      const auto& own = agent.radio.access_points;
-      if (!own || std::ranges::count(group.agents, agent.id) == 0) continue;
-      for (const std::string& name : *own) {
-        if (std::ranges::count(named, name) == 0) named.push_back(name);
-      }
-    }
-    check_names(in.within("agents").within(group.name).within("radio").within(kBss),
-                kOwnAccessPoints, named, agents);
+    Mapping radio = in.within("agents").within(group.name).within("radio");
+    check_own(radio, agents);
+    for (Mapping& one : radio.items("overrides")) check_own(one, agents);
   }
 }
 

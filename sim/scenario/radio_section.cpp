@@ -165,6 +165,8 @@ void read_chain(Mapping& in, RadioConfig& config) {
   waves->propagation.chain = read_propagation(in, waves->propagation.chain);
 }
 
+const Key kBssKey{"bss", "Infrastructure mode: stations send to each other through access points."};
+
 const Key kRandomLoss{
     "loss", "Frames that get lost although the physics let them in; told as `random loss`."};
 
@@ -184,7 +186,6 @@ void follow_channel(Mapping& in, RadioConfig& config) {
   hal::Metres& wavelength = waves->propagation.wavelength;
   wavelength = radio::wavelength_on(waves->phy.channel, wavelength, 1);
 }
-const Key kBssKey{"bss", "Infrastructure mode: stations send to each other through access points."};
 
 }  // namespace
 

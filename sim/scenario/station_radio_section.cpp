@@ -4,7 +4,6 @@
 #include <array>
 #include <optional>
 #include <string>
-#include <utility>
 
 #include "sim/scenario/bss_section.h"
 #include "sim/scenario/override_agents.h"
@@ -46,8 +45,7 @@ const Key kStationBss{"bss", "Of these agents, where they are not as `radio.bss`
 /// Of a group, or of one entry of its `overrides`.
 class StationReader {
  public:
-  StationReader(Mapping& in, const RadioConfig& config)
-      : in_(in), profile_(profile_of(config)), has_dcf_(dcf_of(config) != nullptr) {}
+  StationReader(Mapping& in, const RadioConfig& config) : in_(in), profile_(profile_of(config)) {}
 
   /// What is not there keeps its value.
   void read(StationConfig& station) {
@@ -60,7 +58,7 @@ class StationReader {
     rate(kStationDataRate, has_waves, station);
     rate(kStationControlRate, has_waves, station);
     rate(kStationBroadcastRate, has_waves, station);
-    access_points(station);
+    bss(station.access_points);
   }
 
  private:
@@ -88,6 +86,13 @@ class StationReader {
     if (in_.has(kStandard.name)) value = given;
   }
 
+  void bss(std::optional<std::vector<std::string>>& access_points) {
+    if (profile_ != Profile::kIeee80211b && profile_ != Profile::kIeee80211g) {
+      return refuse(kStationBss);
+    }
+    if (auto given = read_own_access_points(in_.mapping(kStationBss))) access_points = given;
+  }
+
   void rate(const Key& key, bool is_used, StationConfig& station) {
     std::optional<hal::BitsPerSecond> given;
     quantity(key, "b/s", kBitRate, is_used, given);
@@ -100,15 +105,8 @@ class StationReader {
     if (key.name == kStationBroadcastRate.name) station.broadcast_rate = given;
   }
 
-  void access_points(StationConfig& station) {
-    if (!has_dcf_) return refuse(kStationBss);
-    auto own = read_own_access_points(in_.mapping(kStationBss));
-    if (own) station.access_points = std::move(own);
-  }
-
   Mapping& in_;
   Profile profile_;
-  bool has_dcf_;
 };
 
 void write_fields(Writer& out, const StationConfig& station) {
