@@ -91,6 +91,7 @@ std::vector<LinkSums> Group::link_verdicts() const {
     }
   }
   std::vector<LinkSums> all;
+  all.reserve(links.size());
   for (auto& [pair, link] : links) all.push_back(std::move(link));
   return all;
 }

@@ -28,16 +28,20 @@ struct OfHops {
   std::uint64_t too_early = 0;  ///< Of those that are listed.
 };
 
+void add_sums(const RunResult& run, std::map<int, OfHops>& table) {
+  for (const auto& [hops, sums] : run.hops) {
+    if (hops == 0) continue;
+    OfHops& entry = table[hops];
+    entry.count += sums.messages;
+    const auto least = sums.least_delay_ns;
+    if (least) entry.least_ns = std::min(*least, entry.least_ns.value_or(*least));
+  }
+}
+
 std::map<int, OfHops> by_hops(const Group& group) {
   std::map<int, OfHops> table;
   for (const RunResult* run : group.runs) {
-    for (const auto& [hops, sums] : run->hops) {
-      if (hops == 0) continue;
-      OfHops& entry = table[hops];
-      entry.count += sums.messages;
-      const auto least = sums.least_delay_ns;
-      if (least) entry.least_ns = std::min(*least, entry.least_ns.value_or(*least));
-    }
+    add_sums(*run, table);
     for (const RunResult::Delivery& delivery : run->deliveries) {
       const int hops = delivery.transmissions.value_or(0);
       if (hops == 0) continue;

@@ -17,6 +17,7 @@ constexpr std::uint64_t kEnoughFrames = 20;
 /// As in hal::Verdict, then what has none.
 std::vector<std::string> all_verdicts() {
   std::vector<std::string> names;
+  names.reserve(hal::kVerdictCount + 1);
   for (int i = 0; i < hal::kVerdictCount; ++i) {
     names.emplace_back(hal::name(static_cast<hal::Verdict>(i)));
   }
