@@ -33,9 +33,9 @@ const std::string& Controllers::process_of(hal::AgentId agent) const {
   return port_name(port_of_[agent.value]);
 }
 
-Controllers::Round Controllers::exchange(std::vector<hal::exchange::Event> events,
+Controllers::Round Controllers::exchange(std::vector<hal::exchange::Event>& events,
                                          hal::Time until) {
-  distribute(std::move(events));
+  distribute(events);
   Round round;
   std::vector<std::size_t> waiting;
   for (std::size_t i = 0; i < ports_.size(); ++i) {
@@ -66,16 +66,17 @@ Controllers::Round Controllers::exchange(std::vector<hal::exchange::Event> event
   return round;
 }
 
-void Controllers::distribute(std::vector<hal::exchange::Event> events) {
+void Controllers::distribute(std::vector<hal::exchange::Event>& events) {
   const bool is_one = ports_.size() == 1 && !ports_.front().dropped;
   if (is_one) {
-    ports_.front().step.events = std::move(events);
+    ports_.front().step.events.swap(events);  // and gives the empty one's memory back
     return;
   }
   for (hal::exchange::Event& event : events) {
     Connection& connection = ports_[port_of_[event.agent.value]];
     if (!connection.dropped) connection.step.events.push_back(std::move(event));
   }
+  events.clear();
 }
 
 void Controllers::log_exchange(const Connection& connection, const hal::exchange::Reply& reply) {

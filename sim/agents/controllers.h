@@ -43,8 +43,12 @@ class Controllers {
   std::size_t port_of(hal::AgentId agent) const { return port_of_[agent.value]; }
 
   /// Hands the events to the ports of their agents, to all at once, and waits for all answers.
-  /// @param events  by (time, agent, cause, arrival).  @param until  no later event is before this.
-  Round exchange(std::vector<hal::exchange::Event> events, hal::Time until);
+  /// @param events  by (time, agent, cause, arrival); empty afterwards.  @param until  no later
+  /// event is before this.
+  Round exchange(std::vector<hal::exchange::Event>& events, hal::Time until);
+  Round exchange(std::vector<hal::exchange::Event>&& events, hal::Time until) {
+    return exchange(events, until);
+  }
 
   /// Takes a port out: its agents get no more events.
   void drop(std::size_t port);
@@ -63,7 +67,7 @@ class Controllers {
     bool dropped = false;
   };
 
-  void distribute(std::vector<hal::exchange::Event> events);
+  void distribute(std::vector<hal::exchange::Event>& events);
   static void log_exchange(const Connection& connection, const hal::exchange::Reply& reply);
   void sort_out(Connection& connection, hal::exchange::Reply reply, Round& round);
 

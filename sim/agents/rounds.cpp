@@ -16,18 +16,15 @@ using hal::exchange::Event;
 
 namespace {
 
-/// Those of one time stay as they are. Events are large: each is moved once at most.
-std::vector<Event> by_time(std::vector<Event> events) {
-  const auto earlier = [](const Event& a, const Event& b) { return a.time < b.time; };
-  if (std::is_sorted(events.begin(), events.end(), earlier)) return events;
+/// Moves them into order of time; those of one time stay as they are. Events are large: each is
+/// moved once.
+void move_by_time(std::vector<Event>& from, std::vector<Event>& to) {
   std::vector<std::pair<hal::Time, std::size_t>> order;
-  order.reserve(events.size());
-  for (const Event& event : events) order.emplace_back(event.time, order.size());
+  order.reserve(from.size());
+  for (const Event& event : from) order.emplace_back(event.time, order.size());
   std::sort(order.begin(), order.end());
-  std::vector<Event> sorted;
-  sorted.reserve(events.size());
-  for (const auto& [time, index] : order) sorted.push_back(std::move(events[index]));
-  return sorted;
+  to.reserve(from.size());
+  for (const auto& [time, index] : order) to.push_back(std::move(from[index]));
 }
 
 }  // namespace
@@ -86,9 +83,9 @@ void Simulation::State::work_off(hal::Time begin) {
   }
 }
 
-std::vector<Event> Simulation::State::take_events() {
-  std::vector<Event> taken;
-  taken.reserve(waiting.size());
+std::vector<Event>& Simulation::State::take_events() {
+  taken.clear();
+  taken_by_time.clear();
   std::sort(waiting.begin(), waiting.end());
   waiting.erase(std::unique(waiting.begin(), waiting.end()), waiting.end());
   for (const hal::AgentId agent : waiting) {
@@ -96,13 +93,16 @@ std::vector<Event> Simulation::State::take_events() {
   }
   waiting.clear();
   // By agent already, and by cause within; with a window of time, time comes first.
-  return by_time(std::move(taken));
+  const auto earlier = [](const Event& a, const Event& b) { return a.time < b.time; };
+  if (std::is_sorted(taken.begin(), taken.end(), earlier)) return taken;
+  move_by_time(taken, taken_by_time);
+  return taken_by_time;
 }
 
 void Simulation::State::exchange(hal::Time window_end) {
-  std::vector<Event> taken = take_events();
-  if (taken.empty()) return;
-  Controllers::Round round = controllers.exchange(std::move(taken), window_end);
+  std::vector<Event>& all = take_events();
+  if (all.empty()) return;
+  Controllers::Round round = controllers.exchange(all, window_end);
   on_failures(round.failures);
   for (Controllers::Answer& answer : round.answers) {
     if (error.empty()) take_effect(std::move(answer));

@@ -38,7 +38,9 @@ struct Simulation::State final : hal::agent::AgentListener {
   }
   bool take_outside(hal::Time now);
   void work_off(hal::Time begin);
-  std::vector<hal::exchange::Event> take_events();
+  /// What there is to be handed over now, by (time, agent, cause, arrival). Valid until the next
+  /// call.
+  std::vector<hal::exchange::Event>& take_events();
   void exchange(hal::Time window_end);
   void take_effect(Controllers::Answer answer);
   void on_error(const hal::exchange::Action& action, hal::Time event_time);
@@ -62,6 +64,8 @@ struct Simulation::State final : hal::agent::AgentListener {
   hal::exchange::AgentTable<std::unique_ptr<SimulatedMote>> agents;
   Controllers controllers;
   std::vector<hal::AgentId> waiting;  ///< Agents with something in the inbox; repeats allowed.
+  /// Of take_events(), kept for their memory: of thousands of events a round, it is megabytes.
+  std::vector<hal::exchange::Event> taken, taken_by_time;
   std::optional<hal::Time> until;
   std::optional<std::string> result;  ///< Set when the run has ended.
   std::string error;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstring>
 #include <utility>
 
 namespace sim {
@@ -13,6 +14,16 @@ std::string_view name(Part part) {
 }
 
 void Hash::add(std::string_view text) { add_bytes(text.data(), text.size()); }
+
+void Hash::add_bytes(const void* data, std::size_t size) {
+  add(static_cast<std::uint64_t>(size));
+  const auto* bytes = static_cast<const unsigned char*>(data);
+  for (std::size_t i = 0; i < size; i += 8) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, bytes + i, std::min<std::size_t>(8, size - i));
+    add(word);
+  }
+}
 
 Fingerprint::Cell& Fingerprint::at(Part part, hal::AgentId agent, hal::Time time) {
   constexpr std::int64_t kNanosecondsPerSecond = 1'000'000'000;

@@ -3,7 +3,6 @@
 #include <array>
 #include <bit>
 #include <cstdint>
-#include <cstring>
 #include <deque>
 #include <functional>
 #include <optional>
@@ -37,30 +36,12 @@ class Hash {
   void add(std::int64_t value) { add(static_cast<std::uint64_t>(value)); }
   void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
   void add(std::string_view text);
-  void add_bytes(const void* data, std::size_t size) { add_bytes(data, size, *this); }
-  /// To all of these: faster than to one after the other, as a processor does them side by side.
-  template <class... Hashes>
-  static void add_bytes(const void* data, std::size_t size, Hashes&... hashes);
+  void add_bytes(const void* data, std::size_t size);
   std::uint64_t value() const { return state_; }
 
  private:
   std::uint64_t state_ = 0xcbf29ce484222325u;
 };
-
-template <class... Hashes>
-void Hash::add_bytes(const void* data, std::size_t size, Hashes&... hashes) {
-  (hashes.add(static_cast<std::uint64_t>(size)), ...);
-  const auto* bytes = static_cast<const unsigned char*>(data);
-  for (; size >= 8; bytes += 8, size -= 8) {
-    std::uint64_t word = 0;
-    std::memcpy(&word, bytes, 8);
-    (hashes.add(word), ...);
-  }
-  if (size == 0) return;
-  std::uint64_t word = 0;
-  std::memcpy(&word, bytes, size);
-  (hashes.add(word), ...);
-}
 
 /// Fingerprint of a run: a hash per part, agent and simulated second, so that two runs can be told
 /// apart to the agent and second. Not fed: wall time, process names, sequence numbers.
@@ -80,7 +61,8 @@ class Fingerprint {
       within_second_.add(value);
     }
     void add_bytes(const void* data, std::size_t size) {
-      Hash::add_bytes(data, size, since_start_, within_second_);
+      since_start_.add_bytes(data, size);
+      within_second_.add_bytes(data, size);
     }
 
    private:

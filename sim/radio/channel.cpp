@@ -33,7 +33,8 @@ void Channel::transmit(Radio& from, const FramePtr& frame) {
   transmission.receivers.reserve(links.audible.size());
   for (const std::uint32_t one : links.by_arrival) {
     const AudibleLink& link = links.audible[one];
-    transmission.receivers.push_back({.radio = radios_[link.receiver], .arrival = link.arrival});
+    transmission.receivers.push_back(
+        {.radio = radios_[link.receiver], .index = link.receiver, .arrival = link.arrival});
   }
   current_[from.index()] = &transmission;
   transmissions_.add_use(transmission);
@@ -52,11 +53,20 @@ void Channel::start_faint(const Frame& frame, StationIndex from,
   if (links.empty()) return;
   observer_.on_faint(frame, static_cast<std::uint32_t>(links.size()));
   const hal::Time now = events_.now();
-  for (const FaintLink& link : links) {
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    prefetch_faint(links, i);
+    const FaintLink& link = links[i];
     const bool alarms =
         faint_[link.receiver].add(from, now, hal::Duration{link.delay}, frame.airtime, link.power);
     if (alarms) radios_[link.receiver]->watch_energy();
   }
+}
+
+/// Of those that come next: first where they are, then what they hold.
+void Channel::prefetch_faint(const std::vector<FaintLink>& links, std::size_t now) const {
+  constexpr std::size_t kFirst = 24, kSecond = 12;
+  if (now + kFirst < links.size()) __builtin_prefetch(&faint_[links[now + kFirst].receiver], 1);
+  if (now + kSecond < links.size()) faint_[links[now + kSecond].receiver].prefetch();
 }
 
 void Channel::start_everywhere(Transmission& transmission) {
@@ -113,6 +123,7 @@ void Channel::work_off(Transmission& transmission, Phase phase) {
   auto& series = transmission.series[p];
   const auto& receivers = transmission.receivers;
   do {
+    prefetch(receivers, series.next);
     act(transmission, phase, series.next);
     do {
       ++series.next;
@@ -124,6 +135,19 @@ void Channel::work_off(Transmission& transmission, Phase phase) {
   } while (events_.go_on(transmission.due(phase, receivers[series.next]),
                          receivers[series.next].places[p]));
   schedule(transmission, phase);
+}
+
+/// Of the receivers that come next: first the radio, then what it refers to.
+void Channel::prefetch(const std::vector<Transmission::Receiver>& receivers,
+                       std::size_t now) const {
+  if (now + 2 < receivers.size()) {
+    receivers[now + 2].radio->prefetch();
+    __builtin_prefetch(&faint_[receivers[now + 2].index]);
+  }
+  if (now + 1 < receivers.size()) {
+    receivers[now + 1].radio->prefetch_listener();
+    faint_[receivers[now + 1].index].prefetch_all();
+  }
 }
 
 void Channel::act(Transmission& transmission, Phase phase, std::size_t receiver) {

@@ -42,6 +42,8 @@ class Channel {
   using Phase = Transmission::Phase;
 
   void start_faint(const Frame& frame, StationIndex from, const std::vector<FaintLink>& links);
+  void prefetch_faint(const std::vector<FaintLink>& links, std::size_t now) const;
+  void prefetch(const std::vector<Transmission::Receiver>& receivers, std::size_t now) const;
   void start_everywhere(Transmission& transmission);
   void start_one_by_one(Transmission& transmission);
   void finish(Transmission& transmission);

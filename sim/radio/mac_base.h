@@ -91,7 +91,9 @@ class MacBase : public MacSap {
   hal::AgentId agent_;
   const Cell& cell_;
   hal::Duration service_time_;
-  std::vector<std::pair<Ethertype, MacClient*>> clients_;
+  /// Most stations have one; it is looked up with every frame.
+  std::pair<Ethertype, MacClient*> first_client_{0, nullptr};
+  std::vector<std::pair<Ethertype, MacClient*>> other_clients_;
   FrameListener* listener_ = nullptr;
 };
 

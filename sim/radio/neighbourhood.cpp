@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <type_traits>
 #include <utility>
 
 #include "hal/types/check.h"
@@ -24,7 +25,12 @@ void take(FaintLink& link, const AudibleLink& now) {
   link.delay = static_cast<std::uint32_t>(now.arrival.delay.count());
 }
 
-void take(DistantLink&, const AudibleLink&) {}
+/// Whether nothing can have happened to a link.
+bool can_wait(const DistantLink& link, hal::Time now) { return now < link.out_of_reach_until; }
+template <class OneLink>
+bool can_wait(const OneLink&, hal::Time) {
+  return false;
+}
 
 /// Of the strongest transmitter, m; above 0, so that there is a grid without stations, too.
 double longest_reach(const Propagation& propagation,
@@ -45,8 +51,9 @@ Neighbourhood::Neighbourhood(EventQueue& events, const Positions& positions,
     : events_(events),
       positions_(positions),
       propagation_(propagation),
-      margin_(kMarginShare * longest_reach(propagation, antennas)),
-      grid_((longest_reach(propagation, antennas) + 2 * margin_) / kCellsInReach) {
+      reach_(longest_reach(propagation, antennas)),
+      margin_(kMarginShare * reach_),
+      grid_((reach_ + 2 * margin_) / kCellsInReach) {
   stations_.reserve(antennas.size());
   links_.reserve(antennas.size());
   for (const Antenna& antenna : antennas) add(antenna);
@@ -65,7 +72,6 @@ void Neighbourhood::add(const Antenna& antenna) {
   BARAKA_CHECK(std::isfinite(station.max_speed) && station.max_speed >= 0);
   grid_.put(index, {station.site.position.x, station.site.position.y});
   links_.emplace_back();
-  anything_moves_ = anything_moves_ || station.max_speed > 0;
   if (station.max_speed > 0 && std::isfinite(margin_)) watch_cell(index);
 }
 
@@ -120,9 +126,10 @@ void Neighbourhood::collect(StationIndex transmitter) {
   from.is_out_of_date = false;
   Links& links = links_[transmitter];
   links = {};
+  links.is_fixed = from.max_speed == 0;
   for (const StationIndex receiver : grid_.around(transmitter, kCellsInReach)) {
-    put(links, link(transmitter, receiver),
-        from.max_speed == 0 && stations_[receiver].max_speed == 0);
+    links.is_fixed = links.is_fixed && stations_[receiver].max_speed == 0;
+    put(transmitter, links, link(transmitter, receiver));
   }
   links.audible.shrink_to_fit();
   links.faint.shrink_to_fit();
@@ -139,8 +146,19 @@ void Neighbourhood::sort_by_arrival(Links& links) {
   });
 }
 
+/// @pre one of the two may move, and the link is out of reach.
+hal::Time Neighbourhood::out_of_reach_until(StationIndex transmitter,
+                                            const AudibleLink& link) const {
+  constexpr double kRounding = 1e-6;  // m
+  constexpr double kLongest = 1e6;    // s
+  const double speed = stations_[transmitter].max_speed + stations_[link.receiver].max_speed;
+  const double apart = std::sqrt(link.steady.distance_squared) - reach_ - kRounding;
+  if (!(apart > 0)) return events_.now();
+  return events_.now() + hal::from_seconds(std::min(apart / speed, kLongest));
+}
+
 /// Into the list where it belongs, unless it is out of reach for ever.
-void Neighbourhood::put(Links& links, const AudibleLink& link, bool is_fixed) {
+void Neighbourhood::put(StationIndex from, Links& links, const AudibleLink& link) {
   const auto into = [&link](auto& list, const auto& entry) {
     // When links are collected they come by receiver: each is the last.
     const auto place = std::ranges::lower_bound(list, link.receiver, {},
@@ -157,7 +175,8 @@ void Neighbourhood::put(Links& links, const AudibleLink& link, bool is_fixed) {
                             .moves = link.moves,
                             .delay = static_cast<std::uint32_t>(link.arrival.delay.count())});
     case Propagation::Strength::kNothing:
-      if (!is_fixed) into(links.distant, DistantLink{link.receiver, link.moves});
+      if (stations_[from].max_speed == 0 && stations_[link.receiver].max_speed == 0) return;
+      into(links.distant, DistantLink{.receiver = link.receiver, .moves = link.moves});
   }
 }
 
@@ -165,7 +184,7 @@ const Links& Neighbourhood::links_from(StationIndex transmitter) {
   Station& from = stations_[transmitter];
   refresh(from);
   if (from.is_out_of_date) collect(transmitter);
-  if (anything_moves_) follow(transmitter);
+  if (!links_[transmitter].is_fixed) follow(transmitter);
   if (propagation_.changes_in_time()) follow_time(transmitter);
   return links_[transmitter];
 }
@@ -178,7 +197,7 @@ void Neighbourhood::follow(StationIndex transmitter) {
   const bool moved = follow(transmitter, links.audible, Propagation::Strength::kAudible);
   follow(transmitter, links.faint, Propagation::Strength::kFaint);
   follow(transmitter, links.distant, Propagation::Strength::kNothing);
-  for (const AudibleLink& link : changed_) put(links, link, false);
+  for (const AudibleLink& link : changed_) put(transmitter, links, link);
   if (moved || links.audible.size() != heard) sort_by_arrival(links);
 }
 
@@ -186,7 +205,9 @@ template <class OneLink>
 bool Neighbourhood::follow(StationIndex from, std::vector<OneLink>& links,
                            Propagation::Strength strength) {
   bool any = false;
+  const hal::Time instant = events_.now();
   std::erase_if(links, [&](OneLink& known) {
+    if (can_wait(known, instant)) return false;
     Station& to = stations_[known.receiver];
     refresh(to);
     // Neither count ever falls: the same sum is the same two.
@@ -195,12 +216,16 @@ bool Neighbourhood::follow(StationIndex from, std::vector<OneLink>& links,
     any = true;
     known.moves = moves;
     const AudibleLink now = link(from, known.receiver);
-    if (now.steady.strength == strength) {
-      take(known, now);
-      return false;
+    if (now.steady.strength != strength) {
+      changed_.push_back(now);
+      return true;
     }
-    changed_.push_back(now);
-    return true;
+    if constexpr (std::is_same_v<OneLink, DistantLink>) {
+      known.out_of_reach_until = out_of_reach_until(from, now);
+    } else {
+      take(known, now);
+    }
+    return false;
   });
   return any;
 }

@@ -33,6 +33,7 @@ struct FaintLink {
 struct DistantLink {
   StationIndex receiver = 0;
   std::uint32_t moves = 0;
+  hal::Time out_of_reach_until{};  ///< However fast the two move.
 };
 
 /// From one station to all that it matters to, each list of links by receiver.
@@ -41,6 +42,7 @@ struct Links {
   std::vector<FaintLink> faint;
   std::vector<DistantLink> distant;
   std::vector<std::uint32_t> by_arrival;  ///< Indices into `audible` by (delay, receiver).
+  bool is_fixed = true;  ///< The transmitter stands for ever, and so do all in reach.
 };
 
 /// Who can notice whose frames, and how strongly. Positions are pulled when a frame starts; what
@@ -89,7 +91,8 @@ class Neighbourhood {
   bool follow(StationIndex from, std::vector<OneLink>& links, Propagation::Strength strength);
   void follow_time(StationIndex transmitter);
   static void sort_by_arrival(Links& links);
-  void put(Links& links, const AudibleLink& link, bool is_fixed);
+  hal::Time out_of_reach_until(StationIndex from, const AudibleLink& link) const;
+  void put(StationIndex from, Links& links, const AudibleLink& link);
   void watch_cell(StationIndex station);
   void change_cell(StationIndex station);
   void outdate_around(StationIndex station);
@@ -97,8 +100,8 @@ class Neighbourhood {
   EventQueue& events_;
   const Positions& positions_;
   const Propagation& propagation_;
+  double reach_;   ///< Of the strongest transmitter, m.
   double margin_;  ///< m
-  bool anything_moves_ = false;
   CellGrid grid_;
   std::vector<Station> stations_;
   std::vector<Links> links_;  ///< By transmitter.

@@ -1,17 +1,8 @@
 #include "sim/radio/power_law.h"
 
-#include <cmath>
-
 #include "hal/types/math.h"
 
 namespace sim::radio {
-
-double to_the(double exponent, double square) {
-  if (exponent == 2) return square;
-  if (exponent == 3) return square * std::sqrt(square);
-  if (exponent == 4) return square * square;
-  return hal::math::pow(square, exponent / 2);
-}
 
 /// Of a transmitter with this power [mW], were the law true there.
 double PowerLaw::at_one_metre(double power) const {

@@ -1,11 +1,19 @@
 #pragma once
 
+#include <cmath>
+
+#include "hal/types/math.h"
 #include "sim/radio/path_loss.h"
 
 namespace sim::radio {
 
 /// The root of `square` to an exponent >= 1; the exponents of almost every scenario need no pow().
-double to_the(double exponent, double square);
+inline double to_the(double exponent, double square) {
+  if (exponent == 2) return square;
+  if (exponent == 3) return square * std::sqrt(square);
+  if (exponent == 4) return square * square;
+  return hal::math::pow(square, exponent / 2);
+}
 
 /// Friis' law with an exponent: P = Ptx lambda^2 / (16 pi^2 d^alpha) with d in metres, never more
 /// than Ptx (H. T. Friis, "A Note on a Simple Transmission Formula", Proc. IRE, 1946; exponent on

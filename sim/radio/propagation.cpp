@@ -76,7 +76,7 @@ Propagation::Strength Propagation::strength(const Steady& steady) const {
 Propagation::Steady Propagation::steady(hal::Milliwatts sent, const Site& from,
                                         const Site& to) const {
   const Path path(from, to);
-  Steady result{.free = sent};
+  Steady result{.free = sent, .distance_squared = path.distance_squared};
   for (const auto& loss : chain_) result.free = loss->after(result.free, path);
   if (obstacles_ != nullptr && most_in_time_ * result.free >= floor_) {
     const hal::Decibels loss = obstacles_->loss(from.antenna(), to.antenna());
@@ -88,23 +88,34 @@ Propagation::Steady Propagation::steady(hal::Milliwatts sent, const Site& from,
 
 Propagation::Arrival Propagation::arrival(const Steady& steady, const Site& from, const Site& to,
                                           hal::Time at) const {
+  if (steady.strength != Strength::kAudible) return mean_arrival(steady);
   const Path path(from, to, at);
   hal::Milliwatts free = steady.free;
   double left = steady.walls;
-  Arrival result{.strength = steady.strength};
-  if (steady.strength == Strength::kAudible) {
-    for (const auto& loss : in_time_) free = loss->after(free, path);
-    if (moving_obstacles_ != nullptr) {
-      left *= share(
-          moving_obstacles_->moving_loss({from.agent, from.antenna()}, {to.agent, to.antenna()}));
-    }
+  for (const auto& loss : in_time_) free = loss->after(free, path);
+  if (moving_obstacles_ != nullptr) {
+    left *= share(
+        moving_obstacles_->moving_loss({from.agent, from.antenna()}, {to.agent, to.antenna()}));
   }
-  result.power = left * free;
+  Arrival result{.power = left * free, .strength = steady.strength};
   result.blocked = is_blocked(free, result.power);
-  if (steady.strength == Strength::kAudible) result.level = to_dbm(result.power);
+  result.level = to_dbm(result.power);
   if (result.power < floor_) result.power = {};
-  if (delays_) result.delay = hal::from_seconds(std::sqrt(path.distance_squared) / kSpeedOfLight);
+  result.delay = delay(steady);
   return result;
+}
+
+Propagation::Arrival Propagation::mean_arrival(const Steady& steady) const {
+  Arrival result{.power = steady.walls * steady.free, .strength = steady.strength};
+  result.blocked = is_blocked(steady.free, result.power);
+  if (result.power < floor_) result.power = {};
+  result.delay = delay(steady);
+  return result;
+}
+
+hal::Duration Propagation::delay(const Steady& steady) const {
+  if (!delays_) return {};
+  return hal::from_seconds(std::sqrt(steady.distance_squared) / kSpeedOfLight);
 }
 
 }  // namespace sim::radio

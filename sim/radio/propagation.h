@@ -44,6 +44,7 @@ class Propagation {
   struct Steady {
     hal::Milliwatts free{};                  ///< Without walls.
     double walls = 1;                        ///< What walls leave of it, as a share.
+    double distance_squared = 0;             ///< m^2
     Strength strength = Strength::kNothing;  ///< Of the most that it may become.
   };
   /// @param sent  by the antenna at `from`.
@@ -53,6 +54,9 @@ class Propagation {
   Arrival arrival(hal::Milliwatts sent, const Site& from, const Site& to, hal::Time at = {}) const {
     return arrival(steady(sent, from, to), from, to, at);
   }
+
+  /// Power and delay of an arrival where frames keep their mean: all but audible ones.
+  Arrival mean_arrival(const Steady& steady) const;
 
   /// Whether arrivals change although neither end moves.
   bool changes_in_time() const { return moving_obstacles_ != nullptr || !in_time_.empty(); }
@@ -74,6 +78,7 @@ class Propagation {
   void add(hal::Metres range);
   void add(std::unique_ptr<const PathLoss> loss);
   Strength strength(const Steady& steady) const;
+  hal::Duration delay(const Steady& steady) const;
   bool is_blocked(hal::Milliwatts free, hal::Milliwatts left) const {
     return is_receivable(free) && !is_receivable(left);
   }

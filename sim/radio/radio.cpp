@@ -14,6 +14,13 @@ namespace {
 
 constexpr double kNoAlarm = std::numeric_limits<double>::infinity();
 
+/// From `from` on.
+void prefetch_bytes(const void* from, std::size_t size) {
+  constexpr std::size_t kCacheLine = 64;
+  const auto* const bytes = static_cast<const char*>(from);
+  for (std::size_t i = 0; i < size; i += kCacheLine) __builtin_prefetch(bytes + i, 1);
+}
+
 }  // namespace
 
 Radio::Radio(Air air, StationIndex index, hal::AgentId agent, hal::RandomStream errors)
@@ -34,6 +41,14 @@ Radio::Radio(Air air, StationIndex index, hal::AgentId agent, hal::RandomStream 
   if (air.config.capture_margin) {
     capture_margin_ = hal::math::pow(10, air.config.capture_margin->value / 10);
   }
+}
+
+void Radio::prefetch() const { prefetch_bytes(this, sizeof *this); }
+
+void Radio::prefetch_listener() const {
+  constexpr std::size_t kMac = 512;  // about as much as a MAC holds
+  prefetch_bytes(listener_, kMac);
+  prefetch_bytes(signals_.data(), sizeof(Signal));
 }
 
 void Radio::transmit(FramePtr frame) {

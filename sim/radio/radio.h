@@ -94,6 +94,9 @@ class Radio {
   double energy_detection() const { return energy_detection_; }  ///< mW
 
   // For the channel.
+  /// Ask the cache for what the next event here will need. The second: after the first has come.
+  void prefetch() const;
+  void prefetch_listener() const;
   /// @param frame  outlives its signal here.
   /// @return whether a preamble window opened, which must be closed after its time.
   bool begin_signal(const Frame& frame, const Propagation::Arrival& arrival);

@@ -53,12 +53,15 @@ double Reception::success_of_interval(double sinr, hal::Time from, hal::Time to)
   const hal::Time header = start_ + mode.preamble();
   const hal::Time body = start_ + mode.preamble_and_header();
   const hal::Time end = start_ + frame_->airtime - mode.signal_extension();
-  const double header_share =
-      hal::to_seconds(overlap(from, to, header, body)) / hal::to_seconds(body - header);
-  const double body_share =
-      hal::to_seconds(overlap(from, to, body, end)) / hal::to_seconds(end - body);
-  return mode.header_success(sinr, header_share) *
-         mode.success(sinr, body_share * mode.bits_at_risk(frame_->air_length));
+  // Most pieces are of the header or of the MPDU only.
+  const auto share = [from, to](hal::Time low, hal::Time high) {
+    const hal::Duration common = overlap(from, to, low, high);
+    return common == hal::Duration{} ? 0.0 : hal::to_seconds(common) / hal::to_seconds(high - low);
+  };
+  const double header_share = share(header, body), body_share = share(body, end);
+  double success = header_share == 0 ? 1 : mode.header_success(sinr, header_share);
+  if (body_share != 0) success *= mode.success(sinr, body_share * mode.bits_at_risk(frame_->air_length));
+  return success;
 }
 
 double Reception::success_at_min_sinr() const {

@@ -11,6 +11,7 @@
 #include "sim/core/event_queue.h"
 #include "sim/radio/frame.h"
 #include "sim/radio/propagation.h"
+#include "sim/radio/station_index.h"
 
 namespace sim::radio {
 
@@ -24,6 +25,7 @@ struct Transmission {
 
   struct Receiver {
     Radio* radio;
+    StationIndex index;
     Propagation::Arrival arrival;
     /// Among the events of its time, by phase. Order 0, which no event of a radio has: it does not
     /// happen here, or not yet.

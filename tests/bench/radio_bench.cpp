@@ -12,6 +12,7 @@
 //   movers=0       so many of them move at 1 m/s, each in a direction of its own
 //   senders=n      beacons: only the first so many send
 //   neighbours=12  beacons: within decode range, in the mean
+//   rate=1         beacons: of broadcasts, Mb/s; from 6 on 802.11g in place of 802.11b
 //   energy=-62     energy detection, dBm; stock ns-3 adds up against its -82
 //   seed=1  time=1 warm=0.3    s; the costs of `time`, after `warm`
 //
@@ -161,16 +162,23 @@ class Uniform {
   std::mt19937 generator_;
 };
 
-radio::Ieee80211bConfig config_of(const Options& options) {
-  radio::Ieee80211bConfig config;
-  config.phy.broadcast_rate = hal::BitsPerSecond{1e6};
-  config.phy.data_rate = hal::BitsPerSecond{11e6};
-  config.basic_rates = {hal::BitsPerSecond{1e6}};
+void set(const Options& options, radio::DcfConfig& config) {
+  config.phy.broadcast_rate = hal::BitsPerSecond{options.at("rate") * 1e6};
   config.contention.rts_threshold = 2347;
   config.receiver.energy_detection = hal::Dbm{options.at("energy")};
   config.propagation.chain = {radio::LogDistanceConfig{}};
   config.propagation.antenna_height = hal::Metres{1.5};
-  return config;
+}
+
+radio::RadioConfig config_of(const Options& options) {
+  radio::Ieee80211bConfig dsss;
+  radio::Ieee80211gConfig ofdm;
+  set(options, dsss);
+  set(options, ofdm);
+  dsss.phy.data_rate = hal::BitsPerSecond{11e6};
+  dsss.basic_rates = {hal::BitsPerSecond{1e6}};
+  if (options.at("rate") < 6) return dsss;
+  return ofdm;
 }
 
 std::vector<Antenna> field(const Options& options) {
@@ -285,8 +293,8 @@ class Bench {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Options options{{"n", 1000},     {"movers", 0}, {"senders", 1e9}, {"neighbours", 12},
-                  {"energy", -62}, {"seed", 1},   {"time", 1},      {"warm", 0.3}};
+  Options options{{"n", 1000}, {"movers", 0}, {"senders", 1e9}, {"neighbours", 12}, {"energy", -62},
+                  {"rate", 1}, {"seed", 1},   {"time", 1},      {"warm", 0.3}};
   const std::string kind = argc > 1 ? argv[1] : "";
   bool is_good = kind == "beacons" || kind == "saturation";
   for (int i = 2; i < argc; ++i) {

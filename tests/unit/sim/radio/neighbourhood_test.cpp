@@ -108,6 +108,41 @@ TEST_F(NeighbourhoodTest, AsksFixedStationsOnce) {
   EXPECT_EQ(positions.asked, before);
 }
 
+// Reach 250 m: from 300 m at 10 m/s it takes five seconds, and both may be looked at meanwhile for
+// their own sake.
+TEST_F(NeighbourhoodTest, LooksAtADistantStationOnlyWhenItMayHaveComeIntoReach) {
+  add({0, 0, 0});
+  add({300.5, 0, 0}, {-10, 0, 0});
+  build();
+  run_until(1ms);
+  EXPECT_TRUE(noticing(0).empty());
+  noticing(0);  // it has moved since its cell was found: now its way is known
+  const int before = positions.asked;
+  for (int i = 0; i < 100; ++i) {
+    events.schedule(events.now() + 1ms + i * 40ms, Rank::kScenario, kWorld,
+                    [this] { EXPECT_TRUE(noticing(0).empty()); });
+  }
+  run_until(4s);
+  EXPECT_LE(positions.asked - before, 4) << "but for the looks at its cell";
+  for (const auto time : {4900ms, 5020ms, 5060ms, 6000ms}) {
+    run_until(time);
+    EXPECT_EQ(noticing(0), expected(0));
+  }
+  EXPECT_EQ(noticing(0), std::vector<StationIndex>{1});
+}
+
+TEST_F(NeighbourhoodTest, AMoverFarAwayCostsThoseWhoStandNothing) {
+  add({0, 0, 0});
+  add({100, 0, 0});
+  add({5000, 0, 0}, {1, 0, 0});
+  build();
+  run_until(1ms);
+  noticing(0);
+  const int before = positions.asked;
+  for (int i = 0; i < 10; ++i) EXPECT_EQ(noticing(0), std::vector<StationIndex>{1});
+  EXPECT_EQ(positions.asked, before);
+}
+
 TEST_F(NeighbourhoodTest, LooksAtMovingStationsLessThanOncePerMarginOfTheirWay) {
   add({0, 0, 0}, {10, 0, 0});  // reach 250 m: margin 25 m, so one look in 2.5 s
   build();
