@@ -124,17 +124,21 @@ def behind_a_wall(runs):
 
 
 def handover(runs):
-    """Messages that arrived, over time, and the gaps between them."""
+    """Gaps between the messages that the server gets, and when the walker changes over."""
     plt = pyplot()
     figure, axis = plt.subplots()
-    run = runs.play(SCENARIOS / "handover.yaml", {})
-    arrived = [at / 1e9 for at, in run.query("SELECT at_ns FROM deliveries ORDER BY at_ns")]
-    axis.plot(arrived, range(1, len(arrived) + 1), "-", label="messages received")
-    if run.query("SELECT 1 FROM sqlite_master WHERE name = 'associations'"):
-        for at, in run.query("SELECT at_ns FROM associations"):
-            axis.axvline(at / 1e9, color="0.5", linestyle=":")
-    axis.set(xlabel="time, s", ylabel="messages", ylim=(0, None))
-    axis.legend()
+    for colour, hysteresis in (("C0", "4 dB"), ("C1", "40 dB")):
+        run = runs.play(SCENARIOS / "handover.yaml", {"radio.bss.hysteresis": hysteresis})
+        arrived = [at / 1e9 for at, in run.query("SELECT d.at_ns FROM deliveries d JOIN agents a ON a.agent = d.receiver "
+                                                 "WHERE a.name = 'server' ORDER BY d.at_ns")]
+        gaps = [(here, 1e3 * (there - here)) for here, there in zip(arrived, arrived[1:])]
+        axis.plot(*zip(*gaps), ".", color=colour, markersize=2, label=f"hysteresis {hysteresis}")
+        for at, name in run.query("SELECT s.at_ns, a.name FROM associations s JOIN agents w ON w.agent = s.station "
+                                  "LEFT JOIN agents a ON a.agent = s.access_point WHERE w.name = 'walker'"):
+            axis.axvline(at / 1e9, color=colour, linestyle=":", alpha=0.7)
+            axis.text(at / 1e9, 1500, f" {name or 'none'}", color=colour, fontsize=7, rotation=90, va="top")
+    axis.set(xlabel="time, s", ylabel="gap between messages, ms", yscale="log", ylim=(1, 2000))
+    axis.legend(fontsize=7, loc="center right")
     return figure
 
 
