@@ -1,0 +1,56 @@
+"""Packet error rates."""
+import collections
+import math
+
+import peer
+from document import Row, pyplot
+
+NAME = "errors"
+TITLE = "Packet error rates"
+FILE = "per_ns3.csv"
+TEXT = """Of the library's error models (`tests/validation/radio_probe.cpp`) beside ns-3.37's DsssErrorRateModel and
+NistErrorRateModel at every SNR of the table (0.5 dB steps, 20 MHz); SNR at which half of the packets are lost, by linear
+interpolation. Asked for: 0.005."""
+COLUMNS = ["model", "mode", "bytes", "SNRs", "dB at PER 0.5", "ns-3", "largest difference of PER"]
+
+
+def cases(short):
+    del short  # all of it takes a second
+    groups = collections.defaultdict(list)
+    for row in peer.rows(FILE):
+        groups[row["model"], row["mode"], row["bytes"]].append(row)
+    return list(groups.items())
+
+
+def half(points):
+    for (x, y), (x_next, y_next) in zip(points, points[1:]):
+        if y >= 0.5 > y_next:
+            return x + (x_next - x) * (y - 0.5) / (y - y_next)
+    return math.nan
+
+
+def measure(runs, case):
+    (model, mode, size), rows = case
+    ours = runs.ask([("per", model, float(mode[1:]) * 1e6, size, row["snr_db"]) for row in rows])
+    theirs = [float(row["per"]) for row in rows]
+    snrs = [float(row["snr_db"]) for row in rows]
+    largest = max(abs(a - b) for a, b in zip(ours, theirs))
+    return Row([model, mode, size, str(len(rows)), f"{half(list(zip(snrs, ours))):.2f}",
+                f"{half(list(zip(snrs, theirs))):.2f}", "below 1e-6" if largest < 1e-6 else f"{largest:.0e}"],
+               "" if largest <= 0.005 else f"{mode}, {size} bytes: off by {largest:.3g}", (mode, size, snrs, ours, theirs))
+
+
+def draw(rows):
+    plt = pyplot()
+    figure, axes = plt.subplots(1, 2, sharey=True)
+    for mode, size, snrs, ours, theirs in (row.data for row in rows):
+        if size != "1000":
+            continue
+        axis = axes[int(mode[0] == "g")]
+        line, = axis.plot(snrs, ours, "-", label=mode)
+        axis.plot(snrs, theirs, "x", color=line.get_color())
+    for axis, title in zip(axes, ("DSSS, 1000 bytes", "OFDM, 1000 bytes")):
+        axis.set(xlabel="SNR, dB", yscale="log", ylim=(1e-6, 1.5), title=title)
+        axis.legend(fontsize=7)
+    axes[0].set(ylabel="packet error rate")
+    return figure
