@@ -6,7 +6,7 @@
 namespace sim::radio {
 
 Association::Association(EventQueue& events, hal::AgentId station, const BssConfig& config,
-                         const BssParameters& bss, Port& port)
+                         BssParameters bss, Port& port)
     : events_(events), station_(station), config_(config), bss_(bss), port_(port), heard_(config) {}
 
 void Association::start() { scan(); }

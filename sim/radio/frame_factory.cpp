@@ -37,7 +37,15 @@ FramePtr FrameFactory::control(FrameType type, const PhyMode& mode, hal::AgentId
 }
 
 FramePtr FrameFactory::rts(hal::AgentId to, hal::Duration duration) {
-  return control(FrameType::kRts, modes_.control(), to, duration);
+  return rts(to, duration, modes_.control());
+}
+
+FramePtr FrameFactory::rts(hal::AgentId to, hal::Duration duration, const PhyMode& mode) {
+  return control(FrameType::kRts, mode, to, duration);
+}
+
+FramePtr FrameFactory::cts_to_self(hal::Duration duration, const PhyMode& mode) {
+  return control(FrameType::kCts, mode, agent_, duration);
 }
 
 FramePtr FrameFactory::cts(const Frame& rts, hal::Duration sifs) {
@@ -58,7 +66,8 @@ FramePtr FrameFactory::data(const MacRequest& request, const DataOptions& option
   frame->retry = options.retry;
   frame->ds = header.ds;
   frame->address3 = header.address3;
-  send_in(data_mode(request), mpdu_bits(lengths_, header.type, request.payload->size()), *frame);
+  send_in(options.mode ? *options.mode : data_mode(request),
+          mpdu_bits(lengths_, header.type, request.payload->size()), *frame);
   frame->priority = request.priority;
   frame->ethertype = request.ethertype;
   frame->payload = header.type == FrameType::kBeacon
@@ -74,8 +83,11 @@ const PhyMode& FrameFactory::data_mode(const MacRequest& request) const {
 }
 
 hal::Duration FrameFactory::data_airtime(const MacRequest& request) const {
-  return data_mode(request).airtime(
-      mpdu_bits(lengths_, request.header.type, request.payload->size()));
+  return data_airtime(request, data_mode(request));
+}
+
+hal::Duration FrameFactory::data_airtime(const MacRequest& request, const PhyMode& mode) const {
+  return mode.airtime(mpdu_bits(lengths_, request.header.type, request.payload->size()));
 }
 
 hal::Duration FrameFactory::response_airtime(FrameType type, const PhyMode& to) const {

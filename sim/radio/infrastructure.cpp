@@ -1,7 +1,6 @@
 #include "sim/radio/infrastructure.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <stdexcept>
 
@@ -31,21 +30,16 @@ std::vector<std::uint8_t> supported_rates(Profile profile, const DcfConfig& conf
   return rates;
 }
 
-/// Of 2.4 GHz: 2407 MHz + 5 MHz times its number (17.3.8.4.2); none: the carrier is in none.
-std::optional<std::uint8_t> channel_of(hal::Metres wavelength) {
-  const double number = (299.792458 / wavelength.value - 2407) / 5;
-  const double nearest = std::round(number);
-  if (std::abs(number - nearest) > 1e-3 || nearest < 1 || nearest > 13) return std::nullopt;
-  return static_cast<std::uint8_t>(nearest);
-}
-
-BssParameters parameters(Profile profile, const DcfConfig& config) {
-  return {.ssid = config.bss.ssid,
-          .rates = supported_rates(profile, config),
-          .channel = channel_of(config.propagation.wavelength),
+BssParameters parameters(const Infrastructure::Member& member, const std::string& ssid) {
+  const DcfConfig& config = member.config;
+  const bool erp = member.profile == Profile::kIeee80211g;
+  return {.ssid = ssid,
+          .rates = supported_rates(member.profile, config),
+          .channel = static_cast<std::uint8_t>(config.phy.channel),
           .short_preamble = config.phy.preamble == Preamble::kShort,
           .short_slot = config.contention.slot == kShortSlotTime,
-          .erp = profile == Profile::kIeee80211g};
+          .erp = erp,
+          .use_protection = erp && member.context.cell.is_mixed()};
 }
 
 std::vector<hal::AgentId> agents_of(const std::vector<std::string>& names,
@@ -63,16 +57,15 @@ std::vector<hal::AgentId> agents_of(const std::vector<std::string>& names,
 
 }  // namespace
 
-Infrastructure::Infrastructure(Profile profile, const DcfConfig& config,
+Infrastructure::Infrastructure(const BssConfig& config,
                                const std::vector<RadioNetwork::Station>& stations,
                                EventQueue& events)
-    : config_(config),
-      parameters_(parameters(profile, config)),
-      distribution_(events, config.bss.distribution_delay) {
-  const std::vector<hal::AgentId> of_all = agents_of(config.bss.access_points, stations);
+    : config_(config), distribution_(events, config.distribution_delay) {
+  const std::vector<hal::AgentId> of_all = agents_of(config.access_points, stations);
   std::set<hal::AgentId> named(of_all.begin(), of_all.end());
   for (const RadioNetwork::Station& station : stations) {
-    const auto own = station.access_points ? agents_of(*station.access_points, stations) : of_all;
+    const auto& names = station.radio.access_points;
+    const auto own = names ? agents_of(*names, stations) : of_all;
     if (!own.empty()) usable_[station.agent] = own;
     named.insert(own.begin(), own.end());
   }
@@ -80,32 +73,33 @@ Infrastructure::Infrastructure(Profile profile, const DcfConfig& config,
   access_points_.assign(named.begin(), named.end());
 }
 
-std::unique_ptr<MacBase> Infrastructure::completed(const MacBase::Context& context,
+std::unique_ptr<MacBase> Infrastructure::completed(const Member& member,
                                                    std::unique_ptr<DcfMac> dcf) {
-  if (std::ranges::binary_search(access_points_, context.agent)) {
-    return access_point(context, std::move(dcf));
+  if (std::ranges::binary_search(access_points_, member.context.agent)) {
+    return access_point(member, std::move(dcf));
   }
-  const auto usable = usable_.find(context.agent);
+  const auto usable = usable_.find(member.context.agent);
   if (usable == usable_.end()) return dcf;
   return std::make_unique<BssStation>(
-      context, std::move(dcf), config_.contention.queue_limit,
-      BssStation::Membership{config_.bss, parameters_, usable->second});
+      member.context, member.config, std::move(dcf),
+      BssStation::Membership{config_, parameters(member, config_.ssid), usable->second});
 }
 
 /// The target transmission times of their beacons are spread evenly over the interval.
-std::unique_ptr<MacBase> Infrastructure::access_point(const MacBase::Context& context,
+std::unique_ptr<MacBase> Infrastructure::access_point(const Member& member,
                                                       std::unique_ptr<DcfMac> dcf) {
-  const auto place = std::ranges::find(access_points_, context.agent) - access_points_.begin();
+  const auto place =
+      std::ranges::find(access_points_, member.context.agent) - access_points_.begin();
   const auto count = static_cast<std::int64_t>(access_points_.size());
-  const double power = to_dbm(context.tx_power).value;
+  const double power = to_dbm(member.context.tx_power).value;
   return std::make_unique<AccessPoint>(
-      context, std::move(dcf), config_.contention.queue_limit,
-      AccessPoint::Network{.config = config_.bss,
-                           .bss = parameters_,
+      member.context, member.config, std::move(dcf),
+      AccessPoint::Network{.config = config_,
+                           .bss = parameters(member, config_.ssid),
                            .distribution = distribution_,
-                           .first_beacon = place * config_.bss.beacon_interval / count,
+                           .first_beacon = place * config_.beacon_interval / count,
                            .rssi_dbm = power,
-                           .snr_db = power - config_.receiver.noise_floor.value});
+                           .snr_db = power - member.config.receiver.noise_floor.value});
 }
 
 }  // namespace sim::radio

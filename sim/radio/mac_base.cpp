@@ -15,6 +15,7 @@ MacBase::MacBase(const Context& context)
       lengths_(context.lengths),
       tx_power_(context.tx_power),
       agent_(context.agent),
+      cell_(context.cell),
       service_time_(modes_.data().airtime(mpdu_bits(lengths_, FrameType::kData))) {}
 
 void MacBase::add_client(Ethertype ethertype, MacClient& client) {

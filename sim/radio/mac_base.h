@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/core/event_queue.h"
+#include "sim/radio/cell.h"
 #include "sim/radio/frame.h"
 #include "sim/radio/mac_sap.h"
 #include "sim/radio/mode_set.h"
@@ -33,6 +34,7 @@ class MacBase : public MacSap {
     const LengthsConfig& lengths;
     hal::Milliwatts tx_power;
     hal::AgentId agent;
+    const Cell& cell;
   };
 
   explicit MacBase(const Context& context);
@@ -75,6 +77,7 @@ class MacBase : public MacSap {
   const LengthsConfig& lengths() const { return lengths_; }
   RadioObserver& observer() const { return observer_; }
   hal::AgentId agent() const { return agent_; }
+  const Cell& cell() const { return cell_; }
   hal::Time now() const { return events_.now(); }
 
  private:
@@ -86,6 +89,7 @@ class MacBase : public MacSap {
   const LengthsConfig& lengths_;
   hal::Milliwatts tx_power_;
   hal::AgentId agent_;
+  const Cell& cell_;
   hal::Duration service_time_;
   std::vector<std::pair<Ethertype, MacClient*>> clients_;
   FrameListener* listener_ = nullptr;

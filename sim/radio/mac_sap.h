@@ -44,8 +44,8 @@ class MacClient {
   virtual ~MacClient() = default;
   virtual void on_receive(const MacIndication& indication) = 0;
   /// Exactly once per request: kDelivered (acknowledged; broadcast: sent), kRetryLimit, kQueueFull,
-  /// kRadioOff; of an access point also kNoRoute (the destination is nowhere associated). Never
-  /// from within transmit().
+  /// kRadioOff, kExpired; of an access point also kNoRoute (the destination is nowhere associated).
+  /// Never from within transmit().
   virtual void on_transmitted(std::uint64_t tag, hal::Verdict verdict) = 0;
 };
 

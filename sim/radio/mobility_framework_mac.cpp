@@ -257,7 +257,7 @@ FramePtr MobilityFrameworkMac::make_data() {
   const bool after_rts = !head.is_broadcast() && uses_rts(head.request);
   const hal::Duration follows =
       after_rts ? config_.contention.sifs + airtime_of(FrameType::kAck) : hal::Duration{};
-  const bool retry = std::exchange(head.sent, true);
+  const bool retry = head.attempts++ > 0;
   return frames_.data(head.request,
                       {.sequence = head.sequence, .retry = retry, .duration = follows});
 }

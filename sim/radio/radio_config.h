@@ -11,7 +11,11 @@
 #include "hal/types/time.h"
 #include "sim/core/obstacle_loss.h"
 #include "sim/radio/bss_config.h"
+#include "sim/radio/channel_number.h"
+#include "sim/radio/loss_config.h"
 #include "sim/radio/path_loss_config.h"
+#include "sim/radio/rate_control_config.h"
+#include "sim/radio/station_config.h"
 
 namespace sim::radio {
 
@@ -27,13 +31,15 @@ enum class Rounding : std::uint8_t {
 };
 enum class ErrorModel : std::uint8_t { kMobilityFramework, kDsss };
 enum class Preamble : std::uint8_t { kLong, kShort };
+enum class ProtectionKind : std::uint8_t { kNone, kCtsToSelf, kRtsCts, kAuto };
 
 /// From antenna to antenna.
 struct PropagationConfig {
-  hal::Metres wavelength{0.125};                        ///< > 0.
+  hal::Metres wavelength{0.125};                        ///< > 0; on PhyConfig::channel.
   double path_loss_exponent = 2;                        ///< Of PowerLawConfig; reference 1 m, >= 1.
   std::vector<PathLossConfig> chain{PowerLawConfig{}};  ///< Exactly one law of distance.
   hal::Metres antenna_height{0.1};   ///< Above the body's origin; of a station without its own.
+  hal::Decibels antenna_gain{0};     ///< To all sides, of a station without its own.
   bool propagation_delay = false;    ///< Distance over 299792458 m/s.
   bool obstacles = false;            ///< Walls attenuate, and bodies if they have a loss.
   ObstacleLoss body_loss{};          ///< Of the bodies of robots and motes, with `obstacles`.
@@ -57,10 +63,14 @@ struct ReceiverConfig {
   /// to the held one. None: the held frame stays.
   std::optional<hal::Decibels> capture_margin;
   hal::Duration capture_window = 16us;
+  LossConfig loss{};
 };
 
 /// DSSS and HR/DSSS, with ieee80211g also OFDM: rates_of().
 struct PhyConfig {
+  /// 1 .. 14. Stations on different ones do not know of each other; what leaks into a neighbouring
+  /// channel is not modelled.
+  std::uint32_t channel = 1;
   hal::BitsPerSecond data_rate{11e6};
   hal::BitsPerSecond control_rate{11e6};  ///< RTS; mobility_framework: also CTS and ACK.
   hal::BitsPerSecond broadcast_rate{11e6};
@@ -112,6 +122,12 @@ struct DcfConfig : WavesConfig {
   /// whatever begins to arrive within this time before (10.3.7). < slot.
   hal::Duration cca_time = 15us;
   BssConfig bss;
+  /// Since it was queued; a frame that is older is given up instead of being sent (again). > 0.
+  std::optional<hal::Duration> msdu_lifetime{};
+  RateControlConfig rate_control{};
+  /// Of frames in OFDM. kAuto: kCtsToSelf in a mixed cell, else kNone.
+  ProtectionKind protection = ProtectionKind::kAuto;
+  hal::BitsPerSecond protection_rate{1e6};  ///< DSSS; of what protects.
 
  protected:
   DcfConfig();
@@ -169,10 +185,12 @@ DcfConfig* dcf_of(RadioConfig& config);
 /// The rates of a profile with a medium, Mb/s, for people; and whether this is one of them.
 std::string rates_of(Profile profile);
 bool is_rate(Profile profile, hal::BitsPerSecond rate);
+bool is_dsss_rate(hal::BitsPerSecond rate);
 
 const LengthsConfig& lengths_of(const RadioConfig& config);
 
 /// @throws std::invalid_argument  a value that its comment excludes.
 void check(const RadioConfig& config);
+void check(Profile profile, const StationConfig& station);
 
 }  // namespace sim::radio

@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,7 +15,8 @@
 
 namespace sim::radio {
 
-/// One air with all its stations. Built once; stations are then used through their MacSap.
+/// All stations, on one air for each channel number. Built once; stations are then used through
+/// their MacSap.
 class RadioNetwork {
  public:
   struct Surroundings {
@@ -28,12 +28,8 @@ class RadioNetwork {
   };
   struct Station {
     hal::AgentId agent;
-    std::string name;                             ///< Of the agent; names its random streams.
-    std::optional<hal::Milliwatts> tx_power{};    ///< > 0; none: the config's.
-    std::optional<hal::Metres> antenna_height{};  ///< Above its position, >= 0; none: the config's.
-    /// Names of the access points that it may use, empty: none, it is in an ad hoc network; none:
-    /// those of the config (BssConfig). Who is named anywhere is an access point itself.
-    std::optional<std::vector<std::string>> access_points{};
+    std::string name;  ///< Of the agent; names its random streams.
+    StationConfig radio{};
   };
 
   /// @throws std::invalid_argument  what check() refuses, and an access point that is no station.

@@ -245,7 +245,8 @@ std::string_view conventions() {
          "are addresses; 65535 is everyone, 65534 whoever hears it. Verdicts are: delivered, below "
          "sensitivity, preamble "
          "missed, collision, interference, noise, obstacle, retry limit, queue full, receiver "
-         "transmitting, radio off, no route, expired, agent down. Fates are: handed over, no "
+         "transmitting, radio off, no route, expired, agent down, random loss. Fates are: handed "
+         "over, no "
          "route, queue full, failed.";
 }
 

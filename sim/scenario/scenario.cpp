@@ -9,6 +9,7 @@
 #include "sim/scenario/agents_section.h"
 #include "sim/scenario/bss_section.h"
 #include "sim/scenario/fields.h"
+#include "sim/scenario/loss_section.h"
 #include "sim/scenario/outcome_section.h"
 #include "sim/scenario/overlap_check.h"
 #include "sim/scenario/radio_section.h"
@@ -51,6 +52,7 @@ Scenario read_scenario(Mapping in, const std::filesystem::path& file) {
           {"agents", "Groups of agents, each under a name of its own (here NAME); at least one."}),
       scenario);
   check_access_points(in, scenario);
+  check_loss_names(in.within("radio"), scenario);
   read_ends(in, scenario);
   read_expectations(in, scenario);
   in.finish();

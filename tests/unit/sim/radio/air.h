@@ -166,12 +166,14 @@ class Air {
     stations_.push_back({address, name});
   }
   void set_tx_power(std::uint16_t station, hal::Milliwatts power) {
-    stations_.at(station - 1u).tx_power = power;
+    station_config(station).tx_power = power;
   }
   /// As RadioNetwork::Station::access_points.
   void set_access_points(std::uint16_t station, const std::vector<std::string>& names) {
-    stations_.at(station - 1u).access_points = names;
+    stations_.at(station - 1u).radio.access_points = names;
   }
+  RadioNetwork::Station& station(std::uint16_t address) { return stations_.at(address - 1u); }
+  StationConfig& station_config(std::uint16_t address) { return station(address).radio; }
   /// On the x axis, the first at the origin.
   void add_line(int stations, double spacing) {
     for (int i = 0; i < stations; ++i) add({spacing * i, 0, 0});
