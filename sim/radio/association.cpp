@@ -7,7 +7,12 @@ namespace sim::radio {
 
 Association::Association(EventQueue& events, hal::AgentId station, const BssConfig& config,
                          BssParameters bss, Port& port)
-    : events_(events), station_(station), config_(config), bss_(bss), port_(port), heard_(config) {}
+    : events_(events),
+      station_(station),
+      config_(config),
+      bss_(std::move(bss)),
+      port_(port),
+      heard_(config) {}
 
 void Association::start() { scan(); }
 

@@ -67,9 +67,9 @@ void BssMac::discard_expired() {
 void BssMac::serve() {
   while (!is_busy_ && radio_on()) {
     if (!management_.empty()) {
-      MacRequest frame = std::move(management_.front());
+      const MacRequest frame = std::move(management_.front());
       management_.pop_front();
-      return hand_down(std::move(frame));
+      return hand_down(frame);
     }
     discard_expired();
     if (data_.empty() || !is_open()) return;
@@ -79,11 +79,11 @@ void BssMac::serve() {
     if (!frame) continue;
     frame->header.since = waiting.since;
     serving_ = std::move(waiting);
-    return hand_down(std::move(*frame));
+    return hand_down(*frame);
   }
 }
 
-void BssMac::hand_down(MacRequest frame) {
+void BssMac::hand_down(const MacRequest& frame) {
   is_busy_ = true;
   serving_since_ = now();
   dcf_->transmit(frame);

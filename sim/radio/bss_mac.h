@@ -54,7 +54,7 @@ class BssMac : public MacBase, protected FrameListener {
   void on_sent(const MacRequest& request, hal::Verdict verdict) final;
   void end(const Waiting& waiting, hal::Verdict verdict);
   void discard_expired();
-  void hand_down(MacRequest frame);
+  void hand_down(const MacRequest& frame);
 
   const DcfConfig& config_;
   std::unique_ptr<DcfMac> dcf_;
