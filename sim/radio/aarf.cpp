@@ -31,7 +31,8 @@ void Aarf::on_success(Link& link, std::size_t top) const {
   ++link.successes;
   link.failures = 0;
   link.probing = false;
-  const std::uint32_t timeout = config_.aarf_timeout * link.threshold / config_.aarf_threshold;
+  const std::uint64_t timeout =
+      std::uint64_t{config_.aarf_timeout} * link.threshold / config_.aarf_threshold;
   const bool is_time = link.successes >= link.threshold || link.sent >= timeout;
   if (!is_time || link.rung == top) return;
   move(link, link.rung + 1);

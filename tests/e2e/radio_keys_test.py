@@ -356,6 +356,33 @@ class RadioKeys(Case):
         found = self.compare("minstrel_past", [0, 0.9], lambda run: run.received(), **lossy)
         self.assertNotEqual(found[0], found[1])
 
+    # Access points: a is one.
+
+    def test_access_points(self):
+        bss = "bss: {access_point: a, %s}"
+        radio = ("profile: ieee80211b", "propagation: [{model: log_distance}]", "propagation_delay: false")
+
+        def at(run, who="b", gone=False):
+            """When a station was associated, or alone again, ms."""
+            return run.one("SELECT min(at_ns) FROM associations s JOIN agents a ON a.agent = s.station "
+                           f"WHERE a.name = '{who}' AND access_point IS {'' if gone else 'NOT'} NULL") / 1e6
+
+        still = dict(radio=radio, stations=[(0, None, ""), (10, TO_B.replace("to: b", "to: c"), ""), (5, None, "")],
+                     time="1 s")
+        self.rises("bss: {access_point: {}}", ["c", "a"], lambda run: run.frames("beacon"), **still)
+        self.falls(bss % "beacon_interval: {}", ["51.2 ms", "102.4 ms"], lambda run: run.frames("beacon"), **still)
+        self.rises(bss % "ssid: {}", ["ab", "abcdef"], lambda run: run.airtime("beacon"), **still)
+        self.rises(bss % "scan_time: {}", ["150 ms", "400 ms"], at, **still)
+        leaving = dict(radio=radio, stations=[(0, None, ""), (40, None, "", "path: {line: {speed: 20 m/s}}")],
+                       time="6 s")
+        self.rises(bss % "beacon_loss: {}", [3, 20], lambda run: at(run, gone=True), **leaving)
+        # a is busy with frames of 16 ms to c while b comes in: its answers take as long.
+        coming = dict(radio=(*radio, "data_rate: 1 Mb/s"), time="4 s", stations=[
+            (0, "pattern: saturated, backlog: 2, to: c, size: 2000, start: 500 ms", ""),
+            (-60, None, "", "path: {line: {speed: 10 m/s}}"), (5, None, "")])
+        self.falls(bss % "answer_timeout: {}", ["5 ms", "500 ms"],
+                   lambda run: run.frames("management", "b"), **coming)
+
     # Agents with radios of their own.
 
     def test_mixed_cells(self):
@@ -409,6 +436,8 @@ FIXED = ("profile: ieee80211b", "lengths: fixed")
 ELSEWHERE = {
     "version": "config/invalid", "profile": "all tests here",
     "body_loss_per_crossing": "world_obstacles_test.cpp", "body_loss_per_metre": "world_obstacles_test.cpp",
+    "access_point": "test_access_points", "bss": "test_access_points",
+    "hysteresis": "handover_test.py", "beacon_weight": "roaming_test.cpp", "distribution_delay": "roaming_test.cpp",
     "range": "tests/unit/sim/radio/disk_mac_test.cpp",
 }
 
