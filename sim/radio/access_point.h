@@ -17,14 +17,14 @@ namespace sim::radio {
 class AccessPoint final : public BssMac, private DistributionPort {
  public:
   struct Network {
-    const BssConfig& config;  ///< Outlives it, as the next two do.
-    const BssParameters& bss;
+    const BssConfig& config;  ///< Outlives it, as the wire does.
+    BssParameters bss;
     DistributionSystem& distribution;
     hal::Duration first_beacon;  ///< The target transmission time.
     double rssi_dbm, snr_db;     ///< Of what it sends itself and the wire takes to another one.
   };
 
-  AccessPoint(const Context& context, std::unique_ptr<DcfMac> dcf, std::uint32_t queue_limit,
+  AccessPoint(const Context& context, const DcfConfig& config, std::unique_ptr<DcfMac> dcf,
               const Network& network);
 
  private:

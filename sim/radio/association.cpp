@@ -6,8 +6,13 @@
 namespace sim::radio {
 
 Association::Association(EventQueue& events, hal::AgentId station, const BssConfig& config,
-                         const BssParameters& bss, Port& port)
-    : events_(events), station_(station), config_(config), bss_(bss), port_(port), heard_(config) {}
+                         BssParameters bss, Port& port)
+    : events_(events),
+      station_(station),
+      config_(config),
+      bss_(std::move(bss)),
+      port_(port),
+      heard_(config) {}
 
 void Association::start() { scan(); }
 

@@ -34,9 +34,9 @@ class Association {
     virtual void on_association() = 0;
   };
 
-  /// @param config, bss, port  outlive it.
-  Association(EventQueue& events, hal::AgentId station, const BssConfig& config,
-              const BssParameters& bss, Port& port);
+  /// @param config, port  outlive it.
+  Association(EventQueue& events, hal::AgentId station, const BssConfig& config, BssParameters bss,
+              Port& port);
 
   /// The radio was switched on or off.
   void start();
@@ -72,7 +72,7 @@ class Association {
   EventQueue& events_;
   hal::AgentId station_;
   const BssConfig& config_;
-  const BssParameters& bss_;
+  BssParameters bss_;
   Port& port_;
 
   HeardAccessPoints heard_;

@@ -14,12 +14,12 @@ namespace sim::radio {
 class BssStation final : public BssMac, private Association::Port {
  public:
   struct Membership {
-    const BssConfig& config;  ///< Outlives the station, as the next does.
-    const BssParameters& bss;
+    const BssConfig& config;  ///< Outlives the station.
+    BssParameters bss;
     std::vector<hal::AgentId> access_points;  ///< That it may use.
   };
 
-  BssStation(const Context& context, std::unique_ptr<DcfMac> dcf, std::uint32_t queue_limit,
+  BssStation(const Context& context, const DcfConfig& config, std::unique_ptr<DcfMac> dcf,
              Membership membership);
 
  private:

@@ -109,12 +109,16 @@ void DcfMac::open_exchange() {
   state_ = queue_.head().is_broadcast() ? State::kBroadcasting : State::kWaitAck;
 }
 
+/// Of the head: data to one station.
+bool DcfMac::has_rate_control() {
+  return !queue_.head().is_broadcast() && !is_management(queue_.head().request.header.type);
+}
+
 void DcfMac::choose_exchange() {
   const Outgoing& head = queue_.head();
   const MacRequest& request = head.request;
-  is_rated_ = !head.is_broadcast() && request.header.type == FrameType::kData;
-  data_mode_ = is_rated_ ? &rates_->mode(request.destination, head.attempts, now())
-                         : &frames_.data_mode(request);
+  data_mode_ = has_rate_control() ? &rates_->mode(request.destination, head.attempts, now())
+                                  : &frames_.data_mode(request);
   opening_ =
       protection_.opening(head.is_broadcast(), *data_mode_,
                           mpdu_bits(lengths(), request.header.type, request.payload->size()));
@@ -167,7 +171,7 @@ void DcfMac::fail() {
   const bool after_rts = was_data && opening_ == Opening::kRts;
   const auto kind = after_rts ? RetryCounters::Kind::kLong : RetryCounters::Kind::kShort;
   // That an RTS got no answer says nothing of the rate of data.
-  if (was_data && is_rated_) rates_->on_result(queue_.head().request.destination, false);
+  if (was_data && has_rate_control()) rates_->on_result(queue_.head().request.destination, false);
   state_ = State::kIdle;
   backoff_.restart_idle();
   const bool is_last = retries_.fail(kind);
@@ -182,8 +186,9 @@ void DcfMac::fail() {
 void DcfMac::succeed() {
   events().cancel(no_answer_);
   awaiting_ = false;
-  if (state_ == State::kWaitAck && is_rated_)
+  if (state_ == State::kWaitAck && has_rate_control()) {
     rates_->on_result(queue_.head().request.destination, true);
+  }
   state_ = State::kIdle;
   report(end_service(true), hal::Verdict::kDelivered);
 }

@@ -74,6 +74,7 @@ class DcfMac final : public MacBase, public RadioListener, private AccessListene
   MacRequest end_service(bool count_time);
   bool is_expired();
   void discard_expired();
+  bool has_rate_control();
   void choose_exchange();
   void open_exchange();
   FramePtr make_rts();
@@ -104,7 +105,6 @@ class DcfMac final : public MacBase, public RadioListener, private AccessListene
   State state_ = State::kIdle;
   const PhyMode* data_mode_ = nullptr;  ///< This and the next: of the exchange that is going on.
   Opening opening_ = Opening::kNone;
-  bool is_rated_ = false;        ///< By rates_: unicast data.
   bool awaiting_ = false;        ///< Its RTS or DATA has gone out; what comes in now is the answer.
   bool last_was_wrong_ = false;  ///< The last frame came in with an error: EIFS.
   FramePtr answer_;              ///< Goes out at the end of the SIFS.

@@ -1,7 +1,6 @@
 #include "sim/radio/infrastructure.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <stdexcept>
 
@@ -31,16 +30,16 @@ std::vector<std::uint8_t> supported_rates(Profile profile, const DcfConfig& conf
   return rates;
 }
 
-/// As the station has them and says them. @param own  of a profile with a DCF.
-BssParameters parameters(const RadioConfig& own, const Cell& cell) {
-  const DcfConfig& config = *dcf_of(own);
-  return {.ssid = config.bss.ssid,
-          .rates = supported_rates(profile_of(own), config),
+BssParameters parameters(const Infrastructure::Member& member, const std::string& ssid) {
+  const DcfConfig& config = member.config;
+  const bool erp = member.profile == Profile::kIeee80211g;
+  return {.ssid = ssid,
+          .rates = supported_rates(member.profile, config),
           .channel = static_cast<std::uint8_t>(config.phy.channel),
           .short_preamble = config.phy.preamble == Preamble::kShort,
           .short_slot = config.contention.slot == kShortSlotTime,
-          .erp = profile_of(own) == Profile::kIeee80211g,
-          .use_protection = cell.is_mixed()};
+          .erp = erp,
+          .use_protection = erp && member.context.cell.is_mixed()};
 }
 
 std::vector<hal::AgentId> agents_of(const std::vector<std::string>& names,
@@ -58,15 +57,15 @@ std::vector<hal::AgentId> agents_of(const std::vector<std::string>& names,
 
 }  // namespace
 
-Infrastructure::Infrastructure(const DcfConfig& config,
+Infrastructure::Infrastructure(const BssConfig& config,
                                const std::vector<RadioNetwork::Station>& stations,
                                EventQueue& events)
-    : config_(config), distribution_(events, config.bss.distribution_delay) {
-  const std::vector<hal::AgentId> of_all = agents_of(config.bss.access_points, stations);
+    : config_(config), distribution_(events, config.distribution_delay) {
+  const std::vector<hal::AgentId> of_all = agents_of(config.access_points, stations);
   std::set<hal::AgentId> named(of_all.begin(), of_all.end());
   for (const RadioNetwork::Station& station : stations) {
-    const auto own =
-        station.radio.access_points ? agents_of(*station.radio.access_points, stations) : of_all;
+    const auto& names = station.radio.access_points;
+    const auto own = names ? agents_of(*names, stations) : of_all;
     if (!own.empty()) usable_[station.agent] = own;
     named.insert(own.begin(), own.end());
   }
@@ -74,40 +73,33 @@ Infrastructure::Infrastructure(const DcfConfig& config,
   access_points_.assign(named.begin(), named.end());
 }
 
-const BssParameters& Infrastructure::parameters_of(const RadioConfig& own, const Cell& cell) {
-  const BssParameters wanted = parameters(own, cell);
-  const auto known = std::ranges::find(parameters_, wanted);
-  return known != parameters_.end() ? *known : parameters_.emplace_back(wanted);
-}
-
-std::unique_ptr<MacBase> Infrastructure::completed(const MacBase::Context& context,
-                                                   const RadioConfig& own,
+std::unique_ptr<MacBase> Infrastructure::completed(const Member& member,
                                                    std::unique_ptr<DcfMac> dcf) {
-  if (std::ranges::binary_search(access_points_, context.agent)) {
-    return access_point(context, own, std::move(dcf));
+  if (std::ranges::binary_search(access_points_, member.context.agent)) {
+    return access_point(member, std::move(dcf));
   }
-  const auto usable = usable_.find(context.agent);
+  const auto usable = usable_.find(member.context.agent);
   if (usable == usable_.end()) return dcf;
   return std::make_unique<BssStation>(
-      context, std::move(dcf), config_.contention.queue_limit,
-      BssStation::Membership{config_.bss, parameters_of(own, context.cell), usable->second});
+      member.context, member.config, std::move(dcf),
+      BssStation::Membership{config_, parameters(member, config_.ssid), usable->second});
 }
 
 /// The target transmission times of their beacons are spread evenly over the interval.
-std::unique_ptr<MacBase> Infrastructure::access_point(const MacBase::Context& context,
-                                                      const RadioConfig& own,
+std::unique_ptr<MacBase> Infrastructure::access_point(const Member& member,
                                                       std::unique_ptr<DcfMac> dcf) {
-  const auto place = std::ranges::find(access_points_, context.agent) - access_points_.begin();
+  const auto place =
+      std::ranges::find(access_points_, member.context.agent) - access_points_.begin();
   const auto count = static_cast<std::int64_t>(access_points_.size());
-  const double power = to_dbm(context.tx_power).value;
+  const double power = to_dbm(member.context.tx_power).value;
   return std::make_unique<AccessPoint>(
-      context, std::move(dcf), config_.contention.queue_limit,
-      AccessPoint::Network{.config = config_.bss,
-                           .bss = parameters_of(own, context.cell),
+      member.context, member.config, std::move(dcf),
+      AccessPoint::Network{.config = config_,
+                           .bss = parameters(member, config_.ssid),
                            .distribution = distribution_,
-                           .first_beacon = place * config_.bss.beacon_interval / count,
+                           .first_beacon = place * config_.beacon_interval / count,
                            .rssi_dbm = power,
-                           .snr_db = power - config_.receiver.noise_floor.value});
+                           .snr_db = power - member.config.receiver.noise_floor.value});
 }
 
 }  // namespace sim::radio

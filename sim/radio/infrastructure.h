@@ -1,6 +1,5 @@
 #pragma once
 
-#include <deque>
 #include <map>
 #include <memory>
 #include <vector>
@@ -17,24 +16,25 @@ class DcfMac;
 /// Infrastructure mode of one network: who is an access point, who uses which, and the wire.
 class Infrastructure {
  public:
+  /// A station and the values of its own.
+  struct Member {
+    const MacBase::Context& context;
+    const DcfConfig& config;  ///< Outlives the MAC.
+    Profile profile;
+  };
+
   /// @param config  outlives it.
   /// @throws std::invalid_argument  an access point that is no station.
-  Infrastructure(const DcfConfig& config, const std::vector<RadioNetwork::Station>& stations,
+  Infrastructure(const BssConfig& config, const std::vector<RadioNetwork::Station>& stations,
                  EventQueue& events);
 
   /// The MAC of a station: its DCF, and what it has above that if it is in a BSS.
-  /// @param own  the config as it is for that station.
-  std::unique_ptr<MacBase> completed(const MacBase::Context& context, const RadioConfig& own,
-                                     std::unique_ptr<DcfMac> dcf);
+  std::unique_ptr<MacBase> completed(const Member& member, std::unique_ptr<DcfMac> dcf);
 
  private:
-  std::unique_ptr<MacBase> access_point(const MacBase::Context& context, const RadioConfig& own,
-                                        std::unique_ptr<DcfMac> dcf);
+  std::unique_ptr<MacBase> access_point(const Member& member, std::unique_ptr<DcfMac> dcf);
 
-  const BssParameters& parameters_of(const RadioConfig& own, const Cell& cell);
-
-  const DcfConfig& config_;
-  std::deque<BssParameters> parameters_;  ///< All that differ.
+  const BssConfig& config_;
   DistributionSystem distribution_;
   std::vector<hal::AgentId> access_points_;  ///< By address.
   /// Of the stations that are in a BSS and are no access points: those that they may use.

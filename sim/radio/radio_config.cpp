@@ -73,16 +73,6 @@ void check_waves(Profile profile, const WavesConfig& config) {
   check_contention(config.contention);
 }
 
-void check_rate_control(const RateControlConfig& rates) {
-  require(rates.aarf_threshold >= 1 && rates.aarf_max_threshold >= rates.aarf_threshold &&
-              rates.aarf_timeout >= 1,
-          "thresholds of AARF must be 1 or more, the largest not the smallest");
-  require(rates.minstrel_interval > hal::Duration{} && rates.minstrel_past >= 0 &&
-              rates.minstrel_past < 1 && rates.minstrel_sampling >= 0 &&
-              rates.minstrel_sampling <= 1,
-          "minstrel_interval must be positive, and its shares 0 .. 1, minstrel_past below 1");
-}
-
 void check_bss(const BssConfig& config) {
   require(!config.ssid.empty() && config.ssid.size() <= kMaxSsid, "ssid must have 1 to 32 bytes");
   const auto units = config.beacon_interval / kTimeUnit;
@@ -96,6 +86,16 @@ void check_bss(const BssConfig& config) {
   require(config.distribution_delay >= hal::Duration{}, "distribution_delay must not be negative");
 }
 
+void check_rate_control(const RateControlConfig& rates) {
+  require(rates.aarf_threshold >= 1 && rates.aarf_max_threshold >= rates.aarf_threshold &&
+              rates.aarf_timeout >= 1,
+          "thresholds of AARF must be 1 or more, the largest not the smallest");
+  require(rates.minstrel_interval > hal::Duration{} && rates.minstrel_past >= 0 &&
+              rates.minstrel_past < 1 && rates.minstrel_sampling >= 0 &&
+              rates.minstrel_sampling <= 1,
+          "minstrel_interval must be positive, and its shares 0 .. 1, minstrel_past below 1");
+}
+
 void check_dcf(Profile profile, const DcfConfig& config) {
   check_waves(profile, config);
   require(config.long_retry_limit >= 1, "retry limits must be 1 or more");
@@ -103,11 +103,11 @@ void check_dcf(Profile profile, const DcfConfig& config) {
   for (const auto rate : config.basic_rates) check_rate(profile, "basic_rates", rate);
   require(config.cca_time >= hal::Duration{} && config.cca_time < config.contention.slot,
           "cca_time must not be negative, and shorter than the slot");
+  check_bss(config.bss);
   require(!config.msdu_lifetime || *config.msdu_lifetime > hal::Duration{},
           "msdu_lifetime must be positive");
   require(is_dsss_rate(config.protection_rate), "protection_rate must be 1, 2, 5.5 or 11 Mb/s");
   check_rate_control(config.rate_control);
-  check_bss(config.bss);
 }
 
 void check_one(const MobilityFrameworkConfig& config) {

@@ -127,13 +127,13 @@ struct DcfConfig : WavesConfig {
   /// aCCATime and aRxTxTurnaroundTime: a station that is to send at a slot boundary does so
   /// whatever begins to arrive within this time before (10.3.7). < slot.
   hal::Duration cca_time = 15us;
+  BssConfig bss;
   /// Since it was queued; a frame that is older is given up instead of being sent (again). > 0.
   std::optional<hal::Duration> msdu_lifetime{};
   RateControlConfig rate_control{};
   /// Of frames in OFDM. kAuto: kCtsToSelf in a mixed cell, else kNone.
   ProtectionKind protection = ProtectionKind::kAuto;
   hal::BitsPerSecond protection_rate{1e6};  ///< DSSS; of what protects.
-  BssConfig bss;
 
  protected:
   DcfConfig();

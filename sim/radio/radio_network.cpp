@@ -121,10 +121,10 @@ struct RadioNetwork::State {
     if (waves != nullptr && !waves->receiver.loss.is_none()) {
       loss.emplace(waves->receiver.loss, around.seed, names(stations));
     }
-    for (const auto& air : airs) open(*air);
     if (const DcfConfig* const dcf = dcf_of(config)) {
-      infrastructure = std::make_unique<Infrastructure>(*dcf, stations, around.events);
+      infrastructure = std::make_unique<Infrastructure>(dcf->bss, stations, surroundings.events);
     }
+    for (const auto& air : airs) open(*air);
     for (const Station& station : stations) add(station);
   }
 
@@ -197,11 +197,11 @@ struct RadioNetwork::State {
   void add(const Station& station, Air& air, const StationProfile& profile,
            const MacBase::Context& context, const DcfConfig& one) {
     Radio& radio = add_radio(station, air, profile);
-    macs.push_back(infrastructure->completed(
-        context, profile.config,
-        std::make_unique<DcfMac>(
-            context, one, radio,
-            DcfMac::Streams{stream(station, "/backoff"), stream(station, "/rates")})));
+    auto dcf = std::make_unique<DcfMac>(
+        context, one, radio,
+        DcfMac::Streams{stream(station, "/backoff"), stream(station, "/rates")});
+    macs.push_back(infrastructure->completed({context, one, sim::radio::profile_of(profile.config)},
+                                             std::move(dcf)));
   }
 
   Radio& add_radio(const Station& station, Air& air, const StationProfile& profile) {

@@ -21,9 +21,8 @@ struct StationConfig {
   std::optional<hal::BitsPerSecond> data_rate{};
   std::optional<hal::BitsPerSecond> control_rate{};
   std::optional<hal::BitsPerSecond> broadcast_rate{};
-
   /// Names of the access points that it may use, empty: none, it is in an ad hoc network; not set:
-  /// those of the config (BssConfig). Who is named anywhere is an access point itself.
+  /// those of the network (BssConfig). Who is named anywhere is an access point itself.
   std::optional<std::vector<std::string>> access_points{};
 
   bool operator==(const StationConfig&) const = default;

@@ -61,14 +61,20 @@ void bss_keys_of(Io& io, radio::BssConfig& c) {
 }
 
 /// One name, or a list of names.
-std::vector<std::string> read_names(Mapping& in, const Key& key) {
+std::vector<std::string> names_in(Mapping& in, const Key& key) {
   if (in.has_scalar(key.name)) return {in.text(key)};
   std::vector<std::string> names;
-  for (const hal::config::Scalar& name : in.texts(key)) {
-    if (std::ranges::count(names, name.text) > 0) {
-      in.mistake(key.name, fmt::format("'{}' is named twice", name.text));
-    }
-    names.push_back(name.text);
+  for (const hal::config::Scalar& name : in.texts(key)) names.push_back(name.text);
+  return names;
+}
+
+std::vector<std::string> read_names(Mapping& in, const Key& key) {
+  std::vector<std::string> names = names_in(in, key);
+  std::vector<std::string> sorted = names;
+  std::ranges::sort(sorted);
+  const auto twice = std::ranges::adjacent_find(sorted);
+  if (twice != sorted.end()) {
+    in.mistake(key.name, fmt::format("'{}' is named twice", *twice));
   }
   return names;
 }
@@ -82,17 +88,9 @@ void check_names(Mapping in, const Key& key, const std::vector<std::string>& nam
   }
 }
 
-/// @param radio  of a group, or an entry of its overrides.
-void check_own(Mapping& radio, const std::vector<std::string>& agents) {
-  Mapping bss = radio.within(kBss);
-  std::vector<std::string> names;
-  if (bss.has_scalar(kOwnAccessPoints.name)) {
-    names = {bss.text(kOwnAccessPoints)};
-  } else {
-    for (const hal::config::Scalar& name : bss.texts(kOwnAccessPoints)) names.push_back(name.text);
-  }
-  std::erase(names, kNone);
-  check_names(bss, kOwnAccessPoints, names, agents);
+void check_own_names(Mapping in, const std::vector<std::string>& agents) {
+  const std::vector<std::string> names = names_in(in, kOwnAccessPoints);
+  if (names != std::vector<std::string>{kNone}) check_names(in, kOwnAccessPoints, names, agents);
 }
 
 }  // namespace
@@ -145,15 +143,21 @@ void write_own_access_points(Writer& out, const std::optional<std::vector<std::s
 }
 
 void check_access_points(Mapping& in, const Scenario& scenario) {
-  std::vector<std::string> agents;
-  for (const agents::AgentConfig& agent : scenario.simulation.agents) agents.push_back(agent.name);
   const radio::DcfConfig* const dcf = dcf_of(scenario.simulation.radio);
   if (dcf == nullptr) return;
-  check_names(in.within("radio").within(kBss), kAccessPoints, dcf->bss.access_points, agents);
+  std::vector<std::string> names;
+  for (const agents::AgentConfig& agent : scenario.simulation.agents) names.push_back(agent.name);
+  check_names(in.within("radio").within(kBss), kAccessPoints, dcf->bss.access_points, names);
   for (const Group& group : scenario.groups) {
+    const bool has_own = std::ranges::any_of(group.agents, [&](hal::AgentId id) {
+      const auto& all = scenario.simulation.agents;
+      const auto& own = std::ranges::find(all, id, &agents::AgentConfig::id)->radio.access_points;
+      return own && !own->empty();
+    });
+    if (!has_own) continue;
     Mapping radio = in.within("agents").within(group.name).within("radio");
-    check_own(radio, agents);
-    for (Mapping& one : radio.items("overrides")) check_own(one, agents);
+    check_own_names(radio.within(kBss), names);
+    for (Mapping& some : radio.items("overrides")) check_own_names(some.within(kBss), names);
   }
 }
 

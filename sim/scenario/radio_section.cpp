@@ -166,7 +166,6 @@ void read_chain(Mapping& in, RadioConfig& config) {
 }
 
 const Key kBssKey{"bss", "Infrastructure mode: stations send to each other through access points."};
-
 const Key kRandomLoss{
     "loss", "Frames that get lost although the physics let them in; told as `random loss`."};
 

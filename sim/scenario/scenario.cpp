@@ -51,9 +51,9 @@ Scenario read_scenario(Mapping in, const std::filesystem::path& file) {
       in.mapping(
           {"agents", "Groups of agents, each under a name of its own (here NAME); at least one."}),
       scenario);
-  check_loss_names(in.within("radio"), scenario);
   read_record(in.mapping({"record", "What goes into the results."}), scenario);
   check_access_points(in, scenario);
+  check_loss_names(in.within("radio"), scenario);
   read_ends(in, scenario);
   read_expectations(in, scenario);
   in.finish();

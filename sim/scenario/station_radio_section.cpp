@@ -38,9 +38,9 @@ const Key kStandard{"standard",
                     "ieee80211b", "ieee80211g"};
 const Key kStationDataRate{"data_rate", "Of data frames of these agents.", "11 Mb/s", kOfRadio};
 const Key kStationControlRate{"control_rate", "Of RTS of these agents.", "2 Mb/s", kOfRadio};
+const Key kStationBss{"bss", "Of these agents, where they are not as `radio.bss` says."};
 const Key kStationBroadcastRate{"broadcast_rate", "Of broadcast frames of these agents.", "2 Mb/s",
                                 kOfRadio};
-const Key kStationBss{"bss", "Of these agents, where they are not as `radio.bss` says."};
 
 /// Of a group, or of one entry of its `overrides`.
 class StationReader {
@@ -58,7 +58,7 @@ class StationReader {
     rate(kStationDataRate, has_waves, station);
     rate(kStationControlRate, has_waves, station);
     rate(kStationBroadcastRate, has_waves, station);
-    bss(station.access_points);
+    access_points(profile_ == Profile::kIeee80211b || profile_ == Profile::kIeee80211g, station);
   }
 
  private:
@@ -80,17 +80,16 @@ class StationReader {
     if (in_.has(kStationChannel.name)) value = static_cast<std::uint32_t>(given);
   }
 
+  void access_points(bool is_used, StationConfig& station) {
+    if (!is_used) return refuse(kStationBss);
+    const auto given = read_own_access_points(in_.mapping(kStationBss));
+    if (given) station.access_points = given;
+  }
+
   void standard(std::optional<Standard>& value) {
     if (profile_ != Profile::kIeee80211g) return refuse(kStandard);
     const Standard given = in_.choice(kStandard, kStandards, Standard::kIeee80211g);
     if (in_.has(kStandard.name)) value = given;
-  }
-
-  void bss(std::optional<std::vector<std::string>>& access_points) {
-    if (profile_ != Profile::kIeee80211b && profile_ != Profile::kIeee80211g) {
-      return refuse(kStationBss);
-    }
-    if (auto given = read_own_access_points(in_.mapping(kStationBss))) access_points = given;
   }
 
   void rate(const Key& key, bool is_used, StationConfig& station) {

@@ -168,12 +168,12 @@ class Air {
   void set_tx_power(std::uint16_t station, hal::Milliwatts power) {
     station_config(station).tx_power = power;
   }
-  RadioNetwork::Station& station(std::uint16_t address) { return stations_.at(address - 1u); }
-  StationConfig& station_config(std::uint16_t address) { return station(address).radio; }
   /// As StationConfig::access_points.
   void set_access_points(std::uint16_t station, const std::vector<std::string>& names) {
-    station_config(station).access_points = names;
+    stations_.at(station - 1u).radio.access_points = names;
   }
+  RadioNetwork::Station& station(std::uint16_t address) { return stations_.at(address - 1u); }
+  StationConfig& station_config(std::uint16_t address) { return station(address).radio; }
   /// On the x axis, the first at the origin.
   void add_line(int stations, double spacing) {
     for (int i = 0; i < stations; ++i) add({spacing * i, 0, 0});
