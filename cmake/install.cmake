@@ -1,7 +1,7 @@
 # What `cmake --install` installs, below one prefix, and which Debian package it goes to:
 #   program (baraka)
 #     bin             baraka, the controllers
-#     lib/baraka      plug-ins of the controllers
+#     lib/baraka      plug-ins of the controllers, what slows programs
 #     share/baraka    robots, radios, scenarios, hardware; templates of `baraka new-controller`; IDL;
 #                     the report page, if it was built
 #     share/doc       README, docs, licence
@@ -26,6 +26,7 @@ foreach(folder config/robots config/radios config/scenarios config/hardware temp
 endforeach()
 
 install(TARGETS baraka EXPORT baraka RUNTIME DESTINATION bin COMPONENT program)
+install(TARGETS baraka_dilate LIBRARY DESTINATION lib/baraka COMPONENT program)
 install(TARGETS ${controller_names} RUNTIME DESTINATION bin COMPONENT program)
 foreach(name IN LISTS controller_names)
   install(TARGETS ${name}_plugin LIBRARY DESTINATION lib/baraka COMPONENT program)

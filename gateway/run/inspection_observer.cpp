@@ -35,11 +35,6 @@ hal::dds::InspectedRobot describe(const sim::agents::AgentConfig& agent) {
   return described;
 }
 
-std::string_view name_of(sim::radio::FrameType type) {
-  constexpr std::string_view kNames[] = {"data", "rts", "cts", "ack"};
-  return kNames[static_cast<int>(type)];
-}
-
 }  // namespace
 
 InspectionObserver::InspectionObserver(const sim::agents::SimulationConfig& config)
@@ -106,7 +101,7 @@ void InspectionObserver::on_frame_start(hal::Time at, const sim::radio::Frame& f
   }
   inspector_->publish_frame(at, {.transmitter = name(frame.transmitter),
                                  .receiver = name(frame.receiver),
-                                 .type = name_of(frame.type),
+                                 .type = sim::radio::name(frame.type),
                                  .sequence = frame.sequence,
                                  .retry = frame.retry,
                                  .bits = frame.air_length,

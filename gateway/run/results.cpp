@@ -43,6 +43,7 @@ std::vector<std::string> files_of(const Scenario& scenario) {
   for (const auto& plan : sim::scenario::plan_processes(scenario)) {
     files.insert(plan.process + ".log");
   }
+  if (!scenario.record.air.empty()) files.insert(scenario.record.air);
   return {files.begin(), files.end()};
 }
 
@@ -99,9 +100,9 @@ Results::Results(const Scenario& scenario, const RunOptions& options)
 
 void Results::record(const fs::path& folder) {
   recorder_.emplace(folder / sim::record::kResultsFile, scenario_.simulation,
-                    sim::record::RecorderOptions{
-                        .pose_period = scenario_.record.pose_period,
-                        .all_frames = scenario_.record.frames == sim::scenario::FrameRecord::kAll});
+                    sim::record::RecorderOptions{.pose_period = scenario_.record.pose_period,
+                                                 .frames = scenario_.record.frames,
+                                                 .messages = scenario_.record.messages});
   recorder_->add_settings(settings_);
   // Half a kilobyte per agent, not needed any more.
   std::vector<std::pair<std::string, std::string>>().swap(settings_);
@@ -120,10 +121,22 @@ void Results::begin(sim::agents::Simulation& simulation) {
   record(folder_.path());
   simulation.add_observer(*recorder_);
   simulation.add_observer(fingerprint_);
+  if (!scenario_.record.air.empty()) capture(simulation);
+}
+
+void Results::capture(sim::agents::Simulation& simulation) {
+  std::string name = "air";
+  for (const auto& agent : scenario_.simulation.agents) {
+    if (agent.id == scenario_.record.air_heard_by) name = agent.name;
+  }
+  capture_.emplace(folder_.path() / scenario_.record.air, scenario_.simulation.radio,
+                   scenario_.record.air_heard_by, name);
+  simulation.add_observer(*capture_);
 }
 
 void Results::commit() {
   recorder_->commit();
+  if (capture_) capture_->flush();
   sim::flush_log();
 }
 
@@ -151,6 +164,7 @@ ExitStatus Results::finish(const sim::agents::Simulation& simulation, Outcome& o
     for (const auto& agent : scenario_.simulation.agents) {
       recorder_->add_contacts(agent.id, simulation.contacts(agent.id));
     }
+    if (capture_) capture_->finish(outcome.ended_at);
     fingerprint_.finish();
     recorder_->set("wall_s", wall_seconds);
     recorder_->set("exit_status", std::uint64_t{status});

@@ -8,6 +8,7 @@
 #include "gateway/run/run_command.h"
 #include "sim/agents/fingerprint_feed.h"
 #include "sim/agents/simulation.h"
+#include "sim/record/air_capture.h"
 #include "sim/record/recorder.h"
 #include "sim/scenario/scenario.h"
 
@@ -42,6 +43,7 @@ class Results {
 
  private:
   void record(const std::filesystem::path& folder);
+  void capture(sim::agents::Simulation& simulation);
   void give_up(const sim::agents::Outcome& outcome, ExitStatus status);
 
   const sim::scenario::Scenario& scenario_;
@@ -49,6 +51,7 @@ class Results {
   std::vector<std::pair<std::string, std::string>> settings_;
   ResultsFolder folder_;
   std::optional<sim::record::Recorder> recorder_;
+  std::optional<sim::record::AirCapture> capture_;
   sim::agents::FingerprintFeed fingerprint_;
 };
 

@@ -41,13 +41,27 @@ std::string listed_shared_folders() {
   return list;
 }
 
+namespace {
+
+/// In the shared folders, or in one of their folders `kinds`.
+std::optional<fs::path> find_of_kinds(const fs::path& file, const std::vector<std::string>& kinds) {
+  if (auto found = find_shared(file)) return found;
+  for (const std::string& kind : kinds) {
+    if (auto found = find_shared(fs::path(kind) / file)) return found;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
 fs::path named_file(const fs::path& given, const std::vector<std::string>& kinds) {
   std::error_code error;
   if (given.is_absolute() || given.empty() || fs::exists(given, error)) return given;
-  std::vector<fs::path> folders{""};
-  folders.insert(folders.end(), kinds.begin(), kinds.end());
-  for (const fs::path& folder : folders) {
-    if (const auto found = find_shared(folder / given)) return *found;
+  if (const auto found = find_of_kinds(given, kinds)) return *found;
+  if (!given.has_extension()) {
+    const fs::path file = fs::path(given).replace_extension(".yaml");
+    if (fs::exists(file, error)) return file;
+    if (const auto found = find_of_kinds(file, kinds)) return *found;
   }
   throw ConfigErrors(
       {fmt::format("{}: there is no such file here, nor in {} or its {}", given.string(),

@@ -20,7 +20,8 @@ std::string listed_shared_folders();
 
 /// The file that a user means: as given, seen from the current folder; else the first that a shared
 /// folder has of that path, in itself or in one of its folders `kinds`. So `case_study.yaml` is
-/// found in share/baraka/scenarios. An absolute path is only itself.
+/// found in share/baraka/scenarios, and so is `case_study`: a name without extension means the file
+/// `.yaml` if there is none of its own. An absolute path is only itself.
 /// @throws ConfigErrors that names every place where it was looked for.
 std::filesystem::path named_file(const std::filesystem::path& given,
                                  const std::vector<std::string>& kinds);

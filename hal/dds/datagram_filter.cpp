@@ -110,6 +110,7 @@ DatagramFilter::Reason DatagramFilter::objection_to(hal::rtps::Octets datagram,
     return {fault->part, fault->what};
   }
   speaker.heard = ++heard_;
+  speaker.heard_at = settings_.clock.now();
   if (known != speakers_.end()) {
     known->second = speaker;
   } else {
@@ -136,6 +137,13 @@ std::optional<UdpSender> DatagramFilter::sender_of(const hal::rtps::GuidPrefix& 
   const auto speaker = speakers_.find(participant);
   if (speaker == speakers_.end() || speaker->second.sender.port == 0) return std::nullopt;
   return speaker->second.sender;
+}
+
+std::optional<Duration> DatagramFilter::silence_of(const hal::rtps::GuidPrefix& participant) const {
+  const std::lock_guard lock(mutex_);
+  const auto speaker = speakers_.find(participant);
+  if (speaker == speakers_.end() || speaker->second.heard == 0) return std::nullopt;
+  return settings_.clock.now() - speaker->second.heard_at;
 }
 
 void DatagramFilter::drop(const Reason& reason, const UdpSender& sender) {

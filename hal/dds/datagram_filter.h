@@ -9,8 +9,10 @@
 #include <string_view>
 #include <vector>
 
+#include "hal/dds/waiting.h"
 #include "hal/rtps/cursor.h"
 #include "hal/rtps/entity_id.h"
+#include "hal/types/time.h"
 
 namespace hal::dds {
 
@@ -53,6 +55,7 @@ class DatagramFilter {
     /// Whether everybody speaks for himself from one port: in the star of the exchange, where all
     /// are of this project. Others may use several ports, and relay discovery.
     bool is_star = false;
+    Clock& clock = wall_clock();  ///< Outlives the filter.
   };
   explicit DatagramFilter(Settings settings);
   ~DatagramFilter();  ///< Logs how many were dropped, if any.
@@ -68,6 +71,9 @@ class DatagramFilter {
   /// Where a participant speaks from; none if it was not heard lately, or not in a star.
   std::optional<UdpSender> sender_of(const hal::rtps::GuidPrefix& participant) const;
 
+  /// How long nothing was let in of a participant; none if it was never heard, or not lately.
+  std::optional<Duration> silence_of(const hal::rtps::GuidPrefix& participant) const;
+
   /// "3 datagrams from 127.0.0.1:7660 and others: 2 DATA: its payload is too short; 1 header: …";
   /// empty if there were none.
   std::string drops() const;
@@ -75,7 +81,8 @@ class DatagramFilter {
  private:
   struct Speaker {
     UdpSender sender;
-    std::uint64_t heard = 0;   ///< Number of the datagram it was heard with last.
+    std::uint64_t heard = 0;   ///< Number of the datagram it was heard with last …
+    Time heard_at{};           ///< … and when that was.
     std::int64_t highest = 0;  ///< Of its sequence numbers.
     bool is_ignored = false;
   };

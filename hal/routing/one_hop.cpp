@@ -97,7 +97,9 @@ void OneHop::on_transmitted(const Transmission& transmission) {
   }
   if (transmission.verdict == Verdict::kRetryLimit) neighbourhood_.on_no_answer(destination);
   ports_.observer.on_message_end(self_, id, topic, transmission.verdict);
-  ports_.application.on_fate(id, fate_of(transmission.verdict));
+  // Here it is the MAC that had it for too long, not a search for a route.
+  const bool was_too_old = transmission.verdict == Verdict::kExpired;
+  ports_.application.on_fate(id, was_too_old ? Fate::kFailed : fate_of(transmission.verdict));
 }
 
 }  // namespace hal::routing

@@ -21,8 +21,9 @@ enum class Verdict : std::uint8_t {
   kNoRoute,
   kExpired,
   kAgentDown,
+  kRandomLoss,  ///< The physics would have let it in; the scenario's `loss` did not.
 };
-inline constexpr int kVerdictCount = 14;
+inline constexpr int kVerdictCount = 15;
 
 /// "delivered", "below sensitivity", …
 std::string_view name(Verdict verdict);

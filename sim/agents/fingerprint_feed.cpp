@@ -63,6 +63,23 @@ void FingerprintFeed::on_frame_start(hal::Time at, const radio::Frame& frame) {
   hash.add(std::uint64_t{frame.air_length});
   hash.add(std::uint64_t{frame.ethertype});
   if (frame.payload) add(hash, *frame.payload);
+  if (!frame.is_of_bss()) return;
+  hash.add(number(frame.ds));
+  hash.add(std::uint64_t{frame.address3.value});
+}
+
+void FingerprintFeed::on_relay_lost(hal::Time at, hal::AgentId source,
+                                    const radio::MacRequest& request, hal::Verdict verdict) {
+  Fingerprint::Cell& hash = fingerprint_.at(Part::kAir, source, at);
+  hash.add(std::uint64_t{request.destination.value});
+  hash.add(number(verdict));
+}
+
+void FingerprintFeed::on_association(hal::Time at, hal::AgentId station,
+                                     std::optional<hal::AgentId> access_point) {
+  Fingerprint::Cell& hash = fingerprint_.at(Part::kAir, station, at);
+  hash.add(std::uint64_t{access_point.has_value()});
+  hash.add(std::uint64_t{access_point.value_or(hal::AgentId{}).value});
 }
 
 void FingerprintFeed::on_reception(hal::Time at, const radio::Frame& frame, hal::AgentId receiver,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <utility>
 
 #include "sim/agents/observer.h"
@@ -23,6 +24,10 @@ class FingerprintFeed final : public Observer {
   void on_frame_start(hal::Time at, const radio::Frame& frame) override;
   void on_reception(hal::Time at, const radio::Frame& frame, hal::AgentId receiver,
                     hal::Verdict verdict, double rssi_dbm) override;
+  void on_relay_lost(hal::Time at, hal::AgentId source, const radio::MacRequest& request,
+                     hal::Verdict verdict) override;
+  void on_association(hal::Time at, hal::AgentId station,
+                      std::optional<hal::AgentId> access_point) override;
   void on_body(hal::Time at, hal::AgentId agent, const BodyState& body) override;
   void on_event(const hal::exchange::Event& event) override;
   void on_action(hal::Time at, const hal::exchange::Action& action) override;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <span>
 #include <utility>
 #include <vector>
@@ -22,6 +23,9 @@ class ObserverList final : public Observer {
   void on_faint(const radio::Frame& frame, std::uint32_t radios) override {
     for (Observer* o : observers_) o->on_faint(frame, radios);
   }
+  void on_frame_cut(hal::Time at, const radio::Frame& frame) override {
+    for (Observer* o : observers_) o->on_frame_cut(at, frame);
+  }
   void on_reception(hal::Time at, const radio::Frame& frame, hal::AgentId receiver,
                     hal::Verdict verdict, double rssi_dbm) override {
     for (Observer* o : observers_) o->on_reception(at, frame, receiver, verdict, rssi_dbm);
@@ -32,6 +36,14 @@ class ObserverList final : public Observer {
   void on_request_end(hal::Time at, hal::AgentId sender, hal::AgentId destination,
                       hal::Verdict verdict) override {
     for (Observer* o : observers_) o->on_request_end(at, sender, destination, verdict);
+  }
+  void on_relay_lost(hal::Time at, hal::AgentId source, const radio::MacRequest& request,
+                     hal::Verdict verdict) override {
+    for (Observer* o : observers_) o->on_relay_lost(at, source, request, verdict);
+  }
+  void on_association(hal::Time at, hal::AgentId station,
+                      std::optional<hal::AgentId> access_point) override {
+    for (Observer* o : observers_) o->on_association(at, station, access_point);
   }
   void on_start(const std::vector<std::pair<hal::AgentId, hal::AgentId>>& links) override {
     for (Observer* o : observers_) o->on_start(links);

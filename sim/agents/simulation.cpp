@@ -34,7 +34,7 @@ std::vector<hal::AgentId> ids(const SimulationConfig& config) {
 std::vector<radio::RadioNetwork::Station> stations(const SimulationConfig& config) {
   std::vector<radio::RadioNetwork::Station> stations;
   for (const AgentConfig& agent : config.agents) {
-    stations.push_back({agent.id, agent.name, agent.tx_power, agent.antenna_height});
+    stations.push_back({agent.id, agent.name, agent.radio});
   }
   return stations;
 }

@@ -52,8 +52,7 @@ struct AgentConfig {
   std::variant<hal::devices::MoteDescription, hal::devices::RobotDescription, Station> body;
   std::string program;  ///< Controller.
   std::vector<hal::exchange::ParameterText> parameters;
-  std::optional<hal::Milliwatts> tx_power{};    ///< Of its radio; none: as SimulationConfig::radio.
-  std::optional<hal::Metres> antenna_height{};  ///< Likewise; above the body's origin, >= 0.
+  radio::StationConfig radio{};  ///< What its radio has that SimulationConfig::radio has not.
   /// None: as SimulationConfig::routing.
   std::optional<hal::routing::Algorithm> routing{};
 };

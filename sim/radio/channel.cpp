@@ -185,6 +185,7 @@ void Channel::cut(const Radio& from) {
   Transmission* const transmission = std::exchange(current_[from.index()], nullptr);
   if (transmission == nullptr) return;
   events_.cancel(transmission->end);
+  observer_.on_frame_cut(events_.now(), *transmission->frame);
   for (FaintSignals& faint : faint_) {
     faint.cut(from.index(), transmission->start, events_.now());
   }

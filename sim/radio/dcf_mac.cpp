@@ -5,18 +5,20 @@
 #include "sim/radio/frame_lengths.h"
 
 namespace sim::radio {
-
 DcfMac::DcfMac(const Context& context, const DcfConfig& config, Radio& radio,
-               hal::RandomStream backoff)
+               const Streams& streams)
     : MacBase(context),
       config_(config),
       radio_(radio),
       frames_(context.lengths, context.modes, context.agent),
       timing_(config, context.modes),
-      backoff_(context.events, context.agent, timing_, backoff, *this),
+      backoff_(context.events, context.agent, timing_, streams.backoff, *this),
       window_(config.contention.cw_min, config.contention.cw_max),
       retries_(config.contention.short_retry_limit, config.long_retry_limit),
-      queue_(config.contention.queue_limit) {
+      queue_(config.contention.queue_limit),
+      ladders_(make_ladder(config, context.modes, context.cell), context.cell),
+      rates_(make_rate_control(config.rate_control, ladders_, streams.rates)),
+      protection_(config, context.modes, context.cell) {
   radio_.attach(*this);
 }
 
@@ -87,12 +89,53 @@ void DcfMac::ask_for_medium() {
 }
 
 void DcfMac::on_access() {
-  if (queue_.head().is_broadcast()) {
-    state_ = State::kBroadcasting;
-    return send(make_data());
+  discard_expired();
+  if (queue_.is_empty()) return;
+  choose_exchange();
+  if (opening_ == Opening::kRts) {
+    state_ = State::kWaitCts;
+    return send(make_rts());
   }
-  state_ = uses_rts() ? State::kWaitCts : State::kWaitAck;
-  send(uses_rts() ? make_rts() : make_data());
+  if (opening_ == Opening::kCtsToSelf) {
+    state_ = State::kReserving;
+    return send(make_cts_to_self());
+  }
+  open_exchange();
+  send(make_data());
+}
+
+/// Its data frame is what comes next.
+void DcfMac::open_exchange() {
+  state_ = queue_.head().is_broadcast() ? State::kBroadcasting : State::kWaitAck;
+}
+
+void DcfMac::choose_exchange() {
+  const Outgoing& head = queue_.head();
+  const MacRequest& request = head.request;
+  const bool is_basic = head.is_broadcast() || is_management(request.header.type);
+  data_mode_ =
+      is_basic ? &modes().broadcast() : &rates_->mode(request.destination, head.attempts, now());
+  opening_ =
+      protection_.opening(head.is_broadcast(), *data_mode_,
+                          mpdu_bits(lengths(), request.header.type, request.payload->size()));
+}
+
+void DcfMac::tell_rates(bool is_success) {
+  const MacRequest& request = queue_.head().request;
+  if (!is_management(request.header.type)) rates_->on_result(request.destination, is_success);
+}
+
+bool DcfMac::is_expired() {
+  const Outgoing& head = queue_.head();
+  return config_.msdu_lifetime && !is_management(head.request.header.type) &&
+         now() - head.queued > *config_.msdu_lifetime;
+}
+
+void DcfMac::discard_expired() {
+  while (!queue_.is_empty() && is_expired()) {
+    retries_.reset();
+    report_later(queue_.pop(now()), hal::Verdict::kExpired);
+  }
 }
 
 void DcfMac::send(const FramePtr& frame) {
@@ -104,8 +147,12 @@ void DcfMac::on_transmit_end(const Frame& frame) {
   backoff_.hold_until({});
   last_was_wrong_ = false;
   update_medium();
+  if (state_ == State::kReserving) {
+    open_exchange();
+    return answer(make_data());
+  }
   if (state_ == State::kBroadcasting) return succeed();
-  if (frame.type != FrameType::kRts && frame.type != FrameType::kData) return;
+  if (frame.type == FrameType::kCts || frame.type == FrameType::kAck) return;
   awaiting_ = true;
   const hal::Duration timeout = timing_.response_timeout(modes().response_to(*frame.mode));
   no_answer_ =
@@ -121,21 +168,26 @@ void DcfMac::on_no_answer() {
 void DcfMac::fail() {
   events().cancel(no_answer_);
   awaiting_ = false;
-  const bool after_rts = state_ == State::kWaitAck && uses_rts();
+  const bool was_data = state_ == State::kWaitAck;
+  const bool after_rts = was_data && opening_ == Opening::kRts;
   const auto kind = after_rts ? RetryCounters::Kind::kLong : RetryCounters::Kind::kShort;
+  // That an RTS got no answer says nothing of the rate of data.
+  if (was_data) tell_rates(false);
   state_ = State::kIdle;
   backoff_.restart_idle();
-  if (!retries_.fail(kind)) {
+  const bool is_last = retries_.fail(kind);
+  if (!is_last && !is_expired()) {
     window_.grow();
     backoff_.draw(window_.value());
     return ask_for_medium();
   }
-  report(end_service(false), hal::Verdict::kRetryLimit);
+  report(end_service(false), is_last ? hal::Verdict::kRetryLimit : hal::Verdict::kExpired);
 }
 
 void DcfMac::succeed() {
   events().cancel(no_answer_);
   awaiting_ = false;
+  if (state_ == State::kWaitAck) tell_rates(true);
   state_ = State::kIdle;
   report(end_service(true), hal::Verdict::kDelivered);
 }
@@ -150,29 +202,35 @@ MacRequest DcfMac::end_service(bool count_time) {
   return done;
 }
 
-bool DcfMac::uses_rts() {
-  const std::size_t payload = queue_.head().request.payload->size();
-  return mpdu_bits(lengths(), FrameType::kData, payload) > 8 * config_.contention.rts_threshold;
+/// SIFS and ACK, if there is one.
+hal::Duration DcfMac::after_data() {
+  if (queue_.head().is_broadcast()) return {};
+  return timing_.sifs + frames_.response_airtime(FrameType::kAck, *data_mode_);
+}
+
+hal::Duration DcfMac::data_and_after() {
+  return timing_.sifs + frames_.data_airtime(queue_.head().request, *data_mode_) + after_data();
 }
 
 FramePtr DcfMac::make_rts() {
-  const MacRequest& request = queue_.head().request;
-  return frames_.rts(request.destination,
-                     3 * timing_.sifs +
-                         frames_.response_airtime(FrameType::kCts, modes().control()) +
-                         frames_.data_airtime(request) +
-                         frames_.response_airtime(FrameType::kAck, frames_.data_mode(request)));
+  const hal::AgentId to = queue_.head().request.destination;
+  const PhyMode& mode = protection_.mode(to, *data_mode_);
+  const hal::Duration cts = frames_.response_airtime(FrameType::kCts, mode);
+  return frames_.rts(to, timing_.sifs + cts + data_and_after(), mode);
+}
+
+FramePtr DcfMac::make_cts_to_self() {
+  return frames_.cts_to_self(data_and_after(), protection_.mode(agent(), *data_mode_));
 }
 
 FramePtr DcfMac::make_data() {
   Outgoing& head = queue_.head();
-  const hal::Duration follows =
-      head.is_broadcast() ? hal::Duration{}
-                          : timing_.sifs + frames_.response_airtime(
-                                               FrameType::kAck, frames_.data_mode(head.request));
-  const bool retry = std::exchange(head.sent, true);
-  return frames_.data(head.request,
-                      {.sequence = head.sequence, .retry = retry, .duration = follows});
+  const bool retry = head.attempts++ > 0;
+  return frames_.data(head.request, {.sequence = head.sequence,
+                                     .retry = retry,
+                                     .duration = after_data(),
+                                     .mode = data_mode_,
+                                     .at = now()});
 }
 
 void DcfMac::on_receive(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
@@ -184,7 +242,7 @@ void DcfMac::on_receive(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
                         (state_ == State::kWaitAck && frame.type == FrameType::kAck));
   if (!awaited && awaiting_) fail();
   if (for_us) {
-    if (awaited || frame.type == FrameType::kRts || frame.type == FrameType::kData) {
+    if (awaited || frame.type == FrameType::kRts || !is_control(frame.type)) {
       on_unicast(frame, rssi, snr);
     }
   } else if (frame.is_broadcast()) {
@@ -212,10 +270,10 @@ void DcfMac::on_unicast(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
       retries_.succeed(RetryCounters::Kind::kShort);
       state_ = State::kWaitAck;
       return answer(make_data());
-    case FrameType::kData:
-      return on_data(frame, rssi, snr);
     case FrameType::kAck:
       return succeed();
+    default:
+      return on_data(frame, rssi, snr);
   }
 }
 

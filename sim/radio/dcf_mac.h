@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 
 #include "hal/types/random.h"
 #include "sim/radio/backoff.h"
@@ -9,7 +10,10 @@
 #include "sim/radio/frame_factory.h"
 #include "sim/radio/mac_base.h"
 #include "sim/radio/nav.h"
+#include "sim/radio/protection.h"
 #include "sim/radio/radio.h"
+#include "sim/radio/rate_control.h"
+#include "sim/radio/rate_ladder.h"
 #include "sim/radio/retry.h"
 #include "sim/radio/tx_queue.h"
 
@@ -23,14 +27,19 @@ namespace sim::radio {
 ///     ^ |                             |                              ^  |
 ///     | +-- on_access(): short DATA --|------------------------------+  |
 ///     | +-- on_access(): broadcast ---|--> kBroadcasting                |
+///     | +-- on_access(): CTS to itself, SIFS, and as without it         |
 ///     +-- frame sent, ACK came, or no answer: backoff, maybe again -----+
 ///
 /// Backoff decides when to start; radio and NAV tell it what the medium does. RTS and DATA of
 /// others are answered after SIFS whatever the state.
 class DcfMac final : public MacBase, public RadioListener, private AccessListener {
  public:
+  struct Streams {
+    hal::RandomStream backoff;
+    hal::RandomStream rates;  ///< Of the rate control.
+  };
   /// @param config  outlives it.
-  DcfMac(const Context& context, const DcfConfig& config, Radio& radio, hal::RandomStream backoff);
+  DcfMac(const Context& context, const DcfConfig& config, Radio& radio, const Streams& streams);
 
   MacCapabilities capabilities() const override { return {.tx_status = true, .rssi = true}; }
   void transmit(const MacRequest& request) override;
@@ -39,7 +48,7 @@ class DcfMac final : public MacBase, public RadioListener, private AccessListene
   RadioUse use() const override { return radio_.use(); }
 
  private:
-  enum class State : std::uint8_t { kIdle, kBroadcasting, kWaitCts, kWaitAck };
+  enum class State : std::uint8_t { kIdle, kReserving, kBroadcasting, kWaitCts, kWaitAck };
 
   std::size_t queued() const override { return queue_.size(); }
 
@@ -63,9 +72,16 @@ class DcfMac final : public MacBase, public RadioListener, private AccessListene
   void fail();
   void succeed();
   MacRequest end_service(bool count_time);
+  bool is_expired();
+  void discard_expired();
+  void tell_rates(bool is_success);
+  void choose_exchange();
+  void open_exchange();
   FramePtr make_rts();
+  FramePtr make_cts_to_self();
   FramePtr make_data();
-  bool uses_rts();
+  hal::Duration after_data();
+  hal::Duration data_and_after();
 
   // As receiver.
   void on_unicast(const Frame& frame, hal::Dbm rssi, hal::Decibels snr);
@@ -80,10 +96,15 @@ class DcfMac final : public MacBase, public RadioListener, private AccessListene
   ContentionWindow window_;
   RetryCounters retries_;
   TxQueue queue_;
+  RateLadders ladders_;
+  std::unique_ptr<RateControl> rates_;
+  Protection protection_;
   Nav nav_;
   DuplicateFilter duplicates_;
 
   State state_ = State::kIdle;
+  const PhyMode* data_mode_ = nullptr;  ///< This and the next: of the exchange that is going on.
+  Opening opening_ = Opening::kNone;
   bool awaiting_ = false;        ///< Its RTS or DATA has gone out; what comes in now is the answer.
   bool last_was_wrong_ = false;  ///< The last frame came in with an error: EIFS.
   FramePtr answer_;              ///< Goes out at the end of the SIFS.

@@ -75,6 +75,7 @@ void DiskMac::set_radio(bool on) {
   if (on) return;
   if (sending_) {
     events().cancel(end_);
+    observer().on_frame_cut(now(), *sending_);
     end_at_receivers(true);
     sending_.reset();
   }

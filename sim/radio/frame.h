@@ -6,12 +6,11 @@
 #include "hal/types/agent_id.h"
 #include "hal/types/quantity.h"
 #include "hal/types/time.h"
+#include "sim/radio/mac_header.h"
 #include "sim/radio/mac_sap.h"
 #include "sim/radio/phy_mode.h"
 
 namespace sim::radio {
-
-enum class FrameType : std::uint8_t { kData, kRts, kCts, kAck };
 
 /// What a frame says and how it is sent. Made once by its transmitter and shared, unchanged, by
 /// everyone who receives it; codec.h turns it into bytes where bytes are needed.
@@ -22,18 +21,25 @@ struct Frame {
   hal::AgentId transmitter{};
   hal::AgentId receiver{};        ///< kEveryone: broadcast.
   hal::Duration duration{};       ///< Duration field: how long the exchange goes on after it.
-  std::uint16_t sequence = 0;     ///< Data: 0..4095.
-  bool retry = false;             ///< Data: sent before under this sequence number.
+  std::uint16_t sequence = 0;     ///< Data and management: 0..4095.
+  bool retry = false;             ///< Likewise: sent before under this sequence number.
+  Ds ds = Ds::kNone;              ///< Data.
+  hal::AgentId address3{};        ///< Data and management, as in MacHeader.
   hal::BitsPerSecond rate{};      ///< Of the MPDU.
   const PhyMode* mode = nullptr;  ///< How it is sent; outlives the frame. Null: read from bytes.
   std::uint32_t air_length = 0;   ///< MPDU with FCS, bits.
   hal::Duration airtime{};        ///< Preamble, PLCP header and MPDU.
   std::uint8_t priority = 0;      ///< Data.
   Ethertype ethertype = 0;        ///< Data.
-  Payload payload{};              ///< Data.
+  Payload payload{};              ///< Data; of a management frame the body (management.h).
   std::uint64_t tag = 0;          ///< Data: the client's.
 
   bool is_broadcast() const { return receiver == hal::kEveryone; }
+  /// Of data: who sent it first, and whom it is for, whatever access points lie between.
+  hal::AgentId source() const { return ds == Ds::kFrom ? address3 : transmitter; }
+  hal::AgentId destination() const { return ds == Ds::kTo ? address3 : receiver; }
+  /// Only stations of a BSS understand it.
+  bool is_of_bss() const { return ds != Ds::kNone || is_management(type); }
 };
 
 using FramePtr = std::shared_ptr<const Frame>;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sim/radio/frame_lengths.h"
+#include "sim/radio/management.h"
 
 namespace sim::radio {
 namespace {
@@ -36,7 +37,15 @@ FramePtr FrameFactory::control(FrameType type, const PhyMode& mode, hal::AgentId
 }
 
 FramePtr FrameFactory::rts(hal::AgentId to, hal::Duration duration) {
-  return control(FrameType::kRts, modes_.control(), to, duration);
+  return rts(to, duration, modes_.control());
+}
+
+FramePtr FrameFactory::rts(hal::AgentId to, hal::Duration duration, const PhyMode& mode) {
+  return control(FrameType::kRts, mode, to, duration);
+}
+
+FramePtr FrameFactory::cts_to_self(hal::Duration duration, const PhyMode& mode) {
+  return control(FrameType::kCts, mode, agent_, duration);
 }
 
 FramePtr FrameFactory::cts(const Frame& rts, hal::Duration sifs) {
@@ -50,25 +59,35 @@ FramePtr FrameFactory::ack(const Frame& data) {
 }
 
 FramePtr FrameFactory::data(const MacRequest& request, const DataOptions& options) {
-  auto frame = blank(FrameType::kData, request.destination);
+  const MacHeader& header = request.header;
+  auto frame = blank(header.type, request.destination);
   frame->duration = options.duration;
   frame->sequence = options.sequence;
   frame->retry = options.retry;
-  send_in(data_mode(request), mpdu_bits(lengths_, FrameType::kData, request.payload->size()),
-          *frame);
+  frame->ds = header.ds;
+  frame->address3 = header.address3;
+  send_in(options.mode ? *options.mode : data_mode(request),
+          mpdu_bits(lengths_, header.type, request.payload->size()), *frame);
   frame->priority = request.priority;
   frame->ethertype = request.ethertype;
-  frame->payload = request.payload;
+  frame->payload = header.type == FrameType::kBeacon
+                       ? with_timestamp(*request.payload, options.at, *frame->mode)
+                       : request.payload;
   frame->tag = request.tag;
   return frame;
 }
 
 const PhyMode& FrameFactory::data_mode(const MacRequest& request) const {
-  return request.destination == hal::kEveryone ? modes_.broadcast() : modes_.data();
+  const bool is_basic = request.destination == hal::kEveryone || is_management(request.header.type);
+  return is_basic ? modes_.broadcast() : modes_.data();
 }
 
 hal::Duration FrameFactory::data_airtime(const MacRequest& request) const {
-  return data_mode(request).airtime(mpdu_bits(lengths_, FrameType::kData, request.payload->size()));
+  return data_airtime(request, data_mode(request));
+}
+
+hal::Duration FrameFactory::data_airtime(const MacRequest& request, const PhyMode& mode) const {
+  return mode.airtime(mpdu_bits(lengths_, request.header.type, request.payload->size()));
 }
 
 hal::Duration FrameFactory::response_airtime(FrameType type, const PhyMode& to) const {

@@ -18,17 +18,24 @@ class FrameFactory {
     std::uint16_t sequence = 0;
     bool retry = false;
     hal::Duration duration{};
+    const PhyMode* mode = nullptr;  ///< Null: data_mode().
+    hal::Time at{};                 ///< When it starts: beacons say so.
   };
+  /// Data and management.
   FramePtr data(const MacRequest& request, const DataOptions& options);
 
   /// @param duration  what follows the RTS.
   FramePtr rts(hal::AgentId to, hal::Duration duration);
+  FramePtr rts(hal::AgentId to, hal::Duration duration, const PhyMode& mode);
+  /// @param duration  what follows the CTS.
+  FramePtr cts_to_self(hal::Duration duration, const PhyMode& mode);
   /// Answers to an RTS, and to a data frame. The duration is the RTS's without CTS and SIFS.
   FramePtr cts(const Frame& rts, hal::Duration sifs);
   FramePtr ack(const Frame& data);
 
   const PhyMode& data_mode(const MacRequest& request) const;
   hal::Duration data_airtime(const MacRequest& request) const;
+  hal::Duration data_airtime(const MacRequest& request, const PhyMode& mode) const;
   /// Of the CTS or ACK that answers a frame sent in this mode.
   hal::Duration response_airtime(FrameType type, const PhyMode& to) const;
 

@@ -15,6 +15,7 @@ MacBase::MacBase(const Context& context)
       lengths_(context.lengths),
       tx_power_(context.tx_power),
       agent_(context.agent),
+      cell_(context.cell),
       service_time_(modes_.data().airtime(mpdu_bits(lengths_, FrameType::kData))) {}
 
 void MacBase::add_client(Ethertype ethertype, MacClient& client) {
@@ -34,21 +35,30 @@ MacClient* MacBase::client_of(Ethertype ethertype) const {
 void MacBase::check(const MacRequest& request) const {
   BARAKA_CHECK(request.payload != nullptr && request.payload->size() <= kMaxMsdu);
   BARAKA_CHECK(request.destination != agent_);
-  BARAKA_CHECK(client_of(request.ethertype) != nullptr);
+  BARAKA_CHECK(listener_ != nullptr || client_of(request.ethertype) != nullptr);
 }
 
 void MacBase::hand_up(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
-  MacClient* const client = client_of(frame.ethertype);
-  if (client == nullptr) return;
+  if (listener_ != nullptr) return listener_->on_frame(frame, rssi, snr);
+  if (!frame.is_of_bss()) deliver(frame, rssi, snr);
+}
+
+void MacBase::deliver(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
+  if (client_of(frame.ethertype) == nullptr) return;
   observer_.on_delivered(now(), frame, agent_);
-  client->on_receive({.source = frame.transmitter,
-                      .destination = frame.receiver,
-                      .payload = frame.payload,
-                      .rssi_dbm = rssi.value,
-                      .snr_db = snr.value});
+  deliver(frame.ethertype, {.source = frame.source(),
+                            .destination = frame.destination(),
+                            .payload = frame.payload,
+                            .rssi_dbm = rssi.value,
+                            .snr_db = snr.value});
+}
+
+void MacBase::deliver(Ethertype ethertype, const MacIndication& indication) {
+  if (MacClient* const client = client_of(ethertype)) client->on_receive(indication);
 }
 
 void MacBase::report(const MacRequest& request, hal::Verdict verdict) {
+  if (listener_ != nullptr) return listener_->on_sent(request, verdict);
   observer_.on_request_end(now(), agent_, request.destination, verdict);
   client_of(request.ethertype)->on_transmitted(request.tag, verdict);
 }

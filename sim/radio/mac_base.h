@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/core/event_queue.h"
+#include "sim/radio/cell.h"
 #include "sim/radio/frame.h"
 #include "sim/radio/mac_sap.h"
 #include "sim/radio/mode_set.h"
@@ -11,6 +12,16 @@
 #include "sim/radio/radio_config.h"
 
 namespace sim::radio {
+
+/// Who takes a MAC's frames and reports instead of its clients: the layer of a BSS.
+class FrameListener {
+ public:
+  virtual ~FrameListener() = default;
+  /// To this station or to everyone, without duplicates.
+  virtual void on_frame(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) = 0;
+  /// As MacClient::on_transmitted().
+  virtual void on_sent(const MacRequest& request, hal::Verdict verdict) = 0;
+};
 
 /// What every MAC does for its clients in the same way: hand frames up, report how requests ended,
 /// estimate delay and energy.
@@ -23,9 +34,13 @@ class MacBase : public MacSap {
     const LengthsConfig& lengths;
     hal::Milliwatts tx_power;
     hal::AgentId agent;
+    const Cell& cell;
   };
 
   explicit MacBase(const Context& context);
+
+  /// From now on there are no clients. @pre before the first frame; it outlives the MAC.
+  void set_listener(FrameListener& listener) { listener_ = &listener; }
 
   void add_client(Ethertype ethertype, MacClient& client) final;
   hal::Duration expected_delay() const final;
@@ -35,8 +50,12 @@ class MacBase : public MacSap {
   /// Checks the preconditions of transmit().
   void check(const MacRequest& request) const;
 
-  /// Gives the payload to the client of its type, if there is one.
+  /// Gives the frame to the listener or the payload to the client of its type, if there is one.
   void hand_up(const Frame& frame, hal::Dbm rssi, hal::Decibels snr);
+
+  /// Gives the payload to the client of its type, if there is one.
+  void deliver(const Frame& frame, hal::Dbm rssi, hal::Decibels snr);
+  void deliver(Ethertype ethertype, const MacIndication& indication);
 
   /// The request ended. Calls the client: state must be up to date. Never from within a client's
   /// call; there, use report_later().
@@ -58,6 +77,7 @@ class MacBase : public MacSap {
   const LengthsConfig& lengths() const { return lengths_; }
   RadioObserver& observer() const { return observer_; }
   hal::AgentId agent() const { return agent_; }
+  const Cell& cell() const { return cell_; }
   hal::Time now() const { return events_.now(); }
 
  private:
@@ -69,10 +89,12 @@ class MacBase : public MacSap {
   const LengthsConfig& lengths_;
   hal::Milliwatts tx_power_;
   hal::AgentId agent_;
+  const Cell& cell_;
   /// Of clients_: most stations have no other, and it is looked up with every frame.
   std::pair<Ethertype, MacClient*> first_client_{0, nullptr};
   hal::Duration service_time_;
   std::vector<std::pair<Ethertype, MacClient*>> clients_;
+  FrameListener* listener_ = nullptr;
 };
 
 }  // namespace sim::radio

@@ -7,6 +7,7 @@
 #include "hal/types/message.h"
 #include "hal/types/time.h"
 #include "hal/types/verdict.h"
+#include "sim/radio/mac_header.h"
 #include "sim/radio/radio_use.h"
 
 namespace sim::radio {
@@ -26,10 +27,11 @@ struct MacRequest {
   std::uint8_t priority = 0;  ///< 0..7, IEEE Std 802.1D; kept, DCF does not use it.
   Payload payload;
   std::uint64_t tag = 0;  ///< Given back in on_transmitted.
+  MacHeader header{};     ///< Of the layers below the MacSap; clients leave it alone.
 };
 
 struct MacIndication {
-  hal::AgentId source;
+  hal::AgentId source;  ///< Who sent it first; RSSI and SNR are those of the last transmitter.
   hal::AgentId destination;
   Payload payload;
   double rssi_dbm = 0;
@@ -42,7 +44,8 @@ class MacClient {
   virtual ~MacClient() = default;
   virtual void on_receive(const MacIndication& indication) = 0;
   /// Exactly once per request: kDelivered (acknowledged; broadcast: sent), kRetryLimit, kQueueFull,
-  /// kRadioOff. Never from within transmit().
+  /// kRadioOff, kExpired; of an access point also kNoRoute (the destination is nowhere associated).
+  /// Never from within transmit().
   virtual void on_transmitted(std::uint64_t tag, hal::Verdict verdict) = 0;
 };
 

@@ -149,6 +149,8 @@ void MobilityFrameworkMac::on_receive(const Frame& frame, hal::Dbm rssi, hal::De
       return on_data(frame, rssi, snr);
     case FrameType::kAck:
       return on_ack();
+    default:
+      return;  // there is no management in this profile
   }
 }
 
@@ -255,7 +257,7 @@ FramePtr MobilityFrameworkMac::make_data() {
   const bool after_rts = !head.is_broadcast() && uses_rts(head.request);
   const hal::Duration follows =
       after_rts ? config_.contention.sifs + airtime_of(FrameType::kAck) : hal::Duration{};
-  const bool retry = std::exchange(head.sent, true);
+  const bool retry = head.attempts++ > 0;
   return frames_.data(head.request,
                       {.sequence = head.sequence, .retry = retry, .duration = follows});
 }

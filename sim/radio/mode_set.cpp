@@ -31,7 +31,7 @@ void ModeSet::add(const DcfConfig& config) {
 
 void ModeSet::add(const Ieee80211gConfig& config) {
   for (const double rate : {6e6, 9e6, 12e6, 18e6, 24e6, 36e6, 48e6, 54e6}) {
-    modes_.push_back(std::make_unique<OfdmMode>(hal::BitsPerSecond{rate}));
+    modes_.push_back(std::make_unique<OfdmMode>(hal::BitsPerSecond{rate}, config.bits_at_risk));
   }
   add(static_cast<const DcfConfig&>(config));
 }

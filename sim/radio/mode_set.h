@@ -16,6 +16,8 @@ class ModeSet {
 
   /// @pre there is one of this rate. Valid as long as the set.
   const PhyMode& at(hal::BitsPerSecond rate) const;
+  /// Ascending rates.
+  const std::vector<std::unique_ptr<const PhyMode>>& all() const { return modes_; }
   const PhyMode& lowest() const { return *modes_.front(); }
   const PhyMode& data() const { return *data_; }
   const PhyMode& broadcast() const { return *broadcast_; }

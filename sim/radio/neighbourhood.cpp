@@ -36,8 +36,10 @@ bool can_wait(const OneLink&, hal::Time) {
 double longest_reach(const Propagation& propagation,
                      const std::vector<Neighbourhood::Antenna>& antennas) {
   double reach = 1;
+  double best_gain = 0;
+  for (const auto& antenna : antennas) best_gain = std::max(best_gain, antenna.gain);
   for (const auto& antenna : antennas) {
-    reach = std::max(reach, propagation.reach(antenna.tx_power));
+    reach = std::max(reach, propagation.reach(best_gain * antenna.gain * antenna.tx_power));
   }
   return reach;
 }
@@ -63,7 +65,8 @@ void Neighbourhood::add(const Antenna& antenna) {
   const auto index = static_cast<StationIndex>(stations_.size());
   stations_.push_back(
       {.site = Site(positions_.position(agent, events_.now()), antenna.height, antenna.name, agent),
-       .tx_power = antenna.tx_power,
+       .radiated = antenna.gain * antenna.tx_power,
+       .gain = antenna.gain,
        .max_speed = positions_.max_speed(agent)});
   const Station& station = stations_.back();
   BARAKA_CHECK(std::isfinite(station.max_speed) && station.max_speed >= 0);
@@ -111,7 +114,7 @@ void Neighbourhood::refresh(Station& station) {
 AudibleLink Neighbourhood::link(StationIndex transmitter, StationIndex receiver) const {
   const Station& from = stations_[transmitter];
   const Station& to = stations_[receiver];
-  const auto steady = propagation_.steady(from.tx_power, from.site, to.site);
+  const auto steady = propagation_.steady(to.gain * from.radiated, from.site, to.site);
   return {.receiver = receiver,
           .moves = from.moves + to.moves,
           .arrival = propagation_.arrival(steady, from.site, to.site, events_.now()),

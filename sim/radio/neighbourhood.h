@@ -58,6 +58,7 @@ class Neighbourhood {
     hal::Milliwatts tx_power;
     double height = 0;       ///< m above the agent's position.
     std::uint64_t name = 0;  ///< As Site::name.
+    double gain = 1;         ///< A ratio; when sending and when receiving.
   };
   /// @param antennas  in ascending order of agents; the index into it is the StationIndex.
   Neighbourhood(EventQueue& events, const Positions& positions, const Propagation& propagation,
@@ -72,7 +73,8 @@ class Neighbourhood {
  private:
   struct Station {
     Site site;
-    hal::Milliwatts tx_power;
+    hal::Milliwatts radiated;
+    double gain = 1;
     double max_speed = 0;  ///< m/s
     hal::Time valid_until{};
     std::uint32_t moves = 1;

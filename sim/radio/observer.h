@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "hal/types/agent_id.h"
 #include "hal/types/time.h"
@@ -8,7 +9,8 @@
 
 namespace sim::radio {
 
-struct Frame;  // frame.h
+struct Frame;       // frame.h
+struct MacRequest;  // mac_sap.h
 
 /// What there is to see on the air, for records and fingerprints. Calls come in event order.
 class RadioObserver {
@@ -18,6 +20,8 @@ class RadioObserver {
   /// After that: at so many radios the frame is above the interference floor and too weak to be
   /// received or sensed. Nothing else is said of it there. Not called if there are none.
   virtual void on_faint(const Frame& frame, std::uint32_t radios) { (void)frame, (void)radios; }
+  /// The transmitter breaks off a frame that it began before: its radio is switched off.
+  virtual void on_frame_cut(hal::Time at, const Frame& frame) { (void)at, (void)frame; }
   /// How a frame ended at one radio that could receive or sense it by itself, or could but for
   /// walls. Addressed to it or not.
   virtual void on_reception(hal::Time at, const Frame& frame, hal::AgentId receiver,
@@ -32,6 +36,16 @@ class RadioObserver {
   virtual void on_request_end(hal::Time at, hal::AgentId sender, hal::AgentId destination,
                               hal::Verdict verdict) {
     (void)at, (void)sender, (void)destination, (void)verdict;
+  }
+  /// An access point could not pass on what `source` sent; its request has ended before.
+  virtual void on_relay_lost(hal::Time at, hal::AgentId source, const MacRequest& request,
+                             hal::Verdict verdict) {
+    (void)at, (void)source, (void)request, (void)verdict;
+  }
+  /// A station is associated with this access point from now on; none: with no one any more.
+  virtual void on_association(hal::Time at, hal::AgentId station,
+                              std::optional<hal::AgentId> access_point) {
+    (void)at, (void)station, (void)access_point;
   }
 };
 

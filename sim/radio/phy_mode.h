@@ -26,6 +26,8 @@ class PhyMode {
 
   /// Of the airtime, what passes in silence behind the last bit.
   virtual hal::Duration signal_extension() const { return {}; }
+  /// Of an MPDU of so many bits, those that must come in between the header and that silence.
+  virtual double bits_at_risk(std::uint32_t mpdu_bits) const { return mpdu_bits; }
 
   /// TXTIME: preamble, header and an MPDU of so many bits (with FCS), and the signal extension.
   virtual hal::Duration airtime(std::uint32_t mpdu_bits) const = 0;

@@ -7,6 +7,7 @@
 #include "hal/types/check.h"
 #include "hal/types/math.h"
 #include "sim/radio/channel.h"
+#include "sim/radio/random_loss.h"
 
 namespace sim::radio {
 namespace {
@@ -29,6 +30,8 @@ Radio::Radio(Air air, StationIndex index, hal::AgentId agent, hal::RandomStream 
       rules_(air.rules),
       index_(index),
       agent_(agent),
+      knows_ofdm_(air.knows_ofdm),
+      loss_(air.loss),
       errors_(errors),
       cca_threshold_(to_milliwatts(air.config.cca_threshold).value),
       energy_detection_(to_milliwatts(air.config.energy_detection).value),
@@ -109,7 +112,8 @@ bool Radio::begin_signal(const Frame& frame, const Propagation::Arrival& arrival
                       .arrival = arrival,
                       .start = now,
                       .end = now + frame.airtime,
-                      .verdict = refuse(arrival)});
+                      .verdict = std::nullopt});
+  signals_.back().verdict = refuse(signals_.back());
   const bool had_window = window_.has_value();
   const bool holds_it = !signals_.back().verdict && synchronise(signals_.back());
   sense();
@@ -118,12 +122,18 @@ bool Radio::begin_signal(const Frame& frame, const Propagation::Arrival& arrival
   return window_.has_value() && !had_window;
 }
 
-std::optional<hal::Verdict> Radio::refuse(const Propagation::Arrival& arrival) const {
+std::optional<hal::Verdict> Radio::refuse(const Signal& signal) const {
   if (state_ == State::kOff) return hal::Verdict::kRadioOff;
   if (state_ == State::kTransmit) return hal::Verdict::kReceiverTransmitting;
-  if (arrival.blocked) return hal::Verdict::kObstacle;
-  if (arrival.power.value < rules_.sensitivity) return hal::Verdict::kBelowSensitivity;
+  if (signal.arrival.blocked) return hal::Verdict::kObstacle;
+  if (signal.arrival.power.value < rules_.sensitivity) return hal::Verdict::kBelowSensitivity;
+  if (is_foreign(*signal.frame)) return hal::Verdict::kPreambleMissed;
   return std::nullopt;
+}
+
+/// Neither its preamble nor its header means anything to this radio.
+bool Radio::is_foreign(const Frame& frame) const {
+  return !knows_ofdm_ && frame.mode->modulation_class() == ModulationClass::kOfdm;
 }
 
 bool Radio::synchronise(Signal& signal) {
@@ -217,6 +227,10 @@ void Radio::end_signal(const Frame& frame, bool cut) {
     snr = hal::Decibels{10 * hal::math::log10(held_->min_sinr())};
     release();
   }
+  if (outcome.verdict == hal::Verdict::kDelivered && loss_ != nullptr &&
+      loss_->strikes(frame, agent_)) {
+    outcome = {hal::Verdict::kRandomLoss};
+  }
   if (cut && !signal.verdict) outcome = {hal::Verdict::kRadioOff};
   sense();
   observer_.on_reception(events_.now(), frame, agent_, outcome.verdict, signal.arrival.level.value);
@@ -298,7 +312,7 @@ void Radio::sense() {
   double sum = 0;
   bool is_busy = held_.has_value();
   for (const Signal& signal : signals_) {
-    is_busy |= signal.arrival.power.value >= cca_threshold_;
+    is_busy |= signal.arrival.power.value >= cca_threshold_ && !is_foreign(*signal.frame);
     sum += signal.arrival.power.value;
   }
   if (is_busy) {

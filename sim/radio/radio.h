@@ -20,6 +20,7 @@ namespace sim::radio {
 
 class Channel;
 class FaintSignals;
+class RandomLoss;
 
 /// What a radio tells its MAC. State and signals of the radio are up to date when it is called. A
 /// handler must not transmit at once, only schedule.
@@ -62,6 +63,8 @@ class Radio {
     RadioObserver& observer;
     const ReceiverConfig& config;
     const ReceptionRules& rules;
+    bool knows_ofdm = true;            ///< Else frames in OFDM are energy to it, and nothing else.
+    const RandomLoss* loss = nullptr;  ///< None: only the physics decide.
   };
 
   Radio(Air air, StationIndex index, hal::AgentId agent, hal::RandomStream errors);
@@ -118,7 +121,8 @@ class Radio {
 
   void settle();
   void take_strongest();
-  std::optional<hal::Verdict> refuse(const Propagation::Arrival& arrival) const;
+  std::optional<hal::Verdict> refuse(const Signal& signal) const;
+  bool is_foreign(const Frame& frame) const;
   bool synchronise(Signal& signal);
   bool can_capture(const Signal& signal) const;
   Signal* strongest_in_window();
@@ -142,6 +146,8 @@ class Radio {
   const ReceptionRules& rules_;
   StationIndex index_;
   hal::AgentId agent_;
+  bool knows_ofdm_;
+  const RandomLoss* loss_;
   hal::RandomStream errors_;
   RadioListener* listener_ = nullptr;
 

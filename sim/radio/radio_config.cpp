@@ -36,6 +36,17 @@ void check_chain(const std::vector<PathLossConfig>& chain) {
           "the chain of propagation must have one kind of fading at most");
 }
 
+void check_channel(std::uint32_t channel) {
+  require(channel >= 1 && channel <= kChannels, "channel must be 1 .. 14");
+}
+
+void check_loss(const LossConfig& loss) {
+  const auto is_probability = [](double p) { return p >= 0 && p <= 1; };
+  require(is_probability(loss.probability) &&
+              std::ranges::all_of(loss.links, is_probability, &LossConfig::Link::probability),
+          "probabilities of loss must be 0 .. 1");
+}
+
 void check_contention(const ContentionConfig& mac) {
   require(is_contention_window(mac.cw_min) && is_contention_window(mac.cw_max) &&
               mac.cw_min <= mac.cw_max,
@@ -52,12 +63,37 @@ void check_waves(Profile profile, const WavesConfig& config) {
   require(config.propagation.path_loss_exponent >= 1, "path_loss_exponent must be 1 or more");
   require(config.propagation.antenna_height.value >= 0, "antenna_height must be 0 or more");
   check_chain(config.propagation.chain);
+  check_channel(config.phy.channel);
+  check_loss(config.receiver.loss);
   require(config.propagation.interference_floor <= config.receiver.sensitivity,
           "interference_floor must not be above sensitivity");
   check_rate(profile, "data_rate", config.phy.data_rate);
   check_rate(profile, "control_rate", config.phy.control_rate);
   check_rate(profile, "broadcast_rate", config.phy.broadcast_rate);
   check_contention(config.contention);
+}
+
+void check_bss(const BssConfig& config) {
+  require(!config.ssid.empty() && config.ssid.size() <= kMaxSsid, "ssid must have 1 to 32 bytes");
+  const auto units = config.beacon_interval / kTimeUnit;
+  require(config.beacon_interval % kTimeUnit == hal::Duration{} && units >= 1 && units <= 65535,
+          "beacon_interval must be 1 to 65535 times 1.024 ms");
+  require(config.hysteresis.value >= 0, "hysteresis must not be negative");
+  require(config.beacon_weight > 0 && config.beacon_weight <= 1, "beacon_weight must be in (0, 1]");
+  require(config.beacon_loss >= 1, "beacon_loss must be 1 or more");
+  require(config.scan_time > hal::Duration{} && config.answer_timeout > hal::Duration{},
+          "scan_time and answer_timeout must be positive");
+  require(config.distribution_delay >= hal::Duration{}, "distribution_delay must not be negative");
+}
+
+void check_rate_control(const RateControlConfig& rates) {
+  require(rates.aarf_threshold >= 1 && rates.aarf_max_threshold >= rates.aarf_threshold &&
+              rates.aarf_timeout >= 1,
+          "thresholds of AARF must be 1 or more, the largest not the smallest");
+  require(rates.minstrel_interval > hal::Duration{} && rates.minstrel_past >= 0 &&
+              rates.minstrel_past < 1 && rates.minstrel_sampling >= 0 &&
+              rates.minstrel_sampling <= 1,
+          "minstrel_interval must be positive, and its shares 0 .. 1, minstrel_past below 1");
 }
 
 void check_dcf(Profile profile, const DcfConfig& config) {
@@ -67,6 +103,11 @@ void check_dcf(Profile profile, const DcfConfig& config) {
   for (const auto rate : config.basic_rates) check_rate(profile, "basic_rates", rate);
   require(config.cca_time >= hal::Duration{} && config.cca_time < config.contention.slot,
           "cca_time must not be negative, and shorter than the slot");
+  check_bss(config.bss);
+  require(!config.msdu_lifetime || *config.msdu_lifetime > hal::Duration{},
+          "msdu_lifetime must be positive");
+  require(is_dsss_rate(config.protection_rate), "protection_rate must be 1, 2, 5.5 or 11 Mb/s");
+  check_rate_control(config.rate_control);
 }
 
 void check_one(const MobilityFrameworkConfig& config) {
@@ -177,8 +218,12 @@ std::string rates_of(Profile profile) {
   return "1, 2, 5.5, 11, 6, 9, 12, 18, 24, 36, 48 or 54 Mb/s";
 }
 
+bool is_dsss_rate(hal::BitsPerSecond rate) {
+  return std::ranges::find(kDsssRates, rate.value) != kDsssRates.end();
+}
+
 bool is_rate(Profile profile, hal::BitsPerSecond rate) {
-  if (std::ranges::find(kDsssRates, rate.value) != kDsssRates.end()) return true;
+  if (is_dsss_rate(rate)) return true;
   return profile == Profile::kIeee80211g &&
          std::ranges::find(kOfdmRates, rate.value) != kOfdmRates.end();
 }
@@ -189,6 +234,23 @@ const LengthsConfig& lengths_of(const RadioConfig& config) {
 
 void check(const RadioConfig& config) {
   std::visit([](const auto& one) { check_one(one); }, config);
+}
+
+void check(Profile profile, const StationConfig& station) {
+  const bool is_plain = profile == Profile::kDisk || profile == Profile::kIdeal;
+  require(!station.tx_power || station.tx_power->value > 0, "tx_power must be positive");
+  require(!station.antenna_height || station.antenna_height->value >= 0,
+          "antenna_height must be 0 or more");
+  require(!is_plain || (!station.channel && !station.antenna_gain && !station.data_rate &&
+                        !station.control_rate && !station.broadcast_rate),
+          "stations without waves have neither channel nor gain nor rates of their own");
+  require(!station.standard || profile == Profile::kIeee80211g,
+          "only in a network of ieee80211g may stations be of another standard");
+  if (station.channel) check_channel(*station.channel);
+  const Profile rates = station.standard == Standard::kIeee80211b ? Profile::kIeee80211b : profile;
+  if (station.data_rate) check_rate(rates, "data_rate", *station.data_rate);
+  if (station.control_rate) check_rate(rates, "control_rate", *station.control_rate);
+  if (station.broadcast_rate) check_rate(rates, "broadcast_rate", *station.broadcast_rate);
 }
 
 }  // namespace sim::radio

@@ -10,7 +10,12 @@
 #include "hal/types/quantity.h"
 #include "hal/types/time.h"
 #include "sim/core/obstacle_loss.h"
+#include "sim/radio/bss_config.h"
+#include "sim/radio/channel_number.h"
+#include "sim/radio/loss_config.h"
 #include "sim/radio/path_loss_config.h"
+#include "sim/radio/rate_control_config.h"
+#include "sim/radio/station_config.h"
 
 namespace sim::radio {
 
@@ -26,13 +31,21 @@ enum class Rounding : std::uint8_t {
 };
 enum class ErrorModel : std::uint8_t { kMobilityFramework, kDsss };
 enum class Preamble : std::uint8_t { kLong, kShort };
+/// Which bits of an OFDM frame must arrive.
+enum class BitsAtRisk : std::uint8_t {
+  kMpdu,         ///< Those of the MPDU, FCS included.
+  kPayloadTime,  ///< As many as fit between header and end, pad and signal extension included:
+                 ///< ns-3.
+};
+enum class ProtectionKind : std::uint8_t { kNone, kCtsToSelf, kRtsCts, kAuto };
 
 /// From antenna to antenna.
 struct PropagationConfig {
-  hal::Metres wavelength{0.125};                        ///< > 0.
+  hal::Metres wavelength{0.125};                        ///< > 0; on PhyConfig::channel.
   double path_loss_exponent = 2;                        ///< Of PowerLawConfig; reference 1 m, >= 1.
   std::vector<PathLossConfig> chain{PowerLawConfig{}};  ///< Exactly one law of distance.
   hal::Metres antenna_height{0.1};   ///< Above the body's origin; of a station without its own.
+  hal::Decibels antenna_gain{0};     ///< To all sides, of a station without its own.
   bool propagation_delay = false;    ///< Distance over 299792458 m/s.
   bool obstacles = false;            ///< Walls attenuate, and bodies if they have a loss.
   ObstacleLoss body_loss{};          ///< Of the bodies of robots and motes, with `obstacles`.
@@ -56,10 +69,14 @@ struct ReceiverConfig {
   /// to the held one. None: the held frame stays.
   std::optional<hal::Decibels> capture_margin;
   hal::Duration capture_window = 16us;
+  LossConfig loss{};
 };
 
 /// DSSS and HR/DSSS, with ieee80211g also OFDM: rates_of().
 struct PhyConfig {
+  /// 1 .. 14. Stations on different ones do not know of each other; what leaks into a neighbouring
+  /// channel is not modelled.
+  std::uint32_t channel = 1;
   hal::BitsPerSecond data_rate{11e6};
   hal::BitsPerSecond control_rate{11e6};  ///< RTS; mobility_framework: also CTS and ACK.
   hal::BitsPerSecond broadcast_rate{11e6};
@@ -110,6 +127,13 @@ struct DcfConfig : WavesConfig {
   /// aCCATime and aRxTxTurnaroundTime: a station that is to send at a slot boundary does so
   /// whatever begins to arrive within this time before (10.3.7). < slot.
   hal::Duration cca_time = 15us;
+  BssConfig bss;
+  /// Since it was queued; a frame that is older is given up instead of being sent (again). > 0.
+  std::optional<hal::Duration> msdu_lifetime{};
+  RateControlConfig rate_control{};
+  /// Of frames in OFDM. kAuto: kCtsToSelf in a mixed cell, else kNone.
+  ProtectionKind protection = ProtectionKind::kAuto;
+  hal::BitsPerSecond protection_rate{1e6};  ///< DSSS; of what protects.
 
  protected:
   DcfConfig();
@@ -125,6 +149,7 @@ struct Ieee80211bConfig : DcfConfig {
 /// at 24 Mb/s, broadcasts at 6 Mb/s; the long slot, as in an independent network (18.4.4).
 struct Ieee80211gConfig : DcfConfig {
   Ieee80211gConfig();
+  BitsAtRisk bits_at_risk = BitsAtRisk::kMpdu;
 };
 
 /// Range of mobility_framework: 0.125 m / (4 pi) * sqrt(2 mW / -85 dBm), rounded up.
@@ -167,10 +192,12 @@ DcfConfig* dcf_of(RadioConfig& config);
 /// The rates of a profile with a medium, Mb/s, for people; and whether this is one of them.
 std::string rates_of(Profile profile);
 bool is_rate(Profile profile, hal::BitsPerSecond rate);
+bool is_dsss_rate(hal::BitsPerSecond rate);
 
 const LengthsConfig& lengths_of(const RadioConfig& config);
 
 /// @throws std::invalid_argument  a value that its comment excludes.
 void check(const RadioConfig& config);
+void check(Profile profile, const StationConfig& station);
 
 }  // namespace sim::radio

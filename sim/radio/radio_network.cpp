@@ -1,18 +1,21 @@
 #include "sim/radio/radio_network.h"
 
 #include <algorithm>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
 #include "hal/types/check.h"
-#include "sim/radio/channel.h"
+#include "hal/types/math.h"
+#include "sim/radio/band.h"
+#include "sim/radio/cell.h"
 #include "sim/radio/dcf_mac.h"
 #include "sim/radio/disk_mac.h"
+#include "sim/radio/infrastructure.h"
 #include "sim/radio/mobility_framework_mac.h"
-#include "sim/radio/mode_set.h"
-#include "sim/radio/neighbourhood.h"
-#include "sim/radio/propagation.h"
 #include "sim/radio/radio.h"
+#include "sim/radio/random_loss.h"
+#include "sim/radio/station_profile.h"
 
 namespace sim::radio {
 namespace {
@@ -32,95 +35,196 @@ hal::Milliwatts tx_power(const RadioConfig& config) {
       config);
 }
 
-/// Of a station that has none of its own, m above its position.
-double antenna_height(const RadioConfig& config) {
-  const WavesConfig* const waves = waves_of(config);
-  return waves != nullptr ? waves->propagation.antenna_height.value : 0;
-}
-
 std::vector<RadioNetwork::Station> by_address(std::vector<RadioNetwork::Station> stations) {
   std::sort(stations.begin(), stations.end(),
             [](const auto& a, const auto& b) { return a.agent < b.agent; });
   return stations;
 }
 
-std::vector<Neighbourhood::Antenna> antennas(const std::vector<RadioNetwork::Station>& stations,
-                                             const RadioConfig& config, std::uint64_t seed) {
-  std::vector<Neighbourhood::Antenna> result;
-  result.reserve(stations.size());
-  for (const auto& station : stations) {
-    const hal::Metres height{antenna_height(config)};
-    result.push_back({.agent = station.agent,
-                      .tx_power = station.tx_power.value_or(tx_power(config)),
-                      .height = station.antenna_height.value_or(height).value,
-                      .name = hal::RandomStream(seed, station.name + "/propagation").next()});
-    if (!(result.back().tx_power.value > 0)) {
-      throw std::invalid_argument("radio: tx_power of '" + station.name + "' must be positive");
-    }
+void check_station(const RadioConfig& config, const RadioNetwork::Station& station) {
+  try {
+    check(profile_of(config), station.radio);
+  } catch (const std::invalid_argument& wrong) {
+    throw std::invalid_argument(std::string(wrong.what()) + " (of '" + station.name + "')");
   }
-  return result;
+}
+
+double ratio(hal::Decibels gain) { return hal::math::pow(10, gain.value / 10); }
+
+Neighbourhood::Antenna antenna(const RadioNetwork::Station& station, const RadioConfig& config,
+                               std::uint64_t seed) {
+  const WavesConfig* const waves = waves_of(config);
+  const hal::Metres height = waves ? waves->propagation.antenna_height : hal::Metres{};
+  const hal::Decibels gain = waves ? waves->propagation.antenna_gain : hal::Decibels{};
+  return {.agent = station.agent,
+          .tx_power = station.radio.tx_power.value_or(tx_power(config)),
+          .height = station.radio.antenna_height.value_or(height).value,
+          .name = hal::RandomStream(seed, station.name + "/propagation").next(),
+          .gain = ratio(station.radio.antenna_gain.value_or(gain))};
+}
+
+/// 0 of profiles without waves, which have no channel numbers.
+std::uint32_t channel_of(const RadioNetwork::Station& station, const RadioConfig& config) {
+  const WavesConfig* const waves = waves_of(config);
+  return waves ? station.radio.channel.value_or(waves->phy.channel) : 0;
+}
+
+std::vector<std::pair<hal::AgentId, hal::AgentId>> links_in(Band& band) {
+  std::vector<std::pair<StationIndex, StationIndex>> ways;  // in ascending order
+  for (StationIndex from = 0; from < band.stations().size(); ++from) {
+    for (const AudibleLink& link : band.neighbourhood().links_from(from).audible) {
+      if (!band.propagation().is_receivable(link.arrival.power)) continue;
+      ways.emplace_back(from, link.receiver);
+    }
+    band.neighbourhood().forget(from);
+  }
+  std::vector<std::pair<hal::AgentId, hal::AgentId>> pairs;
+  for (const auto& [from, to] : ways) {
+    // A stronger transmitter may not hear whom it reaches.
+    if (to < from || !std::ranges::binary_search(ways, std::pair(to, from))) continue;
+    pairs.emplace_back(band.stations()[from], band.stations()[to]);
+  }
+  return pairs;
+}
+
+RandomLoss::Names names(const std::vector<RadioNetwork::Station>& stations) {
+  RandomLoss::Names names;
+  for (const auto& station : stations) names.emplace_back(station.agent, station.name);
+  return names;
 }
 
 }  // namespace
 
 struct RadioNetwork::State {
+  /// A band and who is on it.
+  struct Air {
+    std::uint32_t channel = 0;
+    Cell cell{};
+    std::vector<Neighbourhood::Antenna> antennas{};
+    std::unique_ptr<Band> band{};
+    std::unique_ptr<DiskAir> disk{};  ///< Of profiles without waves.
+  };
+  struct Shared {
+    StationConfig settings;  ///< Without what each station may have of its own.
+    StationProfile profile;
+  };
+
   State(const RadioConfig& wanted, std::vector<Station> sorted, Surroundings around)
-      : config(checked(wanted)),
-        stations(std::move(sorted)),
-        surroundings(around),
-        modes(config),
-        propagation(config, around.obstacles),
-        antennas(radio::antennas(stations, config, around.seed)),
-        neighbourhood(around.events, around.positions, propagation, antennas) {
-    std::visit([this](const auto& one) { add_all(one); }, config);
+      : config(checked(wanted)), stations(std::move(sorted)), surroundings(around) {
+    for (const Station& station : stations) {
+      check_station(config, station);
+      Air& air = air_of(channel_of(station, config));
+      air.cell.add(station.agent, knows_ofdm(config, station.radio));
+      air.antennas.push_back(antenna(station, config, around.seed));
+    }
+    const WavesConfig* const waves = waves_of(config);
+    if (waves != nullptr && !waves->receiver.loss.is_none()) {
+      loss.emplace(waves->receiver.loss, around.seed, names(stations));
+    }
+    for (const auto& air : airs) open(*air);
+    if (const DcfConfig* const dcf = dcf_of(config)) {
+      infrastructure = std::make_unique<Infrastructure>(*dcf, stations, around.events);
+    }
+    for (const Station& station : stations) add(station);
+  }
+
+  Air& air_of(std::uint32_t channel) {
+    const auto found =
+        std::ranges::find_if(airs, [channel](const auto& air) { return air->channel == channel; });
+    if (found != airs.end()) return **found;
+    return *airs.emplace_back(std::make_unique<Air>(Air{.channel = channel}));
+  }
+
+  void open(Air& air) {
+    StationConfig there;
+    if (waves_of(config) != nullptr) there.channel = air.channel;
+    air.band =
+        std::make_unique<Band>(config_for(config, there, false),
+                               Band::Surroundings{surroundings.events, surroundings.positions,
+                                                  surroundings.obstacles, surroundings.observer},
+                               air.antennas);
+    if (waves_of(config) == nullptr) {
+      air.disk = std::make_unique<DiskAir>(DiskAir{air.band->neighbourhood(), {}});
+    }
+  }
+
+  const StationProfile& profile_of(const Station& station, const Air& air) {
+    StationConfig settings = station.radio;
+    settings.tx_power.reset();
+    settings.antenna_height.reset();
+    settings.antenna_gain.reset();
+    settings.access_points.reset();
+    if (waves_of(config) != nullptr) settings.channel = air.channel;
+    const auto found = std::ranges::find_if(
+        profiles, [&settings](const auto& shared) { return shared->settings == settings; });
+    if (found != profiles.end()) return (*found)->profile;
+    const RadioConfig own = config_for(config, settings, air.cell.is_mixed());
+    profiles.push_back(std::make_unique<Shared>(Shared{settings, StationProfile(own)}));
+    return profiles.back()->profile;
   }
 
   hal::RandomStream stream(const Station& station, const char* purpose) const {
     return {surroundings.seed, station.name + purpose};
   }
 
-  MacBase::Context context(std::size_t index) const {
-    return {surroundings.events, surroundings.observer,    modes,
-            lengths_of(config),  antennas[index].tx_power, antennas[index].agent};
+  void add(const Station& station) {
+    Air& air = air_of(channel_of(station, config));
+    const StationProfile& profile = profile_of(station, air);
+    const MacBase::Context context{.events = surroundings.events,
+                                   .observer = surroundings.observer,
+                                   .modes = profile.modes,
+                                   .lengths = lengths_of(profile.config),
+                                   .tx_power = station.radio.tx_power.value_or(tx_power(config)),
+                                   .agent = station.agent,
+                                   .cell = air.cell};
+    std::visit([&](const auto& one) { add(station, air, profile, context, one); }, profile.config);
   }
 
-  void add_all(const DiskConfig& one) { add_disks(one.queue_limit); }
-  void add_all(const IdealConfig&) { add_disks(std::nullopt); }
-  void add_disks(std::optional<std::uint32_t> queue_limit) {
-    disk = std::make_unique<DiskAir>(DiskAir{neighbourhood, {}});
-    for (std::size_t i = 0; i < stations.size(); ++i) {
-      macs.push_back(std::make_unique<DiskMac>(context(i), queue_limit, *disk));
-    }
+  void add(const Station&, Air& air, const StationProfile&, const MacBase::Context& context,
+           const DiskConfig& one) {
+    macs.push_back(std::make_unique<DiskMac>(context, one.queue_limit, *air.disk));
+  }
+  void add(const Station&, Air& air, const StationProfile&, const MacBase::Context& context,
+           const IdealConfig&) {
+    macs.push_back(std::make_unique<DiskMac>(context, std::nullopt, *air.disk));
+  }
+  void add(const Station& station, Air& air, const StationProfile& profile,
+           const MacBase::Context& context, const MobilityFrameworkConfig& one) {
+    Radio& radio = add_radio(station, air, profile);
+    macs.push_back(
+        std::make_unique<MobilityFrameworkMac>(context, one, radio, stream(station, "/backoff")));
+  }
+  void add(const Station& station, Air& air, const StationProfile& profile,
+           const MacBase::Context& context, const DcfConfig& one) {
+    Radio& radio = add_radio(station, air, profile);
+    auto dcf = std::make_unique<DcfMac>(
+        context, one, radio,
+        DcfMac::Streams{stream(station, "/backoff"), stream(station, "/rates")});
+    macs.push_back(infrastructure->completed(context, std::move(dcf),
+                                             {radio::profile_of(profile.config), one}));
   }
 
-  void add_all(const MobilityFrameworkConfig& one) { add_radios<MobilityFrameworkMac>(one); }
-  void add_all(const DcfConfig& one) { add_radios<DcfMac>(one); }
-  template <class Mac, class Config>
-  void add_radios(const Config& one) {
-    rules = std::make_unique<ReceptionRules>(one.receiver);
-    channel =
-        std::make_unique<Channel>(surroundings.events, neighbourhood, surroundings.observer, one);
-    for (std::size_t i = 0; i < stations.size(); ++i) {
-      const Station& station = stations[i];
-      radios.push_back(std::make_unique<Radio>(
-          Radio::Air{surroundings.events, *channel, surroundings.observer, one.receiver, *rules},
-          static_cast<StationIndex>(i), station.agent, stream(station, "/errors")));
-      channel->add(*radios.back());
-      macs.push_back(
-          std::make_unique<Mac>(context(i), one, *radios.back(), stream(station, "/backoff")));
-    }
+  Radio& add_radio(const Station& station, Air& air, const StationProfile& profile) {
+    const auto index =
+        static_cast<StationIndex>(std::ranges::lower_bound(air.band->stations(), station.agent) -
+                                  air.band->stations().begin());
+    radios.push_back(std::make_unique<Radio>(
+        Radio::Air{surroundings.events, air.band->channel(), surroundings.observer,
+                   waves_of(profile.config)->receiver, *profile.rules,
+                   // Where there is no OFDM nobody need ask.
+                   !air.cell.is_mixed() || air.cell.knows_ofdm(station.agent),
+                   loss ? &*loss : nullptr},
+        index, station.agent, stream(station, "/errors")));
+    air.band->channel().add(*radios.back());
+    return *radios.back();
   }
-
   RadioConfig config;
   std::vector<Station> stations;  ///< In order of addresses.
   Surroundings surroundings;
-  ModeSet modes;
-  Propagation propagation;
-  std::vector<Neighbourhood::Antenna> antennas;
-  Neighbourhood neighbourhood;
-  std::unique_ptr<ReceptionRules> rules;  ///< This and the next: of profiles with waves.
-  std::unique_ptr<Channel> channel;
-  std::unique_ptr<DiskAir> disk;  ///< Of the others.
+  std::optional<RandomLoss> loss;
+  std::vector<std::unique_ptr<Air>> airs;  ///< By their first station.
+  std::vector<std::unique_ptr<Shared>> profiles;
+  std::unique_ptr<Infrastructure> infrastructure;  ///< Of profiles with a DCF.
   std::vector<std::unique_ptr<Radio>> radios;
   std::vector<std::unique_ptr<MacBase>> macs;
 };
@@ -141,20 +245,12 @@ MacSap& RadioNetwork::sap(hal::AgentId agent) {
 }
 
 std::vector<std::pair<hal::AgentId, hal::AgentId>> RadioNetwork::links() const {
-  std::vector<std::pair<StationIndex, StationIndex>> ways;  // in ascending order
-  for (StationIndex from = 0; from < state_->stations.size(); ++from) {
-    for (const AudibleLink& link : state_->neighbourhood.links_from(from).audible) {
-      if (!state_->propagation.is_receivable(link.arrival.power)) continue;
-      ways.emplace_back(from, link.receiver);
-    }
-    state_->neighbourhood.forget(from);
-  }
   std::vector<std::pair<hal::AgentId, hal::AgentId>> pairs;
-  for (const auto& [from, to] : ways) {
-    // A stronger transmitter may not hear whom it reaches.
-    if (to < from || !std::ranges::binary_search(ways, std::pair(to, from))) continue;
-    pairs.emplace_back(state_->stations[from].agent, state_->stations[to].agent);
+  for (const auto& air : state_->airs) {
+    const auto more = links_in(*air->band);
+    pairs.insert(pairs.end(), more.begin(), more.end());
   }
+  std::ranges::sort(pairs);
   return pairs;
 }
 

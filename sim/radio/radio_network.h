@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -16,7 +15,8 @@
 
 namespace sim::radio {
 
-/// One air with all its stations. Built once; stations are then used through their MacSap.
+/// All stations, on one air for each channel number. Built once; stations are then used through
+/// their MacSap.
 class RadioNetwork {
  public:
   struct Surroundings {
@@ -28,11 +28,11 @@ class RadioNetwork {
   };
   struct Station {
     hal::AgentId agent;
-    std::string name;                             ///< Of the agent; names its random streams.
-    std::optional<hal::Milliwatts> tx_power{};    ///< > 0; none: the config's.
-    std::optional<hal::Metres> antenna_height{};  ///< Above its position, >= 0; none: the config's.
+    std::string name;  ///< Of the agent; names its random streams.
+    StationConfig radio{};
   };
 
+  /// @throws std::invalid_argument  what check() refuses, and an access point that is no station.
   RadioNetwork(const RadioConfig& config, const std::vector<Station>& stations,
                Surroundings surroundings);
   ~RadioNetwork();

@@ -16,6 +16,7 @@ std::optional<hal::MessageId> own_broadcast(const radio::Frame& frame) {
   if (!frame.is_broadcast() || frame.ethertype != radio::kEthertypeRouting || !frame.payload) {
     return std::nullopt;
   }
+  if (frame.source() != frame.transmitter) return std::nullopt;  // an access point passes it on
   const auto one_hop =
       hal::routing::parse_one_hop(*frame.payload, frame.transmitter, hal::kEveryone);
   if (one_hop) return one_hop->id;

@@ -17,6 +17,7 @@ constexpr const char* kFolder = R"(# Results
 | `run.sqlite` | the tables below |
 | `scenario.resolved.yaml` | the scenario as it was run, includes and defaults written out; runs again by itself |
 | `run.log` | log lines, stamped with simulated time |
+| `<name>.pcapng` | frames as on the air, with `record: {air: <name>.pcapng}`; see below |
 | `<process>.log` | what a controller process printed |
 | `.baraka-result` | the marker: id of the run, and every file that it may write there |
 
@@ -33,6 +34,17 @@ written, and no file system may be mounted on it.
 A run that failed says so (`result`, `error` in the table `run`), also on a disk that has filled up:
 `.reserve` keeps room for that and is gone afterwards. One that was killed still says `running`;
 `baraka report` and `baraka export` call it unfinished.
+
+A capture (pcapng, link type radiotap, times in nanoseconds since the start of the run) holds every
+frame that is sent, once, as an ear would hear it that is everywhere and loses none; or, with
+`air_heard_by: AGENT`, what that agent's radio sends and receives, addressed to it or not. The time
+of a packet is when the last bit of its frame was there, radiotap's TSFT when the first bit of the
+MPDU was there (us, rounded down). Frames broken off by a radio that is switched off, or in the air
+at the end, are not in it, nor what the agent lost: every FCS is right. Bytes are those of the
+frame (IEEE 802.11, LLC/SNAP, FCS), also where `lengths: fixed` makes it longer or shorter on the
+air. Agent hhll has the MAC address 02:00:00:00:hh:ll. A second run writes the same bytes.
+
+    tshark -r DIR/air.pcapng -Y 'wlan.fc.retry == 1'     the retries
 
 With `--replications`, `DIR` holds `replications.yaml` (what was asked for), a folder like the above
 for each, `replication-01` and so on, and what each printed, `replication-01.log`.

@@ -8,8 +8,16 @@
 namespace sim::record {
 
 /// Class of a frame, as the tables have it.
-enum class FrameClass : std::uint8_t { kRts, kCts, kAck, kBroadcast, kUnicast };
-inline constexpr int kFrameClasses = 5;
+enum class FrameClass : std::uint8_t {
+  kRts,
+  kCts,
+  kAck,
+  kBroadcast,
+  kUnicast,
+  kBeacon,
+  kManagement,
+};
+inline constexpr int kFrameClasses = 7;
 
 inline FrameClass frame_class(const radio::Frame& frame) {
   switch (frame.type) {
@@ -19,14 +27,18 @@ inline FrameClass frame_class(const radio::Frame& frame) {
       return FrameClass::kCts;
     case radio::FrameType::kAck:
       return FrameClass::kAck;
-    case radio::FrameType::kData:
+    case radio::FrameType::kBeacon:
+      return FrameClass::kBeacon;
+    default:
       break;
   }
+  if (radio::is_management(frame.type)) return FrameClass::kManagement;
   return frame.is_broadcast() ? FrameClass::kBroadcast : FrameClass::kUnicast;
 }
 
 inline std::string_view name(FrameClass kind) {
-  constexpr std::string_view kNames[kFrameClasses] = {"rts", "cts", "ack", "broadcast", "unicast"};
+  constexpr std::string_view kNames[kFrameClasses] = {"rts",     "cts",    "ack",       "broadcast",
+                                                      "unicast", "beacon", "management"};
   return kNames[static_cast<int>(kind)];
 }
 

@@ -10,7 +10,9 @@ namespace {
 /// What is counted of a reception, as one number.
 constexpr int kAddressedBit = 4;
 constexpr int kClassShift = 5;
-static_assert(hal::kVerdictCount <= 1 << kAddressedBit);
+/// In place of a verdict: the payload went up.
+constexpr std::uint8_t kWentUp = (1 << kAddressedBit) - 1;
+static_assert(hal::kVerdictCount <= kWentUp);
 static_assert(kFrameClasses << kClassShift <= 1 << PairCounts::kKindBits);
 
 std::uint8_t kind_of(const radio::Frame& frame) {
@@ -51,7 +53,8 @@ void FrameCounts::on_faint(const radio::Frame& frame, std::uint32_t radios) {
 }
 
 void FrameCounts::on_delivered(const radio::Frame& frame, hal::AgentId receiver) {
-  packets_.add(frame.transmitter, receiver, kind_of(frame));
+  const int kind = (kind_of(frame) << kClassShift) | kWentUp;
+  receptions_.add(frame.transmitter, receiver, static_cast<std::uint8_t>(kind));
 }
 
 void FrameCounts::on_request_end(hal::AgentId sender, hal::AgentId destination,
@@ -60,11 +63,11 @@ void FrameCounts::on_request_end(hal::AgentId sender, hal::AgentId destination,
 }
 
 std::uint64_t FrameCounts::counted() const {
-  return sent_.added() + receptions_.added() + packets_.added() + requests_.added();
+  return sent_.added() + receptions_.added() + requests_.added();
 }
 
 std::uint64_t FrameCounts::rows() const {
-  return sent_.changed() + receptions_.changed() + packets_.changed() + requests_.changed();
+  return sent_.changed() + receptions_.changed() + requests_.changed();
 }
 
 void FrameCounts::write() {
@@ -73,18 +76,18 @@ void FrameCounts::write() {
   });
   receptions_.write_changes_by_second(
       [this](auto sender, auto receiver, std::uint8_t kind, std::uint64_t count) {
+        const auto frame_class = class_in(static_cast<std::uint8_t>(kind >> kClassShift));
+        if ((kind & kWentUp) == kWentUp) {
+          put_packet_.run(receiver.value, sender.value, frame_class, count);
+          return;
+        }
         const bool addressed = (kind & (1 << kAddressedBit)) != 0;
-        put_reception_.run(receiver.value, sender.value,
-                           class_in(static_cast<std::uint8_t>(kind >> kClassShift)), addressed,
-                           verdict_in(kind), count);
+        put_reception_.run(receiver.value, sender.value, frame_class, addressed, verdict_in(kind),
+                           count);
       });
   for (std::size_t agent = 0; agent < faint_.size(); ++agent) {
     if (faint_[agent] > 0) put_faint_.run(agent, faint_[agent]);
   }
-  packets_.write_changes_by_second(
-      [this](auto sender, auto receiver, std::uint8_t kind, std::uint64_t count) {
-        put_packet_.run(receiver.value, sender.value, class_in(kind), count);
-      });
   requests_.write_changes(
       [this](auto sender, auto destination, std::uint8_t kind, std::uint64_t count) {
         const bool unknown = destination == hal::kEveryone &&

@@ -28,7 +28,9 @@ class FrameCounts {
 
  private:
   Statement put_sent_, put_reception_, put_faint_, put_packet_, put_request_;
-  PairCounts sent_, receptions_, packets_, requests_;
+  PairCounts sent_;
+  PairCounts receptions_;  ///< And packets: where the one is, the other is near.
+  PairCounts requests_;
   std::vector<std::uint64_t> faint_;  ///< By address of the transmitter.
 };
 

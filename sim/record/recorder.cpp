@@ -10,6 +10,7 @@
 #include "hal/types/log.h"
 #include "sim/record/frame_class.h"
 #include "sim/record/hexadecimal.h"
+#include "sim/record/message_in.h"
 #include "sim/record/schema.h"
 
 namespace sim::record {
@@ -26,10 +27,18 @@ std::string_view kind_of(const agents::AgentConfig& agent) {
   return is_robot(agent) ? "robot" : "mote";
 }
 
+/// How long after its end at the transmitter a frame may end at a receiver: what radio waves need
+/// from one end of any field to the other (300 km).
+hal::Duration tail_of(const radio::RadioConfig& config) {
+  const radio::WavesConfig* const waves = radio::waves_of(config);
+  const bool is_delayed = waves != nullptr && waves->propagation.propagation_delay;
+  return is_delayed ? std::chrono::milliseconds{1} : hal::Duration{};
+}
+
 /// A commit() writes so many rows of totals in any case, and more if each stands for so many
-/// frames.
-constexpr std::uint64_t kFewTotals = 2000;
-constexpr std::uint64_t kWorthWriting = 8;
+/// frames or messages: a row costs some 2 us, to count some 10 ns.
+constexpr std::uint64_t kFewTotals = 1000;
+constexpr std::uint64_t kWorthWriting = 64;
 
 }  // namespace
 
@@ -38,8 +47,8 @@ Recorder::Recorder(const std::filesystem::path& file, const agents::SimulationCo
     : database_(file),
       options_(options),
       frames_(database_),
-      messages_(database_),
-      broadcasts_([this](auto... end) { messages_.on_end(end...); }),
+      in_the_air_(database_, tail_of(config.radio)),
+      broadcasts_([this](auto... end) { on_message_end(hal::Time{}, hal::AgentId{}, end...); }),
       bodies_(database_, options.pose_period),
       set_(database_, "REPLACE INTO run VALUES (?, ?)"),
       insert_discovery_(database_, "INSERT INTO discoveries VALUES (?, ?, ?, ?, ?, ?)"),
@@ -48,9 +57,12 @@ Recorder::Recorder(const std::filesystem::path& file, const agents::SimulationCo
       insert_value_(database_, "INSERT INTO recorded VALUES (?, ?, ?, ?)"),
       insert_turn_(database_, "INSERT INTO turns VALUES (?, ?, ?, ?)"),
       insert_arrival_(database_, "INSERT INTO arrivals VALUES (?, ?, ?)"),
+      insert_association_(database_, "INSERT INTO associations VALUES (?, ?, ?)"),
       insert_frame_(database_, "INSERT INTO frames VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"),
       insert_frame_end_(database_, "INSERT INTO frame_ends VALUES (?, ?, ?, ?, ?)"),
       insert_fingerprint_(database_, "INSERT INTO fingerprints VALUES (?, ?, ?, ?)") {
+  if (options_.messages == Detail::kAll) message_log_.emplace(database_);
+  if (options_.messages == Detail::kCounts) message_counts_.emplace(database_);
   database_.execute("BEGIN");
   describe(config);
   commit();
@@ -130,14 +142,18 @@ void Recorder::on_turn(const agents::Turn& turn) {
 
 void Recorder::commit() {
   if (is_given_up_) return;
-  if (is_finished_ || frames_.rows() <= kFewTotals + frames_.counted() / kWorthWriting) {
-    update_totals();
-  }
+  std::uint64_t rows = frames_.rows();
+  std::uint64_t counted = frames_.counted();
+  if (message_counts_) rows += message_counts_->rows();
+  if (message_counts_) counted += message_counts_->counted();
+  if (is_finished_ || rows <= kFewTotals + counted / kWorthWriting) update_totals();
   commit_rows();
 }
 
 void Recorder::update_totals() {
   frames_.write();
+  if (counts_frames()) in_the_air_.write(now_);
+  if (message_counts_) message_counts_->write();
   bodies_.write();
 }
 
@@ -216,31 +232,67 @@ void Recorder::on_start(const std::vector<std::pair<hal::AgentId, hal::AgentId>>
 }
 
 void Recorder::on_frame_start(hal::Time at, const radio::Frame& frame) {
-  frames_.on_frame_start(frame);
-  broadcasts_.on_frame_start(at, frame);
-  if (!options_.all_frames) return;
+  if (counts_frames()) count_start(at, frame);
+  if (options_.messages != Detail::kNone) broadcasts_.on_frame_start(at, frame);
+  if (!lists_frames()) return;
   insert_frame_.run(frame.id, hal::to_ns(at), class_of(frame), frame.transmitter.value,
                     frame.receiver.value, frame.sequence, frame.retry,
                     std::uint64_t{frame.air_length}, frame.airtime.count());
   on_rows(at, 1);
 }
 
+void Recorder::count_start(hal::Time at, const radio::Frame& frame) {
+  now_ = std::max(now_, at);
+  frames_.on_frame_start(frame);
+  in_the_air_.on_frame_start(at, frame);
+}
+
+void Recorder::on_frame_cut(hal::Time at, const radio::Frame& frame) {
+  in_the_air_.on_frame_cut(at, frame);
+}
+
+void Recorder::on_faint(const radio::Frame& frame, std::uint32_t radios) {
+  if (counts_frames()) frames_.on_faint(frame, radios);
+}
+
 void Recorder::on_reception(hal::Time at, const radio::Frame& frame, hal::AgentId receiver,
                             hal::Verdict verdict, double rssi_dbm) {
-  frames_.on_reception(frame, receiver, verdict);
-  broadcasts_.on_reception(frame, verdict);
-  if (!options_.all_frames) return;
+  if (counts_frames()) count_end(at, frame, receiver, verdict);
+  if (options_.messages != Detail::kNone) broadcasts_.on_reception(frame, verdict);
+  if (!lists_frames()) return;
   insert_frame_end_.run(frame.id, receiver.value, hal::to_ns(at), hal::name(verdict), rssi_dbm);
   on_rows(at, 1);
 }
 
+void Recorder::count_end(hal::Time at, const radio::Frame& frame, hal::AgentId receiver,
+                         hal::Verdict verdict) {
+  now_ = std::max(now_, at);
+  frames_.on_reception(frame, receiver, verdict);
+  in_the_air_.on_reception(frame, receiver);
+}
+
 void Recorder::on_delivered(hal::Time, const radio::Frame& frame, hal::AgentId receiver) {
-  frames_.on_delivered(frame, receiver);
+  if (counts_frames()) frames_.on_delivered(frame, receiver);
 }
 
 void Recorder::on_request_end(hal::Time, hal::AgentId sender, hal::AgentId destination,
                               hal::Verdict verdict) {
-  frames_.on_request_end(sender, destination, verdict);
+  if (counts_frames()) frames_.on_request_end(sender, destination, verdict);
+}
+
+void Recorder::on_relay_lost(hal::Time at, hal::AgentId source, const radio::MacRequest& request,
+                             hal::Verdict verdict) {
+  if (const auto message = message_in(request, source)) {
+    on_message_end(at, source, message->sender, message->id, verdict);
+  }
+}
+
+void Recorder::on_association(hal::Time at, hal::AgentId station,
+                              std::optional<hal::AgentId> access_point) {
+  std::optional<int> with;
+  if (access_point) with = access_point->value;
+  insert_association_.run(hal::to_ns(at), station.value, with);
+  on_rows(at, 1);
 }
 
 void Recorder::on_body(hal::Time at, hal::AgentId agent, const agents::BodyState& body) {
@@ -253,23 +305,31 @@ void Recorder::on_body_lost(const physics::LostBody& lost) {
 }
 
 void Recorder::on_message_sent(hal::Time at, const hal::Message& message) {
-  messages_.on_sent(at, message);
+  if (message_counts_) message_counts_->on_sent(at, message);
+  if (!message_log_) return;
+  message_log_->on_sent(at, message);
   on_rows(at, 1);
 }
 
 void Recorder::on_message_delivered(hal::Time at, hal::AgentId receiver,
                                     const hal::Message& message, int transmissions) {
-  messages_.on_message_delivered(at, receiver, message, transmissions);
+  if (message_counts_) {
+    message_counts_->on_message_delivered(at, receiver, message, transmissions);
+  }
+  if (!message_log_) return;
+  message_log_->on_message_delivered(at, receiver, message, transmissions);
   on_rows(at, 1);
 }
 
 void Recorder::on_fate(hal::Time at, hal::AgentId sender, hal::MessageId id, hal::Fate fate) {
-  messages_.on_fate(at, sender, id, fate);
+  if (message_counts_) message_counts_->on_fate(sender, id, fate);
+  if (message_log_) message_log_->on_fate(at, sender, id, fate);
 }
 
 void Recorder::on_message_end(hal::Time, hal::AgentId, hal::AgentId sender, hal::MessageId id,
                               hal::Verdict verdict) {
-  messages_.on_end(sender, id, verdict);
+  if (message_counts_) message_counts_->on_end(sender, id, verdict);
+  if (message_log_) message_log_->on_end(sender, id, verdict);
 }
 
 void Recorder::on_discovery(hal::Time at, hal::AgentId agent, const agents::Discovery& discovery) {

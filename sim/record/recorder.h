@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,7 +15,10 @@
 #include "sim/record/body_log.h"
 #include "sim/record/broadcast_watch.h"
 #include "sim/record/database.h"
+#include "sim/record/detail.h"
 #include "sim/record/frame_counts.h"
+#include "sim/record/frames_in_the_air.h"
+#include "sim/record/message_counts.h"
 #include "sim/record/message_log.h"
 #include "sim/record/unheard_topics.h"
 
@@ -21,7 +26,8 @@ namespace sim::record {
 
 struct RecorderOptions {
   hal::Duration pose_period = std::chrono::seconds{1};
-  bool all_frames = false;  ///< A row for each frame and reception as well, about 1 us each.
+  Detail frames = Detail::kCounts;
+  Detail messages = Detail::kAll;
 };
 
 /// A file with empty tables, ready for statements.
@@ -43,9 +49,10 @@ class NewDatabase : public Database {
 ///
 /// If the process dies, the file holds everything up to the last commit: one every
 /// kCommitPeriod of simulated time, every kCommitRows rows, and at each commit(). Totals (the
-/// tables bodies, frames_sent, receptions, packets and requests) are those of the last
-/// kCommitPeriod, or of the last commit() that found them few beside what was counted: so to keep
-/// them costs less than to count, however many pairs of agents there are. Every member throws
+/// tables bodies, frames_sent, receptions, packets and requests, and of messages that are not
+/// listed) are those of the last kCommitPeriod, or of the last commit() that found them few beside
+/// what was counted: so to keep them costs little beside counting, however many pairs of agents
+/// there are. Every member throws
 /// std::runtime_error if the file cannot be written; then only give_up() is left.
 class Recorder final : public agents::Observer {
  public:
@@ -85,14 +92,17 @@ class Recorder final : public agents::Observer {
 
   void on_start(const std::vector<std::pair<hal::AgentId, hal::AgentId>>& links) override;
   void on_frame_start(hal::Time at, const radio::Frame& frame) override;
-  void on_faint(const radio::Frame& frame, std::uint32_t radios) override {
-    frames_.on_faint(frame, radios);
-  }
+  void on_faint(const radio::Frame& frame, std::uint32_t radios) override;
+  void on_frame_cut(hal::Time at, const radio::Frame& frame) override;
   void on_reception(hal::Time at, const radio::Frame& frame, hal::AgentId receiver,
                     hal::Verdict verdict, double rssi_dbm) override;
   void on_delivered(hal::Time at, const radio::Frame& frame, hal::AgentId receiver) override;
   void on_request_end(hal::Time at, hal::AgentId sender, hal::AgentId destination,
                       hal::Verdict verdict) override;
+  void on_relay_lost(hal::Time at, hal::AgentId source, const radio::MacRequest& request,
+                     hal::Verdict verdict) override;
+  void on_association(hal::Time at, hal::AgentId station,
+                      std::optional<hal::AgentId> access_point) override;
   void on_body(hal::Time at, hal::AgentId agent, const agents::BodyState& body) override;
   void on_body_lost(const physics::LostBody& lost) override;
   void on_message_sent(hal::Time at, const hal::Message& message) override;
@@ -114,18 +124,25 @@ class Recorder final : public agents::Observer {
   void write(const agents::Outcome& outcome);
   void write(const agents::RealTimeSummary& summary);
   void write_totals(const Fingerprint& fingerprint);
+  void count_start(hal::Time at, const radio::Frame& frame);
+  void count_end(hal::Time at, const radio::Frame& frame, hal::AgentId receiver,
+                 hal::Verdict verdict);
   void on_rows(hal::Time at, int rows);
   void update_totals();
   void commit_rows();
+  bool counts_frames() const { return options_.frames != Detail::kNone; }
+  bool lists_frames() const { return options_.frames == Detail::kAll; }
 
   NewDatabase database_;
   RecorderOptions options_;
   FrameCounts frames_;
-  MessageLog messages_;
+  FramesInTheAir in_the_air_;
+  std::optional<MessageLog> message_log_;
+  std::optional<MessageCounts> message_counts_;
   BroadcastWatch broadcasts_;
   BodyLog bodies_;
   Statement set_, insert_discovery_, insert_lost_body_, insert_state_, insert_value_, insert_turn_,
-      insert_arrival_, insert_frame_, insert_frame_end_, insert_fingerprint_;
+      insert_arrival_, insert_association_, insert_frame_, insert_frame_end_, insert_fingerprint_;
   int rows_ = 0;     ///< Since the last commit.
   hal::Time now_{};  ///< Of the latest row, or of the end.
   hal::Time next_commit_{kCommitPeriod};

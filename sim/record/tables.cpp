@@ -52,7 +52,9 @@ std::vector<Table> count_tables() {
        "how many frames were sent",
        {{"agent", "INTEGER NOT NULL", "", "transmitter"},
         {"peer", "INTEGER NOT NULL", "", "receiver"},
-        {"class", "TEXT NOT NULL", "", "'broadcast' or 'unicast' (data), 'rts', 'cts', 'ack'"},
+        {"class", "TEXT NOT NULL", "",
+         "'broadcast' or 'unicast' (data), 'rts', 'cts', 'ack', 'beacon', 'management' (the other "
+         "management frames)"},
         {"count", "INTEGER NOT NULL", "", "frames"}},
        "agent, peer, class"},
       {"receptions",
@@ -64,6 +66,11 @@ std::vector<Table> count_tables() {
         {"verdict", "TEXT NOT NULL", "", "how it ended"},
         {"count", "INTEGER NOT NULL", "", "receptions"}},
        "agent, peer, class, addressed, verdict"},
+      {"associations",
+       "with radio: {bss: ...}: which access point stations were with",
+       {{"at_ns", "INTEGER NOT NULL", "ns", "since when"},
+        {"station", "INTEGER NOT NULL", "", "agent"},
+        {"access_point", "INTEGER", "", "agent; null: none"}}},
       {"faint",
        "interference: frames too weak for a radio to receive or sense, nothing else is said of "
        "them",
@@ -89,10 +96,97 @@ std::vector<Table> count_tables() {
   };
 }
 
+std::vector<Table> air_tables() {
+  return {
+      {"in_the_air",
+       "frames that had not ended at their transmitters when the totals were written, the last "
+       "time "
+       "at the end of the run",
+       {{"agent", "INTEGER PRIMARY KEY", "", "transmitter"},
+        {"peer", "INTEGER NOT NULL", "", "receiver"},
+        {"class", "TEXT NOT NULL", "", "as in frames_sent"}}},
+      {"in_the_air_ended",
+       "radios at which such a frame had ended: it is in receptions",
+       {{"agent", "INTEGER NOT NULL", "", "receiver"},
+        {"peer", "INTEGER NOT NULL", "", "transmitter"}},
+       "agent, peer"},
+  };
+}
+
+/// Of the two views of what became of all that was sent.
+constexpr std::string_view kDerived =
+    "how it ended: as in receptions; 'below sensitivity' also if the radio did not notice it, or "
+    "only as interference (faint): all that was sent and is not recorded otherwise; 'under way': "
+    "it was in the air at the end or, with propagation delay, had ended less than 1 ms before";
+
+std::vector<Table> link_verdict_tables() {
+  return {
+      {"link_verdicts",
+       "what became of each frame at each radio, for pairs of which one noticed a frame of the "
+       "other, now or then: in sum, what the transmitter sent",
+       {{"agent", "INTEGER", "", "receiver"},
+        {"peer", "INTEGER", "", "transmitter"},
+        {"class", "TEXT", "", "as in frames_sent"},
+        {"addressed", "INTEGER", "", "1: to this agent or to everyone"},
+        {"verdict", "TEXT", "", kDerived},
+        {"count", "INTEGER", "", "frames"}},
+       "agent, peer, class, addressed, verdict",
+       "WITH pairs AS (SELECT DISTINCT agent, peer FROM receptions),"
+       " sent AS (SELECT p.agent, p.peer, f.class, f.peer IN (p.agent, 65534, 65535) AS addressed,"
+       " SUM(f.count) AS count FROM pairs p JOIN frames_sent f ON f.agent = p.peer"
+       " GROUP BY 1, 2, 3, 4),"
+       " ended AS (SELECT agent, peer, class, addressed, verdict, count FROM receptions"
+       " UNION ALL SELECT p.agent, p.peer, a.class, a.peer IN (p.agent, 65534, 65535),"
+       " 'under way', 1 FROM pairs p JOIN in_the_air a ON a.agent = p.peer"
+       " WHERE NOT EXISTS (SELECT 1 FROM in_the_air_ended e"
+       " WHERE e.agent = p.agent AND e.peer = p.peer)),"
+       " told AS (SELECT agent, peer, class, addressed, SUM(count) AS count FROM ended"
+       " GROUP BY 1, 2, 3, 4)"
+       " SELECT agent, peer, class, addressed, verdict, SUM(count) AS count FROM ("
+       "SELECT * FROM ended UNION ALL SELECT s.agent, s.peer, s.class, s.addressed,"
+       " 'below sensitivity', s.count - IFNULL(t.count, 0) FROM sent s"
+       " LEFT JOIN told t USING (agent, peer, class, addressed)"
+       " WHERE s.count <> IFNULL(t.count, 0)) GROUP BY 1, 2, 3, 4, 5"},
+  };
+}
+
+std::vector<Table> verdict_sum_tables() {
+  return {
+      {"verdict_sums",
+       "what became of all frames at all other radios: in sum, frames sent times radios",
+       {{"class", "TEXT", "", "as in frames_sent"},
+        {"addressed", "INTEGER", "", "1: to this radio or to everyone"},
+        {"verdict", "TEXT", "", kDerived},
+        {"count", "INTEGER", "", "pairs of a frame and a radio"}},
+       "class, addressed, verdict",
+       "WITH others AS (SELECT COUNT(*) - 1 AS radios FROM agents),"
+       " possible AS (SELECT class, 1 AS addressed,"
+       " SUM(count * CASE WHEN peer >= 65534 THEN radios ELSE 1 END) AS count"
+       " FROM frames_sent, others GROUP BY 1"
+       " UNION ALL SELECT class, 0, SUM(count * (radios - 1)) FROM frames_sent, others"
+       " WHERE peer < 65534 GROUP BY 1),"
+       " in_air AS (SELECT class, 1 AS addressed,"
+       " SUM(CASE WHEN peer >= 65534 THEN radios ELSE 1 END) AS count FROM in_the_air, others"
+       " GROUP BY 1"
+       " UNION ALL SELECT class, 0, SUM(radios - 1) FROM in_the_air, others WHERE peer < 65534"
+       " GROUP BY 1"
+       " UNION ALL SELECT a.class, a.peer IN (e.agent, 65534, 65535), -COUNT(*)"
+       " FROM in_the_air_ended e JOIN in_the_air a ON a.agent = e.peer GROUP BY 1, 2),"
+       " ended AS (SELECT class, addressed, verdict, SUM(count) AS count FROM receptions"
+       " GROUP BY 1, 2, 3"
+       " UNION ALL SELECT class, addressed, 'under way', SUM(count) FROM in_air GROUP BY 1, 2),"
+       " told AS (SELECT class, addressed, SUM(count) AS count FROM ended GROUP BY 1, 2)"
+       " SELECT class, addressed, verdict, SUM(count) AS count FROM (SELECT * FROM ended"
+       " UNION ALL SELECT p.class, p.addressed, 'below sensitivity', p.count - IFNULL(t.count, 0)"
+       " FROM possible p LEFT JOIN told t USING (class, addressed))"
+       " GROUP BY 1, 2, 3 HAVING SUM(count) <> 0"},
+  };
+}
+
 std::vector<Table> message_tables() {
   return {
       {"messages",
-       "what controllers sent",
+       "what controllers sent; only with record: {messages: all}, the default up to 100 agents",
        {{"sender", "INTEGER NOT NULL", "", "agent"},
         {"id", "INTEGER NOT NULL", "", "of the message, by its sender"},
         {"destination", "INTEGER NOT NULL", "", "agent, or everyone"},
@@ -107,7 +201,7 @@ std::vector<Table> message_tables() {
          "sensitivity' if none was in range"}},
        "sender, id"},
       {"broadcasts",
-       "the messages to everyone or to neighbours: how many got them",
+       "of the listed messages those to everyone or to neighbours: how many got them",
        {{"sender", "INTEGER", "", "agent"},
         {"id", "INTEGER", "", "of the message, by its sender"},
         {"topic", "TEXT", "", "class of the message"},
@@ -121,7 +215,7 @@ std::vector<Table> message_tables() {
        " (SELECT COUNT(*) FROM deliveries d WHERE d.sender = m.sender AND d.id = m.id) AS reached,"
        " verdict FROM messages m WHERE destination >= 65534"},
       {"deliveries",
-       "messages handed to a controller; a flood once per agent",
+       "listed messages handed to a controller; a flood once per agent",
        {{"sender", "INTEGER NOT NULL", "", "of the message"},
         {"id", "INTEGER NOT NULL", "", "of the message, by its sender"},
         {"receiver", "INTEGER NOT NULL", "", "agent"},
@@ -137,6 +231,113 @@ std::vector<Table> message_tables() {
         {"ended_ns", "INTEGER NOT NULL", "ns", "when"},
         {"took_ns", "INTEGER NOT NULL", "ns", "since the first message waited for it"},
         {"found", "INTEGER NOT NULL", "", "0: given up"}}},
+  };
+}
+
+std::vector<Table> counted_message_tables() {
+  return {
+      {"counted_ends",
+       "messages that are not listed (record: {messages: counts}), by how they ended; read "
+       "message_ends",
+       {{"sender", "INTEGER NOT NULL", "", "agent"},
+        {"destination", "INTEGER NOT NULL", "", "agent, or everyone"},
+        {"topic", "TEXT NOT NULL", "", "class of the message"},
+        {"verdict", "TEXT NOT NULL", "", "as in message_ends"},
+        {"count", "INTEGER NOT NULL", "", "messages"},
+        {"bytes", "INTEGER NOT NULL", "byte", "of their payloads"}},
+       "sender, destination, topic, verdict"},
+      {"counted_fates",
+       "the same by what their senders were told; read message_fates",
+       {{"sender", "INTEGER NOT NULL", "", "agent"},
+        {"destination", "INTEGER NOT NULL", "", "agent, or everyone"},
+        {"topic", "TEXT NOT NULL", "", "class of the message"},
+        {"fate", "TEXT NOT NULL", "", "as told to the sender"},
+        {"count", "INTEGER NOT NULL", "", "messages"}},
+       "sender, destination, topic, fate"},
+      {"counted_deliveries",
+       "deliveries that are not listed; read message_deliveries",
+       {{"sender", "INTEGER NOT NULL", "", "of the messages"},
+        {"destination", "INTEGER NOT NULL", "", "agent, or everyone"},
+        {"topic", "TEXT NOT NULL", "", "class of the messages"},
+        {"receiver", "INTEGER NOT NULL", "", "agent"},
+        {"transmissions", "INTEGER NOT NULL", "", "on their way, the last hop included"},
+        {"count", "INTEGER NOT NULL", "", "deliveries"},
+        {"bytes", "INTEGER NOT NULL", "byte", "of their payloads"},
+        {"late", "INTEGER NOT NULL", "", "as in message_deliveries"},
+        {"delay_sum_ns", "INTEGER NOT NULL", "ns", "as in message_deliveries"},
+        {"delay_least_ns", "INTEGER", "ns", "the shortest; null: all were late"},
+        {"delay_greatest_ns", "INTEGER", "ns", "the longest; null: all were late"}},
+       "sender, destination, topic, receiver, transmissions"},
+  };
+}
+
+/// What holds whether messages are listed or counted.
+std::vector<Table> message_sum_tables() {
+  return {
+      {"message_ends",
+       "how messages ended, whether they are listed or counted; all that were sent are in the sum",
+       {{"sender", "INTEGER", "", "agent"},
+        {"destination", "INTEGER", "", "agent, or everyone"},
+        {"topic", "TEXT", "", "class of the message"},
+        {"verdict", "TEXT", "", "as in messages; 'under way': on its way at the end of the run"},
+        {"count", "INTEGER", "", "messages"},
+        {"bytes", "INTEGER", "byte", "of their payloads"}},
+       "sender, destination, topic, verdict",
+       "SELECT sender, destination, topic, IFNULL(verdict, 'under way') AS verdict,"
+       " COUNT(*) AS count, SUM(bytes) AS bytes FROM messages GROUP BY 1, 2, 3, 4"
+       " UNION ALL SELECT sender, destination, topic, verdict, count, bytes FROM counted_ends"
+       " WHERE count > 0"},
+      {"message_fates",
+       "what senders were told of their messages, whether they are listed or counted",
+       {{"sender", "INTEGER", "", "agent"},
+        {"destination", "INTEGER", "", "agent, or everyone"},
+        {"topic", "TEXT", "", "class of the message"},
+        {"fate", "TEXT", "", "as told to the sender"},
+        {"count", "INTEGER", "", "messages"}},
+       "sender, destination, topic, fate",
+       "SELECT sender, destination, topic, fate, COUNT(*) AS count FROM messages"
+       " WHERE fate IS NOT NULL GROUP BY 1, 2, 3, 4"
+       " UNION ALL SELECT sender, destination, topic, fate, count FROM counted_fates"},
+  };
+}
+
+std::vector<Table> delivery_sum_tables() {
+  return {
+      {"message_deliveries",
+       "messages handed to controllers, whether they are listed or counted",
+       {{"sender", "INTEGER", "", "of the messages"},
+        {"destination", "INTEGER", "", "agent, or everyone"},
+        {"topic", "TEXT", "", "class of the messages"},
+        {"receiver", "INTEGER", "", "agent"},
+        {"transmissions", "INTEGER", "", "on their way, the last hop included"},
+        {"count", "INTEGER", "", "deliveries"},
+        {"bytes", "INTEGER", "byte", "of their payloads"},
+        {"late", "INTEGER", "",
+         "so many of them came over 10 s after the message was sent, and after its sender was done "
+         "with it, while messages were counted: the delays are of the others"},
+        {"delay_sum_ns", "INTEGER", "ns", "of the times since they were sent"},
+        {"delay_least_ns", "INTEGER", "ns", "the shortest"},
+        {"delay_greatest_ns", "INTEGER", "ns", "the longest"}},
+       "sender, destination, topic, receiver, transmissions",
+       "SELECT m.sender, m.destination, m.topic, d.receiver, d.transmissions, COUNT(*) AS count,"
+       " SUM(m.bytes) AS bytes, 0 AS late, SUM(d.delay_ns) AS delay_sum_ns,"
+       " MIN(d.delay_ns) AS delay_least_ns, MAX(d.delay_ns) AS delay_greatest_ns"
+       " FROM deliveries d JOIN messages m USING (sender, id) GROUP BY 1, 2, 3, 4, 5"
+       " UNION ALL SELECT * FROM counted_deliveries"},
+      {"broadcast_sums",
+       "the messages to everyone or to neighbours, whether they are listed or counted: how many "
+       "were sent and got",
+       {{"sender", "INTEGER", "", "agent"},
+        {"topic", "TEXT", "", "class of the message"},
+        {"messages", "INTEGER", "", "sent"},
+        {"addressees", "INTEGER", "", "of all of them together: all other agents, each time"},
+        {"reached", "INTEGER", "", "so many of those got theirs"}},
+       "sender, topic",
+       "SELECT e.sender, e.topic, SUM(e.count) AS messages,"
+       " SUM(e.count) * (SELECT COUNT(*) FROM agents WHERE agent <> e.sender) AS addressees,"
+       " IFNULL((SELECT SUM(d.count) FROM message_deliveries d WHERE d.sender = e.sender"
+       " AND d.topic = e.topic AND d.destination >= 65534), 0) AS reached"
+       " FROM message_ends e WHERE e.destination >= 65534 GROUP BY 1, 2"},
   };
 }
 
@@ -238,7 +439,8 @@ std::string_view conventions() {
          "are addresses; 65535 is everyone, 65534 whoever hears it. Verdicts are: delivered, below "
          "sensitivity, preamble "
          "missed, collision, interference, noise, obstacle, retry limit, queue full, receiver "
-         "transmitting, radio off, no route, expired, agent down. Fates are: handed over, no "
+         "transmitting, radio off, no route, expired, agent down, random loss. Fates are: handed "
+         "over, no "
          "route, queue full, failed.";
 }
 
@@ -246,7 +448,9 @@ const std::vector<Table>& tables() {
   static const std::vector<Table> all = [] {
     std::vector<Table> sum;
     for (const auto& part :
-         {setup_tables(), count_tables(), message_tables(), body_tables(), trace_tables()}) {
+         {setup_tables(), count_tables(), air_tables(), link_verdict_tables(), verdict_sum_tables(),
+          message_tables(), counted_message_tables(), message_sum_tables(), delivery_sum_tables(),
+          body_tables(), trace_tables()}) {
       sum.insert(sum.end(), part.begin(), part.end());
     }
     return sum;

@@ -13,11 +13,12 @@ constexpr std::size_t kMostNamed = 8;
 
 /// One row per topic, sender and verdict, of the topics of which nothing was delivered.
 constexpr const char* kUnheard =
-    "SELECT m.topic, a.name, m.verdict, COUNT(*) FROM messages m"
-    " JOIN agents a ON a.agent = m.sender"
-    " WHERE m.topic NOT IN (SELECT topic FROM messages WHERE verdict = 'delivered')"
-    " AND m.verdict IS NOT NULL"
-    " GROUP BY m.topic, m.sender, m.verdict ORDER BY m.topic, m.sender, m.verdict";
+    "WITH ends AS MATERIALIZED (SELECT * FROM message_ends)"
+    " SELECT e.topic, a.name, e.verdict, SUM(e.count) FROM ends e"
+    " JOIN agents a ON a.agent = e.sender"
+    " WHERE e.topic NOT IN (SELECT topic FROM ends WHERE verdict = 'delivered')"
+    " AND e.verdict <> 'under way'"
+    " GROUP BY e.topic, e.sender, e.verdict ORDER BY e.topic, e.sender, e.verdict";
 
 }  // namespace
 

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "hal/types/math.h"
+#include "hal/types/verdict.h"
 #include "sim/report/paper.h"
 
 namespace sim::report {
@@ -53,6 +55,44 @@ std::vector<double> Group::delays() const {
     for (const RunResult::Delivery& delivery : run->deliveries) pooled.push_back(delivery.delay);
   }
   return pooled;
+}
+
+std::uint64_t LinkSums::sent() const {
+  std::uint64_t sum = 0;
+  for (const auto& [verdict, count] : verdicts) sum += count;
+  return sum;
+}
+
+std::uint64_t LinkSums::delivered() const {
+  const auto found = verdicts.find(std::string(hal::name(hal::Verdict::kDelivered)));
+  return found == verdicts.end() ? 0 : found->second;
+}
+
+std::map<std::string, FrameSums> Group::frame_verdicts() const {
+  std::map<std::string, FrameSums> sums;
+  for (const RunResult* run : runs) {
+    for (const RunResult::FrameVerdict& one : run->frame_verdicts) {
+      FrameSums& sum = sums[one.verdict];
+      const bool to_everyone = one.kind == "broadcast" || one.kind == "beacon";
+      (!one.addressed ? sum.to_others : to_everyone ? sum.to_everyone : sum.to_it) += one.count;
+    }
+  }
+  return sums;
+}
+
+std::vector<LinkSums> Group::link_verdicts() const {
+  std::map<std::pair<int, int>, LinkSums> links;
+  for (const RunResult* run : runs) {
+    for (const RunResult::LinkVerdict& one : run->link_verdicts) {
+      LinkSums& link = links[{one.from, one.to}];
+      link.from = one.from;
+      link.to = one.to;
+      link.verdicts[one.verdict] += one.count;
+    }
+  }
+  std::vector<LinkSums> all;
+  for (auto& [pair, link] : links) all.push_back(std::move(link));
+  return all;
 }
 
 std::vector<RobotDrive> Group::all_drives() const {

@@ -25,6 +25,20 @@ std::vector<RobotDrive> drives(const RunResult& run);
 /// Keys of the table settings and their values.
 using Settings = std::map<std::string, std::string>;
 
+/// Frames at radios that they were for: one alone, or everyone; and at others.
+struct FrameSums {
+  std::uint64_t to_it = 0, to_everyone = 0, to_others = 0;
+  std::uint64_t all() const { return to_it + to_everyone + to_others; }
+};
+
+/// Frames that one agent sent to another, or to everyone, there.
+struct LinkSums {
+  int from = 0, to = 0;
+  std::map<std::string, std::uint64_t> verdicts;
+  std::uint64_t sent() const;
+  std::uint64_t delivered() const;
+};
+
 /// The runs of one scenario with the same settings but for the seed.
 struct Group {
   /// The profile, with the scenario if there are several; where that is the same for several
@@ -40,6 +54,9 @@ struct Group {
   std::vector<double> delays() const;       ///< s, pooled.
   std::vector<RobotDrive> all_drives() const;
   std::map<int, std::uint64_t> packets() const;  ///< By agent, summed.
+  /// Of the frames to somebody else, to one radio alone, and to everyone: by verdict, summed.
+  std::map<std::string, FrameSums> frame_verdicts() const;
+  std::vector<LinkSums> link_verdicts() const;  ///< By link, summed.
 };
 
 /// In order of first appearance.

@@ -15,8 +15,8 @@ std::string report(const std::vector<std::filesystem::path>& folders,
   if (groups.size() > 1) text += "\n" + differences_section(groups);
   for (const Group& group : groups) {
     if (group.runs.empty()) continue;
-    text +=
-        "\n" + links_section(group) + "\n" + packets_section(group) + "\n" + hops_section(group);
+    text += "\n" + links_section(group) + "\n" + packets_section(group) + "\n" +
+            losses_section(group) + "\n" + hops_section(group);
   }
   return text;
 }

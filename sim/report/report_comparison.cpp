@@ -66,8 +66,7 @@ std::string range_of(const std::vector<double>& values, int decimals) {
 
 std::optional<double> delivery_ratio(const Group& group) {
   const double sent = sum(of_runs(group, [](const RunResult& run) { return run.messages; }));
-  const double arrived =
-      sum(of_runs(group, [](const RunResult& run) { return run.deliveries.size(); }));
+  const double arrived = sum(of_runs(group, [](const RunResult& run) { return run.delivered; }));
   return sent > 0 ? std::optional(100 * arrived / sent) : std::nullopt;
 }
 

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <map>
+#include <optional>
 
 #include "sim/report/report_format.h"
 #include "sim/report/report_sections.h"
@@ -22,23 +24,25 @@ double edge(int hops) { return kFirstHopNs + (hops - 1) * kNextHopNs; }
 
 struct OfHops {
   std::uint64_t count = 0;
-  std::uint64_t too_early = 0;
-  std::int64_t least_ns = 0;
+  std::optional<std::int64_t> least_ns;
+  std::uint64_t too_early = 0;  ///< Of those that are listed.
 };
 
 std::map<int, OfHops> by_hops(const Group& group) {
   std::map<int, OfHops> table;
   for (const RunResult* run : group.runs) {
+    for (const auto& [hops, sums] : run->hops) {
+      if (hops == 0) continue;
+      OfHops& entry = table[hops];
+      entry.count += sums.messages;
+      const auto least = sums.least_delay_ns;
+      if (least) entry.least_ns = std::min(*least, entry.least_ns.value_or(*least));
+    }
     for (const RunResult::Delivery& delivery : run->deliveries) {
       const int hops = delivery.transmissions.value_or(0);
       if (hops == 0) continue;
-      OfHops& entry = table[hops];
       const auto ns = static_cast<double>(delivery.delay_ns);
-      if (ns < edge(hops) - hops * kRoundingNs) ++entry.too_early;
-      if (entry.count == 0 || delivery.delay_ns < entry.least_ns) {
-        entry.least_ns = delivery.delay_ns;
-      }
-      ++entry.count;
+      if (ns < edge(hops) - hops * kRoundingNs) ++table[hops].too_early;
     }
   }
   return table;
@@ -48,15 +52,17 @@ std::map<int, OfHops> by_hops(const Group& group) {
 
 std::string hops_section(const Group& group) {
   const bool has_edges = group.runs.front()->value("profile") == "mobility_framework";
+  const bool all_listed =
+      std::ranges::all_of(group.runs, [](const RunResult* run) { return run->lists_deliveries(); });
   TextTable table(has_edges ? std::vector<std::string>{"transmissions", "messages", "least ns",
                                                        "lower edge ns", "below it"}
                             : std::vector<std::string>{"transmissions", "messages", "least ns"});
   for (const auto& [hops, entry] : by_hops(group)) {
     std::vector<std::string> row = {std::to_string(hops), std::to_string(entry.count),
-                                    std::to_string(entry.least_ns)};
+                                    entry.least_ns ? std::to_string(*entry.least_ns) : "-"};
     if (has_edges) {
       row.push_back(number(edge(hops), 0));
-      row.push_back(std::to_string(entry.too_early));
+      row.push_back(all_listed ? std::to_string(entry.too_early) : "-");
     }
     table.add_row(row);
   }

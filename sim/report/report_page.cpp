@@ -3,6 +3,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <tuple>
 
 #include "sim/report/log_histogram.h"
 #include "sim/report/paper.h"
@@ -121,6 +122,34 @@ Json walls_json(const RunResult& run) {
   return walls;
 }
 
+Json verdicts_json(const Group& group) {
+  std::map<std::tuple<std::string, bool, std::string>, std::uint64_t> sums;
+  for (const RunResult* run : group.runs) {
+    for (const RunResult::FrameVerdict& one : run->frame_verdicts) {
+      sums[{one.kind, one.addressed, one.verdict}] += one.count;
+    }
+  }
+  Json rows = Json::array();
+  for (const auto& [key, count] : sums) {
+    const auto& [kind, addressed, verdict] = key;
+    rows.push_back(
+        {{"class", kind}, {"addressed", addressed}, {"verdict", verdict}, {"count", count}});
+  }
+  return rows;
+}
+
+/// From and to are places in the list of nodes.
+Json link_verdicts_json(const Group& group) {
+  std::map<int, std::size_t> place;
+  const auto& agents = group.runs.front()->agents;
+  for (std::size_t i = 0; i < agents.size(); ++i) place[agents[i].agent] = i;
+  Json links = Json::array();
+  for (const LinkSums& link : group.link_verdicts()) {
+    links.push_back({place.at(link.from), place.at(link.to), link.verdicts});
+  }
+  return links;
+}
+
 Json to_json(const Group& group) {
   Json json = {{"name", group.name},
                {"not_the_papers", group.not_the_papers},
@@ -132,6 +161,8 @@ Json to_json(const Group& group) {
   json["nodes"] = nodes_json(group);
   json["links"] = links_json(*group.runs.front());
   json["walls"] = walls_json(*group.runs.front());
+  json["verdicts"] = verdicts_json(group);
+  json["link_verdicts"] = link_verdicts_json(group);
   json["discovery"] = discovery_json(group);
   json["delay"] = delay_json(group);
   return json;

@@ -33,6 +33,10 @@ std::string links_section(const Group& group);
 /// Packets received by each node: Fig. 12.
 std::string packets_section(const Group& group);
 
+/// What became of each frame at each other radio, and the links that lost most: why frames were
+/// lost. In sum, what was sent.
+std::string losses_section(const Group& group);
+
 /// Least end-to-end delay by number of transmissions, beside what the MAC allows.
 std::string hops_section(const Group& group);
 

@@ -91,10 +91,28 @@ void read_network(RunReader& reader, RunResult& run) {
   }
 }
 
+void read_frame_verdicts(RunReader& reader, RunResult& run) {
+  Statement sums = reader.query("SELECT class, addressed, verdict, count FROM verdict_sums");
+  while (sums.next()) {
+    run.frame_verdicts.push_back({.kind = sums.text(0),
+                                  .addressed = sums.integer(1) != 0,
+                                  .verdict = sums.text(2),
+                                  .count = static_cast<std::uint64_t>(sums.integer(3))});
+  }
+  Statement links = reader.query(
+      "SELECT peer, agent, verdict, SUM(count) FROM link_verdicts WHERE addressed"
+      " GROUP BY 1, 2, 3 ORDER BY 1, 2, 3");
+  while (links.next()) {
+    run.link_verdicts.push_back({.from = static_cast<int>(links.integer(0)),
+                                 .to = static_cast<int>(links.integer(1)),
+                                 .verdict = links.text(2),
+                                 .count = static_cast<std::uint64_t>(links.integer(3))});
+  }
+}
+
 void read_messages(RunReader& reader, RunResult& run) {
   Statement ends = reader.query(
-      "SELECT destination >= 65534, IFNULL(verdict, 'under way'), COUNT(*) FROM messages"
-      " GROUP BY 1, 2");
+      "SELECT destination >= 65534, verdict, SUM(count) FROM message_ends GROUP BY 1, 2");
   while (ends.next()) {
     const auto number = static_cast<std::uint64_t>(ends.integer(2));
     if (ends.integer(0) != 0) {
@@ -104,19 +122,34 @@ void read_messages(RunReader& reader, RunResult& run) {
       run.verdicts[ends.text(1)] += number;
     }
   }
-  Statement deliveries = reader.query(
-      "SELECT m.destination >= 65534, d.delay_ns, d.transmissions"
-      " FROM deliveries d JOIN messages m USING (sender, id)"
-      " ORDER BY d.at_ns, d.sender, d.id");
-  while (deliveries.next()) {
-    if (deliveries.integer(0) != 0) {
-      ++run.flood_deliveries;
-      continue;
+}
+
+void read_delivery_sums(RunReader& reader, RunResult& run) {
+  Statement sums = reader.query(
+      "SELECT destination >= 65534, IFNULL(transmissions, 0), SUM(count), MIN(delay_least_ns)"
+      " FROM message_deliveries GROUP BY 1, 2");
+  while (sums.next()) {
+    const auto number = static_cast<std::uint64_t>(sums.integer(2));
+    if (sums.integer(0) != 0) {
+      run.flood_deliveries += number;
+    } else {
+      run.delivered += number;
+      RunResult::Hops& hops = run.hops[static_cast<int>(sums.integer(1))];
+      hops.messages = number;
+      if (!sums.is_null(3)) hops.least_delay_ns = sums.integer(3);
     }
+  }
+}
+
+void read_deliveries(RunReader& reader, RunResult& run) {
+  Statement deliveries = reader.query(
+      "SELECT d.delay_ns, d.transmissions FROM deliveries d JOIN messages m USING (sender, id)"
+      " WHERE m.destination < 65534 ORDER BY d.at_ns, d.sender, d.id");
+  while (deliveries.next()) {
     RunResult::Delivery& delivery = run.deliveries.emplace_back();
-    delivery.delay_ns = deliveries.integer(1);
+    delivery.delay_ns = deliveries.integer(0);
     delivery.delay = static_cast<double>(delivery.delay_ns) * 1e-9;
-    if (!deliveries.is_null(2)) delivery.transmissions = static_cast<int>(deliveries.integer(2));
+    if (!deliveries.is_null(1)) delivery.transmissions = static_cast<int>(deliveries.integer(1));
   }
 }
 
@@ -194,7 +227,10 @@ RunResult read_run(const fs::path& folder) {
   read_walls(reader, run);
   read_tracks(reader, run);
   read_network(reader, run);
+  read_frame_verdicts(reader, run);
   read_messages(reader, run);
+  read_delivery_sums(reader, run);
+  read_deliveries(reader, run);
   read_discoveries(reader, run);
   read_goal(reader, run);
   return run;

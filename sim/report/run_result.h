@@ -42,6 +42,26 @@ struct RunResult {
     std::optional<int> transmissions;  ///< On its way.
   };
 
+  /// Messages to one agent that arrived after so many transmissions.
+  struct Hops {
+    std::uint64_t messages = 0;
+    std::optional<std::int64_t> least_delay_ns;
+  };
+
+  /// Frames of a class at other radios, see the table verdict_sums.
+  struct FrameVerdict {
+    std::string kind;  ///< Class of the frame.
+    bool addressed = false;
+    std::string verdict;
+    std::uint64_t count = 0;
+  };
+  /// Frames to one agent or to everyone at a radio that noticed some of their transmitter's.
+  struct LinkVerdict {
+    int from = 0, to = 0;
+    std::string verdict;
+    std::uint64_t count = 0;
+  };
+
   std::string folder;
   std::map<std::string, std::string> values;    ///< The table run.
   std::map<std::string, std::string> settings;  ///< The table settings.
@@ -50,9 +70,13 @@ struct RunResult {
   std::vector<Wall> walls;
   std::map<int, std::vector<Place>> tracks;  ///< Of the robots, by time.
   std::vector<std::pair<int, int>> links;
-  std::map<int, std::uint64_t> packets;  ///< Frames that went up to the network layer, by agent.
-  std::vector<Delivery> deliveries;
-  std::uint64_t messages = 0;  ///< To one agent.
+  std::vector<FrameVerdict> frame_verdicts;
+  std::vector<LinkVerdict> link_verdicts;  ///< By link.
+  std::map<int, std::uint64_t> packets;    ///< Frames that went up to the network layer, by agent.
+  std::uint64_t messages = 0;              ///< To one agent.
+  std::uint64_t delivered = 0;             ///< So many of them.
+  std::map<int, Hops> hops;                ///< Of these, by transmissions; 0: not known.
+  std::vector<Delivery> deliveries;        ///< Of these, too; empty if messages are not listed.
   std::uint64_t floods = 0, flood_deliveries = 0;
   std::map<std::string, std::uint64_t> verdicts;  ///< Of messages to one agent.
   std::vector<std::int64_t> discoveries_ns;       ///< Those that found a route.
@@ -65,6 +89,8 @@ struct RunResult {
   double number(const std::string& key) const;
   /// How it ended, for people: "unfinished" if it never said.
   std::string ending() const;
+  /// Whether each delivery is in `deliveries`.
+  bool lists_deliveries() const { return deliveries.size() == delivered; }
   /// Whether the run came to an end of its own: its figures may be pooled with others'.
   bool is_complete() const;
 };

@@ -14,7 +14,7 @@
 #include "sim/scenario/controller_section.h"
 #include "sim/scenario/fields.h"
 #include "sim/scenario/placement.h"
-#include "sim/scenario/radio_section.h"
+#include "sim/scenario/station_radio_section.h"
 #include "sim/scenario/station_section.h"
 
 namespace sim::scenario {
@@ -149,14 +149,12 @@ void read_group(const std::string& name, Mapping in, Scenario& scenario, Taken& 
     agents.push_back({group.agents[i], names[i], poses[i], body, {}, {}, {}, {}});
   }
   read_controller(in.mapping({"controller", "The program that drives the agents."}), group, agents);
-  const StationRadio radio = read_station(
+  read_station_radios(
       in.mapping({"radio", "What the radios of the group's agents have of their own."}),
-      scenario.simulation.radio);
+      scenario.simulation.radio, agents);
   const bool has_routing = in.has(kRouting.name);
   const Algorithm routing = in.choice(kRouting, kAlgorithms, scenario.simulation.routing.algorithm);
   for (AgentConfig& agent : agents) {
-    agent.tx_power = radio.tx_power;
-    agent.antenna_height = radio.antenna_height;
     if (has_routing) agent.routing = routing;
   }
   in.finish();
@@ -208,7 +206,7 @@ void write_group(Writer& out, const Group& group, std::span<const AgentConfig> a
   }
   out.close();
   write_controller(out, group, agents);
-  write_station(out, {agents.front().tx_power, agents.front().antenna_height});
+  write_station_radios(out, agents);
   if (agents.front().routing)
     FieldWriter(out).choice(kRouting, kAlgorithms, *agents.front().routing);
   out.close();

@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 
-#include "hal/types/pattern.h"
 #include "sim/scenario/fields.h"
+#include "sim/scenario/override_agents.h"
 
 namespace sim::scenario {
 namespace {
@@ -33,31 +32,13 @@ void set(std::vector<ParameterText>& parameters, const ParameterText& parameter)
   }
 }
 
-/// Patterns of a group that have been applied, to find two for one agent.
-using Overridden = std::map<std::string, std::string>;  // name of an agent -> pattern
-
-void apply_override(Mapping& in, std::span<AgentConfig> agents, Overridden& overridden) {
-  const std::string pattern =
-      in.text({"agents", "Name of the agent, or a pattern with * of several.", "NAME0"});
+void apply_override(Mapping& in, OverrideAgents& some) {
+  const std::vector<AgentConfig*> fitting = some.read(in);
   const std::vector<ParameterText> parameters =
       read_parameters(in.mapping({"parameters", "Those in which they differ.", "{help_at: 1 s}"}));
   in.finish();
-  bool matched = false;
-  std::string clash;
-  for (AgentConfig& agent : agents) {
-    if (!hal::matches(pattern, agent.name)) continue;
-    matched = true;
-    const auto [first, is_new] = overridden.emplace(agent.name, pattern);
-    if (!is_new && clash.empty()) {
-      clash =
-          fmt::format("'{}' and '{}' overlap: both match {}", first->second, pattern, agent.name);
-    }
-    for (const ParameterText& parameter : parameters) set(agent.parameters, parameter);
-  }
-  if (!clash.empty()) in.mistake("agents", clash);
-  if (!matched && !pattern.empty() && !agents.empty()) {
-    in.mistake("agents", fmt::format("unknown agent: '{}' matches none of this group, {} .. {}",
-                                     pattern, agents.front().name, agents.back().name));
+  for (AgentConfig* const agent : fitting) {
+    for (const ParameterText& parameter : parameters) set(agent->parameters, parameter);
   }
 }
 
@@ -112,11 +93,11 @@ void read_controller(Mapping in, Group& group, std::span<AgentConfig> agents) {
     agent.program = group.program;
     agent.parameters = parameters;
   }
-  Overridden overridden;
+  OverrideAgents some(agents);
   for (Mapping& one :
        in.mappings({"overrides", "Parameters for some of the agents; no agent twice.",
                     "[{agents: NAME0, parameters: {help_at: 1 s}}]"}))
-    apply_override(one, agents, overridden);
+    apply_override(one, some);
   in.finish();
 }
 

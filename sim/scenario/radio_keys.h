@@ -18,6 +18,9 @@ inline constexpr std::array kRoundings = {
     Option<radio::Rounding>{"microsecond", radio::Rounding::kMicrosecond}};
 inline constexpr std::array kLengths = {Option<radio::Lengths>{"bytes", radio::Lengths::kBytes},
                                         Option<radio::Lengths>{"fixed", radio::Lengths::kFixed}};
+inline constexpr std::array kBitsAtRisk = {
+    Option<radio::BitsAtRisk>{"mpdu", radio::BitsAtRisk::kMpdu},
+    Option<radio::BitsAtRisk>{"payload_time", radio::BitsAtRisk::kPayloadTime}};
 inline constexpr std::array kErrorModels = {
     Option<radio::ErrorModel>{"mobility_framework", radio::ErrorModel::kMobilityFramework},
     Option<radio::ErrorModel>{"dsss", radio::ErrorModel::kDsss}};
@@ -25,6 +28,7 @@ inline constexpr std::array kErrorModels = {
 inline constexpr Range kPowerLevel{-200, 50};      // dBm; thermal noise in 1 Hz is -174
 inline constexpr Range kSensitivity{-130, 0};      // dBm
 inline constexpr Range kAntennaHeight{0, 1000};    // m
+inline constexpr Range kAntennaGain{-50, 50};      // dB
 inline constexpr Range kObstacleLoss{0, 1000};     // dB, dB/m
 inline constexpr Range kNoise{-200, 0};            // dBm
 inline constexpr Range kTxPower{1e-6, 1e5};        // mW
@@ -42,13 +46,20 @@ void antenna_height(Io& io, hal::Metres& height) {
 
 template <class Io>
 void keys_of(Io& io, radio::PropagationConfig& c) {
-  io.quantity({"wavelength", "Of the carrier.", "0.125 m"}, "m", {1e-3, 10}, c.wavelength);
+  io.quantity(
+      {"wavelength",
+       "Of the carrier on the radio's `channel`. Where it is not given, that of the profile "
+       "is for channel 1.",
+       "0.125 m"},
+      "m", {1e-3, 10}, c.wavelength);
   io.number({"path_loss_exponent", "Of the power law (2: free space, Friis), reference 1 m.", "2"},
             "1", {1, 8}, c.path_loss_exponent);
   io.flag(
       {"propagation_delay", "Whether waves take time: distance over the speed of light.", "true"},
       c.propagation_delay);
   antenna_height(io, c.antenna_height);
+  io.quantity({"antenna_gain", "Of the antennas, to all sides, sending and receiving.", "2 dB"},
+              "dB", kAntennaGain, c.antenna_gain);
   io.flag(
       {"obstacles",
        "Whether walls attenuate, each as its `radio_loss` says, and bodies as said here.", "true"},
@@ -117,6 +128,11 @@ void data_rate(Io& io, hal::BitsPerSecond& rate) {
 
 template <class Io>
 void keys_of(Io& io, radio::PhyConfig& c) {
+  io.count({"channel",
+            "Its number in 2.4 GHz. Agents on different ones neither hear nor disturb each other; "
+            "what leaks into the next channels is not modelled.",
+            "6"},
+           1, radio::kChannels, c.channel);
   data_rate(io, c.data_rate);
   io.quantity({"control_rate",
                "Of RTS, with `mobility_framework` also of CTS and ACK; one of the rates of data.",
@@ -198,31 +214,6 @@ void keys_of(Io& io, radio::MobilityFrameworkConfig& c) {
   rounding(io, c.phy.rounding);
   io.count({"cw_broadcast", "Contention window of broadcast frames.", "31"}, 0, kMaxWindow,
            c.cw_broadcast);
-}
-
-template <class Io>
-void keys_of(Io& io, radio::DcfConfig& c) {
-  common_keys_of(io, c);
-  io.count({"long_retry_limit", "Transmissions of a data frame after RTS/CTS in all.", "4"}, 1, 255,
-           c.long_retry_limit);
-  io.duration(
-      {"cca_time",
-       "Of carrier sense and turnaround: who is to send at a slot boundary does so whatever "
-       "begins to arrive within this time before. Shorter than the slot.",
-       "15 us"},
-      {0, 1e-2}, c.cca_time);
-}
-
-template <class Io>
-void keys_of(Io& io, radio::Ieee80211bConfig& c) {
-  keys_of(io, static_cast<radio::DcfConfig&>(c));
-  error_model(io, c.receiver.error_model);
-  rounding(io, c.phy.rounding);
-}
-
-template <class Io>
-void keys_of(Io& io, radio::Ieee80211gConfig& c) {
-  keys_of(io, static_cast<radio::DcfConfig&>(c));
 }
 
 template <class Io>

@@ -9,6 +9,9 @@
 #include <vector>
 
 #include "hal/config/value.h"
+#include "sim/scenario/bss_section.h"
+#include "sim/scenario/dcf_keys.h"
+#include "sim/scenario/loss_section.h"
 #include "sim/scenario/propagation_section.h"
 #include "sim/scenario/radio_keys.h"
 
@@ -23,11 +26,6 @@ constexpr std::array kProfiles = {
     Option<Profile>{"ieee80211b", Profile::kIeee80211b},
     Option<Profile>{"ieee80211g", Profile::kIeee80211g}, Option<Profile>{"disk", Profile::kDisk},
     Option<Profile>{"ideal", Profile::kIdeal}};
-std::string_view name(Profile profile) {
-  return std::find_if(kProfiles.begin(), kProfiles.end(),
-                      [profile](const auto& option) { return option.value == profile; })
-      ->name;
-}
 
 /// Takes the names of keys only.
 class Names {
@@ -43,6 +41,7 @@ class Names {
   }
   void count(const Key& key, std::int64_t, std::int64_t, std::uint32_t) { add(key); }
   void duration(const Key& key, Range, hal::Duration) { add(key); }
+  void optional_duration(const Key& key, double, const std::optional<hal::Duration>&) { add(key); }
   void flag(const Key& key, bool) { add(key); }
   template <class Options, class E>
   void choice(const Key& key, const Options&, E) {
@@ -72,7 +71,7 @@ void refuse_others(FieldReader& reader, Profile profile) {
   for (const auto& other : kProfiles) take_names(all, other.value);
   for (const std::string& key : all.all()) {
     if (mine.has(key)) continue;
-    reader.unused(key, fmt::format("is not used by the profile '{}'", name(profile)));
+    reader.unused(key, fmt::format("is not used by the profile '{}'", name_of(profile)));
   }
 }
 
@@ -140,7 +139,13 @@ void read_basic_rates(Mapping& in, Profile profile, radio::DcfConfig& c) {
   if (c.basic_rates.empty()) in.mistake(kBasicRates.name, "must not be empty");
 }
 
-void check_slots(Mapping& in, const radio::DcfConfig& c) {
+void check_dcf(Mapping& in, const radio::DcfConfig& c) {
+  if (!radio::is_dsss_rate(c.protection_rate)) {
+    in.mistake("protection_rate", "must be 1, 2, 5.5 or 11 Mb/s");
+  }
+  if (c.rate_control.aarf_max_threshold < c.rate_control.aarf_threshold) {
+    in.mistake("aarf_max_threshold", "must not be below aarf_threshold");
+  }
   if (c.cca_time >= c.contention.slot) in.mistake("cca_time", "must be shorter than the slot");
 }
 
@@ -154,18 +159,40 @@ void check_waves(Mapping& in, Profile profile, const radio::WavesConfig& c) {
 void read_chain(Mapping& in, RadioConfig& config) {
   radio::WavesConfig* const waves = waves_of(config);
   if (waves == nullptr) {
-    const std::string profile(name(profile_of(config)));
+    const std::string profile(name_of(profile_of(config)));
     return in.refuse("propagation", "is not used by the profile '" + profile + "'");
   }
   waves->propagation.chain = read_propagation(in, waves->propagation.chain);
 }
 
-const Key kStationHeight{"antenna_height", "Of these agents, above the origin of their body.",
-                         "1.5 m", "that of `radio`"};
-const Key kStationPower{"tx_power", "Of the transmitters of these agents.", "10 mW",
-                        "that of `radio`"};
+const Key kRandomLoss{
+    "loss", "Frames that get lost although the physics let them in; told as `random loss`."};
+
+void read_losses(Mapping& in, RadioConfig& config) {
+  if (radio::WavesConfig* const waves = waves_of(config)) {
+    waves->receiver.loss = read_loss(in.mapping(kRandomLoss));
+    return;
+  }
+  in.refuse(kRandomLoss.name,
+            fmt::format("is not used by the profile '{}'", name_of(profile_of(config))));
+}
+
+/// Without a wavelength of its own the carrier follows the number of the channel.
+void follow_channel(Mapping& in, RadioConfig& config) {
+  radio::WavesConfig* const waves = waves_of(config);
+  if (waves == nullptr || in.has("wavelength")) return;
+  hal::Metres& wavelength = waves->propagation.wavelength;
+  wavelength = radio::wavelength_on(waves->phy.channel, wavelength, 1);
+}
+const Key kBssKey{"bss", "Infrastructure mode: stations send to each other through access points."};
 
 }  // namespace
+
+std::string_view name_of(Profile profile) {
+  return std::find_if(kProfiles.begin(), kProfiles.end(),
+                      [profile](const auto& option) { return option.value == profile; })
+      ->name;
+}
 
 RadioConfig read_radio(Mapping in) {
   in.integer({"version", "Of the format of this file.", "1"}, 1, 1, 1);
@@ -179,13 +206,18 @@ RadioConfig read_radio(Mapping in) {
   RadioConfig config = radio::profile_defaults(*profile);
   FieldReader reader(in);
   std::visit([&reader](auto& one) { keys_of(reader, one); }, config);
+  follow_channel(in, config);
   read_chain(in, config);
+  read_losses(in, config);
   refuse_others(reader, *profile);
   if (radio::DcfConfig* const dcf = dcf_of(config)) {
     read_basic_rates(in, *profile, *dcf);
-    check_slots(in, *dcf);
+    check_dcf(in, *dcf);
+    read_bss(in.mapping(kBssKey), dcf->bss);
   } else {
-    reader.unused(kBasicRates.name, fmt::format("is not used by the profile '{}'", name(*profile)));
+    const std::string why = fmt::format("is not used by the profile '{}'", name_of(*profile));
+    reader.unused(kBasicRates.name, why);
+    reader.unused(kBssKey.name, why);
   }
   if (const radio::WavesConfig* const waves = waves_of(config)) check_waves(in, *profile, *waves);
   in.finish();
@@ -195,42 +227,19 @@ RadioConfig read_radio(Mapping in) {
 void write_radio(Writer& out, const RadioConfig& config) {
   RadioConfig copy = config;
   out.open("radio");
-  out.text("profile", name(profile_of(config)));
+  out.text("profile", name_of(profile_of(config)));
   FieldWriter writer(out);
   std::visit([&writer](auto& one) { keys_of(writer, one); }, copy);
-  if (const auto* const waves = waves_of(config)) write_propagation(out, waves->propagation.chain);
+  if (const auto* const waves = waves_of(config)) {
+    write_propagation(out, waves->propagation.chain);
+    write_loss(out, waves->receiver.loss);
+  }
   if (const radio::DcfConfig* const dcf = dcf_of(config)) {
     std::vector<double> rates;
     for (const hal::BitsPerSecond rate : dcf->basic_rates) rates.push_back(rate.value);
     out.numbers(kBasicRates.name, rates, "b/s");
+    write_bss(out, dcf->bss);
   }
-  out.close();
-}
-
-StationRadio read_station(Mapping in, const RadioConfig& config) {
-  StationRadio station;
-  if (std::holds_alternative<radio::IdealConfig>(config)) {
-    in.refuse(kStationPower.name, "is not used by the profile 'ideal'");
-  } else if (const double given = in.number(kStationPower, "mW", kTxPower, kTxPower.low);
-             in.has(kStationPower.name)) {
-    station.tx_power = hal::Milliwatts{given};
-  }
-  if (waves_of(config) == nullptr) {
-    const std::string profile(name(profile_of(config)));
-    in.refuse(kStationHeight.name, "is not used by the profile '" + profile + "'");
-  } else if (const double given = in.number(kStationHeight, "m", kAntennaHeight, 0);
-             in.has(kStationHeight.name)) {
-    station.antenna_height = hal::Metres{given};
-  }
-  in.finish();
-  return station;
-}
-
-void write_station(Writer& out, const StationRadio& station) {
-  if (!station.tx_power && !station.antenna_height) return;
-  out.open("radio");
-  if (station.tx_power) out.number(kStationPower.name, station.tx_power->value, "mW");
-  if (station.antenna_height) out.number(kStationHeight.name, station.antenna_height->value, "m");
   out.close();
 }
 

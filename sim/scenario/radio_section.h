@@ -1,6 +1,6 @@
 #pragma once
 
-#include <optional>
+#include <string_view>
 
 #include "hal/config/mapping.h"
 #include "hal/config/writer.h"
@@ -13,12 +13,7 @@ namespace sim::scenario {
 radio::RadioConfig read_radio(hal::config::Mapping in);
 void write_radio(hal::config::Writer& out, const radio::RadioConfig& config);
 
-/// `radio:` of a group of agents: what their radios have of their own.
-struct StationRadio {
-  std::optional<hal::Milliwatts> tx_power{};
-  std::optional<hal::Metres> antenna_height{};
-};
-StationRadio read_station(hal::config::Mapping in, const radio::RadioConfig& config);
-void write_station(hal::config::Writer& out, const StationRadio& station);
+/// As in a file.
+std::string_view name_of(radio::Profile profile);
 
 }  // namespace sim::scenario

@@ -1,6 +1,10 @@
 #include "sim/scenario/run_section.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <limits>
+#include <string>
 
 #include "sim/scenario/fields.h"
 
@@ -17,8 +21,9 @@ constexpr std::array kDeaths = {Option<OnDeath>{"fail", OnDeath::kFail},
                                 Option<OnDeath>{"silence", OnDeath::kSilence}};
 constexpr std::array kLinks = {Option<LinkKind>{"mac", LinkKind::kMac},
                                Option<LinkKind>{"udp_like", LinkKind::kUdpLike}};
-constexpr std::array kFrames = {Option<FrameRecord>{"counts", FrameRecord::kCounts},
-                                Option<FrameRecord>{"all", FrameRecord::kAll}};
+constexpr std::array kDetails = {Option<record::Detail>{"none", record::Detail::kNone},
+                                 Option<record::Detail>{"counts", record::Detail::kCounts},
+                                 Option<record::Detail>{"all", record::Detail::kAll}};
 
 /// What a file that says nothing gets: a controller 10 ms away.
 constexpr hal::Duration kDefaultLatency = 10ms;
@@ -63,13 +68,76 @@ void run_keys(Io& io, Scenario& scenario) {
 
 template <class Io>
 void record_keys(Io& io, RecordOptions& c) {
-  io.choice({"frames", "Frames in the results: counted, or a row for each as well.", "counts"},
-            kFrames, c.frames);
+  io.choice({"frames", "Frames in the results: not at all, counted, or a row for each as well.",
+             "counts"},
+            kDetails, c.frames);
+  io.choice({"messages",
+             "Messages and deliveries in the results: not at all, counted, or a row for each, as "
+             "quartiles of their delays need.",
+             "counts", "all; counts above 100 agents"},
+            kDetails, c.messages);
   io.duration(
       {"pose_period",
        "Between two rows of an agent's pose in the results; at most one row per control cycle.",
        "1 s"},
       {1e-3, 3600}, c.pose_period);
+}
+
+constexpr std::string_view kNoCapture = "none";
+constexpr std::string_view kEar = "all";
+constexpr std::string_view kCaptureEnding = ".pcapng";
+
+bool is_capture_name(const std::string& name) {
+  const bool allowed = std::ranges::all_of(name, [](char c) {
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    return letter || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
+  });
+  return allowed && name.size() > kCaptureEnding.size() && name.ends_with(kCaptureEnding) &&
+         name.front() != '.';
+}
+
+void read_air(Mapping& in, Scenario& scenario) {
+  const std::string file = in.text(
+      {"air",
+       "File in the results' folder for the frames as they are on the air (radiotap and IEEE "
+       "802.11 in pcapng, for Wireshark); none: no such file.",
+       "air.pcapng"},
+      std::string(kNoCapture));
+  const std::string station =
+      in.text({"air_heard_by",
+               "With `air`: the agent that sends and receives these frames; all: an ear "
+               "that hears whatever is sent.",
+               "all"},
+              std::string(kEar));
+  if (file == kNoCapture) {
+    if (in.has("air_heard_by") && station != kEar) {
+      in.mistake("air_heard_by", "needs `air`, the file for what is heard");
+    }
+    return;
+  }
+  scenario.record.air = file;
+  if (!is_capture_name(file)) {
+    in.mistake("air", fmt::format("'{}' must be a name of letters, digits, '_', '-' and '.' that "
+                                  "ends in {}, without a folder: it goes to the results",
+                                  file, kCaptureEnding));
+  }
+  const auto& agents = scenario.simulation.agents;
+  const auto agent = std::ranges::find(agents, station, &agents::AgentConfig::name);
+  if (agent != agents.end()) {
+    scenario.record.air_heard_by = agent->id;
+  } else if (station != kEar) {
+    in.mistake("air_heard_by", fmt::format("unknown agent '{}'", station));
+  }
+}
+
+void write_air(Writer& out, const Scenario& scenario) {
+  const RecordOptions& record = scenario.record;
+  out.text("air", record.air.empty() ? kNoCapture : std::string_view(record.air));
+  std::string_view heard_by = kEar;
+  for (const agents::AgentConfig& agent : scenario.simulation.agents) {
+    if (agent.id == record.air_heard_by) heard_by = agent.name;
+  }
+  out.text("air_heard_by", heard_by);
 }
 
 }  // namespace
@@ -83,10 +151,15 @@ void read_run(Mapping& in, Scenario& scenario) {
                "must not be shorter than control_period: the wheels would stop between commands");
   }
   scenario.simulation.world.seed = scenario.simulation.seed;
-  Mapping record = in.mapping({"record", "What goes into the results."});
-  FieldReader record_reader(record);
-  record_keys(record_reader, scenario.record);
-  record.finish();
+}
+
+void read_record(Mapping in, Scenario& scenario) {
+  const bool many = scenario.simulation.agents.size() > kAgentsOfListedMessages;
+  scenario.record.messages = many ? record::Detail::kCounts : record::Detail::kAll;
+  FieldReader reader(in);
+  record_keys(reader, scenario.record);
+  read_air(in, scenario);
+  in.finish();
 }
 
 void write_run(Writer& out, const Scenario& scenario) {
@@ -95,6 +168,7 @@ void write_run(Writer& out, const Scenario& scenario) {
   run_keys(writer, copy);
   out.open("record");
   record_keys(writer, copy.record);
+  write_air(out, scenario);
   out.close();
 }
 

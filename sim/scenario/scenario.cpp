@@ -7,7 +7,9 @@
 
 #include "hal/config/document.h"
 #include "sim/scenario/agents_section.h"
+#include "sim/scenario/bss_section.h"
 #include "sim/scenario/fields.h"
+#include "sim/scenario/loss_section.h"
 #include "sim/scenario/outcome_section.h"
 #include "sim/scenario/overlap_check.h"
 #include "sim/scenario/radio_section.h"
@@ -49,6 +51,9 @@ Scenario read_scenario(Mapping in, const std::filesystem::path& file) {
       in.mapping(
           {"agents", "Groups of agents, each under a name of its own (here NAME); at least one."}),
       scenario);
+  check_loss_names(in.within("radio"), scenario);
+  read_record(in.mapping({"record", "What goes into the results."}), scenario);
+  check_access_points(in, scenario);
   read_ends(in, scenario);
   read_expectations(in, scenario);
   in.finish();

@@ -12,6 +12,7 @@
 #include "hal/types/quantity.h"
 #include "hal/types/time.h"
 #include "sim/agents/simulation_config.h"
+#include "sim/record/detail.h"
 
 namespace sim::scenario {
 
@@ -49,16 +50,17 @@ struct Expectation {
   std::string place;  ///< "file:line:column".
 };
 
-enum class FrameRecord : std::uint8_t {
-  kCounts,  ///< Counts per agent, peer, class and verdict.
-  kAll,     ///< A row for each frame as well.
-};
-
 /// What goes into the results.
 struct RecordOptions {
-  FrameRecord frames = FrameRecord::kCounts;
+  record::Detail frames = record::Detail::kCounts;
+  record::Detail messages = record::Detail::kAll;
   hal::Duration pose_period = 1s;
+  std::string air{};                           ///< File of the captured frames; empty: none.
+  std::optional<hal::AgentId> air_heard_by{};  ///< None: by an ear that hears all.
 };
+
+/// Above so many agents messages are counted and not listed, unless the file asks for it.
+inline constexpr std::size_t kAgentsOfListedMessages = 100;
 
 /// A scenario file with everything that it includes and the overrides of the command line: checked,
 /// in SI units, defaults filled in.

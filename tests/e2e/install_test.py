@@ -183,7 +183,17 @@ class NewController(Package):
             self.drives(project, "m*", domain)
             out, _ = process.communicate(timeout=60)
         self.assertIn("result: answered", out)
+        self.answers_over_two_hops(self.folder / "results")
         self.answers_a_daemon(project)
+
+    def answers_over_two_hops(self, results):
+        """As the scenario's first lines say: each mote is in reach of the next one only."""
+        self.assertEqual(self.query("SELECT x.name, y.name FROM links JOIN agents x ON x.agent = links.a "
+                                    "JOIN agents y ON y.agent = links.b ORDER BY 1", results),
+                         [("m0", "m1"), ("m1", "m2")])
+        self.assertIn(("m2", "m0", 2), self.query(
+            "SELECT x.name, y.name, d.transmissions FROM deliveries d JOIN agents x ON x.agent = d.sender "
+            "JOIN agents y ON y.agent = d.receiver", results))
 
     def answers_a_daemon(self, project):
         """Two daemons on the loopback interface, each with the project's controller: one calls, the

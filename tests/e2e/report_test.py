@@ -166,6 +166,21 @@ class Page(Case):
                                results[0])
             self.assertEqual(shown, [self.number(packets + str(mote), *results) for mote, in motes])
 
+    def test_the_losses_are_those_of_the_results_and_add_up_to_what_was_sent(self):
+        for panel, results in self.panels("losses"):
+            shown = [int(bar["data-count"]) for bar in panel.all("verdict")]
+            self.assertEqual(shown, sorted(shown, reverse=True))
+            verdicts = {title.text.rpartition(":")[0] for bar in panel.all("verdict") for title in bar.all("title")}
+            self.assertIn("delivered", verdicts)
+            self.assertEqual(sum(shown), self.number(
+                "SELECT sum(count * CASE WHEN peer >= 65534 THEN (SELECT count(*) - 1 FROM agents) ELSE 1 END) "
+                "FROM frames_sent", *results))
+        files = self.files("losses")
+        self.assertEqual(sum(int(row[4]) for row in files["verdicts.csv"]),
+                         self.number("SELECT sum(count) FROM verdict_sums", *self.results))
+        self.assertEqual(sum(int(row[4]) for row in files["link_verdicts.csv"]),
+                         self.number("SELECT sum(count) FROM link_verdicts WHERE addressed", *self.results))
+
     def check_times(self, name, sql):
         for panel, results in self.panels(name):
             bars = sum(int(bar["data-count"]) for bar in panel.all("bar"))

@@ -45,6 +45,7 @@ MAY_INCLUDE = {
     "gateway/commands": ["gateway", "gateway/run", "hal", "sim"],
     "gateway/baraka": ["gateway", "gateway/run", "gateway/commands", "hal", "sim"],
     "gateway/agentd": ["gateway", "hal"],
+    "gateway/dilate": [],
     "tests": ["hal", "sim", "gateway", "controllers", "idl"],
 }
 # Third-party header -> the only folders that may name it.

@@ -44,7 +44,8 @@ inline hal::BitsPerSecond rate_of_mode(const std::string& mode) {
 }
 
 /// The profile with what stock ns-3.37 does where it differs from the standard: carrier sense adds
-/// up all energy against the threshold of a frame, and an RTS that fails never costs the frame.
+/// up all energy against the threshold of a frame, an RTS that fails never costs the frame, and the
+/// pad bits and the signal extension of OFDM frames must arrive, too.
 inline RadioConfig like_the_peer(const std::string& mode, bool rts) {
   RadioConfig config =
       profile_defaults(mode.starts_with('g') ? Profile::kIeee80211g : Profile::kIeee80211b);
@@ -53,6 +54,9 @@ inline RadioConfig like_the_peer(const std::string& mode, bool rts) {
   waves.contention.rts_threshold = rts ? 0 : 2347;
   if (rts) waves.contention.short_retry_limit = 1'000'000;
   waves.phy.data_rate = rate_of_mode(mode);
+  if (auto* const g = std::get_if<Ieee80211gConfig>(&config)) {
+    g->bits_at_risk = BitsAtRisk::kPayloadTime;
+  }
   return config;
 }
 

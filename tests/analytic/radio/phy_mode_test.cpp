@@ -139,6 +139,21 @@ INSTANTIATE_TEST_SUITE_P(
                     AirtimeCase{"OneBitMoreAt54", 216 * 3 - 21, 54e6, 42us}),
     name_of);
 
+// Of 136 bytes at 54 Mb/s, 1088 bits, ns-3 puts six symbols and 6 us at risk: 54 * 30 bits.
+TEST(OfdmBitsAtRisk, AreTheMpdusOrAsManyAsThePayloadTimeHolds) {
+  Ieee80211gConfig config;
+  const ModeSet standard(config);
+  config.bits_at_risk = BitsAtRisk::kPayloadTime;
+  const ModeSet peer(config);
+  EXPECT_EQ(standard.data().bits_at_risk(1088), 1088);
+  EXPECT_EQ(standard.data().signal_extension(), 6us);
+  EXPECT_EQ(peer.data().bits_at_risk(1088), 1620);
+  EXPECT_EQ(peer.data().signal_extension(), 0us);
+  EXPECT_EQ(peer.data().airtime(1088), standard.data().airtime(1088));
+  const PhyMode& dsss = peer.at(hal::BitsPerSecond{11e6});
+  EXPECT_EQ(dsss.bits_at_risk(1088), 1088);
+}
+
 // 10.7.6.5.2: the highest basic rate that is not above the frame's, in its modulation class;
 // without one the highest mandatory one.
 TEST(ControlResponse, IsAtTheHighestBasicRateNotAboveTheFrames) {

@@ -44,6 +44,20 @@ TEST_F(NamedFile, IsFoundInASharedFolderAndInItsFoldersOfTheKindsAskedFor) {
   EXPECT_THROW(named_file("r.yaml", {"scenarios"}), ConfigErrors);
 }
 
+TEST_F(NamedFile, WithoutItsExtensionIsFoundHereAndInSharedFolders) {
+  const fs::path scenario = write("ours/scenarios/walk.yaml", "");
+  EXPECT_EQ(named_file("walk", {"scenarios"}), scenario);
+  EXPECT_EQ(named_file("scenarios/walk", {}), scenario);
+  EXPECT_THROW(named_file("walk.yml", {"scenarios"}), ConfigErrors);
+  write("walk.yaml", "");
+  const fs::path before = fs::current_path();
+  fs::current_path(folder_);
+  EXPECT_EQ(named_file("walk", {}), "walk.yaml");
+  fs::current_path(before);
+  const fs::path bare = write("ours/scenarios/walk", "");
+  EXPECT_EQ(named_file("walk", {"scenarios"}), bare) << "one of that very name comes first";
+}
+
 TEST_F(NamedFile, OfTheFirstFolderComesBeforeThatOfTheNext) {
   write("ours/scenarios/walk.yaml", "");
   const fs::path mine = write("mine/scenarios/walk.yaml", "");

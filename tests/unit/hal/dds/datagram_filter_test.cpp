@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "tests/support/fake_clock.h"
 #include "tests/unit/hal/dds/udp_socket.h"
 #include "tests/unit/hal/rtps/datagrams.h"
 
@@ -88,6 +89,26 @@ TEST_F(StarFilter, HearsNobodyWhoIsIgnored) {
   filter_.ignore(prefix_of(heartbeat(1)));
   EXPECT_FALSE(lets_in(heartbeat(1)));
   EXPECT_TRUE(lets_in(heartbeat(2)));
+}
+
+TEST(SilentParticipant, IsOneOfWhomNothingWasLetInForThatLong) {
+  tests::FakeClock clock;
+  DatagramFilter filter({.networks = networks_of({"127.0.0.1"}), .is_star = true, .clock = clock});
+  const auto silence = [&filter](std::uint8_t participant) {
+    return filter.silence_of(prefix_of(heartbeat(participant)));
+  };
+  ASSERT_TRUE(filter.lets_in(hal::rtps::octets_of(heartbeat(1)), kSender));
+  clock.run_until(Time{std::chrono::milliseconds{700}});
+  EXPECT_EQ(silence(1), std::chrono::milliseconds{700});
+  EXPECT_EQ(silence(2), std::nullopt);
+  ASSERT_TRUE(filter.lets_in(hal::rtps::octets_of(heartbeat(1)), kSender));
+  EXPECT_EQ(silence(1), Duration{});
+  filter.ignore(prefix_of(heartbeat(1)));
+  filter.ignore(prefix_of(heartbeat(3)));
+  clock.run_until(Time{std::chrono::milliseconds{2700}});
+  EXPECT_FALSE(filter.lets_in(hal::rtps::octets_of(heartbeat(1)), kSender));
+  EXPECT_EQ(silence(1), std::chrono::seconds{2});
+  EXPECT_EQ(silence(3), std::nullopt) << "never heard";
 }
 
 TEST_F(StarFilter, NumbersThatReceiversWouldCountUpToMustBeNear) {

@@ -29,6 +29,9 @@ struct Observations {
   AgentId receiver{2};
   hal::Verdict verdict = hal::Verdict::kDelivered;
   double power = -70.5;
+  std::optional<AgentId> access_point{AgentId{3}};
+  sim::radio::MacRequest lost{.destination = AgentId{4}, .payload = nullptr};
+  hal::Verdict why = hal::Verdict::kRetryLimit;
   BodyState body{.x = 1, .y = 2, .theta = 0.5, .tilt = 1e-4};
   Event event;
   Action action;
@@ -43,6 +46,8 @@ struct Observations {
     frame.sequence = 5;
     frame.rate = hal::BitsPerSecond{11e6};
     frame.air_length = 272;
+    frame.ds = sim::radio::Ds::kTo;
+    frame.address3 = AgentId{5};
     frame.ethertype = 0x88b5;
     frame.payload = std::make_shared<const hal::Bytes>(hal::Bytes{1, 2, 3});
     event = {.agent = AgentId{1},
@@ -77,6 +82,8 @@ struct Observations {
     FingerprintFeed feed;
     feed.on_frame_start(at, frame);
     feed.on_reception(at, frame, receiver, verdict, power);
+    feed.on_association(at, AgentId{1}, access_point);
+    feed.on_relay_lost(at, AgentId{1}, lost, why);
     feed.on_body(at, AgentId{1}, body);
     Event other = event;
     other.timer = 99;
@@ -108,6 +115,12 @@ std::vector<Mutation> air_and_body_mutations() {
       [](auto& o) { nudge(o.frame.rate.value); },
       [](auto& o) { o.frame.air_length ^= 1; },
       [](auto& o) { o.frame.ethertype ^= 1; },
+      [](auto& o) { o.frame.ds = sim::radio::Ds::kFrom; },
+      [](auto& o) { o.frame.address3.value ^= 1; },
+      [](auto& o) { o.access_point->value ^= 1; },
+      [](auto& o) { o.access_point.reset(); },
+      [](auto& o) { o.lost.destination.value ^= 1; },
+      [](auto& o) { o.why = hal::Verdict::kNoRoute; },
       [](auto& o) {
         o.frame.payload = std::make_shared<const hal::Bytes>(hal::Bytes{1, 2, 2});
       },

@@ -154,7 +154,7 @@ TEST(WorldObstacles, DoNotMatterToAntennasAboveThem) {
   waves_of(config.radio)->propagation.obstacles = true;
   waves_of(config.radio)->propagation.antenna_height = hal::Metres{1.5};
   EXPECT_EQ(links(config), 15u);
-  config.agents[2].antenna_height = hal::Metres{0.1};
+  config.agents[2].radio.antenna_height = hal::Metres{0.1};
   EXPECT_EQ(links(config), 12u) << "those of the low one";
 }
 

@@ -65,6 +65,11 @@ class Log final : public RadioObserver {
     hal::Verdict verdict;
     double rssi_dbm;
   };
+  struct Association {
+    hal::Time at;
+    hal::AgentId station;
+    std::optional<hal::AgentId> access_point;
+  };
   void on_frame_start(hal::Time at, const Frame& frame) override { starts.push_back({at, frame}); }
   void on_faint(const Frame&, std::uint32_t radios) override { faint += radios; }
   void on_reception(hal::Time at, const Frame& frame, hal::AgentId receiver, hal::Verdict verdict,
@@ -75,10 +80,19 @@ class Log final : public RadioObserver {
   void on_request_end(hal::Time, hal::AgentId, hal::AgentId, hal::Verdict) override {
     ++request_ends;
   }
+  void on_relay_lost(hal::Time, hal::AgentId, const MacRequest&, hal::Verdict verdict) override {
+    relays_lost.push_back(verdict);
+  }
+  void on_association(hal::Time at, hal::AgentId station,
+                      std::optional<hal::AgentId> access_point) override {
+    associations.push_back({at, station, access_point});
+  }
 
   /// Frame types and transmitters in order, e.g. "RTS1 CTS2 DATA1 ACK2".
   std::string story() const {
-    static const char* const kNames[] = {"DATA", "RTS", "CTS", "ACK"};
+    static const char* const kNames[] = {"DATA",   "RTS",      "CTS",     "ACK",
+                                         "BEACON", "AUTH",     "DEAUTH",  "ASSOC?",
+                                         "ASSOC",  "REASSOC?", "REASSOC", "DISASSOC"};
     std::string text;
     for (const Start& start : starts) {
       if (!text.empty()) text += ' ';
@@ -103,6 +117,8 @@ class Log final : public RadioObserver {
   std::uint64_t faint = 0;  ///< Of all frames, the radios at which they were.
   int delivered = 0;
   int request_ends = 0;
+  std::vector<hal::Verdict> relays_lost;
+  std::vector<Association> associations;
 };
 
 /// A client that keeps what it is told.
@@ -150,7 +166,13 @@ class Air {
     stations_.push_back({address, name});
   }
   void set_tx_power(std::uint16_t station, hal::Milliwatts power) {
-    stations_.at(station - 1u).tx_power = power;
+    station_config(station).tx_power = power;
+  }
+  RadioNetwork::Station& station(std::uint16_t address) { return stations_.at(address - 1u); }
+  StationConfig& station_config(std::uint16_t address) { return station(address).radio; }
+  /// As StationConfig::access_points.
+  void set_access_points(std::uint16_t station, const std::vector<std::string>& names) {
+    station_config(station).access_points = names;
   }
   /// On the x axis, the first at the origin.
   void add_line(int stations, double spacing) {

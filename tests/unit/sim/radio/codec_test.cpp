@@ -105,9 +105,9 @@ hal::Bytes sealed(hal::Bytes bytes) {
 
 TEST(Codec, RefusesForeignFrames) {
   EXPECT_FALSE(decode(hal::Bytes(13)).has_value()) << "too short";
-  hal::Bytes beacon(30);
-  beacon[0] = 0x80;
-  EXPECT_FALSE(decode(sealed(beacon)).has_value()) << "not one of our types";
+  hal::Bytes probe(30);
+  probe[0] = 0x40;
+  EXPECT_FALSE(decode(sealed(probe)).has_value()) << "not one of our types";
   hal::Bytes rts(kRtsFrom3To102.begin(), kRtsFrom3To102.end() - 4);
   rts.push_back(0);
   EXPECT_FALSE(decode(sealed(rts)).has_value()) << "too long for an RTS";

@@ -120,9 +120,9 @@ TEST_F(RecorderTest, TotalsOfManyPairsWaitUntilTheyAreFewBesideWhatTheyCount) {
   };
   hear_all();
   EXPECT_EQ(asked(rows), "0");
-  for (int i = 0; i < 9; ++i) hear_all();
+  for (int i = 0; i < 63; ++i) hear_all();
   EXPECT_EQ(asked(rows), "5000");
-  EXPECT_EQ(asked("SELECT DISTINCT count FROM receptions"), "10");
+  EXPECT_EQ(asked("SELECT DISTINCT count FROM receptions"), "64");
 }
 
 TEST_F(RecorderTest, TotalsAreWrittenAtLeastOncePerPeriod) {
@@ -240,7 +240,7 @@ TEST_F(RecorderTest, CountsFramesByPeerClassAndVerdict) {
 TEST_F(RecorderTest, WritesEachFrameOnlyOnRequest) {
   recorder = nullptr;
   recorder = std::make_unique<Recorder>(folder.file(), small_config(),
-                                        RecorderOptions{.all_frames = true});
+                                        RecorderOptions{.frames = Detail::kAll});
   const radio::Frame frame = data_frame(AgentId{1}, AgentId{2});
   recorder->on_frame_start(Time{5ns}, frame);
   recorder->on_reception(Time{6ns}, frame, AgentId{2}, Verdict::kNoise, -90.5);

@@ -76,6 +76,30 @@ TEST_F(ReportTest, ListsEachRun) {
             "mobility_framework|1|arrived|100.0|r0|7.5|5.0|1.50|0.40|0|2");
 }
 
+// Of 10 frames that m0 sent m1 it got 7, lost 2 to collisions, and noticed the last one not at all;
+// r0 overheard 4 of them. Of m1's 3 broadcasts m0 got 1, and r0 is out of reach.
+TEST_F(ReportTest, SaysWhyFramesWereLost) {
+  add("a", run_sql("mobility_framework", 1) +
+               "INSERT INTO frames_sent VALUES (1,2,'unicast',10), (2,65535,'broadcast',3);"
+               "INSERT INTO receptions VALUES (2,1,'unicast',1,'delivered',7),"
+               " (2,1,'unicast',1,'collision',2), (3,1,'unicast',0,'delivered',4),"
+               " (1,2,'broadcast',1,'delivered',1);");
+  EXPECT_EQ(line(text(), "delivered"), "7|1|4|12");
+  EXPECT_EQ(line(text(), "collision"), "2|0|0|2");
+  EXPECT_EQ(line(text(), "below sensitivity"), "1|5|6|12");
+  EXPECT_EQ(line(text(), "frames sent x radios"), "10|6|10|26");
+}
+
+TEST_F(ReportTest, NamesTheLinksThatLostMost) {
+  add("a", run_sql("mobility_framework", 1) +
+               "INSERT INTO frames_sent VALUES (1,65535,'broadcast',40), (2,65535,'broadcast',30);"
+               "INSERT INTO receptions VALUES (2,1,'broadcast',1,'delivered',39),"
+               " (2,1,'broadcast',1,'noise',1), (1,2,'broadcast',1,'delivered',3),"
+               " (1,2,'broadcast',1,'collision',5);");
+  EXPECT_EQ(line(text(), "m1"), "m0|30|10.00|below sensitivity 22, collision 5");
+  EXPECT_EQ(line(text(), "m0"), "m1|40|97.50|noise 1");
+}
+
 TEST_F(ReportTest, MeasuresTheStraightLineToTheEndIfNoGoalWasReached) {
   add("a", run_sql("mobility_framework", 1, "timeout"));
   // hypot(3.0, 3.9) = 4.92; 7.5 / 4.92 = 1.524.

@@ -25,7 +25,7 @@ on_death: silence
 reply_timeout: none
 wait: 12 s
 link: udp_like
-record: {frames: all, pose_period: 250 ms}
+record: {frames: all, messages: none, pose_period: 250 ms, air: heard.pcapng, air_heard_by: x00}
 world:
   physics:
     {step: 5 ms, gravity: 1.62 m/s^2, erp: 0.3, cfm: 1e-7, surface_layer: 0.2 mm,
@@ -41,6 +41,11 @@ radio:
   propagation_delay: true
   obstacles: true
   antenna_height: 1.5 m
+  antenna_gain: 1 dB
+  channel: 6
+  loss:
+    probability: 0.25
+    links: [{from: "x*", to: cart0, probability: 0.5}, {from: cart0, to: x03, probability: 1}]
   body_loss_per_crossing: 5 dB
   body_loss_per_metre: 10 dB/m
   propagation:
@@ -83,7 +88,14 @@ agents:
     name: x0{}
     address: 300
     mote: {model: brick, size: [1 cm, 2 cm, 3 cm], mass: 7 g, friction: 0.1}
-    radio: {tx_power: 0.5 mW, antenna_height: 30 cm}
+    radio:
+      tx_power: 0.5 mW
+      antenna_height: 30 cm
+      antenna_gain: 3 dB
+      channel: 11
+      overrides:
+        - {agents: "x01", channel: 3, data_rate: 1 Mb/s, control_rate: 2 Mb/s,
+           broadcast_rate: 5.5 Mb/s, tx_power: 7 mW}
     grid: {columns: 2, rows: 2, spacing: [1 m, 2 m], origin: [-1 m, -1 m], yaw: 5 deg}
     controller:
       program: help_mote
@@ -163,8 +175,11 @@ TEST_F(Resolved, KeepsTheRun) {
   EXPECT_EQ(scenario.reply_timeout, std::nullopt);
   EXPECT_EQ(scenario.wait, 12s);
   EXPECT_EQ(c.link, agents::LinkKind::kUdpLike);
-  EXPECT_EQ(scenario.record.frames, FrameRecord::kAll);
+  EXPECT_EQ(scenario.record.frames, sim::record::Detail::kAll);
+  EXPECT_EQ(scenario.record.messages, sim::record::Detail::kNone);
   EXPECT_EQ(scenario.record.pose_period, 250ms);
+  EXPECT_EQ(scenario.record.air, "heard.pcapng");
+  EXPECT_EQ(scenario.record.air_heard_by, c.agents.at(1).id);
   EXPECT_TRUE(std::isinf(c.localisation.range.value));
 }
 
@@ -192,6 +207,12 @@ TEST_F(Resolved, KeepsTheChainOfPropagation) {
   const auto all = load(resolved_yaml(load(kEverything)));
   const auto& c = waves_of(all.simulation.radio)->propagation;
   EXPECT_EQ(c.antenna_height.value, 1.5);
+  EXPECT_EQ(c.antenna_gain.value, 1);
+  EXPECT_EQ(waves_of(all.simulation.radio)->phy.channel, 6u);
+  const radio::LossConfig& loss = waves_of(all.simulation.radio)->receiver.loss;
+  EXPECT_EQ(loss.probability, 0.25);
+  const std::vector<radio::LossConfig::Link> links{{"x*", "cart0", 0.5}, {"cart0", "x03", 1}};
+  EXPECT_EQ(loss.links, links);
   EXPECT_EQ(c.body_loss, (ObstacleLoss{hal::Decibels{5}, 10}));
   ASSERT_EQ(c.chain.size(), 3u);
   const auto& law = std::get<radio::LogDistanceConfig>(c.chain[0]);
@@ -314,10 +335,19 @@ TEST_F(Resolved, KeepsAgentsAndTheirParameters) {
   EXPECT_EQ(all[0].id.value, 7);
   EXPECT_EQ(all[4].name, "x03");
   EXPECT_EQ(all[4].id.value, 303);
-  EXPECT_EQ(all[4].tx_power->value, 0.5);
-  EXPECT_FALSE(all[0].tx_power) << "that of the radio";
-  EXPECT_EQ(all[4].antenna_height->value, 0.3);
-  EXPECT_FALSE(all[0].antenna_height) << "that of the radio";
+  EXPECT_EQ(all[4].radio.tx_power->value, 0.5);
+  EXPECT_EQ(all[0].radio, radio::StationConfig{}) << "that of the radio";
+  EXPECT_EQ(all[4].radio.antenna_gain->value, 3);
+  EXPECT_EQ(all[4].radio.channel, 11u);
+  EXPECT_FALSE(all[4].radio.data_rate);
+  const radio::StationConfig& other = all[2].radio;
+  EXPECT_EQ(other.tx_power->value, 7);
+  EXPECT_EQ(other.antenna_gain->value, 3) << "of the group";
+  EXPECT_EQ(other.channel, 3u);
+  EXPECT_EQ(other.data_rate->value, 1e6);
+  EXPECT_EQ(other.control_rate->value, 2e6);
+  EXPECT_EQ(other.broadcast_rate->value, 5.5e6);
+  EXPECT_EQ(all[4].radio.antenna_height->value, 0.3);
   EXPECT_EQ(all[4].pose.x, 0);
   EXPECT_EQ(all[4].pose.y, 1);
   ASSERT_EQ(scenario.groups.size(), 2u);
@@ -369,6 +399,31 @@ TEST_F(Resolved, HoldsForEveryRadioProfile) {
     const auto file = std::string(CONFIG_DIR) + "/scenarios/two_motes.yaml";
     const std::string once = resolved_yaml(load_scenario(file, {"radio.profile=" + profile}));
     EXPECT_EQ(resolved_yaml(load(once)), once) << profile;
+  }
+}
+
+TEST_F(Resolved, KeepsTheKeysOfTheStandards) {
+  const auto file = std::string(CONFIG_DIR) + "/scenarios/two_motes.yaml";
+  const Scenario first = load_scenario(
+      file, {"radio.profile=ieee80211g", "radio.protection=rts_cts", "radio.protection_rate=2 Mb/s",
+             "radio.msdu_lifetime=300 ms", "radio.rate_control=minstrel", "radio.aarf_threshold=9",
+             "radio.aarf_max_threshold=40", "radio.aarf_timeout=14",
+             "radio.minstrel_interval=50 ms", "radio.minstrel_past=0.5",
+             "radio.minstrel_sampling=0.2", "agents.motes.radio.standard=ieee80211b"});
+  const Scenario again = load(resolved_yaml(first));
+  const radio::DcfConfig& c = *dcf_of(again.simulation.radio);
+  EXPECT_EQ(c.protection, radio::ProtectionKind::kRtsCts);
+  EXPECT_EQ(c.protection_rate.value, 2e6);
+  EXPECT_EQ(c.msdu_lifetime, 300ms);
+  EXPECT_EQ(c.rate_control.kind, radio::RateControlKind::kMinstrel);
+  EXPECT_EQ(c.rate_control.aarf_threshold, 9u);
+  EXPECT_EQ(c.rate_control.aarf_max_threshold, 40u);
+  EXPECT_EQ(c.rate_control.aarf_timeout, 14u);
+  EXPECT_EQ(c.rate_control.minstrel_interval, 50ms);
+  EXPECT_EQ(c.rate_control.minstrel_past, 0.5);
+  EXPECT_EQ(c.rate_control.minstrel_sampling, 0.2);
+  for (const agents::AgentConfig& agent : again.simulation.agents) {
+    EXPECT_EQ(agent.radio.standard, radio::Standard::kIeee80211b);
   }
 }
 

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <map>
+
+#include "sim/radio/rate_control.h"
+
+namespace sim::radio {
+
+/// Adaptive auto rate fallback (M. Lacage, M. H. Manshaei, T. Turletti, "IEEE 802.11 Rate
+/// Adaptation: A Practical Approach", MSWiM 2004). It begins with the lowest rate.
+///
+///   threshold successes in a row, or so many transmissions at this rate: a higher one is probed
+///   the probe fails: back at once, and the threshold doubles, up to its maximum
+///   two failures in a row otherwise: a lower rate, and the threshold is as in the beginning
+///
+/// How many transmissions count as so many grows with the threshold: else a station at its best
+/// rate would probe in vain at the old pace.
+class Aarf final : public RateControl {
+ public:
+  Aarf(const RateControlConfig& config, const RateLadders& ladders)
+      : RateControl(ladders), config_(config) {}
+
+  const PhyMode& mode(hal::AgentId to, std::uint32_t attempt, hal::Time now) override;
+  void on_result(hal::AgentId to, bool is_success) override;
+
+ private:
+  struct Link {
+    std::size_t rung = 0;
+    std::uint32_t threshold = 0;
+    std::uint32_t sent = 0;                     ///< At this rate.
+    std::uint32_t successes = 0, failures = 0;  ///< In a row.
+    bool probing = false;                       ///< The rate has just been raised.
+  };
+
+  Link& link(hal::AgentId to);
+  void on_success(Link& link, std::size_t top) const;
+  void on_failure(Link& link) const;
+  static void move(Link& link, std::size_t rung);
+
+  RateControlConfig config_;
+  std::map<hal::AgentId, Link> links_;
+};
+
+}  // namespace sim::radio

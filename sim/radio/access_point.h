@@ -1,0 +1,62 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+
+#include "sim/radio/bss_mac.h"
+#include "sim/radio/distribution_system.h"
+#include "sim/radio/management.h"
+
+namespace sim::radio {
+
+/// An access point and the station in it (IEEE Std 802.11-2016, 4.3.2 and 11.3): sends beacons,
+/// answers who wants to associate, and passes on what its stations send: to one of them, to the
+/// distribution system, and what is for everyone to both.
+class AccessPoint final : public BssMac, private DistributionPort {
+ public:
+  struct Network {
+    const BssConfig& config;  ///< Outlives it, as the next two do.
+    const BssParameters& bss;
+    DistributionSystem& distribution;
+    hal::Duration first_beacon;  ///< The target transmission time.
+    double rssi_dbm, snr_db;     ///< Of what it sends itself and the wire takes to another one.
+  };
+
+  AccessPoint(const Context& context, std::unique_ptr<DcfMac> dcf, std::uint32_t queue_limit,
+              const Network& network);
+
+ private:
+  void on_frame(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) override;
+  std::optional<MacRequest> frame_for(const Waiting& waiting) override;
+  void on_management_sent(const MacRequest& request, hal::Verdict verdict) override;
+  void on_radio(bool on) override;
+
+  hal::AgentId address() const override { return agent(); }
+  void on_distributed(const Distributed& distributed) override;
+  void on_moved(hal::AgentId station) override;
+
+  void schedule_beacon(hal::Time target);
+  void send_beacon();
+
+  void on_management(const Frame& frame);
+  void on_authentication(const Frame& frame);
+  void on_association_request(const Frame& frame);
+  void on_data(const Frame& frame, hal::Dbm rssi, hal::Decibels snr);
+  void dismiss(hal::AgentId station);
+  void forget(hal::AgentId station);
+  /// Into its own BSS.
+  void relay(const MacRequest& request, hal::AgentId source);
+  std::optional<std::uint16_t> free_association_id() const;
+  void answer(FrameType type, hal::AgentId station, hal::Bytes body);
+  bool has(hal::AgentId station) const { return associated_.contains(station); }
+
+  Network network_;
+  bool beacon_waits_ = false;
+  std::set<hal::AgentId> authenticated_;
+  std::map<hal::AgentId, std::uint16_t> offered_;     ///< Association ids, not acknowledged yet.
+  std::map<hal::AgentId, std::uint16_t> associated_;  ///< Association ids.
+};
+
+}  // namespace sim::radio

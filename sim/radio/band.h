@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "sim/core/event_queue.h"
+#include "sim/radio/channel.h"
+#include "sim/radio/neighbourhood.h"
+#include "sim/radio/observer.h"
+#include "sim/radio/ports.h"
+#include "sim/radio/propagation.h"
+#include "sim/radio/radio_config.h"
+
+namespace sim::radio {
+
+/// The air of the stations that share a channel number. Those of other bands do not exist for it.
+class Band {
+ public:
+  struct Surroundings {
+    EventQueue& events;
+    const Positions& positions;
+    const Obstacles& obstacles;
+    RadioObserver& observer;
+  };
+  /// @param config  of a station on this channel number.
+  /// @param antennas  of all of them, in ascending order of agents.
+  Band(const RadioConfig& config, Surroundings around,
+       const std::vector<Neighbourhood::Antenna>& antennas)
+      : propagation_(config, around.obstacles),
+        neighbourhood_(around.events, around.positions, propagation_, antennas) {
+    for (const auto& antenna : antennas) stations_.push_back(antenna.agent);
+    if (const WavesConfig* const waves = waves_of(config)) {
+      channel_ = std::make_unique<Channel>(around.events, neighbourhood_, around.observer, *waves);
+    }
+  }
+
+  const Propagation& propagation() const { return propagation_; }
+  Neighbourhood& neighbourhood() { return neighbourhood_; }
+  /// @pre a profile with waves.
+  Channel& channel() { return *channel_; }
+  /// By StationIndex.
+  const std::vector<hal::AgentId>& stations() const { return stations_; }
+
+ private:
+  Propagation propagation_;
+  Neighbourhood neighbourhood_;
+  std::unique_ptr<Channel> channel_;
+  std::vector<hal::AgentId> stations_;
+};
+
+}  // namespace sim::radio

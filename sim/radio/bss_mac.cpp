@@ -1,0 +1,103 @@
+#include "sim/radio/bss_mac.h"
+
+#include <utility>
+
+namespace sim::radio {
+
+BssMac::BssMac(const Context& context, std::unique_ptr<DcfMac> dcf, std::uint32_t queue_limit)
+    : MacBase(context), dcf_(std::move(dcf)), queue_limit_(queue_limit) {
+  dcf_->set_listener(*this);
+}
+
+void BssMac::transmit(const MacRequest& request) {
+  check(request);
+  Waiting waiting{request, agent()};
+  if (!radio_on()) return end_later(std::move(waiting), hal::Verdict::kRadioOff);
+  if (!queue_data(waiting)) end_later(std::move(waiting), hal::Verdict::kQueueFull);
+}
+
+void BssMac::set_radio(bool on) {
+  if (on == radio_on()) return;
+  dcf_->set_radio(on);  // ends what is being served
+  if (!on) {
+    management_.clear();
+    for (Waiting& waiting : std::exchange(data_, {})) {
+      end_later(std::move(waiting), hal::Verdict::kRadioOff);
+    }
+  }
+  on_radio(on);
+}
+
+bool BssMac::queue_data(Waiting waiting) {
+  if (queued() >= queue_limit_) return false;
+  data_.push_back(std::move(waiting));
+  serve();
+  return true;
+}
+
+void BssMac::send_management(FrameType type, hal::AgentId to, hal::AgentId bssid, hal::Bytes body) {
+  management_.push_back({.destination = to,
+                         .ethertype = 0,
+                         .priority = 0,
+                         .payload = std::make_shared<const hal::Bytes>(std::move(body)),
+                         .tag = 0,
+                         .header = {.type = type, .ds = Ds::kNone, .address3 = bssid}});
+  serve();
+}
+
+MacRequest BssMac::data_frame(const Waiting& waiting, hal::AgentId receiver, Ds ds) {
+  MacRequest frame = waiting.request;
+  frame.header = {.type = FrameType::kData,
+                  .ds = ds,
+                  .address3 = ds == Ds::kTo ? frame.destination : waiting.source};
+  frame.destination = receiver;
+  return frame;
+}
+
+void BssMac::serve() {
+  while (!is_busy_ && radio_on()) {
+    std::optional<MacRequest> frame;
+    if (!management_.empty()) {
+      frame = std::move(management_.front());
+      management_.pop_front();
+    } else {
+      if (data_.empty() || !is_open()) return;
+      Waiting waiting = std::move(data_.front());
+      data_.pop_front();
+      frame = frame_for(waiting);
+      if (frame) serving_ = std::move(waiting);
+    }
+    if (!frame) continue;
+    is_busy_ = true;
+    serving_since_ = now();
+    dcf_->transmit(*frame);
+  }
+}
+
+void BssMac::on_sent(const MacRequest& request, hal::Verdict verdict) {
+  is_busy_ = false;
+  const std::optional<Waiting> served = std::exchange(serving_, std::nullopt);
+  if (!served) {
+    on_management_sent(request, verdict);
+    return serve();
+  }
+  if (verdict == hal::Verdict::kDelivered) learn_service_time(now() - serving_since_);
+  serve();
+  end(*served, verdict);
+}
+
+void BssMac::end_later(Waiting waiting, hal::Verdict verdict) {
+  auto shared = std::make_shared<const Waiting>(std::move(waiting));
+  events().schedule(now(), Rank::kRadio, agent(),
+                    [this, shared, verdict] { end(*shared, verdict); });
+}
+
+void BssMac::end(const Waiting& waiting, hal::Verdict verdict) {
+  if (waiting.source == agent()) return report(waiting.request, verdict);
+  observer().on_request_end(now(), agent(), waiting.request.destination, verdict);
+  if (verdict != hal::Verdict::kDelivered) {
+    observer().on_relay_lost(now(), waiting.source, waiting.request, verdict);
+  }
+}
+
+}  // namespace sim::radio

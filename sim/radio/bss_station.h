@@ -1,0 +1,44 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "sim/radio/association.h"
+#include "sim/radio/bss_mac.h"
+
+namespace sim::radio {
+
+/// A station of an infrastructure network: whatever it sends goes To DS, to the access point that
+/// it is associated with, and waits while there is none; whatever it gets comes From DS, from
+/// there. What it sent to everyone comes back from the access point and is not handed up again.
+class BssStation final : public BssMac, private Association::Port {
+ public:
+  struct Membership {
+    const BssConfig& config;  ///< Outlives the station, as the next does.
+    const BssParameters& bss;
+    std::vector<hal::AgentId> access_points;  ///< That it may use.
+  };
+
+  BssStation(const Context& context, std::unique_ptr<DcfMac> dcf, std::uint32_t queue_limit,
+             Membership membership);
+
+ private:
+  void on_frame(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) override;
+  std::optional<MacRequest> frame_for(const Waiting& waiting) override;
+  bool is_open() const override { return association_.is_settled(); }
+  void on_management_sent(const MacRequest& request, hal::Verdict verdict) override;
+  void on_radio(bool on) override;
+
+  void send(FrameType type, hal::AgentId access_point, hal::Bytes body) override;
+  void on_association() override;
+
+  bool may_use(hal::AgentId access_point) const;
+  void on_beacon(const Frame& frame, hal::Dbm rssi);
+  void on_data(const Frame& frame, hal::Dbm rssi, hal::Decibels snr);
+
+  std::vector<hal::AgentId> access_points_;
+  Association association_;
+  std::optional<hal::AgentId> told_;  ///< Access point that the observer knows of.
+};
+
+}  // namespace sim::radio

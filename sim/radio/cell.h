@@ -1,0 +1,34 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "hal/types/agent_id.h"
+
+namespace sim::radio {
+
+/// The stations that share one channel number, by what they can receive. In the standard they learn
+/// it from each other's beacons and probes; here they know it from the start.
+class Cell {
+ public:
+  /// @param knows_ofdm  else it is a NonERP station: DSSS and HR/DSSS only.
+  void add(hal::AgentId station, bool knows_ofdm) {
+    if (knows_ofdm) {
+      has_erp_ = true;
+    } else {
+      non_erp_.insert(std::ranges::lower_bound(non_erp_, station), station);
+    }
+  }
+  /// Some know OFDM and some do not: frames in OFDM need protection (10.26.2).
+  bool is_mixed() const { return has_erp_ && !non_erp_.empty(); }
+  /// True of addresses that nobody has.
+  bool knows_ofdm(hal::AgentId station) const {
+    return !std::ranges::binary_search(non_erp_, station);
+  }
+
+ private:
+  bool has_erp_ = false;
+  std::vector<hal::AgentId> non_erp_;  ///< Ascending.
+};
+
+}  // namespace sim::radio

@@ -1,0 +1,103 @@
+#include "sim/radio/infrastructure.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include "sim/radio/access_point.h"
+#include "sim/radio/bss_station.h"
+#include "sim/radio/dcf_mac.h"
+#include "sim/radio/propagation.h"
+
+namespace sim::radio {
+namespace {
+
+/// Of all modes (IEEE Std 802.11-2016, 16.1.2 and 18.1.2), Mb/s.
+constexpr double kAllRates[] = {1, 2, 5.5, 6, 9, 11, 12, 18, 24, 36, 48, 54};
+constexpr double kRateUnit = 0.5;              // Mb/s, 9.4.2.3
+constexpr std::uint8_t kBasicRateFlag = 0x80;  // of the set of basic rates
+constexpr hal::Duration kShortSlotTime{9'000};
+
+std::vector<std::uint8_t> supported_rates(Profile profile, const DcfConfig& config) {
+  std::vector<std::uint8_t> rates;
+  for (const double rate : kAllRates) {
+    const hal::BitsPerSecond in_bits{rate * 1e6};
+    if (!is_rate(profile, in_bits)) continue;
+    const bool basic = std::ranges::find(config.basic_rates, in_bits) != config.basic_rates.end();
+    rates.push_back(static_cast<std::uint8_t>(static_cast<int>(rate / kRateUnit) |
+                                              (basic ? kBasicRateFlag : 0)));
+  }
+  return rates;
+}
+
+BssParameters parameters(Profile profile, const DcfConfig& config, bool is_mixed) {
+  return {.ssid = config.bss.ssid,
+          .rates = supported_rates(profile, config),
+          .channel = static_cast<std::uint8_t>(config.phy.channel),
+          .short_preamble = config.phy.preamble == Preamble::kShort,
+          .short_slot = config.contention.slot == kShortSlotTime,
+          .erp = profile == Profile::kIeee80211g,
+          .use_protection = is_mixed};
+}
+
+std::vector<hal::AgentId> agents_of(const std::vector<std::string>& names,
+                                    const std::vector<RadioNetwork::Station>& stations) {
+  std::vector<hal::AgentId> agents;
+  for (const std::string& name : names) {
+    const auto found = std::ranges::find(stations, name, &RadioNetwork::Station::name);
+    if (found == stations.end()) {
+      throw std::invalid_argument("radio: the access point '" + name + "' is no station");
+    }
+    agents.push_back(found->agent);
+  }
+  return agents;
+}
+
+}  // namespace
+
+Infrastructure::Infrastructure(const DcfConfig& config,
+                               const std::vector<RadioNetwork::Station>& stations,
+                               EventQueue& events)
+    : config_(config), distribution_(events, config.bss.distribution_delay) {
+  const std::vector<hal::AgentId> of_all = agents_of(config.bss.access_points, stations);
+  std::set<hal::AgentId> named(of_all.begin(), of_all.end());
+  for (const RadioNetwork::Station& station : stations) {
+    const auto own =
+        station.radio.access_points ? agents_of(*station.radio.access_points, stations) : of_all;
+    if (!own.empty()) usable_[station.agent] = own;
+    named.insert(own.begin(), own.end());
+  }
+  for (const hal::AgentId access_point : named) usable_.erase(access_point);
+  access_points_.assign(named.begin(), named.end());
+}
+
+std::unique_ptr<MacBase> Infrastructure::completed(const MacBase::Context& context,
+                                                   std::unique_ptr<DcfMac> dcf, const Own& own) {
+  const bool is_access_point = std::ranges::binary_search(access_points_, context.agent);
+  const auto usable = usable_.find(context.agent);
+  if (!is_access_point && usable == usable_.end()) return dcf;
+  parameters_.push_back(parameters(own.profile, own.config, context.cell.is_mixed()));
+  if (is_access_point) return access_point(context, std::move(dcf), own);
+  return std::make_unique<BssStation>(
+      context, std::move(dcf), own.config.contention.queue_limit,
+      BssStation::Membership{config_.bss, parameters_.back(), usable->second});
+}
+
+/// The target transmission times of their beacons are spread evenly over the interval.
+std::unique_ptr<MacBase> Infrastructure::access_point(const MacBase::Context& context,
+                                                      std::unique_ptr<DcfMac> dcf, const Own& own) {
+  const auto place = std::ranges::find(access_points_, context.agent) - access_points_.begin();
+  const auto count = static_cast<std::int64_t>(access_points_.size());
+  const double power = to_dbm(context.tx_power).value;
+  return std::make_unique<AccessPoint>(
+      context, std::move(dcf), own.config.contention.queue_limit,
+      AccessPoint::Network{.config = config_.bss,
+                           .bss = parameters_.back(),
+                           .distribution = distribution_,
+                           .first_beacon = place * config_.bss.beacon_interval / count,
+                           .rssi_dbm = power,
+                           .snr_db = power - own.config.receiver.noise_floor.value});
+}
+
+}  // namespace sim::radio

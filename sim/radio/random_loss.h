@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hal/types/agent_id.h"
+#include "sim/radio/frame.h"
+#include "sim/radio/loss_config.h"
+
+namespace sim::radio {
+
+/// Draws for each frame at each receiver, independently, from the stream of the link from one to
+/// the other: other stations and other links change nothing.
+class RandomLoss {
+ public:
+  using Names = std::vector<std::pair<hal::AgentId, std::string>>;
+
+  /// @param names  of all stations, in ascending order of addresses.
+  RandomLoss(const LossConfig& config, std::uint64_t seed, const Names& names);
+
+  /// Whether this frame is lost at this station. The same for the same frame.
+  bool strikes(const Frame& frame, hal::AgentId receiver) const;
+
+ private:
+  struct Station {
+    hal::AgentId agent;
+    std::uint64_t name;  ///< With the run's seed.
+  };
+  struct Link {
+    std::vector<bool> from, to;  ///< By place among the stations.
+    double probability;
+  };
+
+  std::size_t place_of(hal::AgentId agent) const;
+  double probability(std::size_t from, std::size_t to) const;
+
+  double everywhere_;
+  std::vector<Station> stations_;
+  std::vector<Link> links_;
+};
+
+}  // namespace sim::radio

@@ -1,0 +1,85 @@
+#include "sim/record/air_capture.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "sim/radio/frame.h"
+#include "sim/record/radiotap.h"
+
+namespace sim::record {
+namespace {
+
+constexpr double kLightSpeed = 299792458;  ///< m/s
+/// Of profiles without waves: channel 1 (IEEE Std 802.11-2016, 16.3.6.3).
+constexpr std::uint16_t kChannel1 = 2412;
+
+std::uint16_t frequency_of(const radio::RadioConfig& config) {
+  const radio::WavesConfig* const waves = radio::waves_of(config);
+  if (waves == nullptr) return kChannel1;
+  const double mhz = kLightSpeed / waves->propagation.wavelength.value / 1e6;
+  return static_cast<std::uint16_t>(std::clamp(std::round(mhz), 0.0, 65535.0));
+}
+
+std::optional<double> noise_of(const radio::RadioConfig& config) {
+  const radio::WavesConfig* const waves = radio::waves_of(config);
+  if (waves == nullptr) return std::nullopt;
+  return waves->receiver.noise_floor.value;
+}
+
+/// From the frame's begin to the last bit of its MPDU, and to the first.
+hal::Duration until_last_bit(const radio::Frame& frame) {
+  return frame.airtime - (frame.mode == nullptr ? hal::Duration{} : frame.mode->signal_extension());
+}
+hal::Duration until_mpdu(const radio::Frame& frame) {
+  return frame.mode == nullptr ? hal::Duration{} : frame.mode->preamble_and_header();
+}
+
+}  // namespace
+
+AirCapture::AirCapture(const std::filesystem::path& file, const radio::RadioConfig& config,
+                       std::optional<hal::AgentId> heard_by, std::string_view interface)
+    : heard_by_(heard_by),
+      frequency_(frequency_of(config)),
+      noise_dbm_(noise_of(config)),
+      file_(file, interface) {}
+
+void AirCapture::on_frame_start(hal::Time at, const radio::Frame& frame) {
+  write_ended(at);
+  if (heard_by_ && frame.transmitter != *heard_by_) return;
+  const RadiotapFields fields{.mpdu_start = at + until_mpdu(frame), .frequency = frequency_};
+  in_the_air_.emplace(at + until_last_bit(frame), InTheAir{frame.id, with_radiotap(frame, fields)});
+}
+
+void AirCapture::on_frame_cut(hal::Time at, const radio::Frame& frame) {
+  write_ended(at);
+  std::erase_if(in_the_air_, [&](const auto& entry) { return entry.second.frame == frame.id; });
+}
+
+void AirCapture::on_reception(hal::Time at, const radio::Frame& frame, hal::AgentId receiver,
+                              hal::Verdict verdict, double rssi_dbm) {
+  if (heard_by_ != receiver || verdict != hal::Verdict::kDelivered) return;
+  write_ended(at);
+  const hal::Time start = at - frame.airtime;
+  RadiotapFields fields{.mpdu_start = start + until_mpdu(frame), .frequency = frequency_};
+  if (noise_dbm_) fields.signal_dbm = rssi_dbm;
+  fields.noise_dbm = noise_dbm_;
+  file_.add(start + until_last_bit(frame), PcapngFile::Direction::kInbound,
+            with_radiotap(frame, fields));
+}
+
+void AirCapture::finish(hal::Time ended_at) {
+  write_ended(ended_at);
+  flush();
+}
+
+void AirCapture::write_ended(hal::Time until) {
+  const auto direction =
+      heard_by_ ? PcapngFile::Direction::kOutbound : PcapngFile::Direction::kUnknown;
+  while (!in_the_air_.empty() && in_the_air_.begin()->first <= until) {
+    const auto ended = in_the_air_.extract(in_the_air_.begin());
+    file_.add(ended.key(), direction, ended.mapped().packet);
+  }
+}
+
+}  // namespace sim::record

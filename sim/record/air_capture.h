@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string_view>
+
+#include "hal/types/message.h"
+#include "sim/agents/observer.h"
+#include "sim/radio/radio_config.h"
+#include "sim/record/pcapng.h"
+
+namespace sim::record {
+
+/// Writes the frames of a run as they are on the air to a capture file: all that are sent, as an
+/// ear hears them that is everywhere and loses none, or what one station sends and receives.
+///
+/// The time of a packet is when the last bit of its frame was there: at its transmitter, or at the
+/// station. So they are in order. Frames that are broken off, or still in the air at the end, are
+/// not written; of a station, neither are those that it lost: all that are there have a right FCS.
+/// Bytes are those of radio::encode(), also where `lengths: fixed` gives frames another length on
+/// the air.
+class AirCapture final : public agents::Observer {
+ public:
+  /// @param heard_by  none: the ear.  @param interface  its name in the file.
+  /// @throws std::runtime_error  the file cannot be written; so does all that follows.
+  AirCapture(const std::filesystem::path& file, const radio::RadioConfig& config,
+             std::optional<hal::AgentId> heard_by, std::string_view interface);
+
+  void on_frame_start(hal::Time at, const radio::Frame& frame) override;
+  void on_frame_cut(hal::Time at, const radio::Frame& frame) override;
+  void on_reception(hal::Time at, const radio::Frame& frame, hal::AgentId receiver,
+                    hal::Verdict verdict, double rssi_dbm) override;
+
+  /// Makes what there is so far readable for others.
+  void flush() { file_.flush(); }
+
+  /// Writes what was sent and ended before, or at, the end of the run.
+  void finish(hal::Time ended_at);
+
+ private:
+  /// Of the transmitter.
+  struct InTheAir {
+    std::uint64_t frame = 0;
+    hal::Bytes packet;
+  };
+
+  void write_ended(hal::Time until);
+
+  std::optional<hal::AgentId> heard_by_;
+  std::uint16_t frequency_;  ///< MHz
+  std::optional<double> noise_dbm_;
+  PcapngFile file_;
+  std::multimap<hal::Time, InTheAir> in_the_air_;  ///< By end; of equals the first to begin first.
+};
+
+}  // namespace sim::record

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstdint>
+
+namespace sim::record {
+
+/// What is written of something that there may be much of.
+enum class Detail : std::uint8_t {
+  kNone,    ///< Nothing.
+  kCounts,  ///< Counts per agent, peer, class and verdict.
+  kAll,  ///< A row for each, about 1 us: of frames beside the counts, of messages in their place.
+};
+
+}  // namespace sim::record

@@ -1,0 +1,154 @@
+#include "sim/scenario/bss_section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "hal/config/suggest.h"
+#include "sim/scenario/fields.h"
+
+namespace sim::scenario {
+namespace {
+
+constexpr const char* kBss = "bss";
+constexpr const char* kNone = "none";
+
+const Key kSsidKey{"ssid", "Name of the network, 1 to 32 bytes.", "field", "baraka"};
+const Key kAccessPoints{
+    "access_point",
+    "Name of the agent that is the access point, or a list of several: the other agents are "
+    "stations, which use the one that they hear best, and send to each other through it. Without "
+    "one the network is ad hoc.",
+    "[NAME0]"};
+const Key kOwnAccessPoints{
+    "access_point",
+    "Those that the agents of this group may use instead of the radio's, a name or a list; `none`: "
+    "they are in an ad hoc network. Who is named is an access point.",
+    "[NAME0]", "those of `radio`"};
+
+template <class Io>
+void bss_keys_of(Io& io, radio::BssConfig& c) {
+  io.duration({"beacon_interval",
+               "From one beacon of an access point to its next; a multiple of 1.024 ms. Those of "
+               "several access points are spread evenly over it.",
+               "102.4 ms"},
+              {1.024e-3, 67.10784}, c.beacon_interval);
+  io.quantity({"hysteresis",
+               "A station changes over to an access point whose mean beacon is stronger by more "
+               "than this.",
+               "6 dB"},
+              "dB", {0, 100}, c.hysteresis);
+  io.number({"beacon_weight",
+             "Of the newest beacon in the running mean of an access point's RSSI in dBm; 1: only "
+             "the newest counts.",
+             "0.25"},
+            "1", {1e-3, 1}, c.beacon_weight);
+  io.count({"beacon_loss",
+            "An access point is lost to a station so many intervals after the last beacon that it "
+            "heard.",
+            "7"},
+           1, 1000, c.beacon_loss);
+  io.duration(
+      {"scan_time", "For so long a station without an access point listens before it chooses one.",
+       "120 ms"},
+      {1e-3, 100}, c.scan_time);
+  io.duration(
+      {"answer_timeout",
+       "So long a station waits for the answer to an authentication or association.", "200 ms"},
+      {1e-3, 100}, c.answer_timeout);
+  io.duration({"distribution_delay", "Of the wire from one access point to another.", "1 ms"},
+              {0, 10}, c.distribution_delay);
+}
+
+/// One name, or a list of names.
+std::vector<std::string> read_names(Mapping& in, const Key& key) {
+  if (in.has_scalar(key.name)) return {in.text(key)};
+  std::vector<std::string> names;
+  for (const hal::config::Scalar& name : in.texts(key)) {
+    if (std::ranges::count(names, name.text) > 0) {
+      in.mistake(key.name, fmt::format("'{}' is named twice", name.text));
+    }
+    names.push_back(name.text);
+  }
+  return names;
+}
+
+void check_names(Mapping in, const Key& key, const std::vector<std::string>& names,
+                 const std::vector<std::string>& agents) {
+  for (const std::string& name : names) {
+    if (name.empty() || std::ranges::count(agents, name) > 0) continue;
+    in.mistake(key.name,
+               fmt::format("unknown agent '{}'{}", name, hal::config::suggestion(name, agents)));
+  }
+}
+
+}  // namespace
+
+void read_bss(Mapping in, radio::BssConfig& config) {
+  config.access_points = read_names(in, kAccessPoints);
+  config.ssid = in.text(kSsidKey, config.ssid);
+  if (config.ssid.size() > radio::kMaxSsid) {
+    in.mistake(kSsidKey.name, fmt::format("{} bytes are above the limit of {}", config.ssid.size(),
+                                          radio::kMaxSsid));
+  }
+  FieldReader reader(in);
+  bss_keys_of(reader, config);
+  if (config.beacon_interval % radio::kTimeUnit != hal::Duration{}) {
+    in.mistake("beacon_interval", hal::config::format_duration(config.beacon_interval) +
+                                      " is not a multiple of 1.024 ms");
+  }
+  in.finish();
+}
+
+void write_bss(Writer& out, const radio::BssConfig& config) {
+  radio::BssConfig copy = config;
+  out.open(kBss);
+  out.texts(kAccessPoints.name, config.access_points);
+  out.text(kSsidKey.name, config.ssid);
+  FieldWriter writer(out);
+  bss_keys_of(writer, copy);
+  out.close();
+}
+
+std::optional<std::vector<std::string>> read_own_access_points(Mapping in) {
+  std::optional<std::vector<std::string>> names;
+  const std::vector<std::string> given = read_names(in, kOwnAccessPoints);
+  if (in.has(kOwnAccessPoints.name)) {
+    names = given == std::vector<std::string>{kNone} ? std::vector<std::string>{} : given;
+  }
+  in.finish();
+  return names;
+}
+
+void write_own_access_points(Writer& out, const std::optional<std::vector<std::string>>& names) {
+  if (!names) return;
+  out.open(kBss);
+  if (names->empty()) {
+    out.text(kOwnAccessPoints.name, kNone);
+  } else {
+    out.texts(kOwnAccessPoints.name, *names);
+  }
+  out.close();
+}
+
+void check_access_points(Mapping& in, const Scenario& scenario) {
+  std::vector<std::string> agents;
+  for (const agents::AgentConfig& agent : scenario.simulation.agents) agents.push_back(agent.name);
+  const radio::DcfConfig* const dcf = dcf_of(scenario.simulation.radio);
+  if (dcf == nullptr) return;
+  check_names(in.within("radio").within(kBss), kAccessPoints, dcf->bss.access_points, agents);
+  for (const Group& group : scenario.groups) {
+    std::vector<std::string> named;
+    for (const agents::AgentConfig& agent : scenario.simulation.agents) {
+      const auto& own = agent.radio.access_points;
+      if (!own || std::ranges::count(group.agents, agent.id) == 0) continue;
+      for (const std::string& name : *own) {
+        if (std::ranges::count(named, name) == 0) named.push_back(name);
+      }
+    }
+    check_names(in.within("agents").within(group.name).within("radio").within(kBss),
+                kOwnAccessPoints, named, agents);
+  }
+}
+
+}  // namespace sim::scenario

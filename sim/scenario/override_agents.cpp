@@ -1,0 +1,29 @@
+#include "sim/scenario/override_agents.h"
+
+#include <fmt/format.h>
+
+#include "hal/types/pattern.h"
+
+namespace sim::scenario {
+
+std::vector<agents::AgentConfig*> OverrideAgents::read(hal::config::Mapping& in) {
+  const std::string pattern =
+      in.text({"agents", "Name of the agent, or a pattern with * of several.", "NAME0"});
+  std::vector<agents::AgentConfig*> fitting;
+  std::string clash;
+  for (agents::AgentConfig& agent : group_) {
+    if (!hal::matches(pattern, agent.name)) continue;
+    fitting.push_back(&agent);
+    const auto [first, is_new] = pattern_of_.emplace(agent.name, pattern);
+    if (is_new || !clash.empty()) continue;
+    clash = fmt::format("'{}' and '{}' overlap: both match {}", first->second, pattern, agent.name);
+  }
+  if (!clash.empty()) in.mistake("agents", clash);
+  if (fitting.empty() && !pattern.empty() && !group_.empty()) {
+    in.mistake("agents", fmt::format("unknown agent: '{}' matches none of this group, {} .. {}",
+                                     pattern, group_.front().name, group_.back().name));
+  }
+  return fitting;
+}
+
+}  // namespace sim::scenario

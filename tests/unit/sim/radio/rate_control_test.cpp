@@ -1,0 +1,231 @@
+#include "sim/radio/rate_control.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <vector>
+
+#include "sim/radio/aarf.h"
+#include "sim/radio/minstrel.h"
+
+namespace sim::radio::test {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr hal::AgentId kPeer{2}, kOther{3}, kOld{4};
+
+/// The ladder of a station of 802.11g up to 54 Mb/s; kOld knows DSSS only.
+class RateControlTest : public testing::Test {
+ protected:
+  RateControlTest() : config_(Ieee80211gConfig{}), modes_(config_) {
+    cell_.add(kPeer, true);
+    cell_.add(kOld, false);
+    ladders_.emplace(make_ladder(std::get<Ieee80211gConfig>(config_), modes_, cell_), cell_);
+  }
+  double mbps(RateControl& control, hal::AgentId to = kPeer, std::uint32_t attempt = 0) {
+    return control.mode(to, attempt, now).rate().value / 1e6;
+  }
+  void tell(RateControl& control, bool is_success, int times = 1, hal::AgentId to = kPeer) {
+    for (int i = 0; i < times; ++i) {
+      mbps(control, to);
+      control.on_result(to, is_success);
+    }
+  }
+
+  RateControlConfig rates;
+  hal::Time now{};
+  RadioConfig config_;
+  ModeSet modes_;
+  Cell cell_;
+  std::optional<RateLadders> ladders_;
+};
+
+TEST_F(RateControlTest, FixedIsTheHighestThatTheOtherKnows) {
+  FixedRate fixed(*ladders_);
+  EXPECT_EQ(mbps(fixed), 54);
+  EXPECT_EQ(mbps(fixed, kOld), 11);
+  tell(fixed, false, 10);
+  EXPECT_EQ(mbps(fixed), 54);
+}
+
+// Ladder: 1, 2, 5.5, 6, 9, 11, 12, 18, 24, 36, 48, 54 Mb/s.
+TEST_F(RateControlTest, AarfClimbsAfterTenSuccessesInARow) {
+  Aarf aarf(rates, *ladders_);
+  EXPECT_EQ(mbps(aarf), 1);
+  tell(aarf, true, 9);
+  EXPECT_EQ(mbps(aarf), 1);
+  tell(aarf, true);
+  EXPECT_EQ(mbps(aarf), 2);
+  tell(aarf, true, 10 * 10);
+  EXPECT_EQ(mbps(aarf), 54);
+  tell(aarf, true, 100);
+  EXPECT_EQ(mbps(aarf), 54) << "there is none above";
+}
+
+TEST_F(RateControlTest, AarfDoublesItsThresholdWhenAProbeFails) {
+  Aarf aarf(rates, *ladders_);
+  for (const int threshold : {10, 20, 40, 50, 50}) {
+    tell(aarf, true, threshold - 1);
+    EXPECT_EQ(mbps(aarf), 1) << threshold;
+    tell(aarf, true);
+    EXPECT_EQ(mbps(aarf), 2) << threshold;
+    tell(aarf, false);
+    EXPECT_EQ(mbps(aarf), 1) << "back at once";
+  }
+}
+
+TEST_F(RateControlTest, AarfFallsAfterTwoFailuresInARowAndForgetsItsThreshold) {
+  Aarf aarf(rates, *ladders_);
+  tell(aarf, true, 10);
+  tell(aarf, false);     // threshold 20 at 1 Mb/s
+  tell(aarf, true, 20);  // 2 Mb/s
+  tell(aarf, true);      // the probe succeeds
+  tell(aarf, false);
+  EXPECT_EQ(mbps(aarf), 2) << "one failure is none";
+  tell(aarf, true);
+  tell(aarf, false);
+  EXPECT_EQ(mbps(aarf), 2) << "not in a row";
+  tell(aarf, false);
+  EXPECT_EQ(mbps(aarf), 1);
+  tell(aarf, true, 10);
+  EXPECT_EQ(mbps(aarf), 2) << "the threshold is 10 again";
+  tell(aarf, false, 5);
+  EXPECT_EQ(mbps(aarf), 1) << "there is none below";
+}
+
+// Every fifth transmission fails: never ten in a row. After 15 transmissions it climbs anyway.
+TEST_F(RateControlTest, AarfClimbsAfterItsTimeout) {
+  Aarf aarf(rates, *ladders_);
+  for (int i = 0; i < 14; ++i) tell(aarf, i % 5 != 4);
+  EXPECT_EQ(mbps(aarf), 1);
+  tell(aarf, true);
+  EXPECT_EQ(mbps(aarf), 2);
+}
+
+TEST_F(RateControlTest, AarfKnowsEachDestinationByItself) {
+  Aarf aarf(rates, *ladders_);
+  tell(aarf, true, 110);
+  EXPECT_EQ(mbps(aarf, kPeer), 54);
+  EXPECT_EQ(mbps(aarf, kOther), 1);
+  tell(aarf, true, 110, kOld);
+  EXPECT_EQ(mbps(aarf, kOld), 11);
+}
+
+TEST_F(RateControlTest, AarfTakesItsConstantsFromTheConfig) {
+  rates = {.aarf_threshold = 3, .aarf_max_threshold = 4, .aarf_timeout = 1000};
+  Aarf aarf(rates, *ladders_);
+  for (const int threshold : {3, 4, 4}) {
+    tell(aarf, true, threshold - 1);
+    EXPECT_EQ(mbps(aarf), 1);
+    tell(aarf, true);
+    EXPECT_EQ(mbps(aarf), 2);
+    tell(aarf, false);
+  }
+}
+
+/// Frames one after the other, 1 ms each, over a link on which each rate succeeds with a
+/// probability. @return at which rate (Mb/s) how many first attempts went out.
+std::map<double, int> play(RateControl& control, const std::function<double(double)>& success,
+                           int frames, hal::Time& now) {
+  hal::RandomStream random(1, "link");
+  std::map<double, int> firsts;
+  for (int i = 0; i < frames; ++i) {
+    for (std::uint32_t attempt = 0; attempt < 7; ++attempt) {
+      const double rate = control.mode(kPeer, attempt, now).rate().value / 1e6;
+      if (attempt == 0) ++firsts[rate];
+      now += 1ms;
+      const bool is_success = random.uniform() < success(rate);
+      control.on_result(kPeer, is_success);
+      if (is_success) break;
+    }
+  }
+  return firsts;
+}
+
+TEST_F(RateControlTest, MinstrelFindsTheRateWithTheMostFramesInTime) {
+  struct Case {
+    std::function<double(double)> success;
+    double best;
+  };
+  const std::vector<Case> cases{
+      {[](double) { return 1.0; }, 54},
+      {[](double rate) { return rate <= 24 ? 1.0 : 0.0; }, 24},
+      // 36 Mb/s at 0.9 gives more than 24 Mb/s at 1, 48 Mb/s at 0.5 less than either.
+      {[](double rate) { return rate < 36   ? 1.0
+                                : rate < 48 ? 0.9
+                                : rate < 54 ? 0.5
+                                            : 0.0; }, 36},
+      {[](double rate) { return rate <= 1 ? 1.0 : 0.0; }, 1}};
+  for (const Case& c : cases) {
+    Minstrel minstrel(rates, *ladders_, hal::RandomStream(1, "rates"));
+    play(minstrel, c.success, 5000, now);
+    const auto firsts = play(minstrel, c.success, 5000, now);
+    // A tenth of the frames sample another rate; slow ones only in their second attempt.
+    EXPECT_GT(firsts.at(c.best), 4400) << c.best << " Mb/s";
+  }
+}
+
+TEST_F(RateControlTest, MinstrelFollowsALinkThatBecomesWorseAndBetter) {
+  Minstrel minstrel(rates, *ladders_, hal::RandomStream(1, "rates"));
+  const auto up_to = [](double most) {
+    return [most](double rate) { return rate <= most ? 1.0 : 0.0; };
+  };
+  for (const double most : {54.0, 12.0, 36.0}) {
+    play(minstrel, up_to(most), 3000, now);
+    const auto firsts = play(minstrel, up_to(most), 1000, now);
+    EXPECT_GT(firsts.at(most), 850) << most << " Mb/s";
+  }
+}
+
+TEST_F(RateControlTest, MinstrelEndsAFrameAtTheLowestRate) {
+  Minstrel minstrel(rates, *ladders_, hal::RandomStream(1, "rates"));
+  play(
+      minstrel, [](double) { return 1.0; }, 3000, now);
+  EXPECT_EQ(mbps(minstrel, kPeer, 6), 1);
+}
+
+TEST_F(RateControlTest, MinstrelSamplesAsOftenAsItIsTold) {
+  rates.minstrel_sampling = 0;
+  Minstrel never(rates, *ladders_, hal::RandomStream(1, "rates"));
+  auto firsts = play(
+      never, [](double) { return 1.0; }, 1000, now);
+  EXPECT_EQ(firsts, (std::map<double, int>{{1.0, 1000}})) << "it never learns of others";
+  rates.minstrel_sampling = 1;
+  Minstrel always(rates, *ladders_, hal::RandomStream(1, "rates"));
+  firsts = play(
+      always, [](double) { return 1.0; }, 1000, now);
+  EXPECT_GT(firsts.size(), 6u) << "until it knows the fastest one";
+}
+
+// With no weight of the past the last interval alone counts: one bad interval, and it leaves.
+TEST_F(RateControlTest, MinstrelRemembersAsLongAsItIsTold) {
+  const auto leaves_after = [this](double past) {
+    rates.minstrel_past = past;
+    rates.minstrel_interval = 10ms;
+    Minstrel minstrel(rates, *ladders_, hal::RandomStream(1, "rates"));
+    play(
+        minstrel, [](double) { return 1.0; }, 3000, now);
+    const auto fails = [](double rate) { return rate < 54 ? 1.0 : 0.0; };
+    int frames = 0;
+    while (play(minstrel, fails, 1, now).contains(54) && frames < 1000) ++frames;
+    return frames;
+  };
+  EXPECT_LT(2 * leaves_after(0), leaves_after(0.98));
+}
+
+TEST_F(RateControlTest, IsTheOneThatTheConfigNames) {
+  rates.kind = RateControlKind::kAarf;
+  EXPECT_NE(
+      dynamic_cast<Aarf*>(make_rate_control(rates, *ladders_, hal::RandomStream(1, "r")).get()),
+      nullptr);
+  rates.kind = RateControlKind::kMinstrel;
+  EXPECT_NE(
+      dynamic_cast<Minstrel*>(make_rate_control(rates, *ladders_, hal::RandomStream(1, "r")).get()),
+      nullptr);
+}
+
+}  // namespace
+}  // namespace sim::radio::test

@@ -1,0 +1,174 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <set>
+#include <sstream>
+#include <string>
+
+#include "sim/radio/codec.h"
+#include "tests/unit/sim/radio/bss.h"
+
+namespace sim::radio::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+void put(std::ofstream& out, std::uint32_t value, int bytes) {
+  for (int i = 0; i < bytes; ++i) out.put(static_cast<char>(value >> (8 * i)));
+}
+
+/// A pcap file (draft-ietf-opsawg-pcap) of frames behind the shortest radiotap header that says
+/// that the FCS is there.
+void write_pcap(const fs::path& file, const std::vector<Log::Start>& starts) {
+  constexpr std::uint32_t kRadiotap = 127, kHeader = 9, kFlags = 1u << 1, kFcsAtEnd = 0x10;
+  std::ofstream out(file, std::ios::binary);
+  put(out, 0xa1b2c3d4, 4);
+  put(out, 2, 2);
+  put(out, 4, 2);
+  put(out, 0, 4);
+  put(out, 0, 4);
+  put(out, 65535, 4);
+  put(out, kRadiotap, 4);
+  for (const Log::Start& start : starts) {
+    const hal::Bytes bytes = encode(start.frame);
+    const auto us = std::chrono::floor<std::chrono::microseconds>(start.at.time_since_epoch());
+    put(out, static_cast<std::uint32_t>(us.count() / 1'000'000), 4);
+    put(out, static_cast<std::uint32_t>(us.count() % 1'000'000), 4);
+    const auto size = static_cast<std::uint32_t>(kHeader + bytes.size());
+    put(out, size, 4);
+    put(out, size, 4);
+    put(out, 0, 2);
+    put(out, kHeader, 2);
+    put(out, kFlags, 4);
+    put(out, kFcsAtEnd, 1);
+    out.write(reinterpret_cast<const char*>(bytes.data()),
+              static_cast<std::streamsize>(bytes.size()));
+  }
+}
+
+std::string output_of(const std::string& command) {
+  std::string text;
+  FILE* const pipe = popen(command.c_str(), "r");
+  if (pipe == nullptr) return text;
+  char buffer[4096];
+  while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, pipe)) {
+    text.append(buffer, count);
+  }
+  pclose(pipe);
+  return text;
+}
+
+std::string address(hal::AgentId agent) {
+  if (agent == hal::kEveryone) return "ff:ff:ff:ff:ff:ff";
+  return fmt::format("02:00:00:00:{:02x}:{:02x}", agent.value >> 8, agent.value & 0xff);
+}
+
+/// What tshark prints of a frame if it is right: the fields that read() names.
+std::string expected(const Frame& frame) {
+  constexpr int kSubtypes[] = {0x20, 0x1b, 0x1c, 0x1d, 0x08, 0x0b,
+                               0x0c, 0x00, 0x01, 0x02, 0x03, 0x0a};
+  const auto us = std::chrono::ceil<std::chrono::microseconds>(frame.duration).count();
+  std::string line =
+      fmt::format("0x{:04x} good={} malformed= retry={:d} ds=0x{:02x} duration={} ra={}",
+                  kSubtypes[static_cast<int>(frame.type)], 1, frame.retry,
+                  static_cast<int>(frame.ds), us, address(frame.receiver));
+  if (is_control(frame.type)) return line + " seq= bssid= sa= da= ssid= interval=";
+  const hal::AgentId bssid = frame.ds == Ds::kTo     ? frame.receiver
+                             : frame.ds == Ds::kFrom ? frame.transmitter
+                                                     : frame.address3;
+  const bool names = frame.type == FrameType::kBeacon ||
+                     frame.type == FrameType::kAssociationRequest ||
+                     frame.type == FrameType::kReassociationRequest;
+  return line + fmt::format(" seq={} bssid={} sa={} da={} ssid={} interval={}", frame.sequence,
+                            address(bssid), address(frame.source()), address(frame.destination()),
+                            names ? "626172616b61" : "",  // "baraka"
+                            frame.type == FrameType::kBeacon ? "100" : "");
+}
+
+/// What another program makes of our bytes.
+class Tshark : public testing::TestWithParam<Profile> {
+ protected:
+  void SetUp() override {
+    if (output_of("command -v tshark").empty()) GTEST_SKIP() << "tshark is not installed";
+  }
+  ~Tshark() override { fs::remove(file_); }
+
+  /// A line for each frame.
+  std::vector<std::string> read() const {
+    const std::vector<std::pair<std::string, std::string>> fields{
+        {"", "wlan.fc.type_subtype"},
+        {"good=", "wlan.fcs.status"},
+        {"malformed=", "_ws.malformed"},
+        {"retry=", "wlan.fc.retry"},
+        {"ds=", "wlan.fc.ds"},
+        {"duration=", "wlan.duration"},
+        {"ra=", "wlan.ra"},
+        {"seq=", "wlan.seq"},
+        {"bssid=", "wlan.bssid"},
+        {"sa=", "wlan.sa"},
+        {"da=", "wlan.da"},
+        {"ssid=", "wlan.ssid"},
+        {"interval=", "wlan.fixed.beacon"}};
+    std::string command =
+        "tshark -o wlan.check_checksum:TRUE -T fields -r '" + file_.string() + "'";
+    for (const auto& [label, field] : fields) command += " -e " + field;
+    std::istringstream lines(output_of(command + " 2>/dev/null"));
+    std::vector<std::string> all;
+    for (std::string line; std::getline(lines, line);) {
+      std::istringstream values(line);
+      std::string text;
+      for (const auto& [label, field] : fields) {
+        std::string value;
+        std::getline(values, value, '\t');
+        text += (text.empty() ? "" : " ") + label + value;
+      }
+      all.push_back(text);
+    }
+    return all;
+  }
+
+  const fs::path file_ = fs::path(testing::TempDir()) / fmt::format("bss_{}.pcap", ::getpid());
+};
+
+// A station walks to and fro between two access points, one of which forgets its stations.
+TEST_P(Tshark, ReadsEveryFrameOfTwoAccessPointsAsItIsMeant) {
+  Air air(GetParam());
+  waves_of(air.config)->propagation.path_loss_exponent = 3;
+  dcf_of(air.config)->bss.access_points = {"s1", "s2"};
+  dcf_of(air.config)->contention.rts_threshold = 500;
+  air.add({0, 0, 0});
+  air.add({50, 0, 0});
+  air.add({5, 0, 0}, {10, 0, 0});
+  air.add({5, 5, 0});
+  air.build();
+  air.at(1s, [&air] { air.sap(1).set_radio(false); });
+  air.at(1001ms, [&air] { air.sap(1).set_radio(true); });
+  for (int i = 0; i < 300; ++i) {
+    air.at(i * 10ms, [&air, i] { air.send(4, 3, i % 2 == 0 ? 50 : 1000); });
+    air.at(i * 10ms + 3ms, [&air] { air.broadcast(3, 20); });
+  }
+  air.run(4s);
+  write_pcap(file_, air.log.starts);
+  const std::vector<std::string> lines = read();
+  ASSERT_EQ(lines.size(), air.log.starts.size());
+  std::set<FrameType> seen;
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const Frame& frame = air.log.starts[i].frame;
+    ASSERT_EQ(lines[i], expected(frame)) << "frame " << i + 1;
+    seen.insert(frame.type);
+  }
+  EXPECT_EQ(seen.size(), kFrameTypes - 1) << "all but disassociation";
+}
+
+INSTANTIATE_TEST_SUITE_P(Profiles, Tshark,
+                         testing::Values(Profile::kIeee80211b, Profile::kIeee80211g),
+                         [](const auto& c) {
+                           return c.param == Profile::kIeee80211b ? "Ieee80211b" : "Ieee80211g";
+                         });
+
+}  // namespace
+}  // namespace sim::radio::test
