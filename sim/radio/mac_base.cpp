@@ -20,18 +20,16 @@ MacBase::MacBase(const Context& context)
 
 void MacBase::add_client(Ethertype ethertype, MacClient& client) {
   BARAKA_CHECK(client_of(ethertype) == nullptr);
-  if (first_client_.second == nullptr) {
-    first_client_ = {ethertype, &client};
-  } else {
-    other_clients_.emplace_back(ethertype, &client);
-  }
+  if (clients_.empty()) first_client_ = {ethertype, &client};
+  clients_.emplace_back(ethertype, &client);
 }
 
 MacClient* MacBase::client_of(Ethertype ethertype) const {
   if (first_client_.first == ethertype) return first_client_.second;
-  const auto found =
-      std::ranges::find(other_clients_, ethertype, &std::pair<Ethertype, MacClient*>::first);
-  return found == other_clients_.end() ? nullptr : found->second;
+  const auto found = std::find_if(clients_.begin(), clients_.end(), [ethertype](const auto& entry) {
+    return entry.first == ethertype;
+  });
+  return found == clients_.end() ? nullptr : found->second;
 }
 
 void MacBase::check(const MacRequest& request) const {

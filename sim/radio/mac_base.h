@@ -90,10 +90,10 @@ class MacBase : public MacSap {
   hal::Milliwatts tx_power_;
   hal::AgentId agent_;
   const Cell& cell_;
-  hal::Duration service_time_;
-  /// Most stations have one; it is looked up with every frame.
+  /// Of clients_: most stations have no other, and it is looked up with every frame.
   std::pair<Ethertype, MacClient*> first_client_{0, nullptr};
-  std::vector<std::pair<Ethertype, MacClient*>> other_clients_;
+  hal::Duration service_time_;
+  std::vector<std::pair<Ethertype, MacClient*>> clients_;
   FrameListener* listener_ = nullptr;
 };
 

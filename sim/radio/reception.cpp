@@ -60,7 +60,9 @@ double Reception::success_of_interval(double sinr, hal::Time from, hal::Time to)
   };
   const double header_share = share(header, body), body_share = share(body, end);
   double success = header_share == 0 ? 1 : mode.header_success(sinr, header_share);
-  if (body_share != 0) success *= mode.success(sinr, body_share * mode.bits_at_risk(frame_->air_length));
+  if (body_share != 0) {
+    success *= mode.success(sinr, body_share * mode.bits_at_risk(frame_->air_length));
+  }
   return success;
 }
 
