@@ -5,9 +5,9 @@
 
 namespace sim::radio {
 
-AccessPoint::AccessPoint(const Context& context, std::unique_ptr<DcfMac> dcf,
-                         std::uint32_t queue_limit, const Network& network)
-    : BssMac(context, std::move(dcf), queue_limit), network_(network) {
+AccessPoint::AccessPoint(const Context& context, const DcfConfig& config,
+                         std::unique_ptr<DcfMac> dcf, const Network& network)
+    : BssMac(context, config, std::move(dcf)), network_(network) {
   network_.distribution.add(*this);
   schedule_beacon(now() + network_.first_beacon);
 }
@@ -155,7 +155,7 @@ void AccessPoint::on_data(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) 
 }
 
 void AccessPoint::relay(const MacRequest& request, hal::AgentId source) {
-  if (!queue_data({request, source})) {
+  if (!queue_data({request, source, now()})) {
     observer().on_relay_lost(now(), source, request, hal::Verdict::kQueueFull);
   }
 }

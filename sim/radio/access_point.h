@@ -24,7 +24,7 @@ class AccessPoint final : public BssMac, private DistributionPort {
     double rssi_dbm, snr_db;     ///< Of what it sends itself and the wire takes to another one.
   };
 
-  AccessPoint(const Context& context, std::unique_ptr<DcfMac> dcf, std::uint32_t queue_limit,
+  AccessPoint(const Context& context, const DcfConfig& config, std::unique_ptr<DcfMac> dcf,
               const Network& network);
 
  private:

@@ -4,14 +4,14 @@
 
 namespace sim::radio {
 
-BssMac::BssMac(const Context& context, std::unique_ptr<DcfMac> dcf, std::uint32_t queue_limit)
-    : MacBase(context), dcf_(std::move(dcf)), queue_limit_(queue_limit) {
+BssMac::BssMac(const Context& context, const DcfConfig& config, std::unique_ptr<DcfMac> dcf)
+    : MacBase(context), config_(config), dcf_(std::move(dcf)) {
   dcf_->set_listener(*this);
 }
 
 void BssMac::transmit(const MacRequest& request) {
   check(request);
-  Waiting waiting{request, agent()};
+  Waiting waiting{request, agent(), now()};
   if (!radio_on()) return end_later(std::move(waiting), hal::Verdict::kRadioOff);
   if (!queue_data(waiting)) end_later(std::move(waiting), hal::Verdict::kQueueFull);
 }
@@ -29,7 +29,8 @@ void BssMac::set_radio(bool on) {
 }
 
 bool BssMac::queue_data(Waiting waiting) {
-  if (queued() >= queue_limit_) return false;
+  discard_expired();
+  if (queued() >= config_.contention.queue_limit) return false;
   data_.push_back(std::move(waiting));
   serve();
   return true;
@@ -54,24 +55,38 @@ MacRequest BssMac::data_frame(const Waiting& waiting, hal::AgentId receiver, Ds 
   return frame;
 }
 
+/// Those at the front are the oldest.
+void BssMac::discard_expired() {
+  if (!config_.msdu_lifetime) return;
+  while (!data_.empty() && now() - data_.front().since > *config_.msdu_lifetime) {
+    end_later(std::move(data_.front()), hal::Verdict::kExpired);
+    data_.pop_front();
+  }
+}
+
 void BssMac::serve() {
   while (!is_busy_ && radio_on()) {
-    std::optional<MacRequest> frame;
     if (!management_.empty()) {
-      frame = std::move(management_.front());
+      const MacRequest frame = std::move(management_.front());
       management_.pop_front();
-    } else {
-      if (data_.empty() || !is_open()) return;
-      Waiting waiting = std::move(data_.front());
-      data_.pop_front();
-      frame = frame_for(waiting);
-      if (frame) serving_ = std::move(waiting);
+      return hand_down(frame);
     }
+    discard_expired();
+    if (data_.empty() || !is_open()) return;
+    Waiting waiting = std::move(data_.front());
+    data_.pop_front();
+    std::optional<MacRequest> frame = frame_for(waiting);
     if (!frame) continue;
-    is_busy_ = true;
-    serving_since_ = now();
-    dcf_->transmit(*frame);
+    frame->header.since = waiting.since;
+    serving_ = std::move(waiting);
+    return hand_down(*frame);
   }
+}
+
+void BssMac::hand_down(const MacRequest& frame) {
+  is_busy_ = true;
+  serving_since_ = now();
+  dcf_->transmit(frame);
 }
 
 void BssMac::on_sent(const MacRequest& request, hal::Verdict verdict) {

@@ -25,10 +25,11 @@ class BssMac : public MacBase, protected FrameListener {
   struct Waiting {
     MacRequest request;  ///< To its final destination.
     hal::AgentId source;
+    hal::Time since{};  ///< When it came; its lifetime counts from then.
   };
 
-  /// @param queue_limit  of data, frames.
-  BssMac(const Context& context, std::unique_ptr<DcfMac> dcf, std::uint32_t queue_limit);
+  /// @param config  outlives it.
+  BssMac(const Context& context, const DcfConfig& config, std::unique_ptr<DcfMac> dcf);
 
   /// The frame for a request whose turn it is; none: it goes another way, which this has seen to.
   virtual std::optional<MacRequest> frame_for(const Waiting& waiting) = 0;
@@ -52,9 +53,11 @@ class BssMac : public MacBase, protected FrameListener {
   std::size_t queued() const final { return data_.size() + (serving_ ? 1u : 0u); }
   void on_sent(const MacRequest& request, hal::Verdict verdict) final;
   void end(const Waiting& waiting, hal::Verdict verdict);
+  void discard_expired();
+  void hand_down(const MacRequest& frame);
 
+  const DcfConfig& config_;
   std::unique_ptr<DcfMac> dcf_;
-  std::uint32_t queue_limit_;
   std::deque<MacRequest> management_;
   std::deque<Waiting> data_;
   bool is_busy_ = false;            ///< The DCF has a frame.

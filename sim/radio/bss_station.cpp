@@ -5,9 +5,9 @@
 
 namespace sim::radio {
 
-BssStation::BssStation(const Context& context, std::unique_ptr<DcfMac> dcf,
-                       std::uint32_t queue_limit, Membership membership)
-    : BssMac(context, std::move(dcf), queue_limit),
+BssStation::BssStation(const Context& context, const DcfConfig& config, std::unique_ptr<DcfMac> dcf,
+                       Membership membership)
+    : BssMac(context, config, std::move(dcf)),
       access_points_(std::move(membership.access_points)),
       association_(context.events, context.agent, membership.config, membership.bss, *this) {
   association_.start();

@@ -19,7 +19,7 @@ class BssStation final : public BssMac, private Association::Port {
     std::vector<hal::AgentId> access_points;  ///< That it may use.
   };
 
-  BssStation(const Context& context, std::unique_ptr<DcfMac> dcf, std::uint32_t queue_limit,
+  BssStation(const Context& context, const DcfConfig& config, std::unique_ptr<DcfMac> dcf,
              Membership membership);
 
  private:

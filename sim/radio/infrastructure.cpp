@@ -80,7 +80,7 @@ std::unique_ptr<MacBase> Infrastructure::completed(const MacBase::Context& conte
   parameters_.push_back(parameters(own.profile, own.config, context.cell.is_mixed()));
   if (is_access_point) return access_point(context, std::move(dcf), own);
   return std::make_unique<BssStation>(
-      context, std::move(dcf), own.config.contention.queue_limit,
+      context, own.config, std::move(dcf),
       BssStation::Membership{config_.bss, parameters_.back(), usable->second});
 }
 
@@ -91,7 +91,7 @@ std::unique_ptr<MacBase> Infrastructure::access_point(const MacBase::Context& co
   const auto count = static_cast<std::int64_t>(access_points_.size());
   const double power = to_dbm(context.tx_power).value;
   return std::make_unique<AccessPoint>(
-      context, std::move(dcf), own.config.contention.queue_limit,
+      context, own.config, std::move(dcf),
       AccessPoint::Network{.config = config_.bss,
                            .bss = parameters_.back(),
                            .distribution = distribution_,

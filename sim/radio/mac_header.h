@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "hal/types/agent_id.h"
+#include "hal/types/time.h"
 
 namespace sim::radio {
 
@@ -58,6 +60,8 @@ struct MacHeader {
   /// The third address (tables 9-26 and 9.3.3.2): the destination To DS, the source From DS, else
   /// the BSSID, which in an ad hoc network is that of agent 0.
   hal::AgentId address3{};
+  /// When a layer above the DCF took the request; none: the DCF has it from the client.
+  std::optional<hal::Time> since{};
 };
 
 }  // namespace sim::radio

@@ -14,7 +14,7 @@ namespace sim::radio {
 struct Outgoing {
   MacRequest request;
   std::uint16_t sequence = 0;  ///< 0..4095, IEEE Std 802.11-2016, 9.2.4.4.
-  hal::Time queued{};          ///< When it came.
+  hal::Time queued{};          ///< When it came to this station.
   std::uint32_t attempts = 0;  ///< How often its data frame has been on the air.
 
   bool is_broadcast() const { return request.destination == hal::kEveryone; }
@@ -33,7 +33,7 @@ class TxQueue {
   void push(const MacRequest& request, hal::Time now) {
     BARAKA_CHECK(!is_full());
     if (queue_.empty()) head_since_ = now;
-    queue_.push_back({request, next_sequence_, now, 0});
+    queue_.push_back({request, next_sequence_, request.header.since.value_or(now), 0});
     next_sequence_ = static_cast<std::uint16_t>((next_sequence_ + 1) % kSequenceNumbers);
   }
 

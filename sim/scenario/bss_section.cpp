@@ -61,14 +61,20 @@ void bss_keys_of(Io& io, radio::BssConfig& c) {
 }
 
 /// One name, or a list of names.
-std::vector<std::string> read_names(Mapping& in, const Key& key) {
+std::vector<std::string> names_in(Mapping& in, const Key& key) {
   if (in.has_scalar(key.name)) return {in.text(key)};
   std::vector<std::string> names;
-  for (const hal::config::Scalar& name : in.texts(key)) {
-    if (std::ranges::count(names, name.text) > 0) {
-      in.mistake(key.name, fmt::format("'{}' is named twice", name.text));
-    }
-    names.push_back(name.text);
+  for (const hal::config::Scalar& name : in.texts(key)) names.push_back(name.text);
+  return names;
+}
+
+std::vector<std::string> read_names(Mapping& in, const Key& key) {
+  std::vector<std::string> names = names_in(in, key);
+  std::vector<std::string> sorted = names;
+  std::ranges::sort(sorted);
+  const auto twice = std::ranges::adjacent_find(sorted);
+  if (twice != sorted.end()) {
+    in.mistake(key.name, fmt::format("'{}' is named twice", *twice));
   }
   return names;
 }
@@ -80,6 +86,11 @@ void check_names(Mapping in, const Key& key, const std::vector<std::string>& nam
     in.mistake(key.name,
                fmt::format("unknown agent '{}'{}", name, hal::config::suggestion(name, agents)));
   }
+}
+
+void check_own_names(Mapping in, const std::vector<std::string>& agents) {
+  const std::vector<std::string> names = names_in(in, kOwnAccessPoints);
+  if (names != std::vector<std::string>{kNone}) check_names(in, kOwnAccessPoints, names, agents);
 }
 
 }  // namespace
@@ -132,22 +143,21 @@ void write_own_access_points(Writer& out, const std::optional<std::vector<std::s
 }
 
 void check_access_points(Mapping& in, const Scenario& scenario) {
-  std::vector<std::string> agents;
-  for (const agents::AgentConfig& agent : scenario.simulation.agents) agents.push_back(agent.name);
   const radio::DcfConfig* const dcf = dcf_of(scenario.simulation.radio);
   if (dcf == nullptr) return;
-  check_names(in.within("radio").within(kBss), kAccessPoints, dcf->bss.access_points, agents);
+  std::vector<std::string> names;
+  for (const agents::AgentConfig& agent : scenario.simulation.agents) names.push_back(agent.name);
+  check_names(in.within("radio").within(kBss), kAccessPoints, dcf->bss.access_points, names);
   for (const Group& group : scenario.groups) {
-    std::vector<std::string> named;
-    for (const agents::AgentConfig& agent : scenario.simulation.agents) {
-      const auto& own = agent.radio.access_points;
-      if (!own || std::ranges::count(group.agents, agent.id) == 0) continue;
-      for (const std::string& name : *own) {
-        if (std::ranges::count(named, name) == 0) named.push_back(name);
-      }
-    }
-    check_names(in.within("agents").within(group.name).within("radio").within(kBss),
-                kOwnAccessPoints, named, agents);
+    const bool has_own = std::ranges::any_of(group.agents, [&](hal::AgentId id) {
+      const auto& all = scenario.simulation.agents;
+      const auto& own = std::ranges::find(all, id, &agents::AgentConfig::id)->radio.access_points;
+      return own && !own->empty();
+    });
+    if (!has_own) continue;
+    Mapping radio = in.within("agents").within(group.name).within("radio");
+    check_own_names(radio.within(kBss), names);
+    for (Mapping& some : radio.items("overrides")) check_own_names(some.within(kBss), names);
   }
 }
 

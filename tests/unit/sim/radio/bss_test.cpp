@@ -215,6 +215,61 @@ TEST_F(Bss, BeaconOf80211gHasTheErpElement) {
   EXPECT_EQ(beacon->bss.rates.size(), 12u);
 }
 
+TEST_F(Bss, StationWithoutOfdmIsServedAndItsBeaconsAskForProtection) {
+  air.config = profile_defaults(Profile::kIeee80211g);
+  air.add({0, 0, 0});
+  air.add({20, 0, 0});
+  air.add({0, 20, 0});
+  air.station_config(3).standard = Standard::kIeee80211b;
+  dcf().bss.access_points = {"s1"};
+  air.build();
+  air.run(210ms);
+  EXPECT_EQ(associations.size(), 2u);
+  EXPECT_TRUE(decode_beacon(*air.log.starts.at(0).frame.payload)->bss.use_protection);
+  forget();
+  air.send(2, 3, kPayload);
+  air.send(3, 2, kPayload);
+  air.run(300ms);
+  EXPECT_EQ(air.inbox(2).received.size(), 1u);
+  EXPECT_EQ(air.inbox(3).received.size(), 1u);
+  for (const Log::Start& start : air.log.starts) {  // what goes to 3 is in a mode that it knows
+    if (start.frame.receiver != hal::AgentId{3} || start.frame.type != FrameType::kData) continue;
+    EXPECT_EQ(start.frame.mode->modulation_class(), ModulationClass::kDsss);
+  }
+}
+
+TEST_F(Bss, LifetimeCountsFromTheRequestEvenWithoutAnAccessPoint) {
+  dcf().msdu_lifetime = 50ms;
+  build({{0, 0, 0}, {50, 0, 0}});
+  air.at(20ms, [this] { air.send(2, 1, kPayload, 1); });
+  air.at(100ms, [this] { air.send(2, 1, kPayload, 2); });
+  air.run(300ms);
+  EXPECT_EQ(verdict_of(2, 1), Verdict::kExpired);
+  EXPECT_EQ(verdict_of(2, 2), Verdict::kDelivered);  // associated after 127 ms
+  EXPECT_EQ(air.inbox(2).ended.at(0).at, hal::Time{} + 100ms);
+}
+
+TEST_F(Bss, AccessPointsOfOneNetworkMayHaveTheirOwnChannels) {
+  for (const hal::Vec3& place : {hal::Vec3{0, 0, 0}, {5, 0, 0}, {10, 0, 0}, {15, 0, 0}}) {
+    air.add(place);
+  }
+  for (const std::uint16_t station : std::vector<std::uint16_t>{2, 4}) {
+    air.station_config(station).channel = 6;
+  }
+  dcf().bss.access_points = {"s1", "s2"};
+  air.build();
+  air.run(210ms);
+  ASSERT_EQ(associations.size(), 2u);
+  for (const auto& association : associations) {
+    EXPECT_EQ(association.access_point->value + 2, association.station.value);
+  }
+  EXPECT_EQ(decode_beacon(*air.log.starts.at(1).frame.payload)->bss.channel, 6);
+  forget();
+  air.send(3, 4, kPayload);
+  air.run(220ms);
+  EXPECT_EQ(air.log.story(), "DATA3 DATA2 ACK1 ACK4");  // the other channel is free
+}
+
 TEST_F(Bss, AccessPointThatIsNoStationIsRefused) {
   air.add({0, 0, 0});
   dcf().bss.access_points = {"nobody"};
