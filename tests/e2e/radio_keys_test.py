@@ -438,6 +438,7 @@ ELSEWHERE = {
     "body_loss_per_crossing": "world_obstacles_test.cpp", "body_loss_per_metre": "world_obstacles_test.cpp",
     "access_point": "test_access_points", "bss": "test_access_points",
     "hysteresis": "handover_test.py", "beacon_weight": "roaming_test.cpp", "distribution_delay": "roaming_test.cpp",
+    "bits_at_risk": "tests/analytic/radio/phy_mode_test.cpp, range_test.cpp",
     "range": "tests/unit/sim/radio/disk_mac_test.cpp",
 }
 
