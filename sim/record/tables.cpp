@@ -115,8 +115,10 @@ std::vector<Table> air_tables() {
 
 /// Of the two views of what became of all that was sent.
 constexpr std::string_view kDerived =
-    "how it ended: as in receptions; 'below sensitivity' also if the radio did not notice it, or "
-    "only as interference (faint): all that was sent and is not recorded otherwise; 'under way': "
+    "how it ended: as in receptions; 'below sensitivity' also if the radio did not notice it, be "
+    "it "
+    "on another channel, or only as interference (faint): all that was sent and is not recorded "
+    "otherwise; 'under way': "
     "it was in the air at the end or, with propagation delay, had ended less than 1 ms before";
 
 std::vector<Table> link_verdict_tables() {
@@ -160,16 +162,17 @@ std::vector<Table> verdict_sum_tables() {
         {"count", "INTEGER", "", "pairs of a frame and a radio"}},
        "class, addressed, verdict",
        "WITH others AS (SELECT COUNT(*) - 1 AS radios FROM agents),"
+       // A CTS to oneself is addressed to no other radio.
        " possible AS (SELECT class, 1 AS addressed,"
-       " SUM(count * CASE WHEN peer >= 65534 THEN radios ELSE 1 END) AS count"
+       " SUM(count * CASE WHEN peer >= 65534 THEN radios ELSE peer <> agent END) AS count"
        " FROM frames_sent, others GROUP BY 1"
-       " UNION ALL SELECT class, 0, SUM(count * (radios - 1)) FROM frames_sent, others"
-       " WHERE peer < 65534 GROUP BY 1),"
+       " UNION ALL SELECT class, 0, SUM(count * (radios - (peer <> agent)))"
+       " FROM frames_sent, others WHERE peer < 65534 GROUP BY 1),"
        " in_air AS (SELECT class, 1 AS addressed,"
-       " SUM(CASE WHEN peer >= 65534 THEN radios ELSE 1 END) AS count FROM in_the_air, others"
-       " GROUP BY 1"
-       " UNION ALL SELECT class, 0, SUM(radios - 1) FROM in_the_air, others WHERE peer < 65534"
-       " GROUP BY 1"
+       " SUM(CASE WHEN peer >= 65534 THEN radios ELSE peer <> agent END) AS count"
+       " FROM in_the_air, others GROUP BY 1"
+       " UNION ALL SELECT class, 0, SUM(radios - (peer <> agent)) FROM in_the_air, others"
+       " WHERE peer < 65534 GROUP BY 1"
        " UNION ALL SELECT a.class, a.peer IN (e.agent, 65534, 65535), -COUNT(*)"
        " FROM in_the_air_ended e JOIN in_the_air a ON a.agent = e.peer GROUP BY 1, 2),"
        " ended AS (SELECT class, addressed, verdict, SUM(count) AS count FROM receptions"

@@ -24,13 +24,14 @@ agents:
 GROUP = """  {name}:
     name: {name}{{}}
     station: {station}
+    radio: {radio}
     {layout}
     controller: {{program: traffic_source, parameters: {{pattern: {pattern}, rate: 40 Hz, to: {to}, topic: t, size: {size}}}}}
 """
 
 
-def group(name, layout, to="neighbours", station="{}", pattern="periodic", size=300):
-    return GROUP.format(name=name, layout=layout, to=to, station=station, pattern=pattern, size=size)
+def group(name, layout, to="neighbours", station="{}", pattern="periodic", size=300, radio="{}"):
+    return GROUP.format(name=name, layout=layout, to=to, station=station, pattern=pattern, size=size, radio=radio)
 
 
 class Verdicts(Case):
@@ -122,6 +123,31 @@ class Verdicts(Case):
         verdicts = self.play(moving + group("s", "poses: [{x: 0 m, y: 0 m}]"), end="4 s")
         self.assertGreater(verdicts["delivered"], 20)
         self.assertGreater(verdicts["below sensitivity"], 20)
+
+    def test_frames_that_protect_others_are_addressed_to_nobody_else(self):
+        cell = (group("r", "poses: [{x: 0 m, y: 0 m}]") +
+                group("n", "line: {count: 3, spacing: 4 m, origin: [2 m, 3 m]}", to="r0", pattern="saturated", size=900) +
+                group("o", "poses: [{x: 3 m, y: 9 m}]", radio="{standard: ieee80211b}"))
+        for protection in "auto", "rts_cts":
+            with self.subTest(protection=protection):
+                self.play(cell, f"profile: ieee80211g, protection: {protection}")
+                (to_oneself,), = self.query("SELECT ifnull(sum(count), 0) FROM frames_sent WHERE agent = peer")
+                self.assertEqual(to_oneself > 0, protection == "auto")
+
+    def test_channels(self):
+        verdicts = self.play(group("a", "line: {count: 3, spacing: 9 m}") +
+                             group("b", "line: {count: 3, spacing: 9 m, origin: [0 m, 4 m]}", radio="{channel: 6}"))
+        (across,), = self.query("SELECT count(*) FROM link_verdicts l JOIN agents a USING (agent) JOIN agents p ON "
+                                "p.agent = l.peer WHERE substr(a.name, 1, 1) <> substr(p.name, 1, 1)")
+        self.assertEqual(across, 0)
+        self.assertGreater(verdicts["delivered"], 100)
+        # Three of a frame's five other radios are on the other channel.
+        self.assertGreater(verdicts["below sensitivity"], verdicts["delivered"])
+
+    def test_access_points(self):
+        self.sums_hold(SCENARIOS / "handover.yaml", "--until", 25)
+        classes = {kind for kind, in self.query("SELECT DISTINCT class FROM link_verdicts")}
+        self.assertEqual(classes, {"ack", "beacon", "management", "unicast"})
 
     def test_obstacles(self):
         verdicts = self.sums_hold(CASE_STUDY, "--until", 40, "--set", "radio.obstacles=true")
