@@ -126,11 +126,12 @@ void Results::begin(sim::agents::Simulation& simulation) {
 
 void Results::capture(sim::agents::Simulation& simulation) {
   std::string name = "air";
+  sim::record::AirCapture::Air air{scenario_.simulation.radio, {}};
   for (const auto& agent : scenario_.simulation.agents) {
     if (agent.id == scenario_.record.air_heard_by) name = agent.name;
+    if (agent.radio.channel) air.others[agent.id] = *agent.radio.channel;
   }
-  capture_.emplace(folder_.path() / scenario_.record.air, scenario_.simulation.radio,
-                   scenario_.record.air_heard_by, name);
+  capture_.emplace(folder_.path() / scenario_.record.air, air, scenario_.record.air_heard_by, name);
   simulation.add_observer(*capture_);
 }
 

@@ -14,11 +14,14 @@ constexpr double kLightSpeed = 299792458;  ///< m/s
 /// Of profiles without waves: channel 1 (IEEE Std 802.11-2016, 16.3.6.3).
 constexpr std::uint16_t kChannel1 = 2412;
 
-std::uint16_t frequency_of(const radio::RadioConfig& config) {
-  const radio::WavesConfig* const waves = radio::waves_of(config);
-  if (waves == nullptr) return kChannel1;
-  const double mhz = kLightSpeed / waves->propagation.wavelength.value / 1e6;
+std::uint16_t megahertz(hal::Metres wavelength) {
+  const double mhz = kLightSpeed / wavelength.value / 1e6;
   return static_cast<std::uint16_t>(std::clamp(std::round(mhz), 0.0, 65535.0));
+}
+
+std::uint16_t own_frequency(const radio::RadioConfig& config) {
+  const radio::WavesConfig* const waves = radio::waves_of(config);
+  return waves == nullptr ? kChannel1 : megahertz(waves->propagation.wavelength);
 }
 
 std::optional<double> noise_of(const radio::RadioConfig& config) {
@@ -37,17 +40,30 @@ hal::Duration until_mpdu(const radio::Frame& frame) {
 
 }  // namespace
 
-AirCapture::AirCapture(const std::filesystem::path& file, const radio::RadioConfig& config,
+AirCapture::AirCapture(const std::filesystem::path& file, const Air& air,
                        std::optional<hal::AgentId> heard_by, std::string_view interface)
     : heard_by_(heard_by),
-      frequency_(frequency_of(config)),
-      noise_dbm_(noise_of(config)),
-      file_(file, interface) {}
+      frequency_(own_frequency(air.config)),
+      noise_dbm_(noise_of(air.config)),
+      file_(file, interface) {
+  const radio::WavesConfig* const waves = radio::waves_of(air.config);
+  if (waves == nullptr) return;
+  for (const auto& [station, channel] : air.others) {
+    of_stations_[station] =
+        megahertz(radio::wavelength_on(channel, waves->propagation.wavelength, waves->phy.channel));
+  }
+}
+
+std::uint16_t AirCapture::frequency_of(const radio::Frame& frame) const {
+  const auto other = of_stations_.find(frame.transmitter);
+  return other == of_stations_.end() ? frequency_ : other->second;
+}
 
 void AirCapture::on_frame_start(hal::Time at, const radio::Frame& frame) {
   write_ended(at);
   if (heard_by_ && frame.transmitter != *heard_by_) return;
-  const RadiotapFields fields{.mpdu_start = at + until_mpdu(frame), .frequency = frequency_};
+  const RadiotapFields fields{.mpdu_start = at + until_mpdu(frame),
+                              .frequency = frequency_of(frame)};
   in_the_air_.emplace(at + until_last_bit(frame), InTheAir{frame.id, with_radiotap(frame, fields)});
 }
 
@@ -61,7 +77,7 @@ void AirCapture::on_reception(hal::Time at, const radio::Frame& frame, hal::Agen
   if (heard_by_ != receiver || verdict != hal::Verdict::kDelivered) return;
   write_ended(at);
   const hal::Time start = at - frame.airtime;
-  RadiotapFields fields{.mpdu_start = start + until_mpdu(frame), .frequency = frequency_};
+  RadiotapFields fields{.mpdu_start = start + until_mpdu(frame), .frequency = frequency_of(frame)};
   if (noise_dbm_) fields.signal_dbm = rssi_dbm;
   fields.noise_dbm = noise_dbm_;
   file_.add(start + until_last_bit(frame), PcapngFile::Direction::kInbound,

@@ -23,9 +23,15 @@ namespace sim::record {
 /// the air.
 class AirCapture final : public agents::Observer {
  public:
-  /// @param heard_by  none: the ear.  @param interface  its name in the file.
+  /// Numbers of the stations that are not on the radio's own channel.
+  using Channels = std::map<hal::AgentId, std::uint32_t>;
+  struct Air {
+    const radio::RadioConfig& config;
+    Channels others{};
+  };
+  /// @param heard_by  none: the ear, on all channels.  @param interface  its name in the file.
   /// @throws std::runtime_error  the file cannot be written; so does all that follows.
-  AirCapture(const std::filesystem::path& file, const radio::RadioConfig& config,
+  AirCapture(const std::filesystem::path& file, const Air& air,
              std::optional<hal::AgentId> heard_by, std::string_view interface);
 
   void on_frame_start(hal::Time at, const radio::Frame& frame) override;
@@ -47,9 +53,11 @@ class AirCapture final : public agents::Observer {
   };
 
   void write_ended(hal::Time until);
+  std::uint16_t frequency_of(const radio::Frame& frame) const;
 
   std::optional<hal::AgentId> heard_by_;
-  std::uint16_t frequency_;  ///< MHz
+  std::uint16_t frequency_;                            ///< MHz …
+  std::map<hal::AgentId, std::uint16_t> of_stations_;  ///< … and of those on other channels.
   std::optional<double> noise_dbm_;
   PcapngFile file_;
   std::multimap<hal::Time, InTheAir> in_the_air_;  ///< By end; of equals the first to begin first.

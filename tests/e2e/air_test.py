@@ -14,9 +14,13 @@ SKIPPED = 77
 SATURATION = ROOT / "config/scenarios/saturation.yaml"
 IN_PROCESS = ("--controllers", "in-process")
 TYPES = {"0x001b": "rts", "0x001c": "cts", "0x001d": "ack", "0x0020": "data", "0x0008": "beacon"}
+MANAGEMENT = {"0x0000": "association request", "0x0001": "association response", "0x0002": "reassociation request",
+              "0x0003": "reassociation response", "0x000a": "disassociation", "0x000b": "authentication",
+              "0x000c": "deauthentication"}
+TYPES |= dict.fromkeys(MANAGEMENT, "management")
 FIELDS = ["frame.time_epoch", "wlan.fc.type_subtype", "wlan.fc.retry", "wlan.fcs.status", "wlan_radio.duration",
           "radiotap.mactime", "radiotap.datarate", "wlan.duration", "wlan.ra", "wlan.ta", "radiotap.dbm_antsignal",
-          "radiotap.channel.freq", "llc.type", "frame.len"]
+          "radiotap.channel.freq", "llc.type", "frame.len", "wlan.fc.ds", "wlan.bssid", "wlan.sa", "wlan.da"]
 DDS_AND_IN_PROCESS = ((), IN_PROCESS)
 
 
@@ -119,6 +123,37 @@ class Air(Case):
         self.assertGreater(lost, 0)
         # 40 mW over 5 m by Friis at 2.412 GHz: -38.06 dBm.
         self.assertEqual({packet["radiotap.dbm_antsignal"] for packet in heard}, {"-38"})
+
+    def test_access_points_are_what_the_database_says(self):
+        self.run_baraka(ROOT / "config/scenarios/handover.yaml", "--until", 50, *IN_PROCESS, "--set",
+                        "record.air=air.pcapng", "--set", "record.frames=all")
+        packets = self.packets()
+        self.assertEqual(collections.Counter(packet["type"] for packet in packets), self.sent())
+        (retries,), = self.query("SELECT sum(retry) FROM frames")
+        self.assertEqual(sum(packet["retry"] for packet in packets), retries)
+        agents = dict(self.query("SELECT name, agent FROM agents"))
+        left, right, walker, server = (address(agents[name]) for name in ("left", "right", "walker", "server"))
+        beacons = collections.Counter(packet["wlan.ta"] for packet in packets if packet["type"] == "beacon")
+        self.assertEqual(set(beacons), {left, right})
+        for count in beacons.values():  # every 102.4 ms
+            self.assertIn(count, range(487, 490))
+        # Each frame of a handover is answered; one that its receiver lost is sent again.
+        (handovers,), = self.query("SELECT count(*) FROM associations WHERE access_point IS NOT NULL")
+        kinds = collections.Counter(MANAGEMENT[packet["wlan.fc.type_subtype"]] for packet in packets
+                                    if packet["type"] == "management" and not packet["retry"])
+        self.assertEqual(kinds["association response"] + kinds["reassociation response"], handovers)
+        self.assertEqual(kinds["reassociation request"], 2, "over and back")
+        # To DS from the walker to its access point and from there to the server.
+        ways = collections.Counter((packet["wlan.fc.ds"], packet["wlan.ta"], packet["wlan.bssid"]) for packet in packets
+                                   if packet["type"] == "data" and packet["wlan.sa"] == walker and
+                                   packet["wlan.da"] == server)
+        self.assertEqual(set(ways), {("0x01", walker, left), ("0x01", walker, right), ("0x02", left, left)})
+        self.assertGreater(min(ways.values()), 1000)
+
+    def test_channels_are_told(self):
+        self.saturate("--set", "agents.sources.radio.channel=6", "--set", "agents.sink.radio.channel=6",
+                      "--set", "record.air_heard_by=all", senders=2)
+        self.assertEqual({packet["radiotap.channel.freq"] for packet in self.packets()}, {"2437"})
 
     def test_what_is_cut_or_in_the_air_at_the_end_is_not_there(self):
         # In the middle of a frame.

@@ -63,9 +63,9 @@ class AirCaptureTest : public testing::Test {
   AirCaptureTest() : folder(testing::UnitTest::GetInstance()->current_test_info()->name()) {}
 
   AirCapture& open(std::optional<AgentId> heard_by = std::nullopt) {
-    capture = std::make_unique<AirCapture>(folder.path() / "air.pcapng",
-                                           radio::RadioConfig{radio::Ieee80211bConfig{}}, heard_by,
-                                           "air");
+    capture = std::make_unique<AirCapture>(
+        folder.path() / "air.pcapng",
+        AirCapture::Air{radio::RadioConfig{radio::Ieee80211bConfig{}}, {}}, heard_by, "air");
     return *capture;
   }
   std::vector<std::uint64_t> times(Time ended_at) {
@@ -110,7 +110,8 @@ TEST_F(AirCaptureTest, AStationHasWhatItSendsAndReceivesAndNothingThatItLost) {
 TEST_F(AirCaptureTest, AFileThatCannotBeWrittenIsNamed) {
   try {
     AirCapture(folder.path() / "not_there" / "air.pcapng",
-               radio::RadioConfig{radio::Ieee80211bConfig{}}, std::nullopt, "air");
+               AirCapture::Air{radio::RadioConfig{radio::Ieee80211bConfig{}}, {}}, std::nullopt,
+               "air");
     FAIL();
   } catch (const std::runtime_error& e) {
     EXPECT_EQ(e.what(), (folder.path() / "not_there/air.pcapng").string() +
