@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
+#include <set>
 
 #include "hal/config/suggest.h"
 #include "sim/scenario/fields.h"
@@ -142,16 +144,73 @@ void write_own_access_points(Writer& out, const std::optional<std::vector<std::s
   out.close();
 }
 
+namespace {
+
+/// The access points of each agent, and on which channel everybody is.
+class Reach {
+ public:
+  Reach(const Scenario& scenario, const radio::DcfConfig& network) : network_(network) {
+    for (const agents::AgentConfig& agent : scenario.simulation.agents) {
+      channels_[agent.name] = channel_of(agent);
+      for (const std::string& name : access_points_of(agent)) access_points_.insert(name);
+    }
+  }
+
+  /// It waits for an access point for ever.
+  bool is_lost(const agents::AgentConfig& agent) const {
+    const std::vector<std::string>& usable = access_points_of(agent);
+    if (usable.empty() || access_points_.contains(agent.name)) return false;
+    return std::ranges::none_of(usable, [&](const std::string& name) {
+      const auto there = channels_.find(name);
+      return there == channels_.end() || there->second == channel_of(agent);
+    });
+  }
+  std::uint32_t channel_of(const agents::AgentConfig& agent) const {
+    return agent.radio.channel.value_or(network_.phy.channel);
+  }
+
+ private:
+  const std::vector<std::string>& access_points_of(const agents::AgentConfig& agent) const {
+    return agent.radio.access_points ? *agent.radio.access_points : network_.bss.access_points;
+  }
+  const radio::DcfConfig& network_;
+  std::map<std::string, std::uint32_t> channels_;
+  std::set<std::string> access_points_;
+};
+
+using AgentsById = std::map<hal::AgentId, const agents::AgentConfig*>;
+
+void warn_of_lost_stations(Mapping& in, const Scenario& scenario, const AgentsById& by_id) {
+  const Reach reach(scenario, *dcf_of(scenario.simulation.radio));
+  for (const Group& group : scenario.groups) {
+    const auto lost = std::ranges::find_if(
+        group.agents, [&](hal::AgentId id) { return reach.is_lost(*by_id.at(id)); });
+    if (lost == group.agents.end()) continue;
+    const agents::AgentConfig& agent = *by_id.at(*lost);
+    in.within("agents")
+        .within(group.name)
+        .warn("radio",
+              fmt::format("none of the access points of '{}' is on its channel, {}: it waits for "
+                          "one for ever",
+                          agent.name, reach.channel_of(agent)));
+  }
+}
+
+}  // namespace
+
 void check_access_points(Mapping& in, const Scenario& scenario) {
   const radio::DcfConfig* const dcf = dcf_of(scenario.simulation.radio);
   if (dcf == nullptr) return;
   std::vector<std::string> names;
-  for (const agents::AgentConfig& agent : scenario.simulation.agents) names.push_back(agent.name);
+  AgentsById by_id;
+  for (const agents::AgentConfig& agent : scenario.simulation.agents) {
+    names.push_back(agent.name);
+    by_id[agent.id] = &agent;
+  }
   check_names(in.within("radio").within(kBss), kAccessPoints, dcf->bss.access_points, names);
   for (const Group& group : scenario.groups) {
-    const bool has_own = std::ranges::any_of(group.agents, [&](hal::AgentId id) {
-      const auto& all = scenario.simulation.agents;
-      const auto& own = std::ranges::find(all, id, &agents::AgentConfig::id)->radio.access_points;
+    const bool has_own = std::ranges::any_of(group.agents, [&by_id](hal::AgentId id) {
+      const auto& own = by_id.at(id)->radio.access_points;
       return own && !own->empty();
     });
     if (!has_own) continue;
@@ -159,6 +218,7 @@ void check_access_points(Mapping& in, const Scenario& scenario) {
     check_own_names(radio.within(kBss), names);
     for (Mapping& some : radio.items("overrides")) check_own_names(some.within(kBss), names);
   }
+  warn_of_lost_stations(in, scenario, by_id);
 }
 
 }  // namespace sim::scenario
