@@ -59,7 +59,7 @@ fs::path named_file(const fs::path& given, const std::vector<std::string>& kinds
   if (given.is_absolute() || given.empty() || fs::exists(given, error)) return given;
   if (const auto found = find_of_kinds(given, kinds)) return *found;
   if (!given.has_extension()) {
-    const fs::path file = fs::path(given).replace_extension(".yaml");
+    fs::path file = fs::path(given).replace_extension(".yaml");
     if (fs::exists(file, error)) return file;
     if (const auto found = find_of_kinds(file, kinds)) return *found;
   }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <type_traits>
 #include <utility>
@@ -89,16 +90,38 @@ void Neighbourhood::change_cell(StationIndex index) {
   const hal::Vec3& at = stations_[index].site.position;
   const hal::Vec2 position{at.x, at.y};
   if (!grid_.would_move(index, position)) return;
-  outdate_around(index);
+  const std::vector<StationIndex> before = grid_.around(index, kCellsInReach);
   grid_.put(index, position);
-  outdate_around(index);
+  const std::vector<StationIndex> after = grid_.around(index, kCellsInReach);
+  stations_[index].is_out_of_date = true;
+  const auto without = [](const auto& all, const auto& some) {
+    std::vector<StationIndex> rest;
+    std::ranges::set_difference(all, some, std::back_inserter(rest));
+    return rest;
+  };
+  for (const StationIndex other : without(before, after)) part(other, index);
+  for (const StationIndex other : without(after, before)) meet(other, index);
 }
 
-void Neighbourhood::outdate_around(StationIndex index) {
-  stations_[index].is_out_of_date = true;
-  for (const StationIndex other : grid_.around(index, kCellsInReach)) {
-    stations_[other].is_out_of_date = true;
-  }
+/// The links of the first one are without the second one from now on.
+void Neighbourhood::part(StationIndex from, StationIndex to) {
+  if (stations_[from].is_out_of_date) return;
+  Links& links = links_[from];
+  const auto is_it = [to](const auto& link) { return link.receiver == to; };
+  std::erase_if(links.faint, is_it);
+  std::erase_if(links.distant, is_it);
+  if (std::erase_if(links.audible, is_it) > 0) sort_by_arrival(links);
+}
+
+/// The links of the first one are with the second one from now on.
+void Neighbourhood::meet(StationIndex from, StationIndex to) {
+  if (stations_[from].is_out_of_date) return;
+  Links& links = links_[from];
+  links.is_fixed = false;
+  refresh(stations_[from]);
+  const std::size_t heard = links.audible.size();
+  put(from, links, link(from, to));
+  if (links.audible.size() != heard) sort_by_arrival(links);
 }
 
 void Neighbourhood::refresh(Station& station) {

@@ -49,8 +49,8 @@ struct Links {
 /// has not moved since is not computed again. Stations that move are put into their new cell by an
 /// event of their own: a station is looked at again before it can have left its cell by more than a
 /// margin, and links are kept to all stations whose cells are nearer than the reach and twice the
-/// margin. Whoever changes cells makes those collect their links again that it comes to or goes
-/// from, and nobody else.
+/// margin. Whoever changes cells collects its links again, and is taken from the links of those
+/// that it goes from, and added to those of whom it comes to.
 class Neighbourhood {
  public:
   struct Antenna {
@@ -95,7 +95,8 @@ class Neighbourhood {
   void put(StationIndex from, Links& links, const AudibleLink& link);
   void watch_cell(StationIndex station);
   void change_cell(StationIndex station);
-  void outdate_around(StationIndex station);
+  void part(StationIndex from, StationIndex to);
+  void meet(StationIndex from, StationIndex to);
 
   EventQueue& events_;
   const Positions& positions_;
