@@ -80,8 +80,13 @@ void TrafficSource::timer(hal::TimerId id) {
   if (pattern_ == Pattern::kSaturated) return fill();
   if (id == kBegin) return wait_for(self_.now() + first_wait());
   const int messages = pattern_ == Pattern::kBursts ? burst_ : 1;
-  for (int i = 0; i < messages; ++i) send_one();
-  wait_for(next_ + next_wait());
+  // With a latency, or in real time, the next one may be due already: the rate is kept.
+  hal::Time next = next_;
+  while (next <= self_.now() && !is_over()) {
+    for (int i = 0; i < messages; ++i) send_one();
+    next += next_wait();
+  }
+  wait_for(next);
 }
 
 hal::Duration TrafficSource::first_wait() {

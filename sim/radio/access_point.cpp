@@ -40,7 +40,9 @@ void AccessPoint::on_radio(bool on) {
 
 void AccessPoint::on_frame(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
   if (is_management(frame.type)) return on_management(frame);
-  if (frame.ds == Ds::kTo && frame.receiver == agent()) on_data(frame, rssi, snr);
+  if (frame.receiver != agent()) return;
+  if (frame.ds == Ds::kTo) return on_data(frame, rssi, snr);
+  lose(frame);  // of an ad hoc network
 }
 
 void AccessPoint::on_management(const Frame& frame) {

@@ -1,5 +1,6 @@
 #include "sim/radio/bss_mac.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace sim::radio {
@@ -37,13 +38,33 @@ bool BssMac::queue_data(Waiting waiting) {
 }
 
 void BssMac::send_management(FrameType type, hal::AgentId to, hal::AgentId bssid, hal::Bytes body) {
-  management_.push_back({.destination = to,
-                         .ethertype = 0,
-                         .priority = 0,
-                         .payload = std::make_shared<const hal::Bytes>(std::move(body)),
-                         .tag = 0,
-                         .header = {.type = type, .ds = Ds::kNone, .address3 = bssid}});
+  MacRequest frame{.destination = to,
+                   .ethertype = 0,
+                   .priority = 0,
+                   .payload = std::make_shared<const hal::Bytes>(std::move(body)),
+                   .tag = 0,
+                   .header = {.type = type, .ds = Ds::kNone, .address3 = bssid}};
+  // Of what is said to a station again only the last still counts; it keeps its place.
+  const auto earlier = std::ranges::find_if(management_, [&frame](const MacRequest& other) {
+    return other.destination == frame.destination && other.header.type == frame.header.type;
+  });
+  if (earlier != management_.end()) {
+    *earlier = std::move(frame);
+  } else if (type == FrameType::kBeacon) {
+    management_.push_front(std::move(frame));
+  } else {
+    management_.push_back(std::move(frame));
+  }
   serve();
+}
+
+void BssMac::lose(const Frame& frame) {
+  const MacRequest lost{.destination = frame.receiver,
+                        .ethertype = frame.ethertype,
+                        .priority = frame.priority,
+                        .payload = frame.payload,
+                        .tag = 0};
+  observer().on_relay_lost(now(), frame.source(), lost, hal::Verdict::kNoRoute);
 }
 
 MacRequest BssMac::data_frame(const Waiting& waiting, hal::AgentId receiver, Ds ds) {

@@ -11,7 +11,7 @@ namespace sim::radio {
 
 /// What an access point and the stations of its BSS have in common: a queue above the DCF, which
 /// gets one frame at a time, so that what waits can still go another way after a handover.
-/// Management goes before data.
+/// Beacons go before other management, and that before data.
 class BssMac : public MacBase, protected FrameListener {
  public:
   MacCapabilities capabilities() const final { return dcf_->capabilities(); }
@@ -46,6 +46,8 @@ class BssMac : public MacBase, protected FrameListener {
   /// @return false: the queue is full.
   bool queue_data(Waiting waiting);
   void send_management(FrameType type, hal::AgentId to, hal::AgentId bssid, hal::Bytes body);
+  /// A data frame for this station has come in, and been acknowledged, that cannot be used here.
+  void lose(const Frame& frame);
   /// The request ended, in an event of its own.
   void end_later(Waiting waiting, hal::Verdict verdict);
 

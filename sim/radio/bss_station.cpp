@@ -17,7 +17,8 @@ BssStation::BssStation(const Context& context, const DcfConfig& config, std::uni
 void BssStation::on_frame(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
   if (frame.type == FrameType::kBeacon) return on_beacon(frame, rssi);
   if (is_management(frame.type)) return association_.on_management(frame);
-  if (frame.ds == Ds::kFrom && may_use(frame.transmitter)) on_data(frame, rssi, snr);
+  if (frame.ds == Ds::kFrom && may_use(frame.transmitter)) return on_data(frame, rssi, snr);
+  if (!frame.is_broadcast()) lose(frame);  // of an ad hoc network, or another one's access point
 }
 
 bool BssStation::may_use(hal::AgentId access_point) const {
@@ -33,12 +34,7 @@ void BssStation::on_data(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
     return;
   }
   if (ours) return deliver(frame, rssi, snr);
-  const MacRequest lost{.destination = agent(),
-                        .ethertype = frame.ethertype,
-                        .priority = 0,
-                        .payload = frame.payload,
-                        .tag = 0};
-  observer().on_relay_lost(now(), frame.source(), lost, hal::Verdict::kNoRoute);
+  lose(frame);
 }
 
 void BssStation::on_beacon(const Frame& frame, hal::Dbm rssi) {

@@ -10,18 +10,14 @@
 namespace sim::record {
 namespace {
 
-constexpr double kLightSpeed = 299792458;  ///< m/s
-/// Of profiles without waves: channel 1 (IEEE Std 802.11-2016, 16.3.6.3).
-constexpr std::uint16_t kChannel1 = 2412;
-
-std::uint16_t megahertz(hal::Metres wavelength) {
-  const double mhz = kLightSpeed / wavelength.value / 1e6;
-  return static_cast<std::uint16_t>(std::clamp(std::round(mhz), 0.0, 65535.0));
+/// Of the middle of a channel; profiles without waves are on channel 1.
+std::uint16_t megahertz(std::uint32_t channel) {
+  return static_cast<std::uint16_t>(radio::centre_frequency(channel).value / 1e6);
 }
 
 std::uint16_t own_frequency(const radio::RadioConfig& config) {
   const radio::WavesConfig* const waves = radio::waves_of(config);
-  return waves == nullptr ? kChannel1 : megahertz(waves->propagation.wavelength);
+  return megahertz(waves == nullptr ? 1 : waves->phy.channel);
 }
 
 std::optional<double> noise_of(const radio::RadioConfig& config) {
@@ -46,12 +42,7 @@ AirCapture::AirCapture(const std::filesystem::path& file, const Air& air,
       frequency_(own_frequency(air.config)),
       noise_dbm_(noise_of(air.config)),
       file_(file, interface) {
-  const radio::WavesConfig* const waves = radio::waves_of(air.config);
-  if (waves == nullptr) return;
-  for (const auto& [station, channel] : air.others) {
-    of_stations_[station] =
-        megahertz(radio::wavelength_on(channel, waves->propagation.wavelength, waves->phy.channel));
-  }
+  for (const auto& [station, channel] : air.others) of_stations_[station] = megahertz(channel);
 }
 
 std::uint16_t AirCapture::frequency_of(const radio::Frame& frame) const {

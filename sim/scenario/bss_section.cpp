@@ -99,6 +99,7 @@ void check_own_names(Mapping in, const std::vector<std::string>& agents) {
 
 void read_bss(Mapping in, radio::BssConfig& config) {
   config.access_points = read_names(in, kAccessPoints);
+  if (config.access_points == std::vector<std::string>{kNone}) config.access_points.clear();
   config.ssid = in.text(kSsidKey, config.ssid);
   if (config.ssid.size() > radio::kMaxSsid) {
     in.mistake(kSsidKey.name, fmt::format("{} bytes are above the limit of {}", config.ssid.size(),
@@ -156,6 +157,8 @@ class Reach {
     }
   }
 
+  bool has_access_points() const { return !access_points_.empty(); }
+
   /// It waits for an access point for ever.
   bool is_lost(const agents::AgentConfig& agent) const {
     const std::vector<std::string>& usable = access_points_of(agent);
@@ -182,6 +185,10 @@ using AgentsById = std::map<hal::AgentId, const agents::AgentConfig*>;
 
 void warn_of_lost_stations(Mapping& in, const Scenario& scenario, const AgentsById& by_id) {
   const Reach reach(scenario, *dcf_of(scenario.simulation.radio));
+  Mapping radio = in.within("radio");
+  if (radio.has(kBss) && !reach.has_access_points()) {
+    radio.warn(kBss, "nobody is named as an access point: the network is ad hoc");
+  }
   for (const Group& group : scenario.groups) {
     const auto lost = std::ranges::find_if(
         group.agents, [&](hal::AgentId id) { return reach.is_lost(*by_id.at(id)); });

@@ -70,7 +70,16 @@ class Direct(Case):
             recorded = self.play("near_far", "--set", f"radio.capture_margin={margin}")
             near[margin], far[margin] = (recorded[name]["handed_over"] for name in ("near", "far"))
         self.assertGreater(near["10 dB"], 5 * far["10 dB"])
-        self.assertGreater(near["10 dB"], near["none"])
+        self.assertGreater(near["10 dB"], 1.02 * near["none"])
+
+    def test_a_source_keeps_its_rate_with_a_latency(self):
+        recorded = self.play("handover", "--until", 3, "--set", "controller_latency=10 ms")
+        self.assertIn(recorded["walker"]["sent"], range(395, 402))  # from 1 s on, 200 a second
+
+    def test_in_real_time_no_timer_is_set_in_the_past(self):
+        recorded = self.play("handover", "--until", 4, "--pace", "realtime:20")
+        self.assertGreater(recorded["walker"]["sent"], 0)
+        self.assertNotIn("set_timer", (self.out / "run.log").read_text())
 
     def test_paths_are_recorded_and_closed_form(self):
         self.play("range", "--until", 10)

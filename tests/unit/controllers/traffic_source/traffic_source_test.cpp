@@ -42,6 +42,11 @@ class Source {
     }
     mote_->now = Time{until};
   }
+  /// The timer is told of only now.
+  void run_late(hal::Duration at) {
+    timer_ = Time{at};
+    run_until(at);
+  }
   void notice(hal::MessageId id, Fate fate, hal::Duration at) {
     mote_->now = Time{at};
     auto notice = mote_->event(Cause::kNotice);
@@ -103,6 +108,20 @@ TEST(TrafficSource, SendsPeriodicallyFromItsPhaseUntilItsStop) {
     EXPECT_EQ(stamp->number, i + 1);
   }
   EXPECT_EQ(source.stop().at("sent"), 10);
+}
+
+TEST(TrafficSource, KeepsItsRateWhenItsTimersComeLate) {
+  Source source(
+      {{"rate", "10 Hz", "t:1:1"}, {"phase", "50 ms", "t:2:1"}, {"stop", "2 s", "t:3:1"}});
+  source.run_until(100ms);
+  ASSERT_EQ(source.times.size(), 1u);
+  source.run_late(420ms);  // those of 150, 250 and 350 ms
+  EXPECT_EQ(source.times.size(), 4u);
+  source.run_until(460ms);
+  EXPECT_EQ(source.times.back(), Time{450ms});
+  source.run_late(3s);
+  EXPECT_EQ(source.times.size(), 5u) << "its time is over";
+  EXPECT_TRUE(source.errors.empty());
 }
 
 TEST(TrafficSource, DrawsAPhaseFromItsStreamIfItHasNone) {
