@@ -41,11 +41,12 @@ MAY_INCLUDE = {
                      "hal/exchange", "hal/types"],
     "gateway": ["hal/exchange", "hal/dds", "hal/dds/exchange", "hal/dds/inspection", "hal/devices",
                 "hal/config", "hal/types"],
-    "gateway/run": ["gateway", "hal", "sim"],
-    "gateway/commands": ["gateway", "gateway/run", "hal", "sim"],
+    "gateway/netns": ["hal/types"],
+    "gateway/run": ["gateway", "gateway/netns", "hal", "sim"],
+    "gateway/commands": ["gateway", "gateway/netns", "gateway/run", "hal", "sim"],
     "gateway/baraka": ["gateway", "gateway/run", "gateway/commands", "hal", "sim"],
     "gateway/agentd": ["gateway", "hal"],
-    "gateway/dilate": [],
+    "gateway/dilate": ["gateway/netns"],
     "tests": ["hal", "sim", "gateway", "controllers", "idl"],
 }
 # Third-party header -> the only folders that may name it.
