@@ -14,6 +14,7 @@
 #include "hal/types/quantity.h"
 #include "hal/types/time.h"
 #include "sim/agents/path.h"
+#include "sim/air/network_config.h"
 #include "sim/physics/world.h"
 #include "sim/radio/radio_config.h"
 
@@ -50,11 +51,13 @@ struct AgentConfig {
   std::string name;
   hal::Pose2 pose;  ///< At time 0, world frame.
   std::variant<hal::devices::MoteDescription, hal::devices::RobotDescription, Station> body;
-  std::string program;  ///< Controller.
+  std::string program;  ///< Controller; empty: nobody drives it, which has a network.
   std::vector<hal::exchange::ParameterText> parameters;
   radio::StationConfig radio{};  ///< What its radio has that SimulationConfig::radio has not.
   /// None: as SimulationConfig::routing.
   std::optional<hal::routing::Algorithm> routing{};
+  /// None: no program can use its radio by sockets.
+  std::optional<air::NetworkConfig> network{};
 };
 
 /// To its controller it is a robot; all others are motes.

@@ -146,7 +146,7 @@ void read_group(const std::string& name, Mapping in, Scenario& scenario, Taken& 
   group.agents = take_addresses(in, poses.size(), taken);
   std::vector<AgentConfig> agents;
   for (std::size_t i = 0; i < group.agents.size(); ++i) {
-    agents.push_back({group.agents[i], names[i], poses[i], body, {}, {}, {}, {}});
+    agents.push_back({group.agents[i], names[i], poses[i], body, {}, {}, {}, {}, {}});
   }
   read_controller(in.mapping({"controller", "The program that drives the agents."}), group, agents);
   read_station_radios(
