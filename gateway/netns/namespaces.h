@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <deque>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -26,9 +25,13 @@ struct AgentNetwork {
 };
 
 struct Settings {
-  std::vector<AgentNetwork> agents;    ///< At least one.
-  double factor = 1;                   ///< Of the programs' time, 0.01 .. 1, see gateway/dilate.
-  std::filesystem::path state_folder;  ///< For kStateFile. May be renamed while the run lives.
+  std::vector<AgentNetwork> agents;  ///< At least one.
+  double factor = 1;                 ///< Of the programs' time, 0.01 .. 1, see gateway/dilate.
+  /// Results folder, for kStateFile; empty: none is written. May be renamed while the run lives.
+  std::filesystem::path state_folder;
+  /// Where baraka-holder and libbaraka_dilate.so are; empty: where this program is, or in the
+  /// folder ../lib/baraka beside it.
+  std::filesystem::path programs;
 };
 
 /// A program to start inside an agent.

@@ -43,6 +43,7 @@ MAY_INCLUDE = {
     "gateway": ["hal/exchange", "hal/dds", "hal/dds/exchange", "hal/dds/inspection", "hal/devices",
                 "hal/config", "hal/types"],
     "gateway/netns": ["hal/types"],
+    "gateway/holder": ["gateway/netns"],
     "gateway/run": ["gateway", "gateway/netns", "hal", "sim"],
     "gateway/commands": ["gateway", "gateway/netns", "gateway/run", "hal", "sim"],
     "gateway/baraka": ["gateway", "gateway/run", "gateway/commands", "hal", "sim"],
