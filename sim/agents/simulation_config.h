@@ -93,6 +93,7 @@ struct SimulationConfig {
   ControlPhase control_phase = ControlPhase::kUniform;
   hal::Duration control_period{100'000'000};
   hal::Duration command_timeout{500'000'000};
+  hal::Duration lateness_limit{1'000'000};  ///< Of frames between programs and the air.
   OnDeath on_death = OnDeath::kFail;
   physics::WorldConfig world;
   std::vector<physics::StaticBox> walls;

@@ -19,9 +19,14 @@ class FrameSink {
   virtual void on_frame(hal::AgentId agent, hal::Time at,
                         std::span<const std::uint8_t> ethernet) = 0;
 
-  /// So many more frames fit into the queue of the agent's station: after each frame that came in
-  /// by its interface, and each that ended. On the run's thread.
-  virtual void on_room(hal::AgentId agent, std::size_t frames) { (void)agent, (void)frames; }
+  /// Room in the queue of the agent's station, frames: whenever frames from its programs have come
+  /// in or ended, and now and then. What FrameSource::read() has handed over until now is counted
+  /// as if it were there. On the run's thread.
+  struct Room {
+    std::size_t free = 0;
+    std::size_t capacity = 0;  ///< When the queue is empty.
+  };
+  virtual void on_room(hal::AgentId agent, const Room& room) = 0;
 };
 
 }  // namespace sim::air
