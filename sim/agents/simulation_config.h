@@ -37,6 +37,9 @@ enum class LinkKind : std::uint8_t {
   kUdpLike,  ///< As much as a UDP socket tells: nothing. The air is the same.
 };
 
+/// The network interface of an agent that has a network, as its programs see it.
+inline constexpr const char* kAirInterface = "wlan0";
+
 /// An agent without a body: a radio that stands or moves on its path. Nothing collides with it, no
 /// sensor of a robot sees it.
 struct Station {
@@ -55,6 +58,7 @@ struct AgentConfig {
   radio::StationConfig radio{};  ///< What its radio has that SimulationConfig::radio has not.
   /// None: as SimulationConfig::routing.
   std::optional<hal::routing::Algorithm> routing{};
+  bool inside = false;  ///< Its controller runs in the agent's own network.
 };
 
 /// To its controller it is a robot; all others are motes.
