@@ -38,6 +38,9 @@ enum class LinkKind : std::uint8_t {
   kUdpLike,  ///< As much as a UDP socket tells: nothing. The air is the same.
 };
 
+/// The network interface of an agent that has a network, as its programs see it.
+inline constexpr const char* kAirInterface = "wlan0";
+
 /// An agent without a body: a radio that stands or moves on its path. Nothing collides with it, no
 /// sensor of a robot sees it.
 struct Station {
@@ -58,6 +61,7 @@ struct AgentConfig {
   std::optional<hal::routing::Algorithm> routing{};
   /// None: no program can use its radio by sockets.
   std::optional<air::NetworkConfig> network{};
+  bool inside = false;  ///< Its controller runs in the agent's own network.
 };
 
 /// To its controller it is a robot; all others are motes.
