@@ -122,7 +122,8 @@ void run_load(bool (*write)(void*, uint64_t, int64_t), void* context) {
   const int64_t end = created + (int64_t)(options->seconds * 1e9);
   const bool may_write = options->until_matched == 0 || await_matched(end);
   if (may_write && options->publish != NULL) {
-    const int64_t start = monotonic_ns();
+    const int64_t settle = options->until_matched == 0 ? 0 : (int64_t)(options->settle * 1e9);
+    const int64_t start = monotonic_ns() + settle;
     for (uint64_t i = 0; options->count == 0 || i < options->count; ++i) {
       const int64_t due = start + (int64_t)((double)i * 1e9 / options->rate);
       sleep_until(due < end ? due : end);

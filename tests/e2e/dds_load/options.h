@@ -27,6 +27,7 @@ typedef struct {
   double blocking; /* s that a reliable write may wait for room; 0: not given */
   uint32_t
       until_matched; /* programs that publisher and subscriber must know before the first write */
+  double settle;     /* s from then on until the first write: the others may know less */
   double seconds;    /* after which the program ends */
 } Options;
 
