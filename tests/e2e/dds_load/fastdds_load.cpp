@@ -18,7 +18,6 @@
 #include "samplePubSubTypes.h"
 
 namespace fdds = eprosima::fastdds::dds;
-using eprosima::fastrtps::rtps::GUID_t;
 using eprosima::fastrtps::types::ReturnCode_t;
 
 namespace {
@@ -31,10 +30,9 @@ T* checked(T* entity, const char* what) {
 }
 
 /// Fast DDS 2.9 cannot ignore the endpoints of the own participant: they are not counted.
-bool is_remote(const fdds::Entity& own, const eprosima::fastrtps::rtps::InstanceHandle_t& other) {
-  const GUID_t guid = eprosima::fastrtps::rtps::iHandle2GUID(other);
-  const GUID_t mine = eprosima::fastrtps::rtps::iHandle2GUID(own.get_instance_handle());
-  return guid.guidPrefix != mine.guidPrefix;
+template <class Endpoint>
+bool is_remote(const Endpoint& own, const eprosima::fastrtps::rtps::InstanceHandle_t& other) {
+  return eprosima::fastrtps::rtps::iHandle2GUID(other).guidPrefix != own.guid().guidPrefix;
 }
 
 class WriterListener : public fdds::DataWriterListener {

@@ -51,7 +51,9 @@ void open_journal(const Options* of) {
 void note_created(void) {
   created = monotonic_ns();
   if (csv != NULL)
-    fprintf(csv, "created,,%" PRId64 ",%" PRId64 ",%u,,,,,\n", wall_ns(), created, options->writer);
+    fprintf(csv, "created,%s,%" PRId64 ",%" PRId64 ",%u,,,,,\n",
+            options->subscribe == NULL ? "" : options->subscribe, wall_ns(), created,
+            options->writer);
   printf("created_ns: %" PRId64 "\n", wall_ns());
   fflush(stdout);
 }
@@ -67,7 +69,7 @@ void note_matched(bool publisher, int change) {
   pthread_mutex_lock(&mutex);
   known[publisher] += change;
   if (csv != NULL)
-    fprintf(csv, "matched,%s,%" PRId64 ",%" PRId64 ",%u,%d,,,,\n",
+    fprintf(csv, "%s,%s,%" PRId64 ",%" PRId64 ",%u,%d,,,,\n", publisher ? "readers" : "writers",
             publisher ? options->publish : options->subscribe, wall, mono, options->writer,
             known[publisher]);
   if (!was_matched && are_matched()) {
@@ -118,18 +120,26 @@ bool await_matched(int64_t end) {
   }
 }
 
+/* Samples number 0, 1, ... at their times, until all are written or time `end`. */
+static void write_all(bool (*write)(void*, uint64_t, int64_t), void* context, int64_t start,
+                      int64_t end) {
+  for (uint64_t i = 0; options->count == 0 || i < options->count; ++i) {
+    const int64_t due = start + (int64_t)((double)i * 1e9 / options->rate);
+    sleep_until(due < end ? due : end);
+    if (is_interrupted() || monotonic_ns() >= end) break;
+    const int64_t wall = wall_ns(), mono = monotonic_ns();
+    note_write(i, wall, mono, write(context, i, wall));
+  }
+}
+
 void run_load(bool (*write)(void*, uint64_t, int64_t), void* context) {
-  const int64_t end = created + (int64_t)(options->seconds * 1e9);
+  int64_t end = created + (int64_t)(options->seconds * 1e9);
   const bool may_write = options->until_matched == 0 || await_matched(end);
   if (may_write && options->publish != NULL) {
-    const int64_t start = monotonic_ns();
-    for (uint64_t i = 0; options->count == 0 || i < options->count; ++i) {
-      const int64_t due = start + (int64_t)((double)i * 1e9 / options->rate);
-      sleep_until(due < end ? due : end);
-      if (is_interrupted() || monotonic_ns() >= end) break;
-      const int64_t wall = wall_ns(), mono = monotonic_ns();
-      note_write(i, wall, mono, write(context, i, wall));
-    }
+    const int64_t settle = options->until_matched == 0 ? 0 : (int64_t)(options->settle * 1e9);
+    write_all(write, context, monotonic_ns() + settle, end);
+    const int64_t linger = monotonic_ns() + (int64_t)(options->linger * 1e9);
+    if (options->linger >= 0 && linger < end) end = linger;
   }
   sleep_until(end);
 }

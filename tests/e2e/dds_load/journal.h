@@ -1,8 +1,9 @@
 /* What a load did and got: a CSV file of every event, and `key: value` lines at the end.
  *
  *   event     wall_ns: CLOCK_REALTIME, mono_ns: CLOCK_MONOTONIC, and
- *   created   -
- *   matched   number: remote readers (topic = publish) or writers (subscribe) known from now on
+ *   created   writer: the program's number; topic: what it subscribes to
+ *   readers   number: of remote ones that the publisher knows from now on
+ *   writers   number: of remote ones that the subscriber knows from now on
  *   write     writer, number, size; took_ns of the call; ok: whether it succeeded. The times are
  * its start. receive   writer, number, size; stamp_ns: CLOCK_REALTIME of the writer's program at
  * the write
