@@ -43,7 +43,6 @@ class Waiting {
 
 int wait_for_places(std::uint32_t places, Nanoseconds longest) {
   const Nanoseconds begin = kernel_time(CLOCK_MONOTONIC);
-  const Waiting waiting;
   for (;;) {
     const std::uint32_t seen = page->change().load();
     if (page->reserve(places)) return 0;
@@ -78,6 +77,8 @@ netns::RoomPage* room() { return page; }
 
 int wait_for_room(std::uint32_t seen, Nanoseconds longest) {
   const timespec time = to_timespec(longest);
+  // If room was made since `seen`, the futex is another one and does not wait.
+  const Waiting waiting;
   const long status = BARAKA_NEXT(syscall)(SYS_futex, &page->change(), FUTEX_WAIT, seen,
                                            longest < 0 ? nullptr : &time, nullptr, 0);
   return status == 0 || errno == EAGAIN ? 0 : errno;

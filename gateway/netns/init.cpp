@@ -62,10 +62,10 @@ class Init {
         out.put(one->get());
       }
       const std::array ends{made.ends.tap.get(), made.ends.counters.get(), made.ends.page.get()};
-      send(control_, Kind::kAgent, out.bytes(), ends);
+      send(control_, MessageKind::kAgent, out.bytes(), ends);
       agents_.push_back(std::move(made.spaces));
     }
-    send(control_, Kind::kReady, "");
+    send(control_, MessageKind::kReady, "");
   }
 
   /// Until baraka is gone or has had enough.
@@ -91,14 +91,14 @@ class Init {
 
   void answer() {
     const auto message = receive(control_);
-    is_over_ = !message || message->kind == Kind::kEnd;
+    is_over_ = !message || message->kind == MessageKind::kEnd;
     if (is_over_) return;
-    if (message->kind == Kind::kGetCpu) {
+    if (message->kind == MessageKind::kGetCpu) {
       Packer out;
       out.put(cpu_time_of_programs());
-      send(control_, Kind::kCpu, out.bytes());
+      send(control_, MessageKind::kCpu, out.bytes());
     }
-    if (message->kind == Kind::kStart) start(*message);
+    if (message->kind == MessageKind::kStart) start(*message);
   }
 
   void start(const Message& message) {
@@ -115,9 +115,9 @@ class Init {
       programs_[child] = {agent, ++started_};
       Packer out;
       out.put(started_);
-      send(control_, Kind::kStarted, out.bytes());
+      send(control_, MessageKind::kStarted, out.bytes());
     } catch (const std::exception& error) {
-      send(control_, Kind::kRefused, error.what());
+      send(control_, MessageKind::kRefused, error.what());
     }
   }
 
@@ -140,7 +140,7 @@ class Init {
   /// One at a time, when there is room: baraka may be waiting for an answer meanwhile.
   void say_one() {
     if (unsaid_.empty()) return;
-    send(events_, Kind::kEnded, unsaid_.front());
+    send(events_, MessageKind::kEnded, unsaid_.front());
     unsaid_.pop_front();
   }
 
@@ -169,7 +169,7 @@ class Init {
 /// Tells baraka why it could not be; whether that reaches it, is nobody's concern.
 int refuse(int control, const std::exception& error) {
   try {
-    send(control, Kind::kRefused, error.what());
+    send(control, MessageKind::kRefused, error.what());
   } catch (const std::exception&) {
     return EXIT_FAILURE;
   }
@@ -218,7 +218,7 @@ int hold(int control, int events, int parent) {
   Packer out;
   out.put(init);
   try {
-    send(control, Kind::kHolder, out.bytes());
+    send(control, MessageKind::kHolder, out.bytes());
   } catch (const std::exception&) {
     // baraka has died: init will see so, too.
   }

@@ -13,8 +13,8 @@ namespace {
 constexpr std::size_t kMostDescriptors = 250;  // SCM_MAX_FD of Linux: 253
 constexpr std::size_t kLongest = 32'768;       // of what travels in the message itself
 
-struct Header {
-  Kind kind = Kind::kEnd;
+struct Envelope {
+  MessageKind kind = MessageKind::kEnd;
   std::uint32_t is_file = 0;  ///< The content is in the first descriptor.
 };
 
@@ -62,20 +62,21 @@ std::vector<Descriptor> descriptors_of(msghdr& message) {
 
 }  // namespace
 
-void send(int socket, Kind kind, const std::string& content, std::span<const int> descriptors) {
-  Header header{kind, content.size() > kLongest ? 1U : 0U};
+void send(int socket, MessageKind kind, const std::string& content,
+          std::span<const int> descriptors) {
+  Envelope envelope{kind, content.size() > kLongest ? 1U : 0U};
   Descriptor file;
   std::vector<int> all(descriptors.begin(), descriptors.end());
-  if (header.is_file != 0) {
+  if (envelope.is_file != 0) {
     file = file_of(content);
     all.insert(all.begin(), file.get());
   }
   if (all.size() > kMostDescriptors) fail("too many descriptors for one program", EINVAL);
-  std::array<iovec, 2> parts{iovec{&header, sizeof header},
+  std::array<iovec, 2> parts{iovec{&envelope, sizeof envelope},
                              iovec{const_cast<char*>(content.data()), content.size()}};
   msghdr message{};
   message.msg_iov = parts.data();
-  message.msg_iovlen = header.is_file != 0 ? 1 : 2;
+  message.msg_iovlen = envelope.is_file != 0 ? 1 : 2;
   Control control{};
   if (!all.empty()) {
     message.msg_control = &control;
@@ -89,10 +90,10 @@ void send(int socket, Kind kind, const std::string& content, std::span<const int
 }
 
 std::optional<Message> receive(int socket) {
-  Header header;
+  Envelope envelope;
   Message received;
   received.content.resize(kLongest);
-  std::array<iovec, 2> parts{iovec{&header, sizeof header},
+  std::array<iovec, 2> parts{iovec{&envelope, sizeof envelope},
                              iovec{received.content.data(), received.content.size()}};
   Control control{};
   msghdr message{};
@@ -105,11 +106,11 @@ std::optional<Message> receive(int socket) {
     if (errno == ECONNRESET) return std::nullopt;
     if (errno != EINTR) fail("the namespaces of the run");
   }
-  if (static_cast<std::size_t>(length) < sizeof header) return std::nullopt;  // closed
-  received.kind = header.kind;
-  received.content.resize(static_cast<std::size_t>(length) - sizeof header);
+  if (static_cast<std::size_t>(length) < sizeof envelope) return std::nullopt;  // closed
+  received.kind = envelope.kind;
+  received.content.resize(static_cast<std::size_t>(length) - sizeof envelope);
   received.descriptors = descriptors_of(message);
-  if (header.is_file != 0 && !received.descriptors.empty()) {
+  if (envelope.is_file != 0 && !received.descriptors.empty()) {
     received.content = content_of(received.descriptors.front().get());
     received.descriptors.erase(received.descriptors.begin());
   }

@@ -11,7 +11,7 @@
 namespace gateway::netns {
 
 /// What baraka and the first process of its namespaces tell each other.
-enum class Kind : std::uint32_t {
+enum class MessageKind : std::uint32_t {
   // to init
   kSetUp,   ///< The agents and their clock. Answered by kHolder, kAgent for each, kReady.
   kStart,   ///< A program; with its log and what it keeps. Answered by kStarted or kRefused.
@@ -28,14 +28,15 @@ enum class Kind : std::uint32_t {
 };
 
 struct Message {
-  Kind kind = Kind::kEnd;
+  MessageKind kind = MessageKind::kEnd;
   std::string content;  ///< Of a Packer. Any length: what is long travels as a file.
   std::vector<Descriptor> descriptors;
 };
 
 /// Sends one, whole, over a socket of kind SOCK_SEQPACKET.
 /// @throws std::runtime_error  the other end is gone, or the system refuses.
-void send(int socket, Kind kind, const std::string& content, std::span<const int> descriptors = {});
+void send(int socket, MessageKind kind, const std::string& content,
+          std::span<const int> descriptors = {});
 
 /// Waits for one. Nothing: the other end is gone. @throws std::runtime_error
 std::optional<Message> receive(int socket);

@@ -83,15 +83,15 @@ struct Namespaces::State {
 
   /// Until all is made.
   void receive_agents() {
-    send(holder.control(), Kind::kSetUp, packed(settings));
+    send(holder.control(), MessageKind::kSetUp, packed(settings));
     bool is_ready = false;
     while (!is_ready || run.init.number == 0) {
       const Message message = answer();
-      if (message.kind == Kind::kHolder) {
+      if (message.kind == MessageKind::kHolder) {
         run.init = Process::of(Unpacker(message.content).number<pid_t>());
       }
-      if (message.kind == Kind::kAgent) add(message);
-      is_ready = is_ready || message.kind == Kind::kReady;
+      if (message.kind == MessageKind::kAgent) add(message);
+      is_ready = is_ready || message.kind == MessageKind::kReady;
     }
   }
 
@@ -116,7 +116,7 @@ struct Namespaces::State {
   Message answer() {
     auto message = receive(holder.control());
     if (!message) throw std::runtime_error(kGone);
-    if (message->kind == Kind::kRefused) throw std::runtime_error(message->content);
+    if (message->kind == MessageKind::kRefused) throw std::runtime_error(message->content);
     return std::move(*message);
   }
 
@@ -136,7 +136,7 @@ struct Namespaces::State {
       (*agent.page).publish((*agent.page).sent(), kEnough, kEnough);
     }
     try {
-      send(holder.control(), Kind::kEnd, "");
+      send(holder.control(), MessageKind::kEnd, "");
     } catch (const std::exception&) {
       // It has ended already.
     }
@@ -187,7 +187,7 @@ std::uint32_t Namespaces::start(std::size_t agent, const Command& command) {
   const Descriptor log = open_file(command.log.string(), O_WRONLY | O_CREAT | O_APPEND, 0644);
   std::vector<int> descriptors{log.get()};
   descriptors.insert(descriptors.end(), command.inherited.begin(), command.inherited.end());
-  send(state_->holder.control(), Kind::kStart, out.bytes(), descriptors);
+  send(state_->holder.control(), MessageKind::kStart, out.bytes(), descriptors);
   return Unpacker(state_->answer().content).number<std::uint32_t>();
 }
 
@@ -210,7 +210,7 @@ std::vector<Ended> Namespaces::take_ended() {
 
 double Namespaces::program_cpu_seconds() const {
   constexpr double kNanoseconds = 1e9;
-  send(state_->holder.control(), Kind::kGetCpu, "");
+  send(state_->holder.control(), MessageKind::kGetCpu, "");
   const Message message = state_->answer();
   return static_cast<double>(Unpacker(message.content).number<std::int64_t>()) / kNanoseconds;
 }
