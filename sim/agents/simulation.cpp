@@ -148,6 +148,10 @@ Outcome Simulation::end_of(RealTimeRun& run) {
   return outcome;
 }
 
+void Simulation::end(std::string result) { state_->end(std::move(result)); }
+
+void Simulation::fail(std::string error) { state_->fail(std::move(error)); }
+
 Outcome Simulation::broken_off_by(const std::string& error) {
   state_->broken_off = true;
   if (state_->error.empty()) state_->error = error;

@@ -92,6 +92,11 @@ class Simulation final : public hal::exchange::AgentHost {
   /// Repeats a run in real time from its turns: same scenario, seed and controllers, same events.
   Outcome repeat(std::optional<hal::Time> until, std::span<const Turn> turns, Pace& pace);
 
+  /// Ends the run with this result, or fails it with this error: from a receiver of outside(), so
+  /// that a repetition ends in the same way. On the run's thread.
+  void end(std::string result);
+  void fail(std::string error);
+
   /// How the run stands after an exception out of run(), follow() or repeat(), or while these do
   /// not return from a controller: failed with that error; interrupted if it is empty. It cannot go
   /// on.

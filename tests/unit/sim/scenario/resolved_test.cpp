@@ -366,7 +366,7 @@ TEST_F(Resolved, KeepsTheRouting) {
 TEST_F(Resolved, KeepsEveryBody) {
   const auto first = load(kEverything).simulation.agents;
   const auto again = load(resolved_yaml(load(kEverything))).simulation.agents;
-  ASSERT_EQ(again.size(), 5u);
+  ASSERT_EQ(again.size(), 7u);
   for (std::size_t i = 0; i < again.size(); ++i) EXPECT_EQ(again[i].body, first[i].body) << i;
   const auto& robot = std::get<hal::devices::RobotDescription>(again[0].body);
   EXPECT_EQ(robot.boxes.at(0).size, (hal::Vec3{0.1, 0.2, 0.3}));
@@ -382,7 +382,7 @@ TEST_F(Resolved, KeepsEveryBody) {
 TEST_F(Resolved, KeepsAgentsAndTheirParameters) {
   const Scenario scenario = load(resolved_yaml(load(kEverything)));
   const auto& all = scenario.simulation.agents;
-  ASSERT_EQ(all.size(), 5u);
+  ASSERT_EQ(all.size(), 7u);
   EXPECT_EQ(all[0].name, "cart0");
   EXPECT_EQ(all[0].id.value, 7);
   EXPECT_EQ(all[4].name, "x03");
@@ -402,7 +402,7 @@ TEST_F(Resolved, KeepsAgentsAndTheirParameters) {
   EXPECT_EQ(all[4].radio.antenna_height->value, 0.3);
   EXPECT_EQ(all[4].pose.x, 0);
   EXPECT_EQ(all[4].pose.y, 1);
-  ASSERT_EQ(scenario.groups.size(), 2u);
+  ASSERT_EQ(scenario.groups.size(), 3u);
   EXPECT_EQ(scenario.groups[0].name, "odd");
   EXPECT_EQ(scenario.groups[0].processes, 2);
   ASSERT_EQ(all[1].parameters.size(), 4u);
