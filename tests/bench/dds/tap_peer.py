@@ -6,7 +6,7 @@
     tests/bench/dds/tap_peer.py [--build DIR] [--stations N...] [--seconds S] [--size B] [--rate HZ]
 
 Prints, for each number of stations: delivered share, quantiles of the latency with 95 % intervals (bootstrap over pairs
-of writer and reader), CPU seconds of the peer, and how late its events were. air_latency.py has the same of ours.
+of writer and reader), CPU of the peer in processors, and how late its events were. air_latency.py has the same of ours.
 """
 import argparse
 import os
@@ -23,7 +23,7 @@ import journals  # noqa: E402
 from private_network import PrivateNetwork  # noqa: E402
 
 RADIO = ["--data=g54", "--control=g24", "--broadcast=g6", "--slot=20"]
-COLUMNS = ["stations", "samples", "delivered", "p50, ms", "p99, ms", "late, p50, ms", "late, p99, ms", "CPU, s per s"]
+COLUMNS = ["stations", "samples", "delivered", "p50, ms", "p99, ms", "late, p50, ms", "late, p99, ms", "CPU"]
 
 
 class Peer:
@@ -48,7 +48,7 @@ class Peer:
 def loads(network, folder, program, stations, options):
     """Started; {number: journal}."""
     common = ["--best-effort", "--publish", "t", "--subscribe", "t", "--size", options.size, "--rate", options.rate,
-              "--count", max(1, round(options.seconds * options.rate)), "--until-matched", stations - 1, "--settle", 1,
+              "--count", max(1, round(options.seconds * options.rate)), "--until-matched", stations - 1, "--settle", 3,
               "--linger", 2, "--for", options.seconds + options.discovery]
     files = {i: folder / f"{i}.csv" for i in range(stations)}
     started = [network.start(i, program, *common, "--writer", i, "--csv", file, stdout=subprocess.DEVNULL)
