@@ -12,6 +12,7 @@
 #include "sim/agents/simulation.h"
 #include "sim/agents/simulation_config.h"
 #include "sim/core/fingerprint.h"
+#include "sim/record/air_log.h"
 #include "sim/record/body_log.h"
 #include "sim/record/broadcast_watch.h"
 #include "sim/record/database.h"
@@ -28,6 +29,7 @@ struct RecorderOptions {
   hal::Duration pose_period = std::chrono::seconds{1};
   Detail frames = Detail::kCounts;
   Detail messages = Detail::kAll;
+  Detail samples = Detail::kCounts;  ///< Of DDS, if an agent has a network.
 };
 
 /// A file with empty tables, ready for statements.
@@ -87,6 +89,9 @@ class Recorder final : public agents::Observer {
   /// Message classes of which nothing arrived at anyone. After finish().
   std::vector<UnheardTopic> unheard_topics() { return record::unheard_topics(database_); }
 
+  /// What the air is used for; null: no agent has a network.
+  air::Ledger* ledger() { return air_ ? &air_->ledger() : nullptr; }
+
   /// Makes what there is so far readable for others: all rows, and the totals unless they are many.
   void commit();
 
@@ -116,6 +121,9 @@ class Recorder final : public agents::Observer {
   void on_record(hal::Time at, hal::AgentId agent, std::string_view name, double value) override;
   void on_turn(const agents::Turn& turn) override;
   void on_arrival(const OutsideArrival& arrival) override;
+  void on_air_entered(hal::Time at, hal::AgentId agent, const radio::MacRequest& request) override;
+  void on_air_left(hal::Time at, hal::AgentId agent,
+                   const radio::MacIndication& indication) override;
 
  private:
   template <class Value>
@@ -139,6 +147,7 @@ class Recorder final : public agents::Observer {
   FramesInTheAir in_the_air_;
   std::optional<MessageLog> message_log_;
   std::optional<MessageCounts> message_counts_;
+  std::optional<AirLog> air_;
   BroadcastWatch broadcasts_;
   BodyLog bodies_;
   Statement set_, insert_discovery_, insert_lost_body_, insert_state_, insert_value_, insert_turn_,
