@@ -38,6 +38,9 @@ class Results {
   ExitStatus finish(const sim::agents::Simulation& simulation, sim::agents::Outcome& outcome,
                     ExitStatus status, double wall_seconds);
 
+  /// What the air is used for; null: no agent has a network. @pre has_begun()
+  const sim::air::Ledger* ledger() { return recorder_->ledger(); }
+
   const ResultsFolder& folder() const { return folder_; }
   sim::agents::FingerprintFeed& fingerprint() { return fingerprint_; }
 

@@ -166,6 +166,7 @@ int run(const RunOptions& options, const Scenario& scenario, const Course& cours
                                   .processes = controllers.processes(),
                                   .once_a_second = [&results] { results.commit(); }});
   results.begin(simulation);
+  inspection.set_ledger(results.ledger());
 
   const Outcome outcome = play(course, simulation, *pace);
   pace->end();
