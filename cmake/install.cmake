@@ -1,7 +1,7 @@
 # What `cmake --install` installs, below one prefix, and which Debian package it goes to:
 #   program (baraka)
 #     bin             baraka, the controllers
-#     lib/baraka      plug-ins of the controllers, what slows programs
+#     lib/baraka      plug-ins of the controllers, what slows programs and what holds their networks
 #     share/baraka    robots, radios, scenarios, hardware; templates of `baraka new-controller`; IDL;
 #                     the report page, if it was built
 #     share/doc       README, docs, licence
@@ -27,6 +27,7 @@ endforeach()
 
 install(TARGETS baraka EXPORT baraka RUNTIME DESTINATION bin COMPONENT program)
 install(TARGETS baraka_dilate LIBRARY DESTINATION lib/baraka COMPONENT program)
+install(TARGETS baraka-holder RUNTIME DESTINATION lib/baraka COMPONENT program)
 install(TARGETS ${controller_names} RUNTIME DESTINATION bin COMPONENT program)
 foreach(name IN LISTS controller_names)
   install(TARGETS ${name}_plugin LIBRARY DESTINATION lib/baraka COMPONENT program)

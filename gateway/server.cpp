@@ -55,6 +55,7 @@ class AgentServer::Implementation {
   Implementation& operator=(const Implementation&) = delete;
 
   int domain() const { return server_.domain(); }
+  hal::dds::Invitation invite() { return server_.invite(); }
   hal::Result<void> gather(const std::function<hal::Result<void>()>& keep_waiting);
   void attend(hal::Time now);
   std::vector<int> descriptors() const;
@@ -248,6 +249,7 @@ AgentServer::AgentServer(hal::dds::DomainHold hold, hal::exchange::AgentHost& ho
 AgentServer::~AgentServer() = default;
 
 int AgentServer::domain() const { return implementation_->domain(); }
+hal::dds::Invitation AgentServer::invite() { return implementation_->invite(); }
 
 hal::Result<void> AgentServer::gather(const std::function<hal::Result<void>()>& keep_waiting) {
   return implementation_->gather(keep_waiting);

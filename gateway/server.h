@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hal/dds/domains.h"
+#include "hal/dds/invitation.h"
 #include "hal/exchange/ports.h"
 
 namespace gateway {
@@ -67,6 +68,10 @@ class AgentServer {
   AgentServer& operator=(const AgentServer&) = delete;
 
   int domain() const;
+
+  /// For a controller in another network namespace, which is to be started with it.
+  /// @throws std::runtime_error  no port or no descriptor is left.
+  hal::dds::Invitation invite();
 
   /// Waits until every agent has a controller, refusing who has no right to one, then connects
   /// them to the host in order of their agents. A process that dies meanwhile gives its agents

@@ -47,6 +47,7 @@ constexpr hal::Duration kLongestHang = 400ms;
 RobotFile load(const AgentdOptions& options) {
   RobotFile file = RobotFile::load(options.file, options.overrides);
   for (const std::string& warning : file.warnings) fmt::print(stderr, "{}\n", warning);
+  require_air_interface(file);
   // Others remember the numbers of this node's packets for a while, also when it restarts.
   file.routing.first_sequence = std::random_device{}() >> 1U;
   return file;

@@ -11,10 +11,10 @@ namespace gateway {
 namespace {
 
 /// @param place  from the command line it names the key itself.
-[[noreturn]] void refuse(const std::string& place, const char* key, const char* what) {
+[[noreturn]] void refuse(const std::string& place, const char* key, const std::string& what) {
   const bool is_in_file = !place.starts_with("--set");
   throw hal::config::ConfigErrors(
-      {fmt::format("{}: {}{}", place, is_in_file ? fmt::format("radio.{}: ", key) : "", what)});
+      {fmt::format("{}: {}{}", place, is_in_file ? fmt::format("{}: ", key) : "", what)});
 }
 
 }  // namespace
@@ -32,13 +32,19 @@ hal::hardware::UdpLink open_radio(const hal::hardware::RobotFile& file,
             loop};
   } catch (const std::system_error& error) {
     if (error.code() != std::errc::permission_denied) throw;
-    refuse(file.radio_places.port, "port", error.what());
+    refuse(file.radio_places.port, "radio.port", error.what());
   } catch (const std::runtime_error& error) {
     const bool is_address =
         !radio.address.empty() && ::if_nametoindex(radio.interface.c_str()) != 0;
-    if (is_address) refuse(file.radio_places.address, "address", error.what());
-    refuse(file.radio_places.interface, "interface", error.what());
+    if (is_address) refuse(file.radio_places.address, "radio.address", error.what());
+    refuse(file.radio_places.interface, "radio.interface", error.what());
   }
+}
+
+void require_air_interface(const hal::hardware::RobotFile& file) {
+  if (file.air_interface.empty() || ::if_nametoindex(file.air_interface.c_str()) != 0) return;
+  refuse(file.air_interface_place, "controller.air_interface",
+         fmt::format("there is no network interface '{}' here", file.air_interface));
 }
 
 }  // namespace gateway

@@ -12,4 +12,8 @@ namespace gateway {
 hal::hardware::UdpLink open_radio(const hal::hardware::RobotFile& file,
                                   hal::hardware::EventLoop& loop);
 
+/// That the interface on which a file lets the controller open sockets is there, if it names one.
+/// @throws hal::config::ConfigErrors
+void require_air_interface(const hal::hardware::RobotFile& file);
+
 }  // namespace gateway

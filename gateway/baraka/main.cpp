@@ -7,6 +7,7 @@
 
 #include "gateway/commands/check_command.h"
 #include "gateway/commands/describe_command.h"
+#include "gateway/commands/exec_command.h"
 #include "gateway/commands/export_command.h"
 #include "gateway/commands/file_kinds.h"
 #include "gateway/commands/new_controller.h"
@@ -160,6 +161,14 @@ void add_export(CLI::App& app, gateway::ExportOptions& options) {
   add->add_flag("--describe", options.describe, "What is in a result: every table and column");
 }
 
+void add_exec(CLI::App& app, gateway::ExecOptions& options) {
+  CLI::App* exec = app.add_subcommand(
+      "exec", "Run a command inside an agent of a run under way: baraka exec r0 -- ping r1");
+  exec->add_option("AGENT", options.agent, "An agent with a network")->required();
+  exec->add_option("--run", options.run, "Folder of its results; default: the only run under way");
+  exec->add_option("COMMAND", options.command, "Behind --; default: a shell");
+}
+
 struct TopicCommand {
   CLI::App* app;
   int (*act)(const gateway::TopicOptions&);
@@ -209,6 +218,8 @@ int command(int argc, char** argv) {
   report->add_option("-o", page, "Write a page with the figures to this file, print no tables");
   gateway::ExportOptions export_options;
   add_export(app, export_options);
+  gateway::ExecOptions exec_options;
+  add_exec(app, exec_options);
   gateway::TopicOptions topic_options;
   const std::vector<TopicCommand> topic_commands = add_topic(app, topic_options);
   gateway::NewControllerOptions controller;
@@ -225,6 +236,7 @@ int command(int argc, char** argv) {
   if (!seed.empty()) run_options.overrides.push_back("seed=" + seed);
   if (*check) return gateway::check(check_options);
   if (*describe) return describe_options.act();
+  if (app.got_subcommand("exec")) gateway::exec_inside(exec_options);
   if (app.got_subcommand("export")) return gateway::export_results(export_options);
   if (*report) return gateway::report(folders, page);
   if (app.got_subcommand("new-controller")) return gateway::new_controller(controller);

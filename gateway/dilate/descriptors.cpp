@@ -8,6 +8,7 @@
 #include "gateway/dilate/converted.h"
 #include "gateway/dilate/exported.h"
 #include "gateway/dilate/intercepted.h"
+#include "gateway/dilate/writable.h"
 
 using gateway::dilate::ForKernel;
 using gateway::dilate::milliseconds_for_kernel;
@@ -22,13 +23,72 @@ int checked_ppoll(pollfd* descriptors, nfds_t count, const timespec* timeout,
 [[noreturn]] void fail_check() __asm__("__chk_fail");
 }
 
+namespace {
+
+bool is_time_or_null(const timespec* time) {
+  return time == nullptr || gateway::dilate::is_time(time);
+}
+
+/// Negative: for ever.
+gateway::dilate::Nanoseconds or_for_ever(const timespec* time) {
+  return time == nullptr ? -1 : gateway::dilate::nanoseconds(*time);
+}
+
+/// ppoll(), to which a socket without room is not writable.
+int poll_for_room(pollfd* descriptors, nfds_t count, gateway::dilate::Nanoseconds longest,
+                  const sigset_t* signals) {
+  return gateway::dilate::until_ready(
+      longest,
+      [=](const timespec* left) { return BARAKA_NEXT(ppoll)(descriptors, count, left, signals); },
+      [=] { return gateway::dilate::ready_without_room(descriptors, count); });
+}
+
+/// The sets of select(), which it overwrites.
+struct Sets {
+  fd_set *readable, *writable, *exceptional;
+};
+
+/// pselect(), to which a socket without room is not writable.
+int select_for_room(int count, const Sets& sets, gateway::dilate::Nanoseconds longest,
+                    const sigset_t* signals) {
+  const auto copy = [](const fd_set* set) { return set == nullptr ? fd_set{} : *set; };
+  const auto restore = [](fd_set* set, const fd_set& given) {
+    if (set != nullptr) *set = given;
+  };
+  const fd_set readable = copy(sets.readable), writable = copy(sets.writable),
+               exceptional = copy(sets.exceptional);
+  return gateway::dilate::until_ready(
+      longest,
+      [&](const timespec* left) {
+        restore(sets.readable, readable);
+        restore(sets.writable, writable);
+        restore(sets.exceptional, exceptional);
+        return BARAKA_NEXT(pselect)(count, sets.readable, sets.writable, sets.exceptional, left,
+                                    signals);
+      },
+      [&] {
+        gateway::dilate::clear_without_room(count, *sets.writable);
+        return gateway::dilate::members(count, {sets.readable, sets.writable, sets.exceptional});
+      });
+}
+
+}  // namespace
+
 BARAKA_EXPORTED int poll(pollfd* descriptors, nfds_t count, int timeout) {
-  return BARAKA_NEXT(poll)(descriptors, count, milliseconds_for_kernel(timeout));
+  const int kernel = milliseconds_for_kernel(timeout);
+  if (gateway::dilate::wants_room(descriptors, count)) {
+    constexpr gateway::dilate::Nanoseconds kMillisecond = 1'000'000;
+    return poll_for_room(descriptors, count, kernel * kMillisecond, nullptr);
+  }
+  return BARAKA_NEXT(poll)(descriptors, count, kernel);
 }
 
 BARAKA_EXPORTED int ppoll(pollfd* descriptors, nfds_t count, const timespec* timeout,
                           const sigset_t* signals) {
   const auto kernel = ForKernel::duration(timeout);
+  if (gateway::dilate::wants_room(descriptors, count) && is_time_or_null(kernel.get())) {
+    return poll_for_room(descriptors, count, or_for_ever(kernel.get()), signals);
+  }
   return BARAKA_NEXT(ppoll)(descriptors, count, kernel.get(), signals);
 }
 
@@ -46,12 +106,23 @@ BARAKA_EXPORTED int checked_ppoll(pollfd* descriptors, nfds_t count, const times
 /// Linux writes what is left of the time back.
 BARAKA_EXPORTED int select(int count, fd_set* __restrict readable, fd_set* __restrict writable,
                            fd_set* __restrict exceptional, timeval* __restrict timeout) {
+  const bool waits_for_room = gateway::dilate::wants_room(count, writable);
+  if (timeout == nullptr && waits_for_room) {
+    return select_for_room(count, {readable, writable, exceptional}, -1, nullptr);
+  }
   if (!gateway::dilate::is_time(timeout)) {
     return BARAKA_NEXT(select)(count, readable, writable, exceptional, timeout);
   }
   const auto& dilation = gateway::dilate::ProcessTime::get().dilation();
-  timeval kernel =
-      gateway::dilate::to_timeval_up(dilation.to_kernel(gateway::dilate::nanoseconds(*timeout)));
+  const auto longest = dilation.to_kernel(gateway::dilate::nanoseconds(*timeout));
+  if (waits_for_room) {
+    const auto begin = gateway::dilate::kernel_time(CLOCK_MONOTONIC);
+    const int ready = select_for_room(count, {readable, writable, exceptional}, longest, nullptr);
+    const auto left = longest - (gateway::dilate::kernel_time(CLOCK_MONOTONIC) - begin);
+    *timeout = gateway::dilate::to_timeval(dilation.to_program(left));
+    return ready;
+  }
+  timeval kernel = gateway::dilate::to_timeval_up(longest);
   const int ready = BARAKA_NEXT(select)(count, readable, writable, exceptional, &kernel);
   *timeout = gateway::dilate::for_program(kernel);
   return ready;
@@ -63,6 +134,10 @@ BARAKA_EXPORTED int pselect(int count, fd_set* __restrict readable, fd_set* __re
                             fd_set* __restrict exceptional, const timespec* __restrict timeout,
                             const sigset_t* __restrict signals) {
   const auto kernel = ForKernel::duration(timeout);
+  if (gateway::dilate::wants_room(count, writable) && is_time_or_null(kernel.get())) {
+    return select_for_room(count, {readable, writable, exceptional}, or_for_ever(kernel.get()),
+                           signals);
+  }
   return BARAKA_NEXT(pselect)(count, readable, writable, exceptional, kernel.get(), signals);
 }
 

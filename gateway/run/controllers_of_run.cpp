@@ -38,7 +38,9 @@ class ServedAgents final : public hal::exchange::AgentHost {
 
   std::vector<hal::exchange::AgentOffer> offers() const override {
     std::vector<hal::exchange::AgentOffer> offers = host_.offers();
-    std::erase_if(offers, [](const auto& offer) { return offer.program == kTeleop; });
+    std::erase_if(offers, [](const auto& offer) {
+      return offer.program == kTeleop || offer.program.empty();
+    });
     return offers;
   }
   std::vector<hal::exchange::AgentName> directory() const override { return host_.directory(); }
@@ -63,6 +65,9 @@ ControllersOfRun::ControllersOfRun(const Scenario& scenario, sim::agents::Simula
                                    const Settings& settings) {
   std::vector<ProcessPlan> plans = sim::scenario::plan_processes(scenario);
   std::erase_if(plans, [](const ProcessPlan& plan) { return plan.program == kTeleop; });
+  if (plans.empty() && settings.from == ControllersFrom::kExternal) {
+    throw UsageError("--controllers external: no agent of this scenario has a controller");
+  }
   if (settings.from == ControllersFrom::kInProcess) {
     connect_in_process(plans, simulation);
   } else {

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <string_view>
 
 #include "gateway/exit_status.h"
@@ -16,6 +18,7 @@ namespace gateway {
 namespace {
 
 constexpr double kLeastFactor = 1e-3, kMostFactor = 1e5;
+constexpr double kLeastFactorOfPrograms = 0.01;
 
 /// @return none: in lock-step.
 std::optional<double> real_time_factor(const std::string& pace) {
@@ -33,27 +36,104 @@ std::optional<double> real_time_factor(const std::string& pace) {
   return *factor;
 }
 
-void check_same(const std::filesystem::path& folder, const sim::scenario::Scenario& scenario) {
+/// Programs need real time, and cannot be faster than that.
+std::string pace_of(const RunOptions& options, const sim::scenario::Scenario& scenario) {
+  if (!options.repeat.empty()) return "repeated";
+  if (!has_network(scenario)) return options.pace.empty() ? "lockstep" : options.pace;
+  if (options.pace.empty()) return "realtime";
+  const std::optional<double> factor = real_time_factor(options.pace);
+  if (!factor) {
+    throw UsageError(
+        "--pace: lockstep: agents with a network need realtime, for programs do not wait for the "
+        "simulator; --repeat plays such a run without a clock");
+  }
+  if (*factor >= kLeastFactorOfPrograms && *factor <= 1) return options.pace;
+  throw UsageError(fmt::format(
+      "--pace: realtime:{}: with agents that have a network, F must be from {} to 1: their "
+      "programs can be slowed, not hastened",
+      *factor, kLeastFactorOfPrograms));
+}
+
+/// Keys of stations' groups behind "agents.<group>." that place them.
+constexpr std::array<std::string_view, 2> kPlacing{"poses.", "station."};
+
+/// Whether a run whose programs' frames are recorded can be repeated with another value of the key:
+/// of the radio, and of where stations are. The doors stay the same.
+bool may_differ(const std::string& key, const sim::scenario::Scenario& scenario) {
+  constexpr std::string_view kAgents = "agents.", kRadio = "radio.";
+  if (key.starts_with(kRadio)) return true;
+  if (!key.starts_with(kAgents)) return false;
+  for (const sim::scenario::Group& group : scenario.groups) {
+    const std::string own = std::string(kAgents) + group.name + ".";
+    if (!key.starts_with(own)) continue;
+    const std::string_view rest = std::string_view(key).substr(own.size());
+    const auto agent = std::ranges::find(scenario.simulation.agents, group.agents.front(),
+                                         &sim::agents::AgentConfig::id);
+    return rest.starts_with(kRadio) ||
+           (!has_body(*agent) && std::ranges::any_of(kPlacing, [&](std::string_view placing) {
+             return rest.starts_with(placing);
+           }));
+  }
+  return false;
+}
+
+using Values = std::map<std::string, std::string>;
+
+/// "radio.data_rate: 11 Mb/s instead of 2 Mb/s", for each key.
+std::vector<std::string> differences(const Values& now, const Values& then,
+                                     const std::vector<std::string>& keys) {
+  std::vector<std::string> lines;
+  const auto value = [](const Values& values, const std::string& key) {
+    const auto found = values.find(key);
+    return found == values.end() ? std::string("nothing") : found->second;
+  };
+  for (const std::string& key : keys) {
+    lines.push_back(fmt::format("{}: {} instead of {}", key, value(now, key), value(then, key)));
+  }
+  return lines;
+}
+
+/// In what the scenario differs from that of the record. @throws UsageError  it must not in that.
+std::vector<std::string> open_loop_of(const std::filesystem::path& folder,
+                                      const sim::scenario::Scenario& scenario) {
   const auto file = folder / "scenario.resolved.yaml";
   std::ifstream resolved(file);
   const std::string text{std::istreambuf_iterator<char>(resolved), {}};
-  if (text == sim::scenario::resolved_yaml(scenario)) return;
-  throw UsageError(fmt::format("--repeat: {} is not of this scenario with these settings: see {}",
-                               folder.string(), file.string()));
+  if (text == sim::scenario::resolved_yaml(scenario)) return {};
+  const auto listed = sim::scenario::resolved_values(scenario);
+  const Values now(listed.begin(), listed.end());
+  Values then;
+  if (has_network(scenario)) then = sim::record::read_settings(folder);
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : now) {
+    if (!then.contains(key) || then.at(key) != value) keys.push_back(key);
+  }
+  for (const auto& [key, value] : then) {
+    if (!now.contains(key) && !key.starts_with("--")) keys.push_back(key);
+  }
+  const auto wrong = std::ranges::find_if(
+      keys, [&](const std::string& key) { return !may_differ(key, scenario); });
+  if (!then.empty() && wrong == keys.end()) return differences(now, then, keys);
+  const std::string first =
+      then.empty() ? "" : fmt::format(" ({})", differences(now, then, {*wrong}).front());
+  throw UsageError(fmt::format("--repeat: {} is not of this scenario with these settings{}: see {}",
+                               folder.string(), first, file.string()));
 }
 
 }  // namespace
 
 Course::Course(const RunOptions& options, const sim::scenario::Scenario& scenario)
-    : factor_(real_time_factor(options.pace)) {
+    : pace_(pace_of(options, scenario)) {
+  if (options.repeat.empty()) factor_ = real_time_factor(pace_);
   if (options.until) until_ = hal::Time{hal::from_seconds(*options.until)};
   if (options.repeat.empty()) return;
-  check_same(options.repeat, scenario);
+  open_loop_ = open_loop_of(options.repeat, scenario);
   record_ = sim::record::read_course(options.repeat);
   until_ = std::min(until_.value_or(record_->ended_at), record_->ended_at);
 }
 
-sim::agents::Outcome Course::play(sim::agents::Simulation& simulation, WallPace& pace) const {
+sim::agents::Outcome Course::play(sim::agents::Simulation& simulation, WallPace& pace,
+                                  NetworkOfRun* network) const {
   if (record_) {
     simulation.outside().replay(record_->arrivals);
     if (record_->in_real_time) return simulation.repeat(until_, record_->turns, pace);
@@ -61,6 +141,7 @@ sim::agents::Outcome Course::play(sim::agents::Simulation& simulation, WallPace&
   }
   if (!factor_) return simulation.run(until_, pace);
   RealTimeClock clock(*factor_, pace);
+  if (network != nullptr) network->connect(simulation, clock);
   return simulation.follow(until_, clock);
 }
 

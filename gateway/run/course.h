@@ -1,7 +1,10 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
+#include "gateway/run/network_of_run.h"
 #include "gateway/run/run_command.h"
 #include "gateway/run/wall_pace.h"
 #include "sim/agents/simulation.h"
@@ -17,10 +20,21 @@ class Course {
   /// @throws std::runtime_error  the record cannot be read.
   Course(const RunOptions& options, const sim::scenario::Scenario& scenario);
 
-  /// Runs the simulation, once.
-  sim::agents::Outcome play(sim::agents::Simulation& simulation, WallPace& pace) const;
+  /// Runs the simulation, once. @param network  of it; null: none, or a repetition.
+  sim::agents::Outcome play(sim::agents::Simulation& simulation, WallPace& pace,
+                            NetworkOfRun* network) const;
+
+  /// As `--pace` says or, without it, as the scenario needs it: "lockstep", "realtime:0.1".
+  const std::string& pace() const { return pace_; }
+  /// Simulated seconds per second; none: not in real time.
+  std::optional<double> factor() const { return factor_; }
+  bool is_repeated() const { return record_.has_value(); }
+  /// Of a repetition: what is not as it was, "radio.data_rate: 11 Mb/s instead of 2 Mb/s".
+  const std::vector<std::string>& open_loop() const { return open_loop_; }
 
  private:
+  std::string pace_;
+  std::vector<std::string> open_loop_;
   std::optional<hal::Time> until_;
   std::optional<double> factor_;  ///< In real time, so fast.
   std::optional<sim::record::RecordedCourse> record_;

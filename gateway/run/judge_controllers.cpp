@@ -127,6 +127,7 @@ void judge_teleop(const sim::scenario::Scenario& scenario, const sim::scenario::
 ControllerJudgement judge_controllers(const sim::scenario::Scenario& scenario) {
   ControllerJudgement judgement;
   for (const sim::scenario::Group& group : scenario.groups) {
+    if (group.program.empty()) continue;  // nobody drives them
     if (group.program == kTeleop) {
       judge_teleop(scenario, group, judgement.mistakes);
       continue;

@@ -1,7 +1,6 @@
 #include "gateway/run/real_time_clock.h"
 
 #include <algorithm>
-#include <vector>
 
 namespace gateway {
 namespace {
@@ -14,18 +13,33 @@ constexpr hal::Duration kSlice = std::chrono::milliseconds{50};
 hal::Time RealTimeClock::now() {
   const hal::Time wall = pace_.clock().now();
   if (!start_) start_ = wall;
+  return simulated(wall);
+}
+
+hal::Time RealTimeClock::simulated(hal::Time wall) const {
   return hal::Time{hal::from_seconds(hal::to_seconds(wall - *start_) * factor_)};
 }
 
 bool RealTimeClock::wait(hal::Time until, std::span<const int> descriptors,
                          const sim::agents::Progress& progress) {
   if (pace_.may_go_on(until, progress) == WallPace::Verdict::kBreakOff) return false;
-  const double left = hal::to_seconds(until - now()) / factor_;
+  if (beside_ != nullptr) beside_->attend(now());
+  hal::Time stop = until;
+  hal::Duration longest = kSlice;
+  if (beside_ != nullptr) {
+    stop = std::min(until, beside_->next().value_or(until));
+    longest = std::min(kSlice, beside_->longest_wait());
+  }
+  const double left = hal::to_seconds(stop - now()) / factor_;
   if (left <= 0) return true;
-  std::vector<pollfd> polled;
-  polled.reserve(descriptors.size());
-  for (const int descriptor : descriptors) polled.push_back({descriptor, POLLIN, 0});
-  pace_.clock().wait(polled, std::min(hal::from_seconds(left), kSlice));
+  polled_.clear();
+  for (const int descriptor : descriptors) polled_.push_back({descriptor, POLLIN, 0});
+  if (beside_ != nullptr) {
+    polled_.push_back({beside_->descriptor(), POLLIN, 0});
+    beside_->before_wait();
+  }
+  pace_.clock().wait(polled_, std::min(hal::from_seconds(left), longest));
+  if (beside_ != nullptr) beside_->after_wait();
   return true;
 }
 

@@ -2,7 +2,9 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
+#include "gateway/run/beside_the_run.h"
 #include "gateway/run/wall_pace.h"
 #include "sim/agents/real_time.h"
 
@@ -15,7 +17,15 @@ class RealTimeClock final : public sim::agents::FollowedClock {
   /// @param factor  simulated seconds per second, above 0.
   RealTimeClock(double factor, WallPace& pace) : factor_(factor), pace_(pace) {}
 
+  /// From now on this is attended to as well. It outlives the clock.
+  void attend_to(BesideTheRun& beside) { beside_ = &beside; }
+
   hal::Time now() override;
+
+  /// Simulated time that a time of the wall's clock stands for. @pre now() has been called.
+  hal::Time simulated(hal::Time wall) const;
+  hal::Clock& wall() const { return pace_.clock(); }
+
   bool wait(hal::Time until, std::span<const int> descriptors,
             const sim::agents::Progress& progress) override;
 
@@ -23,6 +33,8 @@ class RealTimeClock final : public sim::agents::FollowedClock {
   double factor_;
   WallPace& pace_;
   std::optional<hal::Time> start_;
+  BesideTheRun* beside_ = nullptr;
+  std::vector<pollfd> polled_;  ///< Kept for its memory.
 };
 
 }  // namespace gateway

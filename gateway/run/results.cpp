@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -43,6 +44,8 @@ std::vector<std::string> files_of(const Scenario& scenario) {
   for (const auto& plan : sim::scenario::plan_processes(scenario)) {
     files.insert(plan.process + ".log");
   }
+  for (const auto& program : sim::scenario::plan_programs(scenario)) files.insert(program.log);
+  if (has_network(scenario)) files.insert(netns::kStateFile);
   if (!scenario.record.air.empty()) files.insert(scenario.record.air);
   return {files.begin(), files.end()};
 }
@@ -63,9 +66,10 @@ void write_file(const fs::path& file, const std::string& text) {
 }
 
 std::vector<std::pair<std::string, std::string>> settings_of(const Scenario& scenario,
-                                                             const RunOptions& options) {
+                                                             const RunOptions& options,
+                                                             const std::string& pace) {
   auto settings = sim::scenario::resolved_values(scenario);
-  settings.emplace_back("--pace", options.repeat.empty() ? options.pace : "repeated");
+  settings.emplace_back("--pace", pace);
   settings.emplace_back("--until", options.until ? fmt::format("{} s", *options.until) : "its end");
   return settings;
 }
@@ -86,10 +90,10 @@ void warn_of_unheard_topics(sim::record::Recorder& recorder, hal::Time at) {
 
 }  // namespace
 
-Results::Results(const Scenario& scenario, const RunOptions& options)
+Results::Results(const Scenario& scenario, const RunOptions& options, const std::string& pace)
     : scenario_(scenario),
-      pace_(options.repeat.empty() ? options.pace : "repeated"),
-      settings_(settings_of(scenario, options)),
+      pace_(pace),
+      settings_(settings_of(scenario, options, pace)),
       folder_(results_path(options, scenario.name),
               {.files = files_of(scenario), .overwrite = options.overwrite}),
       fingerprint_([this](const sim::Fingerprint::Row& row) { recorder_->add(row); }) {
@@ -181,6 +185,22 @@ ExitStatus Results::finish(const sim::agents::Simulation& simulation, Outcome& o
   }
   sim::flush_log();
   return status;
+}
+
+void Results::add(const NetworkSummary& network) {
+  recorder_->set("frames_dropped", network.frames_dropped);
+  recorder_->set("frames_not_taken", network.frames_not_taken);
+  recorder_->set("cpu_load", network.cpu_load);
+  recorder_->set("cpu_load_programs", network.cpu_load_programs);
+  for (const sim::record::ProgramRow& program : network.programs) recorder_->add(program);
+}
+
+void Results::add_warnings(const std::vector<std::string>& lines) {
+  recorder_->set("warnings", fmt::format("{}", fmt::join(lines, "\n")));
+}
+
+void Results::add_open_loop(const std::vector<std::string>& lines) {
+  recorder_->set("open_loop", fmt::format("{}", fmt::join(lines, "\n")));
 }
 
 void Results::give_up(const Outcome& outcome, ExitStatus status) {

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "gateway/exit_status.h"
+#include "gateway/run/network_of_run.h"
 #include "gateway/run/results_folder.h"
 #include "gateway/run/run_command.h"
 #include "sim/agents/fingerprint_feed.h"
@@ -19,7 +20,9 @@ class Results {
  public:
   /// From now on the log goes to the folder of what has not begun.
   /// @throws as ResultsFolder.
-  Results(const sim::scenario::Scenario& scenario, const RunOptions& options);
+  /// @param pace  as Course::pace().
+  Results(const sim::scenario::Scenario& scenario, const RunOptions& options,
+          const std::string& pace);
 
   /// The run begins: from now on it is recorded, and an earlier result is no longer in its place.
   /// @throws std::runtime_error  the tables cannot be made, or as ResultsFolder::begin().
@@ -40,6 +43,11 @@ class Results {
 
   /// What the air is used for; null: no agent has a network. @pre has_begun()
   const sim::air::Ledger* ledger() { return recorder_->ledger(); }
+  /// After begin(): how its networks were, what speaks against the result, and what of a repetition
+  /// is not as it was.
+  void add(const NetworkSummary& network);
+  void add_warnings(const std::vector<std::string>& lines);
+  void add_open_loop(const std::vector<std::string>& lines);
 
   const ResultsFolder& folder() const { return folder_; }
   sim::agents::FingerprintFeed& fingerprint() { return fingerprint_; }

@@ -11,9 +11,12 @@
 #include "gateway/run/domain_range.h"
 #include "gateway/run/judge_controllers.h"
 #include "gateway/run/last_resort.h"
+#include "gateway/run/network_of_run.h"
+#include "gateway/run/network_report.h"
 #include "gateway/run/results.h"
 #include "gateway/run/run_inspection.h"
 #include "gateway/run/wall_pace.h"
+#include "hal/types/log.h"
 #include "hal/types/printable.h"
 #include "sim/agents/simulation.h"
 #include "sim/scenario/judge.h"
@@ -109,9 +112,9 @@ std::optional<int> domain_of(const RunOptions& options) {
 }
 
 /// To its end, which is a failure if it was broken off by an exception: a full disk, mostly.
-Outcome play(const Course& course, Simulation& simulation, WallPace& pace) {
+Outcome play(const Course& course, Simulation& simulation, WallPace& pace, NetworkOfRun* network) {
   try {
-    return course.play(simulation, pace);
+    return course.play(simulation, pace, network);
   } catch (const std::exception& e) {
     return simulation.broken_off_by(e.what());
   }
@@ -122,19 +125,44 @@ struct Ending {
   Outcome outcome;
   std::vector<std::string> complaints;  ///< Of its controllers.
   double wall_seconds = 0;
+  std::optional<NetworkSummary> network = {};
 };
+
+/// Adds to the complaints what speaks against the result.
+void warn_of_network(Ending& ending, double factor, hal::Duration limit, Results& results) {
+  const std::vector<std::string> lines =
+      network_warnings(*ending.outcome.real_time->air, *ending.network, factor, limit);
+  if (lines.empty()) return;
+  results.add_warnings(lines);
+  ending.complaints.insert(ending.complaints.end(), lines.begin(), lines.end());
+}
+
+/// That what would have been sent then is not what was sent.
+void say_open_loop(const Course& course, Results& results) {
+  fmt::print(stderr,
+             "open loop: the programs of the recorded run saw another radio; what they would have "
+             "sent over this one is not known\n");
+  for (const std::string& line : course.open_loop()) {
+    hal::log::warning({}, "run", "open loop: {}", line);
+  }
+  results.add_open_loop(course.open_loop());
+}
 
 /// Writes and prints how the run ended.
 ExitStatus conclude(Results& results, const sim::scenario::Judge& judge,
                     const Simulation& simulation, Ending&& ending) {
-  auto& [outcome, complaints, wall_seconds] = ending;
+  auto& [outcome, complaints, wall_seconds, network] = ending;
   const auto expectations = unmet(judge, outcome, simulation);
+  if (network) results.add(*network);
   const ExitStatus status =
       results.finish(simulation, outcome, exit_status(outcome, expectations), wall_seconds);
 
   print_complaints(outcome, complaints);
   for (const std::string& line : expectations) fmt::print(stderr, "not met: {}\n", line);
   if (outcome.real_time) print_real_time(*outcome.real_time);
+  if (outcome.real_time && outcome.real_time->air && network) {
+    print_network(*outcome.real_time->air, *network);
+  }
   print_outcome(outcome, results, wall_seconds);
   return status;
 }
@@ -142,8 +170,13 @@ ExitStatus conclude(Results& results, const sim::scenario::Judge& judge,
 int run(const RunOptions& options, const Scenario& scenario, const Course& course,
         RunInspection& inspection, Results& results) {
   const std::optional<int> domain = domain_of(options);
+  std::optional<NetworkOfRun> network;  // first of all: it forks
+  if (has_network(scenario) && !course.is_repeated()) {
+    network.emplace(scenario, *course.factor(), [&results] { return results.folder().path(); });
+  }
   sim::scenario::Judge judge(scenario);
   Simulation simulation(scenario.simulation, {&judge, &inspection.observer()});
+  open_programs_door(scenario, simulation);
   std::optional<WallPace> pace;
   const LastResort last_resort([&](const std::string& what, bool failed) -> int {
     if (!results.has_begun()) {
@@ -168,10 +201,17 @@ int run(const RunOptions& options, const Scenario& scenario, const Course& cours
   results.begin(simulation);
   inspection.set_ledger(results.ledger());
 
-  const Outcome outcome = play(course, simulation, *pace);
+  if (!course.open_loop().empty()) say_open_loop(course, results);
+
+  const Outcome outcome = play(course, simulation, *pace, network ? &*network : nullptr);
   pace->end();
-  const auto complaints = controllers.finish(outcome.kind != Outcome::Kind::kFailed);
-  return conclude(results, judge, simulation, {outcome, complaints, pace->wall_seconds()});
+  Ending ending{.outcome = outcome, .complaints = {}, .wall_seconds = pace->wall_seconds()};
+  if (network) ending.network = network->finish();
+  ending.complaints = controllers.finish(outcome.kind != Outcome::Kind::kFailed);
+  if (ending.network && outcome.real_time && outcome.real_time->air) {
+    warn_of_network(ending, *course.factor(), scenario.simulation.lateness_limit, results);
+  }
+  return conclude(results, judge, simulation, std::move(ending));
 }
 
 }  // namespace
@@ -190,7 +230,7 @@ int run(const RunOptions& options) {
                                       .domain = options.inspect_domain,
                                       .repeated = !options.repeat.empty()});
   check_repeat(options, scenario.name);
-  Results results(scenario, options);
+  Results results(scenario, options, course.pace());
   try {
     return run(options, scenario, course, inspection, results);
   } catch (const std::exception& e) {

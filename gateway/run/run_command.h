@@ -17,9 +17,10 @@ struct RunOptions {
   std::optional<double> until;         ///< s
   ControllersFrom controllers = ControllersFrom::kSpawn;
   double max_speed = std::numeric_limits<double>::infinity();
-  std::string pace = "lockstep";  ///< Or "realtime", "realtime:<factor>".
-  std::string repeat;             ///< Folder of a run that is to be repeated from its record.
-  std::string domain;             ///< "7"; "7-9" for runs side by side; empty: the first free one.
+  /// "lockstep", "realtime", "realtime:<factor>"; empty: as the scenario needs it.
+  std::string pace;
+  std::string repeat;  ///< Folder of a run that is to be repeated from its record.
+  std::string domain;  ///< "7"; "7-9" for runs side by side; empty: the first free one.
   bool inspect = true;
   std::optional<int> inspect_domain;  ///< None: the run's.
   std::string out;                    ///< Empty: results/<scenario name>.

@@ -50,6 +50,12 @@ class RealWorldObject {
   virtual Time now() const = 0;  ///< Time of the event being handled.
   virtual Duration control_period() const = 0;
 
+  /// Network interface on which this controller may open sockets and DDS participants of its own,
+  /// and on no other: in the simulator "wlan0" if the controller runs inside the agent's network,
+  /// on hardware the card that the agent's file names for it. What is sent there is on the air.
+  /// Empty: there is none. Valid for the life of the controller.
+  virtual std::string_view air_interface() const = 0;
+
   /// Address of the agent of that name; none: nobody is known by it. The simulator knows every
   /// agent of the run, a daemon its own one and those on the map of its file. Only for controllers
   /// that ask (Wants::names); for others always none, which is logged once.

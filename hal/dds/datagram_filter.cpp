@@ -91,6 +91,10 @@ DatagramFilter::Reason DatagramFilter::objection_to(hal::rtps::Octets datagram,
   if (!is_near(sender.address)) {
     return {"sender", "it is beyond the interfaces of this participant"};
   }
+  const auto& ports = settings_.ports;
+  if (!ports.empty() && std::ranges::find(ports, sender.port) == ports.end()) {
+    return {"sender", "it is not the process that invited this one"};
+  }
   const hal::rtps::Walk walk(datagram);
   if (walk.fault()) return {walk.fault()->part, walk.fault()->what};
   const std::lock_guard lock(mutex_);

@@ -55,7 +55,8 @@ class DatagramFilter {
     /// Whether everybody speaks for himself from one port: in the star of the exchange, where all
     /// are of this project. Others may use several ports, and relay discovery.
     bool is_star = false;
-    Clock& clock = wall_clock();  ///< Outlives the filter.
+    std::vector<std::uint16_t> ports{};  ///< The only ones that are listened to; empty: any.
+    Clock& clock = wall_clock();         ///< Outlives the filter.
   };
   explicit DatagramFilter(Settings settings);
   ~DatagramFilter();  ///< Logs how many were dropped, if any.

@@ -105,12 +105,6 @@ int bound_port(int port) {
   return is_bound ? ntohs(address.sin_port) : 0;
 }
 
-/// Whether a port is none at which the server of some domain may want to be found.
-bool is_nobodys(int port) {
-  const int offset = (port - kFirstPort) % kPortsPerDomain;
-  return port < kFirstPort || offset > discovery_port(0, kPlaces) - kFirstPort;
-}
-
 bool is_port_free(int port) { return bound_port(port) != 0 || errno != EADDRINUSE; }
 
 /// The port of a domain's places that a program uses which is none of ours.
@@ -138,13 +132,18 @@ int discovery_port(int domain, int place) {
   return kFirstPort + kPortsPerDomain * domain + 10 + 2 * place;
 }
 
+bool may_be_a_servers(int port) {
+  const int offset = (port - kFirstPort) % kPortsPerDomain;
+  return port >= kFirstPort && offset <= discovery_port(0, kPlaces) - kFirstPort;
+}
+
 int free_port() {
   while (true) {
     const int port = bound_port(0);
     if (port == 0) {
       throw std::runtime_error(fmt::format("no UDP port of 127.0.0.1: {}", std::strerror(errno)));
     }
-    if (is_nobodys(port)) return port;
+    if (!may_be_a_servers(port)) return port;
   }
 }
 

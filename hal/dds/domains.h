@@ -50,6 +50,9 @@ DomainHold join_domain(int domain);
 /// UDP port at which the server at a place of a domain is discovered.
 int discovery_port(int domain, int place);
 
+/// Whether a server of some domain may want to be found at a UDP port.
+bool may_be_a_servers(int port);
+
 /// A UDP port of 127.0.0.1 that nobody uses now and at which no server is looked for. Another
 /// process may take it before it is opened.
 /// @throws std::runtime_error  no port is left, or no file descriptor.

@@ -11,13 +11,13 @@
 
 namespace hal::dds {
 
-/// UDP whose datagrams a filter sees before Fast DDS does.
+/// A transport of UDPv4's kind whose datagrams a filter sees before Fast DDS does.
 ///
 ///   qos.transport().user_transports.assign(
 ///       1, std::make_shared<FilteringTransportDescriptor>(udp, filter));
 struct FilteringTransportDescriptor : eprosima::fastdds::rtps::ChainingTransportDescriptor {
   FilteringTransportDescriptor(
-      std::shared_ptr<eprosima::fastdds::rtps::UDPv4TransportDescriptor> udp,
+      std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> udp,
       std::shared_ptr<DatagramFilter> datagram_filter)
       : ChainingTransportDescriptor(std::move(udp)), filter(std::move(datagram_filter)) {}
   eprosima::fastdds::rtps::TransportInterface* create_transport() const override;

@@ -1,7 +1,11 @@
 #include "hal/dds/participant.h"
 
 #include <fmt/core.h>
+#include <netinet/in.h>
+#include <sys/random.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <memory>
 #include <mutex>
@@ -10,6 +14,7 @@
 
 #include "hal/dds/domains.h"
 #include "hal/dds/filtering_transport.h"
+#include "hal/dds/handed_transport.h"
 #include "hal/dds/library_log.h"
 
 namespace hal::dds {
@@ -61,20 +66,26 @@ rtps::Locator_t discovery_locator(int domain, int place) {
   return locator_of(discovery_port(domain, place));
 }
 
-api::DomainParticipantQos udp_qos(int participant_id, const std::vector<std::string>& addresses,
-                                  const std::shared_ptr<DatagramFilter>& filter) {
+using TransportDescriptor = std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface>;
+
+TransportDescriptor udp_on(const std::vector<std::string>& addresses) {
+  auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
+  udp->interfaceWhiteList = addresses;
+  udp->sendBufferSize = kSocketBuffer;
+  udp->receiveBufferSize = kSocketBuffer;
+  return udp;
+}
+
+api::DomainParticipantQos qos_over(const TransportDescriptor& transport, int participant_id,
+                                   const std::shared_ptr<DatagramFilter>& filter) {
   static std::once_flag configured;
   std::call_once(configured, configure_library);
 
   api::DomainParticipantQos qos =
       api::DomainParticipantFactory::get_instance()->get_default_participant_qos();
-  const auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
-  udp->interfaceWhiteList = addresses;
-  udp->sendBufferSize = kSocketBuffer;
-  udp->receiveBufferSize = kSocketBuffer;
   qos.transport().use_builtin_transports = false;
   qos.transport().user_transports.assign(
-      1, std::make_shared<FilteringTransportDescriptor>(udp, filter));
+      1, std::make_shared<FilteringTransportDescriptor>(transport, filter));
   qos.wire_protocol().participant_id = participant_id;
   return qos;
 }
@@ -85,15 +96,32 @@ std::shared_ptr<DatagramFilter> filter_for(const std::vector<std::string>& addre
       DatagramFilter::Settings{.networks = networks_of(addresses), .is_star = is_star});
 }
 
-api::DomainParticipantQos star_qos(int participant_id, const rtps::Locator_t& discovery,
-                                   const std::shared_ptr<DatagramFilter>& filter) {
-  api::DomainParticipantQos qos = udp_qos(participant_id, {kLoopback}, filter);
+/// The filter of a process that was invited: whoever else is on that loopback interface is none of
+/// its business.
+std::shared_ptr<DatagramFilter> filter_for(const HandedSockets& handed) {
+  constexpr std::uint32_t kWhole = 0xffffffff;
+  return std::make_shared<DatagramFilter>(DatagramFilter::Settings{
+      .networks = {{INADDR_LOOPBACK, kWhole}}, .is_star = true, .ports = handed.hosts});
+}
+
+void join_star(api::DomainParticipantQos& qos, const rtps::Locator_t& discovery) {
   auto& builtin = qos.wire_protocol().builtin;
   builtin.metatrafficUnicastLocatorList.push_back(discovery);
   builtin.avoid_builtin_multicast = true;
   builtin.discovery_config.leaseDuration = to_dds(kParticipantLease);
   builtin.discovery_config.leaseDuration_announcementperiod = to_dds(kAnnouncementPeriod);
-  return qos;
+}
+
+/// Fast DDS makes GUIDs of the addresses of a host, which may be those of another namespace, too,
+/// and of a pid, which is one of the process's own namespace.
+rtps::GuidPrefix_t random_prefix() {
+  rtps::GuidPrefix_t prefix;
+  if (getrandom(prefix.value, sizeof(prefix.value), 0) != sizeof(prefix.value)) {
+    throw std::runtime_error("no random numbers");
+  }
+  const std::array<rtps::octet, 2> vendor = {0x01, 0x0f};  // eProsima (DDSI-RTPS vendor ids)
+  std::ranges::copy(vendor, prefix.value);
+  return prefix;
 }
 
 template <class Qos>
@@ -118,16 +146,23 @@ void set_common_qos(Qos& qos, Presence presence, std::int32_t max_instances) {
 
 Participant Participant::server(int domain, int place) {
   const auto filter = filter_for({kLoopback}, true);
-  api::DomainParticipantQos qos = star_qos(place, discovery_locator(domain, place), filter);
+  api::DomainParticipantQos qos = qos_over(udp_on({kLoopback}), place, filter);
+  join_star(qos, discovery_locator(domain, place));
   qos.name("baraka server");
   return {domain, qos, filter};
 }
 
-Participant Participant::controller(int domain) {
+Participant Participant::controller(int domain, const HandedSockets* handed) {
+  const auto filter = handed != nullptr ? filter_for(*handed) : filter_for({kLoopback}, true);
+  const TransportDescriptor transport =
+      handed != nullptr ? std::make_shared<HandedTransportDescriptor>(*handed, kSocketBuffer)
+                        : udp_on({kLoopback});
+  api::DomainParticipantQos qos = qos_over(transport, next_participant_id(), filter);
+  if (handed != nullptr) qos.wire_protocol().prefix = random_prefix();
   // Any free ports: those of the ids of a domain would do for 112 controllers.
-  const auto filter = filter_for({kLoopback}, true);
-  api::DomainParticipantQos qos = star_qos(next_participant_id(), locator_of(free_port()), filter);
-  qos.wire_protocol().default_unicast_locator_list.push_back(locator_of(free_port()));
+  join_star(qos, locator_of(handed != nullptr ? handed->metatraffic.port : free_port()));
+  qos.wire_protocol().default_unicast_locator_list.push_back(
+      locator_of(handed != nullptr ? handed->data.port : free_port()));
   qos.name("baraka controller");
   auto& builtin = qos.wire_protocol().builtin;
   for (int place = 0; place < kPlaces; ++place) {
@@ -143,7 +178,7 @@ Participant Participant::inspection(int domain, const std::vector<std::string>& 
                                     api::DomainParticipantListener* listener) {
   // Not on the ports of a server's places: controllers would find it there.
   const auto filter = filter_for(addresses, false);
-  api::DomainParticipantQos qos = udp_qos(next_participant_id(), addresses, filter);
+  api::DomainParticipantQos qos = qos_over(udp_on(addresses), next_participant_id(), filter);
   qos.name(name);
   return {domain, qos, filter, listener};
 }

@@ -6,6 +6,7 @@
 
 #include "hal/dds/datagram_filter.h"
 #include "hal/dds/fastdds.h"
+#include "hal/dds/handed_sockets.h"
 #include "hal/types/time.h"
 
 namespace hal::dds {
@@ -19,7 +20,9 @@ class Participant {
   /// @param place  0..7.
   /// @throws std::runtime_error  if DDS cannot be opened, e.g. because the port is taken.
   static Participant server(int domain, int place);
-  static Participant controller(int domain);
+  /// @param handed  what it is to speak by, and to nobody but whom, in another network namespace;
+  ///   outlives it. Null: sockets of its own.
+  static Participant controller(int domain, const HandedSockets* handed = nullptr);
   /// Outside the star: ordinary discovery by multicast, for standard tools.
   /// @param addresses  IPv4, of the interfaces to use.  @param name  for people.
   /// @param listener  hears of the endpoints of others; may be null.

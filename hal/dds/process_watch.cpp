@@ -1,5 +1,6 @@
 #include "hal/dds/process_watch.h"
 
+#include <fcntl.h>
 #include <fmt/core.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
@@ -60,6 +61,9 @@ ProcessWatch::ProcessWatch(const ProcessIdentity& watched) : local_(watched.host
   close(descriptor_);  // Another process has the pid by now.
   descriptor_ = -1;
 }
+
+ProcessWatch::ProcessWatch(int channel)
+    : local_(true), descriptor_(fcntl(channel, F_DUPFD_CLOEXEC, 0)) {}
 
 ProcessWatch::~ProcessWatch() {
   if (descriptor_ >= 0) close(descriptor_);

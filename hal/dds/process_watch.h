@@ -25,6 +25,10 @@ std::optional<std::uint64_t> start_time_of(std::int64_t pid);
 class ProcessWatch {
  public:
   explicit ProcessWatch(const ProcessIdentity& watched);
+  /// Of the process at the other end of a stream of this host, which says nothing there and has the
+  /// only descriptor of it. For one in a pid namespace above this one, where it has no pid.
+  /// @param channel  stays the caller's.
+  explicit ProcessWatch(int channel);
   ~ProcessWatch();
   ProcessWatch(const ProcessWatch&) = delete;
   ProcessWatch& operator=(const ProcessWatch&) = delete;
@@ -35,7 +39,7 @@ class ProcessWatch {
   /// Becomes readable when the process dies; -1 if it is already dead or elsewhere.
   int descriptor() const { return descriptor_; }
   /// "killed by signal 9", "exited with status 2", or "is gone" of a process that is not a child
-  /// of this one. @pre is_dead().
+  /// of this one, or not known by its pid. @pre is_dead().
   std::string cause() const;
 
  private:

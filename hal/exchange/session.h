@@ -14,7 +14,7 @@ namespace hal::exchange {
 
 /// Version of the values in this folder as they travel. Two sides of different versions refuse
 /// each other.
-inline constexpr std::uint32_t kProtocolVersion = 5;
+inline constexpr std::uint32_t kProtocolVersion = 6;
 
 /// A parameter as the scenario gives it, with the place of its value for error messages.
 struct ParameterText {
@@ -46,6 +46,8 @@ struct AgentSession {
   std::vector<ParameterText> parameters;
   std::vector<Channel> channels;
   DriveLimits limits;
+  /// Network interface on which the controller may open sockets of its own; empty: on none.
+  std::string air_interface{};
   bool operator==(const AgentSession&) const = default;
 };
 

@@ -42,6 +42,14 @@ void read_controller(Mapping in, RobotFile& file) {
   if (in.has("program"))
     file.program =
         in.text({"program", "The controller this agent is for; others are refused.", "help_robot"});
+  if (in.has("air_interface")) {
+    file.air_interface = in.text({"air_interface",
+                                  "Network interface on which the controller may open sockets and "
+                                  "DDS participants of its own.",
+                                  "wlan0"});
+    file.air_interface_place = in.place("air_interface");
+    if (file.air_interface.empty()) in.mistake("air_interface", "is empty");
+  }
   Mapping parameters =
       in.mapping({"parameters", "Of the controller; `baraka describe PROGRAM` shows them.",
                   "{speed: 0.5 m/s}"});

@@ -66,6 +66,8 @@ struct RobotFile {
   AgentKind kind = AgentKind::kMote;
   std::string program;  ///< Controller this agent is for; empty: any.
   std::vector<exchange::ParameterText> parameters;
+  std::string air_interface;        ///< On which the controller may open sockets; empty: on none.
+  std::string air_interface_place;  ///< "file:line:column", for mistakes only this computer finds.
   std::uint64_t seed = 1;
   Duration control_period{100'000'000};
   Duration command_timeout{500'000'000};

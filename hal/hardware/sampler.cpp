@@ -20,6 +20,7 @@ exchange::AgentOffer offer_of(const RobotFile& file, const Devices& devices) {
   session.seed = file.seed;
   session.control_period = file.control_period;
   session.parameters = file.parameters;
+  session.air_interface = file.air_interface;
   if (devices.pose != nullptr) {
     session.channels.push_back(devices::localisation_channel());
   }

@@ -44,6 +44,12 @@ Duration ObjectOf<Interface>::control_period() const {
 }
 
 template <class Interface>
+std::string_view ObjectOf<Interface>::air_interface() const {
+  context_.guard.check("air_interface");
+  return context_.session.air_interface;
+}
+
+template <class Interface>
 std::optional<AgentId> ObjectOf<Interface>::address_of(std::string_view name) const {
   context_.guard.check("address_of");
   return context_.has_names("address_of") ? context_.directory.address_of(name) : std::nullopt;

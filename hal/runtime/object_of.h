@@ -17,6 +17,7 @@ class ObjectOf : public Interface {
   std::string_view name() const override;
   Time now() const override;
   Duration control_period() const override;
+  std::string_view air_interface() const override;
   std::optional<AgentId> address_of(std::string_view name) const override;
   std::optional<std::string_view> name_of(AgentId agent) const override;
   Result<MessageId> send(AgentId destination, std::string_view topic,

@@ -39,7 +39,8 @@ hal::exchange::AgentOffer offer_of(const AgentConfig& agent, const SimulationCon
                    .control_period = config.control_period,
                    .parameters = agent.parameters,
                    .channels = {devices::localisation_channel()},
-                   .limits = {}};
+                   .limits = {},
+                   .air_interface = agent.inside ? kAirInterface : ""};
   const auto* robot = std::get_if<RobotDescription>(&agent.body);
   if (robot != nullptr) add_robot(*robot, offer.session);
   std::ranges::copy(devices::sensor_channels(sensors_of(agent)),

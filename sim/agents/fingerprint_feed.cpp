@@ -63,6 +63,7 @@ void FingerprintFeed::on_frame_start(hal::Time at, const radio::Frame& frame) {
   hash.add(std::uint64_t{frame.air_length});
   hash.add(std::uint64_t{frame.ethertype});
   if (frame.payload) add(hash, *frame.payload);
+  if (frame.group != 0) hash.add(frame.group);
   if (!frame.is_of_bss()) return;
   hash.add(number(frame.ds));
   hash.add(std::uint64_t{frame.address3.value});
@@ -93,6 +94,15 @@ void FingerprintFeed::on_reception(hal::Time at, const radio::Frame& frame, hal:
 void FingerprintFeed::on_body(hal::Time at, hal::AgentId agent, const BodyState& body) {
   Fingerprint::Cell& hash = fingerprint_.at(Part::kBodies, agent, at);
   for (const double value : {body.x, body.y, body.theta, body.tilt}) hash.add(value);
+}
+
+void FingerprintFeed::on_air_entered(hal::Time at, hal::AgentId agent,
+                                     const radio::MacRequest& request) {
+  Fingerprint::Cell& hash = fingerprint_.at(Part::kExchange, agent, at);
+  hash.add(std::uint64_t{request.destination.value});
+  hash.add(request.group);
+  hash.add(std::uint64_t{request.ethertype});
+  add(hash, *request.payload);
 }
 
 void FingerprintFeed::on_event(const hal::exchange::Event& event) {

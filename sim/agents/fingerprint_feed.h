@@ -29,6 +29,7 @@ class FingerprintFeed final : public Observer {
   void on_association(hal::Time at, hal::AgentId station,
                       std::optional<hal::AgentId> access_point) override;
   void on_body(hal::Time at, hal::AgentId agent, const BodyState& body) override;
+  void on_air_entered(hal::Time at, hal::AgentId agent, const radio::MacRequest& request) override;
   void on_event(const hal::exchange::Event& event) override;
   void on_action(hal::Time at, const hal::exchange::Action& action) override;
   void on_route_change(hal::Time at, hal::AgentId agent, const hal::RouteChange& change) override;

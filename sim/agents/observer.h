@@ -8,6 +8,7 @@
 #include "hal/types/agent_id.h"
 #include "hal/types/time.h"
 #include "sim/agents/real_time.h"
+#include "sim/air/refusal.h"
 #include "sim/core/outside_input.h"
 #include "sim/physics/world.h"
 #include "sim/radio/observer.h"
@@ -46,6 +47,20 @@ class Observer : public radio::RadioObserver, public hal::agent::AgentObserver {
   virtual void on_body_lost(const physics::LostBody& lost) { (void)lost; }
   /// In real time: a controller process had an influence on the run.
   virtual void on_turn(const Turn& turn) { (void)turn; }
+  /// A frame from the agent's interface became this request, with a tag of its own.
+  virtual void on_air_entered(hal::Time at, hal::AgentId agent, const radio::MacRequest& request) {
+    (void)at, (void)agent, (void)request;
+  }
+  /// What the agent received went to its interface.
+  virtual void on_air_left(hal::Time at, hal::AgentId agent,
+                           const radio::MacIndication& indication) {
+    (void)at, (void)agent, (void)indication;
+  }
+  /// A frame from the agent's interface that no radio can send: why, and so many bytes.
+  virtual void on_air_refused(hal::Time at, hal::AgentId agent, air::Refusal refusal,
+                              std::size_t bytes) {
+    (void)at, (void)agent, (void)refusal, (void)bytes;
+  }
   /// Something from outside was taken in.
   virtual void on_arrival(const OutsideArrival& arrival) { (void)arrival; }
 };

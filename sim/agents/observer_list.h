@@ -103,6 +103,17 @@ class ObserverList final : public Observer {
   void on_route_change(hal::Time at, hal::AgentId agent, const hal::RouteChange& change) override {
     for (Observer* o : observers_) o->on_route_change(at, agent, change);
   }
+  void on_air_entered(hal::Time at, hal::AgentId agent, const radio::MacRequest& request) override {
+    for (Observer* o : observers_) o->on_air_entered(at, agent, request);
+  }
+  void on_air_left(hal::Time at, hal::AgentId agent,
+                   const radio::MacIndication& indication) override {
+    for (Observer* o : observers_) o->on_air_left(at, agent, indication);
+  }
+  void on_air_refused(hal::Time at, hal::AgentId agent, air::Refusal refusal,
+                      std::size_t bytes) override {
+    for (Observer* o : observers_) o->on_air_refused(at, agent, refusal, bytes);
+  }
   void on_arrival(const OutsideArrival& arrival) override {
     for (Observer* o : observers_) o->on_arrival(arrival);
   }

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hal/types/time.h"
@@ -36,6 +38,24 @@ struct Turn {
   bool operator==(const Turn&) const = default;
 };
 
+/// How late frames were at one edge between programs and the air, in simulated time.
+struct EdgeSummary {
+  std::uint64_t frames = 0;
+  std::uint64_t beyond_limit = 0;  ///< Later than SimulationConfig::lateness_limit.
+  hal::Duration median{}, p99{}, greatest{};
+};
+
+/// Of the agents' interfaces.
+struct AirSummary {
+  /// From a program into the run: an upper bound, for when the program sent the frame is not known,
+  /// only when it was not there yet.
+  EdgeSummary entering{};
+  /// From the end of a frame's reception to when the program's side has it.
+  EdgeSummary leaving{};
+  std::vector<std::pair<std::string, std::uint64_t>> refused{};  ///< Frames, by reason.
+  bool has_seen_tcp = false;
+};
+
 /// How well a run kept up with the clock, and its controllers with the run.
 struct RealTimeSummary {
   /// Control instants that were late by more than a control period: the simulator was too slow.
@@ -48,6 +68,7 @@ struct RealTimeSummary {
   std::vector<std::string> overflow;  ///< … by agent and cause: "r0: 12 messages".
   /// Lateness of control instants against the clock: median, 99th percentile, greatest.
   hal::Duration jitter_median{}, jitter_p99{}, jitter_max{};
+  std::optional<AirSummary> air{};  ///< Of a run whose agents have networks.
 };
 
 }  // namespace sim::agents

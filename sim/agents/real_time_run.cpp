@@ -18,6 +18,8 @@ using hal::exchange::Event;
 
 /// Controllers are attended to at least this often while the run catches up with the clock.
 constexpr hal::Duration kLongestTurn = std::chrono::milliseconds{20};
+/// … and programs, whose frames wait meanwhile.
+constexpr hal::Duration kLongestTurnWithPrograms = std::chrono::microseconds{500};
 
 const char* plural(Cause cause) {
   constexpr const char* kNames[] = {"starts",       "messages",       "timers", "notices",
@@ -35,23 +37,43 @@ Simulation::RealTimeRun::RealTimeRun(State& state) : s_(state) {
 }
 
 void Simulation::RealTimeRun::follow(FollowedClock& clock) {
+  s_.interfaces.follow(clock);
   hal::Time last{};
   while (!s_.result) {
-    const auto next = s_.events.next_time();
-    if (!next || (s_.until && *next > *s_.until)) return;
+    const auto next = next_stop(last);
+    if (!next) return;
     if (!clock.wait(*next, descriptors(), progress())) {
       s_.broken_off = true;
       return;
     }
+    if (s_.interfaces.is_connected()) s_.interfaces.take_frames(last);
     // Turns have times of their own: that is what makes them repeatable.
     last =
-        std::max(std::min(clock.now(), *next + kLongestTurn), last + std::chrono::nanoseconds{1});
+        std::max(std::min(clock.now(), *next + longest_turn()), last + std::chrono::nanoseconds{1});
     if (s_.until) last = std::min(last, *s_.until);
+    take_arrivals_until(last, &clock);
     work_off_until(last, &clock);
     if (s_.result) return;
-    if (s_.take_outside(last)) s_.events.advance_to(last);
+    if (s_.outside.has_due(last)) take_arrivals_at(last);
     attend(last);
+    if (s_.interfaces.is_connected()) s_.interfaces.tell_room();
   }
+}
+
+/// What to wait for: the next event, or something that came in and has a time; none: the run is at
+/// its end. As long as programs are there, they may send until then.
+std::optional<hal::Time> Simulation::RealTimeRun::next_stop(hal::Time last) {
+  std::optional<hal::Time> next = s_.events.next_time();
+  if (s_.until && (!next || *next > *s_.until)) {
+    if (!s_.interfaces.is_connected() || last >= *s_.until) return std::nullopt;
+    next = s_.until;
+  }
+  const auto due = s_.outside.next_due();
+  return next && due ? std::min(*next, *due) : next;
+}
+
+hal::Duration Simulation::RealTimeRun::longest_turn() const {
+  return s_.interfaces.is_connected() ? kLongestTurnWithPrograms : kLongestTurn;
 }
 
 void Simulation::RealTimeRun::repeat(std::span<const Turn> turns, Pace& pace) {
@@ -59,29 +81,35 @@ void Simulation::RealTimeRun::repeat(std::span<const Turn> turns, Pace& pace) {
     if (s_.result || s_.broken_off) return;
     if (s_.until && turn.at > *s_.until) break;
     if (!may_go_on(pace, turn.at)) return;
-    take_arrivals_until(turn.at);
+    take_arrivals_until(turn.at, nullptr);
     work_off_until(turn.at, nullptr);
     if (s_.result) return;
     take_up(turn);
   }
   while (!s_.result) {
-    const auto next = s_.events.next_time();
+    std::optional<hal::Time> next = s_.events.next_time();
+    const auto due = s_.outside.next_due();
+    if (due && (!next || *due < *next)) next = due;
     if (!next || !s_.until || *next > *s_.until || !may_go_on(pace, *next)) return;
-    take_arrivals_until(*next);
+    take_arrivals_until(*next, nullptr);
     work_off_until(*next, nullptr);
   }
 }
 
 /// Each after the events up to its time, and before a turn of that time.
-void Simulation::RealTimeRun::take_arrivals_until(hal::Time target) {
+void Simulation::RealTimeRun::take_arrivals_until(hal::Time target, FollowedClock* clock) {
   while (!s_.result) {
-    const auto at = s_.outside.next_replayed();
+    const auto at = s_.outside.next_due();
     if (!at || *at > target) return;
-    work_off_until(*at, nullptr);
-    if (s_.result) return;
-    s_.take_outside(*at);
-    s_.events.advance_to(*at);
+    work_off_until(*at, clock);
+    if (!s_.result) take_arrivals_at(*at);
   }
+}
+
+/// @pre the events up to then have run.
+void Simulation::RealTimeRun::take_arrivals_at(hal::Time at) {
+  s_.events.advance_to(at);
+  s_.take_outside(at);
 }
 
 bool Simulation::RealTimeRun::may_go_on(Pace& pace, hal::Time at) {
@@ -208,6 +236,7 @@ void Simulation::RealTimeRun::finish_all() {
 
 std::vector<int> Simulation::RealTimeRun::descriptors() const {
   std::vector<int> all{s_.outside.descriptor()};
+  if (s_.interfaces.is_connected()) all.push_back(s_.interfaces.descriptor());
   for (const Carried& carried : carried_) {
     if (carried.dropped) continue;
     const std::vector<int> some = carried.courier.descriptors();
@@ -239,6 +268,7 @@ RealTimeSummary Simulation::RealTimeRun::summary() const {
   summary.jitter_median = lateness_.quantile(0.5);
   summary.jitter_p99 = lateness_.quantile(0.99);
   summary.jitter_max = lateness_.greatest();
+  if (!s_.interfaces.empty()) summary.air = s_.interfaces.summary();
   return summary;
 }
 

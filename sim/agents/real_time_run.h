@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -36,7 +37,10 @@ class Simulation::RealTimeRun {
   };
 
   void work_off_until(hal::Time target, FollowedClock* clock);
-  void take_arrivals_until(hal::Time target);
+  void take_arrivals_until(hal::Time target, FollowedClock* clock);
+  void take_arrivals_at(hal::Time at);
+  std::optional<hal::Time> next_stop(hal::Time last);
+  hal::Duration longest_turn() const;
   void post(FollowedClock* clock);
   void attend(hal::Time now);
   void take_up(const Turn& turn);

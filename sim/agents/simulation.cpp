@@ -54,7 +54,8 @@ Simulation::State::State(const SimulationConfig& the_config, std::vector<Observe
            .positions = positions,
            .obstacles = obstacles,
            .observer = observers,
-           .seed = config.seed}) {
+           .seed = config.seed}),
+      interfaces(config, air, {.events = events, .outside = outside, .observer = observers}) {
   const Surroundings surroundings{events, *world, scene, observers, config};
   for (const AgentConfig& agent : config.agents) {
     auto& made = agents[agent.id];
@@ -72,6 +73,10 @@ Simulation::Simulation(const SimulationConfig& config, std::vector<Observer*> ob
 Simulation::~Simulation() = default;
 
 void Simulation::add_observer(Observer& observer) { state_->observers.add(observer); }
+
+void Simulation::connect_air(air::FrameSink& sink, air::FrameSource& source) {
+  state_->interfaces.connect(sink, source);
+}
 
 OutsideInput& Simulation::outside() { return state_->outside; }
 
@@ -95,7 +100,9 @@ void Simulation::connect(std::shared_ptr<hal::exchange::ControllerPort> port,
 }
 
 void Simulation::begin(std::optional<hal::Time> until) {
-  for (const auto& [id, agent] : state_->agents) BARAKA_CHECK(state_->controllers.is_connected(id));
+  for (const auto& [id, agent] : state_->agents) {
+    BARAKA_CHECK(state_->controllers.is_connected(id) || agent->config().program.empty());
+  }
   state_->until = until;
   state_->start();
 }
@@ -140,6 +147,10 @@ Outcome Simulation::end_of(RealTimeRun& run) {
   outcome.real_time = run.summary();
   return outcome;
 }
+
+void Simulation::end(std::string result) { state_->end(std::move(result)); }
+
+void Simulation::fail(std::string error) { state_->fail(std::move(error)); }
 
 Outcome Simulation::broken_off_by(const std::string& error) {
   state_->broken_off = true;

@@ -13,6 +13,8 @@
 #include "sim/agents/observer.h"
 #include "sim/agents/real_time.h"
 #include "sim/agents/simulation_config.h"
+#include "sim/air/frame_sink.h"
+#include "sim/air/frame_source.h"
 #include "sim/core/outside_input.h"
 
 namespace sim::agents {
@@ -77,7 +79,11 @@ class Simulation final : public hal::exchange::AgentHost {
   /// repetition is told before it what to take in.
   OutsideInput& outside();
 
-  /// Runs once, to an end condition or `until`. @pre every agent is connected.
+  /// Programs use the interfaces of the agents that have a network: what comes off the air goes to
+  /// `sink`, what they send comes from `source`. Before a run in real time, none in a repetition.
+  void connect_air(air::FrameSink& sink, air::FrameSource& source);
+
+  /// Runs once, to an end condition or `until`. @pre every agent is connected that has a program.
   Outcome run(std::optional<hal::Time> until, Pace& pace);
 
   /// The same in real time: simulated time follows a clock and waits for no controller.
@@ -85,6 +91,11 @@ class Simulation final : public hal::exchange::AgentHost {
 
   /// Repeats a run in real time from its turns: same scenario, seed and controllers, same events.
   Outcome repeat(std::optional<hal::Time> until, std::span<const Turn> turns, Pace& pace);
+
+  /// Ends the run with this result, or fails it with this error: from a receiver of outside(), so
+  /// that a repetition ends in the same way. On the run's thread.
+  void end(std::string result);
+  void fail(std::string error);
 
   /// How the run stands after an exception out of run(), follow() or repeat(), or while these do
   /// not return from a controller: failed with that error; interrupted if it is empty. It cannot go

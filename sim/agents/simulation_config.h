@@ -14,6 +14,7 @@
 #include "hal/types/quantity.h"
 #include "hal/types/time.h"
 #include "sim/agents/path.h"
+#include "sim/air/network_config.h"
 #include "sim/physics/world.h"
 #include "sim/radio/radio_config.h"
 
@@ -37,6 +38,9 @@ enum class LinkKind : std::uint8_t {
   kUdpLike,  ///< As much as a UDP socket tells: nothing. The air is the same.
 };
 
+/// The network interface of an agent that has a network, as its programs see it.
+inline constexpr const char* kAirInterface = "wlan0";
+
 /// An agent without a body: a radio that stands or moves on its path. Nothing collides with it, no
 /// sensor of a robot sees it.
 struct Station {
@@ -50,11 +54,14 @@ struct AgentConfig {
   std::string name;
   hal::Pose2 pose;  ///< At time 0, world frame.
   std::variant<hal::devices::MoteDescription, hal::devices::RobotDescription, Station> body;
-  std::string program;  ///< Controller.
+  std::string program;  ///< Controller; empty: nobody drives it, which has a network.
   std::vector<hal::exchange::ParameterText> parameters;
   radio::StationConfig radio{};  ///< What its radio has that SimulationConfig::radio has not.
   /// None: as SimulationConfig::routing.
   std::optional<hal::routing::Algorithm> routing{};
+  /// None: no program can use its radio by sockets.
+  std::optional<air::NetworkConfig> network{};
+  bool inside = false;  ///< Its controller runs in the agent's own network.
 };
 
 /// To its controller it is a robot; all others are motes.
@@ -90,6 +97,7 @@ struct SimulationConfig {
   ControlPhase control_phase = ControlPhase::kUniform;
   hal::Duration control_period{100'000'000};
   hal::Duration command_timeout{500'000'000};
+  hal::Duration lateness_limit{1'000'000};  ///< Of frames between programs and the air.
   OnDeath on_death = OnDeath::kFail;
   physics::WorldConfig world;
   std::vector<physics::StaticBox> walls;

@@ -8,6 +8,7 @@
 
 #include "hal/exchange/agent_table.h"
 #include "sim/agents/controllers.h"
+#include "sim/agents/interfaces.h"
 #include "sim/agents/observer_list.h"
 #include "sim/agents/simulated_mote.h"
 #include "sim/agents/simulation.h"
@@ -61,6 +62,7 @@ struct Simulation::State final : hal::agent::AgentListener {
   AgentPositions positions;
   WorldObstacles obstacles;
   radio::RadioNetwork air;
+  Interfaces interfaces;
   hal::exchange::AgentTable<std::unique_ptr<SimulatedMote>> agents;
   Controllers controllers;
   std::vector<hal::AgentId> waiting;  ///< Agents with something in the inbox; repeats allowed.

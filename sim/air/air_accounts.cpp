@@ -65,7 +65,8 @@ void AirAccounts::add(const Content& content, const Sent& sent, Shares& shares) 
     writer.bits += static_cast<std::uint64_t>(bits[i]);
     account.airtime += hal::Duration{airtime[i]};
     writer.airtime += hal::Duration{airtime[i]};
-    account.changed = writer.changed = true;
+    note(account.changed);
+    note(writer.changed);
   }
   AirAccount& main = all_[shares[content.main()].account];
   ++main.frames;
@@ -79,7 +80,8 @@ void AirAccounts::cut(const Content& content, hal::Duration airtime, Shares& sha
     const hal::Duration less{shares[i].airtime_ns - parts[i]};
     all_[shares[i].account].airtime -= less;
     writers_[shares[i].writer].airtime -= less;
-    all_[shares[i].account].changed = writers_[shares[i].writer].changed = true;
+    note(all_[shares[i].account].changed);
+    note(writers_[shares[i].writer].changed);
     shares[i].airtime_ns = parts[i];
   }
 }
@@ -93,7 +95,7 @@ void AirAccounts::add_end(const Content& content, const Shares& shares, hal::Age
     auto& ends = at[receiver.value];
     if (!ends) ends = std::make_unique<AirAccount::Ends>(AirAccount::Ends{.receiver = receiver});
     AirEnds& end = ends->ends[addressed ? 1 : 0][static_cast<std::size_t>(verdict)];
-    ends->changed = true;
+    note(ends->changed);
     end.frames += i == main ? 1 : 0;
     ++end.parts;
   }

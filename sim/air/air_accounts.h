@@ -31,13 +31,13 @@ struct AirAccount {
   std::uint64_t repeated = 0;     ///< … and in retries. Of what has no parts: frames.
   std::uint64_t bits = 0;         ///< Of the MPDUs: the share of this kind.
   hal::Duration airtime{};        ///< Likewise.
-  bool changed = true;            ///< Since they were last written.
+  bool changed = false;           ///< Since they were last written.
 
   /// By receiver and verdict, [1]: those to it or to everyone.
   struct Ends {
     hal::AgentId receiver;
     std::array<std::array<AirEnds, hal::kVerdictCount>, 2> ends{};
-    bool changed = true;
+    bool changed = false;
   };
   std::vector<std::unique_ptr<Ends>> at{};  ///< By receiver's address.
 };
@@ -49,7 +49,7 @@ struct WriterAccount {
   AirKind kind;
   std::uint64_t submessages = 0, repeated = 0, bits = 0;
   hal::Duration airtime{};
-  bool changed = true;
+  bool changed = false;
 };
 
 /// What the air is used for. Every frame is shared out over what it carries, in proportion to the
@@ -82,6 +82,10 @@ class AirAccounts {
   void add_end(const Content& content, const Shares& shares, hal::AgentId receiver, bool addressed,
                hal::Verdict verdict);
 
+  /// How many accounts, writers and ends changed since the last reset.
+  std::uint64_t changes() const { return changes_; }
+  void reset_changes() { changes_ = 0; }
+
   std::vector<AirAccount>& all() { return all_; }
   const std::vector<AirAccount>& all() const { return all_; }
   std::vector<WriterAccount>& writers() { return writers_; }
@@ -90,8 +94,14 @@ class AirAccounts {
  private:
   using Key = std::pair<hal::AgentId, AirKind>;
 
+  void note(bool& changed) {
+    changes_ += changed ? 0 : 1;
+    changed = true;
+  }
+
   std::vector<AirAccount> all_;
   std::vector<WriterAccount> writers_;
+  std::uint64_t changes_ = 0;
   std::map<Key, std::uint32_t> places_;
   std::map<std::pair<EndpointIndex, Key>, std::uint32_t> writer_places_;
 };

@@ -6,15 +6,11 @@
 #include <optional>
 
 #include "hal/rtps/cursor.h"
-#include "sim/radio/mac_sap.h"
+#include "sim/air/ethertypes.h"
 
 namespace sim::air {
 
 using Octets = hal::rtps::Octets;
-
-inline constexpr radio::Ethertype kEthertypeIpv4 = 0x0800;
-inline constexpr radio::Ethertype kEthertypeArp = 0x0806;
-inline constexpr radio::Ethertype kEthertypeIpv6 = 0x86dd;
 
 /// Numbers of protocols (IANA, "Assigned Internet Protocol Numbers") that are looked at.
 namespace protocol {

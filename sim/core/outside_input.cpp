@@ -43,26 +43,46 @@ void OutsideInput::put(std::string_view door, std::vector<std::uint8_t> bytes) {
   ::eventfd_write(descriptor_, 1);
 }
 
+void OutsideInput::put_at(hal::Time at, std::string_view door, std::vector<std::uint8_t> bytes) {
+  if (is_replayed_) return;
+  BARAKA_CHECK(doors_.contains(door) && (held_.empty() || held_.back().at <= at));
+  held_.push_back({.at = at, .door = std::string(door), .bytes = std::move(bytes)});
+}
+
+bool OutsideInput::has_due(hal::Time now) const {
+  if (is_replayed_) return has_waiting_ && waiting_.front().at <= now;
+  return has_waiting_ || (!held_.empty() && held_.front().at <= now);
+}
+
 std::deque<OutsideArrival> OutsideInput::due(hal::Time now) {
-  const std::lock_guard lock(mutex_);
-  std::deque<OutsideArrival> arrivals;
+  const auto until_now = [now](std::deque<OutsideArrival>& from) {
+    std::deque<OutsideArrival> arrivals;
+    const auto later = std::ranges::find_if(from, [&](const auto& a) { return a.at > now; });
+    std::move(from.begin(), later, std::back_inserter(arrivals));
+    from.erase(from.begin(), later);
+    return arrivals;
+  };
   if (!is_replayed_) {
+    std::deque<OutsideArrival> arrivals = until_now(held_);
+    if (!has_waiting_) return arrivals;
+    const std::lock_guard lock(mutex_);
     eventfd_t count = 0;
     ::eventfd_read(descriptor_, &count);
-    std::swap(arrivals, waiting_);
+    for (OutsideArrival& arrival : std::exchange(waiting_, {})) {
+      arrival.at = now;
+      arrivals.push_back(std::move(arrival));
+    }
     has_waiting_ = false;
-    for (OutsideArrival& arrival : arrivals) arrival.at = now;
     return arrivals;
   }
-  const auto later = std::ranges::find_if(waiting_, [&](const auto& a) { return a.at > now; });
-  std::move(waiting_.begin(), later, std::back_inserter(arrivals));
-  waiting_.erase(waiting_.begin(), later);
+  const std::lock_guard lock(mutex_);
+  std::deque<OutsideArrival> arrivals = until_now(waiting_);
   has_waiting_ = !waiting_.empty();
   return arrivals;
 }
 
 bool OutsideInput::take(hal::Time now, const std::function<void(const OutsideArrival&)>& seen) {
-  if (!has_waiting_) return false;
+  if (!has_waiting_ && held_.empty()) return false;
   const std::deque<OutsideArrival> arrivals = due(now);
   if (const std::uint64_t dropped = dropped_; dropped != told_) {
     hal::log::warning(now, "run", "{} more from outside than {} that may wait: the oldest went",
@@ -90,9 +110,10 @@ void OutsideInput::replay(std::vector<OutsideArrival> arrivals) {
   has_waiting_ = !waiting_.empty();
 }
 
-std::optional<hal::Time> OutsideInput::next_replayed() const {
-  if (!is_replayed_ || waiting_.empty()) return std::nullopt;
-  return waiting_.front().at;
+std::optional<hal::Time> OutsideInput::next_due() const {
+  const std::deque<OutsideArrival>& timed = is_replayed_ ? waiting_ : held_;
+  if (timed.empty()) return std::nullopt;
+  return timed.front().at;
 }
 
 }  // namespace sim

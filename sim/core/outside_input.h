@@ -56,10 +56,21 @@ class OutsideInput {
   /// Any thread. Ignored in a repetition. @pre the door is open.
   void put(std::string_view door, std::vector<std::uint8_t> bytes);
 
+  /// The same of something that came at a time of the run: it is taken in then. None of these goes,
+  /// however many wait. On the run's thread. @pre not before the one before it.
+  void put_at(hal::Time at, std::string_view door, std::vector<std::uint8_t> bytes);
+
+  /// Of put_at(), not taken in yet.
+  std::size_t held() const { return held_.size(); }
+
   /// Readable while something waits.
   int descriptor() const { return descriptor_; }
 
-  /// Hands over what waits, in the order it came; in a repetition, what was taken in until `now`.
+  /// Whether take() would hand something over.
+  bool has_due(hal::Time now) const;
+
+  /// Hands over what waits, in the order it came, after what came at a time until `now`; in a
+  /// repetition, what was taken in until `now`.
   /// @param seen  told of each before its receiver is.
   /// @returns whether there was anything.
   bool take(hal::Time now, const std::function<void(const OutsideArrival&)>& seen);
@@ -69,8 +80,8 @@ class OutsideInput {
   /// @throws std::runtime_error  one is for a door that is not open.
   void replay(std::vector<OutsideArrival> arrivals);
 
-  /// When the next of a repetition is due; none: no more, or this is no repetition.
-  std::optional<hal::Time> next_replayed() const;
+  /// When the next is due of those that have a time: of a repetition, or of put_at().
+  std::optional<hal::Time> next_due() const;
 
   /// What was put and never taken in, because too much waited. Any thread.
   std::uint64_t dropped() const { return dropped_; }
@@ -81,6 +92,7 @@ class OutsideInput {
   std::map<std::string, Receiver, std::less<>> doors_;
   std::mutex mutex_;  ///< Of doors_ until the run begins, of waiting_ until replay().
   std::deque<OutsideArrival> waiting_;
+  std::deque<OutsideArrival> held_;       ///< Of put_at().
   std::atomic<bool> has_waiting_{false};  ///< Saves the lock at each instant of lock-step.
   std::atomic<bool> is_replayed_{false};
   std::atomic<std::uint64_t> dropped_{0};

@@ -137,7 +137,8 @@ void AccessPoint::on_data(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) 
                            .ethertype = frame.ethertype,
                            .priority = frame.priority,
                            .payload = frame.payload,
-                           .tag = 0};
+                           .tag = 0,
+                           .group = frame.group};
   if (!has(frame.source())) {
     observer().on_relay_lost(now(), frame.source(), request, hal::Verdict::kNoRoute);
     return dismiss(frame.source());
@@ -173,7 +174,9 @@ void AccessPoint::on_distributed(const Distributed& distributed) {
                                 .destination = request.destination,
                                 .payload = request.payload,
                                 .rssi_dbm = distributed.rssi_dbm,
-                                .snr_db = distributed.snr_db});
+                                .snr_db = distributed.snr_db,
+                                .ethertype = request.ethertype,
+                                .group = request.group});
   }
 }
 

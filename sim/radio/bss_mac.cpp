@@ -37,6 +37,11 @@ bool BssMac::queue_data(Waiting waiting) {
   return true;
 }
 
+std::size_t BssMac::room() const {
+  const std::size_t limit = config_.contention.queue_limit;
+  return limit - std::min(limit, queued());
+}
+
 void BssMac::send_management(FrameType type, hal::AgentId to, hal::AgentId bssid, hal::Bytes body) {
   MacRequest frame{.destination = to,
                    .ethertype = 0,
@@ -63,7 +68,8 @@ void BssMac::lose(const Frame& frame) {
                         .ethertype = frame.ethertype,
                         .priority = frame.priority,
                         .payload = frame.payload,
-                        .tag = 0};
+                        .tag = 0,
+                        .group = frame.group};
   observer().on_relay_lost(now(), frame.source(), lost, hal::Verdict::kNoRoute);
 }
 

@@ -18,6 +18,7 @@ class BssMac : public MacBase, protected FrameListener {
   void transmit(const MacRequest& request) final;
   void set_radio(bool on) final;
   bool radio_on() const final { return dcf_->radio_on(); }
+  std::size_t room() const final;
   RadioUse use() const final { return dcf_->use(); }
 
  protected:

@@ -46,9 +46,22 @@ std::optional<Ds> ds_of(std::uint8_t flags) {
   }
 }
 
+/// @param to  to whom the frame is addressed there.
+void put_destination(hal::Bytes& out, hal::AgentId to, const Frame& frame) {
+  if (to == hal::kEveryone && frame.group != 0) return put_group(out, frame.group);
+  put_address(out, to);
+}
+
+/// The agent or, with the frame's group, everyone; none: an address of another kind.
+std::optional<hal::AgentId> get_destination(View bytes, Frame& frame) {
+  if (const auto agent = get_address(bytes); agent || !is_group(bytes)) return agent;
+  frame.group = get_group(bytes);
+  return hal::kEveryone;
+}
+
 /// Behind the second address.
 void put_rest(hal::Bytes& out, const Frame& frame) {
-  put_address(out, frame.address3);
+  put_destination(out, frame.address3, frame);
   put_little_endian(out, static_cast<std::uint64_t>(frame.sequence) << 4, 2);  // fragment 0
   if (frame.type == FrameType::kData) {
     out.insert(out.end(), kSnap.begin(), kSnap.end());
@@ -77,7 +90,8 @@ tl::unexpected<hal::Error> wrong(std::string what) {
 
 /// Behind the second address. @return what is wrong; empty: nothing.
 std::string get_rest(View mpdu, Frame& frame) {
-  const auto address3 = get_address(mpdu.subspan(16));
+  const auto address3 = frame.ds == Ds::kTo ? get_destination(mpdu.subspan(16), frame)
+                                            : get_address(mpdu.subspan(16));
   if (!address3) return "an address is not 02:00:00:00:hh:ll";
   frame.address3 = *address3;
   frame.sequence = static_cast<std::uint16_t>(get_little_endian(mpdu.subspan(22), 2) >> 4);
@@ -108,7 +122,7 @@ hal::Bytes encode(const Frame& frame) {
   hal::Bytes out{kFrameControl[static_cast<std::size_t>(frame.type)], flags_of(frame)};
   const auto duration = std::chrono::ceil<std::chrono::microseconds>(frame.duration);
   put_little_endian(out, static_cast<std::uint64_t>(duration.count()), 2);
-  put_address(out, frame.receiver);
+  put_destination(out, frame.receiver, frame);
   if (frame.type != FrameType::kCts && frame.type != FrameType::kAck) {
     put_address(out, frame.transmitter);
   }
@@ -142,7 +156,8 @@ hal::Result<Frame> decode(View mpdu) {
       std::chrono::microseconds{static_cast<std::int64_t>(get_little_endian(mpdu.subspan(2), 2))};
   frame.air_length = 8 * static_cast<std::uint32_t>(mpdu.size());
   const bool has_transmitter = *type != FrameType::kCts && *type != FrameType::kAck;
-  const auto receiver = get_address(mpdu.subspan(4));
+  const auto receiver = *type == FrameType::kData ? get_destination(mpdu.subspan(4), frame)
+                                                  : get_address(mpdu.subspan(4));
   const auto transmitter = has_transmitter ? get_address(mpdu.subspan(10)) : hal::AgentId{0};
   if (!receiver || !transmitter) return wrong("an address is not 02:00:00:00:hh:ll");
   frame.receiver = *receiver;

@@ -1,5 +1,7 @@
 #include "sim/radio/disk_mac.h"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace sim::radio {
@@ -22,6 +24,11 @@ void DiskMac::transmit(const MacRequest& request) {
   }
   queue_.push_back(request);
   if (!sending_) start_head();
+}
+
+std::size_t DiskMac::room() const {
+  if (!queue_limit_) return std::numeric_limits<std::size_t>::max();
+  return *queue_limit_ - std::min<std::size_t>(*queue_limit_, queue_.size());
 }
 
 void DiskMac::start_head() {

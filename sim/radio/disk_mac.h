@@ -33,6 +33,7 @@ class DiskMac final : public MacBase {
   void transmit(const MacRequest& request) override;
   void set_radio(bool on) override;
   bool radio_on() const override { return state_ != State::kOff; }
+  std::size_t room() const override;
   RadioUse use() const override {
     return {
         state_.spent(State::kTransmit), {}, state_.spent(State::kIdle), state_.spent(State::kOff)};

@@ -33,6 +33,7 @@ struct Frame {
   Ethertype ethertype = 0;        ///< Data.
   Payload payload{};              ///< Data; of a management frame the body (management.h).
   std::uint64_t tag = 0;          ///< Data: the client's.
+  GroupAddress group = 0;         ///< Data to kEveryone: as in MacRequest.
 
   bool is_broadcast() const { return receiver == hal::kEveryone; }
   /// Of data: who sent it first, and whom it is for, whatever access points lie between.

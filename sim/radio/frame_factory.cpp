@@ -74,6 +74,7 @@ FramePtr FrameFactory::data(const MacRequest& request, const DataOptions& option
                        ? with_timestamp(*request.payload, options.at, *frame->mode)
                        : request.payload;
   frame->tag = request.tag;
+  frame->group = request.group;
   return frame;
 }
 

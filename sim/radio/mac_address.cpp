@@ -23,6 +23,18 @@ std::optional<hal::AgentId> get_address(std::span<const std::uint8_t> bytes) {
   return hal::AgentId{static_cast<std::uint16_t>(bytes[4] << 8 | bytes[5])};
 }
 
+void put_group(hal::Bytes& out, std::uint64_t group) {
+  for (int shift = 40; shift >= 0; shift -= 8) {
+    out.push_back(static_cast<std::uint8_t>(group >> shift));
+  }
+}
+
+std::uint64_t get_group(std::span<const std::uint8_t> bytes) {
+  std::uint64_t group = 0;
+  for (std::size_t i = 0; i < kAddressSize; ++i) group = group << 8 | bytes[i];
+  return group;
+}
+
 void put_little_endian(hal::Bytes& out, std::uint64_t value, int bytes) {
   for (int i = 0; i < bytes; ++i) out.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
 }

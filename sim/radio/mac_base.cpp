@@ -50,7 +50,9 @@ void MacBase::deliver(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
                             .destination = frame.destination(),
                             .payload = frame.payload,
                             .rssi_dbm = rssi.value,
-                            .snr_db = snr.value});
+                            .snr_db = snr.value,
+                            .ethertype = frame.ethertype,
+                            .group = frame.group});
 }
 
 void MacBase::deliver(Ethertype ethertype, const MacIndication& indication) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 
@@ -19,6 +20,10 @@ inline constexpr Ethertype kEthertypeRouting = 0x88b5;  ///< IEEE Std 802-2014: 
 /// Largest payload of a frame, bytes (IEEE Std 802.11-2016, 9.2.4.7).
 inline constexpr std::size_t kMaxMsdu = 2304;
 
+/// 48 bits of a multicast address, the first octet highest: 0x01005e000001. 0: none, which with
+/// kEveryone is the broadcast address.
+using GroupAddress = std::uint64_t;
+
 using Payload = std::shared_ptr<const hal::Bytes>;
 
 struct MacRequest {
@@ -26,8 +31,9 @@ struct MacRequest {
   Ethertype ethertype = kEthertypeRouting;
   std::uint8_t priority = 0;  ///< 0..7, IEEE Std 802.1D; kept, DCF does not use it.
   Payload payload;
-  std::uint64_t tag = 0;  ///< Given back in on_transmitted.
-  MacHeader header{};     ///< Of the layers below the MacSap; clients leave it alone.
+  std::uint64_t tag = 0;   ///< Given back in on_transmitted.
+  MacHeader header{};      ///< Of the layers below the MacSap; clients leave it alone.
+  GroupAddress group = 0;  ///< Of a frame to kEveryone: for whom of them.
 };
 
 struct MacIndication {
@@ -36,6 +42,8 @@ struct MacIndication {
   Payload payload;
   double rssi_dbm = 0;
   double snr_db = 0;  ///< Lowest SINR over the frame.
+  Ethertype ethertype = kEthertypeRouting;
+  GroupAddress group = 0;  ///< As in MacRequest.
 };
 
 /// Who uses a radio: routing, raw traffic.
@@ -69,6 +77,8 @@ class MacSap {
   virtual RadioUse use() const = 0;
   /// Expected time from request to the end of the exchange for a frame queued now.
   virtual hal::Duration expected_delay() const = 0;
+  /// How many requests more would be taken now.
+  virtual std::size_t room() const = 0;
   /// Energy to transmit `bytes` of payload once [J].
   virtual double transmit_energy(std::size_t bytes) const = 0;
 };

@@ -39,6 +39,7 @@ class MobilityFrameworkMac final : public MacBase, public RadioListener {
   void transmit(const MacRequest& request) override;
   void set_radio(bool on) override;
   bool radio_on() const override { return radio_.state() != Radio::State::kOff; }
+  std::size_t room() const override { return queue_.room(); }
   RadioUse use() const override { return radio_.use(); }
 
  private:

@@ -9,8 +9,9 @@
 
 namespace sim::radio {
 
-struct Frame;       // frame.h
-struct MacRequest;  // mac_sap.h
+struct Frame;          // frame.h
+struct MacRequest;     // mac_sap.h
+struct MacIndication;  // mac_sap.h
 
 /// What there is to see on the air, for records and fingerprints. Calls come in event order.
 class RadioObserver {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <deque>
 #include <utility>
@@ -27,6 +29,7 @@ class TxQueue {
 
   bool is_full() const { return queue_.size() >= limit_; }
   bool is_empty() const { return queue_.empty(); }
+  std::size_t room() const { return limit_ - std::min(limit_, queue_.size()); }
   std::size_t size() const { return queue_.size(); }
 
   /// @pre not full.

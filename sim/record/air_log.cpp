@@ -73,6 +73,7 @@ const std::string& AirLog::guid(air::EndpointIndex endpoint) {
 }
 
 void AirLog::write() {
+  ledger_.accounts().reset_changes();
   write_accounts();
   write_writers();
   write_endpoints();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ class AirLog {
 
   air::Ledger& ledger() { return ledger_; }
   const air::Ledger& ledger() const { return ledger_; }
+
+  /// About as many as write() would write, without those of samples.
+  std::uint64_t rows() const { return ledger_.accounts().changes(); }
 
   /// Writes a row for each count that changed since the last call.
   void write();

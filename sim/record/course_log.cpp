@@ -67,6 +67,14 @@ void read_arrivals(RunReader& run, RecordedCourse& course) {
 
 }  // namespace
 
+std::map<std::string, std::string> read_settings(const std::filesystem::path& folder) {
+  RunReader run(folder);
+  std::map<std::string, std::string> settings;
+  Statement query = run.query("SELECT key, value FROM settings");
+  while (query.next()) settings[query.text(0)] = query.text(1);
+  return settings;
+}
+
 RecordedCourse read_course(const std::filesystem::path& folder) {
   RunReader run(folder);
   const std::string pace = run.value("pace");

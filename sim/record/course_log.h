@@ -1,6 +1,8 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "sim/agents/real_time.h"
@@ -21,5 +23,8 @@ struct RecordedCourse {
 /// and seed repeat by themselves (in lock-step and with nothing from outside), or of one that never
 /// ended.
 RecordedCourse read_course(const std::filesystem::path& folder);
+
+/// The table settings. @throws std::runtime_error as above.
+std::map<std::string, std::string> read_settings(const std::filesystem::path& folder);
 
 }  // namespace sim::record

@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "hal/types/log.h"
+#include "sim/radio/mac_sap.h"
 #include "sim/record/frame_class.h"
 #include "sim/record/hexadecimal.h"
 #include "sim/record/message_in.h"
@@ -50,6 +51,7 @@ Recorder::Recorder(const std::filesystem::path& file, const agents::SimulationCo
       in_the_air_(database_, tail_of(config.radio)),
       broadcasts_([this](auto... end) { on_message_end(hal::Time{}, hal::AgentId{}, end...); }),
       bodies_(database_, options.pose_period),
+      interfaces_(database_),
       set_(database_, "REPLACE INTO run VALUES (?, ?)"),
       insert_discovery_(database_, "INSERT INTO discoveries VALUES (?, ?, ?, ?, ?, ?)"),
       insert_lost_body_(database_, "INSERT INTO lost_bodies VALUES (?, ?, ?)"),
@@ -138,6 +140,31 @@ void Recorder::on_arrival(const OutsideArrival& arrival) {
   on_rows(arrival.at, 1);
 }
 
+void Recorder::on_air_entered(hal::Time at, hal::AgentId agent, const radio::MacRequest& request) {
+  if (air_) air_->ledger().on_entered(at, agent, request);
+  interfaces_.on_entered(agent, request.payload->size());
+}
+
+void Recorder::on_air_left(hal::Time at, hal::AgentId agent,
+                           const radio::MacIndication& indication) {
+  if (air_) air_->ledger().on_left(at, agent, indication);
+  interfaces_.on_left(agent, indication.payload->size());
+}
+
+void Recorder::on_air_refused(hal::Time, hal::AgentId agent, air::Refusal refusal,
+                              std::size_t bytes) {
+  interfaces_.on_refused(agent, refusal, bytes);
+}
+
+void Recorder::add(const ProgramRow& program) {
+  Statement insert(database_, "INSERT INTO programs VALUES (?, ?, ?, ?, ?)");
+  std::optional<std::int64_t> ended;
+  std::optional<int> status;
+  if (program.ended) ended = hal::to_ns(*program.ended);
+  if (program.ended) status = program.status;
+  insert.run(program.agent.value, program.name, hal::to_ns(program.started), ended, status);
+}
+
 void Recorder::on_turn(const agents::Turn& turn) {
   insert_turn_.run(hal::to_ns(turn.at), std::uint64_t{turn.port}, turn.replied, turn.began);
   on_rows(turn.at, 1);
@@ -149,6 +176,7 @@ void Recorder::commit() {
   std::uint64_t counted = frames_.counted();
   if (message_counts_) rows += message_counts_->rows();
   if (message_counts_) counted += message_counts_->counted();
+  if (air_) rows += air_->rows();
   if (is_finished_ || rows <= kFewTotals + counted / kWorthWriting) update_totals();
   commit_rows();
 }
@@ -159,6 +187,7 @@ void Recorder::update_totals() {
   if (message_counts_) message_counts_->write();
   if (air_) air_->write();
   bodies_.write();
+  interfaces_.write();
 }
 
 void Recorder::commit_rows() {
@@ -222,6 +251,19 @@ void Recorder::write(const agents::RealTimeSummary& summary) {
   set("control_jitter_median_s", hal::to_seconds(summary.jitter_median));
   set("control_jitter_p99_s", hal::to_seconds(summary.jitter_p99));
   set("control_jitter_max_s", hal::to_seconds(summary.jitter_max));
+  if (summary.air) write(*summary.air);
+}
+
+void Recorder::write(const agents::AirSummary& summary) {
+  const auto edge = [this](const std::string& name, const agents::EdgeSummary& of) {
+    set(name + "_frames", of.frames);
+    set(name + "_late_frames", of.beyond_limit);
+    set(name + "_lateness_median_s", hal::to_seconds(of.median));
+    set(name + "_lateness_p99_s", hal::to_seconds(of.p99));
+    set(name + "_lateness_max_s", hal::to_seconds(of.greatest));
+  };
+  edge("entering", summary.entering);
+  edge("leaving", summary.leaving);
 }
 
 void Recorder::write_totals(const Fingerprint& fingerprint) {
@@ -251,15 +293,6 @@ void Recorder::count_start(hal::Time at, const radio::Frame& frame) {
   now_ = std::max(now_, at);
   frames_.on_frame_start(frame);
   in_the_air_.on_frame_start(at, frame);
-}
-
-void Recorder::on_air_entered(hal::Time at, hal::AgentId agent, const radio::MacRequest& request) {
-  if (air_) air_->ledger().on_entered(at, agent, request);
-}
-
-void Recorder::on_air_left(hal::Time at, hal::AgentId agent,
-                           const radio::MacIndication& indication) {
-  if (air_) air_->ledger().on_left(at, agent, indication);
 }
 
 void Recorder::on_frame_cut(hal::Time at, const radio::Frame& frame) {

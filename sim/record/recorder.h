@@ -19,6 +19,7 @@
 #include "sim/record/detail.h"
 #include "sim/record/frame_counts.h"
 #include "sim/record/frames_in_the_air.h"
+#include "sim/record/interface_counts.h"
 #include "sim/record/message_counts.h"
 #include "sim/record/message_log.h"
 #include "sim/record/unheard_topics.h"
@@ -36,6 +37,15 @@ struct RecorderOptions {
 class NewDatabase : public Database {
  public:
   explicit NewDatabase(const std::filesystem::path& file);
+};
+
+/// A program that ran inside an agent.
+struct ProgramRow {
+  hal::AgentId agent;
+  std::string name;
+  hal::Time started{};
+  std::optional<hal::Time> ended{};  ///< None: it ended with the run.
+  int status = 0;                    ///< 0..255; 128 + signal if a signal ended it.
 };
 
 /// Writes what is observed of a run to an SQLite file with the tables of schema.h.
@@ -78,6 +88,7 @@ class Recorder final : public agents::Observer {
   }
 
   void add(const Fingerprint::Row& row);
+  void add(const ProgramRow& program);
 
   /// Writes how a run ended that did not begin, or that could not be written to its end: what came
   /// after the last commit is lost, its end is not if there is room for a few thousand bytes.
@@ -119,11 +130,13 @@ class Recorder final : public agents::Observer {
   void on_discovery(hal::Time at, hal::AgentId agent, const agents::Discovery& discovery) override;
   void on_state(hal::Time at, hal::AgentId agent, std::string_view state) override;
   void on_record(hal::Time at, hal::AgentId agent, std::string_view name, double value) override;
-  void on_turn(const agents::Turn& turn) override;
-  void on_arrival(const OutsideArrival& arrival) override;
   void on_air_entered(hal::Time at, hal::AgentId agent, const radio::MacRequest& request) override;
   void on_air_left(hal::Time at, hal::AgentId agent,
                    const radio::MacIndication& indication) override;
+  void on_air_refused(hal::Time at, hal::AgentId agent, air::Refusal refusal,
+                      std::size_t bytes) override;
+  void on_turn(const agents::Turn& turn) override;
+  void on_arrival(const OutsideArrival& arrival) override;
 
  private:
   template <class Value>
@@ -131,6 +144,7 @@ class Recorder final : public agents::Observer {
   void describe(const agents::SimulationConfig& config);
   void write(const agents::Outcome& outcome);
   void write(const agents::RealTimeSummary& summary);
+  void write(const agents::AirSummary& summary);
   void write_totals(const Fingerprint& fingerprint);
   void count_start(hal::Time at, const radio::Frame& frame);
   void count_end(hal::Time at, const radio::Frame& frame, hal::AgentId receiver,
@@ -150,6 +164,7 @@ class Recorder final : public agents::Observer {
   std::optional<AirLog> air_;
   BroadcastWatch broadcasts_;
   BodyLog bodies_;
+  InterfaceCounts interfaces_;
   Statement set_, insert_discovery_, insert_lost_body_, insert_state_, insert_value_, insert_turn_,
       insert_arrival_, insert_association_, insert_frame_, insert_frame_end_, insert_fingerprint_;
   int rows_ = 0;     ///< Since the last commit.

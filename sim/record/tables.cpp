@@ -388,6 +388,28 @@ std::vector<Table> body_tables() {
   };
 }
 
+std::vector<Table> program_tables() {
+  return {
+      {"interfaces",
+       "frames between programs with sockets and the air, for agents that have a network",
+       {{"agent", "INTEGER NOT NULL", "", "whose interface"},
+        {"what", "TEXT NOT NULL", "",
+         "'entered': from a program to the station's queue; 'left': from the air to the programs; "
+         "'refused: ...': from a program, not to be sent by a radio, and why"},
+        {"frames", "INTEGER NOT NULL", "", "so many"},
+        {"bytes", "INTEGER NOT NULL", "byte",
+         "IP packets or ARP; refused: with the Ethernet header"}},
+       "agent, what"},
+      {"programs",
+       "programs that the scenario started inside agents",
+       {{"agent", "INTEGER NOT NULL", "", "inside whom"},
+        {"name", "TEXT NOT NULL", "", "as the scenario calls it"},
+        {"started_ns", "INTEGER NOT NULL", "ns", "when"},
+        {"ended_ns", "INTEGER", "ns", "when; null: it was ended with the run"},
+        {"status", "INTEGER", "", "exit status; 128 + signal if one ended it; null: as above"}}},
+  };
+}
+
 std::vector<Table> trace_tables() {
   return {
       {"turns",
@@ -401,9 +423,10 @@ std::vector<Table> trace_tables() {
        "what came into the run from outside and does not follow from scenario and seed",
        {{"at_ns", "INTEGER NOT NULL", "ns",
          "when it was taken in: in real time after the events of that time, in lock-step before"},
-        {"door", "TEXT NOT NULL", "", "what it is for: 'cmd_vel of r0'"},
+        {"door", "TEXT NOT NULL", "", "what it is for: 'cmd_vel of r0', 'air of r0', 'programs'"},
         {"bytes", "TEXT NOT NULL", "",
-         "hexadecimal; cmd_vel: m/s forward, m/s left, rad/s as binary64, little-endian"}}},
+         "hexadecimal; cmd_vel: m/s forward, m/s left, rad/s as binary64, little-endian; air: the "
+         "Ethernet frame; programs: how one ended the run"}}},
       {"fingerprints",
        "hashes of what was observed, per part, agent and second, where they change from one second "
        "to the next: two runs differ first where these rows do",
@@ -454,7 +477,7 @@ const std::vector<Table>& tables() {
     for (const auto& part :
          {setup_tables(), count_tables(), air_tables(), link_verdict_tables(), verdict_sum_tables(),
           message_tables(), counted_message_tables(), message_sum_tables(), delivery_sum_tables(),
-          ledger_tables(), body_tables(), trace_tables()}) {
+          ledger_tables(), body_tables(), program_tables(), trace_tables()}) {
       sum.insert(sum.end(), part.begin(), part.end());
     }
     return sum;
@@ -497,6 +520,24 @@ const std::vector<RunKey>& run_keys() {
       {"control_jitter_median_s", "s", "in real time: lateness of control cycles"},
       {"control_jitter_p99_s", "s", "99 % are not later"},
       {"control_jitter_max_s", "s", "greatest"},
+      {"entering_frames", "", "with networks: frames that came from programs"},
+      {"entering_late_frames", "", "with networks: of those, later than lateness_limit"},
+      {"entering_lateness_median_s", "s",
+       "with networks, simulated time: upper bound of how long frames waited before they entered"},
+      {"entering_lateness_p99_s", "s", "99 % are not later"},
+      {"entering_lateness_max_s", "s", "greatest"},
+      {"leaving_frames", "", "with networks: frames that went to programs"},
+      {"leaving_late_frames", "", "with networks: of those, later than lateness_limit"},
+      {"leaving_lateness_median_s", "s",
+       "with networks, simulated time: from the end of a frame's reception to its program"},
+      {"leaving_lateness_p99_s", "s", "99 % are not later"},
+      {"leaving_lateness_max_s", "s", "greatest"},
+      {"frames_dropped", "", "with networks: by the kernel before they came in; must be 0"},
+      {"frames_not_taken", "", "with networks: off the air, by an interface that was shut down"},
+      {"cpu_load", "", "with networks: processor time of baraka over wall time"},
+      {"cpu_load_programs", "", "with networks: of all that ran inside agents over wall time"},
+      {"warnings", "", "with networks: what speaks against this result, a line each"},
+      {"open_loop", "", "of a repetition: settings that differ from those of the recorded run"},
   };
   return keys;
 }

@@ -13,7 +13,9 @@
 #include "hal/types/check.h"
 #include "sim/scenario/controller_section.h"
 #include "sim/scenario/fields.h"
+#include "sim/scenario/network_section.h"
 #include "sim/scenario/placement.h"
+#include "sim/scenario/programs_section.h"
 #include "sim/scenario/station_radio_section.h"
 #include "sim/scenario/station_section.h"
 
@@ -136,6 +138,25 @@ std::vector<AgentId> take_addresses(Mapping& in, std::size_t count, Taken& taken
   return addresses;
 }
 
+/// Without a network somebody must drive them.
+void read_who_drives(Mapping& in, Group& group, std::vector<AgentConfig>& agents) {
+  const bool has_network = in.has("network");
+  if (has_network) {
+    read_network(in.mapping({"network",
+                             "An interface `wlan0` for programs with sockets: their packets go "
+                             "through the agents' simulated radios. Such a run is in real time."}),
+                 agents);
+    read_programs(in, group);
+  } else {
+    in.refuse("programs", "needs `network`, the interface that programs use");
+  }
+  if (has_network && !in.has("controller")) return;
+  read_controller(in.mapping({"controller",
+                              "The program that drives the agents; may be absent where they have "
+                              "a network."}),
+                  group, agents);
+}
+
 void read_group(const std::string& name, Mapping in, Scenario& scenario, Taken& taken) {
   Group group{.name = name, .agents = {}, .places = {}, .program = {}, .program_place = {}};
   const auto body = read_body(in, scenario.simulation.world.gravity);
@@ -146,9 +167,9 @@ void read_group(const std::string& name, Mapping in, Scenario& scenario, Taken& 
   group.agents = take_addresses(in, poses.size(), taken);
   std::vector<AgentConfig> agents;
   for (std::size_t i = 0; i < group.agents.size(); ++i) {
-    agents.push_back({group.agents[i], names[i], poses[i], body, {}, {}, {}, {}});
+    agents.push_back({group.agents[i], names[i], poses[i], body, {}, {}, {}, {}, {}});
   }
-  read_controller(in.mapping({"controller", "The program that drives the agents."}), group, agents);
+  read_who_drives(in, group, agents);
   read_station_radios(
       in.mapping({"radio", "What the radios of the group's agents have of their own."}),
       scenario.simulation.radio, agents);
@@ -205,7 +226,9 @@ void write_group(Writer& out, const Group& group, std::span<const AgentConfig> a
     out.close();
   }
   out.close();
-  write_controller(out, group, agents);
+  if (!group.program.empty()) write_controller(out, group, agents);
+  write_network(out, agents);
+  write_programs(out, group);
   write_station_radios(out, agents);
   if (agents.front().routing)
     FieldWriter(out).choice(kRouting, kAlgorithms, *agents.front().routing);

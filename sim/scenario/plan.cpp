@@ -2,11 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <string>
+#include <utility>
+
 namespace sim::scenario {
 
 std::vector<ProcessPlan> plan_processes(const Scenario& scenario) {
   std::vector<ProcessPlan> plans;
   for (const Group& group : scenario.groups) {
+    if (group.program.empty()) continue;
     const auto processes = static_cast<std::size_t>(group.processes);
     const std::size_t share = group.agents.size() / processes;
     const std::size_t larger = group.agents.size() % processes;
@@ -21,6 +27,43 @@ std::vector<ProcessPlan> plan_processes(const Scenario& scenario) {
     }
   }
   return plans;
+}
+
+namespace {
+
+const agents::AgentConfig* config_of(hal::AgentId id, const Scenario& scenario) {
+  const auto& all = scenario.simulation.agents;
+  const auto found = std::ranges::find(all, id, &agents::AgentConfig::id);
+  return found == all.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+ProgramWords words_of(const PlannedProgram& planned, const Scenario& scenario,
+                      const std::filesystem::path& results) {
+  const agents::AgentConfig* const agent = config_of(planned.agent, scenario);
+  const auto& group = planned.group->agents;
+  return {.agent = planned.agent_name,
+          .address = agent != nullptr && agent->network ? dotted(agent->network->address) : "",
+          .number = std::to_string(std::ranges::find(group, planned.agent) - group.begin()),
+          .results = results.empty() ? "" : std::filesystem::absolute(results).string()};
+}
+
+std::vector<PlannedProgram> plan_programs(const Scenario& scenario) {
+  std::vector<PlannedProgram> planned;
+  for (const Group& group : scenario.groups) {
+    for (const Program& program : group.programs) {
+      for (const hal::AgentId agent : group.agents) {
+        const agents::AgentConfig* const config = config_of(agent, scenario);
+        if (config == nullptr) continue;  // its address is another one's, which has been said
+        PlannedProgram one{&group, &program, agent, config->name, {}};
+        one.log = filled_in(program.log, words_of(one, scenario, {}));
+        planned.push_back(std::move(one));
+      }
+    }
+  }
+  std::ranges::stable_sort(planned, {}, [](const auto& one) { return one.program->start; });
+  return planned;
 }
 
 }  // namespace sim::scenario

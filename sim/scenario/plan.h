@@ -19,4 +19,22 @@ struct ProcessPlan {
 /// processes of a group get equal shares, the first ones one agent more where it does not divide.
 std::vector<ProcessPlan> plan_processes(const Scenario& scenario);
 
+/// One program of a run.
+struct PlannedProgram {
+  const Group* group = nullptr;
+  const Program* program = nullptr;
+  hal::AgentId agent;
+  std::string agent_name;
+  std::string log;  ///< File in the results' folder.
+};
+
+/// Every program of every agent, by their start and then in order of declaration. It points into
+/// the scenario.
+std::vector<PlannedProgram> plan_programs(const Scenario& scenario);
+
+/// What the words in a planned program's command and environment stand for.
+/// @param results  the folder; empty: not known yet.
+ProgramWords words_of(const PlannedProgram& planned, const Scenario& scenario,
+                      const std::filesystem::path& results);
+
 }  // namespace sim::scenario

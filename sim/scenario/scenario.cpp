@@ -10,8 +10,10 @@
 #include "sim/scenario/bss_section.h"
 #include "sim/scenario/fields.h"
 #include "sim/scenario/loss_section.h"
+#include "sim/scenario/network_section.h"
 #include "sim/scenario/outcome_section.h"
 #include "sim/scenario/overlap_check.h"
+#include "sim/scenario/programs_section.h"
 #include "sim/scenario/radio_section.h"
 #include "sim/scenario/run_section.h"
 #include "sim/scenario/world_section.h"
@@ -53,6 +55,8 @@ Scenario read_scenario(Mapping in, const std::filesystem::path& file) {
       scenario);
   read_record(in.mapping({"record", "What goes into the results."}), scenario);
   check_access_points(in, scenario);
+  check_networks(in, scenario);
+  check_logs(in, scenario);
   check_loss_names(in.within("radio"), scenario);
   read_ends(in, scenario);
   read_expectations(in, scenario);

@@ -13,6 +13,7 @@
 #include "hal/types/time.h"
 #include "sim/agents/simulation_config.h"
 #include "sim/record/detail.h"
+#include "sim/scenario/program.h"
 
 namespace sim::scenario {
 
@@ -23,9 +24,10 @@ struct Group {
   std::string name;
   std::vector<hal::AgentId> agents;   ///< In order of declaration, at least one.
   std::vector<std::string> places{};  ///< "file:line:column" of each one's pose, or of their grid.
-  std::string program;                ///< Controller.
+  std::string program;                ///< Controller; empty: none.
   std::string program_place;          ///< "file:line:column" of `program`, for error messages.
   int processes = 1;                  ///< Controller processes that share the agents.
+  std::vector<Program> programs{};    ///< Inside each of the agents.
 };
 
 /// The run must end with this result.

@@ -1,7 +1,9 @@
 // How long one exchange with controller processes takes, in wall time: a Step to each of them, then
 // the Replies of all.
 //
-//   exchange_bench [EXCHANGES [PROCESSES AGENTS]]
+//   exchange_bench [EXCHANGES [PROCESSES AGENTS [guests]]]
+//
+// Guests are in network and pid namespaces of their own (hal/dds/invitation.h).
 
 #include <fmt/core.h>
 
@@ -19,6 +21,7 @@
 #include "hal/dds/exchange/server.h"
 #include "tests/unit/hal/dds/exchange/child.h"
 #include "tests/unit/hal/dds/exchange/echo_controller.h"
+#include "tests/unit/hal/dds/exchange/guest_child.h"
 
 namespace {
 
@@ -32,6 +35,7 @@ constexpr std::uint16_t kChannel = 1;
 struct Processes {
   hal::dds::Server server{hal::dds::take_domain(std::nullopt)};
   std::vector<std::unique_ptr<Child>> children;
+  std::vector<std::unique_ptr<GuestChild>> guests;
   std::vector<std::unique_ptr<hal::dds::ProcessLink>> links;
 };
 
@@ -50,21 +54,23 @@ hal::exchange::Session session_of(const hal::exchange::Hello& hello, int agents)
   return session;
 }
 
-/// A controller that waits for another server may be in the domain by chance.
-bool is_ours(const Processes& processes, const hal::exchange::Hello& hello) {
-  return std::ranges::any_of(processes.children,
-                             [&hello](const auto& child) { return child->pid() == hello.pid; });
-}
+/// Its processes' names begin so: a controller that waits for another server may be in the domain
+/// by chance.
+std::string prefix() { return fmt::format("bench{}-", getpid()); }
 
-void start(Processes& processes, int count, int agents) {
+void start(Processes& processes, int count, int agents, bool as_guests) {
   for (int i = 0; i < count; ++i) {
     const std::string domain = std::to_string(processes.server.domain());
-    processes.children.push_back(std::make_unique<Child>(
-        std::vector<std::string>{"controller", domain, fmt::format("p{}", i)}));
+    const std::vector<std::string> role{"controller", domain, fmt::format("{}{}", prefix(), i)};
+    if (as_guests) {
+      processes.guests.push_back(std::make_unique<GuestChild>(processes.server, role));
+    } else {
+      processes.children.push_back(std::make_unique<Child>(role));
+    }
   }
   while (static_cast<int>(processes.links.size()) < count) {
     for (const auto& hello : processes.server.hellos(std::chrono::seconds{10})) {
-      if (!is_ours(processes, hello)) continue;
+      if (!hello.process.starts_with(prefix())) continue;
       processes.links.push_back(processes.server.link(hello, 1, std::chrono::seconds{10}));
       if (!processes.server.answer(session_of(hello, agents)))
         throw std::runtime_error("no answer");
@@ -93,9 +99,9 @@ double datagrams() {
   return 0;
 }
 
-void measure(int count, int agents, int exchanges) {
+void measure(int count, int agents, int exchanges, bool as_guests = false) {
   Processes processes;
-  start(processes, count, agents);
+  start(processes, count, agents, as_guests);
   hal::exchange::Step step = step_with(hal::exchange::Cause::kControl, 1);
   step.events.resize(static_cast<std::size_t>(agents), step.events[0]);
   for (std::size_t i = 0; i < step.events.size(); ++i) {
@@ -129,8 +135,8 @@ int main(int argc, char** argv) {
     return static_cast<int>(outcome);
   }
   const int exchanges = argc > 1 ? std::stoi(argv[1]) : 5000;
-  if (argc == 4) {
-    measure(std::stoi(argv[2]), std::stoi(argv[3]), exchanges);
+  if (argc >= 4) {
+    measure(std::stoi(argv[2]), std::stoi(argv[3]), exchanges, argc == 5);
     return 0;
   }
   measure(1, 1, exchanges);

@@ -44,7 +44,7 @@ const std::vector<Kind> kKinds = {
     {"scenario",
      read_scenario,
      {kConfig / "scenarios/case_study.yaml", kTests / "config/stations.yaml",
-      kTests / "config/random_stations.yaml"}},
+      kTests / "config/random_stations.yaml", kTests / "config/networks.yaml"}},
     {"hardware",
      read_hardware,
      {kConfig / "hardware/robotino.yaml", kConfig / "hardware/tmc200.yaml",

@@ -49,6 +49,10 @@ class IncludeRules(unittest.TestCase):
     def test_a_folder_without_a_rule_is_named(self):
         self.check("sim/magic/x.cpp", "", "the folder has no rule")
 
+    def test_one_controller_speaks_dds(self):
+        self.check("controllers/ros_base/x.cpp", "#include <fastdds/x.hpp>", "")
+        self.check("controllers/x/x.cpp", "#include <fastdds/x.hpp>", "belongs in hal/dds, controllers/ros_base only")
+
     def test_allowed_includes_pass(self):
         self.check("sim/agents/x.cpp", '#include "sim/radio/mac_sap.h"', "")
 

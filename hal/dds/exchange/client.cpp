@@ -37,9 +37,11 @@ class Client::Implementation {
  public:
   Implementation(int domain, exchange::Hello hello)
       : hello_(completed(std::move(hello))),
-        participant_(Participant::controller(domain)),
+        handed_(take_handed_sockets()),
+        participant_(Participant::controller(domain, handed_ ? &*handed_ : nullptr)),
         sessions_(participant_, kSessionTopic, signal_),
         hellos_(participant_, kHelloTopic) {
+    if (handed_) handed_->announce(hello_.instance);
     wire::Hello sample = to_wire(hello_);
     if (!hellos_.write(sample)) throw std::runtime_error("Fast DDS refuses a Hello");
   }
@@ -52,6 +54,7 @@ class Client::Implementation {
   Signal signal_;
   std::atomic<bool> interrupted_{false};
   std::atomic<bool> woken_{false};
+  std::optional<HandedSockets> handed_;
   Participant participant_;
   Reader<wire::Session> sessions_;
   Writer<wire::Hello> hellos_;
@@ -70,6 +73,7 @@ class Client::Implementation {
   std::optional<Arrival> arrived();
   std::optional<exchange::Session> take_session();
   std::optional<exchange::Step> take_step();
+  std::unique_ptr<ProcessWatch> watch_of(const wire::Session& session) const;
   bool is_good(const exchange::Session& session, const ProcessIdentity& server);
   void take_in(const wire::Step& sample, const Origin& origin);
   void complain(const std::string& what, const Origin& origin);
@@ -129,7 +133,7 @@ std::optional<exchange::Session> Client::Implementation::take_session() {
     if (known != granted_.end() && known->second.run == session->run) continue;  // Sent twice.
     // Only now: until a server has agreed to it, another process may use these topics.
     if (!replies_) replies_.emplace(participant_, reply_topic(hello_.process));
-    auto watch = std::make_unique<ProcessWatch>(from_wire(sample->identity()));
+    auto watch = watch_of(*sample);
     {
       const std::lock_guard lock(mutex_);
       granted_[session->server] = {session->run, sessions_.origin(), std::move(watch)};
@@ -142,6 +146,12 @@ std::optional<exchange::Session> Client::Implementation::take_session() {
     return std::move(*session);
   }
   return std::nullopt;
+}
+
+/// Of the server. A guest does not know it by its pid.
+std::unique_ptr<ProcessWatch> Client::Implementation::watch_of(const wire::Session& session) const {
+  if (handed_) return std::make_unique<ProcessWatch>(handed_->channel.number());
+  return std::make_unique<ProcessWatch>(from_wire(session.identity()));
 }
 
 std::optional<exchange::Step> Client::Implementation::take_step() {

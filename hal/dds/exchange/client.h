@@ -31,7 +31,8 @@ using Arrival =
 /// for interrupt() and for what is called by an Answerer.
 class Client {
  public:
-  /// Completes `hello` with the identity of this process and an instance id, and sends it.
+  /// Completes `hello` with the identity of this process and an instance id, and sends it: over
+  /// the sockets of an Invitation, if the process was started with one, to who invited it.
   /// @throws std::runtime_error  if DDS cannot be opened.
   Client(int domain, exchange::Hello hello);
   ~Client();

@@ -102,6 +102,7 @@ wire::AgentSession to_wire(const exchange::AgentSession& session) {
   for (const auto& row : session.limits.body_to_wheel) out.body_to_wheel().push_back(to_wire(row));
   for (const auto& row : session.limits.wheel_to_body) out.wheel_to_body().push_back(to_wire(row));
   out.wheel_speed(session.limits.wheel_speed);
+  out.air_interface(session.air_interface);
   return out;
 }
 
@@ -126,6 +127,7 @@ exchange::AgentSession from_wire(const wire::AgentSession& session, Ranges& rang
     out.limits.wheel_to_body.push_back({row.vx(), row.vy(), row.omega()});
   }
   out.limits.wheel_speed = session.wheel_speed();
+  out.air_interface = session.air_interface();
   return out;
 }
 

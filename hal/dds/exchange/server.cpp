@@ -41,7 +41,9 @@ class Server::Implementation {
       // What cannot be understood cannot be refused by name either; its sender runs out of
       // patience.
       auto hello = from_wire(*sample);
-      if (hello && is_heard(*hello, hellos_.origin())) hellos.push_back(std::move(*hello));
+      if (!hello) continue;
+      name_as_here(*hello, hellos_.origin());
+      if (is_heard(*hello, hellos_.origin())) hellos.push_back(std::move(*hello));
     }
     return hellos;
   }
@@ -62,6 +64,20 @@ class Server::Implementation {
     if (sessions_.write(sample)) return {};
     return fail(Errc::kNotConnected,
                 fmt::format("Fast DDS refuses a Session for {}", session.instance));
+  }
+
+  /// A guest does not know what it is called here.
+  void name_as_here(exchange::Hello& hello, const Origin& origin) {
+    const auto sender = participant_.filter().sender_of(participant_of(origin));
+    if (!sender) return;
+    for (Guest& guest : guests_) {
+      const auto identity = guest.identity_of(hello.instance, *sender);
+      if (!identity) continue;
+      hello.host = identity->host;
+      hello.pid = identity->pid;
+      hello.pid_start_time = identity->start_time;
+      return;
+    }
   }
 
   /// Whether to hand a Hello on. One that is not what it says is not answered: the answer would go
@@ -119,6 +135,7 @@ class Server::Implementation {
   Reader<wire::Hello> hellos_;
   Writer<wire::Session> sessions_;
   Visitors visitors_;
+  std::vector<Guest> guests_;
   std::vector<std::string> refusals_;  ///< Since the last time they were asked for.
 };
 
@@ -149,6 +166,12 @@ Result<void> Server::answer(exchange::Session session) {
 
 std::vector<std::string> Server::take_refusals() {
   return std::exchange(implementation_->refusals_, {});
+}
+
+Invitation Server::invite() {
+  Invited invited = dds::invite();
+  implementation_->guests_.push_back(std::move(invited.guest));
+  return std::move(invited.invitation);
 }
 
 std::unique_ptr<ProcessLink> Server::link(const exchange::Hello& hello, std::uint64_t run,

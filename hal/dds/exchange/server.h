@@ -7,6 +7,7 @@
 
 #include "hal/dds/domains.h"
 #include "hal/dds/exchange/process_link.h"
+#include "hal/dds/invitation.h"
 #include "hal/exchange/session.h"
 #include "hal/types/time.h"
 
@@ -37,6 +38,11 @@ class Server {
   /// Hellos since the last call that hellos() left out, because they are not what they say or come
   /// from another user: "process 'x' (pid 7): reason". Their participants are not heard any more.
   std::vector<std::string> take_refusals();
+
+  /// For a process in another network namespace that is to be started now. Its Hellos tell who it
+  /// is in the pid namespace of this process, whatever it calls itself in its own.
+  /// @throws std::runtime_error  no port or no descriptor is left.
+  Invitation invite();
   int descriptor() const;   ///< Readable when Hellos may have come.
   bool has_hellos() const;  ///< Without waiting, and cheap.
 

@@ -55,6 +55,18 @@ TEST_F(StarFilter, DropsGarbageAndTellsHowMuchAndFromWhom) {
             "1 header: it is shorter than 20 octets");
 }
 
+TEST(GuestsFilter, LetsInOnlyWhatComesFromThePortsOfItsHost) {
+  DatagramFilter filter({.networks = networks_of({"127.0.0.1"}), .is_star = true, .ports = {7, 8}});
+  const auto lets_in = [&](std::uint8_t participant, std::uint16_t port) {
+    return filter.lets_in(hal::rtps::octets_of(heartbeat(participant)), {kLocalhost, port});
+  };
+  EXPECT_TRUE(lets_in(1, 7));
+  EXPECT_TRUE(lets_in(2, 8));
+  EXPECT_FALSE(lets_in(3, 9));
+  EXPECT_EQ(filter.drops(),
+            "1 datagrams from 127.0.0.1:9: 1 sender: it is not the process that invited this one");
+}
+
 TEST_F(StarFilter, DropsWhatComesFromBeyondTheInterface) {
   EXPECT_TRUE(lets_in(heartbeat(1), {0x7f000007, 1}));
   EXPECT_FALSE(lets_in(heartbeat(2), {0xcb007107, 1}));

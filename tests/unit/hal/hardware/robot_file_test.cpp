@@ -91,6 +91,14 @@ TEST(HardwareExamples, OfAMoteNeedNoBodyAndKnowTheirPlace) {
   EXPECT_EQ(source->pose()->pose, (Pose2{5, 0, 0}));
 }
 
+TEST(HardwareExamples, LetTheControllerOpenSocketsWhereTheySay) {
+  EXPECT_EQ(RobotFile::load(kHardware / "robotino.yaml").air_interface, "");
+  const RobotFile file =
+      RobotFile::load(kHardware / "robotino.yaml", {"controller.air_interface=wlan7"});
+  EXPECT_EQ(file.air_interface, "wlan7");
+  EXPECT_TRUE(file.air_interface_place.starts_with("--set")) << file.air_interface_place;
+}
+
 TEST_F(RobotFileTest, EmptyFilesLackEverything) {
   EXPECT_EQ(mistakes("{}\n"),
             (Lines{

@@ -24,6 +24,7 @@ TEST(Object, KnowsItselfFromTheSession) {
     EXPECT_EQ(robot.id(), AgentId{26});
     EXPECT_EQ(robot.name(), "r0");
     EXPECT_EQ(robot.control_period(), 100ms);
+    EXPECT_EQ(robot.air_interface(), "");
     EXPECT_EQ(robot.channels().size(), 4U);
   });
 }

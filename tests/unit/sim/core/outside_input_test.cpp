@@ -77,6 +77,27 @@ TEST(OutsideInput, OfTooMuchTheOldestGoesAndIsCounted) {
   EXPECT_EQ(house.seen.front().bytes, Bytes{3});
 }
 
+TEST(OutsideInput, WhatHasATimeIsTakenInThenHoweverMuchWaits) {
+  OutsideInput input;
+  House house(input);
+  constexpr std::size_t kMany = 3 * OutsideInput::kMostWaiting;
+  for (std::size_t i = 0; i < kMany; ++i) input.put_at(at(2ms), "a", {1});
+  input.put_at(at(3ms), "b", {2});
+  input.put("a", {3});
+  EXPECT_EQ(input.next_due(), at(2ms));
+  EXPECT_TRUE(input.has_due(at(1ms)));
+  house.take(at(1ms));
+  EXPECT_EQ(house.seen, (std::vector<OutsideArrival>{{at(1ms), "a", {3}}}));
+  EXPECT_FALSE(input.has_due(at(1ms)));
+  house.take(at(2ms));
+  EXPECT_EQ(house.seen.size(), 1 + kMany);
+  EXPECT_EQ(input.held(), 1u);
+  house.take(at(9ms));
+  EXPECT_EQ(house.seen.back(), (OutsideArrival{at(3ms), "b", {2}}));
+  EXPECT_EQ(input.dropped(), 0u);
+  EXPECT_EQ(input.next_due(), std::nullopt);
+}
+
 TEST(OutsideInput, ARepetitionTakesInTheSameAtTheSameTimesAndNothingElse) {
   OutsideInput first_input;
   House first(first_input);
@@ -90,13 +111,13 @@ TEST(OutsideInput, ARepetitionTakesInTheSameAtTheSameTimesAndNothingElse) {
   House second(input);
   input.replay(first.seen);
   input.put("a", {99});
-  EXPECT_EQ(input.next_replayed(), at(2ms));
+  EXPECT_EQ(input.next_due(), at(2ms));
   second.take(at(1ms));
   EXPECT_TRUE(second.seen.empty());
   for (const hal::Duration now : {2ms, 8ms, 9ms, 20ms}) second.take(at(now));
   EXPECT_EQ(second.seen, first.seen);
   EXPECT_EQ(second.received, first.received);
-  EXPECT_EQ(input.next_replayed(), std::nullopt);
+  EXPECT_EQ(input.next_due(), std::nullopt);
 }
 
 TEST(OutsideInput, ARecordOfADoorThatIsNotOpenIsAnErrorThatNamesIt) {

@@ -77,6 +77,25 @@ TEST(Codec, DecodesWhatItEncoded) {
   EXPECT_EQ(encode(*frame), kDataFrom1To2);
 }
 
+/// Wherever the destination stands: the first address, or To DS the third (table 9-26).
+TEST(Codec, AGroupStaysWhatItIsOnTheAir) {
+  const hal::Bytes mdns{0x01, 0x00, 0x5e, 0x00, 0x00, 0xfb};
+  for (const Ds ds : {Ds::kNone, Ds::kTo, Ds::kFrom}) {
+    Frame frame = data_frame();
+    frame.ds = ds;
+    (ds == Ds::kTo ? frame.address3 : frame.receiver) = hal::kEveryone;
+    frame.group = 0x01005e0000fb;
+    const hal::Bytes bytes = encode(frame);
+    const auto at = bytes.begin() + (ds == Ds::kTo ? 16 : 4);
+    EXPECT_EQ(hal::Bytes(at, at + 6), mdns);
+    const auto decoded = decode(bytes);
+    ASSERT_TRUE(decoded.has_value());
+    EXPECT_EQ(decoded->destination(), hal::kEveryone);
+    EXPECT_EQ(decoded->group, frame.group);
+    EXPECT_EQ(encode(*decoded), bytes);
+  }
+}
+
 TEST(Codec, DecodesControlFrames) {
   const auto rts = decode(kRtsFrom3To102);
   ASSERT_TRUE(rts.has_value());

@@ -3,9 +3,12 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+
+#include "sim/scenario/plan.h"
 
 namespace sim::scenario {
 namespace {
@@ -21,6 +24,7 @@ controller_latency: 1234567 ns
 control_phase: aligned
 control_period: 50 ms
 command_timeout: 400 ms
+lateness_limit: 2 ms
 on_death: silence
 reply_timeout: none
 wait: 12 s
@@ -133,6 +137,16 @@ agents:
         mounts: [{position: [0.1 m, 0.1 m]}, {distance: 0.1 m, bearing: 90 deg, curve: gp2d120}]
     poses: [{x: 1 m, y: 2 m, yaw: -30 deg}]
     controller: {program: help_robot}
+    network: {address: 192.168.7.9/24, mtu: 1400}
+  desk:
+    address: 517
+    station: {}
+    poses: [{x: 1 m, y: 9 m}, {x: 2 m, y: 9 m}]
+    network: {}
+    programs:
+      - {name: late, command: [sh, -c, "echo 'a {b}: {agent} # $X' \\"], start: 1500 ms,
+         environment: {X: "{number}, 5", Y: ""}, log: "l{number}.log", on_exit: end}
+      - {name: early, command: [cat, "{results}/x"], on_exit: fail}
 end:
   - {agent: x03, state: DONE, after: 20 ms, result: good}
   - {at: 99 s, result: bad}
@@ -171,6 +185,7 @@ TEST_F(Resolved, KeepsTheRun) {
   EXPECT_EQ(c.control_phase, agents::ControlPhase::kAligned);
   EXPECT_EQ(c.control_period, 50ms);
   EXPECT_EQ(c.command_timeout, 400ms);
+  EXPECT_EQ(c.lateness_limit, 2ms);
   EXPECT_EQ(c.on_death, agents::OnDeath::kSilence);
   EXPECT_EQ(scenario.reply_timeout, std::nullopt);
   EXPECT_EQ(scenario.wait, 12s);
@@ -182,6 +197,43 @@ TEST_F(Resolved, KeepsTheRun) {
   EXPECT_EQ(scenario.record.air, "heard.pcapng");
   EXPECT_EQ(scenario.record.air_heard_by, c.agents.at(1).id);
   EXPECT_TRUE(std::isinf(c.localisation.range.value));
+}
+
+TEST_F(Resolved, KeepsNetworksAndPrograms) {
+  const Scenario scenario = load(resolved_yaml(load(kEverything)));
+  const auto network = [&](std::uint16_t id) {
+    return std::ranges::find(scenario.simulation.agents, hal::AgentId{id}, &agents::AgentConfig::id)
+        ->network;
+  };
+  EXPECT_EQ(network(7), (air::NetworkConfig{0xc0a80709, 24, 1400}));
+  EXPECT_EQ(network(517), (air::NetworkConfig{0x0a4d0205, 16, 1500}));
+  EXPECT_EQ(network(518), (air::NetworkConfig{0x0a4d0206, 16, 1500}));
+  EXPECT_EQ(network(300), std::nullopt);
+  const Group& desk = scenario.groups.at(2);
+  EXPECT_EQ(desk.program, "");
+  ASSERT_EQ(desk.programs.size(), 2u);
+  EXPECT_EQ(desk.programs[0].command,
+            (std::vector<std::string>{"sh", "-c", "echo 'a {b}: {agent} # $X' \\"}));
+  EXPECT_EQ(desk.programs[0].start, 1500ms);
+  EXPECT_EQ(desk.programs[0].environment,
+            (std::vector<std::pair<std::string, std::string>>{{"X", "{number}, 5"}, {"Y", ""}}));
+  EXPECT_EQ(desk.programs[0].on_exit, OnExit::kEnd);
+  EXPECT_EQ(desk.programs[1].on_exit, OnExit::kFail);
+  EXPECT_EQ(desk.programs[1].log, "{agent}.early.log");
+}
+
+TEST_F(Resolved, PlansProgramsByTheirStartWithTheWordsOfTheirAgents) {
+  const Scenario scenario = load(kEverything);
+  const std::vector<PlannedProgram> planned = plan_programs(scenario);
+  ASSERT_EQ(planned.size(), 4u);
+  std::vector<std::string> logs;
+  for (const PlannedProgram& one : planned) logs.push_back(one.log);
+  EXPECT_EQ(logs,
+            (std::vector<std::string>{"desk0.early.log", "desk1.early.log", "l0.log", "l1.log"}));
+  const ProgramWords words = words_of(planned[3], scenario, "/r");
+  EXPECT_EQ(filled_in(planned[3].program->command[2], words), "echo 'a {b}: desk1 # $X' \\");
+  EXPECT_EQ(filled_in("{address} {results}/{number}{agent}{", words), "10.77.2.6 /r/1desk1{");
+  EXPECT_EQ(plan_processes(scenario).size(), 3u) << "nobody drives the desk";
 }
 
 TEST_F(Resolved, KeepsTheWorld) {
@@ -315,7 +367,7 @@ TEST_F(Resolved, KeepsTheRouting) {
 TEST_F(Resolved, KeepsEveryBody) {
   const auto first = load(kEverything).simulation.agents;
   const auto again = load(resolved_yaml(load(kEverything))).simulation.agents;
-  ASSERT_EQ(again.size(), 5u);
+  ASSERT_EQ(again.size(), 7u);
   for (std::size_t i = 0; i < again.size(); ++i) EXPECT_EQ(again[i].body, first[i].body) << i;
   const auto& robot = std::get<hal::devices::RobotDescription>(again[0].body);
   EXPECT_EQ(robot.boxes.at(0).size, (hal::Vec3{0.1, 0.2, 0.3}));
@@ -331,7 +383,7 @@ TEST_F(Resolved, KeepsEveryBody) {
 TEST_F(Resolved, KeepsAgentsAndTheirParameters) {
   const Scenario scenario = load(resolved_yaml(load(kEverything)));
   const auto& all = scenario.simulation.agents;
-  ASSERT_EQ(all.size(), 5u);
+  ASSERT_EQ(all.size(), 7u);
   EXPECT_EQ(all[0].name, "cart0");
   EXPECT_EQ(all[0].id.value, 7);
   EXPECT_EQ(all[4].name, "x03");
@@ -351,7 +403,7 @@ TEST_F(Resolved, KeepsAgentsAndTheirParameters) {
   EXPECT_EQ(all[4].radio.antenna_height->value, 0.3);
   EXPECT_EQ(all[4].pose.x, 0);
   EXPECT_EQ(all[4].pose.y, 1);
-  ASSERT_EQ(scenario.groups.size(), 2u);
+  ASSERT_EQ(scenario.groups.size(), 3u);
   EXPECT_EQ(scenario.groups[0].name, "odd");
   EXPECT_EQ(scenario.groups[0].processes, 2);
   ASSERT_EQ(all[1].parameters.size(), 4u);

@@ -14,6 +14,7 @@
 #include <sys/syscall.h>
 #include <sys/time.h>
 #include <sys/timerfd.h>
+#include <sys/uio.h>
 #include <threads.h>
 #include <unistd.h>
 
@@ -31,6 +32,7 @@ namespace {
 std::optional<Reaction> reaction;
 std::vector<Call> calls;
 std::optional<std::int64_t> clock_now;
+bool is_sending = false;
 
 constexpr std::int64_t kSecond = 1'000'000'000;
 
@@ -77,6 +79,7 @@ std::vector<Call> disarm() {
   clock_now.reset();
   return std::move(calls);
 }
+void set_sending(bool sending) { is_sending = sending; }
 void set_clock(std::int64_t now) { clock_now = now; }
 
 }  // namespace tests::recorder
@@ -246,6 +249,10 @@ int setsockopt(int s, int level, int option, const void* value, socklen_t length
   return react("setsockopt", {ns(static_cast<const timeval*>(value))});
 }
 int getsockopt(int s, int level, int option, void* value, socklen_t* length) noexcept {
+  // What a socket is, and what it may wait, the calls that send ask by the way.
+  if (level != SOL_SOCKET || (option != SO_RCVTIMEO && option != SO_SNDTIMEO) || is_sending) {
+    return BARAKA_NEXT(getsockopt)(s, level, option, value, length);
+  }
   PASS_ON_UNLESS_ARMED(getsockopt, s, level, option, value, length);
   write_back(static_cast<timeval*>(value));
   return react("getsockopt", {});
@@ -255,6 +262,32 @@ int recvmmsg(int s, mmsghdr* m, unsigned n, int flags, timespec* t) {
   const int result = react("recvmmsg", {ns(t)});
   write_back(t);
   return result;
+}
+ssize_t send(int s, const void* bytes, size_t length, int flags) {
+  PASS_ON_UNLESS_ARMED(send, s, bytes, length, flags);
+  return react("send", {});
+}
+ssize_t sendto(int s, const void* bytes, size_t length, int flags, const sockaddr* to,
+               socklen_t to_length) {
+  PASS_ON_UNLESS_ARMED(sendto, s, bytes, length, flags, to, to_length);
+  return react("sendto", {});
+}
+ssize_t sendmsg(int s, const msghdr* message, int flags) {
+  PASS_ON_UNLESS_ARMED(sendmsg, s, message, flags);
+  return react("sendmsg", {});
+}
+int sendmmsg(int s, mmsghdr* messages, unsigned count, int flags) {
+  PASS_ON_UNLESS_ARMED(sendmmsg, s, messages, count, flags);
+  react("sendmmsg", {count});
+  return static_cast<int>(count);
+}
+ssize_t write(int d, const void* bytes, size_t length) {
+  PASS_ON_UNLESS_ARMED(write, d, bytes, length);
+  return react("write", {});
+}
+ssize_t writev(int d, const iovec* parts, int count) {
+  PASS_ON_UNLESS_ARMED(writev, d, parts, count);
+  return react("writev", {});
 }
 ssize_t recvmsg(int s, msghdr* m, int flags) {
   PASS_ON_UNLESS_ARMED(recvmsg, s, m, flags);

@@ -28,6 +28,9 @@ void arm(const Reaction& reaction);
 /// What was called since arm().
 std::vector<Call> disarm();
 
+/// Whether SO_SNDTIMEO goes on to the kernel, armed or not: the calls that send ask for it.
+void set_sending(bool sending);
+
 /// The clock of the kernel, while armed, ns.
 void set_clock(std::int64_t now);
 

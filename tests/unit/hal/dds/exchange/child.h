@@ -9,11 +9,13 @@
 #include <string>
 #include <vector>
 
-/// This test program once more, as a child in another role (main.cpp). Killed at the end.
+/// A child process: this test program once more, in another role (main.cpp), or another program.
+/// Killed at the end.
 class Child {
  public:
-  explicit Child(std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), "/proc/self/exe");
+  explicit Child(std::vector<std::string> arguments,
+                 const std::string& program = "/proc/self/exe") {
+    arguments.insert(arguments.begin(), program);
     std::vector<char*> pointers;
     for (std::string& argument : arguments) pointers.push_back(argument.data());
     pointers.push_back(nullptr);

@@ -130,6 +130,7 @@ exchange::AgentSession any_agent(Anything& any) {
   agent.limits.wheel_to_body = agent.limits.body_to_wheel;
   for (auto& row : agent.limits.wheel_to_body) row[1] = any.number();
   agent.limits.wheel_speed = any.number();
+  agent.air_interface = any.text();
   return agent;
 }
 

@@ -2,11 +2,13 @@
 
 #include <unistd.h>
 
+#include <fstream>
 #include <string>
 
 #include "hal/dds/exchange/controller_process.h"
 #include "hal/dds/exchange/server.h"
 #include "tests/unit/hal/dds/exchange/echo_controller.h"
+#include "tests/unit/hal/dds/exchange/guest_child.h"
 
 namespace {
 
@@ -26,6 +28,18 @@ int be_server(int domain) {
   while (true) pause();
 }
 
+/// A server that starts a run of a guest, tells which process that is and never goes on.
+int be_host(int domain, const std::string& told) {
+  hal::dds::Server server(hal::dds::take_domain(domain));
+  const GuestChild guest(server, {"controller", std::to_string(domain), "guest"});
+  const hal::exchange::Hello hello = first_hello(server);
+  const auto link = server.link(hello, 1, std::nullopt);
+  if (!server.answer(session_for(hello, 1))) return 1;
+  if (!exchange_step(*link, step_with(hal::exchange::Cause::kStart, 1))) return 1;
+  std::ofstream(told) << hello.pid << std::endl;
+  while (true) pause();
+}
+
 }  // namespace
 
 /// For the sanitizer: Fast DDS 2.9 deletes one of its own objects as its base class.
@@ -33,12 +47,14 @@ extern "C" const char* __asan_default_options() {  // NOLINT(bugprone-reserved-i
   return "new_delete_type_mismatch=0";
 }
 
-/// Tests, or one of the roles of a Child: "controller DOMAIN NAME", "server DOMAIN", "sleep".
+/// Tests, or one of the roles of a Child: "controller DOMAIN NAME", "server DOMAIN", "host DOMAIN
+/// FILE", "sleep".
 int main(int argc, char** argv) {
   const std::string role = argc > 1 ? argv[1] : "";
   if (role == "sleep") return pause();
   if (role == "controller" && argc == 4) return be_controller(std::stoi(argv[2]), argv[3]);
   if (role == "server" && argc == 3) return be_server(std::stoi(argv[2]));
+  if (role == "host" && argc == 4) return be_host(std::stoi(argv[2]), argv[3]);
   testing::InitGoogleTest(&argc, argv);
   return RUN_ALL_TESTS();
 }

@@ -1,0 +1,42 @@
+#include "gateway/commands/exec_command.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <filesystem>
+
+#include "gateway/exit_status.h"
+#include "gateway/netns/descriptor.h"
+#include "gateway/netns/holder.h"
+#include "gateway/netns/run_state.h"
+
+namespace gateway {
+namespace {
+
+std::filesystem::path only_run() {
+  const auto runs = netns::running_runs();
+  if (runs.size() == 1) return runs[0];
+  if (runs.empty()) {
+    throw UsageError("no run with agents that have a network is under way; start one first");
+  }
+  std::string list;
+  for (const auto& run : runs) list += fmt::format("\n  --run {}", run.string());
+  throw UsageError(fmt::format("{} runs are under way; say which:{}", runs.size(), list));
+}
+
+}  // namespace
+
+void exec_inside(const ExecOptions& options) {
+  const std::filesystem::path folder =
+      options.run.empty() ? only_run() : std::filesystem::path(options.run);
+  const std::string holder = netns::installed_file({}, "baraka-holder").string();
+  std::vector<std::string> words{holder, "enter", folder.string(), options.agent};
+  words.insert(words.end(), options.command.begin(), options.command.end());
+  std::vector<char*> arguments;
+  for (std::string& word : words) arguments.push_back(word.data());
+  arguments.push_back(nullptr);
+  execv(holder.c_str(), arguments.data());
+  netns::fail(holder);
+}
+
+}  // namespace gateway

@@ -1,0 +1,101 @@
+#include "gateway/dilate/room.h"
+
+#include <fcntl.h>
+#include <linux/futex.h>
+#include <sys/mman.h>
+#include <sys/socket.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <climits>
+#include <cstdlib>
+
+#include "gateway/dilate/converted.h"
+#include "gateway/dilate/intercepted.h"
+
+namespace gateway::dilate {
+namespace {
+
+netns::RoomPage* page = nullptr;
+
+/// Of a socket, kernel's time; negative: none.
+Nanoseconds send_timeout(int socket) {
+  timeval timeout{};
+  socklen_t length = sizeof timeout;
+  if (BARAKA_NEXT(getsockopt)(socket, SOL_SOCKET, SO_SNDTIMEO, &timeout, &length) != 0) return -1;
+  const Nanoseconds time = nanoseconds(timeout);
+  return time == 0 ? -1 : time;
+}
+
+bool is_blocking(int socket, int flags) {
+  return (flags & MSG_DONTWAIT) == 0 && (fcntl(socket, F_GETFL) & O_NONBLOCK) == 0;
+}
+
+/// Counts this thread among those to be woken.
+class Waiting {
+ public:
+  Waiting() { page->waiting().fetch_add(1); }
+  ~Waiting() { page->waiting().fetch_sub(1); }
+  Waiting(const Waiting&) = delete;
+  Waiting& operator=(const Waiting&) = delete;
+};
+
+int wait_for_places(std::uint32_t places, Nanoseconds longest) {
+  const Nanoseconds begin = kernel_time(CLOCK_MONOTONIC);
+  for (;;) {
+    const std::uint32_t seen = page->change().load();
+    if (page->reserve(places)) return 0;
+    Nanoseconds left = -1;
+    if (longest >= 0) {
+      left = longest - (kernel_time(CLOCK_MONOTONIC) - begin);
+      if (left <= 0) return EAGAIN;
+    }
+    const int error = wait_for_room(seen, left);
+    if (error == ETIMEDOUT) return EAGAIN;
+    if (error != 0) return error;
+  }
+}
+
+}  // namespace
+
+/// Early: programs change their root, or forbid themselves to open files.
+__attribute__((constructor)) static void map_page() {
+  const char* const path = std::getenv(netns::kRoomVariable);
+  if (path == nullptr) return;
+  const int file = open(path, O_RDWR | O_CLOEXEC);
+  if (file < 0) return;
+  void* const memory =
+      mmap(nullptr, sizeof(netns::RoomPage), PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+  close(file);
+  if (memory == MAP_FAILED) return;
+  page = static_cast<netns::RoomPage*>(memory);
+  page->count_load();
+}
+
+netns::RoomPage* room() { return page; }
+
+int wait_for_room(std::uint32_t seen, Nanoseconds longest) {
+  const timespec time = to_timespec(longest);
+  // If room was made since `seen`, the futex is another one and does not wait.
+  const Waiting waiting;
+  const long status = BARAKA_NEXT(syscall)(SYS_futex, &page->change(), FUTEX_WAIT, seen,
+                                           longest < 0 ? nullptr : &time, nullptr, 0);
+  return status == 0 || errno == EAGAIN ? 0 : errno;
+}
+
+int take_places(int socket, std::uint32_t places, int flags) {
+  if (page->reserve(places)) return 0;
+  if (!is_blocking(socket, flags)) return EAGAIN;
+  return wait_for_places(places, send_timeout(socket));
+}
+
+void return_places(std::uint32_t places, bool is_sent) {
+  if (is_sent) return page->finish(places);
+  page->give_back(places);
+  page->change().fetch_add(1);
+  if (page->waiting().load() == 0) return;
+  BARAKA_NEXT(syscall)(SYS_futex, &page->change(), FUTEX_WAKE, INT_MAX, nullptr, nullptr, 0);
+}
+
+}  // namespace gateway::dilate

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "gateway/dilate/dilation.h"
+#include "gateway/netns/room_page.h"
+
+namespace gateway::dilate {
+
+/// Of the agent that this process runs in; null: it runs in none, and nothing is held back.
+netns::RoomPage* room();
+
+/// Waits until there may be room that was not.
+/// @param seen  of room()->change(), before there was found to be none.
+/// @param longest  of the kernel's time; negative: for ever.
+/// @return 0, or ETIMEDOUT, or EINTR.
+int wait_for_room(std::uint32_t seen, Nanoseconds longest);
+
+/// Takes places for what a socket is to send, and waits for them as the socket would: for ever, up
+/// to its SO_SNDTIMEO, or not at all.
+/// @param flags  of send(). @return 0, or the error that the call ends with.
+int take_places(int socket, std::uint32_t places, int flags);
+
+/// What became of them.
+void return_places(std::uint32_t places, bool is_sent);
+
+}  // namespace gateway::dilate

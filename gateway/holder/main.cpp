@@ -1,0 +1,27 @@
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
+#include <string_view>
+
+#include "gateway/netns/go_inside.h"
+#include "gateway/netns/init.h"
+
+/// What baraka starts for what may be done by a process of a single thread only:
+///   baraka-holder hold CONTROL EVENTS PARENT        the namespaces of a run
+///   baraka-holder enter FOLDER AGENT [COMMAND…]     what `baraka exec` becomes
+int main(int argc, char** argv) {
+  const std::string_view what = argc > 1 ? argv[1] : "";
+  try {
+    if (what == "hold" && argc == 5) {
+      return gateway::netns::hold(std::atoi(argv[2]), std::atoi(argv[3]), std::atoi(argv[4]));
+    }
+    if (what == "enter" && argc >= 4) {
+      return gateway::netns::go_inside(argv[2], argv[3], {argv + 4, argv + argc});
+    }
+  } catch (const std::exception& error) {
+    std::fprintf(stderr, "error: %s\n", error.what());
+    return 1;
+  }
+  std::fputs("baraka-holder is started by baraka\n", stderr);
+  return 2;
+}

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <cstdint>
+
+namespace gateway::netns {
+
+/// User and system time of all processes that are or were inside, but for this one, ns: those that
+/// have been waited for, and those that run. In the first process of the run, whose /proc shows
+/// them all. What runs is counted in clock ticks, 10 ms as a rule.
+std::int64_t cpu_time_of_programs();
+
+}  // namespace gateway::netns

@@ -1,0 +1,119 @@
+#include "gateway/netns/go_inside.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <sched.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+
+#include "gateway/netns/launch.h"
+#include "gateway/netns/loadable.h"
+#include "gateway/netns/run_state.h"
+#include "gateway/netns/spaces.h"
+
+namespace gateway::netns {
+namespace {
+
+struct Doors {
+  Descriptor users, processes;
+  AgentSpaces agent;
+};
+
+Doors doors_of(const RunState& run, const RunState::Agent& agent) {
+  const auto opened = [&run](const std::string& path) {
+    return open_file(fmt::format("/proc/{}/{}", run.init.number, path), O_RDONLY);
+  };
+  const auto held = [&opened](int descriptor) { return opened(fmt::format("fd/{}", descriptor)); };
+  return {opened("ns/user"),
+          opened("ns/pid"),
+          {held(agent.network), held(agent.mount), held(agent.host), held(agent.ipc)}};
+}
+
+const RunState::Agent& agent_of(const RunState& run, const std::string& name) {
+  const auto found = std::ranges::find(run.agents, name, &RunState::Agent::name);
+  if (found != run.agents.end()) return *found;
+  std::vector<std::string> names;
+  for (const RunState::Agent& agent : run.agents) names.push_back(agent.name);
+  throw std::runtime_error(
+      fmt::format("no agent '{}' with a network: there are {}", name, fmt::join(names, ", ")));
+}
+
+/// The process numbers change only for children.
+void pass(const Doors& doors) {
+  if (setns(doors.users.get(), CLONE_NEWUSER) != 0) fail("the users of the run");
+  if (setresgid(0, 0, 0) != 0 || setresuid(0, 0, 0) != 0) fail("user 0 of the run");
+  if (setns(doors.processes.get(), CLONE_NEWPID) != 0) fail("the processes of the run");
+  enter(doors.agent);
+}
+
+std::vector<std::string> own_environment() {
+  std::vector<std::string> variables;
+  for (char** one = environ; *one != nullptr; ++one) variables.emplace_back(*one);
+  return variables;
+}
+
+std::string shell() {
+  const char* const named = std::getenv("SHELL");
+  return named != nullptr && *named != '\0' ? named : "/bin/sh";
+}
+
+Launch launch_of(const RunState& run, std::vector<std::string> command) {
+  if (command.empty()) command = {shell()};
+  const char* const path = std::getenv("PATH");
+  const auto program = program_file(command[0], path == nullptr ? "/usr/bin:/bin" : path);
+  require_preloaded(program, std::stod(run.dilation));
+  return {program.string(), std::move(command),
+          inside(own_environment(), run.library, run.dilation),
+          std::filesystem::current_path().string()};
+}
+
+[[noreturn]] void become_child(const Launch& launch) {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  // The folder may not be there inside: a file of /dev/shm or /proc.
+  if (chdir(launch.folder.c_str()) != 0 && chdir("/") != 0) _exit(126);
+  for (const int one : {SIGINT, SIGQUIT, SIGTERM, SIGHUP}) signal(one, SIG_DFL);
+  become(launch);
+  std::fprintf(stderr, "error: cannot start %s\n", launch.program.c_str());
+  _exit(126);
+}
+
+volatile std::sig_atomic_t child_to_tell = 0;
+
+void tell_child(int what) {
+  if (child_to_tell > 0) kill(static_cast<pid_t>(child_to_tell), what);
+}
+
+/// What the terminal sends goes to both; what others send to this one goes on.
+void prepare_signals() {
+  signal(SIGINT, SIG_IGN);
+  signal(SIGQUIT, SIG_IGN);
+  struct sigaction action {};
+  action.sa_handler = tell_child;
+  sigaction(SIGTERM, &action, nullptr);
+  sigaction(SIGHUP, &action, nullptr);
+}
+
+}  // namespace
+
+int go_inside(const std::filesystem::path& folder, const std::string& agent,
+              const std::vector<std::string>& command) {
+  const RunState run = RunState::read(folder);
+  const Launch launch = launch_of(run, command);
+  pass(doors_of(run, agent_of(run, agent)));
+  prepare_signals();
+  const pid_t child = fork();
+  if (child < 0) fail("a process of the run");  // it has just ended
+  if (child == 0) become_child(launch);
+  child_to_tell = child;
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+  if (WIFEXITED(status)) return WEXITSTATUS(status);
+  return 128 + WTERMSIG(status);
+}
+
+}  // namespace gateway::netns

@@ -1,0 +1,106 @@
+#include "gateway/netns/run_state.h"
+
+#include <fmt/format.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <sstream>
+
+#include "gateway/netns/namespaces.h"
+
+namespace gateway::netns {
+namespace {
+
+constexpr std::string_view kHolder = "baraka-holder";
+
+std::string first_line(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  std::string line;
+  std::getline(in, line);
+  return line;
+}
+
+/// A process's folder in /proc, if it holds a run of this user; else 0.
+bool is_holder_of_user(const std::filesystem::path& process) {
+  struct stat status {};
+  return stat(process.c_str(), &status) == 0 && status.st_uid == geteuid() &&
+         first_line(process / "comm") == kHolder;
+}
+
+void read_line(RunState& state, const std::string& key, std::istringstream& rest) {
+  if (key == "init") rest >> state.init.number >> state.init.started;
+  if (key == "dilation") std::getline(rest >> std::ws, state.dilation);
+  if (key == "library") std::getline(rest >> std::ws, state.library);
+  if (key != "agent") return;
+  RunState::Agent agent;
+  rest >> agent.network >> agent.mount >> agent.host >> agent.ipc;
+  std::getline(rest >> std::ws, agent.name);
+  state.agents.push_back(std::move(agent));
+}
+
+}  // namespace
+
+Process Process::of(pid_t number) {
+  // pid (name) state ppid …: the name may hold anything, so count from behind it.
+  const std::string line = first_line(fmt::format("/proc/{}/stat", number));
+  const std::size_t behind = line.rfind(')');
+  if (behind == std::string::npos) return {number, 0};
+  std::istringstream fields(line.substr(behind + 1));
+  constexpr int kFieldOfState = 3, kFieldOfStart = 22;
+  std::string field;
+  for (int i = kFieldOfState; i <= kFieldOfStart; ++i) {
+    fields >> field;
+    if (i == kFieldOfState && field == "Z") return {number, 0};
+  }
+  Process process{number, 0};
+  std::from_chars(field.data(), field.data() + field.size(), process.started);
+  return process;
+}
+
+void RunState::write(const Descriptor& folder) const {
+  std::string text = fmt::format("init {} {}\ndilation {}\nlibrary {}\n", init.number, init.started,
+                                 dilation, library);
+  for (const Agent& agent : agents) {
+    text += fmt::format("agent {} {} {} {} {}\n", agent.network, agent.mount, agent.host, agent.ipc,
+                        agent.name);
+  }
+  const Descriptor file(
+      openat(folder.get(), kStateFile, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
+  if (!file.is_open() ||
+      ::write(file.get(), text.data(), text.size()) != static_cast<ssize_t>(text.size())) {
+    fail(fmt::format("{} in the results folder", kStateFile));
+  }
+}
+
+RunState RunState::read(const std::filesystem::path& folder) {
+  std::ifstream in(folder / kStateFile);
+  RunState state;
+  for (std::string line; std::getline(in, line);) {
+    std::istringstream rest(line);
+    std::string key;
+    rest >> key;
+    read_line(state, key, rest);
+  }
+  if (state.agents.empty() || !state.init.is_alive()) {
+    throw std::runtime_error(
+        fmt::format("{}: no run with programs on the air is under way there", folder.string()));
+  }
+  return state;
+}
+
+std::vector<std::filesystem::path> running_runs() {
+  std::vector<std::filesystem::path> folders;
+  for (const auto& process : std::filesystem::directory_iterator("/proc")) {
+    std::error_code error;
+    if (!is_holder_of_user(process.path())) continue;
+    // Its working folder, under whatever name that has by now.
+    const auto folder = std::filesystem::read_symlink(process.path() / "cwd", error);
+    if (!error && std::filesystem::exists(folder / kStateFile, error)) folders.push_back(folder);
+  }
+  std::ranges::sort(folders);
+  return folders;
+}
+
+}  // namespace gateway::netns

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "gateway/netns/descriptor.h"
+#include "gateway/netns/namespaces.h"
+
+namespace gateway::netns {
+
+/// What holds an agent's namespaces, of this process.
+struct AgentSpaces {
+  Descriptor network, mount, host, ipc;
+};
+
+/// What baraka gets of an agent.
+struct AgentEnds {
+  Descriptor tap;       ///< Of wlan0.
+  Descriptor counters;  ///< /proc/net/dev of the agent.
+  Descriptor page;      ///< Of its room, a file of one RoomPage.
+};
+
+struct AgentMade {
+  AgentSpaces spaces;
+  AgentEnds ends;
+};
+
+/// The namespaces of the calling process become the run's own: users, mounts, network, IPC, host
+/// name, and, of the children it forks from then on, process numbers. It is user 0 there. No other
+/// thread may exist. @throws std::runtime_error  what is refused, and how to allow it.
+void enter_new_run();
+
+/// In the first process of the run: /proc shows the run's processes only.
+void mount_proc();
+
+/// Makes the namespaces of an agent and its interfaces; the calling process stays in its own.
+/// @param all  of the run, for /etc/hosts. @param factor  of the programs' time.
+AgentMade make_agent(const AgentNetwork& network, const std::vector<AgentNetwork>& all,
+                     double factor);
+
+/// The calling process goes into an agent; its working folder is then the root.
+void enter(const AgentSpaces& spaces);
+
+/// Where programs find the page of their agent's room.
+inline constexpr const char* kRoomFile = "/dev/shm/.baraka-room";
+
+}  // namespace gateway::netns

@@ -1,0 +1,130 @@
+#include "gateway/run/air_port.h"
+
+#include <fmt/format.h>
+#include <sys/epoll.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+
+#include "hal/types/check.h"
+#include "sim/radio/mac_sap.h"
+
+namespace gateway {
+namespace {
+
+/// Ethernet header and the largest payload, and more, so that what is too long is seen to be.
+constexpr std::size_t kBuffer = 64 + 2 * sim::radio::kMaxMsdu;
+
+std::uint32_t clamped(std::size_t frames) {
+  constexpr std::size_t kMost = std::numeric_limits<std::uint32_t>::max() / 2;
+  return static_cast<std::uint32_t>(std::min(frames, kMost));
+}
+
+[[noreturn]] void fail(const char* what) {
+  throw std::runtime_error(fmt::format("{}: {}", what, std::strerror(errno)));
+}
+
+}  // namespace
+
+AirPort::AirPort(const std::vector<Tap>& taps, RealTimeClock& clock)
+    : clock_(clock), epoll_(::epoll_create1(EPOLL_CLOEXEC)), buffer_(kBuffer) {
+  if (epoll_ < 0) fail("the agents' interfaces");
+  for (const Tap& tap : taps) ports_.push_back({.tap = tap});
+  std::ranges::sort(ports_, {}, [](const Port& port) { return port.tap.agent; });
+  for (std::size_t i = 0; i < ports_.size(); ++i) {
+    epoll_event event{};
+    event.events = EPOLLIN;
+    event.data.u64 = i;
+    if (::epoll_ctl(epoll_, EPOLL_CTL_ADD, ports_[i].tap.descriptor, &event) != 0) {
+      fail("an agent's interface");
+    }
+    ports_[i].empty_at = clock_.wall().now();
+  }
+}
+
+AirPort::~AirPort() {
+  if (epoll_ >= 0) ::close(epoll_);
+}
+
+AirPort::Port& AirPort::port_of(hal::AgentId agent) {
+  const auto port =
+      std::ranges::lower_bound(ports_, agent, {}, [](const Port& one) { return one.tap.agent; });
+  BARAKA_CHECK(port != ports_.end() && port->tap.agent == agent);
+  return *port;
+}
+
+void AirPort::on_frame(hal::AgentId agent, hal::Time, std::span<const std::uint8_t> ethernet) {
+  const int tap = port_of(agent).tap.descriptor;
+  const ssize_t written = ::write(tap, ethernet.data(), ethernet.size());
+  if (written != static_cast<ssize_t>(ethernet.size())) ++not_taken_;
+}
+
+void AirPort::on_room(hal::AgentId agent, const Room& room) {
+  Port& port = port_of(agent);
+  const bool has_changed =
+      !port.is_told || port.sent != port.told_sent || room.free != port.told_room;
+  if (port.tap.room == nullptr || (!has_changed && !port.is_one_sending)) return;
+  port.is_one_sending = port.tap.room->publish(port.sent, clamped(room.free),
+                                               std::max<std::uint32_t>(1, clamped(room.capacity)));
+  port.told_sent = port.sent;
+  port.told_room = room.free;
+  port.is_told = true;
+}
+
+bool AirPort::is_one_sending() const {
+  return std::ranges::any_of(ports_, [](const Port& port) { return port.is_one_sending; });
+}
+
+void AirPort::after_wait() {
+  watch_.after();
+  // Had something been there before, it would not have slept.
+  if (const auto woken = watch_.woken()) nothing_until_ = clock_.wall().now() - *woken;
+}
+
+void AirPort::read(std::size_t most, const std::function<void(sim::air::SentFrame)>& take) {
+  constexpr int kEvents = 64;
+  std::array<epoll_event, kEvents> events{};
+  std::array<std::size_t, kEvents> ready{};
+  int count = 0;
+  do {
+    const hal::Time now = clock_.wall().now();
+    for (Port& port : ports_) port.sent_before = port.tap.room ? port.tap.room->sent() : 0;
+    count = ::epoll_wait(epoll_, events.data(), kEvents, 0);
+    if (count < 0 && errno != EINTR) fail("the agents' interfaces");
+    for (int i = 0; i < count; ++i) ready[static_cast<std::size_t>(i)] = events[i].data.u64;
+    const auto end = ready.begin() + std::max(count, 0);
+    std::sort(ready.begin(), end);
+    for (std::size_t i = 0; i < ports_.size() && count < kEvents; ++i) {
+      if (std::binary_search(ready.begin(), end, i)) continue;
+      ports_[i].empty_at = now;
+      ports_[i].sent = ports_[i].sent_before;
+    }
+    for (auto i = ready.begin(); i != end; ++i) most -= read(ports_[*i], most, take);
+  } while (count == kEvents && most > 0);
+}
+
+std::size_t AirPort::read(Port& port, std::size_t most,
+                          const std::function<void(sim::air::SentFrame)>& take) {
+  const std::uint64_t sent = port.tap.room != nullptr ? port.tap.room->sent() : 0;
+  const hal::Time since = clock_.simulated(std::max(port.empty_at, nothing_until_));
+  for (std::size_t count = 0; count < most; ++count) {
+    const hal::Time now = clock_.wall().now();
+    const ssize_t size = ::read(port.tap.descriptor, buffer_.data(), buffer_.size());
+    if (size < 0) {
+      if (errno == EINTR) continue;
+      if (errno != EAGAIN && errno != EWOULDBLOCK) fail("an agent's interface");
+      port.empty_at = now;
+      port.sent = sent;
+      return count;
+    }
+    take({port.tap.agent, since, {buffer_.begin(), buffer_.begin() + size}});
+  }
+  return most;
+}
+
+}  // namespace gateway

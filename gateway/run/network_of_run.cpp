@@ -1,0 +1,154 @@
+#include "gateway/run/network_of_run.h"
+
+#include <poll.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "hal/types/log.h"
+#include "sim/scenario/plan.h"
+
+namespace gateway {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// While a program is between two steps of sending: see netns::RoomPage::publish().
+constexpr hal::Duration kWhileOneSends = 1ms;
+constexpr hal::Duration kOtherwise = 50ms;
+/// The kernel may end waits later than asked for by this, to join them with others.
+constexpr unsigned long kTimerSlack = 1;  // ns
+
+/// User and system time of this process, s.
+double cpu_seconds() {
+  rusage usage{};
+  ::getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+netns::Settings settings_of(const sim::scenario::Scenario& scenario, double factor,
+                            const std::filesystem::path& folder) {
+  netns::Settings settings;
+  settings.factor = factor;
+  settings.state_folder = folder;
+  for (const sim::agents::AgentConfig& agent : scenario.simulation.agents) {
+    if (!agent.network) continue;
+    settings.agents.push_back({.agent = agent.name,
+                               .id = agent.id.value,
+                               .address = agent.network->address,
+                               .prefix = agent.network->prefix,
+                               .mtu = agent.network->mtu});
+  }
+  return settings;
+}
+
+}  // namespace
+
+bool has_network(const sim::scenario::Scenario& scenario) {
+  return std::ranges::any_of(scenario.simulation.agents,
+                             [](const auto& agent) { return agent.network.has_value(); });
+}
+
+NetworkOfRun::NetworkOfRun(const sim::scenario::Scenario& scenario, double factor,
+                           std::function<std::filesystem::path()> results)
+    : scenario_(scenario),
+      results_(std::move(results)),
+      programs_(
+          scenario, [this](const ProgramsOfRun::Start& one) { return start(one); },
+          [this](std::vector<std::uint8_t> end) {
+            simulation_->outside().put(kProgramsDoor, std::move(end));
+          }) {
+  for (const sim::agents::AgentConfig& agent : scenario.simulation.agents) {
+    if (agent.network) agents_.push_back(agent.id);
+  }
+  namespaces_.emplace(settings_of(scenario, factor, results_()));
+}
+
+NetworkOfRun::~NetworkOfRun() = default;
+
+void NetworkOfRun::connect(sim::agents::Simulation& simulation, RealTimeClock& clock) {
+  simulation_ = &simulation;
+  wall_ = &clock.wall();
+  ::prctl(PR_SET_TIMERSLACK, kTimerSlack, 0, 0, 0);
+  std::vector<AirPort::Tap> taps;
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    taps.push_back({agents_[i], namespaces_->tap(i), &namespaces_->room(i)});
+  }
+  port_.emplace(taps, clock);
+  simulation.connect_air(*port_, *port_);
+  clock.attend_to(*this);
+  begun_at_ = clock.wall().now();
+  cpu_before_ = cpu_seconds();
+  programs_cpu_before_ = namespaces_->program_cpu_seconds();
+}
+
+std::optional<std::size_t> NetworkOfRun::index_of(hal::AgentId agent) const {
+  const auto found = std::ranges::find(agents_, agent);
+  if (found == agents_.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - agents_.begin());
+}
+
+int NetworkOfRun::descriptor() const { return namespaces_->descriptor(); }
+
+hal::Duration NetworkOfRun::longest_wait() const {
+  return port_->is_one_sending() ? kWhileOneSends : kOtherwise;
+}
+
+void NetworkOfRun::attend(hal::Time now) {
+  pollfd ended{.fd = namespaces_->descriptor(), .events = POLLIN, .revents = 0};
+  if (::poll(&ended, 1, 0) > 0) take_ended(now);
+  if (programs_.next() && *programs_.next() <= now) programs_.start_due(now, results_());
+}
+
+void NetworkOfRun::take_ended(hal::Time now) {
+  for (const netns::Ended& one : namespaces_->take_ended()) {
+    programs_.on_end(now, agents_.at(one.agent), one.program, one.status);
+  }
+}
+
+std::uint32_t NetworkOfRun::start(const ProgramsOfRun::Start& start) {
+  const sim::scenario::PlannedProgram& planned = start.program;
+  const sim::scenario::ProgramWords words =
+      sim::scenario::words_of(planned, scenario_, start.folder);
+  netns::Command command;
+  for (const std::string& word : planned.program->command) {
+    command.arguments.push_back(sim::scenario::filled_in(word, words));
+  }
+  for (const auto& [name, value] : planned.program->environment) {
+    command.environment.emplace_back(name, sim::scenario::filled_in(value, words));
+  }
+  command.log = std::filesystem::absolute(start.folder / planned.log);
+  return namespaces_->start(*index_of(planned.agent), command);
+}
+
+void NetworkOfRun::sum_up(NetworkSummary& summary) const {
+  const double wall = port_ ? hal::to_seconds(wall_->now() - begun_at_) : 0;
+  if (wall > 0) {
+    summary.frames_not_taken = port_->not_taken();
+    summary.cpu_load = (cpu_seconds() - cpu_before_) / wall;
+    summary.cpu_load_programs = (namespaces_->program_cpu_seconds() - programs_cpu_before_) / wall;
+  }
+  for (std::size_t i = 0; i < agents_.size(); ++i) {
+    summary.frames_dropped += namespaces_->tx_dropped(i);
+  }
+}
+
+NetworkSummary NetworkOfRun::finish() {
+  NetworkSummary summary;
+  try {
+    sum_up(summary);
+  } catch (const std::runtime_error& e) {
+    hal::log::warning({}, "run", "{}", e.what());  // the namespaces are gone
+  }
+  summary.programs = programs_.rows();
+  namespaces_.reset();
+  return summary;
+}
+
+}  // namespace gateway

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gateway/netns/namespaces.h"
+#include "gateway/run/air_port.h"
+#include "gateway/run/beside_the_run.h"
+#include "gateway/run/programs_of_run.h"
+#include "gateway/run/real_time_clock.h"
+#include "sim/agents/simulation.h"
+#include "sim/record/recorder.h"
+#include "sim/scenario/scenario.h"
+
+namespace gateway {
+
+/// Whether an agent has a network.
+bool has_network(const sim::scenario::Scenario& scenario);
+
+/// How the programs' side of a run was.
+struct NetworkSummary {
+  std::uint64_t frames_dropped = 0;    ///< By the kernel, before the run could read them.
+  std::uint64_t frames_not_taken = 0;  ///< Off the air, by interfaces that were shut down.
+  double cpu_load = 0;                 ///< Processor time of this process over wall time.
+  double cpu_load_programs = 0;
+  std::vector<sim::record::ProgramRow> programs;
+};
+
+/// The namespaces, interfaces and programs of a run. One thread.
+///
+///   NetworkOfRun network(scenario, factor, folder);      // before other threads, and the run
+///   network.connect(simulation, clock);
+///   simulation.follow(until, clock);
+///   network.finish();
+class NetworkOfRun final : private BesideTheRun {
+ public:
+  /// Makes the namespaces. @param factor  of the clock.
+  /// @param results  tells where the folder of the results is now.
+  /// @throws std::runtime_error  as netns::Namespaces.
+  NetworkOfRun(const sim::scenario::Scenario& scenario, double factor,
+               std::function<std::filesystem::path()> results);
+  ~NetworkOfRun() override;
+
+  /// The simulation uses the interfaces, and the clock attends to the programs. Both outlive the
+  /// calls of this object until finish().
+  void connect(sim::agents::Simulation& simulation, RealTimeClock& clock);
+
+  /// To start something else inside. @pre not finished.
+  netns::Namespaces& namespaces() { return *namespaces_; }
+  /// Index of an agent there; none: it has no network.
+  std::optional<std::size_t> index_of(hal::AgentId agent) const;
+
+  /// The run is over: ends what still runs inside. Once.
+  NetworkSummary finish();
+
+ private:
+  int descriptor() const override;
+  void attend(hal::Time now) override;
+  std::optional<hal::Time> next() const override { return programs_.next(); }
+  hal::Duration longest_wait() const override;
+  void before_wait() override { port_->before_wait(); }
+  void after_wait() override { port_->after_wait(); }
+
+  std::uint32_t start(const ProgramsOfRun::Start& start);
+  void take_ended(hal::Time now);
+  void sum_up(NetworkSummary& summary) const;
+
+  const sim::scenario::Scenario& scenario_;
+  std::function<std::filesystem::path()> results_;
+  std::vector<hal::AgentId> agents_;  ///< In the order of the namespaces.
+  std::optional<netns::Namespaces> namespaces_;
+  ProgramsOfRun programs_;
+  sim::agents::Simulation* simulation_ = nullptr;
+  hal::Clock* wall_ = nullptr;
+  std::optional<AirPort> port_;
+  hal::Time begun_at_{};                             ///< Wall.
+  double cpu_before_ = 0, programs_cpu_before_ = 0;  ///< s
+};
+
+}  // namespace gateway

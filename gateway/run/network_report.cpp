@@ -1,0 +1,78 @@
+#include "gateway/run/network_report.h"
+
+#include <fmt/format.h>
+
+namespace gateway {
+namespace {
+
+using sim::agents::EdgeSummary;
+
+constexpr double kMostLate = 0.01;  ///< Share of frames.
+
+double late_share(const EdgeSummary& edge) {
+  if (edge.frames == 0) return 0;
+  return static_cast<double>(edge.beyond_limit) / static_cast<double>(edge.frames);
+}
+
+void print_edge(const char* name, const EdgeSummary& edge) {
+  fmt::print("{0}_frames: {1}\n{0}_late_share: {2:.6f}\n", name, edge.frames, late_share(edge));
+  fmt::print("{}_lateness_median_s: {:.9f}\n", name, hal::to_seconds(edge.median));
+  fmt::print("{}_lateness_p99_s: {:.9f}\n", name, hal::to_seconds(edge.p99));
+  fmt::print("{}_lateness_max_s: {:.9f}\n", name, hal::to_seconds(edge.greatest));
+}
+
+}  // namespace
+
+std::vector<std::string> network_warnings(const sim::agents::AirSummary& air,
+                                          const NetworkSummary& network, double factor,
+                                          hal::Duration limit) {
+  std::vector<std::string> lines;
+  const auto judge = [&](const EdgeSummary& edge, const char* what) {
+    if (late_share(edge) <= kMostLate) return;
+    lines.push_back(fmt::format(
+        "this computer was too slow for this run: {:.1f} % of the frames that {} were more than "
+        "{} ms late; a smaller F of --pace realtime:F gives it more time (now {})",
+        100 * late_share(edge), what, 1e3 * hal::to_seconds(limit), factor));
+  };
+  judge(air.entering, "programs sent");
+  judge(air.leaving, "programs received");
+  if (network.frames_dropped > 0) {
+    lines.push_back(fmt::format(
+        "the kernel dropped {} frames of programs before they came on the air: this result is not "
+        "what the radio would have done",
+        network.frames_dropped));
+  }
+  if (network.frames_not_taken > 0) {
+    lines.push_back(fmt::format("{} frames off the air found their agent's wlan0 shut down",
+                                network.frames_not_taken));
+  }
+  if (air.has_seen_tcp && factor != 1) {
+    lines.push_back(fmt::format(
+        "programs used TCP at {} of real time: its timers are not slowed, so its results do not "
+        "hold; take --pace realtime for it",
+        factor));
+  }
+  return lines;
+}
+
+void print_network(const sim::agents::AirSummary& air, const NetworkSummary& network) {
+  print_edge("entering", air.entering);
+  print_edge("leaving", air.leaving);
+  for (const auto& [reason, frames] : air.refused) {
+    fmt::print("frames_refused: {} ({})\n", frames, reason);
+  }
+  fmt::print("frames_dropped: {}\n", network.frames_dropped);
+  fmt::print("cpu_load: {:.3f}\ncpu_load_programs: {:.3f}\n", network.cpu_load,
+             network.cpu_load_programs);
+  for (const sim::record::ProgramRow& program : network.programs) {
+    if (program.ended) {
+      fmt::print("program: {} of agent {}: status {} at {:.9f} s\n", program.name,
+                 program.agent.value, program.status, hal::to_seconds(*program.ended));
+    } else {
+      fmt::print("program: {} of agent {}: ended with the run\n", program.name,
+                 program.agent.value);
+    }
+  }
+}
+
+}  // namespace gateway

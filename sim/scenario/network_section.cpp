@@ -1,0 +1,164 @@
+#include "sim/scenario/network_section.h"
+
+#include <arpa/inet.h>
+#include <fmt/format.h>
+
+#include <charconv>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "sim/scenario/fields.h"
+#include "sim/scenario/program.h"
+
+namespace sim::scenario {
+namespace {
+
+using agents::AgentConfig;
+using air::NetworkConfig;
+
+constexpr int kBits = 32;
+/// 10.77.hi.lo of the 16 bits of an agent's address in the scenario.
+constexpr std::uint32_t kDefaultNetwork = 10u << 24 | 77u << 16;
+constexpr int kDefaultPrefix = 16;
+
+constexpr std::uint32_t host_bits(int prefix) { return 0xffffffffu >> prefix; }
+
+struct Address {
+  std::uint32_t address = 0;
+  int prefix = kDefaultPrefix;
+};
+
+/// "10.77.0.3/16"; none: it is something else.
+std::optional<Address> parsed(const std::string& text) {
+  const std::size_t slash = text.find('/');
+  if (slash == std::string::npos) return std::nullopt;
+  in_addr address{};
+  if (::inet_pton(AF_INET, text.substr(0, slash).c_str(), &address) != 1) return std::nullopt;
+  Address result{ntohl(address.s_addr)};
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data() + slash + 1, end, result.prefix);
+  if (error != std::errc{} || rest != end) return std::nullopt;
+  return result;
+}
+
+/// What is wrong with it as the address of a host; empty: nothing.
+std::string complaint(const Address& a) {
+  if (a.prefix < air::kLeastPrefix || a.prefix > air::kMostPrefix) {
+    return fmt::format("the prefix must be from {} to {}", air::kLeastPrefix, air::kMostPrefix);
+  }
+  const std::uint32_t first = a.address >> 24, host = a.address & host_bits(a.prefix);
+  if (first == 0 || first == 127 || first >= 224) {
+    return fmt::format("{} is not the address of a host on a network", dotted(a.address));
+  }
+  if (host == 0) return fmt::format("{} is the address of the network", dotted(a.address));
+  if (host != host_bits(a.prefix)) return {};
+  return fmt::format("{} is the broadcast address of the network", dotted(a.address));
+}
+
+/// The first agent's. The others count on.
+Address read_address(Mapping& in, const std::string& otherwise) {
+  const std::string text =
+      in.text({"address",
+               "IPv4 address of the first agent's interface and the bits of it that name the "
+               "network; the others count on.",
+               "10.77.0.3/16", "10.77.h.l/16 with the agent's address, 256 h + l"},
+              otherwise);
+  const auto address = parsed(text);
+  if (!address) {
+    in.mistake("address",
+               fmt::format("'{}' is no IPv4 address with its prefix, as 10.77.0.3/16", text));
+    return *parsed(otherwise);
+  }
+  if (const std::string wrong = complaint(*address); !wrong.empty()) {
+    in.mistake("address", wrong);
+    return *parsed(otherwise);
+  }
+  return *address;
+}
+
+std::string text_of(const NetworkConfig& network) {
+  return fmt::format("{}/{}", dotted(network.address), network.prefix);
+}
+
+/// Of the network itself, in host order.
+std::uint32_t network_of(const NetworkConfig& network) {
+  return network.address & ~host_bits(network.prefix);
+}
+
+bool reaches(const NetworkConfig& from, const NetworkConfig& to) {
+  return network_of(from) == (to.address & ~host_bits(from.prefix));
+}
+
+}  // namespace
+
+void read_network(Mapping in, std::span<AgentConfig> agents) {
+  const std::uint32_t id = agents.empty() ? 1u : agents.front().id.value;
+  const Address first =
+      read_address(in, fmt::format("{}/{}", dotted(kDefaultNetwork | id), kDefaultPrefix));
+  const auto mtu = static_cast<int>(
+      in.integer({"mtu", "Bytes of an IP packet on the interface; IPv6 needs 1280.", "1500"},
+                 air::kLeastMtu, air::kMostMtu, NetworkConfig{}.mtu));
+  if (mtu < air::kLeastMtuOfIpv6) {
+    in.warn("mtu", fmt::format("{} is below {}: there is no IPv6", mtu, air::kLeastMtuOfIpv6));
+  }
+  for (std::size_t i = 0; i < agents.size(); ++i) {
+    agents[i].network = {.address = first.address + static_cast<std::uint32_t>(i),
+                         .prefix = first.prefix,
+                         .mtu = mtu};
+  }
+  if (!agents.empty()) {
+    const Address last{agents.back().network->address, first.prefix};
+    const bool is_within =
+        (last.address & ~host_bits(last.prefix)) == (first.address & ~host_bits(first.prefix));
+    const std::string wrong =
+        is_within ? complaint(last)
+                  : fmt::format("{} is not of the network any more", dotted(last.address));
+    if (!wrong.empty()) {
+      in.mistake("address", fmt::format("{}, for the last of {} agents", wrong, agents.size()));
+    }
+  }
+  in.finish();
+}
+
+void write_network(Writer& out, std::span<const AgentConfig> agents) {
+  const auto& network = agents.front().network;
+  if (!network) return;
+  out.open("network");
+  out.text("address", text_of(*network));
+  out.integer("mtu", network->mtu);
+  out.close();
+}
+
+void check_networks(Mapping& in, const Scenario& scenario) {
+  std::map<hal::AgentId, const AgentConfig*> by_id;
+  for (const AgentConfig& agent : scenario.simulation.agents) by_id[agent.id] = &agent;
+  std::map<std::uint32_t, const AgentConfig*> taken;
+  const AgentConfig* first = nullptr;
+  Mapping agents = in.within("agents");
+  for (const Group& group : scenario.groups) {
+    bool is_said = false;
+    for (const hal::AgentId id : group.agents) {
+      const AgentConfig* const agent = by_id.contains(id) ? by_id.at(id) : nullptr;
+      if (agent == nullptr || !agent->network || is_said) continue;
+      Mapping network = agents.within(group.name).within("network");
+      const auto [other, is_new] = taken.try_emplace(agent->network->address, agent);
+      if (!is_new) {
+        network.mistake("address", fmt::format("{} of {} is the address of {}, too",
+                                               dotted(agent->network->address), agent->name,
+                                               other->second->name));
+        is_said = true;
+      } else if (first != nullptr && (!reaches(*agent->network, *first->network) ||
+                                      !reaches(*first->network, *agent->network))) {
+        network.warn("address", fmt::format("{} of {} and {} of {} are of different networks: "
+                                            "without routes they cannot reach each other",
+                                            text_of(*agent->network), agent->name,
+                                            text_of(*first->network), first->name));
+        is_said = true;
+      }
+      if (first == nullptr) first = agent;
+    }
+  }
+}
+
+}  // namespace sim::scenario

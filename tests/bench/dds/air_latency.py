@@ -1,0 +1,139 @@
+#!/usr/bin/env python3
+"""How late this machine is: stations with a Cyclone DDS participant each, that publish small samples to all others,
+over our radio at several factors of real time, and beside it over ns-3's in real time (tap_peer.py), in one run.
+
+    cmake --build build/release --target baraka baraka-holder cyclone_load
+    make -C tests/peer/ns3
+    tests/bench/dds/air_latency.py [--stations N...] [--factors F...] [--seconds S] [--store FILE]
+
+Does not measure again what is in the store. All stations are on a circle of 5 m and hear each other, 54 Mb/s, group
+frames at 6 Mb/s. A latency is from the call of write to the reading program, in the programs' time; lateness is that of
+frames at the edges between programs and radio in simulated time, of ns-3 that of events; CPU is in processors.
+"""
+import argparse
+import os
+import pathlib
+
+import figures
+import journals
+import own
+import tap_peer
+from store import Store
+
+LEAST_SAMPLES = 1000
+QUANTILES = 0.5, 0.99
+COLUMNS = ["stations", "radio", "factor", "samples", "delivered", "p50, ms", "p99, ms", "late in, p99, us",
+           "late out, p99, us", "CPU of the radio", "CPU of programs"]
+
+
+def seconds_of(stations, options):
+    """Long enough for so many samples."""
+    return max(options.seconds, LEAST_SAMPLES / (stations * (stations - 1) * options.rate))
+
+
+def stations_of(count, options):
+    seconds = seconds_of(count, options)
+    common = [options.build / "tests/cyclone_load", "--best-effort", "--publish", "t", "--subscribe", "t", "--size",
+              options.size, "--rate", options.rate, "--count", max(1, round(seconds * options.rate)), "--until-matched",
+              count - 1, "--settle", 3, "--for", seconds + options.discovery]
+    stations = []
+    for i, (x, y) in enumerate(own.circle(count)):
+        # The first one ends the run, when the others have ended.
+        command = [*common, "--writer", i, "--csv", f"{{results}}/{i}.csv", "--linger", 1.5 if i else 3]
+        stations.append(own.Station(f"s{i}", x, y, [own.Program("load", command, on_exit="ignore" if i else "end")]))
+    return stations
+
+
+def latencies(found):
+    """{name: [value, low, high]} in ms, of all samples; intervals by pairs of writer and reader."""
+    if not found.received:
+        return {}
+    blocks = list(found.latencies.values())
+    pooled = found.pooled()
+    return {f"p{share}": [1e3 * figures.quantile(pooled, share),
+                          *(1e3 * end for end in figures.blocks_interval(
+                              blocks, lambda values, s=share: figures.quantile(values, s), resamples=200))]
+            for share in QUANTILES}
+
+
+def measure_ours(count, factor, options):
+    seconds = seconds_of(count, options) + options.discovery + 5
+    written = own.scenario(stations_of(count, options), seconds, own.radio())
+    with own.played(options.build, written, factor, kept=options.kept) as run:
+        found = journals.totals({i: run.folder / f"{i}.csv" for i in range(count)})
+        simulated = float(run.line("simulated_s"))
+        return {"status": run.status, "samples": found.received, "delivered": found.delivered, "simulated": simulated,
+                **latencies(found), "summary": run.out}
+
+
+def measure_peer(count, options):
+    row = tap_peer.measure(count, argparse.Namespace(
+        build=options.build, peer=options.peer, size=options.size, rate=options.rate,
+        seconds=seconds_of(count, options), discovery=options.discovery))
+    return row
+
+
+def of_summary(row, key):
+    for line in row.get("summary", "").splitlines():
+        if line.startswith(key + ": "):
+            return float(line.split(": ")[1])
+    return None
+
+
+def shown(row):
+    def of(share):
+        value = row.get(f"p{share}")
+        return figures.with_interval(value[0], value[1:]) if value else "-"
+
+    def late(edge):
+        value = of_summary(row, f"{edge}_lateness_p99_s")
+        return 1e6 * value if value is not None else None
+    is_ours = row["radio"] == "ours"
+    return [row["stations"], row["radio"], row["factor"], row["samples"], row["delivered"], of(0.5), of(0.99),
+            late("entering"), late("leaving") if is_ours else 1e3 * row["late_ms_99"],
+            of_summary(row, "cpu_load") if is_ours else row["cpu"], of_summary(row, "cpu_load_programs")]
+
+
+def halved(rows):
+    """Whether the median still moves when the factor is halved: lines of text."""
+    ours = {(row["stations"], row["factor"]): row for row in rows if row["radio"] == "ours" and "p0.5" in row}
+    for (stations, factor), row in sorted(ours.items()):
+        half = ours.get((stations, factor / 2))
+        if half is None:
+            continue
+        moved = half["p0.5"][0] / row["p0.5"][0] - 1
+        within = row["p0.5"][1] <= half["p0.5"][0] <= row["p0.5"][2]
+        yield (f"{stations} stations: from {factor:g} to {factor / 2:g} the median moves by {100 * moved:.2f} %, "
+               f"{'within' if within else 'outside'} its interval")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", type=pathlib.Path, default=own.ROOT / "build/release")
+    parser.add_argument("--peer", type=pathlib.Path, default=own.ROOT / "build/peers/tap")
+    parser.add_argument("--stations", type=int, nargs="+", default=[2, 10, 20, 40])
+    parser.add_argument("--peer-stations", type=int, nargs="*", default=[2, 10, 20])
+    parser.add_argument("--factors", type=float, nargs="+", default=[1, 0.2, 0.05, 0.025])
+    parser.add_argument("--seconds", type=float, default=20, help="simulated, of publishing")
+    parser.add_argument("--discovery", type=float, default=20, help="s that may pass until all know each other")
+    parser.add_argument("--size", type=int, default=64)
+    parser.add_argument("--rate", type=float, default=10)
+    parser.add_argument("--store", type=pathlib.Path, help="file of what is measured already")
+    parser.add_argument("--kept", type=pathlib.Path, help="folder for runs that fail")
+    options = parser.parse_args()
+    options.build, options.peer = options.build.resolve(), options.peer.resolve()
+    store = Store(options.store)
+    rows = []
+    for count in options.stations:
+        for factor in options.factors:
+            rows.append(store.get({"stations": count, "radio": "ours", "factor": factor},
+                                  lambda n=count, f=factor: measure_ours(n, f, options)))
+        if count in options.peer_stations and os.access(options.peer, os.X_OK):
+            rows.append(store.get({"stations": count, "radio": "ns-3", "factor": 1},
+                                  lambda n=count: measure_peer(n, options)))
+    print(figures.table(COLUMNS, [shown(row) for row in rows]))
+    print(*halved(rows), sep="\n")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,110 @@
+#!/usr/bin/env python3
+"""What frames that get lost do to reliable samples, of Fast DDS and Cyclone DDS, without and with the retries of 802.11:
+the experiment of OSRF's TSC-RMW report (2020), over our radio.
+
+    cmake --build build/release --target baraka baraka-holder cyclone_load fastdds_load
+    tests/bench/dds/dds_loss.py [--runs N] [--parallel N] [--store FILE] [--short]
+
+One writer, one reader, 10 m apart, 54 Mb/s; reliable, keep last 10. Each frame that the physics let in is lost with the
+probability given, acknowledgements, too. 'sent' are writes that succeeded. Medians of the runs, with 95 % intervals.
+"""
+import argparse
+import pathlib
+import statistics
+
+import figures
+import journals
+import own
+from store import Store
+
+LOSSES = 0, 0.1, 0.2, 0.3, 0.4
+# Bytes, Hz: 512 kB at 30 Hz is 126 Mb/s, more than the radio has.
+TRAFFIC = (1_000, 30), (512_000, 30), (512_000, 3)
+RETRIES = {"none": {"short_retry_limit": 1, "long_retry_limit": 1}, "802.11's": {}}
+# Received/sent of the report: reliable, keep last 10, 30 Hz; Fast RTPS with synchronous writes. 20 % and more of
+# 512 kB were 0 as well.
+PUBLISHED = {("fastdds", 1_000): {0: 0.992, 0.1: 0.912, 0.2: 0.297, 0.3: 0.000},
+             ("cyclone", 1_000): {0: 0.992, 0.1: 0.974, 0.2: 0.732, 0.3: 0.022},
+             ("fastdds", 512_000): {0: 0.99, 0.1: 0.00}, ("cyclone", 512_000): {0: 0.99, 0.1: 0.00}}
+COLUMNS = ["vendor", "size, B", "rate, Hz", "retries", "loss", "received/sent", "offered, Hz", "written, Hz", "p50, ms",
+           "p99, ms", "not matched", "published"]
+
+
+def load(vendor, case, options, writes):
+    command = [options.build / f"tests/{vendor}_load", "--reliable", "--keep-last", 10, "--until-matched", 1, "--settle",
+               0.5, "--for", options.discovery + options.seconds + options.linger]
+    if writes:
+        command += ["--publish", "t", "--size", case["size"], "--rate", case["rate"], "--count",
+                    round(options.seconds * case["rate"]), "--linger", options.linger]
+    else:
+        command += ["--subscribe", "t"]
+    name = "writer" if writes else "reader"
+    command += ["--writer", 0 if writes else 1, "--csv", f"{{results}}/{0 if writes else 1}.csv"]
+    return own.Program(name, command, on_exit="end" if writes else "ignore")
+
+
+def measure(case, options):
+    stations = [own.Station("writer", 0, 0, [load(case["vendor"], case, options, True)]),
+                own.Station("reader", 10, 0, [load(case["vendor"], case, options, False)])]
+    radio = own.radio(loss={"probability": case["loss"]}, **RETRIES[case["retries"]])
+    seconds = options.discovery + options.seconds + options.linger + 2
+    with own.played(options.build, own.scenario(stations, seconds, radio), options.factor, seed=1 + case["run"],
+                    kept=options.kept) as run:
+        found = journals.totals({i: run.folder / f"{i}.csv" for i in range(2)})
+        pooled = found.pooled()
+        wrote = [int(row["mono_ns"]) for row in journals.rows(run.folder / "0.csv") if row["event"] == "write"]
+        span = 1e-9 * (max(wrote) - min(wrote)) if len(wrote) > 1 else None
+        return {"status": run.status, "offered": found.offered, "written": found.written, "received": found.received,
+                "span": span, "p50": 1e3 * figures.quantile(pooled, 0.5) if pooled else None,
+                "p99": 1e3 * figures.quantile(pooled, 0.99) if pooled else None, "summary": run.out}
+
+
+def shown(case, rows):
+    """A line of the table from the runs of a case."""
+    matched = [row for row in rows if row["written"] > 0]
+    shares = sorted(row["received"] / row["written"] for row in matched)
+
+    def middle(key):
+        values = [row[key] for row in matched if row[key] is not None]
+        return statistics.median(values) if values else None
+
+    def rate(key):
+        values = [(row[key] - 1) / row["span"] for row in matched if row["span"]]
+        return statistics.median(values) if values else None
+    share = figures.with_interval(figures.median(shares), figures.interval(shares, figures.median)) if shares else "-"
+    published = PUBLISHED[case["vendor"], case["size"]].get(case["loss"]) if case["rate"] == 30 else None
+    return [case["vendor"], case["size"], case["rate"], case["retries"], case["loss"], share, rate("offered"), rate("written"),
+            middle("p50"), middle("p99"), len(rows) - len(matched), published]
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--build", type=pathlib.Path, default=own.ROOT / "build/release")
+    parser.add_argument("--runs", type=int, default=10)
+    parser.add_argument("--parallel", type=int, default=1, help="runs at a time")
+    parser.add_argument("--factor", type=float, default=1, help="of real time")
+    parser.add_argument("--seconds", type=float, default=10, help="of publishing")
+    parser.add_argument("--linger", type=float, default=3, help="s for the last repairs")
+    parser.add_argument("--discovery", type=float, default=40, help="s that may pass until they know each other")
+    parser.add_argument("--losses", type=float, nargs="+", default=LOSSES)
+    parser.add_argument("--vendors", nargs="+", default=["fastdds", "cyclone"])
+    parser.add_argument("--store", type=pathlib.Path, help="file of what is measured already")
+    parser.add_argument("--kept", type=pathlib.Path, help="folder for runs that fail")
+    parser.add_argument("--short", action="store_true", help="two cases, to see that it works")
+    options = parser.parse_args()
+    options.build = options.build.resolve()
+    traffic = TRAFFIC
+    if options.short:
+        options.runs, options.seconds, options.linger, options.losses, traffic = 1, 2, 1, [0.2], TRAFFIC[:1]
+        options.vendors = ["cyclone"]
+    store = Store(options.store)
+    cases = [{"vendor": vendor, "size": size, "rate": rate, "retries": retries, "loss": loss}
+             for size, rate in traffic for vendor in options.vendors for retries in RETRIES for loss in options.losses]
+    whole = [{**case, "run": run} for case in cases for run in range(options.runs)]
+    rows = store.get_all(whole, lambda case: measure(case, options), options.parallel)
+    print(figures.table(COLUMNS, [shown(case, [row for row in rows if all(row[key] == case[key] for key in case)])
+                                  for case in cases]))
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,105 @@
+"""Programs over our radio: a scenario from stations and what runs in them, a run of it, and what it recorded."""
+import contextlib
+import dataclasses
+import json
+import math
+import pathlib
+import re
+import shutil
+import sqlite3
+import subprocess
+import tempfile
+
+ROOT = pathlib.Path(__file__).resolve().parents[3]
+PROFILES = ROOT / "config/dds"
+CONFIGURATION = {"cyclone": "CYCLONEDDS_URI", "fastdds": "FASTRTPS_DEFAULT_PROFILES_FILE"}
+WITHOUT_RESULT = "time_over"
+
+
+@dataclasses.dataclass
+class Program:
+    name: str
+    command: list
+    environment: dict = dataclasses.field(default_factory=dict)
+    on_exit: str = "ignore"
+    start: float = 0  # s
+
+    def section(self):
+        return {"name": self.name, "command": [str(part) for part in self.command], "on_exit": self.on_exit,
+                "environment": self.environment, "start": f"{self.start} s"}
+
+
+@dataclasses.dataclass
+class Station:
+    """Of one host, at a place in metres."""
+    name: str
+    x: float
+    y: float
+    programs: list
+
+    def section(self):
+        return {"name": self.name, "station": {}, "poses": [{"x": f"{self.x} m", "y": f"{self.y} m"}],
+                "network": {}, "programs": [program.section() for program in self.programs]}
+
+
+def circle(count, radius=5):
+    """Places in metres, as tests/peer/ns3/tap.cc has them."""
+    return [(round(radius * math.cos(2 * math.pi * i / count), 6), round(radius * math.sin(2 * math.pi * i / count), 6))
+            for i in range(count)]
+
+
+def environment(vendor, profile=None):
+    """Of a load with a file of config/dds, by its name without .xml."""
+    if profile is None:
+        return {}
+    file = PROFILES / f"{profile}.xml"
+    return {CONFIGURATION[vendor]: f"file://{file}" if vendor == "cyclone" else str(file)}
+
+
+def radio(standard="ieee80211g", **more):
+    return {"include": str(ROOT / f"config/radios/{standard}.yaml"),
+            "propagation": [{"model": "log_distance", "exponent": 3}], **more}
+
+
+def scenario(stations, seconds, of_radio, **more):
+    """As a file of ours: YAML of which JSON is a part."""
+    return {"version": 1, "name": "measured", "seed": 1, "controller_latency": "0 s", "radio": of_radio,
+            "routing": "none", "agents": {station.name: station.section() for station in stations},
+            "end": [{"at": f"{seconds} s", "result": WITHOUT_RESULT}], **more}
+
+
+class Results:
+    """Of one run, until the end of the `with` that began it."""
+
+    def __init__(self, folder, done):
+        self.folder, self.status, self.out, self.err = folder, done.returncode, done.stdout, done.stderr
+
+    def __str__(self):
+        return f"status {self.status}\n{self.out}\n{self.err}"
+
+    def line(self, key, otherwise=None):
+        """Of the summary."""
+        found = re.search(rf"^{re.escape(key)}: (.*)$", self.out, re.MULTILINE)
+        if found is None and otherwise is None:
+            raise SystemExit(f"no '{key}:' in\n{self}")
+        return found.group(1) if found else otherwise
+
+    def query(self, sql):
+        with contextlib.closing(sqlite3.connect(f"file:{self.folder / 'run.sqlite'}?mode=ro", uri=True)) as database:
+            return database.execute(sql).fetchall()
+
+
+@contextlib.contextmanager
+def played(build, written, factor=1, seed=1, kept=None, timeout=None):
+    """Results of a run of a scenario(...), at a factor of real time. kept: a folder for the scenario and log of a run that
+    fails."""
+    with tempfile.TemporaryDirectory(prefix="baraka-measured-") as name:
+        file, out = pathlib.Path(name) / "measured.yaml", pathlib.Path(name) / "run"
+        file.write_text(json.dumps(written, indent=1))
+        command = [build / "bin/baraka", "run", file, "--out", out, "--seed", seed, "--no-inspect", "--pace",
+                   f"realtime:{factor}"]
+        done = subprocess.run([str(part) for part in command], capture_output=True, text=True, timeout=timeout, check=False)
+        results = Results(out, done)
+        if done.returncode != 0 and kept is not None:
+            shutil.copytree(name, kept, dirs_exist_ok=True)
+        yield results
