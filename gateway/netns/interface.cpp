@@ -15,6 +15,7 @@
 #include <cstring>
 
 #include "gateway/netns/addresses.h"
+#include "gateway/netns/netlink.h"
 
 namespace gateway::netns {
 namespace {
@@ -92,20 +93,10 @@ void set_queue_length() {
   } request{};
   request.header.nlmsg_len = sizeof request;
   request.header.nlmsg_type = RTM_NEWLINK;
-  request.header.nlmsg_flags = NLM_F_REQUEST | NLM_F_ACK;
   request.link.ifi_index = static_cast<int>(if_nametoindex(kInterface));
   request.attribute = {sizeof request.attribute + sizeof request.length, IFLA_TXQLEN};
   request.length = kQueueLength;
-  const Descriptor netlink(socket(AF_NETLINK, SOCK_RAW | SOCK_CLOEXEC, NETLINK_ROUTE));
-  struct {
-    nlmsghdr header;
-    nlmsgerr error;
-  } answer{};
-  if (!netlink.is_open() || ::send(netlink.get(), &request, sizeof request, 0) < 0 ||
-      recv(netlink.get(), &answer, sizeof answer, 0) < 0) {
-    fail("the length of wlan0's queue");
-  }
-  if (answer.error.error != 0) fail("the length of wlan0's queue", -answer.error.error);
+  Netlink().ask(request.header, "the length of wlan0's queue");
 }
 
 void set_ipv4(const Descriptor& socket, const AgentNetwork& network) {
@@ -154,18 +145,21 @@ void quieten_ipv6() {
 
 }  // namespace
 
+bool has_ipv6(const AgentNetwork& network) {
+  return network.mtu >= kLeastMtuOfIpv6 && access("/proc/sys/net/ipv6", F_OK) == 0;
+}
+
 Descriptor make_interfaces(const AgentNetwork& network) {
   const Descriptor socket = socket_of(AF_INET);
   Descriptor tap = make_tap();
   set_link(socket, network);
   set_queue_length();
-  const bool has_ipv6 = network.mtu >= kLeastMtuOfIpv6 && access("/proc/sys/net/ipv6", F_OK) == 0;
-  if (has_ipv6) quieten_ipv6();
+  if (has_ipv6(network)) quieten_ipv6();
   bring_up(socket, "lo");
   set_ipv4(socket, network);
   bring_up(socket, kInterface);
   set_multicast_route(socket);
-  if (has_ipv6) add_unique_local(network);
+  if (has_ipv6(network)) add_unique_local(network);
   return tap;
 }
 

@@ -13,6 +13,7 @@
 #include "gateway/netns/addresses.h"
 #include "gateway/netns/interface.h"
 #include "gateway/netns/kernel_timers.h"
+#include "gateway/netns/neighbours.h"
 
 namespace gateway::netns {
 namespace {
@@ -133,6 +134,7 @@ AgentEnds make_ends(const AgentNetwork& network, const std::vector<AgentNetwork>
   make_files(network, all);
   AgentEnds ends;
   ends.tap = make_interfaces(network);
+  keep_places(network, all);
   stretch_kernel_timers(factor);
   write_file("/proc/sys/net/ipv4/ping_group_range", "0 0");
   ends.counters = open_file("/proc/self/net/dev", O_RDONLY);
