@@ -11,6 +11,8 @@
 #include <csignal>
 #include <vector>
 
+#include "gateway/netns/launch.h"
+
 namespace gateway::netns {
 namespace {
 
@@ -77,14 +79,11 @@ Holder::Holder(const std::filesystem::path& program, const std::filesystem::path
   posix_spawn_file_actions_addclosefrom_np(actions.get(), kEvents + 1);
   if (!folder.empty()) posix_spawn_file_actions_addchdir_np(actions.get(), folder.c_str());
   const std::filesystem::path absolute = std::filesystem::absolute(program);
-  std::vector<std::string> words{absolute.string(), "hold", std::to_string(kControl),
-                                 std::to_string(kEvents), std::to_string(getpid())};
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
+  const std::vector<std::string> words{absolute.string(), "hold", std::to_string(kControl),
+                                       std::to_string(kEvents), std::to_string(getpid())};
   const Attributes attributes;
   const int error = posix_spawn(&process_, absolute.c_str(), actions.get(), attributes.get(),
-                                arguments.data(), environ);
+                                pointers_to(words).data(), environ);
   if (error != 0) fail(fmt::format("cannot start {}", absolute.string()), error);
   control_ = std::move(control.ours);
   events_ = std::move(events.ours);

@@ -85,6 +85,7 @@ void send(int socket, MessageKind kind, const std::string& content,
     std::memcpy(CMSG_DATA(&control.header), all.data(), all.size() * sizeof(int));
   }
   while (sendmsg(socket, &message, MSG_NOSIGNAL) < 0) {
+    if (errno == EPIPE || errno == ECONNRESET) throw std::runtime_error(kGone);
     if (errno != EINTR) fail("the namespaces of the run");
   }
 }

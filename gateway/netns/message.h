@@ -33,6 +33,9 @@ struct Message {
   std::vector<Descriptor> descriptors;
 };
 
+/// What those say who find the other end closed.
+inline constexpr const char* kGone = "the namespaces of the run are gone";
+
 /// Sends one, whole, over a socket of kind SOCK_SEQPACKET.
 /// @throws std::runtime_error  the other end is gone, or the system refuses.
 void send(int socket, MessageKind kind, const std::string& content,

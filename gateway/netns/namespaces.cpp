@@ -21,8 +21,6 @@
 namespace gateway::netns {
 namespace {
 
-constexpr const char* kGone = "the namespaces of the run are gone";
-
 std::string packed(const Settings& settings) {
   Packer out;
   out.put(std::bit_cast<std::uint64_t>(settings.factor));
@@ -175,7 +173,8 @@ int Namespaces::tap(std::size_t agent) const { return state_->agents.at(agent).t
 
 std::uint32_t Namespaces::start(std::size_t agent, const Command& command) {
   std::vector<std::string> given;
-  for (const auto& [name, value] : command.environment) given.push_back(name + "=" + value);
+  for (const auto& [name, value] : command.environment)
+    given.push_back(fmt::format("{}={}", name, value));
   const std::vector<std::string> environment = merged(variables_of_process(), given);
   if (command.arguments.empty()) throw std::runtime_error("a program has no name");
   const auto program = program_file(command.arguments[0], value_of(environment, "PATH"));
