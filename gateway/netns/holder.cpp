@@ -19,7 +19,7 @@ namespace {
 constexpr int kControl = STDERR_FILENO + 1, kEvents = kControl + 1;
 
 struct Pair {
-  Descriptor ours, theirs;
+  FileDescriptor ours, theirs;
 };
 
 Pair socket_pair() {
@@ -27,7 +27,7 @@ Pair socket_pair() {
   if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) {
     fail("the sockets of baraka-holder");
   }
-  Pair pair{Descriptor(ends[0]), Descriptor(ends[1])};
+  Pair pair{FileDescriptor(ends[0]), FileDescriptor(ends[1])};
   // Above the places where its ends go.
   pair.theirs.reset(fcntl(ends[1], F_DUPFD_CLOEXEC, kEvents + 1));
   if (!pair.theirs.is_open()) fail("the sockets of baraka-holder");
@@ -91,7 +91,7 @@ Holder::Holder(const std::filesystem::path& program, const std::filesystem::path
 
 Holder::~Holder() {
   constexpr int kPatience = 5000;  // ms
-  const Descriptor process(static_cast<int>(syscall(SYS_pidfd_open, process_, 0)));
+  const FileDescriptor process(static_cast<int>(syscall(SYS_pidfd_open, process_, 0)));
   // Init closes the socket of events when it ends, and the holder ends after it.
   pollfd ended{process.get(), POLLIN, 0};
   while (poll(&ended, 1, kPatience) < 0 && errno == EINTR) continue;

@@ -15,6 +15,6 @@ bool has_ipv6(const AgentNetwork& network);
 /// the route of all multicast groups, and, from an mtu of 1280 bytes on, link-local and unique
 /// local IPv6 addresses, which need no duplicate address detection.
 /// @return the TAP's other end, non-blocking. @throws std::runtime_error  what is refused.
-Descriptor make_interfaces(const AgentNetwork& network);
+FileDescriptor make_interfaces(const AgentNetwork& network);
 
 }  // namespace gateway::netns

@@ -101,8 +101,8 @@ pid_t launch(const Launch& launch, const AgentSpaces& spaces, int log,
              const std::vector<int>& inherited) {
   std::array<int, 2> report{};
   if (pipe2(report.data(), O_CLOEXEC) != 0) fail(launch.program);
-  const Descriptor reader(report[0]);
-  Descriptor writer(report[1]);
+  const FileDescriptor reader(report[0]);
+  FileDescriptor writer(report[1]);
   const pid_t child = fork();
   if (child < 0) fail(launch.program);
   if (child == 0) become_in(launch, spaces, log, inherited, writer.get());

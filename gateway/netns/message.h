@@ -30,7 +30,7 @@ enum class MessageKind : std::uint32_t {
 struct Message {
   MessageKind kind = MessageKind::kEnd;
   std::string content;  ///< Of a Packer. Any length: what is long travels as a file.
-  std::vector<Descriptor> descriptors;
+  std::vector<FileDescriptor> descriptors;
 };
 
 /// What those say who find the other end closed.

@@ -19,7 +19,7 @@ class Netlink {
   void ask(nlmsghdr& request, const std::string& what) const;
 
  private:
-  Descriptor socket_;
+  FileDescriptor socket_;
 };
 
 }  // namespace gateway::netns

@@ -16,7 +16,7 @@ struct Sockets {
     one.reset(ends[0]);
     other.reset(ends[1]);
   }
-  Descriptor one, other;
+  FileDescriptor one, other;
 };
 
 TEST(Messages, CarryWhatIsPackedAtAnyLength) {
