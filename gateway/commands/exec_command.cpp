@@ -8,6 +8,7 @@
 #include "gateway/exit_status.h"
 #include "gateway/netns/descriptor.h"
 #include "gateway/netns/holder.h"
+#include "gateway/netns/launch.h"
 #include "gateway/netns/run_state.h"
 
 namespace gateway {
@@ -32,10 +33,7 @@ void exec_inside(const ExecOptions& options) {
   const std::string holder = netns::installed_file({}, "baraka-holder").string();
   std::vector<std::string> words{holder, "enter", folder.string(), options.agent};
   words.insert(words.end(), options.command.begin(), options.command.end());
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
-  execv(holder.c_str(), arguments.data());
+  execv(holder.c_str(), netns::pointers_to(words).data());
   netns::fail(holder);
 }
 

@@ -8,8 +8,8 @@ void fail(const std::string& what, int error) {
   throw std::runtime_error(what + ": " + std::strerror(error));
 }
 
-Descriptor open_file(const std::string& path, int flags, mode_t mode) {
-  Descriptor file(open(path.c_str(), flags | O_CLOEXEC, mode));
+FileDescriptor open_file(const std::string& path, int flags, mode_t mode) {
+  FileDescriptor file(open(path.c_str(), flags | O_CLOEXEC, mode));
   if (!file.is_open()) fail(path);
   return file;
 }

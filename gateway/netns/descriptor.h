@@ -11,18 +11,19 @@
 namespace gateway::netns {
 
 /// A file descriptor that is closed with it. -1: none.
-class Descriptor {
+class FileDescriptor {
  public:
-  Descriptor() = default;
-  explicit Descriptor(int descriptor) : descriptor_(descriptor) {}
-  ~Descriptor() { reset(); }
-  Descriptor(Descriptor&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)) {}
-  Descriptor& operator=(Descriptor&& other) noexcept {
+  FileDescriptor() = default;
+  explicit FileDescriptor(int descriptor) : descriptor_(descriptor) {}
+  ~FileDescriptor() { reset(); }
+  FileDescriptor(FileDescriptor&& other) noexcept
+      : descriptor_(std::exchange(other.descriptor_, -1)) {}
+  FileDescriptor& operator=(FileDescriptor&& other) noexcept {
     if (this != &other) reset(std::exchange(other.descriptor_, -1));
     return *this;
   }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
+  FileDescriptor(const FileDescriptor&) = delete;
+  FileDescriptor& operator=(const FileDescriptor&) = delete;
 
   int get() const { return descriptor_; }
   bool is_open() const { return descriptor_ >= 0; }
@@ -39,6 +40,6 @@ class Descriptor {
 [[noreturn]] void fail(const std::string& what, int error = errno);
 
 /// @throws std::runtime_error  naming the file. Not kept by programs that are started.
-Descriptor open_file(const std::string& path, int flags, mode_t mode = 0);
+FileDescriptor open_file(const std::string& path, int flags, mode_t mode = 0);
 
 }  // namespace gateway::netns

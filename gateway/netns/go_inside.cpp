@@ -21,7 +21,7 @@ namespace gateway::netns {
 namespace {
 
 struct Doors {
-  Descriptor users, processes;
+  FileDescriptor users, processes;
   AgentSpaces agent;
 };
 

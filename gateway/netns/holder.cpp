@@ -11,13 +11,15 @@
 #include <csignal>
 #include <vector>
 
+#include "gateway/netns/launch.h"
+
 namespace gateway::netns {
 namespace {
 
 constexpr int kControl = STDERR_FILENO + 1, kEvents = kControl + 1;
 
 struct Pair {
-  Descriptor ours, theirs;
+  FileDescriptor ours, theirs;
 };
 
 Pair socket_pair() {
@@ -25,7 +27,7 @@ Pair socket_pair() {
   if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) {
     fail("the sockets of baraka-holder");
   }
-  Pair pair{Descriptor(ends[0]), Descriptor(ends[1])};
+  Pair pair{FileDescriptor(ends[0]), FileDescriptor(ends[1])};
   // Above the places where its ends go.
   pair.theirs.reset(fcntl(ends[1], F_DUPFD_CLOEXEC, kEvents + 1));
   if (!pair.theirs.is_open()) fail("the sockets of baraka-holder");
@@ -77,14 +79,11 @@ Holder::Holder(const std::filesystem::path& program, const std::filesystem::path
   posix_spawn_file_actions_addclosefrom_np(actions.get(), kEvents + 1);
   if (!folder.empty()) posix_spawn_file_actions_addchdir_np(actions.get(), folder.c_str());
   const std::filesystem::path absolute = std::filesystem::absolute(program);
-  std::vector<std::string> words{absolute.string(), "hold", std::to_string(kControl),
-                                 std::to_string(kEvents), std::to_string(getpid())};
-  std::vector<char*> arguments;
-  for (std::string& word : words) arguments.push_back(word.data());
-  arguments.push_back(nullptr);
+  const std::vector<std::string> words{absolute.string(), "hold", std::to_string(kControl),
+                                       std::to_string(kEvents), std::to_string(getpid())};
   const Attributes attributes;
   const int error = posix_spawn(&process_, absolute.c_str(), actions.get(), attributes.get(),
-                                arguments.data(), environ);
+                                pointers_to(words).data(), environ);
   if (error != 0) fail(fmt::format("cannot start {}", absolute.string()), error);
   control_ = std::move(control.ours);
   events_ = std::move(events.ours);
@@ -92,7 +91,7 @@ Holder::Holder(const std::filesystem::path& program, const std::filesystem::path
 
 Holder::~Holder() {
   constexpr int kPatience = 5000;  // ms
-  const Descriptor process(static_cast<int>(syscall(SYS_pidfd_open, process_, 0)));
+  const FileDescriptor process(static_cast<int>(syscall(SYS_pidfd_open, process_, 0)));
   // Init closes the socket of events when it ends, and the holder ends after it.
   pollfd ended{process.get(), POLLIN, 0};
   while (poll(&ended, 1, kPatience) < 0 && errno == EINTR) continue;

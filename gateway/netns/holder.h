@@ -23,7 +23,7 @@ class Holder {
   int events() const { return events_.get(); }
 
  private:
-  Descriptor control_, events_;
+  FileDescriptor control_, events_;
   pid_t process_ = -1;
 };
 

@@ -158,7 +158,7 @@ class Init {
   }
 
   int control_, events_;
-  Descriptor children_;
+  FileDescriptor children_;
   std::vector<AgentSpaces> agents_;
   std::map<pid_t, Program> programs_;
   std::deque<std::string> unsaid_;
@@ -176,7 +176,7 @@ int refuse(int control, const std::exception& error) {
   return EXIT_FAILURE;
 }
 
-int be_init(int control, int events, const Descriptor& holder) {
+int be_init(int control, int events, const FileDescriptor& holder) {
   prctl(PR_SET_NAME, "baraka-init");
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   pollfd polled{holder.get(), POLLIN, 0};
@@ -212,7 +212,7 @@ int hold(int control, int events, int parent) {
   if (init == 0) {
     close(lifeline[1]);
     raise_descriptor_limit();
-    _exit(be_init(control, events, Descriptor(lifeline[0])));
+    _exit(be_init(control, events, FileDescriptor(lifeline[0])));
   }
   close(lifeline[0]);
   Packer out;

@@ -15,6 +15,7 @@
 #include <cstring>
 
 #include "gateway/netns/addresses.h"
+#include "gateway/netns/netlink.h"
 
 namespace gateway::netns {
 namespace {
@@ -28,17 +29,17 @@ ifreq request_for(const char* name) {
   return request;
 }
 
-void ask(const Descriptor& socket, unsigned long what, void* request, const char* name) {
+void ask(const FileDescriptor& socket, unsigned long what, void* request, const char* name) {
   if (ioctl(socket.get(), what, request) != 0) fail(std::string("interface ") + name);
 }
 
-Descriptor socket_of(int family) {
-  Descriptor socket(::socket(family, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+FileDescriptor socket_of(int family) {
+  FileDescriptor socket(::socket(family, SOCK_DGRAM | SOCK_CLOEXEC, 0));
   if (!socket.is_open()) fail("a socket to set up interfaces");
   return socket;
 }
 
-void bring_up(const Descriptor& socket, const char* name) {
+void bring_up(const FileDescriptor& socket, const char* name) {
   ifreq request = request_for(name);
   ask(socket, SIOCGIFFLAGS, &request, name);
   request.ifr_flags = static_cast<short>(request.ifr_flags | IFF_UP);
@@ -54,9 +55,9 @@ sockaddr ipv4(std::uint32_t address) {
   return generic;
 }
 
-Descriptor make_tap() {
+FileDescriptor make_tap() {
   constexpr const char* kDevice = "/dev/net/tun";
-  Descriptor tap(open(kDevice, O_RDWR | O_CLOEXEC | O_NONBLOCK));
+  FileDescriptor tap(open(kDevice, O_RDWR | O_CLOEXEC | O_NONBLOCK));
   if (!tap.is_open()) {
     const int error = errno;
     const bool is_refused = error == EACCES || error == EPERM;
@@ -72,7 +73,7 @@ Descriptor make_tap() {
   return tap;
 }
 
-void set_link(const Descriptor& socket, const AgentNetwork& network) {
+void set_link(const FileDescriptor& socket, const AgentNetwork& network) {
   ifreq request = request_for(kInterface);
   request.ifr_hwaddr.sa_family = ARPHRD_ETHER;
   std::ranges::copy(mac_address(network.id), request.ifr_hwaddr.sa_data);
@@ -92,23 +93,13 @@ void set_queue_length() {
   } request{};
   request.header.nlmsg_len = sizeof request;
   request.header.nlmsg_type = RTM_NEWLINK;
-  request.header.nlmsg_flags = NLM_F_REQUEST | NLM_F_ACK;
   request.link.ifi_index = static_cast<int>(if_nametoindex(kInterface));
   request.attribute = {sizeof request.attribute + sizeof request.length, IFLA_TXQLEN};
   request.length = kQueueLength;
-  const Descriptor netlink(socket(AF_NETLINK, SOCK_RAW | SOCK_CLOEXEC, NETLINK_ROUTE));
-  struct {
-    nlmsghdr header;
-    nlmsgerr error;
-  } answer{};
-  if (!netlink.is_open() || ::send(netlink.get(), &request, sizeof request, 0) < 0 ||
-      recv(netlink.get(), &answer, sizeof answer, 0) < 0) {
-    fail("the length of wlan0's queue");
-  }
-  if (answer.error.error != 0) fail("the length of wlan0's queue", -answer.error.error);
+  Netlink().ask(request.header, "the length of wlan0's queue");
 }
 
-void set_ipv4(const Descriptor& socket, const AgentNetwork& network) {
+void set_ipv4(const FileDescriptor& socket, const AgentNetwork& network) {
   const std::uint32_t mask = ~std::uint32_t{0} << (32 - network.prefix);
   const std::pair<unsigned long, std::uint32_t> values[] = {
       {SIOCSIFADDR, network.address},
@@ -122,7 +113,7 @@ void set_ipv4(const Descriptor& socket, const AgentNetwork& network) {
 }
 
 /// All groups: they would have no route, for there is no default one.
-void set_multicast_route(const Descriptor& socket) {
+void set_multicast_route(const FileDescriptor& socket) {
   constexpr std::uint32_t kGroups = 0xe0000000, kMask = 0xf0000000;  // 224.0.0.0/4
   std::string device = kInterface;
   rtentry route{};
@@ -134,7 +125,7 @@ void set_multicast_route(const Descriptor& socket) {
 }
 
 void add_unique_local(const AgentNetwork& network) {
-  const Descriptor socket = socket_of(AF_INET6);
+  const FileDescriptor socket = socket_of(AF_INET6);
   in6_ifreq request{};
   const Ipv6 address = unique_local_address(network.id);
   std::memcpy(&request.ifr6_addr, address.data(), address.size());
@@ -147,25 +138,28 @@ void add_unique_local(const AgentNetwork& network) {
 void quieten_ipv6() {
   for (const char* key : {"accept_dad", "dad_transmits", "accept_ra", "router_solicitations"}) {
     const std::string path = std::string("/proc/sys/net/ipv6/conf/") + kInterface + "/" + key;
-    const Descriptor file = open_file(path, O_WRONLY);
+    const FileDescriptor file = open_file(path, O_WRONLY);
     if (write(file.get(), "0", 1) != 1) fail(path);
   }
 }
 
 }  // namespace
 
-Descriptor make_interfaces(const AgentNetwork& network) {
-  const Descriptor socket = socket_of(AF_INET);
-  Descriptor tap = make_tap();
+bool has_ipv6(const AgentNetwork& network) {
+  return network.mtu >= kLeastMtuOfIpv6 && access("/proc/sys/net/ipv6", F_OK) == 0;
+}
+
+FileDescriptor make_interfaces(const AgentNetwork& network) {
+  const FileDescriptor socket = socket_of(AF_INET);
+  FileDescriptor tap = make_tap();
   set_link(socket, network);
   set_queue_length();
-  const bool has_ipv6 = network.mtu >= kLeastMtuOfIpv6 && access("/proc/sys/net/ipv6", F_OK) == 0;
-  if (has_ipv6) quieten_ipv6();
+  if (has_ipv6(network)) quieten_ipv6();
   bring_up(socket, "lo");
   set_ipv4(socket, network);
   bring_up(socket, kInterface);
   set_multicast_route(socket);
-  if (has_ipv6) add_unique_local(network);
+  if (has_ipv6(network)) add_unique_local(network);
   return tap;
 }
 

@@ -17,7 +17,7 @@ constexpr std::array kOfNeighbours{
     "locktime",        "interval_probe_time_ms"};
 
 void stretch(const std::string& path, double factor) {
-  const Descriptor file(open(path.c_str(), O_RDWR | O_CLOEXEC));
+  const FileDescriptor file(open(path.c_str(), O_RDWR | O_CLOEXEC));
   if (!file.is_open() && errno == ENOENT) return;  // this kernel has no such timer
   if (!file.is_open()) fail(path);
   std::array<char, 32> text{};

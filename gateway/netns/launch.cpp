@@ -18,14 +18,6 @@ constexpr int kFirstInherited = STDERR_FILENO + 1;
 
 std::optional<rlimit> limit_before;  // raise_descriptor_limit()
 
-std::vector<char*> pointers(const std::vector<std::string>& texts) {
-  std::vector<char*> all;
-  all.reserve(texts.size() + 1);
-  for (const std::string& text : texts) all.push_back(const_cast<char*>(text.c_str()));
-  all.push_back(nullptr);
-  return all;
-}
-
 /// Where nothing that is moved to its place overwrites what is still to be moved.
 int moved_up(int descriptor, std::size_t count) {
   const int above = kFirstInherited + static_cast<int>(count);
@@ -37,6 +29,7 @@ int moved_up(int descriptor, std::size_t count) {
 void take_descriptors(int log, const std::vector<int>& inherited, int& report) {
   report = moved_up(report, inherited.size());
   std::vector<int> moved;
+  moved.reserve(inherited.size());
   for (const int one : inherited) moved.push_back(moved_up(one, inherited.size()));
   const int input = open("/dev/null", O_RDONLY | O_CLOEXEC);
   if (dup2(input, STDIN_FILENO) < 0 || dup2(log, STDOUT_FILENO) < 0 ||
@@ -86,22 +79,30 @@ std::string_view name_of(std::string_view variable) {
 
 }  // namespace
 
+std::vector<char*> pointers_to(const std::vector<std::string>& texts) {
+  std::vector<char*> all;
+  all.reserve(texts.size() + 1);
+  for (const std::string& text : texts) all.push_back(const_cast<char*>(text.c_str()));
+  all.push_back(nullptr);
+  return all;
+}
+
 void become(const Launch& launch) {
   sigset_t none;
   sigemptyset(&none);
   sigprocmask(SIG_SETMASK, &none, nullptr);
   signal(SIGPIPE, SIG_DFL);
   if (limit_before) setrlimit(RLIMIT_NOFILE, &*limit_before);
-  execve(launch.program.c_str(), pointers(launch.arguments).data(),
-         pointers(launch.environment).data());
+  execve(launch.program.c_str(), pointers_to(launch.arguments).data(),
+         pointers_to(launch.environment).data());
 }
 
 pid_t launch(const Launch& launch, const AgentSpaces& spaces, int log,
              const std::vector<int>& inherited) {
   std::array<int, 2> report{};
   if (pipe2(report.data(), O_CLOEXEC) != 0) fail(launch.program);
-  const Descriptor reader(report[0]);
-  Descriptor writer(report[1]);
+  const FileDescriptor reader(report[0]);
+  FileDescriptor writer(report[1]);
   const pid_t child = fork();
   if (child < 0) fail(launch.program);
   if (child == 0) become_in(launch, spaces, log, inherited, writer.get());
@@ -144,7 +145,8 @@ std::vector<std::string> inside(const std::vector<std::string>& environment,
   std::string preloaded = library;
   for (const std::string& variable : environment) {
     const std::string value = variable.substr(std::min(variable.find('=') + 1, variable.size()));
-    if (name_of(variable) == "LD_PRELOAD" && !value.empty()) preloaded = library + ":" + value;
+    if (name_of(variable) == "LD_PRELOAD" && !value.empty())
+      preloaded = fmt::format("{}:{}", library, value);
   }
   return merged(environment, {"LD_PRELOAD=" + preloaded, "BARAKA_DILATION=" + dilation,
                               fmt::format("{}={}", kRoomVariable, kRoomFile)});

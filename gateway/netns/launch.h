@@ -23,6 +23,9 @@ struct Launch {
 pid_t launch(const Launch& launch, const AgentSpaces& spaces, int log,
              const std::vector<int>& inherited);
 
+/// What exec takes: null behind the last. Valid as long as the texts.
+std::vector<char*> pointers_to(const std::vector<std::string>& texts);
+
 /// Becomes a program; returns only if that is refused, with errno.
 void become(const Launch& launch);
 

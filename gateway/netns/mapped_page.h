@@ -14,7 +14,7 @@ namespace gateway::netns {
 class MappedPage {
  public:
   /// Begins it. @pre no program has it yet. @throws std::runtime_error
-  explicit MappedPage(const Descriptor& file)
+  explicit MappedPage(const FileDescriptor& file)
       : memory_(
             mmap(nullptr, sizeof(RoomPage), PROT_READ | PROT_WRITE, MAP_SHARED, file.get(), 0)) {
     if (memory_ == MAP_FAILED) fail("the page of an agent's room");

@@ -23,8 +23,8 @@ union Control {
   std::array<char, CMSG_SPACE(kMostDescriptors * sizeof(int))> bytes;
 };
 
-Descriptor file_of(const std::string& content) {
-  Descriptor file(memfd_create("baraka", MFD_CLOEXEC));
+FileDescriptor file_of(const std::string& content) {
+  FileDescriptor file(memfd_create("baraka", MFD_CLOEXEC));
   if (!file.is_open()) fail("a message to the namespaces");
   std::size_t written = 0;
   while (written < content.size()) {
@@ -45,8 +45,8 @@ std::string content_of(int file) {
   return content;
 }
 
-std::vector<Descriptor> descriptors_of(msghdr& message) {
-  std::vector<Descriptor> descriptors;
+std::vector<FileDescriptor> descriptors_of(msghdr& message) {
+  std::vector<FileDescriptor> descriptors;
   for (cmsghdr* control = CMSG_FIRSTHDR(&message); control != nullptr;
        control = CMSG_NXTHDR(&message, control)) {
     if (control->cmsg_level != SOL_SOCKET || control->cmsg_type != SCM_RIGHTS) continue;
@@ -65,7 +65,7 @@ std::vector<Descriptor> descriptors_of(msghdr& message) {
 void send(int socket, MessageKind kind, const std::string& content,
           std::span<const int> descriptors) {
   Envelope envelope{kind, content.size() > kLongest ? 1U : 0U};
-  Descriptor file;
+  FileDescriptor file;
   std::vector<int> all(descriptors.begin(), descriptors.end());
   if (envelope.is_file != 0) {
     file = file_of(content);
@@ -85,6 +85,7 @@ void send(int socket, MessageKind kind, const std::string& content,
     std::memcpy(CMSG_DATA(&control.header), all.data(), all.size() * sizeof(int));
   }
   while (sendmsg(socket, &message, MSG_NOSIGNAL) < 0) {
+    if (errno == EPIPE || errno == ECONNRESET) throw std::runtime_error(kGone);
     if (errno != EINTR) fail("the namespaces of the run");
   }
 }

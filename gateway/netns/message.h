@@ -30,8 +30,11 @@ enum class MessageKind : std::uint32_t {
 struct Message {
   MessageKind kind = MessageKind::kEnd;
   std::string content;  ///< Of a Packer. Any length: what is long travels as a file.
-  std::vector<Descriptor> descriptors;
+  std::vector<FileDescriptor> descriptors;
 };
+
+/// What those say who find the other end closed.
+inline constexpr const char* kGone = "the namespaces of the run are gone";
 
 /// Sends one, whole, over a socket of kind SOCK_SEQPACKET.
 /// @throws std::runtime_error  the other end is gone, or the system refuses.

@@ -21,8 +21,6 @@
 namespace gateway::netns {
 namespace {
 
-constexpr const char* kGone = "the namespaces of the run are gone";
-
 std::string packed(const Settings& settings) {
   Packer out;
   out.put(std::bit_cast<std::uint64_t>(settings.factor));
@@ -108,7 +106,7 @@ struct Namespaces::State {
     }
     run.agents.push_back(spaces);
     const auto taken = [&message](std::size_t i) {
-      return Descriptor(fcntl(message.descriptors.at(i).get(), F_DUPFD_CLOEXEC, 0));
+      return FileDescriptor(fcntl(message.descriptors.at(i).get(), F_DUPFD_CLOEXEC, 0));
     };
     agents.push_back({taken(0), taken(1), MappedPage(message.descriptors.at(2))});
     (*agents.back().page)
@@ -149,7 +147,7 @@ struct Namespaces::State {
   State& operator=(const State&) = delete;
 
   struct Agent {
-    Descriptor tap, counters;
+    FileDescriptor tap, counters;
     MappedPage page;
   };
 
@@ -158,7 +156,7 @@ struct Namespaces::State {
   std::string dilation;
   Holder holder;
   RunState run;
-  Descriptor folder;
+  FileDescriptor folder;
   std::vector<Agent> agents;
 };
 
@@ -175,7 +173,8 @@ int Namespaces::tap(std::size_t agent) const { return state_->agents.at(agent).t
 
 std::uint32_t Namespaces::start(std::size_t agent, const Command& command) {
   std::vector<std::string> given;
-  for (const auto& [name, value] : command.environment) given.push_back(name + "=" + value);
+  for (const auto& [name, value] : command.environment)
+    given.push_back(fmt::format("{}={}", name, value));
   const std::vector<std::string> environment = merged(variables_of_process(), given);
   if (command.arguments.empty()) throw std::runtime_error("a program has no name");
   const auto program = program_file(command.arguments[0], value_of(environment, "PATH"));
@@ -188,7 +187,7 @@ std::uint32_t Namespaces::start(std::size_t agent, const Command& command) {
   out.put(command.arguments);
   out.put(inside(environment, state_->library.string(), state_->dilation));
   out.put(std::string_view(folder.native()));
-  const Descriptor log = open_file(command.log.string(), O_WRONLY | O_CREAT | O_APPEND, 0644);
+  const FileDescriptor log = open_file(command.log.string(), O_WRONLY | O_CREAT | O_APPEND, 0644);
   std::vector<int> descriptors{log.get()};
   descriptors.insert(descriptors.end(), command.inherited.begin(), command.inherited.end());
   send(state_->holder.control(), MessageKind::kStart, out.bytes(), descriptors);

@@ -59,14 +59,14 @@ Process Process::of(pid_t number) {
   return process;
 }
 
-void RunState::write(const Descriptor& folder) const {
+void RunState::write(const FileDescriptor& folder) const {
   std::string text = fmt::format("init {} {}\ndilation {}\nlibrary {}\n", init.number, init.started,
                                  dilation, library);
   for (const Agent& agent : agents) {
     text += fmt::format("agent {} {} {} {} {}\n", agent.network, agent.mount, agent.host, agent.ipc,
                         agent.name);
   }
-  const Descriptor file(
+  const FileDescriptor file(
       openat(folder.get(), kStateFile, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
   if (!file.is_open() ||
       ::write(file.get(), text.data(), text.size()) != static_cast<ssize_t>(text.size())) {

@@ -35,7 +35,7 @@ struct RunState {
   std::vector<Agent> agents;
 
   /// @throws std::runtime_error
-  void write(const Descriptor& folder) const;
+  void write(const FileDescriptor& folder) const;
   /// @throws std::runtime_error  there is no such file, or it is none.
   static RunState read(const std::filesystem::path& folder);
 };

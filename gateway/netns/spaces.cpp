@@ -13,18 +13,19 @@
 #include "gateway/netns/addresses.h"
 #include "gateway/netns/interface.h"
 #include "gateway/netns/kernel_timers.h"
+#include "gateway/netns/neighbours.h"
 
 namespace gateway::netns {
 namespace {
 
 void write_file(const std::string& path, const std::string& content, int flags = 0) {
-  const Descriptor file = open_file(path, O_WRONLY | flags, 0644);
+  const FileDescriptor file = open_file(path, O_WRONLY | flags, 0644);
   if (write(file.get(), content.data(), content.size()) < 0) fail(path);
 }
 
 /// A number that the kernel tells; nothing where it has no such file.
 std::optional<std::int64_t> kernel_number(const char* path) {
-  const Descriptor file(open(path, O_RDONLY | O_CLOEXEC));
+  const FileDescriptor file(open(path, O_RDONLY | O_CLOEXEC));
   std::array<char, 32> text{};
   const ssize_t length = file.is_open() ? read(file.get(), text.data(), text.size()) : -1;
   std::int64_t value = 0;
@@ -79,7 +80,7 @@ void mount_or_fail(const char* type, const char* where, unsigned long flags,
   }
 }
 
-Descriptor own_namespace(const char* name) {
+FileDescriptor own_namespace(const char* name) {
   return open_file(fmt::format("/proc/self/ns/{}", name), O_RDONLY);
 }
 
@@ -105,8 +106,8 @@ std::string hosts(const std::vector<AgentNetwork>& all) {
   return text;
 }
 
-Descriptor make_page() {
-  Descriptor page = open_file(kRoomFile, O_RDWR | O_CREAT | O_EXCL, 0666);
+FileDescriptor make_page() {
+  FileDescriptor page = open_file(kRoomFile, O_RDWR | O_CREAT | O_EXCL, 0666);
   if (fchmod(page.get(), 0666) != 0 || ftruncate(page.get(), sizeof(RoomPage)) != 0) {
     fail(kRoomFile);
   }
@@ -133,6 +134,7 @@ AgentEnds make_ends(const AgentNetwork& network, const std::vector<AgentNetwork>
   make_files(network, all);
   AgentEnds ends;
   ends.tap = make_interfaces(network);
+  keep_places(network, all);
   stretch_kernel_timers(factor);
   write_file("/proc/sys/net/ipv4/ping_group_range", "0 0");
   ends.counters = open_file("/proc/self/net/dev", O_RDONLY);
@@ -140,7 +142,7 @@ AgentEnds make_ends(const AgentNetwork& network, const std::vector<AgentNetwork>
   return ends;
 }
 
-void join(const Descriptor& space, const char* what) {
+void join(const FileDescriptor& space, const char* what) {
   if (setns(space.get(), 0) != 0) fail(fmt::format("the agent's {}", what));
 }
 

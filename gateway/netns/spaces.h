@@ -10,14 +10,14 @@ namespace gateway::netns {
 
 /// What holds an agent's namespaces, of this process.
 struct AgentSpaces {
-  Descriptor network, mount, host, ipc;
+  FileDescriptor network, mount, host, ipc;
 };
 
 /// What baraka gets of an agent.
 struct AgentEnds {
-  Descriptor tap;       ///< Of wlan0.
-  Descriptor counters;  ///< /proc/net/dev of the agent.
-  Descriptor page;      ///< Of its room, a file of one RoomPage.
+  FileDescriptor tap;       ///< Of wlan0.
+  FileDescriptor counters;  ///< /proc/net/dev of the agent.
+  FileDescriptor page;      ///< Of its room, a file of one RoomPage.
 };
 
 struct AgentMade {

@@ -141,6 +141,15 @@ class AsUser(AsRoot):
         self.assertEqual(owner, wire.USER if os.geteuid() == 0 else os.geteuid())
         self.assertNotEqual(owner, 0)
 
+    def test_goes_inside_its_own_run(self):
+        run = self.wire(factor=0.5)
+        as_user = ["setpriv", "--reuid", str(wire.USER), "--regid", str(wire.USER), "--clear-groups"]
+        said = subprocess.run([*(as_user if os.geteuid() == 0 else []), BIN / "baraka", "exec", "r1", "--run",
+                               run.folder, "--", "ping", "-c", "1", "r2"],
+                              capture_output=True, text=True, timeout=60, check=False, cwd="/")
+        self.assertEqual(said.returncode, 0, said.stderr)
+        self.assertIn("1 received", said.stdout)
+
 
 @unittest.skipIf(REFUSED_TO_USER, REFUSED_TO_USER)
 class Dilated(unittest.TestCase):

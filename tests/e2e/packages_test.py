@@ -55,6 +55,7 @@ class Packages(Case):
     def test_hold_what_a_user_needs_each_in_its_place(self):
         for package, pattern in (
                 ("baraka", "bin/baraka"), ("baraka", "bin/help_robot"), ("baraka", "lib/baraka/help_robot.so"),
+                ("baraka", "lib/baraka/baraka-holder"), ("baraka", "lib/baraka/libbaraka_dilate.so"),
                 ("baraka", "share/baraka/scenarios/case_study.yaml"), ("baraka", "share/baraka/robots/mote.yaml"),
                 ("baraka", "share/baraka/radios/ieee80211b.yaml"), ("baraka", "share/baraka/hardware/robotino.yaml"),
                 ("baraka", "share/baraka/idl/inspect.idl"), ("baraka", "share/baraka/idl/exchange.idl"),

@@ -1,0 +1,163 @@
+#!/usr/bin/env python3
+"""A run with agents' networks is killed at random instants, or one of what belongs to it is: nothing of
+it is left 5 s later, no namespace, process, interface or file. Two runs at a time; the other one goes on."""
+import contextlib
+import json
+import os
+import pathlib
+import random
+import signal
+import sqlite3
+import subprocess
+import tempfile
+import time
+import unittest
+
+import wire
+from baraka import BIN, wait_for
+from remains import Mark
+from wire import PYTHON
+
+TRIALS = int(os.environ.get("BARAKA_KILLS", "12"))
+REFUSED = wire.why_not()
+LONGEST = 5  # s, until all is gone
+EARLY = 0.4  # s: while all is being made
+
+# What programs do that is hard to get rid of: daemons, ignored signals, files in shared memory, many
+# processes, sockets that send.
+PROGRAMS = [
+    ["sh", "-c", "trap '' TERM HUP INT; touch /dev/shm/{mark}; while true; do sleep 0.01; done"],
+    ["sh", "-c", "setsid sh -c 'setsid sleep 1000 & exit' & exit"],
+    ["env", "-i", "/bin/sh", "-c", "/usr/bin/setsid /bin/sleep 1000 & exit"],
+    ["ping", "-i", "0.01", "r1"],
+    [PYTHON, "-c", "import socket\ns = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)\n"
+                   "while True: s.sendto(b'x' * 1000, ('r1', 9))"],
+]
+
+
+class Victims:
+    """Of one run: what can be killed."""
+
+    def __init__(self, mark, first):
+        self.mark, self.first = mark, first
+
+    def by_name(self):
+        found = {"baraka": self.first}
+        for pid in self.mark.processes():
+            try:
+                comm = pathlib.Path(f"/proc/{pid}/comm").read_text().strip()
+            except OSError:
+                continue
+            if comm == "baraka-holder":
+                found["holder"] = pid
+            elif comm == "baraka-init":
+                found["init"] = pid
+            elif pid != self.first:
+                found["program"] = pid
+        return found
+
+    def kill(self, chosen):
+        """@return what was killed: another one if that is not there yet."""
+        found = self.by_name()
+        name = chosen if chosen in found else "baraka"
+        try:
+            os.kill(found[name], signal.SIGKILL)
+        except ProcessLookupError:
+            pass  # a program that has ended by itself
+        return name
+
+
+class Run:
+    """A run of two stations with programs under way."""
+
+    def __init__(self, case):
+        self.case, self.mark = case, Mark()
+        folder = tempfile.TemporaryDirectory(prefix="baraka-kill-")
+        case.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.process = None
+
+    def start(self):
+        programs = [{"name": f"p{i}", "command": [word.replace("{mark}", self.mark.text) for word in program]}
+                    for i, program in enumerate(PROGRAMS)]
+        scenario = {
+            "version": 1, "routing": "none", "radio": {"include": "radios/ieee80211g.yaml", "queue_limit": 20},
+            "agents": {
+                "r0": {"name": "r0", "station": {}, "poses": [{"x": "0 m", "y": "0 m"}], "network": {},
+                       "programs": programs},
+                "r1": {"name": "r1", "station": {}, "poses": [{"x": "5 m", "y": "0 m"}], "network": {}}},
+            "end": [{"at": "60 s", "result": "timeout"}]}
+        file = self.folder / "scenario.yaml"
+        file.write_text(json.dumps(scenario))
+        self.process = subprocess.Popen(
+            [BIN / "baraka", "run", file, "--out", self.folder / "run", "--no-inspect"],
+            stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
+            env={**os.environ, **self.mark.variables, "PATH": wire.PATH})
+
+    def has_programs(self):
+        return "program" in Victims(self.mark, self.process.pid).by_name()
+
+    def interrupt(self):
+        self.process.send_signal(signal.SIGINT)
+        return self.finish()
+
+    def finish(self):
+        _, said = self.process.communicate(timeout=60)
+        return said
+
+    def broken_results(self):
+        """What of the results cannot be read; there may be none yet."""
+        broken = []
+        for file in self.folder.glob("run*/run.sqlite"):
+            with contextlib.closing(sqlite3.connect(f"file:{file}?mode=ro", uri=True)) as database:
+                said = database.execute("PRAGMA integrity_check").fetchall()
+            if said != [("ok",)]:
+                broken.append(f"{file}: {said}")
+        return broken
+
+
+@unittest.skipIf(REFUSED, REFUSED)
+class Kills(unittest.TestCase):
+    def test_nothing_is_left_whoever_dies_and_whenever(self):
+        random.seed(11)
+        interfaces = wire.interfaces()
+        for trial in range(TRIALS):
+            chosen = ["baraka", "holder", "init", "program"][trial % 4]
+            # From the first fork on; or with programs under way.
+            instant = random.uniform(0, EARLY) if trial % 3 == 0 else random.uniform(EARLY, 1)
+            with self.subTest(trial=trial, victim=chosen, instant=round(instant, 3)):
+                self.kill_one_of_two(chosen, instant)
+        self.assertEqual(wire.interfaces() - interfaces, set())
+
+    def kill_one_of_two(self, chosen, instant):
+        doomed, other = Run(self), Run(self)
+        other.start()
+        doomed.start()
+        if instant > EARLY:
+            wait_for(doomed.has_programs)
+        end = time.monotonic() + instant
+        while time.monotonic() < end:
+            doomed.mark.look()
+        doomed.mark.look()
+        killed = Victims(doomed.mark, doomed.process.pid).kill(chosen)
+        if killed == "program":
+            self.assertIsNone(doomed.process.poll(), "the run goes on without it")
+            doomed.interrupt()
+            self.assertEqual(doomed.process.returncode, 130)
+        elif killed == "baraka":
+            doomed.finish()
+        else:
+            self.assertIn("the namespaces of the run are gone", doomed.finish())
+            self.assertEqual(doomed.process.returncode, 1)
+        self.assertEqual(doomed.mark.remains_after(LONGEST), [])
+        self.assertEqual(doomed.broken_results(), [])
+        wait_for(other.has_programs)
+        other.mark.look()
+        self.assertTrue(other.mark.remains(), "what counts what is left counts what is there")
+        other.interrupt()
+        self.assertEqual(other.process.returncode, 130, "the other run goes on")
+        self.assertEqual(other.mark.remains_after(LONGEST), [])
+
+
+if __name__ == "__main__":
+    unittest.main()
