@@ -211,6 +211,7 @@ int run(const RunOptions& options, const Scenario& scenario, const Course& cours
                                   .once_a_second = [&results] { results.commit(); }});
   results.begin(simulation);
   say_open_loop(course, results);
+  inspection.set_ledger(results.ledger());
 
   const Outcome outcome = play(course, simulation, *pace, network.get());
   pace->end();
