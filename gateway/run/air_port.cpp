@@ -87,25 +87,38 @@ void AirPort::after_wait() {
 }
 
 void AirPort::read(std::size_t most, const std::function<void(sim::air::SentFrame)>& take) {
+  bool are_all = false;
+  while (!are_all && most > 0) {
+    are_all = look();
+    for (const std::size_t i : ready_) most -= read(ports_[i], most, take);
+  }
+}
+
+/// Sees which TAPs have something. @return whether these are all that have.
+bool AirPort::look() {
   constexpr int kEvents = 64;
   std::array<epoll_event, kEvents> events{};
-  std::array<std::size_t, kEvents> ready{};
-  int count = 0;
-  do {
-    const hal::Time now = clock_.wall().now();
-    for (Port& port : ports_) port.sent_before = port.tap.room ? port.tap.room->sent() : 0;
-    count = ::epoll_wait(epoll_, events.data(), kEvents, 0);
-    if (count < 0 && errno != EINTR) fail("the agents' interfaces");
-    for (int i = 0; i < count; ++i) ready[static_cast<std::size_t>(i)] = events[i].data.u64;
-    const auto end = ready.begin() + std::max(count, 0);
-    std::sort(ready.begin(), end);
-    for (std::size_t i = 0; i < ports_.size() && count < kEvents; ++i) {
-      if (std::binary_search(ready.begin(), end, i)) continue;
-      ports_[i].empty_at = now;
-      ports_[i].sent = ports_[i].sent_before;
-    }
-    for (auto i = ready.begin(); i != end; ++i) most -= read(ports_[*i], most, take);
-  } while (count == kEvents && most > 0);
+  const hal::Time now = clock_.wall().now();
+  for (Port& port : ports_) {
+    port.sent_before = port.tap.room ? port.tap.room->sent() : 0;
+    port.is_ready = false;
+  }
+  const int count = ::epoll_wait(epoll_, events.data(), kEvents, 0);
+  if (count < 0 && errno != EINTR) fail("the agents' interfaces");
+  ready_.clear();
+  for (const epoll_event& event :
+       std::span(events).first(static_cast<std::size_t>(std::max(count, 0)))) {
+    ports_[event.data.u64].is_ready = true;
+    ready_.push_back(event.data.u64);
+  }
+  std::ranges::sort(ready_);  // by address
+  const bool are_all = count >= 0 && count < kEvents;
+  for (Port& port : ports_) {
+    if (!are_all || port.is_ready) continue;
+    port.empty_at = now;
+    port.sent = port.sent_before;
+  }
+  return are_all || count < 0;
 }
 
 std::size_t AirPort::read(Port& port, std::size_t most,

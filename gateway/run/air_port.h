@@ -55,11 +55,13 @@ class AirPort final : public sim::air::FrameSink, public sim::air::FrameSource {
     std::uint64_t sent_before = 0;  ///< Of the page, when it was about to be looked at.
     std::uint64_t told_sent = 0;
     std::size_t told_room = 0;
+    bool is_ready = false;
     bool is_told = false;
     bool is_one_sending = false;
   };
 
   Port& port_of(hal::AgentId agent);
+  bool look();
   std::size_t read(Port& port, std::size_t most,
                    const std::function<void(sim::air::SentFrame)>& take);
 
@@ -70,6 +72,7 @@ class AirPort final : public sim::air::FrameSink, public sim::air::FrameSource {
   int epoll_;
   std::uint64_t not_taken_ = 0;
   std::vector<std::uint8_t> buffer_;
+  std::vector<std::size_t> ready_;  ///< Indices of ports with something to read.
 };
 
 }  // namespace gateway

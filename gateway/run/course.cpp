@@ -83,6 +83,7 @@ using Values = std::map<std::string, std::string>;
 std::vector<std::string> differences(const Values& now, const Values& then,
                                      const std::vector<std::string>& keys) {
   std::vector<std::string> lines;
+  lines.reserve(keys.size());
   const auto value = [](const Values& values, const std::string& key) {
     const auto found = values.find(key);
     return found == values.end() ? std::string("nothing") : found->second;

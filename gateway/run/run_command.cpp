@@ -5,6 +5,7 @@
 
 #include <exception>
 #include <filesystem>
+#include <memory>
 
 #include "gateway/exit_status.h"
 #include "gateway/run/course.h"
@@ -128,10 +129,22 @@ struct Ending {
   std::optional<NetworkSummary> network = {};
 };
 
-/// Adds to the complaints what speaks against the result.
-void warn_of_network(Ending& ending, double factor, hal::Duration limit, Results& results) {
+/// First of all: it forks. @return null: the scenario has none, or this is a repetition.
+std::unique_ptr<NetworkOfRun> network_of(const Scenario& scenario, const Course& course,
+                                         const Results& results) {
+  if (!has_network(scenario) || course.is_repeated()) return nullptr;
+  return std::make_unique<NetworkOfRun>(scenario, *course.factor(),
+                                        [&results] { return results.folder().path(); });
+}
+
+/// Ends the programs, and adds to the complaints what speaks against the result.
+void end_network(NetworkOfRun& network, Ending& ending, const Course& course,
+                 const Scenario& scenario, Results& results) {
+  ending.network = network.finish();
+  if (!ending.outcome.real_time || !ending.outcome.real_time->air) return;
   const std::vector<std::string> lines =
-      network_warnings(*ending.outcome.real_time->air, *ending.network, factor, limit);
+      network_warnings(*ending.outcome.real_time->air, *ending.network, *course.factor(),
+                       scenario.simulation.lateness_limit);
   if (lines.empty()) return;
   results.add_warnings(lines);
   ending.complaints.insert(ending.complaints.end(), lines.begin(), lines.end());
@@ -139,6 +152,7 @@ void warn_of_network(Ending& ending, double factor, hal::Duration limit, Results
 
 /// That what would have been sent then is not what was sent.
 void say_open_loop(const Course& course, Results& results) {
+  if (course.open_loop().empty()) return;
   fmt::print(stderr,
              "open loop: the programs of the recorded run saw another radio; what they would have "
              "sent over this one is not known\n");
@@ -170,10 +184,7 @@ ExitStatus conclude(Results& results, const sim::scenario::Judge& judge,
 int run(const RunOptions& options, const Scenario& scenario, const Course& course,
         RunInspection& inspection, Results& results) {
   const std::optional<int> domain = domain_of(options);
-  std::optional<NetworkOfRun> network;  // first of all: it forks
-  if (has_network(scenario) && !course.is_repeated()) {
-    network.emplace(scenario, *course.factor(), [&results] { return results.folder().path(); });
-  }
+  const std::unique_ptr<NetworkOfRun> network = network_of(scenario, course, results);
   sim::scenario::Judge judge(scenario);
   Simulation simulation(scenario.simulation, {&judge, &inspection.observer()});
   open_programs_door(scenario, simulation);
@@ -199,18 +210,15 @@ int run(const RunOptions& options, const Scenario& scenario, const Course& cours
                                   .processes = controllers.processes(),
                                   .once_a_second = [&results] { results.commit(); }});
   results.begin(simulation);
+  say_open_loop(course, results);
   inspection.set_ledger(results.ledger());
 
-  if (!course.open_loop().empty()) say_open_loop(course, results);
-
-  const Outcome outcome = play(course, simulation, *pace, network ? &*network : nullptr);
+  const Outcome outcome = play(course, simulation, *pace, network.get());
   pace->end();
-  Ending ending{.outcome = outcome, .complaints = {}, .wall_seconds = pace->wall_seconds()};
-  if (network) ending.network = network->finish();
-  ending.complaints = controllers.finish(outcome.kind != Outcome::Kind::kFailed);
-  if (ending.network && outcome.real_time && outcome.real_time->air) {
-    warn_of_network(ending, *course.factor(), scenario.simulation.lateness_limit, results);
-  }
+  Ending ending{.outcome = outcome,
+                .complaints = controllers.finish(outcome.kind != Outcome::Kind::kFailed),
+                .wall_seconds = pace->wall_seconds()};
+  if (network) end_network(*network, ending, course, scenario, results);
   return conclude(results, judge, simulation, std::move(ending));
 }
 

@@ -86,6 +86,11 @@ void Simulation::RealTimeRun::repeat(std::span<const Turn> turns, Pace& pace) {
     if (s_.result) return;
     take_up(turn);
   }
+  repeat_rest(pace);
+}
+
+/// After the last turn.
+void Simulation::RealTimeRun::repeat_rest(Pace& pace) {
   while (!s_.result) {
     std::optional<hal::Time> next = s_.events.next_time();
     const auto due = s_.outside.next_due();

@@ -37,6 +37,7 @@ class Simulation::RealTimeRun {
   };
 
   void work_off_until(hal::Time target, FollowedClock* clock);
+  void repeat_rest(Pace& pace);
   void take_arrivals_until(hal::Time target, FollowedClock* clock);
   void take_arrivals_at(hal::Time at);
   std::optional<hal::Time> next_stop(hal::Time last);

@@ -485,8 +485,34 @@ const std::vector<Table>& tables() {
   return all;
 }
 
-const std::vector<RunKey>& run_keys() {
-  static const std::vector<RunKey> keys = {
+namespace {
+
+/// Of runs whose agents have networks.
+std::vector<RunKey> network_run_keys() {
+  return {
+      {"entering_frames", "", "with networks: frames that came from programs"},
+      {"entering_late_frames", "", "with networks: of those, later than lateness_limit"},
+      {"entering_lateness_median_s", "s",
+       "with networks, simulated time: upper bound of how long frames waited before they entered"},
+      {"entering_lateness_p99_s", "s", "99 % are not later"},
+      {"entering_lateness_max_s", "s", "greatest"},
+      {"leaving_frames", "", "with networks: frames that went to programs"},
+      {"leaving_late_frames", "", "with networks: of those, later than lateness_limit"},
+      {"leaving_lateness_median_s", "s",
+       "with networks, simulated time: from the end of a frame's reception to its program"},
+      {"leaving_lateness_p99_s", "s", "99 % are not later"},
+      {"leaving_lateness_max_s", "s", "greatest"},
+      {"frames_dropped", "", "with networks: by the kernel before they came in; must be 0"},
+      {"frames_not_taken", "", "with networks: off the air, by an interface that was shut down"},
+      {"cpu_load", "", "with networks: processor time of baraka over wall time"},
+      {"cpu_load_programs", "", "with networks: of all that ran inside agents over wall time"},
+      {"warnings", "", "with networks: what speaks against this result, a line each"},
+      {"open_loop", "", "of a repetition: settings that differ from those of the recorded run"},
+  };
+}
+
+std::vector<RunKey> all_run_keys() {
+  std::vector<RunKey> keys = {
       {"run_id", "", "128 random bits; the marker of the folder has them, too"},
       {"result", "",
        "'running' until the run has ended; then as the scenario calls it, 'until', 'interrupted', "
@@ -520,25 +546,16 @@ const std::vector<RunKey>& run_keys() {
       {"control_jitter_median_s", "s", "in real time: lateness of control cycles"},
       {"control_jitter_p99_s", "s", "99 % are not later"},
       {"control_jitter_max_s", "s", "greatest"},
-      {"entering_frames", "", "with networks: frames that came from programs"},
-      {"entering_late_frames", "", "with networks: of those, later than lateness_limit"},
-      {"entering_lateness_median_s", "s",
-       "with networks, simulated time: upper bound of how long frames waited before they entered"},
-      {"entering_lateness_p99_s", "s", "99 % are not later"},
-      {"entering_lateness_max_s", "s", "greatest"},
-      {"leaving_frames", "", "with networks: frames that went to programs"},
-      {"leaving_late_frames", "", "with networks: of those, later than lateness_limit"},
-      {"leaving_lateness_median_s", "s",
-       "with networks, simulated time: from the end of a frame's reception to its program"},
-      {"leaving_lateness_p99_s", "s", "99 % are not later"},
-      {"leaving_lateness_max_s", "s", "greatest"},
-      {"frames_dropped", "", "with networks: by the kernel before they came in; must be 0"},
-      {"frames_not_taken", "", "with networks: off the air, by an interface that was shut down"},
-      {"cpu_load", "", "with networks: processor time of baraka over wall time"},
-      {"cpu_load_programs", "", "with networks: of all that ran inside agents over wall time"},
-      {"warnings", "", "with networks: what speaks against this result, a line each"},
-      {"open_loop", "", "of a repetition: settings that differ from those of the recorded run"},
   };
+  const std::vector<RunKey> networks = network_run_keys();
+  keys.insert(keys.end(), networks.begin(), networks.end());
+  return keys;
+}
+
+}  // namespace
+
+const std::vector<RunKey>& run_keys() {
+  static const std::vector<RunKey> keys = all_run_keys();
   return keys;
 }
 

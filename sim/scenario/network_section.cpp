@@ -3,6 +3,7 @@
 #include <arpa/inet.h>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <map>
 #include <optional>
@@ -17,7 +18,6 @@ namespace {
 using agents::AgentConfig;
 using air::NetworkConfig;
 
-constexpr int kBits = 32;
 /// 10.77.hi.lo of the 16 bits of an agent's address in the scenario.
 constexpr std::uint32_t kDefaultNetwork = 10u << 24 | 77u << 16;
 constexpr int kDefaultPrefix = 16;
@@ -90,6 +90,32 @@ bool reaches(const NetworkConfig& from, const NetworkConfig& to) {
   return network_of(from) == (to.address & ~host_bits(from.prefix));
 }
 
+/// The networks so far.
+class NetworkCheck {
+ public:
+  /// @param in  the mapping of the agent's network. @return false: something was said of it.
+  bool add(const AgentConfig& agent, Mapping& in) {
+    const NetworkConfig& network = *agent.network;
+    const auto [other, is_new] = taken_.try_emplace(network.address, &agent);
+    if (!is_new) {
+      in.mistake("address", fmt::format("{} of {} is the address of {}, too",
+                                        dotted(network.address), agent.name, other->second->name));
+      return false;
+    }
+    if (first_ == nullptr) first_ = &agent;
+    const NetworkConfig& first = *first_->network;
+    if (reaches(network, first) && reaches(first, network)) return true;
+    in.warn("address", fmt::format("{} of {} and {} of {} are of different networks: without "
+                                   "routes they cannot reach each other",
+                                   text_of(network), agent.name, text_of(first), first_->name));
+    return false;
+  }
+
+ private:
+  std::map<std::uint32_t, const AgentConfig*> taken_;
+  const AgentConfig* first_ = nullptr;
+};
+
 }  // namespace
 
 void read_network(Mapping in, std::span<AgentConfig> agents) {
@@ -131,32 +157,15 @@ void write_network(Writer& out, std::span<const AgentConfig> agents) {
 }
 
 void check_networks(Mapping& in, const Scenario& scenario) {
-  std::map<hal::AgentId, const AgentConfig*> by_id;
-  for (const AgentConfig& agent : scenario.simulation.agents) by_id[agent.id] = &agent;
-  std::map<std::uint32_t, const AgentConfig*> taken;
-  const AgentConfig* first = nullptr;
+  const auto& all = scenario.simulation.agents;
+  NetworkCheck check;
   Mapping agents = in.within("agents");
   for (const Group& group : scenario.groups) {
-    bool is_said = false;
     for (const hal::AgentId id : group.agents) {
-      const AgentConfig* const agent = by_id.contains(id) ? by_id.at(id) : nullptr;
-      if (agent == nullptr || !agent->network || is_said) continue;
+      const auto agent = std::ranges::find(all, id, &AgentConfig::id);
+      if (agent == all.end() || !agent->network) continue;
       Mapping network = agents.within(group.name).within("network");
-      const auto [other, is_new] = taken.try_emplace(agent->network->address, agent);
-      if (!is_new) {
-        network.mistake("address", fmt::format("{} of {} is the address of {}, too",
-                                               dotted(agent->network->address), agent->name,
-                                               other->second->name));
-        is_said = true;
-      } else if (first != nullptr && (!reaches(*agent->network, *first->network) ||
-                                      !reaches(*first->network, *agent->network))) {
-        network.warn("address", fmt::format("{} of {} and {} of {} are of different networks: "
-                                            "without routes they cannot reach each other",
-                                            text_of(*agent->network), agent->name,
-                                            text_of(*first->network), first->name));
-        is_said = true;
-      }
-      if (first == nullptr) first = agent;
+      if (!check.add(*agent, network)) break;  // of the others the same would be said
     }
   }
 }
