@@ -74,7 +74,7 @@ def figure_of(drive):
     below.set(xlabel="time, s", ylabel="way east, m")
     for axis in (above, below):
         axis.axvspan(*drive.shadow(), color="0.5", alpha=0.25, label="the wall is between them")
-    for at, state in drive.states:
+    for at, state in drive.states[1:]:
         below.axvline(at, color="C0", linestyle=":")
         below.text(at, 9, f" {state}", color="C0", fontsize=7, rotation=90, va="top")
     below.legend(fontsize=7, loc="lower right")
