@@ -168,6 +168,12 @@ ExitStatus conclude(Results& results, const sim::scenario::Judge& judge,
   return status;
 }
 
+/// Of controllers inside; none: there are no networks.
+std::optional<StartInside> starter_in(std::optional<NetworkOfRun>& network) {
+  if (!network) return std::nullopt;
+  return std::optional<StartInside>(std::in_place, *network);
+}
+
 int run(const RunOptions& options, const Scenario& scenario, const Course& course,
         RunInspection& inspection, Results& results) {
   const std::optional<int> domain = domain_of(options);
@@ -191,8 +197,7 @@ int run(const RunOptions& options, const Scenario& scenario, const Course& cours
         {simulation.broken_off_by(failed ? what : ""),
          failed ? std::vector<std::string>{} : std::vector{what}, pace->wall_seconds()});
   });
-  std::optional<StartInside> inside;
-  if (network) inside.emplace(*network);
+  std::optional<StartInside> inside = starter_in(network);
   ControllersOfRun controllers(scenario, simulation,
                                {.from = options.controllers,
                                 .domain = domain,
