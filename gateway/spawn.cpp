@@ -111,16 +111,6 @@ pid_t fork_and_exec(const Prepared& prepared) {
   throw std::runtime_error(fmt::format("cannot start {}: {}", prepared.program, limit_met(error)));
 }
 
-/// What a program had to say in the end: ": its last line", or nothing.
-std::string last_words(const std::filesystem::path& log) {
-  std::ifstream file(log);
-  std::string last;
-  for (std::string line; std::getline(file, line);) {
-    if (!line.empty()) last = ": " + line;
-  }
-  return last;
-}
-
 bool has_ended(int descriptor) {
   pollfd polled{descriptor, POLLIN, 0};
   return hal::poll_for({&polled, 1}, hal::Duration::zero()) > 0;
@@ -139,6 +129,15 @@ Ending ending_of(const std::string& name, pid_t pid) {
 }
 
 }  // namespace
+
+std::string last_words(const std::filesystem::path& log) {
+  std::ifstream file(log);
+  std::string last;
+  for (std::string line; std::getline(file, line);) {
+    if (!line.empty()) last = ": " + line;
+  }
+  return last;
+}
 
 Spawner::~Spawner() { stop_all(); }
 

@@ -30,6 +30,9 @@ struct Ending {
   std::string cause;  ///< "exited with status 2", "killed by signal 9".
 };
 
+/// What a program had to say in the end, for a message: ": its last line", or nothing.
+std::string last_words(const std::filesystem::path& log);
+
 /// Controller processes started by this one. Each has a process group of its own, so that Ctrl-C
 /// reaches only this process, and is killed by the kernel when the thread that started it ends.
 /// One thread.

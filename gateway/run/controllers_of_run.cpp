@@ -34,24 +34,50 @@ const hal::exchange::AgentOffer& offer_of(const std::vector<hal::exchange::Agent
 /// A host without the agents whose controllers are not looked for.
 class ServedAgents final : public hal::exchange::AgentHost {
  public:
-  explicit ServedAgents(hal::exchange::AgentHost& host) : host_(host) {}
+  ServedAgents(hal::exchange::AgentHost& host, InsideControllers& inside)
+      : host_(host), inside_(inside) {}
 
   std::vector<hal::exchange::AgentOffer> offers() const override {
     std::vector<hal::exchange::AgentOffer> offers = host_.offers();
-    std::erase_if(offers, [](const auto& offer) {
-      return offer.program == kTeleop || offer.program.empty();
+    std::erase_if(offers, [this](const auto& offer) {
+      return offer.program == kTeleop || offer.program.empty() ||
+             inside_.is_repeated(offer.session.agent);
     });
     return offers;
   }
   std::vector<hal::exchange::AgentName> directory() const override { return host_.directory(); }
   void connect(std::shared_ptr<hal::exchange::ControllerPort> port,
                const std::vector<hal::AgentId>& agents, const hal::Wants& wants) override {
-    host_.connect(std::move(port), agents, wants);
+    inside_.connect_before(agents.front());
+    host_.connect(inside_.recorded(std::move(port), agents.front()), agents, wants);
   }
 
  private:
   hal::exchange::AgentHost& host_;
+  InsideControllers& inside_;
 };
+
+/// Of the program of a controller process.
+std::vector<std::string> arguments_for(const ProcessPlan& plan, const Scenario& scenario) {
+  std::vector<std::string> arguments{"--name", plan.process, "--wait", "none"};  // it dies with us
+  for (const hal::AgentId agent : plan.agents) {
+    const auto config = std::ranges::lower_bound(scenario.simulation.agents, agent, {},
+                                                 &sim::agents::AgentConfig::id);  // by address
+    arguments.insert(arguments.end(), {"--agents", config->name});
+  }
+  return arguments;
+}
+
+/// @throws UsageError  a controller is inside its agent's network, where only a process can be that
+///   the run starts.
+void refuse_inside(const std::vector<ProcessPlan>& plans, ControllersFrom from) {
+  const auto inside = std::ranges::find_if(plans, [](const ProcessPlan& p) { return p.inside; });
+  if (inside == plans.end() || from == ControllersFrom::kSpawn) return;
+  const char* const option = from == ControllersFrom::kExternal ? "external" : "in-process";
+  throw UsageError(fmt::format(
+      "--controllers {}: '{}' is inside its agent's network, and so a process that the run starts",
+      option, inside->process));
+}
 
 template <class T>
 T value_or_throw(hal::Result<T> result) {
@@ -65,6 +91,11 @@ ControllersOfRun::ControllersOfRun(const Scenario& scenario, sim::agents::Simula
                                    const Settings& settings) {
   std::vector<ProcessPlan> plans = sim::scenario::plan_processes(scenario);
   std::erase_if(plans, [](const ProcessPlan& plan) { return plan.program == kTeleop; });
+  inside_.emplace(plans, scenario, simulation, settings.replies);
+  if (settings.replies != nullptr) {
+    std::erase_if(plans, [](const ProcessPlan& plan) { return plan.inside; });
+  }
+  refuse_inside(plans, settings.from);
   if (plans.empty() && settings.from == ControllersFrom::kExternal) {
     throw UsageError("--controllers external: no agent of this scenario has a controller");
   }
@@ -73,6 +104,7 @@ ControllersOfRun::ControllersOfRun(const Scenario& scenario, sim::agents::Simula
   } else {
     serve(plans, scenario, simulation, settings);
   }
+  inside_->connect_before(hal::kEveryone);
 }
 
 ControllersOfRun::~ControllersOfRun() = default;
@@ -96,6 +128,7 @@ void ControllersOfRun::connect_in_process(const std::vector<ProcessPlan>& plans,
           value_or_throw(hal::exchange::session_for(offer_of(offers, agent), kind.wants)));
     }
     auto host = value_or_throw(hal::runtime::ControllerHost::create(kind, session));
+    inside_->connect_before(plan.agents.front());
     simulation.connect(std::make_shared<hal::runtime::InProcessPort>(plan.process, std::move(host)),
                        plan.agents, kind.wants);
   }
@@ -107,7 +140,7 @@ void ControllersOfRun::serve(const std::vector<ProcessPlan>& plans, const Scenar
   const std::optional<int> domain = settings.domain ? settings.domain
                                     : external      ? std::optional(hal::dds::default_domain())
                                                     : std::nullopt;
-  served_ = std::make_unique<ServedAgents>(simulation);
+  served_ = std::make_unique<ServedAgents>(simulation, *inside_);
   server_ = std::make_unique<AgentServer>(
       hal::dds::take_domain(domain), *served_,
       ServerSettings{kOnlyRun, scenario.wait, scenario.reply_timeout});
@@ -118,6 +151,9 @@ void ControllersOfRun::serve(const std::vector<ProcessPlan>& plans, const Scenar
   const auto keep_waiting = [&]() -> hal::Result<void> {
     if (interrupted()) return hal::fail(hal::Errc::kNotConnected, "interrupted");
     if (notice) notice->say(server_->missing());
+    if (settings.inside != nullptr) {
+      if (auto run = settings.inside->check(); !run) return run;
+    }
     return spawner_.check();
   };
   if (notice) notice->say(server_->missing());
@@ -138,18 +174,33 @@ void ControllersOfRun::spawn(const std::vector<ProcessPlan>& plans, const Scenar
       throw std::runtime_error(fmt::format("{}: program: '{}' is not there to be started",
                                            plan.program_place, plan.program));
     }
-    Command command{.program = *program,
-                    .arguments = {"--name", plan.process, "--wait", "none"},  // it dies with us
-                    .domain = server_->domain(),
-                    .log = settings.logs / (plan.process + ".log")};
-    for (const hal::AgentId agent : plan.agents) {
-      const auto& agents = scenario.simulation.agents;
-      const auto config = std::ranges::lower_bound(agents, agent, {},
-                                                   &sim::agents::AgentConfig::id);  // by address
-      command.arguments.insert(command.arguments.end(), {"--agents", config->name});
+    std::vector<std::string> arguments = arguments_for(plan, scenario);
+    if (plan.inside) {
+      arguments.insert(arguments.begin(), program->string());
+      start_inside(plan, std::move(arguments), settings);
+    } else {
+      spawner_.start({.program = *program,
+                      .arguments = std::move(arguments),
+                      .domain = server_->domain(),
+                      .log = settings.logs / (plan.process + ".log")});
     }
-    spawner_.start(command);
   }
+}
+
+void ControllersOfRun::start_inside(const ProcessPlan& plan, std::vector<std::string> arguments,
+                                    const Settings& settings) {
+  if (settings.inside == nullptr) {
+    throw std::runtime_error(
+        fmt::format("{}: program: '{}' is to run inside its agent's network, and there is none",
+                    plan.program_place, plan.program));
+  }
+  const hal::dds::Invitation invitation = server_->invite();
+  settings.inside->start(
+      plan.agents.front(),
+      {.arguments = std::move(arguments),
+       .environment = {invitation.variable(), {"BARAKA_DOMAIN", std::to_string(server_->domain())}},
+       .log = settings.logs / (plan.process + ".log"),
+       .inherited = invitation.descriptors()});
 }
 
 std::vector<std::string> ControllersOfRun::finish(bool stopped) {

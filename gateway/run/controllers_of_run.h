@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "gateway/inside_starter.h"
+#include "gateway/run/inside_controllers.h"
 #include "gateway/server.h"
 #include "gateway/spawn.h"
 #include "hal/types/result.h"
@@ -23,8 +25,12 @@ class ControllersOfRun {
  public:
   struct Settings {
     ControllersFrom from = ControllersFrom::kSpawn;
-    std::optional<int> domain;   ///< None: the first free one.
-    std::filesystem::path logs;  ///< Folder for the logs of spawned controllers.
+    std::optional<int> domain = {};   ///< None: the first free one.
+    std::filesystem::path logs = {};  ///< Folder for the logs of spawned controllers.
+    /// Starts those that run inside their agents' networks; outlives them. Null: there are none.
+    InsideStarter* inside = nullptr;
+    /// Of a repetition: what these answered, as take_replies(). Null: this is none.
+    const std::vector<sim::OutsideArrival>* replies = nullptr;
   };
 
   /// Connects every agent of the simulation to its controller, except those that are teleoperated.
@@ -53,7 +59,10 @@ class ControllersOfRun {
              const Settings& settings);
   void spawn(const std::vector<sim::scenario::ProcessPlan>& plans,
              const sim::scenario::Scenario& scenario, const Settings& settings);
+  void start_inside(const sim::scenario::ProcessPlan& plan, std::vector<std::string> arguments,
+                    const Settings& settings);
 
+  std::optional<InsideControllers> inside_;
   std::unique_ptr<hal::exchange::AgentHost> served_;  ///< The simulation without the others.
   std::unique_ptr<AgentServer> server_;
   Spawner spawner_;

@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "gateway/exit_status.h"
+#include "gateway/run/inside_controllers.h"
 #include "gateway/run/real_time_clock.h"
 #include "hal/config/value.h"
 #include "sim/scenario/resolved.h"
@@ -130,6 +131,7 @@ Course::Course(const RunOptions& options, const sim::scenario::Scenario& scenari
   if (options.repeat.empty()) return;
   open_loop_ = open_loop_of(options.repeat, scenario);
   record_ = sim::record::read_course(options.repeat);
+  replies_ = take_replies(record_->arrivals);
   until_ = std::min(until_.value_or(record_->ended_at), record_->ended_at);
 }
 

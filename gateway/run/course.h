@@ -29,6 +29,10 @@ class Course {
   /// Simulated seconds per second; none: not in real time.
   std::optional<double> factor() const { return factor_; }
   bool is_repeated() const { return record_.has_value(); }
+  /// Of a repetition: what controllers inside their agents' networks answered; else null.
+  const std::vector<sim::OutsideArrival>* replies() const {
+    return is_repeated() ? &replies_ : nullptr;
+  }
   /// Of a repetition: what is not as it was, "radio.data_rate: 11 Mb/s instead of 2 Mb/s".
   const std::vector<std::string>& open_loop() const { return open_loop_; }
 
@@ -36,8 +40,9 @@ class Course {
   std::string pace_;
   std::vector<std::string> open_loop_;
   std::optional<hal::Time> until_;
-  std::optional<double> factor_;  ///< In real time, so fast.
-  std::optional<sim::record::RecordedCourse> record_;
+  std::optional<double> factor_;                       ///< In real time, so fast.
+  std::optional<sim::record::RecordedCourse> record_;  ///< Without …
+  std::vector<sim::OutsideArrival> replies_;           ///< … these.
 };
 
 }  // namespace gateway

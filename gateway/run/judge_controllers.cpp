@@ -107,6 +107,10 @@ void judge_states(const sim::scenario::Scenario& scenario, const sim::scenario::
 
 void judge_teleop(const sim::scenario::Scenario& scenario, const sim::scenario::Group& group,
                   std::vector<std::string>& mistakes) {
+  if (group.inside) {
+    mistakes.push_back(fmt::format("{}: program: '{}' is driven from outside: not with `inside`",
+                                   group.program_place, kTeleop));
+  }
   std::set<std::string> said;
   for (const hal::AgentId id : group.agents) {
     const sim::agents::AgentConfig& agent = config_of(scenario, id);

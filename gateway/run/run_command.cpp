@@ -16,6 +16,7 @@
 #include "gateway/run/network_report.h"
 #include "gateway/run/results.h"
 #include "gateway/run/run_inspection.h"
+#include "gateway/run/start_inside.h"
 #include "gateway/run/wall_pace.h"
 #include "hal/types/log.h"
 #include "hal/types/printable.h"
@@ -181,6 +182,12 @@ ExitStatus conclude(Results& results, const sim::scenario::Judge& judge,
   return status;
 }
 
+/// Of controllers inside; none: there are no networks.
+std::optional<StartInside> starter_in(std::optional<NetworkOfRun>& network) {
+  if (!network) return std::nullopt;
+  return std::optional<StartInside>(std::in_place, *network);
+}
+
 int run(const RunOptions& options, const Scenario& scenario, const Course& course,
         RunInspection& inspection, Results& results) {
   const std::optional<int> domain = domain_of(options);
@@ -201,9 +208,13 @@ int run(const RunOptions& options, const Scenario& scenario, const Course& cours
         {simulation.broken_off_by(failed ? what : ""),
          failed ? std::vector<std::string>{} : std::vector{what}, pace->wall_seconds()});
   });
-  ControllersOfRun controllers(
-      scenario, simulation,
-      {.from = options.controllers, .domain = domain, .logs = results.folder().path()});
+  std::optional<StartInside> inside = starter_in(network);
+  ControllersOfRun controllers(scenario, simulation,
+                               {.from = options.controllers,
+                                .domain = domain,
+                                .logs = results.folder().path(),
+                                .inside = inside ? &*inside : nullptr,
+                                .replies = course.replies()});
   inspection.start(controllers.domain() ? controllers.domain() : domain, simulation);
   pace.emplace(WallPace::Settings{.max_speed = options.max_speed,
                                   .terminal = ::isatty(STDERR_FILENO) != 0,

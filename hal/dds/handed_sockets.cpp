@@ -23,20 +23,20 @@ constexpr int kHighestInherited = 1023;
 }
 
 /// The socket of an inode, which stays in no program that this process starts.
-Descriptor inherited(std::uint64_t inode) {
+OwnedDescriptor inherited(std::uint64_t inode) {
   for (int number = 3; number <= kHighestInherited; ++number) {
     struct stat status {};
     if (fstat(number, &status) != 0 || !S_ISSOCK(status.st_mode) || status.st_ino != inode) {
       continue;
     }
     fcntl(number, F_SETFD, FD_CLOEXEC);
-    return Descriptor(number);
+    return OwnedDescriptor(number);
   }
   fail_taking(fmt::format("the socket {} was not inherited", inode));
 }
 
 HandedSockets::Bound inherited_udp(std::uint64_t inode) {
-  Descriptor descriptor = inherited(inode);
+  OwnedDescriptor descriptor = inherited(inode);
   sockaddr_in name{};
   socklen_t size = sizeof(name);
   if (getsockname(descriptor.number(), reinterpret_cast<sockaddr*>(&name), &size) != 0 ||

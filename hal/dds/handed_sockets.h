@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "hal/dds/descriptor.h"
+#include "hal/dds/owned_descriptor.h"
 
 namespace hal::dds {
 
@@ -20,12 +20,12 @@ inline constexpr std::size_t kMostAnnounced = 1024;
 struct HandedSockets {
   /// A UDP socket and the port that it is bound to.
   struct Bound {
-    Descriptor descriptor;
+    OwnedDescriptor descriptor;
     std::uint16_t port = 0;
   };
   Bound metatraffic;  ///< Where others discover this process.
   Bound data;         ///< Where Steps come, and from which everything is sent.
-  Descriptor channel;
+  OwnedDescriptor channel;
   std::vector<std::uint16_t> hosts;  ///< UDP ports of the process that invited this one.
 
   /// Tells the host as whom this process will say Hello. The kernel adds who it is.

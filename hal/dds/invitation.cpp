@@ -35,10 +35,10 @@ std::optional<sockaddr_in> name_of_socket(int descriptor) {
 }
 
 /// A UDP socket of 127.0.0.1 at a port where no server is looked for.
-Descriptor loopback_socket(std::uint16_t& port) {
-  std::vector<Descriptor> refused;  // held, so that each try gets another port
+OwnedDescriptor loopback_socket(std::uint16_t& port) {
+  std::vector<OwnedDescriptor> refused;  // held, so that each try gets another port
   while (true) {
-    Descriptor udp(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
+    OwnedDescriptor udp(socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0));
     sockaddr_in address{};
     address.sin_family = AF_INET;
     address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
@@ -71,7 +71,7 @@ std::vector<std::uint16_t> own_ports() {
   return ports;
 }
 
-std::uint64_t inode_of(const Descriptor& descriptor) {
+std::uint64_t inode_of(const OwnedDescriptor& descriptor) {
   struct stat status {};
   fstat(descriptor.number(), &status);
   return status.st_ino;
@@ -86,13 +86,13 @@ std::pair<std::string, std::string> Invitation::variable() const {
 Invited invite() {
   const std::vector<std::uint16_t> hosts = own_ports();
   std::uint16_t metatraffic_port = 0, data_port = 0;
-  Descriptor metatraffic = loopback_socket(metatraffic_port);
-  Descriptor data = loopback_socket(data_port);
+  OwnedDescriptor metatraffic = loopback_socket(metatraffic_port);
+  OwnedDescriptor data = loopback_socket(data_port);
   std::array<int, 2> ends{-1, -1};
   if (socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends.data()) != 0) {
     fail_inviting("a Unix socket");
   }
-  Descriptor own(ends[0]), guests(ends[1]);
+  OwnedDescriptor own(ends[0]), guests(ends[1]);
   const int on = 1;
   setsockopt(own.number(), SOL_SOCKET, SO_PASSCRED, &on, sizeof(on));
   // Whoever starts the process may give the descriptors other numbers: inodes tell them.

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "hal/dds/datagram_filter.h"
-#include "hal/dds/descriptor.h"
+#include "hal/dds/owned_descriptor.h"
 #include "hal/dds/process_watch.h"
 
 namespace hal::dds {
@@ -24,7 +24,8 @@ namespace hal::dds {
 /// The copies of this process close with the object: not before the process has its own.
 class Invitation {
  public:
-  Invitation(Descriptor metatraffic, Descriptor data, Descriptor channel, std::string variable)
+  Invitation(OwnedDescriptor metatraffic, OwnedDescriptor data, OwnedDescriptor channel,
+             std::string variable)
       : metatraffic_(std::move(metatraffic)),
         data_(std::move(data)),
         channel_(std::move(channel)),
@@ -36,7 +37,7 @@ class Invitation {
   std::pair<std::string, std::string> variable() const;  ///< Name and value.
 
  private:
-  Descriptor metatraffic_, data_, channel_;
+  OwnedDescriptor metatraffic_, data_, channel_;
   std::string variable_;
 };
 
@@ -45,7 +46,7 @@ class Invitation {
 class Guest {
  public:
   /// @param channel  of SO_PASSCRED.   @param port  UDP, from which the process speaks.
-  Guest(Descriptor channel, std::uint16_t port) : channel_(std::move(channel)), port_(port) {}
+  Guest(OwnedDescriptor channel, std::uint16_t port) : channel_(std::move(channel)), port_(port) {}
 
   /// What the process is called in the pid namespace of this one, if it is the guest that has said
   /// to be `instance` and speaks from the guest's port; else none. The kernel tells, not the guest
@@ -55,7 +56,7 @@ class Guest {
  private:
   void hear();
 
-  Descriptor channel_;
+  OwnedDescriptor channel_;
   std::uint16_t port_;
   std::string instance_;  ///< Empty: it has not been heard.
   ProcessIdentity identity_;

@@ -80,6 +80,10 @@ void Simulation::connect_air(air::FrameSink& sink, air::FrameSource& source) {
 
 OutsideInput& Simulation::outside() { return state_->outside; }
 
+void Simulation::note_arrival(const std::string& name, std::vector<std::uint8_t> bytes) {
+  state_->observers.on_arrival({state_->events.now(), name, std::move(bytes)});
+}
+
 std::vector<hal::exchange::AgentOffer> Simulation::offers() const {
   std::vector<hal::exchange::AgentOffer> offers;
   for (const auto& [id, agent] : state_->agents)

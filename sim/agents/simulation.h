@@ -83,6 +83,10 @@ class Simulation final : public hal::exchange::AgentHost {
   /// `sink`, what they send comes from `source`. Before a run in real time, none in a repetition.
   void connect_air(air::FrameSink& sink, air::FrameSource& source);
 
+  /// Has it recorded, as of now, that something came from outside by another way than a door: a
+  /// reply of a controller that hears others. On the run's thread.
+  void note_arrival(const std::string& name, std::vector<std::uint8_t> bytes);
+
   /// Runs once, to an end condition or `until`. @pre every agent is connected that has a program.
   Outcome run(std::optional<hal::Time> until, Pace& pace);
 

@@ -71,6 +71,41 @@ void write_parameters(Writer& out, const std::vector<ParameterText>& parameters)
   out.close();
 }
 
+const Key kProcesses{"processes",
+                     "Controller processes that share the agents; at most one for each, and one "
+                     "for each with `inside`.",
+                     "1"};
+
+/// Those that share `agents` agents.
+int read_processes(Mapping& in, std::size_t agents, bool inside) {
+  const auto most = std::max<std::int64_t>(1, static_cast<std::int64_t>(agents));
+  const bool is_given = in.has(kProcesses.name);
+  const std::int64_t processes = in.integer(kProcesses, 1, hal::kLastAddress, 1);
+  if (processes > most) {
+    in.mistake(kProcesses.name, fmt::format("{} is above the limit of {}", processes, most));
+  }
+  if (!inside) return static_cast<int>(std::min(processes, most));
+  if (is_given && processes < most) {
+    in.mistake(kProcesses.name,
+               fmt::format("is {}, but with `inside` there is one for each of the {} agents",
+                           processes, most));
+  }
+  return static_cast<int>(most);
+}
+
+bool read_inside(Mapping& in, std::span<const AgentConfig> agents) {
+  const bool inside = in.flag(
+      {"inside",
+       "Whether the controller runs inside its agent's network, where it may open sockets and DDS "
+       "participants of its own on wlan0; one process for each agent.",
+       "true"},
+      false);
+  if (!inside) return false;
+  if (agents.empty() || agents.front().network) return true;
+  in.mistake("inside", "needs `network` of the group, the interface that it is for");
+  return false;
+}
+
 }  // namespace
 
 void read_controller(Mapping in, Group& group, std::span<AgentConfig> agents) {
@@ -78,20 +113,15 @@ void read_controller(Mapping in, Group& group, std::span<AgentConfig> agents) {
       {"program", "The controller: one of ours, one of yours in BARAKA_CONTROLLER_PATH, or teleop.",
        "help_mote"});
   group.program_place = in.place("program");
-  const auto most = std::max<std::int64_t>(1, static_cast<std::int64_t>(agents.size()));
-  const std::int64_t processes = in.integer(
-      {"processes", "Controller processes that share the agents; at most one for each.", "1"}, 1,
-      hal::kLastAddress, 1);
-  if (processes > most) {
-    in.mistake("processes", fmt::format("{} is above the limit of {}", processes, most));
-  }
-  group.processes = static_cast<int>(std::min(processes, most));
+  group.inside = read_inside(in, agents);
+  group.processes = read_processes(in, agents.size(), group.inside);
   const std::vector<ParameterText> parameters = read_parameters(in.mapping(
       {"parameters", "Of the controller, for all agents; `baraka describe PROGRAM` shows them.",
        "{help_at: 1 s}"}));
   for (AgentConfig& agent : agents) {
     agent.program = group.program;
     agent.parameters = parameters;
+    agent.inside = group.inside;
   }
   OverrideAgents some(agents);
   for (Mapping& one :
@@ -105,6 +135,7 @@ void write_controller(Writer& out, const Group& group, std::span<const AgentConf
   out.open("controller");
   out.text("program", group.program);
   out.integer("processes", group.processes);
+  if (group.inside) out.flag("inside", true);
   const std::vector<ParameterText> common = common_to(agents);
   write_parameters(out, common);
   out.open_list("overrides");

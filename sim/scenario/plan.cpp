@@ -18,7 +18,7 @@ std::vector<ProcessPlan> plan_processes(const Scenario& scenario) {
     const std::size_t larger = group.agents.size() % processes;
     auto next = group.agents.begin();
     for (std::size_t i = 0; i < processes; ++i) {
-      ProcessPlan plan{group.name, group.program, group.program_place, {}};
+      ProcessPlan plan{group.name, group.program, group.program_place, {}, group.inside};
       if (processes > 1) plan.process = fmt::format("{}-{}", group.name, i + 1);
       const auto end = next + static_cast<std::ptrdiff_t>(share + (i < larger ? 1 : 0));
       plan.agents.assign(next, end);

@@ -13,6 +13,7 @@ struct ProcessPlan {
   std::string program;
   std::string program_place;
   std::vector<hal::AgentId> agents;  ///< At least one; consecutive in order of declaration.
+  bool inside = false;               ///< In the network of its agent, which is its only one.
 };
 
 /// How the scenario spreads its agents over controller processes, in order of declaration. The

@@ -28,6 +28,7 @@ struct Group {
   std::string program_place;          ///< "file:line:column" of `program`, for error messages.
   int processes = 1;                  ///< Controller processes that share the agents.
   std::vector<Program> programs{};    ///< Inside each of the agents.
+  bool inside = false;                ///< Each of them inside its agent's network.
 };
 
 /// The run must end with this result.

@@ -4,6 +4,7 @@ import math
 import air_scenarios
 from document import pyplot
 from runs import SCENARIOS
+from teleop import teleop_behind_a_wall
 
 RTS = {"radio.rts_threshold": 0}
 
@@ -147,7 +148,7 @@ def handover(runs):
 
 
 PAGES = {"saturation": saturation, "hidden_terminal": hidden_terminal, "range": range_, "near_far": near_far,
-         "behind_a_wall": behind_a_wall, "handover": handover}
+         "behind_a_wall": behind_a_wall, "handover": handover, "teleop_behind_a_wall": teleop_behind_a_wall}
 
 
 def figures(runs, only):

@@ -136,7 +136,7 @@ agents:
           converter: {bits: 12, full_scale: 3.3 V}
         mounts: [{position: [0.1 m, 0.1 m]}, {distance: 0.1 m, bearing: 90 deg, curve: gp2d120}]
     poses: [{x: 1 m, y: 2 m, yaw: -30 deg}]
-    controller: {program: help_robot}
+    controller: {program: help_robot, inside: true}
     network: {address: 192.168.7.9/24, mtu: 1400}
   desk:
     address: 517
@@ -220,6 +220,15 @@ TEST_F(Resolved, KeepsNetworksAndPrograms) {
   EXPECT_EQ(desk.programs[0].on_exit, OnExit::kEnd);
   EXPECT_EQ(desk.programs[1].on_exit, OnExit::kFail);
   EXPECT_EQ(desk.programs[1].log, "{agent}.early.log");
+}
+
+TEST_F(Resolved, KeepsWhichControllersAreInside) {
+  const Scenario scenario = load(resolved_yaml(load(kEverything)));
+  const auto& agents = scenario.simulation.agents;
+  for (const agents::AgentConfig& agent : agents) EXPECT_EQ(agent.inside, agent.id.value == 7);
+  for (const ProcessPlan& plan : plan_processes(scenario)) {
+    EXPECT_EQ(plan.inside, plan.agents.front().value == 7);
+  }
 }
 
 TEST_F(Resolved, PlansProgramsByTheirStartWithTheWordsOfTheirAgents) {

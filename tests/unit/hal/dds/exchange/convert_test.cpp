@@ -1,4 +1,5 @@
 #include "hal/dds/exchange/convert.h"
+#include "hal/dds/exchange/reply_bytes.h"
 
 #include <fastcdr/Cdr.h>
 #include <fastcdr/FastBuffer.h>
@@ -229,7 +230,15 @@ TEST(Conversion, AnyReplyArrivesAsItWas) {
                                 any.list([&] { return any_action(any); })};
     to_wire(reply, "server", sample);
     EXPECT_EQ(*from_wire(travelled(sample)), reply);
+    EXPECT_EQ(*reply_of(bytes_of(reply)), reply);
   }
+}
+
+TEST(Conversion, BytesOfNoReplyAreAProtocolError) {
+  std::vector<std::uint8_t> bytes = bytes_of({"p", 1, 2, {}});
+  bytes.resize(bytes.size() - 9);
+  EXPECT_EQ(reply_of(bytes).error().code, Errc::kProtocol);
+  EXPECT_EQ(reply_of({}).error().code, Errc::kProtocol);
 }
 
 TEST(Conversion, NotANumberKeepsItsBits) {
