@@ -58,12 +58,12 @@ class Runs:
         self.folder = tempfile.TemporaryDirectory(prefix="baraka-validation-")
         self.count = 0
 
-    def play(self, scenario, settings, seed=1, until=None):
-        """Runs a scenario in process with `settings`, a mapping of --set; a Run."""
+    def play(self, scenario, settings, seed=1, until=None, more=()):
+        """Runs a scenario in process with `settings`, a mapping of --set, and more arguments; a Run."""
         self.count += 1
         folder = pathlib.Path(self.folder.name) / f"run{self.count}"
         command = [self.program, "run", scenario, "--controllers", "in-process", "--no-inspect", "--seed", seed,
-                   "--out", folder, "--log", "error"]
+                   "--out", folder, "--log", "error", *more]
         if until is not None:
             command += ["--until", until]
             settings = {**settings, "end": [{"at": "1000 s", "result": "later"}]}

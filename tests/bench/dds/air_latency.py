@@ -35,13 +35,16 @@ def stations_of(count, options):
     seconds = seconds_of(count, options)
     common = [options.build / "tests/cyclone_load", "--best-effort", "--publish", "t", "--subscribe", "t", "--size",
               options.size, "--rate", options.rate, "--count", max(1, round(seconds * options.rate)), "--until-matched",
-              count - 1, "--settle", 3, "--for", seconds + options.discovery]
+              count - 1, "--patience", options.discovery,
+              "--settle", 3, "--for", seconds + options.discovery + 10]
     stations = []
     for i, (x, y) in enumerate(own.circle(count)):
-        # The first one ends the run, when the others have ended.
-        command = [*common, "--writer", i, "--csv", f"{{results}}/{i}.csv", "--linger", 1.5 if i else 3]
+        # The last one to start ends the run, when the others have ended.
+        is_last = i == count - 1
+        command = [*common, "--writer", i, "--csv", f"{{results}}/{i}.csv", "--linger", 3 if is_last else 1.5]
         stations.append(own.Station(f"s{i}", x, y, [own.Program(
-            "load", command, own.environment("cyclone", tap_peer.PROFILE), "ignore" if i else "end", tap_peer.STAGGER * i)]))
+            "load", command, own.environment("cyclone", tap_peer.PROFILE), "end" if is_last else "ignore",
+            tap_peer.STAGGER * i)]))
     return stations
 
 
@@ -58,7 +61,7 @@ def latencies(found):
 
 
 def measure_ours(count, factor, options):
-    seconds = seconds_of(count, options) + options.discovery + 5
+    seconds = seconds_of(count, options) + options.discovery + 15
     written = own.scenario(stations_of(count, options), seconds, own.radio())
     with own.played(options.build, written, factor, kept=options.kept) as run:
         found = journals.totals({i: run.folder / f"{i}.csv" for i in range(count)})
@@ -116,7 +119,8 @@ def main():
     parser.add_argument("--peer-stations", type=int, nargs="*", default=[2, 10, 20])
     parser.add_argument("--factors", type=float, nargs="+", default=[1, 0.2, 0.05, 0.025])
     parser.add_argument("--seconds", type=float, default=20, help="simulated, of publishing")
-    parser.add_argument("--discovery", type=float, default=20, help="s that may pass until all know each other")
+    parser.add_argument("--discovery", type=float, default=20,
+                        help="s after which they begin though not all know each other")
     parser.add_argument("--size", type=int, default=64)
     parser.add_argument("--rate", type=float, default=10)
     parser.add_argument("--store", type=pathlib.Path, help="file of what is measured already")

@@ -72,16 +72,18 @@ class Journals(unittest.TestCase):
 
     def test_shares_and_latencies_add_up(self):
         found = journals.totals(self.journals(
-            "created,,0,0,0,,,,,\nwrite,t,1000,1000,0,0,64,5,1,\nwrite,t,2000,2000,0,1,64,5,0,\nwrite,t,3000,3000,0,2,64,5,1,\n",
+            "created,,0,0,0,,,,,\nreaders,t,500,500,0,2,,,,\nwrite,t,1000,1000,0,0,64,5,1,\nwrite,t,2000,2000,0,1,64,5,0,\nwrite,t,3000,3000,0,2,64,5,1,\n",
             "created,t,0,0,1,,,,,\nreceive,t,1500,1500,0,0,64,,,1000\nreceive,t,3700,3700,0,2,64,,,3000\n",
             "created,t,0,0,2,,,,,\nreceive,t,1600,1600,0,0,64,,,1000\nreceive,t,37"))
         self.assertEqual((found.offered, found.written, found.expected, found.received), (3, 2, 4, 3))
         self.assertEqual(found.delivered, 0.75)
         self.assertEqual([round(1e9 * one) for one in found.pooled()], [500, 600, 700])
 
-    def test_a_reader_that_got_nothing_counts(self):
-        found = journals.totals(self.journals("created,,0,0,0,,,,,\nwrite,t,1000,1000,0,0,64,5,1,\n", "created,t,0,0,1,,,,,\n"))
-        self.assertEqual((found.expected, found.received, found.delivered), (1, 0, 0))
+    def test_a_reader_counts_once_it_is_known(self):
+        found = journals.totals(self.journals(
+            "created,,0,0,0,,,,,\nwrite,t,100,100,0,0,64,5,1,\nreaders,t,500,500,0,1,,,,\nwrite,t,1000,1000,0,1,64,5,1,\n",
+            "created,t,0,0,1,,,,,\n"))
+        self.assertEqual((found.written, found.expected, found.received, found.delivered), (2, 1, 0, 0))
 
     def test_all_are_matched_when_the_last_one_is(self):
         texts = ["created,t,1000,0,0,,,,,\nreaders,t,1500,0,0,1,,,,\nwriters,t,1700,0,0,1,,,,\nwriters,t,1800,0,0,0,,,,\n",

@@ -28,27 +28,24 @@ def rows(file):
 
 
 def totals(journals, topics=None):
-    """journals: {reader's number: file}. Only what was written and received on `topics`, all if None."""
-    content = {reader: [row for row in rows(file) if topics is None or row["topic"] in topics]
-               for reader, file in journals.items()}
-    readers = collections.defaultdict(set)
-    for reader, events in content.items():
-        for row in events:
-            if row["event"] == "created" and row["topic"]:
-                readers[row["topic"]].add(reader)
-    offered = written = expected = 0
-    for writer, events in content.items():
-        for row in events:
-            if row["event"] == "write":
-                offered += 1
-                written += row["ok"] == "1"
-                expected += (row["ok"] == "1") * len(readers[row["topic"]] - {writer})
-    latencies = collections.defaultdict(list)
-    for reader, events in content.items():
-        for row in events:
-            if row["event"] == "receive":
-                latencies[int(row["writer"]), reader].append((int(row["wall_ns"]) - int(row["stamp_ns"])) * 1e-9)
-    return Totals(offered, written, expected, sum(map(len, latencies.values())), dict(latencies))
+    """journals: {reader's number: file}. Only what was written and received on `topics`, all if None. Expected are the
+    readers that a writer knew when it wrote."""
+    found = Totals(0, 0, 0, 0, collections.defaultdict(list))
+    for number, file in journals.items():
+        known = 0
+        for row in rows(file):
+            if topics is not None and row["topic"] not in topics:
+                continue
+            if row["event"] == "readers":
+                known = int(row["number"])
+            elif row["event"] == "write":
+                found.offered += 1
+                found.written += row["ok"] == "1"
+                found.expected += known * (row["ok"] == "1")
+            elif row["event"] == "receive":
+                found.received += 1
+                found.latencies[int(row["writer"]), number].append((int(row["wall_ns"]) - int(row["stamp_ns"])) * 1e-9)
+    return found
 
 
 def matched_after(journals, wanted):

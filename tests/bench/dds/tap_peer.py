@@ -54,8 +54,8 @@ class Peer:
 def loads(network, folder, program, stations, options):
     """Started; {number: journal}."""
     common = ["--best-effort", "--publish", "t", "--subscribe", "t", "--size", options.size, "--rate", options.rate,
-              "--count", max(1, round(options.seconds * options.rate)), "--until-matched", stations - 1, "--settle", 3,
-              "--linger", 2, "--for", options.seconds + options.discovery]
+              "--count", max(1, round(options.seconds * options.rate)), "--until-matched", stations - 1,
+              "--patience", options.discovery, "--settle", 3, "--linger", 2, "--for", options.seconds + options.discovery + 10]
     files = {i: folder / f"{i}.csv" for i in range(stations)}
     started = []
     for i, file in files.items():
@@ -68,7 +68,7 @@ def loads(network, folder, program, stations, options):
 def measure(stations, options):
     """A row of the table, as a dictionary."""
     with tempfile.TemporaryDirectory(prefix="baraka-tap-") as name, PrivateNetwork(stations, bridge=False) as network:
-        whole = options.seconds + options.discovery + 3
+        whole = options.seconds + options.discovery + STAGGER * stations + 10
         peer = Peer(options.peer, network, whole)
         started, files = loads(network, pathlib.Path(name), options.build / "tests/cyclone_load", stations, options)
         statuses = [one.wait() for one in started]
@@ -99,7 +99,8 @@ def main():
     parser.add_argument("--peer", type=pathlib.Path, default=ROOT / "build/peers/tap")
     parser.add_argument("--stations", type=int, nargs="+", default=[2, 10, 20])
     parser.add_argument("--seconds", type=float, default=20)
-    parser.add_argument("--discovery", type=float, default=20, help="s that may pass until all know each other")
+    parser.add_argument("--discovery", type=float, default=20,
+                        help="s after which they begin though not all know each other")
     parser.add_argument("--size", type=int, default=64)
     parser.add_argument("--rate", type=float, default=10)
     options = parser.parse_args()

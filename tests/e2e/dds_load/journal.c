@@ -146,8 +146,9 @@ static void wait_until(int64_t end) {
 
 void run_load(bool (*write)(void*, uint64_t, int64_t), void* context) {
   int64_t end = created + (int64_t)(options->seconds * 1e9);
-  const bool may_write = options->until_matched == 0 || await_matched(end);
-  if (may_write && options->publish != NULL) {
+  const int64_t patience = created + (int64_t)(options->patience * 1e9);
+  if (options->until_matched > 0) await_matched(patience < end ? patience : end);
+  if (options->publish != NULL && monotonic_ns() < end) {
     const int64_t settle = options->until_matched == 0 ? 0 : (int64_t)(options->settle * 1e9);
     write_all(write, context, monotonic_ns() + settle, end);
     const int64_t linger = monotonic_ns() + (int64_t)(options->linger * 1e9);
@@ -165,7 +166,8 @@ int close_journal(void) {
          written, failed, received, received_bytes);
   const bool lost = csv != NULL && fclose(csv) != 0;
   csv = NULL;
-  const bool alone = options->until_matched > 0 && !was_matched;
+  const bool alone =
+      options->until_matched > 0 && !was_matched && options->patience >= options->seconds;
   pthread_mutex_unlock(&mutex);
   if (lost) perror(options->csv);
   return lost ? 1 : alone ? 3 : 0;

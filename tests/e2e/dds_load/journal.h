@@ -38,7 +38,8 @@ bool await_matched(int64_t end);
 void sleep_until(int64_t at);
 /* Whether SIGINT or SIGTERM came. */
 bool is_interrupted(void);
-/* Prints the totals. @return the exit status: 0, or 3 if too few were ever matched. */
+/* Prints the totals. @return the exit status: 0, or 3 if too few were matched and its patience had
+ * no end. */
 int close_journal(void);
 
 /* Writes samples by `write(context, number, written_ns)` at the rate asked for until all are

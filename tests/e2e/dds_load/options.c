@@ -17,6 +17,7 @@ static const char kUsage[] =
     "  --keep-last N | --keep-all\n"
     "  --blocking S        that a reliable write may wait for room\n"
     "  --until-matched N   wait for N remote readers and writers before the first sample\n"
+    "  --patience S        but no longer than that; default: to the end\n"
     "  --settle S          after that, before the first sample; default 0.2\n"
     "  --linger S          ends that long after its last sample\n"
     "  --for S             ends after that at the latest, default 10\n"
@@ -84,6 +85,8 @@ static void read_value(char** argv, const char* option, const char* text, Option
     into->blocking = number(argv, option, text, 1e-6, 1e6);
   else if (strcmp(option, "--until-matched") == 0)
     into->until_matched = (uint32_t)whole(argv, option, text, 1, 1e6);
+  else if (strcmp(option, "--patience") == 0)
+    into->patience = number(argv, option, text, 0, 1e6);
   else if (strcmp(option, "--settle") == 0)
     into->settle = number(argv, option, text, 0, 1e6);
   else if (strcmp(option, "--linger") == 0)
@@ -95,7 +98,8 @@ static void read_value(char** argv, const char* option, const char* text, Option
 }
 
 Options read_options(int argc, char** argv) {
-  Options options = {.size = 64, .rate = 10, .settle = 0.2, .linger = -1, .seconds = 10};
+  Options options = {
+      .size = 64, .rate = 10, .patience = 1e6, .settle = 0.2, .linger = -1, .seconds = 10};
   for (int i = 1; i < argc; ++i) {
     if (read_flag(argv[i], &options)) continue;
     if (i + 1 == argc) refuse(argv[0], argv[i], NULL);

@@ -1,0 +1,82 @@
+#!/usr/bin/env python3
+"""The scenarios of DDS over the air do what their pages say, with Cyclone's ddsperf as it comes."""
+import shutil
+import sys
+import unittest
+
+from baraka import ROOT, Case
+from private_network import is_possible
+import ddsperf
+
+SKIPPED = 77
+SCENARIOS = ROOT / "config/scenarios"
+US = 1e-6
+
+
+def airtime(payload_bytes, rate):
+    """Of a data frame of 802.11g that carries so many bytes of IP, s: IEEE Std 802.11-2016, 17.4.3, with the signal
+    extension of 18.3.2.4; 24 bytes of header, 8 of LLC and SNAP, 4 of FCS."""
+    bits_per_symbol = 4e-6 * rate
+    return (20 + 4 * -(-(16 + 8 * (payload_bytes + 36) + 6) // bits_per_symbol) + 6) * US
+
+
+class DdsScenarios(Case):
+    def play(self, name, *settings):
+        finished = self.run_baraka(SCENARIOS / f"{name}.yaml", *settings)
+        return finished
+
+    def said(self, program):
+        return (self.out / f"{program}.log").read_text()
+
+    def frames(self, condition):
+        (count,), = self.query(f"SELECT coalesce(sum(frames), 0) FROM air_accounts WHERE {condition}")
+        return count
+
+    def test_two_stations_measure_round_trips(self):
+        finished = self.play("dds_two_stations")
+        self.assertEqual(finished["result"], "ping")
+        seconds = ddsperf.round_trips(self.said("pinger.ping"))
+        self.assertGreater(sum(one.count for one in seconds), 150, self.said("pinger.ping"))
+        # There and back, each a frame that carries 64 bytes of sample, and DIFS before it.
+        least = 2 * (airtime(64, 54e6) + 50 * US)
+        self.assertGreater(min(one.least for one in seconds), least)
+        self.assertGreater(self.frames("purpose = 'user' AND kind = 'DATA'"), 2 * 150)
+        self.assertEqual(self.frames("purpose = 'network' AND kind = 'TCP'"), 0)
+
+    def test_all_find_each_other_in_the_storm(self):
+        for count in (4, 10):
+            with self.subTest(count):
+                self.play("dds_discovery_storm", "--set", f"agents.robots.circle.count={count}")
+                for i in range(count):
+                    self.assertEqual(len(ddsperf.others(self.said(f"r{i}.ddsperf"))), count - 1, f"r{i}")
+                self.assertGreater(self.frames("purpose = 'SPDP'"), count)
+                self.assertGreater(self.frames("purpose = 'SEDP'"), count * (count - 1))
+
+    def test_images_delay_commands(self):
+        finished = self.play("dds_camera_over_wifi")
+        self.assertEqual(finished["result"], "command")
+        seconds = ddsperf.round_trips(self.said("operator.command"))
+        before = [one.median for one in seconds if 1.5 <= one.at <= 4.5]
+        during = [one.p99 for one in seconds if one.at >= 7]
+        self.assertTrue(before and during, self.said("operator.command"))
+        self.assertGreater(sorted(during)[len(during) // 2], 2 * sorted(before)[len(before) // 2])
+        total = ddsperf.received(self.said("operator.screen"))[-1][1]
+        self.assertGreater(total, 15)
+
+    def test_the_access_point_carries_everything(self):
+        finished = self.play("dds_through_access_point", "--set", "record.air=air.pcapng")
+        self.assertEqual(finished["result"], "ping")
+        seconds = ddsperf.round_trips(self.said("operator.ping"))
+        self.assertGreater(sum(one.count for one in seconds), 100, self.said("operator.ping"))
+        # There and back through it: four frames.
+        self.assertGreater(min(one.least for one in seconds), 4 * (airtime(64, 24e6) + 50 * US))
+        direct = self.query("SELECT count(*) FROM frames_sent f JOIN agents a USING (agent) JOIN agents b ON b.agent = f.peer"
+                            " WHERE a.name <> 'ap' AND b.name <> 'ap'")
+        self.assertEqual(direct, [(0,)])
+
+
+if __name__ == "__main__":
+    if not is_possible() or shutil.which("ddsperf") is None:
+        print("skipped: needs user namespaces and ddsperf (cyclonedds-tools)", file=sys.stderr)
+        sys.exit(SKIPPED)
+    unittest.main()
