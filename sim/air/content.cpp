@@ -45,7 +45,7 @@ Contents::Read Contents::read(hal::Time at, hal::AgentId source, radio::Ethertyp
                               const radio::Payload& payload) {
   const auto found = contents_.find(payload);
   if (found != contents_.end()) return {found->second, 0, false};
-  const Read read = look_into(at, source, type, std::as_bytes(std::span(*payload)));
+  Read read = look_into(at, source, type, std::as_bytes(std::span(*payload)));
   order_.push_back(contents_.emplace(payload, read.content).first);
   forget();
   return read;

@@ -71,6 +71,14 @@ std::optional<hal::AgentId> Endpoints::agent_of(const hal::rtps::GuidPrefix& par
   return found->second;
 }
 
+void Endpoints::meet(const hal::rtps::GuidPrefix& participant, hal::AgentId agent) {
+  if (met_.size() < kMost) met_.emplace(participant, agent);
+}
+
+void Endpoints::reach(EndpointIndex endpoint, EndpointIndex told_by, hal::AgentId agent) {
+  if (met_.contains({all_[told_by].guid.prefix, agent})) all_[endpoint].known_at.insert(agent);
+}
+
 std::uint32_t Endpoints::topic_called(std::string_view name) {
   name = name.substr(0, kLongestName);
   const auto found = topic_numbers_.find(name);

@@ -52,12 +52,15 @@ class Endpoints {
   /// SEDP told of one.
   EndpointIndex learn(hal::Time at, const hal::rtps::DiscoveredEndpoint& told);
   void remove(const hal::rtps::Guid& guid);
-  /// What SEDP told of it arrived there. @return whether that was new.
-  void reach(EndpointIndex endpoint, hal::AgentId agent) { all_[endpoint].known_at.insert(agent); }
+  /// SPDP's word of a participant arrived there.
+  void meet(const hal::rtps::GuidPrefix& participant, hal::AgentId agent);
+  /// What a SEDP writer told of an endpoint arrived there. Of a participant that is not known there
+  /// nobody listens to it.
+  void reach(EndpointIndex endpoint, EndpointIndex told_by, hal::AgentId agent);
 
   /// Agents other than the writer's with a reader that exchanges samples with it: same topic and
   /// type, neither offers less than the other asks for (reliability and durability), a partition
-  /// in common by name, and what SEDP told of each has arrived at the other's agent.
+  /// in common by name, and what discovery told of each has arrived at the other's agent.
   std::vector<hal::AgentId> readers_of(EndpointIndex writer) const;
 
   /// Those that SEDP told of since the last call, or whose agent became known.
@@ -74,6 +77,7 @@ class Endpoints {
   std::map<hal::rtps::Guid, EndpointIndex> indices_;
   std::map<hal::rtps::GuidPrefix, hal::AgentId> participants_;
   std::map<hal::rtps::GuidPrefix, std::vector<EndpointIndex>> unplaced_;
+  std::set<std::pair<hal::rtps::GuidPrefix, hal::AgentId>> met_;  ///< Where they are known.
   std::vector<std::string> topics_;
   std::map<std::string, std::uint32_t, std::less<>> topic_numbers_;
   std::map<std::uint32_t, std::vector<EndpointIndex>> readers_;  ///< By topic.

@@ -20,7 +20,7 @@ void read_address(Octets octets, IpAddress& address) {
 std::optional<IpPacket> read_ipv4(Octets packet) {
   Cursor cursor(packet, Endianness::kBig);
   const std::uint8_t first = cursor.u8();
-  const std::size_t header = (first & 0xfU) * 4U;
+  const std::size_t header = std::size_t{first & 0xfU} * 4;
   cursor.take(1);  // type of service
   const std::size_t length = cursor.u16();
   IpPacket ip;
@@ -43,7 +43,7 @@ std::optional<IpPacket> read_ipv4(Octets packet) {
 std::size_t read_extension(Octets rest, IpPacket& ip) {
   Cursor cursor(rest, Endianness::kBig);
   const std::uint8_t next = cursor.u8();
-  const std::size_t length = (cursor.u8() + 1U) * 8U;
+  const std::size_t length = std::size_t{cursor.u8() + 1U} * 8;
   switch (ip.key.protocol) {
     case protocol::kHopByHop:
     case protocol::kRouting:

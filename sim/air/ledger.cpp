@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "hal/rtps/submessage.h"
+
 namespace sim::air {
 namespace {
 
@@ -156,7 +158,10 @@ bool Ledger::complete(hal::AgentId agent, const DatagramPlace& place) {
 void Ledger::on_whole(hal::Time at, hal::AgentId agent, const Datagram& datagram) {
   for (const DatagramPart& part : datagram.parts) {
     if (part.has_sample()) samples_.on_received(at, datagram, part, agent);
-    if (part.told != 0) endpoints_.reach(part.told, agent);
+    const bool is_data = part.kind.what == static_cast<int>(hal::rtps::SubmessageKind::kData);
+    if (part.kind.purpose == Purpose::kSpdp && is_data)
+      endpoints_.meet(endpoints_.all()[part.writer].guid.prefix, agent);
+    if (part.told != 0) endpoints_.reach(part.told, part.writer, agent);
   }
 }
 

@@ -21,6 +21,7 @@ std::vector<TopicSums> topic_sums(const Group& group) {
     }
   }
   std::vector<TopicSums> topics;
+  topics.reserve(sums.size());
   for (auto& [name, sum] : sums) topics.push_back(std::move(sum));
   return topics;
 }
@@ -41,6 +42,7 @@ std::vector<RunResult::AirKind> kind_sums(const Group& group) {
     }
   }
   std::vector<RunResult::AirKind> kinds;
+  kinds.reserve(sums.size());
   for (auto& [key, sum] : sums) kinds.push_back(std::move(sum));
   std::ranges::stable_sort(kinds, std::ranges::greater{}, &RunResult::AirKind::airtime_ns);
   return kinds;

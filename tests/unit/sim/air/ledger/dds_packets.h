@@ -50,6 +50,8 @@ class Rtps {
     return submessage(0x07, 1, body);
   }
   Rtps& info_destination(std::uint8_t to) { return submessage(0x0e, 1, prefix(to)); }
+  /// SPDP: that there is a participant.
+  Rtps& spdp() { return data(0x000100c2, 1, {0, 3, 0, 0, 1, 0, 0, 0}); }
   /// What SEDP says of a writer or reader of the sender's.
   Rtps& sedp(std::uint8_t from, std::uint32_t entity, const std::string& topic,
              bool reliable = true) {

@@ -23,7 +23,9 @@ class SamplesTest : public testing::Test {
 
   void build() {
     replay.build();
-    send(0ms, 1, hal::kEveryone, Rtps(1).sedp(1, kWriter, "scan"));
+    for (const std::uint8_t one : {std::uint8_t{1}, std::uint8_t{2}, std::uint8_t{3}})
+      send(2ms * one, one, hal::kEveryone, Rtps(one).spdp());
+    send(10ms, 1, hal::kEveryone, Rtps(1).sedp(1, kWriter, "scan"));
     for (const std::uint8_t reader : {std::uint8_t{2}, std::uint8_t{3}})
       send(10ms * reader, reader, hal::kEveryone, Rtps(reader).sedp(reader, kReader, "scan"));
   }
@@ -115,7 +117,7 @@ TEST_F(SamplesTest, WhatFindsTheQueueFullIsLostToThat) {
 
 // Whom SEDP did not reach, or who asks for more than the writer offers, is no reader of its.
 TEST_F(SamplesTest, OnlyMatchedReadersCount) {
-  turn_off(AgentId{3}, 0ms, 5ms);
+  turn_off(AgentId{3}, 9ms, 15ms);
   build();
   send(100ms, 2, hal::kEveryone, Rtps(2).sedp(2, 0x00000304, "other"));
   send(200ms, 1, hal::kEveryone, Rtps(1).sedp(1, 0x00000503, "other", false));
@@ -124,6 +126,20 @@ TEST_F(SamplesTest, OnlyMatchedReadersCount) {
   replay.run(5s);
   EXPECT_EQ(sums(2), "1 sent, 1 delivered, 1 at first, 0 repairs, 0 under way");
   EXPECT_EQ(sums(3), "none");
+}
+
+// SEDP comes before SPDP there, so nobody listens to it, until it is sent again.
+TEST_F(SamplesTest, ReadersAreMatchedOnceTheirParticipantsKnowEachOther) {
+  turn_off(AgentId{3}, 0ms, 5ms);
+  build();
+  send(1s, 1, hal::kEveryone, Rtps(1).data(kWriter, 1, kPayload));
+  send(2s, 1, hal::kEveryone, Rtps(1).spdp());
+  send(3s, 1, hal::kEveryone, Rtps(1).data(kWriter, 2, kPayload));
+  send(4s, 1, hal::kEveryone, Rtps(1).sedp(1, kWriter, "scan"));
+  send(5s, 1, hal::kEveryone, Rtps(1).data(kWriter, 3, kPayload));
+  replay.run(6s);
+  EXPECT_EQ(sums(2), "3 sent, 3 delivered, 3 at first, 0 repairs, 0 under way");
+  EXPECT_EQ(sums(3), "1 sent, 1 delivered, 1 at first, 0 repairs, 0 under way");
 }
 
 // A datagram of 40 kB in fragments of IP of 576 bytes, one of which is lost.
