@@ -183,8 +183,8 @@ ExitStatus conclude(Results& results, const sim::scenario::Judge& judge,
 }
 
 /// Of controllers inside; none: there are no networks.
-std::optional<StartInside> starter_in(std::optional<NetworkOfRun>& network) {
-  if (!network) return std::nullopt;
+std::optional<StartInside> starter_in(NetworkOfRun* network) {
+  if (network == nullptr) return std::nullopt;
   return std::optional<StartInside>(std::in_place, *network);
 }
 
@@ -208,7 +208,7 @@ int run(const RunOptions& options, const Scenario& scenario, const Course& cours
         {simulation.broken_off_by(failed ? what : ""),
          failed ? std::vector<std::string>{} : std::vector{what}, pace->wall_seconds()});
   });
-  std::optional<StartInside> inside = starter_in(network);
+  std::optional<StartInside> inside = starter_in(network.get());
   ControllersOfRun controllers(scenario, simulation,
                                {.from = options.controllers,
                                 .domain = domain,
