@@ -1,11 +1,13 @@
 #include "gateway/run/inspection_observer.h"
 
+#include <algorithm>
 #include <variant>
 
 #include "gateway/inspected_ranges.h"
 #include "gateway/inspected_readings.h"
 #include "hal/devices/channels.h"
 #include "hal/types/check.h"
+#include "sim/air/air_summary.h"
 #include "sim/radio/frame.h"
 
 namespace gateway {
@@ -17,7 +19,8 @@ using hal::devices::RobotDescription;
 // Least simulated time between two samples.
 constexpr hal::Duration kClockPeriod = 10ms;
 constexpr hal::Duration kFramePeriod = 10ms;
-constexpr hal::Duration kLinkPeriod = 1s;          // of one link
+constexpr hal::Duration kLinkPeriod = 1s;  // of one link
+constexpr hal::Duration kAirPeriod = 1s;
 constexpr hal::Duration kStandingPosePeriod = 1s;  // of an agent that does not move
 
 hal::dds::InspectedRobot describe(const sim::agents::AgentConfig& agent) {
@@ -51,6 +54,9 @@ void InspectionObserver::start(hal::dds::InspectionParticipant& participant) {
     robots.push_back(std::move(described));
   }
   inspector_ = std::make_unique<hal::dds::Inspector>(participant, robots);
+  const bool has_network = std::ranges::any_of(
+      config_.agents, [](const auto& agent) { return agent.network.has_value(); });
+  if (has_network) air_ = std::make_unique<hal::dds::AirInspector>(participant);
 }
 
 std::string_view InspectionObserver::name(hal::AgentId agent) const {
@@ -93,7 +99,32 @@ void InspectionObserver::on_reading(hal::Time at, hal::AgentId agent, const hal:
   publish_reading(*inspector_, at, agents_.at(agent).robot, channel, values);
 }
 
+void InspectionObserver::show_air(hal::Time at) {
+  if (!air_ || ledger_ == nullptr || at < air_shown_ + kAirPeriod || !air_->has_readers()) return;
+  air_shown_ = at;
+  for (const sim::air::TopicUse& use : sim::air::topics_of(*ledger_))
+    air_->publish(at, hal::dds::AirInspector::TopicUse{.topic = use.topic,
+                                                       .samples = use.samples,
+                                                       .delivered = use.delivered,
+                                                       .first_try = use.first_try,
+                                                       .latency_median = use.latency_median,
+                                                       .latency_p99 = use.latency_p99,
+                                                       .airtime = use.airtime,
+                                                       .share = use.share});
+  for (const sim::air::KindUse& use : sim::air::kinds_of(*ledger_))
+    air_->publish(at, hal::dds::AirInspector::KindUse{.purpose = sim::air::name(use.kind.purpose),
+                                                      .kind = sim::air::what_text(use.kind),
+                                                      .port = use.kind.port,
+                                                      .frames = use.frames,
+                                                      .retries = use.retries,
+                                                      .submessages = use.submessages,
+                                                      .bits = use.bits,
+                                                      .airtime = use.airtime,
+                                                      .share = use.share});
+}
+
 void InspectionObserver::on_frame_start(hal::Time at, const sim::radio::Frame& frame) {
+  show_air(at);
   if (!is_read(Topic::kFrames)) return;
   if (at < frame_shown_ + kFramePeriod) {
     ++frames_skipped_;

@@ -7,9 +7,11 @@
 #include <utility>
 #include <vector>
 
+#include "hal/dds/inspection/air_inspector.h"
 #include "hal/dds/inspection/inspector.h"
 #include "sim/agents/observer.h"
 #include "sim/agents/simulation_config.h"
+#include "sim/air/ledger.h"
 
 namespace gateway {
 
@@ -28,6 +30,10 @@ class InspectionObserver final : public sim::agents::Observer {
   /// Before this nothing is shown. @param participant  outlives this object.
   /// @throws std::runtime_error  if DDS makes no writer.
   void start(hal::dds::InspectionParticipant& participant);
+
+  /// What the air is used for, kept by somebody else; outlives the run. Null: nothing of it is
+  /// shown.
+  void set_ledger(const sim::air::Ledger* ledger) { ledger_ = ledger; }
 
   void on_body(hal::Time at, hal::AgentId agent, const sim::agents::BodyState& body) override;
   bool observes_readings() const override;
@@ -62,11 +68,14 @@ class InspectionObserver final : public sim::agents::Observer {
   bool is_read(Topic topic) const { return inspector_ && inspector_->has_readers(topic); }
   std::string_view name(hal::AgentId agent) const;
   void show_clock(hal::Time at);
+  void show_air(hal::Time at);
 
   const sim::agents::SimulationConfig& config_;
   std::map<hal::AgentId, Agent> agents_;
   std::unique_ptr<hal::dds::Inspector> inspector_;  ///< Null until start().
-  hal::Time clock_shown_{kNever}, frame_shown_{kNever};
+  std::unique_ptr<hal::dds::AirInspector> air_;     ///< Null if no agent has a network.
+  const sim::air::Ledger* ledger_ = nullptr;
+  hal::Time clock_shown_{kNever}, frame_shown_{kNever}, air_shown_{kNever};
   std::uint32_t frames_skipped_ = 0;
   std::map<std::pair<hal::AgentId, hal::AgentId>, Heard> links_;  ///< By receiver, transmitter.
 };

@@ -106,7 +106,8 @@ void Results::record(const fs::path& folder) {
   recorder_.emplace(folder / sim::record::kResultsFile, scenario_.simulation,
                     sim::record::RecorderOptions{.pose_period = scenario_.record.pose_period,
                                                  .frames = scenario_.record.frames,
-                                                 .messages = scenario_.record.messages});
+                                                 .messages = scenario_.record.messages,
+                                                 .samples = scenario_.record.samples});
   recorder_->add_settings(settings_);
   // Half a kilobyte per agent, not needed any more.
   std::vector<std::pair<std::string, std::string>>().swap(settings_);

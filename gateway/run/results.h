@@ -41,6 +41,8 @@ class Results {
   ExitStatus finish(const sim::agents::Simulation& simulation, sim::agents::Outcome& outcome,
                     ExitStatus status, double wall_seconds);
 
+  /// What the air is used for; null: no agent has a network. @pre has_begun()
+  const sim::air::Ledger* ledger() { return recorder_->ledger(); }
   /// After begin(): how its networks were, what speaks against the result, and what of a repetition
   /// is not as it was.
   void add(const NetworkSummary& network);

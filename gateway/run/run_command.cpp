@@ -199,6 +199,7 @@ int run(const RunOptions& options, const Scenario& scenario, const Course& cours
                                   .processes = controllers.processes(),
                                   .once_a_second = [&results] { results.commit(); }});
   results.begin(simulation);
+  inspection.set_ledger(results.ledger());
 
   if (!course.open_loop().empty()) say_open_loop(course, results);
 

@@ -25,6 +25,9 @@ class RunInspection {
   /// Sees the run; to be handed to the simulation.
   sim::agents::Observer& observer() { return observer_; }
 
+  /// As InspectionObserver::set_ledger().
+  void set_ledger(const sim::air::Ledger* ledger) { observer_.set_ledger(ledger); }
+
   /// Joins the domain and says so on standard error; connects the agents whose controller is
   /// kTeleop. Without a domain, as in a run with its controllers in this process, nothing is shown;
   /// neither, with a warning, if DDS cannot be opened and nobody asked for it.

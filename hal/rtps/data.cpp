@@ -47,6 +47,7 @@ std::size_t size_of_fragments(const Data& data) {
 
 struct InlineQos {
   bool has_status = false;
+  std::uint32_t status = 0;
 };
 
 Objection read_inline_qos(Cursor& cursor, const Submessage& submessage, const GuidPrefix* source,
@@ -59,7 +60,10 @@ Objection read_inline_qos(Cursor& cursor, const Submessage& submessage, const Gu
     if (one->id == parameter::kStatusInfo && one->value.size() != 4) {
       return "a status has not 4 octets";
     }
-    qos.has_status = qos.has_status || one->id == parameter::kStatusInfo;
+    if (one->id == parameter::kStatusInfo) {
+      qos.has_status = true;
+      qos.status = Cursor(one->value, Endianness::kBig).u32();  // octets, whatever the endianness
+    }
     const bool is_foreign =
         source != nullptr && one->id == parameter::kKeyHash &&
         !std::ranges::equal(one->value.first(source->octets.size()), source->octets);
@@ -138,6 +142,7 @@ Objection judge_data(const Submessage& submessage, const GuidPrefix& source, con
     const Objection objection = read_inline_qos(cursor, submessage, owner, qos);
     if (!objection.empty()) return objection;
   }
+  data.status = qos.status;
   data.payload = cursor.take(cursor.left());
   return judge_payload(submessage, owner, qos, data);
 }

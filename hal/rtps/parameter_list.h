@@ -17,6 +17,11 @@ struct Parameter {
 namespace parameter {
 inline constexpr std::uint16_t kPad = 0x0000;
 inline constexpr std::uint16_t kSentinel = 0x0001;
+inline constexpr std::uint16_t kTopicName = 0x0005;
+inline constexpr std::uint16_t kTypeName = 0x0007;
+inline constexpr std::uint16_t kReliability = 0x001a;
+inline constexpr std::uint16_t kDurability = 0x001d;
+inline constexpr std::uint16_t kPartition = 0x0029;
 inline constexpr std::uint16_t kParticipantGuid = 0x0050;
 inline constexpr std::uint16_t kEndpointGuid = 0x005a;
 inline constexpr std::uint16_t kKeyHash = 0x0070;

@@ -5,13 +5,11 @@
 #include <vector>
 
 #include "hal/types/agent_id.h"
+#include "sim/air/ethertypes.h"
 #include "sim/air/refusal.h"
 #include "sim/radio/mac_sap.h"
 
 namespace sim::air {
-
-inline constexpr radio::Ethertype kEthertypeIpv4 = 0x0800, kEthertypeArp = 0x0806,
-                                  kEthertypeIpv6 = 0x86dd;
 
 /// What an interface tells of; on the run's thread.
 class InterfaceListener {

@@ -65,6 +65,9 @@ Recorder::Recorder(const std::filesystem::path& file, const agents::SimulationCo
       insert_fingerprint_(database_, "INSERT INTO fingerprints VALUES (?, ?, ?, ?)") {
   if (options_.messages == Detail::kAll) message_log_.emplace(database_);
   if (options_.messages == Detail::kCounts) message_counts_.emplace(database_);
+  const bool has_network = std::ranges::any_of(
+      config.agents, [](const auto& agent) { return agent.network.has_value(); });
+  if (has_network) air_.emplace(database_, options_.samples);
   database_.execute("BEGIN");
   describe(config);
   commit();
@@ -137,11 +140,14 @@ void Recorder::on_arrival(const OutsideArrival& arrival) {
   on_rows(arrival.at, 1);
 }
 
-void Recorder::on_air_entered(hal::Time, hal::AgentId agent, const radio::MacRequest& request) {
+void Recorder::on_air_entered(hal::Time at, hal::AgentId agent, const radio::MacRequest& request) {
+  if (air_) air_->ledger().on_entered(at, agent, request);
   interfaces_.on_entered(agent, request.payload->size());
 }
 
-void Recorder::on_air_left(hal::Time, hal::AgentId agent, const radio::MacIndication& indication) {
+void Recorder::on_air_left(hal::Time at, hal::AgentId agent,
+                           const radio::MacIndication& indication) {
+  if (air_) air_->ledger().on_left(at, agent, indication);
   interfaces_.on_left(agent, indication.payload->size());
 }
 
@@ -170,6 +176,7 @@ void Recorder::commit() {
   std::uint64_t counted = frames_.counted();
   if (message_counts_) rows += message_counts_->rows();
   if (message_counts_) counted += message_counts_->counted();
+  if (air_) rows += air_->rows();
   if (is_finished_ || rows <= kFewTotals + counted / kWorthWriting) update_totals();
   commit_rows();
 }
@@ -178,6 +185,7 @@ void Recorder::update_totals() {
   frames_.write();
   if (counts_frames()) in_the_air_.write(now_);
   if (message_counts_) message_counts_->write();
+  if (air_) air_->write();
   bodies_.write();
   interfaces_.write();
 }
@@ -215,6 +223,7 @@ void Recorder::give_up(const agents::Outcome& outcome) {
 
 void Recorder::finish(const agents::Outcome& outcome, const Fingerprint& fingerprint) {
   broadcasts_.finish(outcome.ended_at);
+  if (air_) air_->finish(outcome.ended_at);
   write(outcome);
   write_totals(fingerprint);
   is_finished_ = true;
@@ -270,6 +279,7 @@ void Recorder::on_start(const std::vector<std::pair<hal::AgentId, hal::AgentId>>
 }
 
 void Recorder::on_frame_start(hal::Time at, const radio::Frame& frame) {
+  if (air_) air_->ledger().on_frame_start(at, frame);
   if (counts_frames()) count_start(at, frame);
   if (options_.messages != Detail::kNone) broadcasts_.on_frame_start(at, frame);
   if (!lists_frames()) return;
@@ -286,6 +296,7 @@ void Recorder::count_start(hal::Time at, const radio::Frame& frame) {
 }
 
 void Recorder::on_frame_cut(hal::Time at, const radio::Frame& frame) {
+  if (air_) air_->ledger().on_frame_cut(at, frame);
   in_the_air_.on_frame_cut(at, frame);
 }
 
@@ -295,6 +306,7 @@ void Recorder::on_faint(const radio::Frame& frame, std::uint32_t radios) {
 
 void Recorder::on_reception(hal::Time at, const radio::Frame& frame, hal::AgentId receiver,
                             hal::Verdict verdict, double rssi_dbm) {
+  if (air_) air_->ledger().on_reception(at, frame, receiver, verdict, rssi_dbm);
   if (counts_frames()) count_end(at, frame, receiver, verdict);
   if (options_.messages != Detail::kNone) broadcasts_.on_reception(frame, verdict);
   if (!lists_frames()) return;
@@ -313,8 +325,9 @@ void Recorder::on_delivered(hal::Time, const radio::Frame& frame, hal::AgentId r
   if (counts_frames()) frames_.on_delivered(frame, receiver);
 }
 
-void Recorder::on_request_end(hal::Time, hal::AgentId sender, hal::AgentId destination,
+void Recorder::on_request_end(hal::Time at, hal::AgentId sender, hal::AgentId destination,
                               hal::Verdict verdict) {
+  if (air_) air_->ledger().on_request_end(at, sender, destination, verdict);
   if (counts_frames()) frames_.on_request_end(sender, destination, verdict);
 }
 

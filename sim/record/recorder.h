@@ -12,6 +12,7 @@
 #include "sim/agents/simulation.h"
 #include "sim/agents/simulation_config.h"
 #include "sim/core/fingerprint.h"
+#include "sim/record/air_log.h"
 #include "sim/record/body_log.h"
 #include "sim/record/broadcast_watch.h"
 #include "sim/record/database.h"
@@ -29,6 +30,7 @@ struct RecorderOptions {
   hal::Duration pose_period = std::chrono::seconds{1};
   Detail frames = Detail::kCounts;
   Detail messages = Detail::kAll;
+  Detail samples = Detail::kCounts;  ///< Of DDS, if an agent has a network.
 };
 
 /// A file with empty tables, ready for statements.
@@ -98,6 +100,9 @@ class Recorder final : public agents::Observer {
   /// Message classes of which nothing arrived at anyone. After finish().
   std::vector<UnheardTopic> unheard_topics() { return record::unheard_topics(database_); }
 
+  /// What the air is used for; null: no agent has a network.
+  air::Ledger* ledger() { return air_ ? &air_->ledger() : nullptr; }
+
   /// Makes what there is so far readable for others: all rows, and the totals unless they are many.
   void commit();
 
@@ -156,6 +161,7 @@ class Recorder final : public agents::Observer {
   FramesInTheAir in_the_air_;
   std::optional<MessageLog> message_log_;
   std::optional<MessageCounts> message_counts_;
+  std::optional<AirLog> air_;
   BroadcastWatch broadcasts_;
   BodyLog bodies_;
   InterfaceCounts interfaces_;

@@ -1,4 +1,5 @@
 // What is in run.sqlite. The file is long because it is the list of it all.
+#include "sim/record/ledger_tables.h"
 #include "sim/record/schema.h"
 
 namespace sim::record {
@@ -476,7 +477,7 @@ const std::vector<Table>& tables() {
     for (const auto& part :
          {setup_tables(), count_tables(), air_tables(), link_verdict_tables(), verdict_sum_tables(),
           message_tables(), counted_message_tables(), message_sum_tables(), delivery_sum_tables(),
-          body_tables(), program_tables(), trace_tables()}) {
+          ledger_tables(), body_tables(), program_tables(), trace_tables()}) {
       sum.insert(sum.end(), part.begin(), part.end());
     }
     return sum;

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "sim/report/air_sums.h"
 #include "sim/report/log_histogram.h"
 #include "sim/report/paper.h"
 #include "sim/report/report_sections.h"
@@ -150,6 +151,48 @@ Json link_verdicts_json(const Group& group) {
   return links;
 }
 
+Json topics_json(const Group& group) {
+  Json topics = Json::array();
+  for (const TopicSums& one : topic_sums(group)) {
+    Json topic = {{"topic", one.topic},         {"samples", one.samples},
+                  {"delivered", one.delivered}, {"first_try", one.first_try},
+                  {"repaired", one.repaired},   {"airtime_ns", one.airtime_ns}};
+    const auto p50 = latency_quantile(one.latencies, 0.5);
+    const auto p99 = latency_quantile(one.latencies, 0.99);
+    topic["p50"] = p50 ? Json(*p50) : Json(nullptr);
+    topic["p99"] = p99 ? Json(*p99) : Json(nullptr);
+    topics.push_back(std::move(topic));
+  }
+  return topics;
+}
+
+/// Of each run; air time by second and use.
+Json air_seconds_json(const RunResult& run) {
+  std::map<std::pair<std::int64_t, std::string>, std::int64_t> sums;
+  for (const RunResult::AirSecond& one : run.air_seconds)
+    sums[{one.second, use_of(one.purpose, one.kind)}] += one.airtime_ns;
+  Json seconds = Json::array();
+  for (const auto& [key, airtime_ns] : sums) seconds.push_back({key.first, key.second, airtime_ns});
+  return seconds;
+}
+
+Json air_json(const Group& group) {
+  Json json = {
+      {"topics", topics_json(group)}, {"kinds", Json::array()}, {"seconds", Json::array()}};
+  for (const RunResult::AirKind& one : kind_sums(group)) {
+    json["kinds"].push_back({{"purpose", one.purpose},
+                             {"kind", one.kind},
+                             {"port", one.port ? Json(*one.port) : Json(nullptr)},
+                             {"frames", one.frames},
+                             {"retries", one.retries},
+                             {"submessages", one.submessages},
+                             {"bits", one.bits},
+                             {"airtime_ns", one.airtime_ns}});
+  }
+  for (const RunResult* run : group.runs) json["seconds"].push_back(air_seconds_json(*run));
+  return json;
+}
+
 Json to_json(const Group& group) {
   Json json = {{"name", group.name},
                {"not_the_papers", group.not_the_papers},
@@ -163,6 +206,7 @@ Json to_json(const Group& group) {
   json["walls"] = walls_json(*group.runs.front());
   json["verdicts"] = verdicts_json(group);
   json["link_verdicts"] = link_verdicts_json(group);
+  json["air"] = air_json(group);
   json["discovery"] = discovery_json(group);
   json["delay"] = delay_json(group);
   return json;

@@ -37,6 +37,10 @@ std::string packets_section(const Group& group);
 /// lost. In sum, what was sent.
 std::string losses_section(const Group& group);
 
+/// What the air was used for: a table of the topics of programs, and one of all that was sent; ""
+/// if no agent has a network.
+std::string air_section(const Group& group);
+
 /// Least end-to-end delay by number of transmissions, beside what the MAC allows.
 std::string hops_section(const Group& group);
 

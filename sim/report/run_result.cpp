@@ -164,6 +164,54 @@ void read_discoveries(RunReader& reader, RunResult& run) {
   }
 }
 
+void read_air_topics(RunReader& reader, RunResult& run) {
+  Statement topics = reader.query(
+      "SELECT topic, samples, delivered, first_try, repaired, airtime_ns FROM air_topics"
+      " ORDER BY topic");
+  while (topics.next()) {
+    run.air_topics.push_back({.topic = topics.text(0),
+                              .samples = static_cast<std::uint64_t>(topics.integer(1)),
+                              .delivered = static_cast<std::uint64_t>(topics.integer(2)),
+                              .first_try = static_cast<std::uint64_t>(topics.integer(3)),
+                              .repaired = static_cast<std::uint64_t>(topics.integer(4)),
+                              .airtime_ns = topics.integer(5)});
+  }
+  Statement latencies = reader.query(
+      "SELECT e.topic, l.least_ns, SUM(l.count) FROM sample_latencies l"
+      " JOIN dds_endpoints e ON e.guid = l.writer GROUP BY 1, 2");
+  while (latencies.next()) {
+    const auto topic =
+        std::ranges::find(run.air_topics, latencies.text(0), &RunResult::AirTopic::topic);
+    if (topic == run.air_topics.end()) continue;
+    topic->latencies[latencies.integer(1)] = static_cast<std::uint64_t>(latencies.integer(2));
+  }
+}
+
+void read_air(RunReader& reader, RunResult& run) {
+  Statement kinds = reader.query(
+      "SELECT purpose, kind, port, frames, retries, submessages + repeated, bits, airtime_ns"
+      " FROM air_kinds ORDER BY airtime_ns DESC, purpose, kind, port");
+  while (kinds.next()) {
+    RunResult::AirKind& kind = run.air_kinds.emplace_back();
+    kind.purpose = kinds.text(0);
+    kind.kind = kinds.text(1);
+    if (!kinds.is_null(2)) kind.port = static_cast<int>(kinds.integer(2));
+    kind.frames = static_cast<std::uint64_t>(kinds.integer(3));
+    kind.retries = static_cast<std::uint64_t>(kinds.integer(4));
+    kind.submessages = static_cast<std::uint64_t>(kinds.integer(5));
+    kind.bits = static_cast<std::uint64_t>(kinds.integer(6));
+    kind.airtime_ns = kinds.integer(7);
+  }
+  Statement seconds =
+      reader.query("SELECT second, purpose, kind, airtime_ns FROM air_seconds ORDER BY 1, 2, 3");
+  while (seconds.next()) {
+    run.air_seconds.push_back({.second = seconds.integer(0),
+                               .purpose = seconds.text(1),
+                               .kind = seconds.text(2),
+                               .airtime_ns = seconds.integer(3)});
+  }
+}
+
 void read_goal(RunReader& reader, RunResult& run) {
   Statement query = reader.query("SELECT agent FROM ends WHERE agent IS NOT NULL AND result = ?");
   query.bind_all(run.value("result"));
@@ -232,6 +280,8 @@ RunResult read_run(const fs::path& folder) {
   read_delivery_sums(reader, run);
   read_deliveries(reader, run);
   read_discoveries(reader, run);
+  read_air_topics(reader, run);
+  read_air(reader, run);
   read_goal(reader, run);
   return run;
 }

@@ -62,6 +62,27 @@ struct RunResult {
     std::uint64_t count = 0;
   };
 
+  /// A topic that programs on agents with a network exchanged samples of.
+  struct AirTopic {
+    std::string topic;  ///< Empty: not told of on the air.
+    std::uint64_t samples = 0, delivered = 0, first_try = 0, repaired = 0;  ///< See air_topics.
+    std::int64_t airtime_ns = 0;
+    std::map<std::int64_t, std::uint64_t> latencies{};  ///< By lower edge of the bin [ns].
+  };
+  /// What the air was used for.
+  struct AirKind {
+    std::string purpose, kind;
+    std::optional<int> port;
+    std::uint64_t frames = 0, retries = 0, submessages = 0;  ///< The last with those in retries.
+    std::uint64_t bits = 0;
+    std::int64_t airtime_ns = 0;
+  };
+  struct AirSecond {
+    std::int64_t second = 0;
+    std::string purpose, kind;
+    std::int64_t airtime_ns = 0;
+  };
+
   std::string folder;
   std::map<std::string, std::string> values;    ///< The table run.
   std::map<std::string, std::string> settings;  ///< The table settings.
@@ -81,7 +102,10 @@ struct RunResult {
   std::map<std::string, std::uint64_t> verdicts;  ///< Of messages to one agent.
   std::vector<std::int64_t> discoveries_ns;       ///< Those that found a route.
   std::uint64_t discoveries_failed = 0;
-  std::optional<int> goal;  ///< The agent whose state ended the run.
+  std::vector<AirTopic> air_topics;    ///< By name.
+  std::vector<AirKind> air_kinds;      ///< Most air time first; empty: nobody has a network.
+  std::vector<AirSecond> air_seconds;  ///< By second.
+  std::optional<int> goal;             ///< The agent whose state ended the run.
 
   /// Value of the table run; "" if it is not there.
   std::string value(const std::string& key) const;

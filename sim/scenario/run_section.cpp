@@ -82,6 +82,12 @@ void record_keys(Io& io, RecordOptions& c) {
              "quartiles of their delays need.",
              "counts", "all; counts above 100 agents"},
             kDetails, c.messages);
+  io.choice(
+      {"samples",
+       "Samples of DDS that programs on agents with a network sent each other: not at all, "
+       "counted by writer and receiver with a histogram of latencies, or also a row for each.",
+       "all"},
+      kDetails, c.samples);
   io.duration(
       {"pose_period",
        "Between two rows of an agent's pose in the results; at most one row per control cycle.",

@@ -56,6 +56,7 @@ struct Expectation {
 struct RecordOptions {
   record::Detail frames = record::Detail::kCounts;
   record::Detail messages = record::Detail::kAll;
+  record::Detail samples = record::Detail::kCounts;
   hal::Duration pose_period = 1s;
   std::string air{};                           ///< File of the captured frames; empty: none.
   std::optional<hal::AgentId> air_heard_by{};  ///< None: by an ear that hears all.

@@ -249,6 +249,30 @@ void put_members(Lines& out, const own::LinkQuality_& m) {
   out.put("delivered", m.delivered());
   out.put("lost", m.lost());
 }
+void put_members(Lines& out, const own::AirTopic_& m) {
+  put(out, "stamp", m.stamp());
+  out.put("topic", m.topic());
+  out.put("samples", m.samples());
+  out.put("delivered", m.delivered());
+  out.put("first_try", m.first_try());
+  out.put("repaired", m.repaired());
+  put(out, "latency_median", m.latency_median());
+  put(out, "latency_p99", m.latency_p99());
+  put(out, "airtime", m.airtime());
+  out.put("share", m.share());
+}
+void put_members(Lines& out, const own::AirKind_& m) {
+  put(out, "stamp", m.stamp());
+  out.put("purpose", m.purpose());
+  out.put("kind", m.kind());
+  out.put("port", m.port());
+  out.put("frames", m.frames());
+  out.put("retries", m.retries());
+  out.put("submessages", m.submessages());
+  out.put("bits", m.bits());
+  put(out, "airtime", m.airtime());
+  out.put("share", m.share());
+}
 
 template <class Message>
 void put(Lines& out, std::string_view key, const Message& message) {
@@ -292,7 +316,7 @@ std::optional<std::string> to_yaml(const std::string& type, const Bytes& sample)
                sensor_msgs::msg::dds_::BatteryState_PubSubType, geometry::Twist_PubSubType,
                geometry::PoseStamped_PubSubType, own::MessageFate_PubSubType, own::Frame_PubSubType,
                own::Route_PubSubType, own::ControllerState_PubSubType, own::LinkQuality_PubSubType,
-               own::Value_PubSubType>();
+               own::Value_PubSubType, own::AirTopic_PubSubType, own::AirKind_PubSubType>();
   const auto found = all.find(type);
   return found == all.end() ? std::nullopt : found->second(sample);
 }

@@ -1,4 +1,5 @@
 import { select } from "d3-selection";
+import { air } from "./air.js";
 import { losses } from "./losses.js";
 import { network } from "./network.js";
 import { packets } from "./packets.js";
@@ -74,6 +75,7 @@ function draw(figures) {
   add(trajectory, (g) => g.runs.some((run) => run.robots.length));
   add((shown) => packets(shown, figures.paper), (g) => g.nodes.some((n) => !n.robot));
   add(losses, (g) => g.verdicts.some((row) => row.addressed));
+  add(air, (g) => g.air.kinds.length);
   add((shown) => times("discovery", "Fig. 13 · Time to discover a route", "time to discover a route",
     "Searches that found a route.", shown, figures), (g) => g.discovery.quantiles);
   add((shown) => times("delay", "Fig. 14 · End-to-end delay", "end-to-end delay",

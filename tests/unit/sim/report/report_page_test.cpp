@@ -53,6 +53,23 @@ class ReportPageTest : public testing::Test {
   Folder folder;
 };
 
+TEST_F(ReportPageTest, HasTheAirTimeOfEachSecondByUse) {
+  add("a", run_sql("ideal", 1, 1000) + R"sql(
+INSERT INTO air_accounts VALUES (0,1,'user','DATA',NULL,'scan',3,1,3,1,16000,16000000);
+INSERT INTO dds_endpoints VALUES ('aa',1,'writer','scan','t','reliable','volatile',0);
+INSERT INTO sample_sums VALUES ('aa',2,3,2,1,0,1,3,300,5000000);
+INSERT INTO sample_latencies VALUES ('aa',2,4000000,2);
+INSERT INTO air_seconds VALUES (0,'user','DATA',5), (0,'user','DATA_FRAG',6), (0,'user','HEARTBEAT',7),
+  (0,'SEDP','DATA',8), (3,'802.11','ack',9);
+)sql");
+  const Json air = figures()["groups"][0]["air"];
+  EXPECT_EQ(air["seconds"], Json::parse(R"([[[0, "SEDP", 8], [0, "user control", 7],
+    [0, "user data", 11], [3, "802.11", 9]]])"));
+  EXPECT_EQ(air["topics"][0]["samples"], 3);
+  EXPECT_EQ(air["topics"][0]["p50"], 0.0040625);
+  EXPECT_EQ(air["kinds"][0]["airtime_ns"], 16000000);
+}
+
 TEST_F(ReportPageTest, ShowsNodesLinksAndWallsAsTheyStood) {
   add("a", run_sql("ideal", 1, 1000));
   const Json group = figures()["groups"][0];

@@ -287,6 +287,43 @@ TEST_F(ReportTest, ReadsAFolderOfFoldersByName) {
   EXPECT_LT(place("2"), place("10"));
 }
 
+/// Two samples of "scan" to agent 2, one of them repaired after 4 ms, and one lost; "map" nobody
+/// reads. 40 ms of air time, half of it of "scan".
+const char* const kAir = R"sql(
+INSERT INTO air_accounts VALUES (0,1,'user','DATA',NULL,'scan',3,1,3,1,16000,16000000),
+  (1,2,'user','ACKNACK',NULL,'scan',1,0,1,0,800,4000000),
+  (2,1,'user','DATA',NULL,'map',1,0,1,0,4000,6000000),
+  (3,1,'network','UDP',5201,NULL,2,0,2,0,8008,12000000), (4,2,'802.11','ack',NULL,NULL,5,0,5,0,560,2000000);
+INSERT INTO dds_endpoints VALUES ('aa',1,'writer','scan','t','reliable','volatile',0);
+INSERT INTO sample_sums VALUES ('aa',2,3,2,1,0,1,3,300,5000000);
+INSERT INTO sample_latencies VALUES ('aa',2,1000000,1), ('aa',2,4000000,1);
+INSERT INTO sample_losses VALUES ('aa',2,'collision',1);
+INSERT INTO air_seconds VALUES (0,'user','DATA',22000000), (0,'user','ACKNACK',4000000),
+  (2,'network','UDP',12000000), (2,'802.11','ack',2000000);
+)sql";
+
+// Middles of bins of 1/32 of their lower edge: 1 ms is 1.016.
+TEST_F(ReportTest, SaysWhatTheAirWasUsedFor) {
+  add("a", run_sql("ieee80211g", 1) + kAir);
+  const std::string printed = text();
+  EXPECT_EQ(line(printed, "scan"), "3|2|1|1|1.016|4.062|0.020000|50.00");
+  EXPECT_EQ(line(printed, "map"), "0|0|0|0|-|-|0.006000|15.00");
+  EXPECT_EQ(line(printed, "user DATA"), "4|1|5|2500|0.022000|55.00");
+  EXPECT_EQ(line(printed, "network UDP:5201"), "2|0|2|1001|0.012000|30.00");
+  EXPECT_LT(printed.find("user DATA "), printed.find("network UDP"));
+}
+
+TEST_F(ReportTest, PoolsTheAirOfRunsOfTheSameSettings) {
+  add("a", run_sql("ieee80211g", 1) + kAir);
+  add("b", run_sql("ieee80211g", 2) + kAir);
+  EXPECT_EQ(line(text(), "scan"), "6|4|2|2|1.016|4.062|0.040000|50.00");
+}
+
+TEST_F(ReportTest, IsSilentOfTheAirWhereNobodyHasANetwork) {
+  add("a", run_sql("ieee80211g", 1));
+  EXPECT_EQ(text().find("air time"), std::string::npos);
+}
+
 TEST_F(ReportTest, SaysWhichFolderHoldsNoResult) {
   try {
     text();

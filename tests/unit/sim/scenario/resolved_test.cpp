@@ -29,7 +29,7 @@ on_death: silence
 reply_timeout: none
 wait: 12 s
 link: udp_like
-record: {frames: all, messages: none, pose_period: 250 ms, air: heard.pcapng, air_heard_by: x00}
+record: {frames: all, messages: none, samples: all, pose_period: 250 ms, air: heard.pcapng, air_heard_by: x00}
 world:
   physics:
     {step: 5 ms, gravity: 1.62 m/s^2, erp: 0.3, cfm: 1e-7, surface_layer: 0.2 mm,
@@ -192,6 +192,7 @@ TEST_F(Resolved, KeepsTheRun) {
   EXPECT_EQ(c.link, agents::LinkKind::kUdpLike);
   EXPECT_EQ(scenario.record.frames, sim::record::Detail::kAll);
   EXPECT_EQ(scenario.record.messages, sim::record::Detail::kNone);
+  EXPECT_EQ(scenario.record.samples, sim::record::Detail::kAll);
   EXPECT_EQ(scenario.record.pose_period, 250ms);
   EXPECT_EQ(scenario.record.air, "heard.pcapng");
   EXPECT_EQ(scenario.record.air_heard_by, c.agents.at(1).id);

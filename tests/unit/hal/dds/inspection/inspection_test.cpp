@@ -11,6 +11,7 @@
 
 #include "hal/dds/domains.h"
 #include "hal/dds/guarded_type.h"
+#include "hal/dds/inspection/air_inspector.h"
 #include "hal/dds/inspection/emergency_stop_reader.h"
 #include "hal/dds/inspection/inspection_endpoints.h"
 #include "hal/dds/inspection/inspection_values.h"
@@ -232,6 +233,46 @@ TEST_F(Inspection, AMessagesFateIsShownWithAllItsMembers) {
   EXPECT_EQ(to_yaml("baraka_msgs::msg::dds_::MessageFate_", sample->bytes),
             "stamp:\n  sec: 1\n  nanosec: 500000000\nsender: \"m1\"\nid: 7\nnode: \"m2\"\n"
             "fate: \"\"\nverdict: \"retry limit\"\n");
+}
+
+TEST_F(Inspection, WhatTheAirIsUsedForIsShownWithAllItsMembers) {
+  AirInspector inspector(inside_);
+  EXPECT_FALSE(inspector.has_readers());
+  TopicBrowser browser(hold_.domain());
+  const auto topics = subscribe(browser, "rt/baraka/air_topics");
+  const auto kinds = subscribe(browser, "rt/baraka/air_kinds");
+  ASSERT_TRUE(holds_soon(
+      [&] { return inspector.readers() == 2 && topics->writers() == 1 && kinds->writers() == 1; }));
+  inspector.publish(time_from_ns(1'500'000'000), AirInspector::TopicUse{.topic = "scan",
+                                                                        .samples = 9,
+                                                                        .delivered = 8,
+                                                                        .first_try = 6,
+                                                                        .latency_median = 2ms,
+                                                                        .latency_p99 = 30ms,
+                                                                        .airtime = 1250ms,
+                                                                        .share = 0.25});
+  inspector.publish(time_from_ns(2'000'000'000), AirInspector::KindUse{.purpose = "network",
+                                                                       .kind = "UDP",
+                                                                       .port = 5201,
+                                                                       .frames = 7,
+                                                                       .retries = 3,
+                                                                       .submessages = 6,
+                                                                       .bits = 1'000'000'000'000,
+                                                                       .airtime = 1s,
+                                                                       .share = 0.5});
+  const auto topic = topics->next(10s);
+  const auto kind = kinds->next(10s);
+  ASSERT_TRUE(topic && kind);
+  EXPECT_EQ(
+      to_yaml("baraka_msgs::msg::dds_::AirTopic_", topic->bytes),
+      "stamp:\n  sec: 1\n  nanosec: 500000000\ntopic: \"scan\"\nsamples: 9\ndelivered: 8\n"
+      "first_try: 6\nrepaired: 2\nlatency_median:\n  sec: 0\n  nanosec: 2000000\n"
+      "latency_p99:\n  sec: 0\n  nanosec: 30000000\nairtime:\n  sec: 1\n  nanosec: 250000000\n"
+      "share: 0.25\n");
+  EXPECT_EQ(to_yaml("baraka_msgs::msg::dds_::AirKind_", kind->bytes),
+            "stamp:\n  sec: 2\n  nanosec: 0\npurpose: \"network\"\nkind: \"UDP\"\nport: 5201\n"
+            "frames: 7\nretries: 3\nsubmessages: 6\nbits: 1000000000000\nairtime:\n  sec: 1\n"
+            "  nanosec: 0\nshare: 0.5\n");
 }
 
 TEST_F(Inspection, ARangeBeyondReachIsInfinite) {

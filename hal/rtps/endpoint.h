@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "hal/rtps/cursor.h"
+#include "hal/rtps/entity_id.h"
+
+namespace hal::rtps {
+
+/// The identity of a participant, writer or reader (OMG DDSI-RTPS 2.5, 9.3.1).
+struct Guid {
+  GuidPrefix prefix;
+  EntityId entity;
+  bool operator==(const Guid&) const = default;
+  auto operator<=>(const Guid&) const = default;
+};
+
+/// What SEDP tells of a writer or reader (9.6.2.2). Views into the payload.
+struct DiscoveredEndpoint {
+  Guid guid;                      ///< PID_ENDPOINT_GUID, or the key hash of what is disposed.
+  std::string_view topic;         ///< Empty: not told, as of what is disposed.
+  std::string_view type;          ///< Likewise.
+  std::uint32_t reliability = 0;  ///< 1 best effort, 2 reliable; 0: not told, see the standard.
+  std::uint32_t durability = 0;   ///< 0 volatile, 1 transient local, 2 transient, 3 persistent.
+  Octets partitions;              ///< The sequence of strings as it is; empty: not told.
+  Endianness endianness = Endianness::kBig;  ///< Of `partitions`.
+};
+
+/// Reads the payload of a DATA of a SEDP writer of publications or subscriptions. Nothing is
+/// allocated. @return none: it names no endpoint, or is cut off.
+std::optional<DiscoveredEndpoint> read_endpoint(Octets payload);
+
+}  // namespace hal::rtps

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <string>
+#include <string_view>
+
+namespace sim::air {
+
+/// Whose purposes a part of a frame serves.
+enum class Purpose : std::uint8_t {
+  kUser,        ///< RTPS: of the writers and readers of programs.
+  kSpdp,        ///< RTPS: who takes part.
+  kSedp,        ///< RTPS: who writes and reads what.
+  kLiveliness,  ///< RTPS: participant messages.
+  kBuiltin,     ///< RTPS: other endpoints of the middleware: security, type lookup, a vendor's.
+  kRtps,        ///< RTPS without endpoints: nothing else is in the datagram.
+  kNetwork,     ///< IP and ARP that are no RTPS.
+  kRouting,     ///< Frames of hal/routing.
+  kMac,         ///< Control and management of IEEE 802.11.
+  kOther,
+};
+inline constexpr int kPurposes = 10;
+
+constexpr std::string_view name(Purpose purpose) {
+  constexpr std::string_view kNames[kPurposes] = {"user",    "SPDP", "SEDP",    "liveliness",
+                                                  "builtin", "RTPS", "network", "routing",
+                                                  "802.11",  "other"};
+  return kNames[static_cast<int>(purpose)];
+}
+static_assert(name(Purpose::kOther) == "other");
+
+constexpr bool is_rtps(Purpose purpose) { return purpose <= Purpose::kRtps; }
+
+/// What a part of a frame is counted as.
+struct AirKind {
+  Purpose purpose = Purpose::kOther;
+  /// Of RTPS the kind of submessage; of kNetwork the number of the protocol, of ARP kArp; of kMac a
+  /// radio::FrameType; else the Ethertype.
+  std::uint16_t what = 0;
+  std::uint16_t port = 0;   ///< Of TCP and UDP that is no RTPS, see service_port(); 0: none.
+  std::uint32_t topic = 0;  ///< Of kUser: number among Endpoints::topics(); 0: not known.
+  auto operator<=>(const AirKind&) const = default;
+};
+
+inline constexpr std::uint16_t kArp = 0x100;
+/// Fragments of IP of which nobody saw the first, so that nobody knows what they are of.
+inline constexpr std::uint16_t kFragments = 0x101;
+/// What cannot be walked over as RTPS, or as IP.
+inline constexpr std::uint16_t kMalformed = 0x102;
+
+/// The port that names the service: the lower one. 0 if both are of the range that systems give to
+/// whoever asks for none (from 32768 on, as Linux has it): there are too many to tell apart.
+constexpr std::uint16_t service_port(std::uint16_t one, std::uint16_t other) {
+  const std::uint16_t lower = one < other ? one : other;
+  return lower < 32768 ? lower : 0;
+}
+
+/// "DATA", "vendor 0x80", "ARP", "UDP", "IP 132", "ack", "0x88b5".
+std::string what_text(const AirKind& kind);
+
+}  // namespace sim::air

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "sim/air/ledger.h"
+
+namespace sim::air {
+
+/// What there is of a topic of programs so far, for those who look on.
+struct TopicUse {
+  std::string_view
+      topic;  ///< Empty: not told of. Lives as long as the ledger, and until it learns.
+  std::uint64_t samples = 0, delivered = 0, first_try = 0;  ///< Settled; times receiving agents.
+  hal::Duration latency_median{}, latency_p99{};            ///< Lower edges of their bins.
+  hal::Duration airtime{};
+  double share = 0;  ///< Of the air time of all that was sent.
+};
+
+/// By number of the topic.
+std::vector<TopicUse> topics_of(const Ledger& ledger);
+
+/// All transmitters and topics together; `kind` without its topic.
+struct KindUse {
+  AirKind kind;
+  std::uint64_t frames = 0, retries = 0, submessages = 0, bits = 0;
+  hal::Duration airtime{};
+  double share = 0;
+};
+
+/// In the order of AirKind.
+std::vector<KindUse> kinds_of(const Ledger& ledger);
+
+}  // namespace sim::air

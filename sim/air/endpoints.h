@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "hal/rtps/endpoint.h"
+#include "hal/types/agent_id.h"
+#include "hal/types/time.h"
+
+namespace sim::air {
+
+/// Number of an endpoint among Endpoints::all(); 0: none, or one too many.
+using EndpointIndex = std::uint32_t;
+
+/// A writer or reader of DDS, as its GUID and SEDP tell of it.
+struct Endpoint {
+  hal::rtps::Guid guid;
+  std::optional<hal::AgentId> agent;   ///< Whose programs have it; none: they sent nothing yet.
+  std::uint32_t topic = 0;             ///< Number of its name; 0: not told yet.
+  std::string type{};                  ///< Empty: likewise.
+  std::optional<hal::Time> told_at{};  ///< When SEDP first told of it.
+  bool is_reliable = false;
+  std::uint32_t durability = 0;  ///< As in hal::rtps::DiscoveredEndpoint.
+  std::vector<std::string> partitions{};
+  bool is_gone = false;               ///< Disposed.
+  std::set<hal::AgentId> known_at{};  ///< Agents that what SEDP tells of it arrived at.
+};
+
+/// The endpoints that were seen on the air, their topics, and which of them exchange samples.
+///
+/// Whoever sends garbage can name as many as there are GUIDs: of those beyond kMost, and of names
+/// beyond kMostTopics, nothing is known.
+class Endpoints {
+ public:
+  static constexpr std::size_t kMost = 1U << 16U, kMostTopics = 1U << 12U;
+  static constexpr std::size_t kLongestName = 256;
+
+  Endpoints();
+
+  /// @return the number of this one; new if it has not been seen.
+  EndpointIndex of(const hal::rtps::Guid& guid);
+  /// What was sent from there, and not passed on, has this source.
+  void place(const hal::rtps::GuidPrefix& participant, hal::AgentId agent);
+  std::optional<hal::AgentId> agent_of(const hal::rtps::GuidPrefix& participant) const;
+
+  /// SEDP told of one.
+  EndpointIndex learn(hal::Time at, const hal::rtps::DiscoveredEndpoint& told);
+  void remove(const hal::rtps::Guid& guid);
+  /// What SEDP told of it arrived there. @return whether that was new.
+  void reach(EndpointIndex endpoint, hal::AgentId agent) { all_[endpoint].known_at.insert(agent); }
+
+  /// Agents other than the writer's with a reader that exchanges samples with it: same topic and
+  /// type, neither offers less than the other asks for (reliability and durability), a partition
+  /// in common by name, and what SEDP told of each has arrived at the other's agent.
+  std::vector<hal::AgentId> readers_of(EndpointIndex writer) const;
+
+  /// Those that SEDP told of since the last call, or whose agent became known.
+  std::vector<EndpointIndex> take_told() { return std::exchange(told_, {}); }
+
+  const std::vector<Endpoint>& all() const { return all_; }           ///< From 1 on.
+  const std::vector<std::string>& topics() const { return topics_; }  ///< From 1 on; 0 is "".
+
+ private:
+  std::uint32_t topic_called(std::string_view name);
+
+  std::vector<Endpoint> all_;
+  std::vector<EndpointIndex> told_;
+  std::map<hal::rtps::Guid, EndpointIndex> indices_;
+  std::map<hal::rtps::GuidPrefix, hal::AgentId> participants_;
+  std::map<hal::rtps::GuidPrefix, std::vector<EndpointIndex>> unplaced_;
+  std::vector<std::string> topics_;
+  std::map<std::string, std::uint32_t, std::less<>> topic_numbers_;
+  std::map<std::uint32_t, std::vector<EndpointIndex>> readers_;  ///< By topic.
+};
+
+}  // namespace sim::air

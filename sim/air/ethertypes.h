@@ -1,0 +1,12 @@
+#pragma once
+
+#include "sim/radio/mac_sap.h"
+
+namespace sim::air {
+
+/// What goes through the interfaces of agents (IANA, "IEEE 802 Numbers").
+inline constexpr radio::Ethertype kEthertypeIpv4 = 0x0800;
+inline constexpr radio::Ethertype kEthertypeArp = 0x0806;
+inline constexpr radio::Ethertype kEthertypeIpv6 = 0x86dd;
+
+}  // namespace sim::air

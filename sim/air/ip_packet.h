@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <optional>
+
+#include "hal/rtps/cursor.h"
+#include "sim/air/ethertypes.h"
+
+namespace sim::air {
+
+using Octets = hal::rtps::Octets;
+
+/// Numbers of protocols (IANA, "Assigned Internet Protocol Numbers") that are looked at.
+namespace protocol {
+inline constexpr std::uint8_t kHopByHop = 0, kIcmp = 1, kIgmp = 2, kTcp = 6, kUdp = 17,
+                              kRouting = 43, kFragment = 44, kIcmpv6 = 58, kDestination = 60;
+}  // namespace protocol
+
+/// An IPv6 address, or an IPv4 one in the last four octets.
+using IpAddress = std::array<std::uint8_t, 16>;
+
+/// What belongs together in fragments (RFC 791, 2.3; RFC 8200, 4.5).
+struct FragmentKey {
+  IpAddress source{}, destination{};
+  std::uint32_t identification = 0;
+  std::uint8_t protocol = 0;  ///< Of the payload, extension headers of IPv6 passed over.
+  auto operator<=>(const FragmentKey&) const = default;
+};
+
+/// One packet of IPv4 or IPv6, as it lies behind the Ethernet header.
+struct IpPacket {
+  FragmentKey key;
+  std::uint32_t offset = 0;  ///< Octets, of the payload within that of the whole datagram.
+  bool more = false;         ///< Fragments follow.
+  Octets payload;            ///< Behind the headers of IP.
+
+  bool is_fragment() const { return more || offset > 0; }
+};
+
+/// @param packet  behind the Ethernet header; what follows the packet's own length is padding.
+/// @return none: it is none of the two, or cut off.
+std::optional<IpPacket> read_ip(radio::Ethertype type, Octets packet);
+
+}  // namespace sim::air

@@ -1,0 +1,110 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "sim/air/air_accounts.h"
+#include "sim/air/content.h"
+#include "sim/air/endpoints.h"
+#include "sim/air/samples.h"
+#include "sim/radio/frame.h"
+#include "sim/radio/observer.h"
+
+namespace sim::air {
+
+/// Air time of one simulated second by what it was used for; frames count where they begin.
+struct AirSecond {
+  std::int64_t second = 0;
+  std::map<std::pair<Purpose, std::uint16_t>, hal::Duration> airtime{};  ///< AirKind::what.
+};
+
+/// What the air is used for: whose submessages, protocols and frames take its time and what becomes
+/// of them; and of the samples of DDS, which come at the first try, repaired, or not. It looks
+/// only.
+///
+///   Ledger ledger;
+///   RadioNetwork network(config, stations, {…, ledger, …});   // or beside other observers
+///   …on_entered() and on_left() for what goes through programs' interfaces…
+///   ledger.finish(now);
+///
+/// Payloads are read once, when they enter or, if nobody tells of that, when they are first sent.
+class Ledger final : public radio::RadioObserver {
+ public:
+  Ledger();
+
+  void on_frame_start(hal::Time at, const radio::Frame& frame) override;
+  void on_frame_cut(hal::Time at, const radio::Frame& frame) override;
+  void on_reception(hal::Time at, const radio::Frame& frame, hal::AgentId receiver,
+                    hal::Verdict verdict, double rssi_dbm) override;
+  void on_request_end(hal::Time at, hal::AgentId sender, hal::AgentId destination,
+                      hal::Verdict verdict) override;
+
+  /// A frame from the agent's interface became this request.
+  void on_entered(hal::Time at, hal::AgentId agent, const radio::MacRequest& request);
+  /// What the agent received went into its interface.
+  void on_left(hal::Time at, hal::AgentId agent, const radio::MacIndication& indication);
+
+  /// The run ended: frames in the air count up to then, open samples are settled.
+  void finish(hal::Time now);
+
+  /// Settles what is old enough; before the counts are looked at.
+  void settle(hal::Time now) { samples_.settle(now); }
+
+  Endpoints& endpoints() { return endpoints_; }
+  const Endpoints& endpoints() const { return endpoints_; }
+  AirAccounts& accounts() { return accounts_; }
+  const AirAccounts& accounts() const { return accounts_; }
+  Samples& samples() { return samples_; }
+  const Samples& samples() const { return samples_; }
+
+  /// Gets each second that is over, and at the end the last one.
+  void set_second_sink(std::function<void(const AirSecond&)> sink) { on_second_ = std::move(sink); }
+  /// The second that is not over yet.
+  const AirSecond& this_second() const { return second_; }
+
+ private:
+  /// A frame of which not all is known yet. A station begins its next one a SIFS later at the
+  /// earliest; by then the waves of this one may still be on their way.
+  struct Sent {
+    std::uint64_t frame = 0;
+    hal::Time start{};
+    hal::Duration airtime{};
+    ContentPtr content;
+    AirAccounts::Shares shares;
+  };
+  static constexpr std::size_t kRemembered = 8;
+  struct Station {
+    std::array<Sent, kRemembered> sent;
+    std::size_t last = 0;
+  };
+  /// Of a datagram in fragments, at one receiver.
+  struct Arriving {
+    std::shared_ptr<const Datagram> datagram;
+    std::vector<std::uint32_t> begins;  ///< Of the fragments that are there.
+    std::uint32_t octets = 0;
+  };
+
+  ContentPtr content_of(hal::Time at, const radio::Frame& frame);
+  ContentPtr read(hal::Time at, hal::AgentId source, hal::AgentId destination,
+                  const radio::Payload& payload, radio::Ethertype type);
+  Sent* find(const radio::Frame& frame);
+  void count_second(hal::Time at, const Sent& sent, int sign);
+  void on_whole(hal::Time at, hal::AgentId agent, const Datagram& datagram);
+  bool complete(hal::AgentId agent, const DatagramPlace& place);
+
+  Endpoints endpoints_;
+  Contents contents_{endpoints_};
+  AirAccounts accounts_;
+  Samples samples_{endpoints_};
+  std::vector<Station> stations_;     ///< By address.
+  std::vector<ContentPtr> of_types_;  ///< By radio::FrameType; of data, that of routing.
+  std::map<hal::AgentId, std::vector<Arriving>> arriving_;
+  AirSecond second_;
+  std::function<void(const AirSecond&)> on_second_;
+};
+
+}  // namespace sim::air

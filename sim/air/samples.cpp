@@ -1,0 +1,181 @@
+#include "sim/air/samples.h"
+
+#include <algorithm>
+
+namespace sim::air {
+namespace {
+
+constexpr std::uint32_t kMostFragments = 1U << 20U;
+
+/// Fragments of a part that lie within what the sample says it has: from first to last, from 0 on.
+std::pair<std::uint32_t, std::uint32_t> range_of(const DatagramPart& part, std::size_t all) {
+  const auto end =
+      std::min<std::size_t>(std::size_t{part.first_fragment} - 1 + part.fragments, all);
+  return {std::min(part.first_fragment - 1, static_cast<std::uint32_t>(all)),
+          static_cast<std::uint32_t>(end)};
+}
+
+}  // namespace
+
+Samples::Sample* Samples::find(const DatagramPart& part) {
+  const auto found = open_.find({part.writer, part.sequence_number});
+  return found == open_.end() ? nullptr : &found->second;
+}
+
+/// Null: it is one of long ago, or there are nobody's readers.
+Samples::Sample* Samples::begin(hal::Time at, const DatagramPart& part) {
+  const auto settled = settled_.find(part.writer);
+  const bool is_old = settled != settled_.end() && part.sequence_number <= settled->second;
+  if (is_old || part.writer == 0 || part.all_fragments > kMostFragments) return nullptr;
+  const std::vector<hal::AgentId> readers = endpoints_.readers_of(part.writer);
+  if (readers.empty()) return nullptr;
+  const SampleKey key{part.writer, part.sequence_number};
+  Sample& sample = open_[key];
+  order_.push_back(key);
+  for (const hal::AgentId reader : readers) {
+    Progress& progress = sample.to.emplace_back();
+    progress.delivery = {.writer = part.writer,
+                         .sequence_number = part.sequence_number,
+                         .receiver = reader,
+                         .entered = at,
+                         .bytes = part.sample_size,
+                         .fragments = part.all_fragments};
+    progress.first.assign(part.all_fragments, 0);
+    progress.got.assign(part.all_fragments, false);
+    progress.missing = part.all_fragments;
+  }
+  return &sample;
+}
+
+bool Samples::is_for(const DatagramPart& part, hal::AgentId destination,
+                     hal::AgentId receiver) const {
+  if (destination != hal::kEveryone && destination != receiver) return false;
+  if (part.to == hal::rtps::GuidPrefix{}) return true;
+  const auto agent = endpoints_.agent_of(part.to);
+  return !agent || *agent == receiver;
+}
+
+void Samples::on_sent(hal::Time at, const Datagram& datagram, const DatagramPart& part,
+                      hal::AgentId destination) {
+  Sample* sample = find(part);
+  if (sample == nullptr) sample = begin(at, part);
+  if (sample == nullptr) return;
+  sample->last_sent = at;
+  for (Progress& progress : sample->to) {
+    if (!is_for(part, destination, progress.delivery.receiver)) continue;
+    progress.was_sent = true;
+    if (progress.first.empty()) {
+      progress.delivery.repairs += part.fragments;
+      continue;
+    }
+    const auto [begin, end] = range_of(part, progress.first.size());
+    for (std::uint32_t i = begin; i < end; ++i) {
+      if (progress.first[i] == 0) {
+        progress.first[i] = datagram.serial;
+      } else {
+        ++progress.delivery.repairs;
+      }
+    }
+  }
+}
+
+void Samples::on_started(const DatagramPart& part) {
+  if (Sample* const sample = find(part)) sample->was_on_air = true;
+}
+
+void Samples::on_lost(const DatagramPart& part, hal::AgentId receiver, hal::Verdict verdict,
+                      std::uint64_t frame) {
+  Sample* const sample = find(part);
+  if (sample == nullptr) return;
+  for (Progress& progress : sample->to) {
+    if (progress.delivery.receiver != receiver || progress.delivery.left) continue;
+    progress.delivery.verdict = verdict;
+    progress.delivery.frame = frame;
+  }
+}
+
+void Samples::on_received(hal::Time at, const Datagram& datagram, const DatagramPart& part,
+                          hal::AgentId receiver) {
+  Sample* const sample = find(part);
+  if (sample == nullptr) return;
+  for (Progress& progress : sample->to) {
+    if (!is_for(part, receiver, progress.delivery.receiver) || progress.delivery.left) continue;
+    const auto [begin, end] = range_of(part, progress.got.size());
+    for (std::uint32_t i = begin; i < end; ++i) {
+      if (progress.got[i]) continue;
+      progress.got[i] = true;
+      --progress.missing;
+      if (progress.first[i] != datagram.serial) progress.delivery.is_repaired = true;
+    }
+    if (progress.missing > 0) continue;
+    progress.delivery.left = at;
+    std::vector<std::uint64_t>().swap(progress.first);
+    std::vector<bool>().swap(progress.got);
+  }
+}
+
+void Samples::settle(hal::Time now) {
+  while (!order_.empty()) {
+    const auto oldest = open_.find(order_.front());
+    const bool is_due = oldest->second.last_sent + kSettled < now;
+    if (!is_due && open_.size() <= kMostOpen) return;
+    settle_front(false);
+  }
+}
+
+void Samples::finish(hal::Time now) {
+  settle(now);
+  while (!order_.empty()) settle_front(true);
+}
+
+void Samples::settle_front(bool is_end) {
+  const SampleKey key = order_.front();
+  order_.pop_front();
+  const auto oldest = open_.find(key);
+  std::int64_t& highest = settled_[key.first];
+  highest = std::max(highest, key.second);
+  const auto sender = endpoints_.all()[key.first].agent;
+  settle(oldest->second, sender.value_or(hal::AgentId{}), is_end);
+  open_.erase(oldest);
+}
+
+void Samples::settle(Sample& sample, hal::AgentId sender, bool is_end) {
+  for (Progress& progress : sample.to) {
+    SampleDelivery& delivery = progress.delivery;
+    if (!progress.was_sent) continue;
+    if (delivery.left) {
+      delivery.verdict.reset();
+      delivery.frame = 0;
+    } else if (!delivery.verdict && is_end) {
+      delivery.is_under_way = true;
+    } else if (!delivery.verdict && sample.was_on_air) {
+      delivery.verdict = hal::Verdict::kBelowSensitivity;
+    } else if (!delivery.verdict) {
+      const auto refused = refused_.find(sender);
+      delivery.verdict = refused == refused_.end() ? hal::Verdict::kExpired : refused->second;
+    }
+    count(delivery);
+    if (sink_) sink_(delivery);
+  }
+}
+
+void Samples::count(const SampleDelivery& delivery) {
+  SampleSums& sums = sums_[{delivery.writer, delivery.receiver}];
+  sums.changed = true;
+  ++sums.samples;
+  sums.repairs += delivery.repairs;
+  sums.fragments += delivery.fragments;
+  sums.bytes += delivery.bytes;
+  if (delivery.is_under_way) {
+    ++sums.under_way;
+  } else if (!delivery.left) {
+    ++sums.lost[static_cast<std::size_t>(*delivery.verdict)];
+  } else {
+    ++sums.delivered;
+    sums.first_try += delivery.is_repaired ? 0 : 1;
+    sums.latency_sum += *delivery.left - delivery.entered;
+    sums.latencies.add(*delivery.left - delivery.entered);
+  }
+}
+
+}  // namespace sim::air

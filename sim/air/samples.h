@@ -1,0 +1,127 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <functional>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "hal/types/agent_id.h"
+#include "hal/types/time.h"
+#include "hal/types/verdict.h"
+#include "sim/air/datagram.h"
+#include "sim/air/endpoints.h"
+#include "sim/air/latency_histogram.h"
+
+namespace sim::air {
+
+/// How a sample of a program's writer got to one agent with a reader that was matched when it was
+/// first sent.
+struct SampleDelivery {
+  EndpointIndex writer = 0;
+  std::int64_t sequence_number = 0;
+  hal::AgentId receiver;
+  hal::Time entered{};              ///< When its first packet came out of the sender's interface.
+  std::optional<hal::Time> left{};  ///< When the last that it needed went into the receiver's.
+  std::uint32_t bytes = 0;          ///< Serialised.
+  std::uint32_t fragments = 1;      ///< Of RTPS.
+  std::uint32_t repairs = 0;        ///< Fragments, or whole samples, sent there again.
+  bool is_repaired = false;         ///< Delivered, and not all of it by what was sent first.
+  /// Of one that did not come: how the last of its frames that was lost there ended; queue full and
+  /// the like if none went out.
+  std::optional<hal::Verdict> verdict{};
+  std::uint64_t frame = 0;    ///< Of that verdict; 0: none.
+  bool is_under_way = false;  ///< The run ended first.
+};
+
+/// What there is of the samples of one writer at one agent.
+struct SampleSums {
+  std::uint64_t samples = 0;    ///< Sent there while a reader was matched, and settled.
+  std::uint64_t delivered = 0;  ///< Whole.
+  std::uint64_t first_try = 0;  ///< Of these, without any repair.
+  std::uint64_t under_way = 0;  ///< Neither delivered nor lost when the run ended.
+  std::uint64_t repairs = 0;    ///< See SampleDelivery.
+  std::uint64_t fragments = 0, bytes = 0;
+  hal::Duration latency_sum{};
+  std::array<std::uint64_t, hal::kVerdictCount> lost{};
+  LatencyHistogram latencies{};
+  bool changed = false;  ///< Since they were last written.
+};
+
+/// Follows the samples of programs' writers by GUID and sequence number from the sender's interface
+/// to the interfaces of the agents whose readers are matched: nothing is asked of the programs. A
+/// sample is settled kSettled after it was last sent; what is repeated later changes nothing.
+class Samples {
+ public:
+  static constexpr hal::Duration kSettled = std::chrono::seconds{10};
+  /// Beyond so many the oldest are settled early.
+  static constexpr std::size_t kMostOpen = 20'000;
+  using Sink = std::function<void(const SampleDelivery&)>;
+
+  explicit Samples(const Endpoints& endpoints) : endpoints_(endpoints) {}
+
+  /// Gets each delivery, or loss, when it is settled.
+  void set_sink(Sink sink) { sink_ = std::move(sink); }
+
+  /// A part of a datagram came out of the sender's interface.
+  /// @param destination  kEveryone: of a group.
+  void on_sent(hal::Time at, const Datagram& datagram, const DatagramPart& part,
+               hal::AgentId destination);
+  /// A frame that carries some of it went on the air.
+  void on_started(const DatagramPart& part);
+  /// … and was lost at a radio.
+  void on_lost(const DatagramPart& part, hal::AgentId receiver, hal::Verdict verdict,
+               std::uint64_t frame);
+  /// All of the datagram went into the receiver's interface.
+  void on_received(hal::Time at, const Datagram& datagram, const DatagramPart& part,
+                   hal::AgentId receiver);
+  /// A request of this sender ended without having been on the air.
+  void on_refused(hal::AgentId sender, hal::Verdict verdict) { refused_[sender] = verdict; }
+
+  /// Settles what is old enough.
+  void settle(hal::Time now);
+  /// Settles all that is left.
+  void finish(hal::Time now);
+
+  using Key = std::pair<EndpointIndex, hal::AgentId>;  ///< Writer and receiver.
+  std::map<Key, SampleSums>& sums() { return sums_; }
+  const std::map<Key, SampleSums>& sums() const { return sums_; }
+  std::size_t open() const { return open_.size(); }
+
+ private:
+  struct Progress {
+    SampleDelivery delivery;
+    /// By fragment: serial number of the datagram that brings it first; 0: none yet. Empty once all
+    /// of them arrived.
+    std::vector<std::uint64_t> first;
+    std::vector<bool> got;
+    std::uint32_t missing = 0;
+    bool was_sent = false;  ///< Otherwise the writer knows better than we that it is not for it.
+  };
+  struct Sample {
+    hal::Time last_sent{};
+    bool was_on_air = false;
+    std::vector<Progress> to;
+  };
+  using SampleKey = std::pair<EndpointIndex, std::int64_t>;
+
+  Sample* find(const DatagramPart& part);
+  Sample* begin(hal::Time at, const DatagramPart& part);
+  bool is_for(const DatagramPart& part, hal::AgentId destination, hal::AgentId receiver) const;
+  void settle_front(bool is_end);
+  void settle(Sample& sample, hal::AgentId sender, bool is_end);
+  void count(const SampleDelivery& delivery);
+
+  const Endpoints& endpoints_;
+  Sink sink_;
+  std::map<SampleKey, Sample> open_;
+  std::deque<SampleKey> order_;
+  std::map<EndpointIndex, std::int64_t> settled_;  ///< By writer: the highest number.
+  std::map<hal::AgentId, hal::Verdict> refused_;
+  std::map<Key, SampleSums> sums_;
+};
+
+}  // namespace sim::air

@@ -1,0 +1,159 @@
+#include "sim/air/samples.h"
+
+#include <gtest/gtest.h>
+
+#include <functional>
+#include <memory>
+
+#include "tests/unit/sim/air/ledger/dds_packets.h"
+
+namespace sim::air::test {
+namespace {
+
+using namespace std::chrono_literals;
+using hal::AgentId;
+
+constexpr std::uint32_t kWriter = 0x00000103, kReader = 0x00000204;
+const hal::Bytes kPayload(40, 1);
+
+/// Agent 1 writes a topic that 2 and 3 read; SEDP told so to everyone.
+class SamplesTest : public testing::Test {
+ protected:
+  SamplesTest() : replay(radio::profile_defaults(radio::Profile::kIeee80211g)) {}
+
+  void build() {
+    replay.build();
+    send(0ms, 1, hal::kEveryone, Rtps(1).sedp(1, kWriter, "scan"));
+    for (const std::uint8_t reader : {std::uint8_t{2}, std::uint8_t{3}})
+      send(10ms * reader, reader, hal::kEveryone, Rtps(reader).sedp(reader, kReader, "scan"));
+  }
+  void send(hal::Duration at, std::uint16_t from, AgentId to, const Rtps& message,
+            std::size_t mtu = 1500) {
+    replay.send(udp(at, from, to, message.bytes(), ++id_, mtu));
+  }
+  void turn_off(AgentId station, hal::Duration from, hal::Duration to) {
+    const auto set = [this, station](hal::Duration at, bool on) {
+      auto* const action =
+          actions
+              .emplace_back(std::make_unique<std::function<void()>>(
+                  [this, station, on] { replay.network->sap(station).set_radio(on); }))
+              .get();
+      replay.events.schedule(hal::Time{at}, Rank::kScenario, kWorld, [action] { (*action)(); });
+    };
+    set(from, false);
+    set(to, true);
+  }
+  std::string sums(int receiver) {
+    return replay.ask(
+        "SELECT samples || ' sent, ' || delivered || ' delivered, ' || first_try || ' at first, '"
+        " || repairs || ' repairs, ' || under_way || ' under way' FROM sample_sums WHERE receiver"
+        " = " +
+        std::to_string(receiver));
+  }
+
+  Replay replay;
+  std::vector<std::unique_ptr<std::function<void()>>> actions;
+  std::uint16_t id_ = 0;
+};
+
+TEST_F(SamplesTest, WhatIsSentToEachByItselfIsNoRepair) {
+  build();
+  for (const std::uint16_t to : {std::uint16_t{2}, std::uint16_t{3}})
+    send(1s + 1ms * to, 1, AgentId{to}, Rtps(1).data(kWriter, 1, kPayload));
+  replay.run(3s);
+  EXPECT_EQ(sums(2), "1 sent, 1 delivered, 1 at first, 0 repairs, 0 under way");
+  EXPECT_EQ(sums(3), "1 sent, 1 delivered, 1 at first, 0 repairs, 0 under way");
+  expect_sums_of_the_radio(replay);
+}
+
+// 3 is off when the sample is broadcast, and gets it when it is sent again; by then 2 has it.
+TEST_F(SamplesTest, WhatCameByTheSecondTryIsRepairedThereOnly) {
+  build();
+  turn_off(AgentId{3}, 900ms, 1100ms);
+  for (const auto at : {1s, 2s, 3s})
+    send(at, 1, hal::kEveryone, Rtps(1).data(kWriter, 1, kPayload).heartbeat(kWriter, 1));
+  replay.run(5s);
+  EXPECT_EQ(sums(2), "1 sent, 1 delivered, 1 at first, 2 repairs, 0 under way");
+  EXPECT_EQ(sums(3), "1 sent, 1 delivered, 0 at first, 2 repairs, 0 under way");
+  EXPECT_EQ(replay.ask("SELECT repaired FROM samples WHERE receiver = 3"), "1");
+  EXPECT_EQ(replay.ask("SELECT left_ns / 1000000000 FROM samples WHERE receiver = 3"), "2");
+  expect_sums_of_the_radio(replay);
+}
+
+TEST_F(SamplesTest, WhatIsAddressedWithinTheGroupIsForThatOneOnly) {
+  build();
+  send(1s, 1, hal::kEveryone, Rtps(1).info_destination(3).data(kWriter, 1, kPayload));
+  replay.run(5s);
+  EXPECT_EQ(sums(2), "none");
+  EXPECT_EQ(sums(3), "1 sent, 1 delivered, 1 at first, 0 repairs, 0 under way");
+}
+
+// 2 is off and gets nothing; the frame is named, and how its last transmission ended there.
+TEST_F(SamplesTest, WhatIsLostHasTheVerdictOfItsLastFrame) {
+  build();
+  turn_off(AgentId{2}, 900ms, 1100ms);
+  send(1s, 1, AgentId{2}, Rtps(1).data(kWriter, 1, kPayload));
+  send(15s, 1, AgentId{2}, Rtps(1).data(kWriter, 2, kPayload));
+  replay.run(20s);
+  EXPECT_EQ(sums(2), "2 sent, 1 delivered, 1 at first, 0 repairs, 0 under way");
+  EXPECT_EQ(replay.ask("SELECT verdict || count FROM sample_losses"), "radio off1");
+  EXPECT_EQ(replay.ask("SELECT retry FROM frames WHERE frame IN (SELECT frame FROM samples)"), "1");
+  expect_sums_of_the_radio(replay);
+}
+
+TEST_F(SamplesTest, WhatFindsTheQueueFullIsLostToThat) {
+  radio::dcf_of(replay.config.radio)->contention.queue_limit = 2;
+  build();
+  for (std::uint32_t i = 1; i <= 20; ++i)
+    send(1s, 1, AgentId{2}, Rtps(1).data(kWriter, i, kPayload));
+  send(15s, 1, AgentId{2}, Rtps(1).data(kWriter, 21, kPayload));
+  replay.run(20s);
+  EXPECT_EQ(replay.ask("SELECT GROUP_CONCAT(verdict) FROM sample_losses"), "queue full");
+  EXPECT_EQ(replay.ask("SELECT samples - delivered FROM sample_sums"),
+            replay.ask("SELECT count FROM requests WHERE verdict = 'queue full'"));
+}
+
+// Whom SEDP did not reach, or who asks for more than the writer offers, is no reader of its.
+TEST_F(SamplesTest, OnlyMatchedReadersCount) {
+  turn_off(AgentId{3}, 0ms, 5ms);
+  build();
+  send(100ms, 2, hal::kEveryone, Rtps(2).sedp(2, 0x00000304, "other"));
+  send(200ms, 1, hal::kEveryone, Rtps(1).sedp(1, 0x00000503, "other", false));
+  for (const std::uint32_t writer : {kWriter, 0x00000503U})
+    send(1s, 1, hal::kEveryone, Rtps(1).data(writer, 1, kPayload));
+  replay.run(5s);
+  EXPECT_EQ(sums(2), "1 sent, 1 delivered, 1 at first, 0 repairs, 0 under way");
+  EXPECT_EQ(sums(3), "none");
+}
+
+// A datagram of 40 kB in fragments of IP of 576 bytes, one of which is lost.
+TEST_F(SamplesTest, ADatagramWithoutOneFragmentIsNone) {
+  radio::dcf_of(replay.config.radio)->contention.queue_limit = 200;
+  build();
+  send(1s, 1, hal::kEveryone, Rtps(1).data(kWriter, 1, hal::Bytes(40'000, 1)), 576);
+  turn_off(AgentId{3}, 1020ms, 1020100us);
+  send(15s, 1, hal::kEveryone, Rtps(1).data(kWriter, 2, kPayload));
+  replay.run(20s);
+  EXPECT_EQ(sums(2), "2 sent, 2 delivered, 2 at first, 0 repairs, 0 under way");
+  EXPECT_EQ(sums(3), "2 sent, 1 delivered, 1 at first, 0 repairs, 0 under way");
+  EXPECT_EQ(replay.ask("SELECT verdict FROM sample_losses WHERE receiver = 3"), "radio off");
+  EXPECT_EQ(
+      replay.ask("SELECT submessages FROM air_writers WHERE kind = 'DATA' AND topic = 'scan'"),
+      "2");
+  expect_sums_of_the_radio(replay);
+}
+
+TEST_F(SamplesTest, FragmentsAreRepairedOneByOne) {
+  build();
+  send(1s, 1, AgentId{2}, Rtps(1).data_frag(kWriter, 1, 1, 3).data_frag(kWriter, 1, 3, 3));
+  send(1100ms, 1, AgentId{2}, Rtps(1).data_frag(kWriter, 1, 2, 3));
+  send(1200ms, 1, AgentId{2}, Rtps(1).data_frag(kWriter, 1, 3, 3));
+  replay.run(20s);
+  EXPECT_EQ(sums(2), "1 sent, 1 delivered, 1 at first, 1 repairs, 0 under way");
+  EXPECT_EQ(sums(3), "none");
+  EXPECT_EQ(replay.ask("SELECT fragments FROM sample_sums WHERE receiver = 2"), "3");
+  EXPECT_EQ(replay.ask("SELECT left_ns > 1100000000 FROM samples WHERE receiver = 2"), "1");
+}
+
+}  // namespace
+}  // namespace sim::air::test
