@@ -21,6 +21,8 @@ class Dilation {
 
   Dilation() = default;  ///< 1: no difference.
 
+  bool is_none() const { return billionths_ == kWhole; }
+
   /// Of a clock that says `origin` in both times at once.
   Nanoseconds to_program(Nanoseconds kernel, Nanoseconds origin) const;
   /// The first moment of the kernel's at which to_program() gives no less.

@@ -196,6 +196,9 @@ class Dilated(unittest.TestCase):
         script.chmod(0o755)
         with self.assertRaisesRegex(AssertionError, "script is run by .*still, which is statically linked"):
             self.run_.start(0, script)
+        child = self.run_.start(0, "sh", "-c", str(STILL))
+        self.assertEqual(child.status(), 126)
+        self.assertIn("still is statically linked, so its time cannot be slowed", child.text())
 
 
 @unittest.skipIf(REFUSED, REFUSED)
