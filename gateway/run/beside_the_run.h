@@ -25,6 +25,10 @@ class BesideTheRun {
   /// No wait is longer, wall time.
   virtual hal::Duration longest_wait() const = 0;
 
+  /// A wait ends so much early, and the rest passes in looking again and again: a sleeper is woken
+  /// that late. Wall time.
+  virtual hal::Duration spin() const = 0;
+
   /// Right before and after each wait that may last.
   virtual void before_wait() = 0;
   virtual void after_wait() = 0;

@@ -139,7 +139,9 @@ sim::agents::Outcome Course::play(sim::agents::Simulation& simulation, WallPace&
                                   NetworkOfRun* network) const {
   if (record_) {
     simulation.outside().replay(record_->arrivals);
-    if (record_->in_real_time) return simulation.repeat(until_, record_->turns, pace);
+    if (record_->in_real_time) {
+      return simulation.repeat(until_, record_->turns, pace, !open_loop_.empty());
+    }
     return simulation.run(until_, pace);
   }
   if (!factor_) return simulation.run(until_, pace);

@@ -65,6 +65,7 @@ class NetworkOfRun final : private BesideTheRun {
   void attend(hal::Time now) override;
   std::optional<hal::Time> next() const override { return programs_.next(); }
   hal::Duration longest_wait() const override;
+  hal::Duration spin() const override;
   void before_wait() override { port_->before_wait(); }
   void after_wait() override { port_->after_wait(); }
 

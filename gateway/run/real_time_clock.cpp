@@ -30,7 +30,8 @@ bool RealTimeClock::wait(hal::Time until, std::span<const int> descriptors,
     stop = std::min(until, beside_->next().value_or(until));
     longest = std::min(kSlice, beside_->longest_wait());
   }
-  const double left = hal::to_seconds(stop - now()) / factor_;
+  const hal::Duration spin = beside_ != nullptr ? beside_->spin() : hal::Duration{};
+  const double left = hal::to_seconds(stop - now()) / factor_ - hal::to_seconds(spin);
   if (left <= 0) return true;
   polled_.clear();
   for (const int descriptor : descriptors) polled_.push_back({descriptor, POLLIN, 0});

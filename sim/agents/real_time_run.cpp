@@ -130,9 +130,16 @@ void Simulation::RealTimeRun::take_up(const Turn& turn) {
   if (!turn.replied && !turn.began) {
     return on_death(turn, {hal::Errc::kNotConnected, "a process of the record died"});
   }
-  auto brought = carried_[turn.port].courier.repeat(turn.replied, turn.began);
-  if (!brought) return on_death(turn, brought.error());
-  take_in(turn, *brought);
+  Courier& courier = carried_[turn.port].courier;
+  Turn taken = turn;
+  if (open_loop_) {
+    taken.replied = turn.replied && !courier.is_idle();
+    taken.began = turn.began && courier.has_waiting() && (taken.replied || courier.is_idle());
+    if (!taken.replied && !taken.began) return;
+  }
+  auto brought = courier.repeat(taken.replied, taken.began);
+  if (!brought) return on_death(taken, brought.error());
+  take_in(taken, *brought);
 }
 
 void Simulation::RealTimeRun::work_off_until(hal::Time target, FollowedClock* clock) {

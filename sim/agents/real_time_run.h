@@ -24,6 +24,9 @@ class Simulation::RealTimeRun {
   /// The same with the turns of a recorded run in place of the clock, as fast as `pace` allows.
   void repeat(std::span<const Turn> turns, Pace& pace);
 
+  /// As of Simulation::repeat().
+  void set_open_loop(bool open_loop) { open_loop_ = open_loop; }
+
   /// Waits for answers under way, tells every controller to stop, and waits again.
   void stop();
 
@@ -59,6 +62,7 @@ class Simulation::RealTimeRun {
   std::map<hal::AgentId, EventQueue::EventId> watchdogs_;  ///< Of robots.
   Lateness lateness_;                                      ///< Of control instants.
   RealTimeSummary counts_;
+  bool open_loop_ = false;
 };
 
 }  // namespace sim::agents

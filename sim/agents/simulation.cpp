@@ -132,10 +132,11 @@ Outcome Simulation::follow(std::optional<hal::Time> until, FollowedClock& clock)
   return end_of(run);
 }
 
-Outcome Simulation::repeat(std::optional<hal::Time> until, std::span<const Turn> turns,
-                           Pace& pace) {
+Outcome Simulation::repeat(std::optional<hal::Time> until, std::span<const Turn> turns, Pace& pace,
+                           bool open_loop) {
   begin(until);
   RealTimeRun run(*state_);
+  run.set_open_loop(open_loop);
   run.repeat(turns, pace);
   return end_of(run);
 }

@@ -94,7 +94,10 @@ class Simulation final : public hal::exchange::AgentHost {
   Outcome follow(std::optional<hal::Time> until, FollowedClock& clock);
 
   /// Repeats a run in real time from its turns: same scenario, seed and controllers, same events.
-  Outcome repeat(std::optional<hal::Time> until, std::span<const Turn> turns, Pace& pace);
+  /// @param open_loop  something is not as it was: turns that a controller cannot take now, for it
+  ///   has another number of events, are left out. Else they are an error.
+  Outcome repeat(std::optional<hal::Time> until, std::span<const Turn> turns, Pace& pace,
+                 bool open_loop = false);
 
   /// Ends the run with this result, or fails it with this error: from a receiver of outside(), so
   /// that a repetition ends in the same way. On the run's thread.

@@ -206,6 +206,18 @@ class Programs(Air):
         self.assertGreaterEqual(min(started for _, _, started, _ in rows), 100_000_000)
         self.assertEqual(finished["result"], "timeout")
 
+    def test_their_interface_is_that_of_the_scenario(self):
+        look = program("look", "sh", "-c", "ip -4 address show wlan0; ip link show wlan0; ping -c 1 b", on_exit="fail")
+        for network in ("{address: 192.168.9.7/24, mtu: 1400}", "{}"):
+            scenario = self.scenario(station("a", 0, look), station("b", 5), end="2 s")
+            scenario.write_text(scenario.read_text().replace("network: {}", f"network: {network}", 1).replace(
+                "network: {}", "network: {address: 192.168.9.8/24}" if "192" in network else "network: {}", 2))
+            self.run_baraka(scenario)
+            address, mtu = ("192.168.9.7/24", 1400) if "192" in network else ("10.77.0.1/16", 1500)
+            self.assertIn(f"inet {address} ", self.log("a.look.log"))
+            self.assertIn(f"mtu {mtu} ", self.log("a.look.log"))
+            self.assertIn("link/ether 02:00:00:00:00:01", self.log("a.look.log"))
+
     def test_one_that_fails_fails_the_run_if_the_scenario_says_so(self):
         for on_exit, status, result in (("ignore", 0, "timeout"), ("fail", 1, "failed"), ("end", 1, "failed")):
             bad = program("bad", "sh", "-c", "exit 3", on_exit=on_exit)
@@ -259,6 +271,11 @@ class Programs(Air):
         record = self.out
         repeated = self.run_baraka(self.folder / "scenario.yaml", "--repeat", record)
         self.assertEqual(repeated["fingerprint"], finished["fingerprint"])
+        # Out of reach the sink has fewer events than in the record.
+        away = self.run_baraka(self.folder / "scenario.yaml", "--repeat", record, "--set",
+                               "agents.b.poses=[{x: 900 m, y: 0 m}]")
+        self.assertIn("open loop", away.err)
+        self.assertEqual(self.query("SELECT COUNT(*) FROM recorded WHERE name = 'received' AND value > 0"), [(0,)])
 
 
 class Runs(Air):
