@@ -168,6 +168,15 @@ ExitStatus conclude(Results& results, const sim::scenario::Judge& judge,
   return status;
 }
 
+template <class T>
+T* pointer_to(std::optional<T>& one) {
+  return one ? &*one : nullptr;
+}
+
+std::optional<int> first_of(std::optional<int> one, std::optional<int> other) {
+  return one ? one : other;
+}
+
 /// Of controllers inside; none: there are no networks.
 std::optional<StartInside> starter_in(std::optional<NetworkOfRun>& network) {
   if (!network) return std::nullopt;
@@ -202,9 +211,9 @@ int run(const RunOptions& options, const Scenario& scenario, const Course& cours
                                {.from = options.controllers,
                                 .domain = domain,
                                 .logs = results.folder().path(),
-                                .inside = inside ? &*inside : nullptr,
+                                .inside = pointer_to(inside),
                                 .replies = course.replies()});
-  inspection.start(controllers.domain() ? controllers.domain() : domain, simulation);
+  inspection.start(first_of(controllers.domain(), domain), simulation);
   pace.emplace(WallPace::Settings{.max_speed = options.max_speed,
                                   .terminal = ::isatty(STDERR_FILENO) != 0,
                                   .processes = controllers.processes(),
@@ -214,7 +223,7 @@ int run(const RunOptions& options, const Scenario& scenario, const Course& cours
 
   if (!course.open_loop().empty()) say_open_loop(course, results);
 
-  const Outcome outcome = play(course, simulation, *pace, network ? &*network : nullptr);
+  const Outcome outcome = play(course, simulation, *pace, pointer_to(network));
   pace->end();
   Ending ending{.outcome = outcome, .complaints = {}, .wall_seconds = pace->wall_seconds()};
   if (network) ending.network = network->finish();
