@@ -79,6 +79,12 @@ void refuse_inside(const std::vector<ProcessPlan>& plans, ControllersFrom from) 
       option, inside->process));
 }
 
+/// None: the first free one.
+std::optional<int> domain_for(const ControllersOfRun::Settings& settings) {
+  if (settings.domain || settings.from != ControllersFrom::kExternal) return settings.domain;
+  return hal::dds::default_domain();
+}
+
 template <class T>
 T value_or_throw(hal::Result<T> result) {
   if (!result) throw std::runtime_error(result.error().message);
@@ -137,12 +143,9 @@ void ControllersOfRun::connect_in_process(const std::vector<ProcessPlan>& plans,
 void ControllersOfRun::serve(const std::vector<ProcessPlan>& plans, const Scenario& scenario,
                              sim::agents::Simulation& simulation, const Settings& settings) {
   const bool external = settings.from == ControllersFrom::kExternal;
-  const std::optional<int> domain = settings.domain ? settings.domain
-                                    : external      ? std::optional(hal::dds::default_domain())
-                                                    : std::nullopt;
   served_ = std::make_unique<ServedAgents>(simulation, *inside_);
   server_ = std::make_unique<AgentServer>(
-      hal::dds::take_domain(domain), *served_,
+      hal::dds::take_domain(domain_for(settings)), *served_,
       ServerSettings{kOnlyRun, scenario.wait, scenario.reply_timeout});
   fmt::print(stderr, "domain: {}\n", server_->domain());
   if (!external) spawn(plans, scenario, settings);
@@ -151,10 +154,7 @@ void ControllersOfRun::serve(const std::vector<ProcessPlan>& plans, const Scenar
   const auto keep_waiting = [&]() -> hal::Result<void> {
     if (interrupted()) return hal::fail(hal::Errc::kNotConnected, "interrupted");
     if (notice) notice->say(server_->missing());
-    if (settings.inside != nullptr) {
-      if (auto run = settings.inside->check(); !run) return run;
-    }
-    return spawner_.check();
+    return check_started(settings);
   };
   if (notice) notice->say(server_->missing());
   if (const auto gathered = server_->gather(keep_waiting); !gathered) {
@@ -163,6 +163,13 @@ void ControllersOfRun::serve(const std::vector<ProcessPlan>& plans, const Scenar
     throw std::runtime_error(why);
   }
   processes_ = server_->summary().processes.size();
+}
+
+hal::Result<void> ControllersOfRun::check_started(const Settings& settings) const {
+  if (settings.inside != nullptr) {
+    if (auto inside = settings.inside->check(); !inside) return inside;
+  }
+  return spawner_.check();
 }
 
 void ControllersOfRun::spawn(const std::vector<ProcessPlan>& plans, const Scenario& scenario,

@@ -62,6 +62,9 @@ class ControllersOfRun {
   void start_inside(const sim::scenario::ProcessPlan& plan, std::vector<std::string> arguments,
                     const Settings& settings);
 
+  /// Whether all processes that were started run. Errors: as Spawner::check().
+  hal::Result<void> check_started(const Settings& settings) const;
+
   std::optional<InsideControllers> inside_;
   std::unique_ptr<hal::exchange::AgentHost> served_;  ///< The simulation without the others.
   std::unique_ptr<AgentServer> server_;

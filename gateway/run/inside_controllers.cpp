@@ -45,11 +45,12 @@ ReplyRecord record_in(sim::agents::Simulation& simulation, const std::string& na
 }  // namespace
 
 std::vector<OutsideArrival> take_replies(std::vector<OutsideArrival>& arrivals) {
-  const auto others = std::ranges::stable_partition(
-      arrivals, [](const OutsideArrival& one) { return !one.door.starts_with(kRepliesOf); });
-  std::vector<OutsideArrival> replies(std::make_move_iterator(others.begin()),
-                                      std::make_move_iterator(others.end()));
-  arrivals.erase(others.begin(), others.end());
+  const auto first = std::stable_partition(
+      arrivals.begin(), arrivals.end(),
+      [](const OutsideArrival& one) { return !one.door.starts_with(kRepliesOf); });
+  std::vector<OutsideArrival> replies(std::make_move_iterator(first),
+                                      std::make_move_iterator(arrivals.end()));
+  arrivals.erase(first, arrivals.end());
   return replies;
 }
 

@@ -182,6 +182,15 @@ ExitStatus conclude(Results& results, const sim::scenario::Judge& judge,
   return status;
 }
 
+template <class T>
+T* pointer_to(std::optional<T>& one) {
+  return one ? &*one : nullptr;
+}
+
+std::optional<int> first_of(std::optional<int> one, std::optional<int> other) {
+  return one ? one : other;
+}
+
 /// Of controllers inside; none: there are no networks.
 std::optional<StartInside> starter_in(NetworkOfRun* network) {
   if (network == nullptr) return std::nullopt;
@@ -213,9 +222,9 @@ int run(const RunOptions& options, const Scenario& scenario, const Course& cours
                                {.from = options.controllers,
                                 .domain = domain,
                                 .logs = results.folder().path(),
-                                .inside = inside ? &*inside : nullptr,
+                                .inside = pointer_to(inside),
                                 .replies = course.replies()});
-  inspection.start(controllers.domain() ? controllers.domain() : domain, simulation);
+  inspection.start(first_of(controllers.domain(), domain), simulation);
   pace.emplace(WallPace::Settings{.max_speed = options.max_speed,
                                   .terminal = ::isatty(STDERR_FILENO) != 0,
                                   .processes = controllers.processes(),
@@ -224,7 +233,13 @@ int run(const RunOptions& options, const Scenario& scenario, const Course& cours
   say_open_loop(course, results);
   inspection.set_ledger(results.ledger());
 
+<<<<<<< HEAD
   const Outcome outcome = play(course, simulation, *pace, network.get());
+=======
+  if (!course.open_loop().empty()) say_open_loop(course, results);
+
+  const Outcome outcome = play(course, simulation, *pace, pointer_to(network));
+>>>>>>> inside
   pace->end();
   Ending ending{.outcome = outcome,
                 .complaints = controllers.finish(outcome.kind != Outcome::Kind::kFailed),
