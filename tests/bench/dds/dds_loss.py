@@ -73,8 +73,8 @@ def shown(case, rows):
         return statistics.median(values) if values else None
     share = figures.with_interval(figures.median(shares), figures.interval(shares, figures.median)) if shares else "-"
     published = PUBLISHED[case["vendor"], case["size"]].get(case["loss"]) if case["rate"] == 30 else None
-    return [case["vendor"], case["size"], case["rate"], case["retries"], case["loss"], share, rate("offered"), rate("written"),
-            middle("p50"), middle("p99"), len(rows) - len(matched), published]
+    return [case["vendor"], case["size"], case["rate"], case["retries"], case["loss"], share, rate("offered"),
+            rate("written"), middle("p50"), middle("p99"), len(rows) - len(matched), published]
 
 
 def main():
@@ -87,13 +87,14 @@ def main():
     parser.add_argument("--linger", type=float, default=3, help="s for the last repairs")
     parser.add_argument("--discovery", type=float, default=40, help="s that may pass until they know each other")
     parser.add_argument("--losses", type=float, nargs="+", default=LOSSES)
+    parser.add_argument("--sizes", type=int, nargs="+", default=sorted({size for size, _ in TRAFFIC}), help="bytes")
     parser.add_argument("--vendors", nargs="+", default=["fastdds", "cyclone"])
     parser.add_argument("--store", type=pathlib.Path, help="file of what is measured already")
     parser.add_argument("--kept", type=pathlib.Path, help="folder for runs that fail")
     parser.add_argument("--short", action="store_true", help="two cases, to see that it works")
     options = parser.parse_args()
     options.build = options.build.resolve()
-    traffic = TRAFFIC
+    traffic = [one for one in TRAFFIC if one[0] in options.sizes]
     if options.short:
         options.runs, options.seconds, options.linger, options.losses, traffic = 1, 2, 1, [0.2], TRAFFIC[:1]
         options.vendors = ["cyclone"]

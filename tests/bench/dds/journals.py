@@ -44,7 +44,8 @@ def totals(journals, topics=None):
                 found.expected += known * (row["ok"] == "1")
             elif row["event"] == "receive":
                 found.received += 1
-                found.latencies[int(row["writer"]), number].append((int(row["wall_ns"]) - int(row["stamp_ns"])) * 1e-9)
+                late = int(row["wall_ns"]) - int(row["stamp_ns"])
+                found.latencies[int(row["writer"]), number].append(late * 1e-9)
     return found
 
 
