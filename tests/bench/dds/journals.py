@@ -50,8 +50,8 @@ def totals(journals, topics=None):
 
 
 def matched_after(journals, wanted):
-    """s of CLOCK_REALTIME from the first program's start until every one knew `wanted` readers and writers of others; None if one
-    never did."""
+    """s of CLOCK_REALTIME from the first program's start until every one knew `wanted` readers and writers of others;
+    None if one never did."""
     first, last = None, None
     for file in journals.values():
         known, reached = {}, None
