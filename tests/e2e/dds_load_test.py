@@ -53,7 +53,8 @@ class DdsLoad(Case):
                 for i, load in enumerate(loads):
                     self.assertEqual(load.finish(), 0, str(load))
                     self.assertEqual(load["received"], 10, str(load))
-                    self.assertEqual({row["writer"] for row in load.events("receive")}, {str(j) for j in range(3)} - {str(i)})
+                    self.assertEqual({row["writer"] for row in load.events("receive")},
+                                     {str(j) for j in range(3)} - {str(i)})
 
     def test_who_is_not_matched_in_time_says_so(self):
         for vendor in VENDORS:

@@ -70,8 +70,8 @@ class DdsScenarios(Case):
         self.assertGreater(sum(one.count for one in seconds), 100, self.said("operator.ping"))
         # There and back through it: four frames.
         self.assertGreater(min(one.least for one in seconds), 4 * (airtime(64, 24e6) + 50 * US))
-        direct = self.query("SELECT count(*) FROM frames_sent f JOIN agents a USING (agent) JOIN agents b ON b.agent = f.peer"
-                            " WHERE a.name <> 'ap' AND b.name <> 'ap'")
+        direct = self.query("SELECT count(*) FROM frames_sent f JOIN agents a USING (agent) JOIN agents b"
+                            " ON b.agent = f.peer WHERE a.name <> 'ap' AND b.name <> 'ap'")
         self.assertEqual(direct, [(0,)])
 
 

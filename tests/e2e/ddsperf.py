@@ -3,7 +3,8 @@ import dataclasses
 import re
 
 PING = re.compile(r"^\[\d+\] (?P<at>[\d.]+) +\S+ size (?P<size>\d+) mean (?P<mean>[\d.]+)us min (?P<least>[\d.]+)us "
-                  r"50% (?P<median>[\d.]+)us 90% (?P<p90>[\d.]+)us 99% (?P<p99>[\d.]+)us max (?P<most>[\d.]+)us cnt (?P<count>\d+)")
+                  r"50% (?P<median>[\d.]+)us 90% (?P<p90>[\d.]+)us "
+                  r"99% (?P<p99>[\d.]+)us max (?P<most>[\d.]+)us cnt (?P<count>\d+)")
 SUB = re.compile(r"^\[\d+\] (?P<at>[\d.]+) +size \d+ total (?P<total>\d+) lost (?P<lost>\d+) delta")
 OTHER = re.compile(r"^\[\d+\] participant (\S+): new$")
 

@@ -57,7 +57,7 @@ def dds_two_stations(runs):
     for colour, shift, rate in (("C0", -0.1, "54 Mb/s"), ("C1", 0.1, "6 Mb/s")):
         run = play(runs, "dds_two_stations", {"radio.data_rate": rate})
         draw_round_trips(axis, ddsperf.round_trips(said(run, "pinger.ping")), colour, rate, shift)
-    axis.set(xlabel="time since the program's start, s", ylabel="round trip of 64 bytes, ms", ylim=(0, None))
+    axis.set(xlabel="time since the program's start, s", ylabel="round trip of 64 bytes, ms", yscale="log")
     axis.legend(fontsize=7)
     return figure
 
@@ -89,7 +89,7 @@ def dds_through_access_point(runs):
                                           ("C1", 0.1, "directly, 30 m", {**near, "radio.bss.access_point": []})):
         run = play(runs, "dds_through_access_point", settings)
         draw_round_trips(axis, ddsperf.round_trips(said(run, "operator.ping")), colour, name, shift)
-    axis.set(xlabel="time since the program's start, s", ylabel="round trip of 64 bytes, ms", ylim=(0, None))
+    axis.set(xlabel="time since the program's start, s", ylabel="round trip of 64 bytes, ms", yscale="log")
     axis.legend(fontsize=7)
     return figure
 

@@ -95,7 +95,8 @@ def main():
     for kind, points in growth.items():
         if len(points) > 1 and all(air > 0 for _, air in points):
             slope, error = figures.growth_exponent(points)
-            print(f"{kind}: air time grows as N^{slope:.2f}" + (f" (standard error {error:.2f})" if error is not None else ""))
+            print(f"{kind}: air time grows as N^{slope:.2f}",
+                  f"(standard error {error:.2f})" if error is not None else "")
 
 
 if __name__ == "__main__":

@@ -72,7 +72,8 @@ class Journals(unittest.TestCase):
 
     def test_shares_and_latencies_add_up(self):
         found = journals.totals(self.journals(
-            "created,,0,0,0,,,,,\nreaders,t,500,500,0,2,,,,\nwrite,t,1000,1000,0,0,64,5,1,\nwrite,t,2000,2000,0,1,64,5,0,\nwrite,t,3000,3000,0,2,64,5,1,\n",
+            "created,,0,0,0,,,,,\nreaders,t,500,500,0,2,,,,\n"
+            "write,t,1000,1000,0,0,64,5,1,\nwrite,t,2000,2000,0,1,64,5,0,\nwrite,t,3000,3000,0,2,64,5,1,\n",
             "created,t,0,0,1,,,,,\nreceive,t,1500,1500,0,0,64,,,1000\nreceive,t,3700,3700,0,2,64,,,3000\n",
             "created,t,0,0,2,,,,,\nreceive,t,1600,1600,0,0,64,,,1000\nreceive,t,37"))
         self.assertEqual((found.offered, found.written, found.expected, found.received), (3, 2, 4, 3))

@@ -44,13 +44,14 @@ def totals(journals, topics=None):
                 found.expected += known * (row["ok"] == "1")
             elif row["event"] == "receive":
                 found.received += 1
-                found.latencies[int(row["writer"]), number].append((int(row["wall_ns"]) - int(row["stamp_ns"])) * 1e-9)
+                late = int(row["wall_ns"]) - int(row["stamp_ns"])
+                found.latencies[int(row["writer"]), number].append(late * 1e-9)
     return found
 
 
 def matched_after(journals, wanted):
-    """s of CLOCK_REALTIME from the first program's start until every one knew `wanted` readers and writers of others; None if one
-    never did."""
+    """s of CLOCK_REALTIME from the first program's start until every one knew `wanted` readers and writers of others;
+    None if one never did."""
     first, last = None, None
     for file in journals.values():
         known, reached = {}, None

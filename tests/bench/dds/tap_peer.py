@@ -55,7 +55,8 @@ def loads(network, folder, program, stations, options):
     """Started; {number: journal}."""
     common = ["--best-effort", "--publish", "t", "--subscribe", "t", "--size", options.size, "--rate", options.rate,
               "--count", max(1, round(options.seconds * options.rate)), "--until-matched", stations - 1,
-              "--patience", options.discovery, "--settle", 3, "--linger", 2, "--for", options.seconds + options.discovery + 10]
+              "--patience", options.discovery, "--settle", 3, "--linger", 2, "--for",
+              options.seconds + options.discovery + 10]
     files = {i: folder / f"{i}.csv" for i in range(stations)}
     started = []
     for i, file in files.items():
