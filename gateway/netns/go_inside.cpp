@@ -15,6 +15,7 @@
 #include "gateway/netns/loadable.h"
 #include "gateway/netns/run_state.h"
 #include "gateway/netns/spaces.h"
+#include "gateway/netns/terminal.h"
 
 namespace gateway::netns {
 namespace {
@@ -72,7 +73,8 @@ Launch launch_of(const RunState& run, std::vector<std::string> command) {
           std::filesystem::current_path().string()};
 }
 
-[[noreturn]] void become_child(const Launch& launch) {
+[[noreturn]] void become_child(const Launch& launch, const Terminal& terminal) {
+  terminal.take();
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   // The folder may not be there inside: a file of /dev/shm or /proc.
   if (chdir(launch.folder.c_str()) != 0 && chdir("/") != 0) _exit(126);
@@ -98,6 +100,22 @@ void prepare_signals() {
   sigaction(SIGHUP, &action, nullptr);
 }
 
+/// When the child is stopped by its terminal, so is this, and goes on with it.
+int status_of_end(pid_t child, const Terminal& terminal) {
+  for (int status = 0;;) {
+    if (waitpid(child, &status, WUNTRACED) < 0) {
+      if (errno == EINTR) continue;
+      fail("a program inside the agent");
+    }
+    if (!WIFSTOPPED(status)) return status;
+    terminal.take_back();
+    raise(SIGSTOP);
+    terminal.give_to(child);
+    kill(-child, SIGCONT);
+    kill(child, SIGCONT);
+  }
+}
+
 }  // namespace
 
 int go_inside(const std::filesystem::path& folder, const std::string& agent,
@@ -106,12 +124,13 @@ int go_inside(const std::filesystem::path& folder, const std::string& agent,
   const Launch launch = launch_of(run, command);
   pass(doors_of(run, agent_of(run, agent)));
   prepare_signals();
+  const Terminal terminal;
   const pid_t child = fork();
   if (child < 0) fail("a process of the run");  // it has just ended
-  if (child == 0) become_child(launch);
+  if (child == 0) become_child(launch, terminal);
   child_to_tell = child;
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) continue;
+  terminal.give_to(child);
+  const int status = status_of_end(child, terminal);
   if (WIFEXITED(status)) return WEXITSTATUS(status);
   return 128 + WTERMSIG(status);
 }

@@ -83,7 +83,11 @@ struct Namespaces::State {
 
   /// Until all is made.
   void receive_agents() {
-    send(holder.control(), MessageKind::kSetUp, packed(settings));
+    try {
+      send(holder.control(), MessageKind::kSetUp, packed(settings));
+    } catch (const std::exception&) {
+      // It has ended; why, it has said.
+    }
     bool is_ready = false;
     while (!is_ready || run.init.number == 0) {
       const Message message = answer();

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "gateway/run/neighbour_tables.h"
 #include "hal/types/log.h"
 #include "sim/scenario/plan.h"
 
@@ -84,6 +85,7 @@ void NetworkOfRun::connect(sim::agents::Simulation& simulation, RealTimeClock& c
   simulation.connect_air(*port_, *port_);
   clock.attend_to(*this);
   begun_at_ = clock.wall().now();
+  overflows_before_ = neighbour_table_overflows();
   cpu_before_ = cpu_seconds();
   programs_cpu_before_ = namespaces_->program_cpu_seconds();
 }
@@ -133,6 +135,9 @@ void NetworkOfRun::sum_up(NetworkSummary& summary) const {
     summary.frames_not_taken = port_->not_taken();
     summary.cpu_load = (cpu_seconds() - cpu_before_) / wall;
     summary.cpu_load_programs = (namespaces_->program_cpu_seconds() - programs_cpu_before_) / wall;
+  }
+  if (const auto overflows = neighbour_table_overflows(); overflows && overflows_before_) {
+    summary.neighbours_without_room = *overflows - *overflows_before_;
   }
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     summary.frames_dropped += namespaces_->tx_dropped(i);

@@ -25,7 +25,10 @@ bool has_network(const sim::scenario::Scenario& scenario);
 struct NetworkSummary {
   std::uint64_t frames_dropped = 0;    ///< By the kernel, before the run could read them.
   std::uint64_t frames_not_taken = 0;  ///< Off the air, by interfaces that were shut down.
-  double cpu_load = 0;                 ///< Processor time of this process over wall time.
+  /// Packets of programs of any run on this computer for which the kernel found no neighbour's
+  /// place while this one went on.
+  std::uint64_t neighbours_without_room = 0;
+  double cpu_load = 0;  ///< Processor time of this process over wall time.
   double cpu_load_programs = 0;
   std::vector<sim::record::ProgramRow> programs;
 };
@@ -77,7 +80,8 @@ class NetworkOfRun final : private BesideTheRun {
   sim::agents::Simulation* simulation_ = nullptr;
   hal::Clock* wall_ = nullptr;
   std::optional<AirPort> port_;
-  hal::Time begun_at_{};                             ///< Wall.
+  hal::Time begun_at_{};  ///< Wall.
+  std::optional<std::uint64_t> overflows_before_;
   double cpu_before_ = 0, programs_cpu_before_ = 0;  ///< s
 };
 

@@ -46,6 +46,14 @@ std::vector<std::string> network_warnings(const sim::agents::AirSummary& air,
     lines.push_back(fmt::format("{} frames off the air found their agent's wlan0 shut down",
                                 network.frames_not_taken));
   }
+  if (network.neighbours_without_room > 0) {
+    lines.push_back(fmt::format(
+        "the kernel's table of neighbours, which all agents and runs of this computer share, was "
+        "full {} times: addresses were not found, and packets not sent; let it hold the square of "
+        "the number of agents: sysctl net.ipv4.neigh.default.gc_thresh3, and "
+        "net.ipv6.neigh.default.gc_thresh3",
+        network.neighbours_without_room));
+  }
   if (air.has_seen_tcp && factor != 1) {
     lines.push_back(fmt::format(
         "programs used TCP at {} of real time: its timers are not slowed, so its results do not "

@@ -62,6 +62,11 @@ ExpectedResult read_result(Mapping& in, const Scenario& scenario) {
   ExpectedResult expected{in.text({"result", "The run must end with this result.", "done"})};
   std::vector<std::string> results;
   for (const EndCondition& end : scenario.simulation.ends) results.push_back(end.result);
+  for (const Group& group : scenario.groups) {
+    for (const Program& program : group.programs) {
+      if (program.on_exit == OnExit::kEnd) results.push_back(program.name);
+    }
+  }
   if (std::find(results.begin(), results.end(), expected.result) == results.end()) {
     in.warn("result", fmt::format("no end condition has the result '{}'{}", expected.result,
                                   hal::config::suggestion(expected.result, results)));

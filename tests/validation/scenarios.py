@@ -1,6 +1,7 @@
 """Figures of the pages of docs/scenarios, from runs of the scenarios as they are shipped."""
 import math
 
+import air_scenarios
 from document import pyplot
 from runs import SCENARIOS
 
@@ -150,7 +151,8 @@ PAGES = {"saturation": saturation, "hidden_terminal": hidden_terminal, "range": 
 
 
 def figures(runs, only):
-    """(name, figure) of each scenario that is there, or of those in `only`."""
-    for name, draw in PAGES.items():
-        if (not only or name in only) and (SCENARIOS / f"{name}.yaml").exists():
+    """(name, figure) of each scenario that is there, or of those in `only`; of what runs in real time only these."""
+    for name, draw in {**PAGES, **air_scenarios.PAGES}.items():
+        is_asked = name in only if only else name in PAGES
+        if is_asked and (SCENARIOS / f"{name}.yaml").exists():
             yield name, draw(runs)

@@ -5,10 +5,10 @@ over our radio at several factors of real time, and beside it over ns-3's in rea
     cmake --build build/release --target baraka baraka-holder cyclone_load
     make -C tests/peer/ns3
     tests/bench/dds/air_latency.py [--stations N...] [--factors F...] [--seconds S] [--store FILE]
-
 Does not measure again what is in the store. All stations are on a circle of 5 m and hear each other, 54 Mb/s, group
-frames at 6 Mb/s. A latency is from the call of write to the reading program, in the programs' time; lateness is that of
-frames at the edges between programs and radio in simulated time, of ns-3 that of events; CPU is in processors.
+frames at 6 Mb/s; they come up one after the other and announce themselves every 500 ms. A latency is from the call of
+write to the reading program, in the programs' time; lateness is that of frames at the edges between programs and radio
+in simulated time, of ns-3 that of events; CPU is in processors.
 """
 import argparse
 import os
@@ -40,7 +40,8 @@ def stations_of(count, options):
     for i, (x, y) in enumerate(own.circle(count)):
         # The first one ends the run, when the others have ended.
         command = [*common, "--writer", i, "--csv", f"{{results}}/{i}.csv", "--linger", 1.5 if i else 3]
-        stations.append(own.Station(f"s{i}", x, y, [own.Program("load", command, on_exit="ignore" if i else "end")]))
+        stations.append(own.Station(f"s{i}", x, y, [own.Program(
+            "load", command, own.environment("cyclone", tap_peer.PROFILE), "ignore" if i else "end", tap_peer.STAGGER * i)]))
     return stations
 
 
@@ -122,6 +123,7 @@ def main():
     parser.add_argument("--kept", type=pathlib.Path, help="folder for runs that fail")
     options = parser.parse_args()
     options.build, options.peer = options.build.resolve(), options.peer.resolve()
+    own.require_neighbours(max(options.stations))
     store = Store(options.store)
     rows = []
     for count in options.stations:

@@ -14,14 +14,20 @@ import pathlib
 import subprocess
 import sys
 import tempfile
+import time
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 sys.path.insert(0, str(ROOT / "tests/e2e"))
 
+os.environ.setdefault("BARAKA_BIN", str(ROOT / "build/release/bin"))
+import dds_loads  # noqa: E402
 import figures  # noqa: E402
 import journals  # noqa: E402
 from private_network import PrivateNetwork  # noqa: E402
 
+# Discovery is not what is measured: announcements that collide are soon repeated.
+PROFILE = "cyclone_spdp_500ms"
+STAGGER = 0.1  # s from one program's start to the next one's
 RADIO = ["--data=g54", "--control=g24", "--broadcast=g6", "--slot=20"]
 COLUMNS = ["stations", "samples", "delivered", "p50, ms", "p99, ms", "late, p50, ms", "late, p99, ms", "CPU"]
 
@@ -51,8 +57,11 @@ def loads(network, folder, program, stations, options):
               "--count", max(1, round(options.seconds * options.rate)), "--until-matched", stations - 1, "--settle", 3,
               "--linger", 2, "--for", options.seconds + options.discovery]
     files = {i: folder / f"{i}.csv" for i in range(stations)}
-    started = [network.start(i, program, *common, "--writer", i, "--csv", file, stdout=subprocess.DEVNULL)
-               for i, file in files.items()]
+    started = []
+    for i, file in files.items():
+        started.append(network.start(i, program, *common, "--writer", i, "--csv", file, stdout=subprocess.DEVNULL,
+                                     env=dds_loads.environment(PROFILE)))
+        time.sleep(STAGGER)
     return started, files
 
 

@@ -132,6 +132,18 @@ static void write_all(bool (*write)(void*, uint64_t, int64_t), void* context, in
   }
 }
 
+/* Keeps the file up to date meanwhile: the program may be killed. */
+static void wait_until(int64_t end) {
+  const int64_t step = 200000000; /* 200 ms */
+  while (!is_interrupted() && monotonic_ns() < end) {
+    const int64_t next = monotonic_ns() + step;
+    sleep_until(next < end ? next : end);
+    pthread_mutex_lock(&mutex);
+    if (csv != NULL) fflush(csv);
+    pthread_mutex_unlock(&mutex);
+  }
+}
+
 void run_load(bool (*write)(void*, uint64_t, int64_t), void* context) {
   int64_t end = created + (int64_t)(options->seconds * 1e9);
   const bool may_write = options->until_matched == 0 || await_matched(end);
@@ -141,7 +153,7 @@ void run_load(bool (*write)(void*, uint64_t, int64_t), void* context) {
     const int64_t linger = monotonic_ns() + (int64_t)(options->linger * 1e9);
     if (options->linger >= 0 && linger < end) end = linger;
   }
-  sleep_until(end);
+  wait_until(end);
 }
 
 int close_journal(void) {

@@ -54,7 +54,7 @@ std::vector<std::string> words_of(const std::string& line) {
     if (letter == '\t') {
       words.emplace_back();
     } else {
-      words.back() += letter;
+      words.back() += letter == '\x1e' ? '\n' : letter;
     }
   }
   return words;

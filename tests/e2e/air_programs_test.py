@@ -1,0 +1,344 @@
+#!/usr/bin/env python3
+"""Programs that nobody here wrote, on the simulated air: ping, iperf3, sockets of Python."""
+import json
+import pathlib
+import re
+import shutil
+import signal
+import sys
+import time
+import unittest
+
+from baraka import Case, children, send, wait_for
+
+SKIPPED = 77
+
+SLOW_RADIO = "radio: {include: radios/ieee80211b.yaml, queue_limit: 20}\n"
+FAST_RADIO = "radio: {include: radios/ieee80211g.yaml, queue_limit: 20}\n"
+
+
+def station(name, x, programs="", more=""):
+    """A group of one agent with a network."""
+    return (f"  {name}:\n    name: {name}\n    station: {{}}\n    poses: [{{x: {x} m, y: 0 m}}]\n"
+            f"    network: {{}}\n{more}    programs: [{programs}]\n")
+
+
+def program(name, *command, start="200 ms", on_exit="ignore", environment="{}"):
+    words = json.dumps(list(command))
+    return (f"{{name: {name}, command: {words}, start: {start}, on_exit: {on_exit}, "
+            f"environment: {environment}}}")
+
+
+class Air(Case):
+    def scenario(self, *stations, end="20 s", more="", radio=SLOW_RADIO):
+        file = self.folder / "scenario.yaml"
+        file.write_text("version: 1\nrouting: none\n" + radio + more + "agents:\n" + "".join(stations)
+                        + f"end: [{{at: {end}, result: timeout}}]\n")
+        return file
+
+    def log(self, name):
+        return (self.out / name).read_text()
+
+
+class Ping(Air):
+    """Against the standard: IEEE Std 802.11-2016, clauses 10.3.4.3 and 16.2 (long preamble)."""
+    PREAMBLE, SIFS, DIFS = 192e-6, 10e-6, 50e-6
+
+    def airtime(self, octets, rate):
+        """Of an MPDU; whole microseconds (16.3.4.7)."""
+        microseconds = -(-8 * octets * 10**6 // int(rate))
+        return self.PREAMBLE + microseconds * 1e-6
+
+    def test_the_least_round_trip_is_that_of_the_standard_with_no_backoff(self):
+        packet = 20 + 8 + 56  # IPv4, ICMP, ping's own
+        data = self.airtime(24 + 8 + packet + 4, 11e6)
+        ack = self.airtime(14, 1e6)
+        scenario = self.scenario(
+            station("a", 0, program("ping", "ping", "-q", "-c", "200", "-i", "0.01", "b", on_exit="end")),
+            station("b", 5), more="record: {frames: all}\n")
+        finished = self.run_baraka(scenario, "--pace", "realtime:0.1")
+        self.assertEqual(finished["result"], "ping", str(finished))
+        self.assertEqual(finished["frames_dropped"], "0")
+        text = self.log("a.ping.log")
+        self.assertIn("200 packets transmitted, 200 received", text)
+        least = float(re.search(r"rtt min/[^=]*= ([0-9.]+)/", text)[1]) * 1e-3
+        # What ping waits for ends with the second data frame; its acknowledgement comes after.
+        closed = data + self.SIFS + ack + self.DIFS + data
+        self.assertGreaterEqual(least, closed * 0.999)
+        self.assertLess(least, closed * 1.03, f"closed form {closed * 1e3:.3f} ms")
+        # The whole exchange, from the first bit to the last, as the simulator has it.
+        frames = self.query("SELECT at_ns, airtime_ns, class, transmitter FROM frames ORDER BY at_ns")
+        exchanges = [last[0] + last[1] - first[0]
+                     for first, _, _, last in zip(frames, frames[1:], frames[2:], frames[3:])
+                     if first[2] == "unicast" and first[3] == 1 and last[2] == "ack" and last[3] == 1]
+        self.assertGreater(len(exchanges), 150)
+        self.assertAlmostEqual(min(exchanges) * 1e-9, closed + self.SIFS + ack, delta=2e-6)
+
+    def test_both_versions_of_ip_and_multicast_work(self):
+        """Names, ARP, neighbour discovery, and a group's address."""
+        scenario = self.scenario(
+            station("a", 0, ", ".join([
+                program("four", "ping", "-c", "3", "-i", "0.1", "b"),
+                program("six", "ping", "-6", "-c", "3", "-i", "0.1", "-I", "wlan0", "ff02::1"),
+                program("end", "sleep", "2.5", on_exit="end")])),
+            station("b", 5), station("c", 10))
+        finished = self.run_baraka(scenario)
+        self.assertEqual(finished["result"], "end", str(finished))
+        self.assertRegex(self.log("a.four.log"), "3 received")
+        answered = set(re.findall(r"from (fe80:[0-9a-f:]+)", self.log("a.six.log")))
+        self.assertGreaterEqual(len(answered), 3, self.log("a.six.log"))
+
+
+class Iperf(Air):
+    """Against traffic_source, which fills its queue by itself."""
+    LENGTH = 1470  # of a datagram; 28 of IP and UDP make an MSDU of 1498
+
+    def source(self, radio):
+        """Goodput of datagrams of that length, bit/s, in MSDUs of traffic_source."""
+        file = self.folder / "source.yaml"
+        file.write_text(f"""
+version: 1
+routing: none
+controller_latency: 0 s
+{radio}agents:
+  a:
+    name: a
+    station: {{}}
+    poses: [{{x: 0 m, y: 0 m}}]
+    controller:
+      {{program: traffic_source, parameters: {{pattern: saturated, backlog: 4, to: b, topic: t, size: 1491}}}}
+  b:
+    name: b
+    station: {{}}
+    poses: [{{x: 5 m, y: 0 m}}]
+    controller: {{program: traffic_sink, parameters: {{topic: t, overhead: 7, start: 1 s}}}}
+end: [{{at: 21 s, result: done}}]
+""")
+        self.run_baraka(file, "--controllers", "in-process")
+        ((goodput,),) = self.query("SELECT MAX(value) FROM recorded WHERE name = 'goodput'")
+        return goodput * self.LENGTH / 1498
+
+    def received(self, factor, radio):
+        """Datagrams of iperf3 that arrived in 4 s of saturation, as bit/s."""
+        client = ["iperf3", "-c", "b", "-u", "-b", "0", "-l", str(self.LENGTH), "-t", "6"]
+        scenario = self.scenario(
+            station("a", 0, program("client", *client, start="500 ms")),
+            station("b", 5, program("server", "iperf3", "-s", start="0 s")), end="6 s",
+            more="record: {frames: all}\n", radio=radio)
+        finished = self.run_baraka(scenario, "--pace", f"realtime:{factor}", timeout=300)
+        self.assertEqual(finished["frames_dropped"], "0", str(finished))
+        ((count,),) = self.query(
+            "SELECT COUNT(*) FROM frames JOIN frame_ends USING (frame) WHERE bits > 12000 AND verdict = 'delivered' "
+            "AND frame_ends.agent = 2 AND frames.at_ns BETWEEN 1500000000 AND 5500000000")
+        return count * self.LENGTH * 8 / 4
+
+    def check(self, factor, radio):
+        expected = self.source(radio)
+        measured = self.received(factor, radio)
+        self.assertLess(abs(measured / expected - 1), 0.01, f"{measured} instead of {expected} bit/s")
+
+    def test_saturating_11_mbit_s_it_gets_what_traffic_source_gets(self):
+        self.check("1", SLOW_RADIO)
+
+    def test_saturating_54_mbit_s_it_gets_what_traffic_source_gets(self):
+        self.check("0.2", FAST_RADIO)
+
+    def test_tcp_runs(self):
+        scenario = self.scenario(
+            station("a", 0, program("client", "iperf3", "-c", "b", "-t", "2", start="500 ms", on_exit="end")),
+            station("b", 5, program("server", "iperf3", "-s", start="0 s")))
+        finished = self.run_baraka(scenario)
+        self.assertEqual(finished["result"], "client", str(finished))
+        self.assertRegex(self.log("a.client.log"), r"receiver")
+        self.assertNotIn("TCP", finished.err)
+
+
+class Repetition(Air):
+    def recorded(self, *arguments, **more):
+        talker = ("import socket, time\n"
+                  "s = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)\n"
+                  "for i in range(200):\n"
+                  "    s.sendto(bytes(600), ('b', 5000)); time.sleep(0.005)\n")
+        scenario = self.scenario(
+            station("a", 0, program("talker", "python3", "-c", talker, on_exit="end")),
+            station("b", 30, program("ping", "ping", "-c", "20", "-i", "0.05", "a")), **more)
+        return scenario, self.run_baraka(scenario, *arguments)
+
+    def test_it_is_repeated_without_programs_to_the_same_fingerprint_and_faster(self):
+        scenario, first = self.recorded()
+        record = self.out
+        self.assertEqual(first["result"], "talker", str(first))
+        for _ in range(3):
+            repeated = self.run_baraka(scenario, "--repeat", record)
+            for key in ("fingerprint", "result", "simulated_s"):
+                self.assertEqual(repeated[key], first[key], key)
+        self.assertGreater(float(repeated["real_time_factor"]), float(first["real_time_factor"]))
+        ((there,),) = self.query("SELECT COUNT(*) FROM arrivals WHERE door = 'air of a'", record)
+        self.assertGreaterEqual(there, 200)
+
+    def test_on_another_radio_it_is_an_open_loop(self):
+        scenario, first = self.recorded()
+        record = self.out
+        for change in ("radio.data_rate=1 Mb/s", "radio.loss={probability: 0.3}",
+                       "agents.b.poses=[{x: 60 m, y: 0 m}]"):
+            other = self.run_baraka(scenario, "--repeat", record, "--set", change)
+            self.assertIn("open loop: ", other.err)
+            self.assertIn(change.split("=")[0], other.err)
+            self.assertIn(change.split("=")[0], (self.out / "run.log").read_text())
+            self.assertNotEqual(other["fingerprint"], first["fingerprint"])
+            ((lines,),) = self.query("SELECT value FROM run WHERE key = 'open_loop'")
+            self.assertIn("instead of", lines)
+        for change in ("agents.b.network.mtu=1400", "seed=2", "agents.b.name=c"):
+            refused = self.run_baraka(scenario, "--repeat", record, "--set", change, status=2)
+            self.assertIn("is not of this scenario", refused.err)
+
+
+class Programs(Air):
+    def test_their_words_environment_and_logs_are_those_of_the_scenario(self):
+        say = program("say", "sh", "-c", "echo {agent} {address} {number} $X; pwd; ls {results}",
+                      environment="{X: \"{agent}!\"}", start="100 ms")
+        finished = self.run_baraka(self.scenario(station("a", 0, say), station("b", 5, say), end="1 s"))
+        self.assertIn("a 10.77.0.1 0 a!", self.log("a.say.log"))
+        self.assertIn("b 10.77.0.2 0 b!", self.log("b.say.log"))
+        self.assertIn("run.sqlite", self.log("b.say.log"))
+        rows = self.query("SELECT agent, name, started_ns, status FROM programs ORDER BY agent")
+        self.assertEqual([(1, "say", 0), (2, "say", 0)], [(a, n, s) for a, n, _, s in rows])
+        self.assertGreaterEqual(min(started for _, _, started, _ in rows), 100_000_000)
+        self.assertEqual(finished["result"], "timeout")
+
+    def test_one_that_fails_fails_the_run_if_the_scenario_says_so(self):
+        for on_exit, status, result in (("ignore", 0, "timeout"), ("fail", 1, "failed"), ("end", 1, "failed")):
+            bad = program("bad", "sh", "-c", "exit 3", on_exit=on_exit)
+            finished = self.run_baraka(self.scenario(station("a", 0, bad), end="1 s"), status=status)
+            self.assertEqual(finished["result"], result)
+            self.assertEqual(self.query("SELECT status FROM programs"), [(3,)])
+            if status:
+                self.assertIn("program bad of a exited with status 3; see a.bad.log", finished.err)
+        well = self.run_baraka(self.scenario(
+            station("a", 0, program("well", "true", on_exit="fail")), end="1 s"))
+        self.assertEqual(well["result"], "timeout")
+
+    def test_one_that_is_not_there_is_named(self):
+        finished = self.run_baraka(self.scenario(station("a", 0, program("x", "no-such-program"))), status=1)
+        self.assertRegex(finished.err, r"scenario.yaml:\d+:\d+: programs: 'x' of a: .*no-such-program")
+
+    def test_one_that_is_killed_is_noted(self):
+        under_way = self.start(self.scenario(station("a", 0, program("victim", "sleep", "1234", on_exit="fail"))))
+
+        def victims():
+            found = []
+            for entry in pathlib.Path("/proc").glob("[0-9]*/cmdline"):
+                try:
+                    words = entry.read_bytes().split(b"\0")
+                    environment = (entry.parent / "environ").read_bytes()
+                except OSError:
+                    continue
+                if words[:2] == [b"sleep", b"1234"] and str(self.folder).encode() in environment:
+                    found.append(int(entry.parent.name))
+            return found
+
+        wait_for(lambda: (self.out / "run.log").exists() and "program victim started" in self.log("run.log"))
+        found = [pid for pid in victims()]
+        if not found:  # nothing in its environment names the run: then by its ancestors
+            found = descendants(under_way.process.pid, "sleep")
+        self.assertEqual(len(found), 1)
+        send(found[0], "SIGKILL")
+        finished = under_way.finish()
+        self.assertEqual(finished.status, 1, str(finished))
+        self.assertIn("killed by signal 9", finished.err)
+        self.assertEqual(self.query("SELECT status FROM programs"), [(137,)])
+
+    def test_an_agent_may_have_a_controller_as_well(self):
+        agent = station("a", 0, program("ping", "ping", "-c", "3", "-i", "0.1", "b", start="500 ms", on_exit="end"),
+                        more="    controller: {program: traffic_source, parameters: {to: b, topic: t, rate: 20 Hz}}\n")
+        sink = station("b", 5, more="    controller: {program: traffic_sink, parameters: {topic: t}}\n")
+        finished = self.run_baraka(self.scenario(agent, sink))
+        self.assertEqual(finished["result"], "ping", str(finished))
+        ((received,),) = self.query("SELECT MAX(value) FROM recorded WHERE name = 'received'")
+        self.assertGreater(received, 5)
+        record = self.out
+        repeated = self.run_baraka(self.folder / "scenario.yaml", "--repeat", record)
+        self.assertEqual(repeated["fingerprint"], finished["fingerprint"])
+
+
+class Runs(Air):
+    def test_two_at_once_do_not_disturb_each_other(self):
+        scenario = self.scenario(
+            station("a", 0, program("ping", "ping", "-c", "10", "-i", "0.1", "b", on_exit="end")), station("b", 5))
+        one = self.start(scenario)
+        first = self.out
+        two = self.start(scenario)
+        for under_way, out in ((one, first), (two, self.out)):
+            finished = under_way.finish()
+            self.assertEqual(finished.status, 0, str(finished))
+            self.assertIn("10 packets transmitted, 10 received", (out / "a.ping.log").read_text())
+
+    def test_through_an_access_point(self):
+        cell = "radio: {include: radios/ieee80211b.yaml, bss: {access_point: ap}}\n"
+        scenario = self.scenario(
+            station("ap", 0), station("a", 5, program("ping", "ping", "-c", "5", "-i", "0.1", "b", start="2 s",
+                                                      on_exit="end")),
+            station("b", -5), radio=cell)
+        finished = self.run_baraka(scenario)
+        self.assertEqual(finished["result"], "ping", str(finished))
+        self.assertIn("5 packets transmitted, 5 received", self.log("a.ping.log"))
+        self.assertNotIn("DUP", self.log("a.ping.log"), "own broadcasts came back")
+
+    def test_pace_is_that_of_the_clock_and_no_faster(self):
+        scenario = self.scenario(station("a", 0), end="1 s")
+        for pace in ("lockstep", "realtime:1.01", "realtime:0.009"):
+            refused = self.run_baraka(scenario, "--pace", pace, status=2)
+            self.assertIn("agents with a network" if pace == "lockstep" else "agents that have a network", refused.err)
+        self.assertLess(float(self.run_baraka(scenario)["real_time_factor"]), 1.1)
+
+    def test_too_late_is_said(self):
+        scenario = self.scenario(
+            station("a", 0, program("ping", "ping", "-c", "5", "-i", "0.1", "b", on_exit="end")), station("b", 5))
+        finished = self.run_baraka(scenario, "--set", "lateness_limit=1 us")
+        self.assertIn("this computer was too slow for this run", finished.err)
+        ((warnings,),) = self.query("SELECT value FROM run WHERE key = 'warnings'")
+        self.assertIn("too slow", warnings)
+        self.assertGreater(float(finished["entering_late_share"]), 0.01)
+        patient = self.run_baraka(scenario, "--set", "lateness_limit=10 s")
+        self.assertEqual(float(patient["entering_late_share"]), 0)
+        self.assertNotIn("too slow", patient.err)
+
+
+def descendants(pid, name):
+    """Pids of a program below another process."""
+    parents = {}
+    for stat in pathlib.Path("/proc").glob("[0-9]*/stat"):
+        try:
+            text = stat.read_text()
+        except OSError:
+            continue
+        parents[int(stat.parent.name)] = (int(text.rpartition(")")[2].split()[1]), text.split("(", 1)[1])
+    found = []
+    for candidate, (parent, rest) in parents.items():
+        above = parent
+        while above in parents and above != pid:
+            above = parents[above][0]
+        if above == pid and rest.startswith(name + ")"):
+            found.append(candidate)
+    return found
+
+
+def refused_here():
+    """Why there are no namespaces here; empty: there are."""
+    class Probe(Air):
+        def runTest(self):
+            self.finished = self.start(self.scenario(station("a", 0), end="10 ms")).finish()
+    probe = Probe()
+    probe.setUp()
+    probe.runTest()
+    probe.doCleanups()
+    return "" if probe.finished.status == 0 else probe.finished.err.strip().splitlines()[-1]
+
+
+if __name__ == "__main__":
+    missing = [name for name in ("ping", "iperf3") if not shutil.which(name)]
+    reason = f"not installed: {', '.join(missing)}" if missing else refused_here()
+    if reason:
+        print("skipped:", reason)
+        sys.exit(SKIPPED)
+    unittest.main()

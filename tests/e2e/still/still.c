@@ -1,0 +1,2 @@
+/* Statically linked: no library can be preloaded into it. */
+int main(void) { return 0; }
