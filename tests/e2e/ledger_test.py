@@ -7,10 +7,9 @@ import re
 import shutil
 import subprocess
 import sys
-import time
 import unittest
 
-from baraka import BIN, Case, Program, some_domain
+from baraka import Case, Program, some_domain
 
 SKIPPED = 77
 TSHARK = shutil.which("tshark")
@@ -233,12 +232,11 @@ class Ledger(Case):
         run = self.start(scenario, "--inspect-domain", domain)
         echoes = [Program("baraka", "topic", "echo", "--domain", domain, topic, "--count", "1")
                   for topic in ("rt/baraka/air_topics", "rt/baraka/air_kinds")]
-        for echo, wanted in zip(echoes, ("topic: \"camera\"", "purpose: \"")):
+        for echo in echoes:
             self.addCleanup(echo.clean_up)
             shown = echo.finish(60)
             self.assertEqual(shown.status, 0, str(shown))
             self.assertIn("share: ", shown.out)
-            del wanted
         finished = run.finish()
         self.assertEqual(finished.status, 0, str(finished))
         report = Program("baraka", "report", self.out).finish()

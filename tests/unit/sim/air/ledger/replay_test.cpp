@@ -55,6 +55,25 @@ TEST_P(Captured, SumsAreTheRadiosInEveryProfile) {
   }
 }
 
+// Each frame is on the air twice, from its sender and from the access point, who both have an
+// account of it; what the access point passes on is no repair.
+TEST_P(Captured, SumsAreTheRadiosThroughAnAccessPoint) {
+  Replay replay(lossless(), 4);
+  radio::dcf_of(replay.config.radio)->bss.access_points = {"s4"};
+  replay.build();
+  std::vector<Packet> packets = read_capture(GetParam());
+  for (Packet& packet : packets) packet.at += 1s;  // until they are associated
+  replay.send(packets);
+  replay.run(20s);
+  expect_sums_of_the_radio(replay);
+  const std::string of_4 = "SELECT COUNT(*) FROM air_accounts WHERE agent = 4 AND kind = ";
+  EXPECT_NE(replay.ask(of_4 + "'beacon'"), "0");
+  EXPECT_NE(replay.ask(of_4 + "'DATA' AND purpose = 'SPDP'"), "0");
+  EXPECT_NE(replay.ask("SELECT SUM(delivered) FROM sample_sums"), "null");
+  EXPECT_EQ(replay.ask("SELECT SUM(first_try) FROM sample_sums"),
+            replay.ask("SELECT SUM(samples) FROM sample_sums"));
+}
+
 using Counts = std::map<std::tuple<std::string, std::string, bool>, int>;
 
 /// Of the submessages that have a writer, by kind, its entity and whether they were sent before.
