@@ -233,13 +233,7 @@ int run(const RunOptions& options, const Scenario& scenario, const Course& cours
   say_open_loop(course, results);
   inspection.set_ledger(results.ledger());
 
-<<<<<<< HEAD
   const Outcome outcome = play(course, simulation, *pace, network.get());
-=======
-  if (!course.open_loop().empty()) say_open_loop(course, results);
-
-  const Outcome outcome = play(course, simulation, *pace, pointer_to(network));
->>>>>>> inside
   pace->end();
   Ending ending{.outcome = outcome,
                 .complaints = controllers.finish(outcome.kind != Outcome::Kind::kFailed),
