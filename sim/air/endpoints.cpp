@@ -124,7 +124,10 @@ std::vector<hal::AgentId> Endpoints::readers_of(EndpointIndex writer) const {
     const Endpoint& reader = all_[index];
     const bool is_elsewhere = reader.agent && *reader.agent != *from.agent;
     if (!is_elsewhere || !match(from, reader)) continue;
-    if (!from.known_at.contains(*reader.agent) || !reader.known_at.contains(*from.agent)) continue;
+    // What a reliable reader does not know of yet is repaired once it does.
+    const bool is_patient = from.is_reliable && reader.is_reliable;
+    if (!reader.known_at.contains(*from.agent)) continue;
+    if (!is_patient && !from.known_at.contains(*reader.agent)) continue;
     if (std::ranges::find(agents, *reader.agent) == agents.end()) agents.push_back(*reader.agent);
   }
   std::ranges::sort(agents);

@@ -58,9 +58,10 @@ class Endpoints {
   /// nobody listens to it.
   void reach(EndpointIndex endpoint, EndpointIndex told_by, hal::AgentId agent);
 
-  /// Agents other than the writer's with a reader that exchanges samples with it: same topic and
-  /// type, neither offers less than the other asks for (reliability and durability), a partition
-  /// in common by name, and what discovery told of each has arrived at the other's agent.
+  /// Agents other than the writer's with a reader that it sends its samples to: same topic and type,
+  /// neither offers less than the other asks for (reliability and durability), a partition in
+  /// common by name, and what discovery told of the reader has arrived at the writer's agent; of a
+  /// pair that is not reliable, also the other way round.
   std::vector<hal::AgentId> readers_of(EndpointIndex writer) const;
 
   /// Those that SEDP told of since the last call, or whose agent became known.

@@ -97,7 +97,8 @@ void Samples::on_lost(const DatagramPart& part, hal::AgentId receiver, hal::Verd
 void Samples::on_received(hal::Time at, const Datagram& datagram, const DatagramPart& part,
                           hal::AgentId receiver) {
   Sample* const sample = find(part);
-  if (sample == nullptr) return;
+  // A reader drops what is from a writer that it does not know yet.
+  if (sample == nullptr || !endpoints_.all()[part.writer].known_at.contains(receiver)) return;
   for (Progress& progress : sample->to) {
     if (!is_for(part, receiver, progress.delivery.receiver) || progress.delivery.left) continue;
     const auto [begin, end] = range_of(part, progress.got.size());
