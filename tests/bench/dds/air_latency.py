@@ -77,6 +77,12 @@ def measure_peer(count, options):
     return row
 
 
+def measure(case, options):
+    if case["radio"] == "ours":
+        return measure_ours(case["stations"], case["factor"], options)
+    return measure_peer(case["stations"], options)
+
+
 def of_summary(row, key):
     for line in row.get("summary", "").splitlines():
         if line.startswith(key + ": "):
@@ -123,20 +129,21 @@ def main():
                         help="s after which they begin though not all know each other")
     parser.add_argument("--size", type=int, default=64)
     parser.add_argument("--rate", type=float, default=10)
+    parser.add_argument("--parallel", type=int, default=1, help="runs at a time; above 1 they disturb each other")
     parser.add_argument("--store", type=pathlib.Path, help="file of what is measured already")
     parser.add_argument("--kept", type=pathlib.Path, help="folder for runs that fail")
     options = parser.parse_args()
     options.build, options.peer = options.build.resolve(), options.peer.resolve()
     own.require_neighbours(max(options.stations))
     store = Store(options.store)
-    rows = []
-    for count in options.stations:
-        for factor in options.factors:
-            rows.append(store.get({"stations": count, "radio": "ours", "factor": factor},
-                                  lambda n=count, f=factor: measure_ours(n, f, options)))
-        if count in options.peer_stations and os.access(options.peer, os.X_OK):
-            rows.append(store.get({"stations": count, "radio": "ns-3", "factor": 1},
-                                  lambda n=count: measure_peer(n, options)))
+    cases = [{"stations": count, "radio": "ours", "factor": factor}
+             for count in options.stations for factor in options.factors]
+    if os.access(options.peer, os.X_OK):
+        cases += [{"stations": count, "radio": "ns-3", "factor": 1} for count in options.peer_stations]
+    # The longest first, so that those at a time end together.
+    cases.sort(key=lambda case: case["factor"])
+    rows = store.get_all(cases, lambda case: measure(case, options), options.parallel)
+    rows.sort(key=lambda row: (row["stations"], row["radio"] != "ours", -row["factor"]))
     print(figures.table(COLUMNS, [shown(row) for row in rows]))
     print(*halved(rows), sep="\n")
 

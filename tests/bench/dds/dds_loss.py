@@ -7,7 +7,9 @@ the experiment of OSRF's TSC-RMW report (2020), over our radio.
 
 One writer, one reader, 10 m apart, 54 Mb/s; reliable, keep last 10. Each frame that the physics let in is lost with the
 probability given, acknowledgements, too. 'sent' are writes that succeeded; a call of write that waits for room delays
-the next ones, so that there may be fewer than the rate says. Medians of the runs, with 95 % intervals.
+the next ones, so that there may be fewer than the rate says. From the ledger of the run: samples that came at first try,
+samples or fragments that were sent again, and the share of time in which the air was used. Medians of the runs, with 95 %
+intervals.
 """
 import argparse
 import pathlib
@@ -28,7 +30,7 @@ PUBLISHED = {("fastdds", 1_000): {0: 0.992, 0.1: 0.912, 0.2: 0.297, 0.3: 0.000},
              ("cyclone", 1_000): {0: 0.992, 0.1: 0.974, 0.2: 0.732, 0.3: 0.022},
              ("fastdds", 512_000): {0: 0.99, 0.1: 0.00}, ("cyclone", 512_000): {0: 0.99, 0.1: 0.00}}
 COLUMNS = ["vendor", "size, B", "rate, Hz", "retries", "loss", "received/sent", "calls, Hz", "written, Hz", "p50, ms",
-           "p99, ms", "not matched", "published"]
+           "p99, ms", "first try", "repairs per sample", "air", "of it ACKNACK", "not matched", "published"]
 
 
 def load(vendor, case, options, writes):
@@ -44,6 +46,17 @@ def load(vendor, case, options, writes):
     return own.Program(name, command, on_exit="end" if writes else "ignore")
 
 
+def of_ledger(run):
+    """What the run's ledger says of the topic: shares of its samples, and of the time that the air is used."""
+    [(samples, first_try, repairs)] = run.query(
+        "select sum(samples), sum(first_try), sum(repairs) from air_topics where samples > 0")
+    air = dict(run.query("select kind, 1e-9 * sum(airtime_ns) from air_accounts group by 1"))
+    simulated = float(run.line("simulated_s"))
+    return {"first_try": first_try / samples if samples else None, "repairs": repairs / samples if samples else None,
+            "air": sum(air.values()) / simulated, "acknack": air.get("ACKNACK", 0) / simulated,
+            "losses": dict(run.query("select verdict, sum(count) from sample_losses group by 1"))}
+
+
 def measure(case, options):
     stations = [own.Station("writer", 0, 0, [load(case["vendor"], case, options, True)]),
                 own.Station("reader", 10, 0, [load(case["vendor"], case, options, False)])]
@@ -57,7 +70,7 @@ def measure(case, options):
         span = 1e-9 * (max(wrote) - min(wrote)) if len(wrote) > 1 else None
         return {"status": run.status, "offered": found.offered, "written": found.written, "received": found.received,
                 "span": span, "p50": 1e3 * figures.quantile(pooled, 0.5) if pooled else None,
-                "p99": 1e3 * figures.quantile(pooled, 0.99) if pooled else None, "summary": run.out}
+                "p99": 1e3 * figures.quantile(pooled, 0.99) if pooled else None, **of_ledger(run), "summary": run.out}
 
 
 def shown(case, rows):
@@ -75,7 +88,8 @@ def shown(case, rows):
     share = figures.with_interval(figures.median(shares), figures.interval(shares, figures.median)) if shares else "-"
     published = PUBLISHED[case["vendor"], case["size"]].get(case["loss"]) if case["rate"] == 30 else None
     return [case["vendor"], case["size"], case["rate"], case["retries"], case["loss"], share, rate("offered"),
-            rate("written"), middle("p50"), middle("p99"), len(rows) - len(matched), published]
+            rate("written"), *(middle(key) for key in ("p50", "p99", "first_try", "repairs", "air", "acknack")),
+            len(rows) - len(matched), published]
 
 
 def main():
