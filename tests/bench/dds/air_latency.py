@@ -134,7 +134,6 @@ def main():
     parser.add_argument("--kept", type=pathlib.Path, help="folder for runs that fail")
     options = parser.parse_args()
     options.build, options.peer = options.build.resolve(), options.peer.resolve()
-    own.require_neighbours(max(options.stations))
     store = Store(options.store)
     cases = [{"stations": count, "radio": "ours", "factor": factor}
              for count in options.stations for factor in options.factors]

@@ -76,7 +76,6 @@ def main():
     if options.short:
         options.participants, options.runs, options.factor, options.seconds = [2, 4], 1, 1, 4
         options.discovery = ["cyclone, multicast"]
-    own.require_neighbours(1 + max(options.participants))
     store = Store(options.store)
     cases = [{"discovery": kind, "participants": count} for kind in options.discovery for count in options.participants]
     rows = store.get_all([{**case, "run": run} for case in cases for run in range(options.runs)],

@@ -42,19 +42,6 @@ class Station:
                 "network": {}, "programs": [program.section() for program in self.programs]}
 
 
-NEIGHBOURS = pathlib.Path("/proc/sys/net/ipv4/neigh/default/gc_thresh3")
-
-
-def require_neighbours(stations):
-    """The kernel knows that many neighbours at most, of all network namespaces together, 1024 by default; beyond it every
-    datagram fails with ENOBUFS. Stations that all send to each other know stations * (stations - 1), and their groups."""
-    needed = stations * (stations + 3)
-    allowed = int(NEIGHBOURS.read_text()) if NEIGHBOURS.exists() else needed
-    if allowed < needed:
-        raise SystemExit(f"{stations} stations need room for {needed} neighbours, the kernel has {allowed}; as root:\n"
-                         f"sysctl -w net.ipv4.neigh.default.gc_thresh3={4 * needed}")
-
-
 def circle(count, radius=5):
     """Places in metres, as tests/peer/ns3/tap.cc has them."""
     return [(round(radius * math.cos(2 * math.pi * i / count), 6), round(radius * math.sin(2 * math.pi * i / count), 6))
