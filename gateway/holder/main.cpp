@@ -6,6 +6,14 @@
 #include "gateway/netns/go_inside.h"
 #include "gateway/netns/init.h"
 
+namespace {
+
+/// Of `baraka exec` when it could not run the command, so that scripts can tell it from what the
+/// command says: as env(1) and docker-exec(1) have it.
+constexpr int kCannotEnter = 125;
+
+}  // namespace
+
 /// What baraka starts for what may be done by a process of a single thread only:
 ///   baraka-holder hold CONTROL EVENTS PARENT        the namespaces of a run
 ///   baraka-holder enter FOLDER AGENT [COMMAND…]     what `baraka exec` becomes
@@ -20,7 +28,7 @@ int main(int argc, char** argv) {
     }
   } catch (const std::exception& error) {
     std::fprintf(stderr, "error: %s\n", error.what());
-    return 1;
+    return what == "enter" ? kCannotEnter : 1;
   }
   std::fputs("baraka-holder is started by baraka\n", stderr);
   return 2;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -41,6 +42,11 @@ std::optional<double> real_time_factor(const std::string& pace) {
 std::string pace_of(const RunOptions& options, const sim::scenario::Scenario& scenario) {
   if (!options.repeat.empty()) return "repeated";
   if (!has_network(scenario)) return options.pace.empty() ? "lockstep" : options.pace;
+  if (std::isfinite(options.max_speed)) {
+    throw UsageError(
+        "--max-speed: agents with a network follow the clock; --pace realtime:F makes a run and "
+        "its programs slower");
+  }
   if (options.pace.empty()) return "realtime";
   const std::optional<double> factor = real_time_factor(options.pace);
   if (!factor) {

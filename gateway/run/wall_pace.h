@@ -47,7 +47,8 @@ class WallPace final : public sim::agents::Pace {
   bool started_ = false, line_open_ = false;
 };
 
-/// From now on SIGINT and SIGTERM only set a flag, once; the next one ends the process.
+/// From now on SIGINT, SIGTERM and, unless it was ignored, SIGHUP only set a flag, once; the next
+/// one ends the process.
 void catch_interrupts();
 bool interrupted();
 

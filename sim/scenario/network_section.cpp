@@ -4,10 +4,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "sim/scenario/fields.h"
 #include "sim/scenario/program.h"
@@ -90,6 +92,19 @@ bool reaches(const NetworkConfig& from, const NetworkConfig& to) {
   return network_of(from) == (to.address & ~host_bits(from.prefix));
 }
 
+/// Names that /etc/hosts has for other addresses.
+constexpr std::array<std::string_view, 4> kNamesOfHosts{"localhost", "ip6-localhost",
+                                                        "ip6-loopback", "ip6-allnodes"};
+
+void check_names(Mapping& in, std::span<const AgentConfig> agents) {
+  for (const AgentConfig& agent : agents) {
+    if (std::ranges::find(kNamesOfHosts, agent.name) == kNamesOfHosts.end()) continue;
+    in.mistake("", fmt::format("an agent with a network cannot be called '{}', which every host "
+                               "has for an address of its own",
+                               agent.name));
+  }
+}
+
 /// The networks so far.
 class NetworkCheck {
  public:
@@ -119,6 +134,7 @@ class NetworkCheck {
 }  // namespace
 
 void read_network(Mapping in, std::span<AgentConfig> agents) {
+  check_names(in, agents);
   const std::uint32_t id = agents.empty() ? 1u : agents.front().id.value;
   const Address first =
       read_address(in, fmt::format("{}/{}", dotted(kDefaultNetwork | id), kDefaultPrefix));

@@ -58,7 +58,7 @@ class Stuck(Case):
         return finished
 
     def test_one_signal_ends_a_run_whose_callback_does_not_return(self):
-        for signal in ("SIGTERM", "SIGINT"):
+        for signal in ("SIGTERM", "SIGINT", "SIGHUP"):
             with self.subTest(signal=signal):
                 finished = self.interrupted(signal, *IN_PROCESS)
                 self.assertRegex(finished.err, r"step\(\) of controller of r0, called at 2\.000000000 s")
@@ -104,7 +104,7 @@ class External(Case):
         self.assertEqual(finished.status, 0, str(finished))
 
     def test_ctrl_c_while_it_waits_is_an_interruption(self):
-        for signal in ("SIGINT", "SIGTERM"):
+        for signal in ("SIGINT", "SIGTERM", "SIGHUP"):
             program = self.served()
             self.read_until(program, "waiting for controllers")
             send(program.process.pid, signal)

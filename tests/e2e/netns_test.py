@@ -273,7 +273,7 @@ class Exec(unittest.TestCase):
         killed = self.exec("r1", "--run", run.folder, "--", "sh", "-c", "kill -9 $$")
         self.assertEqual(killed.returncode, 137)
         refused = self.exec("r1", "--run", run.folder, "--", STILL)
-        self.assertEqual(refused.returncode, 1)
+        self.assertEqual(refused.returncode, 125)
         self.assertIn("statically linked", refused.stderr)
 
     def test_has_the_users_terminal_and_shell(self):
@@ -295,7 +295,7 @@ class Exec(unittest.TestCase):
     def test_names_the_agents_and_the_runs(self):
         with tempfile.TemporaryDirectory() as folder:
             nobody = self.exec("r0", "--run", folder)
-        self.assertEqual(nobody.returncode, 1)
+        self.assertEqual(nobody.returncode, 125)
         self.assertIn("no run with programs on the air is under way there", nobody.stderr)
         first, second = Wire(self), Wire(self)
         wrong = self.exec("r9", "--run", first.folder, "--", "true")
