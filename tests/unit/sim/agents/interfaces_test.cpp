@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <deque>
+#include <functional>
+#include <utility>
 
 #include "sim/agents/fingerprint_feed.h"
 #include "tests/unit/sim/agents/two_motes.h"
@@ -65,6 +67,7 @@ class Arrivals final : public sim::agents::Observer {
   void on_arrival(const sim::OutsideArrival& arrival) override { all.push_back(arrival); }
   void on_air_entered(Time at, AgentId, const sim::radio::MacRequest& request) override {
     entered.emplace_back(at, request.tag);
+    if (then) std::exchange(then, {})();
   }
   void on_air_left(Time at, AgentId, const sim::radio::MacIndication&) override {
     left.push_back(at);
@@ -72,6 +75,7 @@ class Arrivals final : public sim::agents::Observer {
   void on_air_refused(Time, AgentId, sim::air::Refusal refusal, std::size_t) override {
     refused.push_back(refusal);
   }
+  std::function<void()> then;  ///< Once, when the next frame enters.
   std::vector<sim::OutsideArrival> all;
   std::vector<std::pair<Time, std::uint64_t>> entered;
   std::vector<Time> left;
@@ -171,6 +175,36 @@ TEST_F(InterfacesTest, ARepetitionOfTheArrivalsIsTheSameRun) {
   third.finish();
   EXPECT_NE(third.fingerprint().part(sim::Part::kExchange),
             feed.fingerprint().part(sim::Part::kExchange));
+}
+
+/// While a turn goes on, another thread puts in what has no time of its own: it gets the turn's, at
+/// which a frame came, too.
+TEST_F(InterfacesTest, ARepetitionTakesWhatCameAtTheTimeOfAFrameWithIt) {
+  const auto is_end = [](sim::agents::Simulation& simulation) {
+    simulation.outside().open("end",
+                              [&](std::span<const std::uint8_t>) { simulation.end("enough"); });
+  };
+  outside.sent.push_back({kA, Time{30ms}, ethernet(kA, kB, 7)});
+  sim::agents::Simulation simulation(config, {&arrivals, &feed});
+  simulation.connect_air(outside, outside);
+  is_end(simulation);
+  arrivals.then = [&] { simulation.outside().put("end", {}); };
+  const Outcome first = simulation.follow(Time{100ms}, outside);
+  feed.finish();
+  EXPECT_EQ(first.result, "enough");
+
+  Arrivals again;
+  sim::agents::FingerprintFeed second;
+  sim::agents::Simulation repeated(config, {&again, &second});
+  is_end(repeated);
+  repeated.outside().replay(arrivals.all);
+  NoPace pace;
+  const Outcome outcome = repeated.repeat(first.ended_at, {}, pace);
+  second.finish();
+  EXPECT_EQ(outcome.result, first.result);
+  EXPECT_EQ(outcome.ended_at, first.ended_at);
+  EXPECT_EQ(again.left, arrivals.left);
+  EXPECT_EQ(second.fingerprint().total(), feed.fingerprint().total());
 }
 
 TEST_F(InterfacesTest, AReceiverEndsTheRun) {
