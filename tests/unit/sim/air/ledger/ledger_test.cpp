@@ -135,6 +135,27 @@ TEST(Contents, AreKeptOnlyWhileSomebodyHoldsThePayload) {
   EXPECT_LE(contents.kept(), 100U);
 }
 
+// As by a station that cannot send for long, while the others do.
+TEST(Contents, ThatAreHeldForLongKeepNoOthers) {
+  Endpoints endpoints;
+  Contents contents(endpoints);
+  const auto read = [&contents](const radio::Payload& payload) {
+    return contents.read({}, AgentId{1}, kEthertypeArp, payload).is_new;
+  };
+  constexpr std::size_t kHeld = 500;
+  std::vector<radio::Payload> held;
+  for (std::size_t i = 0; i < kHeld; ++i) {
+    held.push_back(std::make_shared<const hal::Bytes>(28));
+    read(held.back());
+  }
+  for (int i = 0; i < 100'000; ++i) read(std::make_shared<const hal::Bytes>(28));
+  EXPECT_LE(contents.kept(), 2 * kHeld + 100);
+  for (const radio::Payload& payload : held) EXPECT_FALSE(read(payload)) << "it is still known";
+  held.clear();
+  for (std::size_t i = 0; i < 2 * kHeld; ++i) read(std::make_shared<const hal::Bytes>(28));
+  EXPECT_LE(contents.kept(), 100U);
+}
+
 std::size_t below(hal::RandomStream& random, std::size_t bound) {
   return random.below(static_cast<std::uint32_t>(bound));
 }
