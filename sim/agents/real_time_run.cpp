@@ -51,13 +51,21 @@ void Simulation::RealTimeRun::follow(FollowedClock& clock) {
     last =
         std::max(std::min(clock.now(), *next + longest_turn()), last + std::chrono::nanoseconds{1});
     if (s_.until) last = std::min(last, *s_.until);
-    take_arrivals_until(last, &clock);
-    work_off_until(last, &clock);
+    take_arrivals_until(last - hal::Duration{1}, &clock);
+    take_last_arrivals(last, clock);
     if (s_.result) return;
-    if (s_.outside.has_due(last)) take_arrivals_at(last);
     attend(last);
     if (s_.interfaces.is_connected()) s_.interfaces.tell_room();
   }
+}
+
+/// Those that have no time of their own come at the turn's, together with those of that time: as in
+/// a repetition, after its events, and before the turn what they caused at that time.
+void Simulation::RealTimeRun::take_last_arrivals(hal::Time turn, FollowedClock& clock) {
+  work_off_until(turn, &clock);
+  if (s_.result || !s_.outside.has_due(turn)) return;
+  take_arrivals_at(turn);
+  work_off_until(turn, &clock);
 }
 
 /// What to wait for: the next event, or something that came in and has a time; none: the run is at

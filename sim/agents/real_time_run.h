@@ -43,6 +43,7 @@ class Simulation::RealTimeRun {
   void repeat_rest(Pace& pace);
   void take_arrivals_until(hal::Time target, FollowedClock* clock);
   void take_arrivals_at(hal::Time at);
+  void take_last_arrivals(hal::Time turn, FollowedClock& clock);
   std::optional<hal::Time> next_stop(hal::Time last);
   hal::Duration longest_turn() const;
   void post(FollowedClock* clock);

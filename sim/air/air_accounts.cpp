@@ -86,16 +86,21 @@ void AirAccounts::cut(const Content& content, hal::Duration airtime, Shares& sha
   }
 }
 
+AirAccount::Ends& AirAccount::ends_at(hal::AgentId receiver) {
+  auto place = std::ranges::lower_bound(at, receiver, {}, &EndsAt::first);
+  if (place == at.end() || place->first != receiver) {
+    place = at.emplace(place, receiver, std::make_unique<Ends>());
+  }
+  return *place->second;
+}
+
 void AirAccounts::add_end(const Content& content, const Shares& shares, hal::AgentId receiver,
                           bool addressed, hal::Verdict verdict) {
   const std::size_t main = content.main();
   for (std::size_t i = 0; i < shares.size(); ++i) {
-    auto& at = all_[shares[i].account].at;
-    if (receiver.value >= at.size()) at.resize(receiver.value + std::size_t{1});
-    auto& ends = at[receiver.value];
-    if (!ends) ends = std::make_unique<AirAccount::Ends>(AirAccount::Ends{.receiver = receiver});
-    AirEnds& end = ends->ends[addressed ? 1 : 0][static_cast<std::size_t>(verdict)];
-    note(ends->changed);
+    AirAccount::Ends& ends = all_[shares[i].account].ends_at(receiver);
+    AirEnds& end = ends.ends[addressed ? 1 : 0][static_cast<std::size_t>(verdict)];
+    note(ends.changed);
     end.frames += i == main ? 1 : 0;
     ++end.parts;
   }

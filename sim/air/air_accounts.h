@@ -35,11 +35,14 @@ struct AirAccount {
 
   /// By receiver and verdict, [1]: those to it or to everyone.
   struct Ends {
-    hal::AgentId receiver;
     std::array<std::array<AirEnds, hal::kVerdictCount>, 2> ends{};
     bool changed = false;
   };
-  std::vector<std::unique_ptr<Ends>> at{};  ///< By receiver's address.
+  using EndsAt = std::pair<hal::AgentId, std::unique_ptr<Ends>>;
+  std::vector<EndsAt> at{};  ///< Sorted by receiver's address.
+
+  /// Of this receiver; new if there was nothing yet.
+  Ends& ends_at(hal::AgentId receiver);
 };
 
 /// One writer's share, by kind of submessage and transmitter.

@@ -52,9 +52,16 @@ Contents::Read Contents::read(hal::Time at, hal::AgentId source, radio::Ethertyp
 }
 
 void Contents::forget() {
-  while (order_.size() > kAlwaysKept && order_.front()->first.use_count() == 1) {
-    contents_.erase(order_.front());
+  // What is held for long goes to the back, and holds up nobody. With two looks for each that
+  // comes, there are at most as many that nobody holds as there are held.
+  for (int looks = 0; looks < 2 && order_.size() > kAlwaysKept; ++looks) {
+    const Map::iterator oldest = order_.front();
     order_.pop_front();
+    if (oldest->first.use_count() > 1) {
+      order_.push_back(oldest);
+    } else {
+      contents_.erase(oldest);
+    }
   }
 }
 

@@ -5,8 +5,6 @@
 namespace sim::air {
 namespace {
 
-constexpr std::uint32_t kMostFragments = 1U << 20U;
-
 /// Fragments of a part that lie within what the sample says it has: from first to last, from 0 on.
 std::pair<std::uint32_t, std::uint32_t> range_of(const DatagramPart& part, std::size_t all) {
   const auto end =
@@ -22,13 +20,20 @@ Samples::Sample* Samples::find(const DatagramPart& part) {
   return found == open_.end() ? nullptr : &found->second;
 }
 
-/// Null: it is one of long ago, or there are nobody's readers.
-Samples::Sample* Samples::begin(hal::Time at, const DatagramPart& part) {
+bool Samples::is_old(const DatagramPart& part) const {
   const auto settled = settled_.find(part.writer);
-  const bool is_old = settled != settled_.end() && part.sequence_number <= settled->second;
-  if (is_old || part.writer == 0 || part.all_fragments > kMostFragments) return nullptr;
+  return settled != settled_.end() && part.sequence_number <= settled->second;
+}
+
+/// Null: it is one of long ago, there are nobody's readers, or it is larger than is followed.
+Samples::Sample* Samples::begin(hal::Time at, const DatagramPart& part) {
+  if (is_old(part) || part.writer == 0 || part.all_fragments > kMostFragments) return nullptr;
   const std::vector<hal::AgentId> readers = endpoints_.readers_of(part.writer);
-  if (readers.empty()) return nullptr;
+  const std::size_t fragments = readers.size() * part.all_fragments;
+  if (readers.empty() || fragments > kMostOpenFragments) return nullptr;
+  while (open_fragments_ + fragments > kMostOpenFragments) settle_front(false);
+  if (is_old(part)) return nullptr;  // by now
+  open_fragments_ += fragments;
   const SampleKey key{part.writer, part.sequence_number};
   Sample& sample = open_[key];
   order_.push_back(key);
@@ -110,9 +115,14 @@ void Samples::on_received(hal::Time at, const Datagram& datagram, const Datagram
     }
     if (progress.missing > 0) continue;
     progress.delivery.left = at;
-    std::vector<std::uint64_t>().swap(progress.first);
-    std::vector<bool>().swap(progress.got);
+    release(progress);
   }
+}
+
+void Samples::release(Progress& progress) {
+  open_fragments_ -= progress.first.size();
+  std::vector<std::uint64_t>().swap(progress.first);
+  std::vector<bool>().swap(progress.got);
 }
 
 void Samples::settle(hal::Time now) {
@@ -143,6 +153,7 @@ void Samples::settle_front(bool is_end) {
 void Samples::settle(Sample& sample, hal::AgentId sender, bool is_end) {
   for (Progress& progress : sample.to) {
     SampleDelivery& delivery = progress.delivery;
+    release(progress);
     if (!progress.was_sent) continue;
     if (delivery.left) {
       delivery.verdict.reset();

@@ -59,6 +59,11 @@ class Samples {
   static constexpr hal::Duration kSettled = std::chrono::seconds{10};
   /// Beyond so many the oldest are settled early.
   static constexpr std::size_t kMostOpen = 20'000;
+  /// A sample of more is not followed: whoever sends garbage can name any number.
+  static constexpr std::uint32_t kMostFragments = 1U << 16U;
+  /// Likewise of all samples that are open, each counted for each agent that it has not reached:
+  /// beyond so many the oldest samples are settled early.
+  static constexpr std::size_t kMostOpenFragments = 1U << 22U;
   using Sink = std::function<void(const SampleDelivery&)>;
 
   explicit Samples(const Endpoints& endpoints) : endpoints_(endpoints) {}
@@ -109,8 +114,10 @@ class Samples {
   using SampleKey = std::pair<EndpointIndex, std::int64_t>;
 
   Sample* find(const DatagramPart& part);
+  bool is_old(const DatagramPart& part) const;
   Sample* begin(hal::Time at, const DatagramPart& part);
   bool is_for(const DatagramPart& part, hal::AgentId destination, hal::AgentId receiver) const;
+  void release(Progress& progress);
   void settle_front(bool is_end);
   void settle(Sample& sample, hal::AgentId sender, bool is_end);
   void count(const SampleDelivery& delivery);
@@ -119,6 +126,7 @@ class Samples {
   Sink sink_;
   std::map<SampleKey, Sample> open_;
   std::deque<SampleKey> order_;
+  std::size_t open_fragments_ = 0;                 ///< See kMostOpenFragments.
   std::map<EndpointIndex, std::int64_t> settled_;  ///< By writer: the highest number.
   std::map<hal::AgentId, hal::Verdict> refused_;
   std::map<Key, SampleSums> sums_;

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <deque>
+#include <functional>
+#include <utility>
 
 #include "sim/agents/fingerprint_feed.h"
 #include "tests/unit/sim/agents/two_motes.h"
@@ -45,13 +48,15 @@ class Outside final : public sim::agents::FollowedClock,
   void on_room(AgentId agent, const Room& room) override { rooms[agent] = room; }
   int descriptor() const override { return -1; }
   void read(std::size_t most, const std::function<void(sim::air::SentFrame)>& take) override {
-    for (; most > 0 && !sent.empty() && sent.front().since <= now_; --most) {
+    for (most = std::min(most, most_at_once);
+         most > 0 && !sent.empty() && sent.front().since <= now_; --most) {
       take(std::move(sent.front()));
       sent.pop_front();
     }
   }
 
   hal::Duration late{};  ///< Every wait ends so much too late.
+  std::size_t most_at_once = 1000;
   std::deque<sim::air::SentFrame> sent;
   std::vector<Left> left;
   std::map<AgentId, Room> rooms;
@@ -65,6 +70,7 @@ class Arrivals final : public sim::agents::Observer {
   void on_arrival(const sim::OutsideArrival& arrival) override { all.push_back(arrival); }
   void on_air_entered(Time at, AgentId, const sim::radio::MacRequest& request) override {
     entered.emplace_back(at, request.tag);
+    if (then) std::exchange(then, {})();
   }
   void on_air_left(Time at, AgentId, const sim::radio::MacIndication&) override {
     left.push_back(at);
@@ -72,6 +78,7 @@ class Arrivals final : public sim::agents::Observer {
   void on_air_refused(Time, AgentId, sim::air::Refusal refusal, std::size_t) override {
     refused.push_back(refusal);
   }
+  std::function<void()> then;  ///< Once, when the next frame enters.
   std::vector<sim::OutsideArrival> all;
   std::vector<std::pair<Time, std::uint64_t>> entered;
   std::vector<Time> left;
@@ -125,6 +132,43 @@ TEST_F(InterfacesTest, HowLateFramesAreIsCountedAtBothEdges) {
   EXPECT_EQ(air.leaving.beyond_limit, 0u) << "an ideal radio takes no time, nor does this clock";
 }
 
+/// The kernels send while the agents' interfaces come up.
+TEST_F(InterfacesTest, WhatWasSentBeforeTheClockStartedEntersAtTheStartAndIsNotLate) {
+  outside.late = 3ms;
+  for (const AgentId agent : {kA, kB}) {
+    outside.sent.push_back({agent, Time{-50ms}, ethernet(agent, agent == kA ? kB : kA, 7)});
+  }
+  outside.sent.push_back({kA, Time{5ms}, ethernet(kA, kB, 8)});
+  const Outcome outcome = follow(Time{100ms});
+  feed.finish();
+  ASSERT_EQ(arrivals.all.size(), 3u);
+  EXPECT_EQ(arrivals.all[0].at, Time{});
+  EXPECT_EQ(arrivals.all[1].at, Time{});
+  const sim::agents::EdgeSummary& entering = outcome.real_time->air->entering;
+  EXPECT_EQ(entering.frames, 3u);
+  EXPECT_EQ(entering.beyond_limit, 1u);
+  EXPECT_EQ(entering.median, hal::Duration{});
+  EXPECT_EQ(entering.greatest, 3ms);
+
+  sim::agents::FingerprintFeed second;
+  sim::agents::Simulation repeated(config, {&second});
+  repeated.outside().replay(arrivals.all);
+  NoPace pace;
+  (void)repeated.repeat(outcome.ended_at, {}, pace);
+  second.finish();
+  EXPECT_EQ(second.fingerprint().total(), feed.fingerprint().total());
+}
+
+/// More than the first look takes.
+TEST_F(InterfacesTest, WhatIsLeftOfThatIsAsLateAsTheRunIsOld) {
+  outside.late = 3ms;
+  outside.most_at_once = 1;
+  for (int i = 0; i < 2; ++i) outside.sent.push_back({kA, Time{-50ms}, ethernet(kA, kB, 7)});
+  const Outcome outcome = follow(Time{100ms});
+  ASSERT_EQ(arrivals.all.size(), 2u);
+  EXPECT_EQ(outcome.real_time->air->entering.greatest, arrivals.all[1].at.time_since_epoch());
+}
+
 TEST_F(InterfacesTest, WhatNoRadioSendsIsToldAndCounted) {
   outside.sent.push_back({kB, Time{1ms}, {1, 2, 3}});
   outside.sent.push_back({kB, Time{2ms}, ethernet(kA, kB, 1)});
@@ -171,6 +215,36 @@ TEST_F(InterfacesTest, ARepetitionOfTheArrivalsIsTheSameRun) {
   third.finish();
   EXPECT_NE(third.fingerprint().part(sim::Part::kExchange),
             feed.fingerprint().part(sim::Part::kExchange));
+}
+
+/// While a turn goes on, another thread puts in what has no time of its own: it gets the turn's, at
+/// which a frame came, too.
+TEST_F(InterfacesTest, ARepetitionTakesWhatCameAtTheTimeOfAFrameWithIt) {
+  const auto is_end = [](sim::agents::Simulation& simulation) {
+    simulation.outside().open("end",
+                              [&](std::span<const std::uint8_t>) { simulation.end("enough"); });
+  };
+  outside.sent.push_back({kA, Time{30ms}, ethernet(kA, kB, 7)});
+  sim::agents::Simulation simulation(config, {&arrivals, &feed});
+  simulation.connect_air(outside, outside);
+  is_end(simulation);
+  arrivals.then = [&] { simulation.outside().put("end", {}); };
+  const Outcome first = simulation.follow(Time{100ms}, outside);
+  feed.finish();
+  EXPECT_EQ(first.result, "enough");
+
+  Arrivals again;
+  sim::agents::FingerprintFeed second;
+  sim::agents::Simulation repeated(config, {&again, &second});
+  is_end(repeated);
+  repeated.outside().replay(arrivals.all);
+  NoPace pace;
+  const Outcome outcome = repeated.repeat(first.ended_at, {}, pace);
+  second.finish();
+  EXPECT_EQ(outcome.result, first.result);
+  EXPECT_EQ(outcome.ended_at, first.ended_at);
+  EXPECT_EQ(again.left, arrivals.left);
+  EXPECT_EQ(second.fingerprint().total(), feed.fingerprint().total());
 }
 
 TEST_F(InterfacesTest, AReceiverEndsTheRun) {

@@ -135,6 +135,43 @@ TEST(Contents, AreKeptOnlyWhileSomebodyHoldsThePayload) {
   EXPECT_LE(contents.kept(), 100U);
 }
 
+// As by a station that cannot send for long, while the others do.
+TEST(Contents, ThatAreHeldForLongKeepNoOthers) {
+  Endpoints endpoints;
+  Contents contents(endpoints);
+  const auto read = [&contents](const radio::Payload& payload) {
+    return contents.read({}, AgentId{1}, kEthertypeArp, payload).is_new;
+  };
+  constexpr std::size_t kHeld = 500;
+  std::vector<radio::Payload> held;
+  for (std::size_t i = 0; i < kHeld; ++i) {
+    held.push_back(std::make_shared<const hal::Bytes>(28));
+    read(held.back());
+  }
+  for (int i = 0; i < 100'000; ++i) read(std::make_shared<const hal::Bytes>(28));
+  EXPECT_LE(contents.kept(), 2 * kHeld + 100);
+  for (const radio::Payload& payload : held) EXPECT_FALSE(read(payload)) << "it is still known";
+  held.clear();
+  for (std::size_t i = 0; i < 2 * kHeld; ++i) read(std::make_shared<const hal::Bytes>(28));
+  EXPECT_LE(contents.kept(), 100U);
+}
+
+TEST(AirAccounts, KeepWhatEndedAtEachReceiverHoweverLargeItsAddress) {
+  AirAccounts accounts;
+  const Content content{.pieces = {piece(10)}};
+  AirAccounts::Shares shares;
+  accounts.open(content, AgentId{1}, shares);
+  for (const int receiver : {65'000, 3, 65'000, 2})
+    accounts.add_end(content, shares, AgentId{static_cast<std::uint16_t>(receiver)}, true,
+                     hal::Verdict::kDelivered);
+  std::string text;
+  for (const auto& [receiver, at] : accounts.all()[0].at) {
+    const AirEnds& end = at->ends[1][static_cast<std::size_t>(hal::Verdict::kDelivered)];
+    text += std::to_string(receiver.value) + ": " + std::to_string(end.frames) + "; ";
+  }
+  EXPECT_EQ(text, "2: 1; 3: 1; 65000: 2; ") << "and nothing of those in between";
+}
+
 std::size_t below(hal::RandomStream& random, std::size_t bound) {
   return random.below(static_cast<std::uint32_t>(bound));
 }

@@ -171,5 +171,89 @@ TEST_F(SamplesTest, FragmentsAreRepairedOneByOne) {
   EXPECT_EQ(replay.ask("SELECT left_ns > 1100000000 FROM samples WHERE receiver = 2"), "1");
 }
 
+/// Agent 1 writes a topic that some others read: everyone knows everything.
+class HostileSamplesTest : public testing::Test {
+ protected:
+  void read_by(std::uint16_t agents) {
+    for (std::uint16_t agent = 1; agent <= 1 + agents; ++agent) {
+      hal::rtps::Guid guid{{}, {agent == 1 ? kWriter : kReader}};
+      guid.prefix.octets.fill(static_cast<std::byte>(agent));
+      endpoints.place(guid.prefix, AgentId{agent});
+      const EndpointIndex index = endpoints.learn(
+          {}, {.guid = guid, .topic = "scan", .type = "type", .reliability = 2, .partitions = {}});
+      if (agent == 1) writer = index;
+      const AgentId there{static_cast<std::uint16_t>(agent == 1 ? 2 : 1)};
+      endpoints.meet(guid.prefix, there);
+      endpoints.reach(index, index, there);
+    }
+    ASSERT_EQ(endpoints.readers_of(writer).size(), agents);
+  }
+  void send(std::int64_t number, std::uint32_t fragments) {
+    const DatagramPart part{
+        .writer = writer, .sequence_number = number, .all_fragments = fragments};
+    samples.on_sent(hal::Time{hal::Duration{++sent}}, {.serial = sent, .source = AgentId{1}}, part,
+                    hal::kEveryone);
+  }
+  std::uint64_t counted(std::uint16_t receiver) {
+    samples.finish(hal::Time{1h});
+    return samples.sums()[{writer, AgentId{receiver}}].samples;
+  }
+
+  Endpoints endpoints;
+  Samples samples{endpoints};
+  EndpointIndex writer = 0;
+  std::uint64_t sent = 0;
+};
+
+// One datagram that names so many fragments has memory set aside for them all.
+TEST_F(HostileSamplesTest, MoreFragmentsThanAreFollowedSettleTheOldest) {
+  read_by(2);
+  constexpr std::size_t kMost = Samples::kMostOpenFragments / (2 * Samples::kMostFragments);
+  for (std::int64_t number = 1; number <= 200; ++number) {
+    send(number, Samples::kMostFragments);
+    ASSERT_LE(samples.open(), kMost);
+  }
+  EXPECT_EQ(samples.open(), kMost);
+  EXPECT_EQ(counted(2), 200U) << "those settled early as well";
+  EXPECT_EQ(samples.open(), 0U);
+  for (std::int64_t number = 201; number <= 200 + std::int64_t{kMost}; ++number)
+    send(number, Samples::kMostFragments);
+  EXPECT_EQ(samples.open(), kMost) << "what is settled leaves room for as many again";
+}
+
+TEST_F(HostileSamplesTest, WhatArrivedTakesNoRoom) {
+  read_by(1);
+  DatagramPart part{.writer = writer,
+                    .fragments = Samples::kMostFragments,
+                    .all_fragments = Samples::kMostFragments};
+  constexpr std::int64_t kSent = 2 * Samples::kMostOpenFragments / Samples::kMostFragments;
+  for (part.sequence_number = 1; part.sequence_number <= kSent; ++part.sequence_number) {
+    samples.on_sent({}, {.serial = 1, .source = AgentId{1}}, part, hal::kEveryone);
+    samples.on_received({}, {.serial = 1, .source = AgentId{1}}, part, AgentId{2});
+  }
+  EXPECT_EQ(samples.open(), std::size_t{kSent}) << "none was settled early";
+}
+
+TEST_F(HostileSamplesTest, ASampleOfMoreFragmentsIsNotFollowed) {
+  read_by(100);
+  send(1, Samples::kMostFragments + 1);
+  EXPECT_EQ(samples.open(), 0U);
+  send(2, Samples::kMostFragments);
+  EXPECT_EQ(samples.open(), 0U) << "by a hundred agents";
+  send(3, Samples::kMostOpenFragments / 100);
+  EXPECT_EQ(samples.open(), 1U);
+}
+
+// Making room for one settles another of the same writer with a higher number.
+TEST_F(HostileSamplesTest, ASampleThatMakingRoomMadeOldIsNotBegun) {
+  read_by(1);
+  constexpr std::size_t kMost = Samples::kMostOpenFragments / Samples::kMostFragments;
+  for (std::size_t i = 0; i < kMost; ++i)
+    send(1000 + static_cast<std::int64_t>(i), Samples::kMostFragments);
+  send(5, Samples::kMostFragments);
+  EXPECT_EQ(samples.open(), kMost - 1);
+  EXPECT_EQ(counted(2), kMost);
+}
+
 }  // namespace
 }  // namespace sim::air::test
