@@ -64,6 +64,7 @@ class Init {
       const std::array ends{made.ends.tap.get(), made.ends.counters.get(), made.ends.page.get()};
       send(control_, MessageKind::kAgent, out.bytes(), ends);
       agents_.push_back(std::move(made.spaces));
+      pages_.push_back(std::move(made.ends.page));
     }
     send(control_, MessageKind::kReady, "");
   }
@@ -160,6 +161,7 @@ class Init {
   int control_, events_;
   FileDescriptor children_;
   std::vector<AgentSpaces> agents_;
+  std::vector<FileDescriptor> pages_;  ///< kRoomFile leads to them.
   std::map<pid_t, Program> programs_;
   std::deque<std::string> unsaid_;
   std::uint32_t started_ = 0;

@@ -29,7 +29,7 @@ std::vector<char*> pointers_to(const std::vector<std::string>& texts);
 /// Becomes a program; returns only if that is refused, with errno.
 void become(const Launch& launch);
 
-/// This process may open as many descriptors as it is allowed at all, four for each agent; programs
+/// This process may open as many descriptors as it is allowed at all, five for each agent; programs
 /// that it starts get the limit that it had.
 void raise_descriptor_limit();
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <sched.h>
+#include <sys/mman.h>
 #include <sys/mount.h>
 #include <sys/stat.h>
 
@@ -106,9 +107,14 @@ std::string hosts(const std::vector<AgentNetwork>& all) {
   return text;
 }
 
+/// Programs write to it, but none may cut it off: whoever has it mapped would die of that, and the
+/// run has. Only memory without a name can be sealed so; the name leads to it by way of init.
 FileDescriptor make_page() {
-  FileDescriptor page = open_file(kRoomFile, O_RDWR | O_CREAT | O_EXCL, 0666);
-  if (fchmod(page.get(), 0666) != 0 || ftruncate(page.get(), sizeof(RoomPage)) != 0) {
+  constexpr int kSeals = F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL;
+  FileDescriptor page(memfd_create("baraka-room", MFD_CLOEXEC | MFD_ALLOW_SEALING));
+  if (!page.is_open() || fchmod(page.get(), 0666) != 0 ||
+      ftruncate(page.get(), sizeof(RoomPage)) != 0 || fcntl(page.get(), F_ADD_SEALS, kSeals) != 0 ||
+      symlink(fmt::format("/proc/1/fd/{}", page.get()).c_str(), kRoomFile) != 0) {
     fail(kRoomFile);
   }
   return page;

@@ -17,7 +17,7 @@ struct AgentSpaces {
 struct AgentEnds {
   FileDescriptor tap;       ///< Of wlan0.
   FileDescriptor counters;  ///< /proc/net/dev of the agent.
-  FileDescriptor page;      ///< Of its room, a file of one RoomPage.
+  FileDescriptor page;      ///< Of its room, memory of one RoomPage. Init keeps it open: kRoomFile.
 };
 
 struct AgentMade {
@@ -34,6 +34,7 @@ void enter_new_run();
 void mount_proc();
 
 /// Makes the namespaces of an agent and its interfaces; the calling process stays in its own.
+/// @pre this is the first process of the run, with mount_proc() done.
 /// @param all  of the run, for /etc/hosts. @param factor  of the programs' time.
 AgentMade make_agent(const AgentNetwork& network, const std::vector<AgentNetwork>& all,
                      double factor);
@@ -41,7 +42,8 @@ AgentMade make_agent(const AgentNetwork& network, const std::vector<AgentNetwork
 /// The calling process goes into an agent; its working folder is then the root.
 void enter(const AgentSpaces& spaces);
 
-/// Where programs find the page of their agent's room.
+/// Where programs find the page of their agent's room: a link to the descriptor that init has of
+/// it.
 inline constexpr const char* kRoomFile = "/dev/shm/.baraka-room";
 
 }  // namespace gateway::netns

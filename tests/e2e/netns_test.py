@@ -249,6 +249,20 @@ class BackPressure(unittest.TestCase):
         self.assertGreater(took, (6000 - 64) * 1042 * 8 / 5e6)
         self.assertEqual(run.ask("dropped", 0), "0")
 
+    def test_no_program_takes_the_page_from_under_the_run(self):
+        run = Wire(self, agents=2, rate=5e6)
+        page = "/dev/shm/.baraka-room"
+        for attack in (f": > {page}", f"truncate -s 0 {page}", f"truncate -s 1M {page}",
+                       f"dd if=/dev/zero of={page} bs=1 count=1 seek=1M"):
+            with self.subTest(attack):
+                self.assertNotEqual(run.start(0, "sh", "-c", attack).status(), 0)
+                self.assertEqual(len(times(run.run(0, "ping", "-c", 1, "r1"))), 1)
+        # Its name is the agent's own: without it, only nothing is held back there.
+        run.run(0, "rm", page)
+        self.assertEqual(len(times(run.run(0, "ping", "-c", 1, "r1"))), 1)
+        self.assertEqual(len(times(run.run(1, "ping", "-c", 1, "r0"))), 1)
+        self.assertEqual(int(run.ask("loaded", 1)), 1)
+
     def test_a_killed_sender_does_not_block_the_others(self):
         run = Wire(self, agents=2, rate=5e6)
         flood = "import socket\ns = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)\nwhile True: s.sendto(b'x' * 1000, ('r1', 9))"
