@@ -120,7 +120,7 @@ hal::Duration NetworkOfRun::spin() const { return kSpin; }
 void NetworkOfRun::attend(hal::Time now) {
   pollfd ended{.fd = namespaces_->descriptor(), .events = POLLIN, .revents = 0};
   if (::poll(&ended, 1, 0) > 0) take_ended(now);
-  if (programs_.next() && *programs_.next() <= now) programs_.start_due(now, results_());
+  if (programs_.next() && *programs_.next() <= now) programs_.start_next(now, results_());
 }
 
 void NetworkOfRun::take_ended(hal::Time now) {

@@ -57,20 +57,19 @@ std::optional<hal::Time> ProgramsOfRun::next() const {
   return hal::Time{} + planned_[next_].program->start;
 }
 
-void ProgramsOfRun::start_due(hal::Time now, const std::filesystem::path& results) {
-  while (next() && *next() <= now) {
-    const PlannedProgram& planned = planned_[next_++];
-    try {
-      const std::uint32_t number = start_({planned, results});
-      started_.push_back({&planned,
-                          number,
-                          {.agent = planned.agent, .name = planned.program->name, .started = now}});
-    } catch (const std::runtime_error& e) {
-      throw std::runtime_error(fmt::format("{}: programs: '{}' of {}: {}", planned.program->place,
-                                           planned.program->name, planned.agent_name, e.what()));
-    }
-    hal::log::info(now, planned.agent_name, "program {} started", planned.program->name);
+void ProgramsOfRun::start_next(hal::Time now, const std::filesystem::path& results) {
+  if (!next() || *next() > now) return;
+  const PlannedProgram& planned = planned_[next_++];
+  try {
+    const std::uint32_t number = start_({planned, results});
+    started_.push_back({&planned,
+                        number,
+                        {.agent = planned.agent, .name = planned.program->name, .started = now}});
+  } catch (const std::runtime_error& e) {
+    throw std::runtime_error(fmt::format("{}: programs: '{}' of {}: {}", planned.program->place,
+                                         planned.program->name, planned.agent_name, e.what()));
   }
+  hal::log::info(now, planned.agent_name, "program {} started", planned.program->name);
 }
 
 void ProgramsOfRun::on_end(hal::Time now, hal::AgentId agent, std::uint32_t number, int status) {

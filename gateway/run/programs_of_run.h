@@ -46,9 +46,9 @@ class ProgramsOfRun {
   /// When the next is due, simulated time.
   std::optional<hal::Time> next() const;
 
-  /// Starts those that are due.
+  /// Starts one that is due: it takes a millisecond or so of wall time, in which no frame moves.
   /// @throws std::runtime_error  one cannot be started: "file:line:column: programs: 'name' …".
-  void start_due(hal::Time now, const std::filesystem::path& results);
+  void start_next(hal::Time now, const std::filesystem::path& results);
 
   /// A program has ended. @param status  as of waitpid().
   void on_end(hal::Time now, hal::AgentId agent, std::uint32_t number, int status);

@@ -58,17 +58,23 @@ class ProgramsTest : public testing::Test {
   std::vector<std::string> started, ends;
 };
 
+void start_due(ProgramsOfRun& all, Time now) {
+  while (all.next() && *all.next() <= now) all.start_next(now, {});
+}
+
 TEST_F(ProgramsTest, StartWhenTheyAreDueInEachAgent) {
   add("late", 2s, OnExit::kIgnore);
   add("early", 1s, OnExit::kIgnore);
   ProgramsOfRun all = programs();
   EXPECT_EQ(all.next(), Time{1s});
-  all.start_due(Time{999ms}, {});
+  all.start_next(Time{999ms}, {});
   EXPECT_TRUE(started.empty());
-  all.start_due(Time{1s}, {});
+  all.start_next(Time{1s}, {});
+  EXPECT_EQ(started, (std::vector<std::string>{"early of a1"})) << "others after the frames of now";
+  start_due(all, Time{1s});
   EXPECT_EQ(started, (std::vector<std::string>{"early of a1", "early of a2"}));
   EXPECT_EQ(all.next(), Time{2s});
-  all.start_due(Time{5s}, {});
+  start_due(all, Time{5s});
   EXPECT_EQ(started.size(), 4u);
   EXPECT_EQ(all.next(), std::nullopt);
 }
@@ -78,7 +84,7 @@ TEST_F(ProgramsTest, EndTheRunAsTheScenarioSays) {
   add("needed", 0s, OnExit::kFail);
   add("judge", 0s, OnExit::kEnd);
   ProgramsOfRun all = programs();
-  all.start_due(Time{}, {});
+  start_due(all, Time{});
   ASSERT_EQ(started.size(), 6u);  // of a1: 1, 3, 5
   all.on_end(Time{1s}, AgentId{1}, 1, kExit3);
   all.on_end(Time{1s}, AgentId{1}, 3, 0);
@@ -102,7 +108,7 @@ TEST_F(ProgramsTest, OneThatCannotBeStartedIsNamedWithItsPlace) {
   add("missing", 0s, OnExit::kIgnore);
   ProgramsOfRun all = programs();
   try {
-    all.start_due(Time{}, {});
+    start_due(all, Time{});
     FAIL();
   } catch (const std::runtime_error& e) {
     EXPECT_STREQ(e.what(), "x.yaml:1:2: programs: 'missing' of a1: is not there");
