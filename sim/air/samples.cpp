@@ -99,6 +99,16 @@ void Samples::on_lost(const DatagramPart& part, hal::AgentId receiver, hal::Verd
   }
 }
 
+void Samples::Progress::take(const DatagramPart& part, std::uint64_t serial) {
+  const auto [begin, end] = range_of(part, got.size());
+  for (std::uint32_t i = begin; i < end; ++i) {
+    if (got[i]) continue;
+    got[i] = true;
+    --missing;
+    if (first[i] != serial) delivery.is_repaired = true;
+  }
+}
+
 void Samples::on_received(hal::Time at, const Datagram& datagram, const DatagramPart& part,
                           hal::AgentId receiver) {
   Sample* const sample = find(part);
@@ -106,13 +116,7 @@ void Samples::on_received(hal::Time at, const Datagram& datagram, const Datagram
   if (sample == nullptr || !endpoints_.all()[part.writer].known_at.contains(receiver)) return;
   for (Progress& progress : sample->to) {
     if (!is_for(part, receiver, progress.delivery.receiver) || progress.delivery.left) continue;
-    const auto [begin, end] = range_of(part, progress.got.size());
-    for (std::uint32_t i = begin; i < end; ++i) {
-      if (progress.got[i]) continue;
-      progress.got[i] = true;
-      --progress.missing;
-      if (progress.first[i] != datagram.serial) progress.delivery.is_repaired = true;
-    }
+    progress.take(part, datagram.serial);
     if (progress.missing > 0) continue;
     progress.delivery.left = at;
     release(progress);

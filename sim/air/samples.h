@@ -105,6 +105,9 @@ class Samples {
     std::vector<bool> got;
     std::uint32_t missing = 0;
     bool was_sent = false;  ///< Otherwise the writer knows better than we that it is not for it.
+
+    /// Fragments came by the datagram with that serial number.
+    void take(const DatagramPart& part, std::uint64_t serial);
   };
   struct Sample {
     hal::Time last_sent{};
