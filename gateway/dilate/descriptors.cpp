@@ -4,6 +4,7 @@
 #include <sys/select.h>
 
 #include <csignal>
+#include <cstring>
 
 #include "gateway/dilate/converted.h"
 #include "gateway/dilate/exported.h"
@@ -48,21 +49,34 @@ struct Sets {
   fd_set *readable, *writable, *exceptional;
 };
 
+/// What the program has asked for of one of them. Its set may be shorter than an fd_set: it is as
+/// long as the descriptors that it asks for need.
+class Asked {
+ public:
+  Asked(const fd_set* set, int count)
+      : size_(set == nullptr ? 0 : (count + NFDBITS - 1) / NFDBITS * sizeof(fd_mask)) {
+    if (set != nullptr) std::memcpy(&kept_, set, size_);
+  }
+  void restore(fd_set* set) const {
+    if (set != nullptr) std::memcpy(set, &kept_, size_);
+  }
+
+ private:
+  fd_set kept_{};
+  std::size_t size_;
+};
+
 /// pselect(), to which a socket without room is not writable.
 int select_for_room(int count, const Sets& sets, gateway::dilate::Nanoseconds longest,
                     const sigset_t* signals) {
-  const auto copy = [](const fd_set* set) { return set == nullptr ? fd_set{} : *set; };
-  const auto restore = [](fd_set* set, const fd_set& given) {
-    if (set != nullptr) *set = given;
-  };
-  const fd_set readable = copy(sets.readable), writable = copy(sets.writable),
-               exceptional = copy(sets.exceptional);
+  const Asked readable(sets.readable, count), writable(sets.writable, count),
+      exceptional(sets.exceptional, count);
   return gateway::dilate::until_ready(
       longest,
       [&](const timespec* left) {
-        restore(sets.readable, readable);
-        restore(sets.writable, writable);
-        restore(sets.exceptional, exceptional);
+        readable.restore(sets.readable);
+        writable.restore(sets.writable);
+        exceptional.restore(sets.exceptional);
         return BARAKA_NEXT(pselect)(count, sets.readable, sets.writable, sets.exceptional, left,
                                     signals);
       },

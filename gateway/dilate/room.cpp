@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <climits>
 #include <cstdlib>
+#include <utility>
 
 #include "gateway/dilate/converted.h"
 #include "gateway/dilate/intercepted.h"
@@ -41,17 +42,62 @@ class Waiting {
   Waiting& operator=(const Waiting&) = delete;
 };
 
-int wait_for_places(std::uint32_t places, Nanoseconds longest) {
+/// What one datagram has of the places that it needs.
+class Places {
+ public:
+  explicit Places(std::uint32_t fragments) : fragments_(fragments) {}
+  ~Places() {
+    forget_what_was_given_up();
+    page->end_collecting(collector_);
+    if (count_ != 0) return_places(count_, false);
+  }
+  Places(const Places&) = delete;
+  Places& operator=(const Places&) = delete;
+
+  /// @return whether it has all of them now.
+  bool take() {
+    forget_what_was_given_up();
+    const std::uint32_t wanted = page->places_for(fragments_);  // before publish() it is not known
+    if (count_ == 0 && page->reserve(wanted)) {
+      count_ = wanted;
+      return true;
+    }
+    if (wanted <= 1) return false;
+    if (collector_ == 0) collector_ = page->start_collecting();
+    if (collector_ == 0) return false;
+    page->still_collects();
+    if (count_ < wanted) count_ += page->collect(wanted - count_);
+    return count_ >= wanted;
+  }
+  bool is_collecting() const { return collector_ != 0; }
+  /// They are the caller's.
+  std::uint32_t release() { return std::exchange(count_, 0); }
+
+ private:
+  /// If this process was stopped for long.
+  void forget_what_was_given_up() {
+    if (collector_ == 0 || page->is_collecting(collector_)) return;
+    collector_ = 0;
+    count_ = 0;
+  }
+
+  std::uint32_t fragments_, count_ = 0, collector_ = 0;
+};
+
+int wait_for_places(Places& places, Nanoseconds longest) {
+  constexpr Nanoseconds kBeat = 50'000'000;
   const Nanoseconds begin = kernel_time(CLOCK_MONOTONIC);
   for (;;) {
     const std::uint32_t seen = page->change().load();
-    if (page->reserve(places)) return 0;
+    if (places.take()) return 0;
     Nanoseconds left = -1;
     if (longest >= 0) {
       left = longest - (kernel_time(CLOCK_MONOTONIC) - begin);
       if (left <= 0) return EAGAIN;
     }
-    const int error = wait_for_room(seen, left);
+    const bool is_to_beat = places.is_collecting() && (left < 0 || left > kBeat);
+    const int error = wait_for_room(seen, is_to_beat ? kBeat : left);
+    if (error == ETIMEDOUT && is_to_beat) continue;
     if (error == ETIMEDOUT) return EAGAIN;
     if (error != 0) return error;
   }
@@ -84,10 +130,14 @@ int wait_for_room(std::uint32_t seen, Nanoseconds longest) {
   return status == 0 || errno == EAGAIN ? 0 : errno;
 }
 
-int take_places(int socket, std::uint32_t places, int flags) {
+int take_places(int socket, std::uint32_t fragments, int flags, std::uint32_t& places) {
+  places = page->places_for(fragments);
   if (page->reserve(places)) return 0;
   if (!is_blocking(socket, flags)) return EAGAIN;
-  return wait_for_places(places, send_timeout(socket));
+  Places taken(fragments);
+  const int error = wait_for_places(taken, send_timeout(socket));
+  places = error == 0 ? taken.release() : 0;
+  return error;
 }
 
 void return_places(std::uint32_t places, bool is_sent) {

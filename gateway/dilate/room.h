@@ -16,8 +16,10 @@ int wait_for_room(std::uint32_t seen, Nanoseconds longest);
 
 /// Takes places for what a socket is to send, and waits for them as the socket would: for ever, up
 /// to its SO_SNDTIMEO, or not at all.
-/// @param flags  of send(). @return 0, or the error that the call ends with.
-int take_places(int socket, std::uint32_t places, int flags);
+/// @param fragments  at least 1. @param flags  of send().
+/// @param places  how many it took: those of the fragments, or all of the queue if that has fewer.
+/// @return 0, or the error that the call ends with; then it took none.
+int take_places(int socket, std::uint32_t fragments, int flags, std::uint32_t& places);
 
 /// What became of them.
 void return_places(std::uint32_t places, bool is_sent);

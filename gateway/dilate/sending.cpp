@@ -19,17 +19,14 @@ using gateway::dilate::Datagram;
 using gateway::dilate::return_places;
 using gateway::dilate::room;
 
-std::uint32_t places_of(const Datagram& datagram) {
-  return room()->places_for(gateway::dilate::frames_of(datagram));
-}
-
 /// What `call` sends, once there is room for it.
 template <class Call>
 ssize_t send_held_back(const Datagram& datagram, int flags, const Call& call) {
   if (room() == nullptr) return call();
-  const std::uint32_t places = places_of(datagram);
-  if (places == 0) return call();
-  const int error = gateway::dilate::take_places(datagram.socket, places, flags);
+  const std::uint32_t frames = gateway::dilate::frames_of(datagram);
+  if (frames == 0) return call();
+  std::uint32_t places = 0;
+  const int error = gateway::dilate::take_places(datagram.socket, frames, flags, places);
   if (error != 0) {
     errno = error;
     return -1;
@@ -62,11 +59,13 @@ class Batch {
   /// @return 0, or the error of the first.
   int take(int flags) {
     for (; taken_ < count_; ++taken_) {
-      const std::uint32_t places = places_of(datagram_of(socket_, messages_[taken_].msg_hdr));
-      places_[taken_] = places;
+      const std::uint32_t frames =
+          gateway::dilate::frames_of(datagram_of(socket_, messages_[taken_].msg_hdr));
+      std::uint32_t& places = places_[taken_];
+      places = room()->places_for(frames);
       if (places == 0 || room()->reserve(places)) continue;
       if (taken_ > 0) return 0;
-      const int error = gateway::dilate::take_places(socket_, places, flags);
+      const int error = gateway::dilate::take_places(socket_, frames, flags, places);
       if (error != 0) return error;
     }
     return 0;

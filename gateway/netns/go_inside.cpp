@@ -2,17 +2,22 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <grp.h>
+#include <poll.h>
 #include <sched.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
 
 #include "gateway/netns/launch.h"
 #include "gateway/netns/loadable.h"
+#include "gateway/netns/namespaces.h"
 #include "gateway/netns/run_state.h"
 #include "gateway/netns/spaces.h"
 #include "gateway/netns/terminal.h"
@@ -27,7 +32,7 @@ struct Doors {
 
 Doors doors_of(const RunState& run, const RunState::Agent& agent) {
   const auto opened = [&run](const std::string& path) {
-    return open_file(fmt::format("/proc/{}/{}", run.init.number, path), O_RDONLY);
+    return open_file(fmt::format("/proc/{}/{}", run.init.number, path), O_RDONLY | O_NONBLOCK);
   };
   const auto held = [&opened](int descriptor) { return opened(fmt::format("fd/{}", descriptor)); };
   return {opened("ns/user"),
@@ -42,6 +47,24 @@ const RunState::Agent& agent_of(const RunState& run, const std::string& name) {
   for (const RunState::Agent& agent : run.agents) names.push_back(agent.name);
   throw std::runtime_error(
       fmt::format("no agent '{}' with a network: there are {}", name, fmt::join(names, ", ")));
+}
+
+/// Before anything that the run's user has a hand in is opened, loaded or started.
+void become_user_of(const RunState& run) {
+  if (run.user == geteuid()) return;
+  if (setgroups(0, nullptr) != 0 || setresgid(run.group, run.group, run.group) != 0 ||
+      setresuid(run.user, run.user, run.user) != 0) {
+    fail("the user of the run");
+  }
+}
+
+double factor_of(const RunState& run) {
+  double factor = 0;
+  const char* const end = run.dilation.data() + run.dilation.size();
+  if (std::from_chars(run.dilation.data(), end, factor).ec != std::errc{} || !(factor > 0)) {
+    throw std::runtime_error(fmt::format("{}: '{}' is no dilation", kStateFile, run.dilation));
+  }
+  return factor;
 }
 
 /// The process numbers change only for children.
@@ -67,15 +90,19 @@ Launch launch_of(const RunState& run, std::vector<std::string> command) {
   if (command.empty()) command = {shell()};
   const char* const path = std::getenv("PATH");
   const auto program = program_file(command[0], path == nullptr ? "/usr/bin:/bin" : path);
-  require_preloaded(program, std::stod(run.dilation));
+  require_preloaded(program, factor_of(run));
   return {program.string(), std::move(command),
           inside(own_environment(), run.library, run.dilation),
           std::filesystem::current_path().string()};
 }
 
-[[noreturn]] void become_child(const Launch& launch, const Terminal& terminal) {
-  terminal.take();
+/// @param parent  readable once that is gone.
+[[noreturn]] void become_child(const Launch& launch, const Terminal& terminal,
+                               const FileDescriptor& parent) {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
+  pollfd polled{parent.get(), POLLIN, 0};
+  if (poll(&polled, 1, 0) != 0) _exit(EXIT_FAILURE);  // it died before the line above
+  terminal.take();
   // The folder may not be there inside: a file of /dev/shm or /proc.
   if (chdir(launch.folder.c_str()) != 0 && chdir("/") != 0) _exit(126);
   for (const int one : {SIGINT, SIGQUIT, SIGTERM, SIGHUP}) signal(one, SIG_DFL);
@@ -121,13 +148,23 @@ int status_of_end(pid_t child, const Terminal& terminal) {
 int go_inside(const std::filesystem::path& folder, const std::string& agent,
               const std::vector<std::string>& command) {
   const RunState run = RunState::read(folder);
+  become_user_of(run);
   const Launch launch = launch_of(run, command);
-  pass(doors_of(run, agent_of(run, agent)));
+  const Doors doors = doors_of(run, agent_of(run, agent));
+  if (!run.init.is_alive()) throw std::runtime_error("the run has just ended");
+  pass(doors);
   prepare_signals();
   const Terminal terminal;
+  std::array<int, 2> lifeline{};
+  if (pipe2(lifeline.data(), O_CLOEXEC) != 0) fail("a pipe");
+  const FileDescriptor reader(lifeline[0]);
+  FileDescriptor writer(lifeline[1]);
   const pid_t child = fork();
   if (child < 0) fail("a process of the run");  // it has just ended
-  if (child == 0) become_child(launch, terminal);
+  if (child == 0) {
+    writer.reset();
+    become_child(launch, terminal, reader);
+  }
   child_to_tell = child;
   terminal.give_to(child);
   const int status = status_of_end(child, terminal);

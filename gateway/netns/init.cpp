@@ -145,12 +145,19 @@ class Init {
     unsaid_.pop_front();
   }
 
+  /// @return whether some are left.
+  static bool reap_all() {
+    pid_t reaped = 0;
+    while ((reaped = waitpid(-1, nullptr, WNOHANG)) > 0) continue;
+    return reaped == 0;
+  }
+
   void end_programs() {
     constexpr std::chrono::seconds kGrace{2};
     kill(-1, SIGTERM);
     kill(-1, SIGCONT);
     const auto end = std::chrono::steady_clock::now() + kGrace;
-    while (waitpid(-1, nullptr, WNOHANG) >= 0 && std::chrono::steady_clock::now() < end) {
+    while (reap_all() && std::chrono::steady_clock::now() < end) {
       pollfd polled{children_.get(), POLLIN, 0};
       poll(&polled, 1, 50);  // ms
       signalfd_siginfo info{};

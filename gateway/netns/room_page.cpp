@@ -4,6 +4,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <climits>
 #include <ctime>
 
@@ -34,23 +35,34 @@ bool RoomPage::publish(std::uint64_t sent, std::uint32_t room, std::uint32_t cap
       syscall(SYS_futex, &change_, FUTEX_WAKE, INT_MAX, nullptr, nullptr, 0);
     }
   }
-  return reserved > sent && !gives_up(sent);
+  if (reserved <= sent) return false;
+  give_up_the_dead(sent);
+  return true;
 }
 
-/// Whether those in between were given up: they count as sent.
-bool RoomPage::gives_up(std::uint64_t sent) {
+/// Those in between who have not moved for long count as sent; the next publish() tells so.
+void RoomPage::give_up_the_dead(std::uint64_t sent) {
   const std::uint64_t reserved = reserved_.load(std::memory_order_acquire);
+  const std::uint32_t beats = beats_.load(std::memory_order_relaxed);
   const std::int64_t now = monotonic();
   if (reserved != seen_reserved_ || sent != seen_sent_) {
     seen_reserved_ = reserved;
     seen_sent_ = sent;
+    seen_beats_ = beats;
     unmoved_since_ = now;
-    return false;
+    return;
   }
-  if (now - unmoved_since_ < kPatience) return false;
-  // Only if nobody has moved meanwhile; and the next publish() counts them.
-  sent_.compare_exchange_strong(sent, reserved, std::memory_order_acq_rel);
-  return false;
+  if (now - unmoved_since_ < kPatience) return;
+  const bool is_collector_alive = beats != seen_beats_ && collector_.load() != 0;
+  seen_beats_ = beats;
+  unmoved_since_ = now;
+  const std::uint64_t kept =
+      is_collector_alive ? std::min<std::uint64_t>(collected_.load(), reserved - sent) : 0;
+  // Only if nobody has moved meanwhile.
+  if (!sent_.compare_exchange_strong(sent, reserved - kept, std::memory_order_acq_rel)) return;
+  if (is_collector_alive) return;
+  collected_.store(0);
+  collector_.store(0);
 }
 
 }  // namespace gateway::netns

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstdint>
@@ -18,6 +19,12 @@ inline constexpr const char* kRoomVariable = "BARAKA_ROOM";
 ///
 ///   sender  reserve(n)  until reserved + n <= limit     (else waits, or EAGAIN)
 ///           the system call; then finish(n), or give_back(n) if it failed
+///
+/// One that waits for several places at once would wait for ever beside those that need one each:
+/// they take whatever gets free. So one of them at a time, the collector, keeps what it gets:
+///
+///   collector  start_collecting(); collect(m) until it has all n; end_collecting()
+///
 ///   run     S = sent(); drains the TAP until EAGAIN; publish(S, free places of the queue)
 ///
 /// What had been sent before S was read has been drained, and is in the queue or gone; whatever is
@@ -38,6 +45,12 @@ class RoomPage {
   /// Places whose frames are in the TAP, or were read from it. Read before the TAP is drained.
   std::uint64_t sent() const { return sent_.load(std::memory_order_acquire); }
 
+  /// Whether somebody has reserved places and not finished: publish() again soon.
+  /// @param sent  what sent() was before the TAP was drained.
+  bool is_between(std::uint64_t sent) const {
+    return reserved_.load(std::memory_order_acquire) > sent;
+  }
+
   /// Tells the senders that there is room, and wakes those that wait.
   /// @param sent  what sent() was before the TAP was drained.
   /// @param room  free places of the station's queue, frames.
@@ -45,7 +58,7 @@ class RoomPage {
   ///   fragments is let in when all of them are free, and loses what does not fit.
   /// @return whether somebody is in between: publish again within a millisecond (sent() and
   ///   draining anew), even if nothing happens. A sender that was killed there is given up after
-  ///   200 ms.
+  ///   200 ms, a collector only if it has not said still_collects() meanwhile.
   bool publish(std::uint64_t sent, std::uint32_t room, std::uint32_t capacity);
 
   /// Programs that have loaded the library since the run began.
@@ -73,6 +86,18 @@ class RoomPage {
     }
     return false;
   }
+
+  /// @return what tells this collector from others; 0: there is one already.
+  std::uint32_t start_collecting();
+  /// Whether it is not given up. If it is, its places count as sent.
+  bool is_collecting(std::uint32_t collector) const { return collector_.load() == collector; }
+  /// Takes free places. @return how many, up to `most`. @pre is_collecting()
+  std::uint32_t collect(std::uint32_t most);
+  /// At least every 100 ms while it waits.
+  void still_collects() { beats_.fetch_add(1, std::memory_order_relaxed); }
+  /// Its places are then like those of reserve().
+  void end_collecting(std::uint32_t collector);
+
   /// The frames are in the TAP.
   void finish(std::uint32_t places) { sent_.fetch_add(places, std::memory_order_release); }
   /// They never will be. Whoever waits is to be woken: change().
@@ -96,15 +121,44 @@ class RoomPage {
   /// @}
 
  private:
-  bool gives_up(std::uint64_t sent);
+  void give_up_the_dead(std::uint64_t sent);
 
   std::atomic<std::uint64_t> reserved_ = 0, sent_ = 0, limit_ = 0;
+  /// Places of the collector; which it is, 0: none; how many there were; signs of its life.
+  std::atomic<std::uint32_t> collected_ = 0, collector_ = 0, collectors_ = 0, beats_ = 0;
   std::atomic<std::uint32_t> capacity_ = 0, change_ = 0, waiting_ = 0, loaded_ = 0;
   Interface interface_;
   // Of publish(): since when nothing has moved.
   std::uint64_t seen_reserved_ = 0, seen_sent_ = 0;
+  std::uint32_t seen_beats_ = 0;
   std::int64_t unmoved_since_ = 0;  ///< CLOCK_MONOTONIC, ns.
 };
+
+inline std::uint32_t RoomPage::start_collecting() {
+  std::uint32_t nobody = 0;
+  std::uint32_t collector = collectors_.fetch_add(1) + 1;
+  if (collector == 0) collector = collectors_.fetch_add(1) + 1;
+  return collector_.compare_exchange_strong(nobody, collector) ? collector : 0;
+}
+
+inline std::uint32_t RoomPage::collect(std::uint32_t most) {
+  std::uint64_t reserved = reserved_.load(std::memory_order_relaxed);
+  for (;;) {
+    const std::uint64_t limit = limit_.load(std::memory_order_acquire);
+    if (reserved >= limit) return 0;
+    const auto taken = static_cast<std::uint32_t>(std::min<std::uint64_t>(most, limit - reserved));
+    if (reserved_.compare_exchange_weak(reserved, reserved + taken, std::memory_order_acq_rel)) {
+      collected_.fetch_add(taken);
+      return taken;
+    }
+  }
+}
+
+inline void RoomPage::end_collecting(std::uint32_t collector) {
+  if (!is_collecting(collector)) return;
+  collected_.store(0);
+  collector_.compare_exchange_strong(collector, 0);
+}
 
 static_assert(std::atomic<std::uint64_t>::is_always_lock_free, "shared between processes");
 

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <fstream>
 #include <sstream>
@@ -40,6 +41,39 @@ void read_line(RunState& state, const std::string& key, std::istringstream& rest
   state.agents.push_back(std::move(agent));
 }
 
+[[noreturn]] void fail_of_no_run(const std::filesystem::path& folder) {
+  throw std::runtime_error(
+      fmt::format("{}: no run with programs on the air is under way there", folder.string()));
+}
+
+/// It names a library to load and processes to follow: who writes it decides what is run.
+void require_trusted(const std::filesystem::path& path, const struct stat& status) {
+  const char* why = nullptr;
+  if (!S_ISREG(status.st_mode)) why = "is no file";
+  if (geteuid() != 0 && status.st_uid != geteuid()) why = "belongs to another user";
+  if ((status.st_mode & (S_IWGRP | S_IWOTH)) != 0) why = "may be written by others";
+  if (why != nullptr) {
+    throw std::runtime_error(fmt::format("{} {}: it is not trusted", path.string(), why));
+  }
+}
+
+std::string content_of(const FileDescriptor& file) {
+  constexpr std::size_t kLongestState = 1 << 20;
+  std::string content;
+  std::array<char, 4096> part{};
+  ssize_t length = 0;
+  while (content.size() < kLongestState && (length = read(file.get(), part.data(), part.size())) > 0) {
+    content.append(part.data(), static_cast<std::size_t>(length));
+  }
+  return content;
+}
+
+/// Whether this user's file is there.
+bool is_of_user(const std::filesystem::path& file) {
+  struct stat status {};
+  return lstat(file.c_str(), &status) == 0 && S_ISREG(status.st_mode) && status.st_uid == geteuid();
+}
+
 }  // namespace
 
 Process Process::of(pid_t number) {
@@ -66,8 +100,9 @@ void RunState::write(const FileDescriptor& folder) const {
     text += fmt::format("agent {} {} {} {} {}\n", agent.network, agent.mount, agent.host, agent.ipc,
                         agent.name);
   }
+  unlinkat(folder.get(), kStateFile, 0);
   const FileDescriptor file(
-      openat(folder.get(), kStateFile, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
+      openat(folder.get(), kStateFile, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0644));
   if (!file.is_open() ||
       ::write(file.get(), text.data(), text.size()) != static_cast<ssize_t>(text.size())) {
     fail(fmt::format("{} in the results folder", kStateFile));
@@ -75,18 +110,31 @@ void RunState::write(const FileDescriptor& folder) const {
 }
 
 RunState RunState::read(const std::filesystem::path& folder) {
-  std::ifstream in(folder / kStateFile);
+  const std::filesystem::path path = folder / kStateFile;
+  // Not to wait for a pipe, nor to be led elsewhere.
+  const FileDescriptor file(open(path.c_str(), O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+  struct stat status {};
+  if (!file.is_open() && errno == ENOENT) fail_of_no_run(folder);
+  if (!file.is_open() || fstat(file.get(), &status) != 0) fail(path.string());
+  require_trusted(path, status);
   RunState state;
+  std::istringstream in(content_of(file));
   for (std::string line; std::getline(in, line);) {
     std::istringstream rest(line);
     std::string key;
     rest >> key;
     read_line(state, key, rest);
   }
-  if (state.agents.empty() || !state.init.is_alive()) {
+  if (state.agents.empty() || !state.init.is_alive()) fail_of_no_run(folder);
+  struct stat init {};
+  if (stat(fmt::format("/proc/{}", state.init.number).c_str(), &init) != 0) fail_of_no_run(folder);
+  if (init.st_uid != status.st_uid) {
     throw std::runtime_error(
-        fmt::format("{}: no run with programs on the air is under way there", folder.string()));
+        fmt::format("{} belongs to user {}, but the process that it names to user {}",
+                    path.string(), status.st_uid, init.st_uid));
   }
+  state.user = init.st_uid;
+  state.group = init.st_gid;
   return state;
 }
 
@@ -97,7 +145,7 @@ std::vector<std::filesystem::path> running_runs() {
     if (!is_holder_of_user(process.path())) continue;
     // Its working folder, under whatever name that has by now.
     const auto folder = std::filesystem::read_symlink(process.path() / "cwd", error);
-    if (!error && std::filesystem::exists(folder / kStateFile, error)) folders.push_back(folder);
+    if (!error && is_of_user(folder / kStateFile)) folders.push_back(folder);
   }
   std::ranges::sort(folders);
   return folders;

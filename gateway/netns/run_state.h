@@ -36,7 +36,12 @@ struct RunState {
 
   /// @throws std::runtime_error
   void write(const FileDescriptor& folder) const;
-  /// @throws std::runtime_error  there is no such file, or it is none.
+  uid_t user = 0;   ///< Who runs it, as read(): owns both the file and init.
+  gid_t group = 0;  ///< Of init, as read().
+
+  /// What it says is trusted only as far as `user` is: whoever goes inside is that user first.
+  /// @throws std::runtime_error  there is no such file, or it is none; it is another user's and
+  ///   this one is not root; others may write to it.
   static RunState read(const std::filesystem::path& folder);
 };
 

@@ -1,11 +1,9 @@
 #include "gateway/run/air_port.h"
 
 #include <fmt/format.h>
-#include <sys/epoll.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <limits>
@@ -32,7 +30,10 @@ std::uint32_t clamped(std::size_t frames) {
 }  // namespace
 
 AirPort::AirPort(const std::vector<Tap>& taps, RealTimeClock& clock)
-    : clock_(clock), epoll_(::epoll_create1(EPOLL_CLOEXEC)), buffer_(kBuffer) {
+    : clock_(clock),
+      epoll_(::epoll_create1(EPOLL_CLOEXEC)),
+      buffer_(kBuffer),
+      events_(std::max<std::size_t>(1, taps.size())) {
   if (epoll_ < 0) fail("the agents' interfaces");
   for (const Tap& tap : taps) ports_.push_back({.tap = tap});
   std::ranges::sort(ports_, {}, [](const Port& port) { return port.tap.agent; });
@@ -66,9 +67,12 @@ void AirPort::on_frame(hal::AgentId agent, hal::Time, std::span<const std::uint8
 
 void AirPort::on_room(hal::AgentId agent, const Room& room) {
   Port& port = port_of(agent);
+  if (port.tap.room == nullptr) return;
   const bool has_changed =
       !port.is_told || port.sent != port.told_sent || room.free != port.told_room;
-  if (port.tap.room == nullptr || (!has_changed && !port.is_one_sending)) return;
+  // Also one that has only begun: it may have been killed since.
+  const bool is_one_sending = port.is_one_sending || port.tap.room->is_between(port.sent);
+  if (!has_changed && !is_one_sending) return;
   port.is_one_sending = port.tap.room->publish(port.sent, clamped(room.free),
                                                std::max<std::uint32_t>(1, clamped(room.capacity)));
   port.told_sent = port.sent;
@@ -86,39 +90,42 @@ void AirPort::after_wait() {
   if (const auto woken = watch_.woken()) nothing_until_ = clock_.wall().now() - *woken;
 }
 
+/// In turns, so that one that sends without end does not keep the others from theirs.
 void AirPort::read(std::size_t most, const std::function<void(sim::air::SentFrame)>& take) {
-  bool are_all = false;
-  while (!are_all && most > 0) {
-    are_all = look();
-    for (const std::size_t i : ready_) most -= read(ports_[i], most, take);
+  constexpr std::size_t kMostOfOne = 64;
+  look();
+  while (!ready_.empty() && most > 0) {
+    const std::size_t share = std::clamp<std::size_t>(most / ready_.size(), 1, kMostOfOne);
+    std::erase_if(ready_, [&](std::size_t i) {
+      const std::size_t wanted = std::min(share, most);
+      const std::size_t count = read(ports_[i], wanted, take);
+      most -= count;
+      return count < wanted;
+    });
   }
 }
 
-/// Sees which TAPs have something. @return whether these are all that have.
-bool AirPort::look() {
-  constexpr int kEvents = 64;
-  std::array<epoll_event, kEvents> events{};
+/// Sees which TAPs have something.
+void AirPort::look() {
   const hal::Time now = clock_.wall().now();
   for (Port& port : ports_) {
     port.sent_before = port.tap.room ? port.tap.room->sent() : 0;
     port.is_ready = false;
   }
-  const int count = ::epoll_wait(epoll_, events.data(), kEvents, 0);
-  if (count < 0 && errno != EINTR) fail("the agents' interfaces");
   ready_.clear();
-  for (const epoll_event& event :
-       std::span(events).first(static_cast<std::size_t>(std::max(count, 0)))) {
+  const int count = ::epoll_wait(epoll_, events_.data(), static_cast<int>(events_.size()), 0);
+  if (count < 0 && errno != EINTR) fail("the agents' interfaces");
+  if (count < 0) return;
+  for (const epoll_event& event : std::span(events_).first(static_cast<std::size_t>(count))) {
     ports_[event.data.u64].is_ready = true;
     ready_.push_back(event.data.u64);
   }
   std::ranges::sort(ready_);  // by address
-  const bool are_all = count >= 0 && count < kEvents;
   for (Port& port : ports_) {
-    if (!are_all || port.is_ready) continue;
+    if (port.is_ready) continue;
     port.empty_at = now;
     port.sent = port.sent_before;
   }
-  return are_all || count < 0;
 }
 
 std::size_t AirPort::read(Port& port, std::size_t most,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <sys/epoll.h>
+
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -61,7 +63,7 @@ class AirPort final : public sim::air::FrameSink, public sim::air::FrameSource {
   };
 
   Port& port_of(hal::AgentId agent);
-  bool look();
+  void look();
   std::size_t read(Port& port, std::size_t most,
                    const std::function<void(sim::air::SentFrame)>& take);
 
@@ -72,7 +74,8 @@ class AirPort final : public sim::air::FrameSink, public sim::air::FrameSource {
   int epoll_;
   std::uint64_t not_taken_ = 0;
   std::vector<std::uint8_t> buffer_;
-  std::vector<std::size_t> ready_;  ///< Indices of ports with something to read.
+  std::vector<epoll_event> events_;  ///< One for each port.
+  std::vector<std::size_t> ready_;   ///< Indices of ports with something to read.
 };
 
 }  // namespace gateway

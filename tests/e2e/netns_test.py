@@ -249,6 +249,16 @@ class BackPressure(unittest.TestCase):
         self.assertGreater(took, (6000 - 64) * 1042 * 8 / 5e6)
         self.assertEqual(run.ask("dropped", 0), "0")
 
+    def test_large_datagrams_go_out_between_small_ones(self):
+        """60 kB are 41 frames, more than the queue of 20 ever has; the small ones take each place that gets free."""
+        run = Wire(self, agents=2, rate=5e6, options=["--queue", 20])
+        sender = ("import socket\ns = socket.socket(socket.AF_INET, socket.SOCK_DGRAM)\nprint('begins', flush=True)\n"
+                  "for _ in range({count}): s.sendto(b'x' * {size}, ('r1', 9))")
+        small = [run.start(0, PYTHON, "-c", sender.format(count=10**9, size=200)) for _ in range(4)]
+        for one in small:
+            one.says("begins")
+        self.assertEqual(run.run(0, PYTHON, "-c", sender.format(count=3, size=60_000)), "begins\n")
+
     def test_no_program_takes_the_page_from_under_the_run(self):
         run = Wire(self, agents=2, rate=5e6)
         page = "/dev/shm/.baraka-room"
@@ -318,6 +328,45 @@ class Exec(unittest.TestCase):
         self.assertEqual(which.returncode, 2)
         self.assertIn(f"--run {first.folder}", which.stderr)
         self.assertIn(f"--run {second.folder}", which.stderr)
+
+    def refusal(self, run):
+        done = self.exec("r0", "--run", run.folder, "--", "true")
+        self.assertEqual(done.returncode, 1, done.stderr)
+        return done.stderr
+
+    def test_trusts_no_file_that_others_may_have_written(self):
+        run = Wire(self)
+        state = run.folder / "namespaces.txt"
+        state.chmod(0o666)
+        self.assertIn("may be written by others", self.refusal(run))
+        state.chmod(0o644)
+        state.rename(run.folder / "moved")
+        state.symlink_to("moved")
+        self.assertIn("namespaces.txt: Too many levels of symbolic links", self.refusal(run))
+        state.unlink()
+        os.mkfifo(state)
+        self.assertIn("is no file", self.refusal(run))
+        state.unlink()
+        state.write_text((run.folder / "moved").read_text().replace("dilation ", "dilation x"))
+        self.assertRegex(self.refusal(run), "'x.*' is no dilation")
+
+    @unittest.skipUnless(os.geteuid() == 0, "needs root, and a user")
+    def test_root_goes_into_another_users_run_as_that_user_and_loads_nothing_of_theirs_before(self):
+        run = Wire(self, user=True, factor=0.5)
+        done = self.exec("r1", "--run", run.folder, "--", "sh", "-c",
+                         f"hostname; id -u; touch {run.folder}/mine; cat /proc/self/status")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue(done.stdout.startswith("r1\n0\n"), done.stdout)
+        self.assertRegex(done.stdout, r"Groups:\s*(65534 ?)*\n")
+        self.assertEqual((run.folder / "mine").stat().st_uid, wire.USER)
+        self.assertNotIn(str(run.folder), self.exec("r0", "--", "none-of-that").stderr, "not root's own")
+
+    @unittest.skipUnless(os.geteuid() == 0, "needs root, and a user")
+    def test_a_users_file_does_not_lead_root_into_roots_processes(self):
+        run = Wire(self)
+        state = run.folder / "namespaces.txt"
+        os.chown(state, wire.USER, wire.USER)
+        self.assertRegex(self.refusal(run), "belongs to user 65534, but the process that it names to user 0")
 
     def test_a_run_is_found_under_its_new_name(self):
         run = Wire(self)

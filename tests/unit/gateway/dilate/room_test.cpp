@@ -4,14 +4,19 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <poll.h>
+#include <sys/mman.h>
 #include <sys/select.h>
 #include <sys/uio.h>
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <cerrno>
+#include <chrono>
 #include <functional>
+#include <new>
 #include <string>
+#include <thread>
 
 #include "gateway/dilate/datagram.h"
 #include "tests/unit/gateway/dilate/recorder/recorder.h"
@@ -192,6 +197,84 @@ TEST_F(Room, IsWaitedForAsLongAsTheSocketSays) {
   EXPECT_GT(calls[0].times[0], 1'000'000'000);
 }
 
+/// A datagram that waits for its places in a thread of its own.
+class Waiter {
+ public:
+  Waiter(int socket, std::uint32_t fragments)
+      : thread_([this, socket, fragments] {
+          error_ = take_places(socket, fragments, 0, places_);
+          has_ended_ = true;
+        }) {
+    wait_until([] { return room()->waiting().load() != 0; });
+  }
+
+  /// Looks for so long that only a hang fails; what hangs is then let go.
+  template <class Condition>
+  static void wait_until(const Condition& is_so) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(30);
+    while (!is_so() && std::chrono::steady_clock::now() < end) std::this_thread::yield();
+    EXPECT_TRUE(is_so());
+    if (!is_so()) room()->publish(room()->sent(), 1'000'000, 1'000'000);
+  }
+  bool has_ended() const { return has_ended_; }
+  /// Its places.
+  std::uint32_t get() {
+    wait_until([this] { return has_ended(); });
+    thread_.join();
+    EXPECT_EQ(error_, 0);
+    return places_;
+  }
+
+ private:
+  std::uint32_t places_ = 0;
+  int error_ = -1;
+  std::atomic<bool> has_ended_ = false;
+  std::thread thread_;
+};
+
+// Without a collector whoever needs one place takes each as it gets free.
+TEST_F(Room, IsKeptPieceByPieceForALargeDatagram) {
+  leave(0);
+  const std::uint64_t sent = room()->sent();
+  Waiter large(udp_, 5);
+  for (std::uint32_t free = 1; free <= 5; ++free) {
+    EXPECT_FALSE(large.has_ended());
+    room()->publish(sent, free, kPlenty);
+    Waiter::wait_until([] { return !room()->has_room(1); });
+  }
+  EXPECT_EQ(large.get(), 5);
+  room()->finish(5);
+}
+
+TEST_F(Room, IsKeptForOneAtATimeAndGivenBackAtTheEndOfItsTime) {
+  leave(0);
+  const std::uint64_t sent = room()->sent();
+  Waiter first(udp_, 3);
+  room()->publish(sent, 1, kPlenty);
+  Waiter::wait_until([] { return !room()->has_room(1); });
+  const timeval soon{0, 1000};
+  ASSERT_EQ(setsockopt(udp6_, SOL_SOCKET, SO_SNDTIMEO, &soon, sizeof soon), 0);
+  std::uint32_t places = 0;
+  EXPECT_EQ(take_places(udp6_, 3, 0, places), EAGAIN);
+  EXPECT_EQ(places, 0);
+  room()->publish(sent, 3, kPlenty);
+  EXPECT_EQ(first.get(), 3);
+  room()->finish(3);
+  // Now alone, it collects, and has nothing of it when its time is over.
+  leave(2);
+  EXPECT_EQ(take_places(udp6_, 3, 0, places), EAGAIN);
+  EXPECT_TRUE(room()->has_room(2));
+}
+
+// Before the run has published, nobody knows how many places there are at all.
+TEST_F(Room, IsAllOfTheQueueForADatagramThatWaitsSinceBeforeTheFirstPublish) {
+  new (room()) netns::RoomPage;
+  Waiter large(udp_, 45);
+  room()->publish(0, 20, 20);
+  EXPECT_EQ(large.get(), 20);
+  room()->finish(20);
+}
+
 TEST_F(Room, LetsThroughAsManyMessagesAsFit) {
   sockaddr_in where = to("10.77.0.2");
   iovec part{bytes_.data(), 2000};  // two fragments
@@ -228,11 +311,12 @@ TEST_F(Room, IsTakenByAllCallsThatSend) {
   EXPECT_EQ(taken([&] { sendmsg(udp_, &message, 0); }), (Taken{1, 1}));
   room()->set_interface({kOwnAddress, 1500, {}, {}});
   const int connected = socket(AF_INET, SOCK_DGRAM, 0);
-  if (connect(connected, reinterpret_cast<const sockaddr*>(&other), sizeof other) == 0) {
-    EXPECT_EQ(taken([&] { send(connected, "x", 1, 0); }), (Taken{1, 1}));
-    EXPECT_EQ(taken([&] { static_cast<void>(!write(connected, "x", 1)); }), (Taken{1, 1}));
-    EXPECT_EQ(taken([&] { static_cast<void>(!writev(connected, &part, 1)); }), (Taken{1, 1}));
-  }
+  // By name of the interface, so that it takes no route there.
+  ASSERT_EQ(setsockopt(connected, SOL_SOCKET, SO_BINDTODEVICE, "lo", 3), 0);
+  ASSERT_EQ(connect(connected, reinterpret_cast<const sockaddr*>(&other), sizeof other), 0);
+  EXPECT_EQ(taken([&] { send(connected, "x", 1, 0); }), (Taken{1, 1}));
+  EXPECT_EQ(taken([&] { static_cast<void>(!write(connected, "x", 1)); }), (Taken{1, 1}));
+  EXPECT_EQ(taken([&] { static_cast<void>(!writev(connected, &part, 1)); }), (Taken{1, 1}));
   close(connected);
 }
 
@@ -256,6 +340,28 @@ TEST_F(Room, ThatIsNoneMakesSocketsUnwritable) {
   EXPECT_EQ(polled(0), std::pair(0, 0));
   EXPECT_EQ(polled(1), std::pair(0, 0));
   EXPECT_EQ(selected(), std::pair(0, false));
+}
+
+/// POSIX allows sets that end with the word of the last descriptor: this one ends where memory
+/// does.
+TEST_F(Room, IsWaitedForInSetsThatAreShorterThanAnFdSet) {
+  const auto page = static_cast<std::size_t>(sysconf(_SC_PAGESIZE));
+  void* const memory =
+      mmap(nullptr, 2 * page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  ASSERT_NE(memory, MAP_FAILED);
+  ASSERT_EQ(mprotect(static_cast<char*>(memory) + page, page, PROT_NONE), 0);
+  ASSERT_LT(udp_, NFDBITS);
+  auto* const word = reinterpret_cast<fd_mask*>(static_cast<char*>(memory) + page) - 1;
+  timeval timeout{0, 1000};
+  leave(0);
+  *word = fd_mask{1} << udp_;
+  EXPECT_EQ(select(udp_ + 1, nullptr, reinterpret_cast<fd_set*>(word), nullptr, &timeout), 0);
+  EXPECT_EQ(*word, 0);
+  leave(1);
+  *word = fd_mask{1} << udp_;
+  EXPECT_EQ(select(udp_ + 1, nullptr, reinterpret_cast<fd_set*>(word), nullptr, &timeout), 1);
+  EXPECT_EQ(*word, fd_mask{1} << udp_);
+  munmap(memory, 2 * page);
 }
 
 }  // namespace

@@ -62,6 +62,33 @@ TEST(RoomPage, GivesUpASenderThatWasKilledInBetween) {
   EXPECT_FALSE(page.reserve(1));
 }
 
+// A collector waits for more than 200 ms where the air is slow: one that says so is not given up,
+// but a sender beside it that was killed is.
+TEST(RoomPage, GivesUpWhoeverIsSilentBesideACollector) {
+  RoomPage page;
+  page.publish(0, 4, 10);
+  ASSERT_TRUE(page.reserve(1));  // and no more is heard of it
+  const std::uint32_t collector = page.start_collecting();
+  ASSERT_NE(collector, 0);
+  EXPECT_EQ(page.start_collecting(), 0) << "one at a time";
+  EXPECT_EQ(page.collect(10), 3);
+  while (page.sent() == 0) {
+    page.still_collects();
+    EXPECT_TRUE(page.publish(page.sent(), 4, 10));
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_EQ(page.sent(), 1);
+  EXPECT_TRUE(page.is_collecting(collector));
+  page.publish(page.sent(), 4, 10);
+  EXPECT_EQ(page.collect(10), 1);
+  // Silent, it goes too, and another one may collect.
+  while (page.publish(page.sent(), 4, 10))
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  EXPECT_FALSE(page.is_collecting(collector));
+  EXPECT_EQ(page.sent(), 5);
+  EXPECT_NE(page.start_collecting(), 0);
+}
+
 // Each sender reserves, "sends" and finishes; the run drains and publishes. Never is there more in
 // the queue than it holds.
 TEST(RoomPage, KeepsManySendersWithinTheQueue) {

@@ -5,7 +5,9 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <stdexcept>
+#include <thread>
 
 #include "tests/support/fake_clock.h"
 #include "tests/support/printers.h"
@@ -82,12 +84,14 @@ TEST_F(AirPortTest, ReadsFramesWithoutWaitingAndNoMoreThanItIsTold) {
   for (const Bytes& bytes : {Bytes{1}, Bytes{2}, Bytes{3}}) a.send(bytes);
   b.send({9, 9});
   EXPECT_TRUE(is_readable());
-  EXPECT_EQ(read(2).size(), 2u);
+  const auto first = read(2);
+  ASSERT_EQ(first.size(), 2u);
+  EXPECT_EQ(first[0].agent, kA);
+  EXPECT_EQ(first[1].agent, kB);
   const auto rest = read();
   ASSERT_EQ(rest.size(), 2u);
-  EXPECT_EQ(rest[0].agent, kA);
-  EXPECT_EQ(rest[0].ethernet, Bytes{3});
-  EXPECT_EQ(rest[1].agent, kB);
+  EXPECT_EQ(rest[0].ethernet, Bytes{2});
+  EXPECT_EQ(rest[1].ethernet, Bytes{3});
   EXPECT_FALSE(is_readable());
 }
 
@@ -139,6 +143,39 @@ TEST_F(AirPortTest, LooksAgainWhileASenderIsBetweenItsTwoSteps) {
   port.on_room(kA, {.free = 1, .capacity = 2});
   EXPECT_FALSE(port.is_one_sending());
   EXPECT_TRUE(room_a.reserve(1));
+}
+
+/// Nothing else happens: no frame comes, and the room of the queue stays what it was.
+TEST_F(AirPortTest, GivesUpASenderThatWasKilledBeforeItSentAnything) {
+  const auto look = [this] {
+    (void)read();
+    port.on_room(kA, {.free = 2, .capacity = 2});
+  };
+  look();
+  look();
+  ASSERT_TRUE(room_a.reserve(2));  // and no more is heard of it
+  look();
+  EXPECT_TRUE(port.is_one_sending());
+  for (int i = 0; i < 10'000 && port.is_one_sending(); ++i) {
+    look();
+    std::this_thread::sleep_for(1ms);
+  }
+  EXPECT_FALSE(port.is_one_sending());
+  EXPECT_TRUE(room_a.reserve(2));
+}
+
+TEST_F(AirPortTest, AnAgentThatSendsWithoutEndLeavesTheOthersTheirShare) {
+  for (int i = 0; i < 150; ++i) a.send({1});
+  for (std::uint8_t i = 1; i <= 3; ++i) b.send({9, i});
+  auto frames = read(40);
+  EXPECT_EQ(std::ranges::count(frames, kB, &sim::air::SentFrame::agent), 3);
+  EXPECT_EQ(frames.size(), 40u) << "what the others leave is a's";
+  b.send({9, 4});
+  frames = read(100);
+  EXPECT_EQ(frames.size(), 100u);
+  EXPECT_EQ(std::ranges::count(frames, kB, &sim::air::SentFrame::agent), 1);
+  EXPECT_EQ(read().size(), 150u + 4u - 140u);
+  EXPECT_FALSE(is_readable());
 }
 
 }  // namespace
