@@ -86,13 +86,22 @@ void AirAccounts::cut(const Content& content, hal::Duration airtime, Shares& sha
   }
 }
 
+/// In the order in which they come: an account takes room for receivers, not for addresses.
+std::size_t AirAccounts::number_of(hal::AgentId receiver) {
+  if (receiver.value >= numbers_.size()) numbers_.resize(receiver.value + std::size_t{1});
+  std::uint32_t& number = numbers_[receiver.value];
+  if (number == 0) number = ++receivers_;
+  return number - 1;
+}
+
 void AirAccounts::add_end(const Content& content, const Shares& shares, hal::AgentId receiver,
                           bool addressed, hal::Verdict verdict) {
   const std::size_t main = content.main();
+  const std::size_t number = number_of(receiver);
   for (std::size_t i = 0; i < shares.size(); ++i) {
     auto& at = all_[shares[i].account].at;
-    if (receiver.value >= at.size()) at.resize(receiver.value + std::size_t{1});
-    auto& ends = at[receiver.value];
+    if (number >= at.size()) at.resize(number + 1);
+    auto& ends = at[number];
     if (!ends) ends = std::make_unique<AirAccount::Ends>(AirAccount::Ends{.receiver = receiver});
     AirEnds& end = ends->ends[addressed ? 1 : 0][static_cast<std::size_t>(verdict)];
     note(ends->changed);

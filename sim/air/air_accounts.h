@@ -39,7 +39,7 @@ struct AirAccount {
     std::array<std::array<AirEnds, hal::kVerdictCount>, 2> ends{};
     bool changed = false;
   };
-  std::vector<std::unique_ptr<Ends>> at{};  ///< By receiver's address.
+  std::vector<std::unique_ptr<Ends>> at{};  ///< By the receiver's number; null: nothing.
 };
 
 /// One writer's share, by kind of submessage and transmitter.
@@ -94,6 +94,7 @@ class AirAccounts {
  private:
   using Key = std::pair<hal::AgentId, AirKind>;
 
+  std::size_t number_of(hal::AgentId receiver);
   void note(bool& changed) {
     changes_ += changed ? 0 : 1;
     changed = true;
@@ -102,6 +103,8 @@ class AirAccounts {
   std::vector<AirAccount> all_;
   std::vector<WriterAccount> writers_;
   std::uint64_t changes_ = 0;
+  std::vector<std::uint32_t> numbers_;  ///< Of receivers, by address; 0: not heard of.
+  std::uint32_t receivers_ = 0;         ///< That have a number: from 1 on.
   std::map<Key, std::uint32_t> places_;
   std::map<std::pair<EndpointIndex, Key>, std::uint32_t> writer_places_;
 };

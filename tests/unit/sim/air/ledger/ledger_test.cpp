@@ -156,6 +156,22 @@ TEST(Contents, ThatAreHeldForLongKeepNoOthers) {
   EXPECT_LE(contents.kept(), 100U);
 }
 
+TEST(AirAccounts, KeepWhatEndedAtEachReceiverHoweverLargeItsAddress) {
+  AirAccounts accounts;
+  const Content content{.pieces = {piece(10)}};
+  AirAccounts::Shares shares;
+  accounts.open(content, AgentId{1}, shares);
+  for (const int receiver : {65'000, 3, 65'000, 2})
+    accounts.add_end(content, shares, AgentId{static_cast<std::uint16_t>(receiver)}, true,
+                     hal::Verdict::kDelivered);
+  std::string text;
+  for (const auto& at : accounts.all()[0].at) {
+    const AirEnds& end = at->ends[1][static_cast<std::size_t>(hal::Verdict::kDelivered)];
+    text += std::to_string(at->receiver.value) + ": " + std::to_string(end.frames) + "; ";
+  }
+  EXPECT_EQ(text, "65000: 2; 3: 1; 2: 1; ") << "and no room for others";
+}
+
 std::size_t below(hal::RandomStream& random, std::size_t bound) {
   return random.below(static_cast<std::uint32_t>(bound));
 }
