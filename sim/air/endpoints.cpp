@@ -10,18 +10,18 @@ using hal::rtps::DiscoveredEndpoint;
 using hal::rtps::Guid;
 
 constexpr std::uint32_t kReliable = 2;
-constexpr std::size_t kMostPartitions = 64;
 
 std::vector<std::string> to_partitions(const DiscoveredEndpoint& told) {
   std::vector<std::string> names;
   hal::rtps::Cursor cursor(told.partitions, told.endianness);
-  const std::size_t count = std::min<std::size_t>(cursor.u32(), kMostPartitions);
+  const std::size_t count = std::min<std::size_t>(cursor.u32(), Endpoints::kMostPartitions);
   for (std::size_t i = 0; i < count && !cursor.is_short(); ++i) {
     const std::uint32_t length = cursor.u32();
     const hal::rtps::Octets text = cursor.take(length);
     cursor.take(std::min<std::size_t>((4 - length % 4) % 4, cursor.left()));
     if (text.empty()) continue;
-    names.emplace_back(reinterpret_cast<const char*>(text.data()), text.size() - 1);
+    const std::size_t size = std::min(text.size() - 1, Endpoints::kLongestName);
+    names.emplace_back(reinterpret_cast<const char*>(text.data()), size);
   }
   return names;
 }

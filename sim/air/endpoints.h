@@ -35,11 +35,12 @@ struct Endpoint {
 /// The endpoints that were seen on the air, their topics, and which of them exchange samples.
 ///
 /// Whoever sends garbage can name as many as there are GUIDs: of those beyond kMost, and of names
-/// beyond kMostTopics, nothing is known.
+/// beyond kMostTopics, nothing is known. Names are cut.
 class Endpoints {
  public:
   static constexpr std::size_t kMost = 1U << 16U, kMostTopics = 1U << 12U;
-  static constexpr std::size_t kLongestName = 256;
+  static constexpr std::size_t kLongestName = 256;    ///< Octets: the rest of it is not kept.
+  static constexpr std::size_t kMostPartitions = 16;  ///< Of an endpoint: of more the first.
 
   Endpoints();
 
@@ -58,8 +59,8 @@ class Endpoints {
   /// nobody listens to it.
   void reach(EndpointIndex endpoint, EndpointIndex told_by, hal::AgentId agent);
 
-  /// Agents other than the writer's with a reader that it sends its samples to: same topic and type,
-  /// neither offers less than the other asks for (reliability and durability), a partition in
+  /// Agents other than the writer's with a reader that it sends its samples to: same topic and
+  /// type, neither offers less than the other asks for (reliability and durability), a partition in
   /// common by name, and what discovery told of the reader has arrived at the writer's agent; of a
   /// pair that is not reliable, also the other way round.
   std::vector<hal::AgentId> readers_of(EndpointIndex writer) const;
