@@ -47,18 +47,29 @@ Interfaces::Port& Interfaces::port_of(hal::AgentId agent) {
   return *port;
 }
 
+void Interfaces::follow(FollowedClock& clock) {
+  clock_ = &clock;
+  if (!is_connected()) return;
+  const hal::Time start = clock.now();
+  source_->read(kMostHeld, [&](air::SentFrame frame) { enter(start, std::move(frame)); });
+}
+
 void Interfaces::take_frames(hal::Time last) {
   const std::size_t held = home_.outside.held();
   if (held >= kMostHeld) return;
   hal::Time previous = last + hal::Duration{1};
   source_->read(std::min(kMostAtOnce, kMostHeld - held), [&](air::SentFrame frame) {
-    const hal::Time now = std::max(clock_->now(), previous);
-    previous = now;
-    entering_.add(now - frame.since);
-    Port& port = port_of(frame.agent);
-    ++port.held;
-    home_.outside.put_at(now, port.door, std::move(frame.ethernet));
+    previous = std::max(clock_->now(), previous);
+    enter(previous, std::move(frame));
   });
+}
+
+/// Before the clock started nothing could be late.
+void Interfaces::enter(hal::Time at, air::SentFrame&& frame) {
+  entering_.add(at - std::max(frame.since, hal::Time{}));
+  Port& port = port_of(frame.agent);
+  ++port.held;
+  home_.outside.put_at(at, port.door, std::move(frame.ethernet));
 }
 
 void Interfaces::tell_room() {

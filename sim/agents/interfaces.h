@@ -46,8 +46,9 @@ class Interfaces final : public air::InterfaceListener {
   /// Readable while frames are there. @pre connected.
   int descriptor() const { return source_->descriptor(); }
 
-  /// From now on the run follows this clock, which outlives it.
-  void follow(FollowedClock& clock) { clock_ = &clock; }
+  /// From now on the run follows this clock, which outlives it. If connected, that starts now: what
+  /// the agents' kernels sent before, while their interfaces came up, enters then, and is not late.
+  void follow(FollowedClock& clock);
 
   /// Takes what the programs have sent, each frame at the time that the clock shows.
   /// @param last  of the run: no frame comes in before. @pre connected, following a clock.
@@ -72,6 +73,7 @@ class Interfaces final : public air::InterfaceListener {
                std::span<const std::uint8_t> ethernet) override;
   void on_refused(hal::AgentId agent, air::Refusal refusal, std::size_t bytes) override;
   void on_ended(hal::AgentId) override {}
+  void enter(hal::Time at, air::SentFrame&& frame);
   Port& port_of(hal::AgentId agent);
 
   Home home_;

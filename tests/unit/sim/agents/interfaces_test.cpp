@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <deque>
 #include <functional>
 #include <utility>
@@ -47,13 +48,15 @@ class Outside final : public sim::agents::FollowedClock,
   void on_room(AgentId agent, const Room& room) override { rooms[agent] = room; }
   int descriptor() const override { return -1; }
   void read(std::size_t most, const std::function<void(sim::air::SentFrame)>& take) override {
-    for (; most > 0 && !sent.empty() && sent.front().since <= now_; --most) {
+    for (most = std::min(most, most_at_once);
+         most > 0 && !sent.empty() && sent.front().since <= now_; --most) {
       take(std::move(sent.front()));
       sent.pop_front();
     }
   }
 
   hal::Duration late{};  ///< Every wait ends so much too late.
+  std::size_t most_at_once = 1000;
   std::deque<sim::air::SentFrame> sent;
   std::vector<Left> left;
   std::map<AgentId, Room> rooms;
@@ -127,6 +130,43 @@ TEST_F(InterfacesTest, HowLateFramesAreIsCountedAtBothEdges) {
   EXPECT_EQ(air.entering.greatest, 3ms);
   EXPECT_EQ(air.leaving.frames, 10u);
   EXPECT_EQ(air.leaving.beyond_limit, 0u) << "an ideal radio takes no time, nor does this clock";
+}
+
+/// The kernels send while the agents' interfaces come up.
+TEST_F(InterfacesTest, WhatWasSentBeforeTheClockStartedEntersAtTheStartAndIsNotLate) {
+  outside.late = 3ms;
+  for (const AgentId agent : {kA, kB}) {
+    outside.sent.push_back({agent, Time{-50ms}, ethernet(agent, agent == kA ? kB : kA, 7)});
+  }
+  outside.sent.push_back({kA, Time{5ms}, ethernet(kA, kB, 8)});
+  const Outcome outcome = follow(Time{100ms});
+  feed.finish();
+  ASSERT_EQ(arrivals.all.size(), 3u);
+  EXPECT_EQ(arrivals.all[0].at, Time{});
+  EXPECT_EQ(arrivals.all[1].at, Time{});
+  const sim::agents::EdgeSummary& entering = outcome.real_time->air->entering;
+  EXPECT_EQ(entering.frames, 3u);
+  EXPECT_EQ(entering.beyond_limit, 1u);
+  EXPECT_EQ(entering.median, hal::Duration{});
+  EXPECT_EQ(entering.greatest, 3ms);
+
+  sim::agents::FingerprintFeed second;
+  sim::agents::Simulation repeated(config, {&second});
+  repeated.outside().replay(arrivals.all);
+  NoPace pace;
+  (void)repeated.repeat(outcome.ended_at, {}, pace);
+  second.finish();
+  EXPECT_EQ(second.fingerprint().total(), feed.fingerprint().total());
+}
+
+/// More than the first look takes.
+TEST_F(InterfacesTest, WhatIsLeftOfThatIsAsLateAsTheRunIsOld) {
+  outside.late = 3ms;
+  outside.most_at_once = 1;
+  for (int i = 0; i < 2; ++i) outside.sent.push_back({kA, Time{-50ms}, ethernet(kA, kB, 7)});
+  const Outcome outcome = follow(Time{100ms});
+  ASSERT_EQ(arrivals.all.size(), 2u);
+  EXPECT_EQ(outcome.real_time->air->entering.greatest, arrivals.all[1].at.time_since_epoch());
 }
 
 TEST_F(InterfacesTest, WhatNoRadioSendsIsToldAndCounted) {
