@@ -8,6 +8,8 @@ namespace {
 using sim::agents::EdgeSummary;
 
 constexpr double kMostLate = 0.01;  ///< Share of frames.
+/// A share of fewer says nothing of the computer.
+constexpr std::uint64_t kEnoughFrames = 100;
 
 double late_share(const EdgeSummary& edge) {
   if (edge.frames == 0) return 0;
@@ -29,6 +31,12 @@ std::vector<std::string> network_warnings(const sim::agents::AirSummary& air,
   std::vector<std::string> lines;
   const auto judge = [&](const EdgeSummary& edge, const char* what) {
     if (late_share(edge) <= kMostLate) return;
+    if (edge.frames < kEnoughFrames) {
+      lines.push_back(fmt::format("{} of the {} frames that {} were more than {} ms late",
+                                  edge.beyond_limit, edge.frames, what,
+                                  1e3 * hal::to_seconds(limit)));
+      return;
+    }
     lines.push_back(fmt::format(
         "this computer was too slow for this run: {:.1f} % of the frames that {} were more than "
         "{} ms late; a smaller F of --pace realtime:F gives it more time (now {})",

@@ -310,8 +310,9 @@ class Runs(Air):
 
     def test_too_late_is_said(self):
         scenario = self.scenario(
-            station("a", 0, program("ping", "ping", "-c", "5", "-i", "0.1", "b", on_exit="end")), station("b", 5))
+            station("a", 0, program("ping", "ping", "-c", "100", "-i", "0.01", "b", on_exit="end")), station("b", 5))
         finished = self.run_baraka(scenario, "--set", "lateness_limit=1 us")
+        self.assertGreaterEqual(int(finished["entering_frames"]), 100)
         self.assertIn("this computer was too slow for this run", finished.err)
         ((warnings,),) = self.query("SELECT value FROM run WHERE key = 'warnings'")
         self.assertIn("too slow", warnings)
@@ -319,6 +320,20 @@ class Runs(Air):
         patient = self.run_baraka(scenario, "--set", "lateness_limit=10 s")
         self.assertEqual(float(patient["entering_late_share"]), 0)
         self.assertNotIn("too slow", patient.err)
+
+    def test_few_frames_that_are_late_are_counted_and_no_share_is_judged(self):
+        scenario = self.scenario(
+            station("a", 0, program("ping", "ping", "-c", "5", "-i", "0.1", "b", on_exit="end")), station("b", 5))
+        finished = self.run_baraka(scenario, "--set", "lateness_limit=1 us")
+        self.assertLess(int(finished["entering_frames"]), 100)
+        self.assertRegex(finished.err, r"\d+ of the \d+ frames that programs sent were more than 0.001 ms late")
+        self.assertNotIn("too slow", finished.err)
+
+    def test_what_kernels_send_while_interfaces_come_up_is_not_late(self):
+        self.run_baraka(self.scenario(station("a", 0), station("b", 5), end="50 ms"))
+        entered = [at for (at,) in self.query("SELECT at_ns FROM arrivals WHERE door LIKE 'air of %' ORDER BY at_ns")]
+        self.assertTrue(entered, "the kernels told nothing of their interfaces")
+        self.assertEqual(entered[0], 0)
 
 
 def descendants(pid, name):
