@@ -331,7 +331,7 @@ class Exec(unittest.TestCase):
 
     def refusal(self, run):
         done = self.exec("r0", "--run", run.folder, "--", "true")
-        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertEqual(done.returncode, 125, done.stderr)
         return done.stderr
 
     def test_trusts_no_file_that_others_may_have_written(self):
