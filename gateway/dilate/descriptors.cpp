@@ -54,7 +54,9 @@ struct Sets {
 class Asked {
  public:
   Asked(const fd_set* set, int count)
-      : size_(set == nullptr ? 0 : (count + NFDBITS - 1) / NFDBITS * sizeof(fd_mask)) {
+      : size_(set == nullptr
+                  ? 0
+                  : static_cast<std::size_t>((count + NFDBITS - 1) / NFDBITS) * sizeof(fd_mask)) {
     if (set != nullptr) std::memcpy(&kept_, set, size_);
   }
   void restore(fd_set* set) const {

@@ -7,6 +7,7 @@
 #include <sys/syscall.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <climits>
 #include <cstdlib>
@@ -84,21 +85,24 @@ class Places {
   std::uint32_t fragments_, count_ = 0, collector_ = 0;
 };
 
-int wait_for_places(Places& places, Nanoseconds longest) {
+/// @param left  of the time, or negative: for ever. @return 0: look again.
+int wait_for_change(std::uint32_t seen, Nanoseconds left, bool is_collecting) {
   constexpr Nanoseconds kBeat = 50'000'000;
+  if (left == 0) return EAGAIN;
+  const bool is_to_beat = is_collecting && (left < 0 || left > kBeat);
+  const int error = wait_for_room(seen, is_to_beat ? kBeat : left);
+  if (error != ETIMEDOUT) return error;
+  return is_to_beat ? 0 : EAGAIN;
+}
+
+int wait_for_places(Places& places, Nanoseconds longest) {
   const Nanoseconds begin = kernel_time(CLOCK_MONOTONIC);
   for (;;) {
     const std::uint32_t seen = page->change().load();
     if (places.take()) return 0;
-    Nanoseconds left = -1;
-    if (longest >= 0) {
-      left = longest - (kernel_time(CLOCK_MONOTONIC) - begin);
-      if (left <= 0) return EAGAIN;
-    }
-    const bool is_to_beat = places.is_collecting() && (left < 0 || left > kBeat);
-    const int error = wait_for_room(seen, is_to_beat ? kBeat : left);
-    if (error == ETIMEDOUT && is_to_beat) continue;
-    if (error == ETIMEDOUT) return EAGAIN;
+    const Nanoseconds passed = longest < 0 ? 0 : kernel_time(CLOCK_MONOTONIC) - begin;
+    const Nanoseconds left = longest < 0 ? -1 : std::max<Nanoseconds>(longest - passed, 0);
+    const int error = wait_for_change(seen, left, places.is_collecting());
     if (error != 0) return error;
   }
 }

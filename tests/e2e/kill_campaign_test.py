@@ -22,6 +22,7 @@ TRIALS = int(os.environ.get("BARAKA_KILLS", "12"))
 REFUSED = wire.why_not()
 LONGEST = 5  # s, until all is gone
 EARLY = 0.4  # s: while all is being made
+KINDS = ["baraka", "holder", "init", "program"]
 
 # What programs do that is hard to get rid of: daemons, ignored signals, files in shared memory, many
 # processes, sockets that send.
@@ -58,13 +59,14 @@ class Victims:
 
     def kill(self, chosen):
         """@return what was killed: another one if that is not there yet."""
-        found = self.by_name()
-        name = chosen if chosen in found else "baraka"
-        try:
-            os.kill(found[name], signal.SIGKILL)
-        except ProcessLookupError:
-            pass  # a program that has ended by itself
-        return name
+        while True:
+            found = self.by_name()
+            name = chosen if chosen in found else "baraka"
+            try:
+                os.kill(found[name], signal.SIGKILL)
+                return name
+            except ProcessLookupError:
+                continue  # a program that has ended by itself
 
 
 class Run:
@@ -105,10 +107,11 @@ class Run:
         _, said = self.process.communicate(timeout=60)
         return said
 
-    def broken_results(self):
-        """What of the results cannot be read; there may be none yet."""
-        broken = []
-        for file in self.folder.glob("run*/run.sqlite"):
+    def broken_results(self, has_begun):
+        """What of the results cannot be read; there may be none before it has begun."""
+        files = list(self.folder.glob("run*/run.sqlite"))
+        broken = [] if files or not has_begun else [f"none in {sorted(self.folder.rglob('*'))}"]
+        for file in files:
             with contextlib.closing(sqlite3.connect(f"file:{file}?mode=ro", uri=True)) as database:
                 said = database.execute("PRAGMA integrity_check").fetchall()
             if said != [("ok",)]:
@@ -120,14 +123,16 @@ class Run:
 class Kills(unittest.TestCase):
     def test_nothing_is_left_whoever_dies_and_whenever(self):
         random.seed(11)
+        self.killed = set()
         interfaces = wire.interfaces()
         for trial in range(TRIALS):
-            chosen = ["baraka", "holder", "init", "program"][trial % 4]
+            chosen = KINDS[trial % 4]
             # From the first fork on; or with programs under way.
             instant = random.uniform(0, EARLY) if trial % 3 == 0 else random.uniform(EARLY, 1)
             with self.subTest(trial=trial, victim=chosen, instant=round(instant, 3)):
                 self.kill_one_of_two(chosen, instant)
         self.assertEqual(wire.interfaces() - interfaces, set())
+        self.assertEqual(self.killed, set(KINDS))
 
     def kill_one_of_two(self, chosen, instant):
         doomed, other = Run(self), Run(self)
@@ -140,6 +145,7 @@ class Kills(unittest.TestCase):
             doomed.mark.look()
         doomed.mark.look()
         killed = Victims(doomed.mark, doomed.process.pid).kill(chosen)
+        self.killed.add(killed)
         if killed == "program":
             self.assertIsNone(doomed.process.poll(), "the run goes on without it")
             doomed.interrupt()
@@ -150,7 +156,7 @@ class Kills(unittest.TestCase):
             self.assertIn("the namespaces of the run are gone", doomed.finish())
             self.assertEqual(doomed.process.returncode, 1)
         self.assertEqual(doomed.mark.remains_after(LONGEST), [])
-        self.assertEqual(doomed.broken_results(), [])
+        self.assertEqual(doomed.broken_results(has_begun=instant > EARLY), [])
         wait_for(other.has_programs)
         other.mark.look()
         self.assertTrue(other.mark.remains(), "what counts what is left counts what is there")

@@ -393,7 +393,7 @@ class Refusals(unittest.TestCase):
     def test_say_what_is_missing_and_how_to_allow_it(self):
         self.assertRegex(self.why("mount -t tmpfs none /dev/net"), "no /dev/net/tun.*modprobe tun")
         user = f"setpriv --reuid {wire.USER} --regid {wire.USER} --clear-groups"
-        closed = "mount -t tmpfs none /dev/net && mknod -m 600 /dev/net/tun c 10 200"
+        closed = f"{wire.DEVICES} && chmod 600 /dev/net/tun"
         why = subprocess.run(["unshare", "--mount", "sh", "-c", f'{closed} && exec {user} "$@"', "sh", wire.WIRE,
                               "r0=10.77.0.1/16", "--programs", BIN], stdin=subprocess.DEVNULL,
                              capture_output=True, text=True, timeout=60, check=False).stderr

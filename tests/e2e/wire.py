@@ -18,8 +18,9 @@ USER = 65534
 
 # The user gets a /dev/net/tun and a /dev/null that everybody may open, in a mount namespace of its own: what
 # Debian gives to all, and a container may not.
-AS_USER = ("mount -t tmpfs none /dev/net && mknod /dev/net/tun c 10 200 && mknod /dev/net/null c 1 3 && "
-           "chmod 666 /dev/net/tun /dev/net/null && mount --bind /dev/net/null /dev/null && "
+DEVICES = ("mount -t tmpfs none /dev/net && mknod /dev/net/tun c 10 200 && mknod /dev/net/null c 1 3 && "
+           "chmod 666 /dev/net/tun /dev/net/null && mount --bind /dev/net/null /dev/null")
+AS_USER = (f"{DEVICES} && "
            f'exec setpriv --reuid {USER} --regid {USER} --clear-groups "$@"')
 
 
