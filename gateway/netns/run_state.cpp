@@ -62,7 +62,8 @@ std::string content_of(const FileDescriptor& file) {
   std::string content;
   std::array<char, 4096> part{};
   ssize_t length = 0;
-  while (content.size() < kLongestState && (length = read(file.get(), part.data(), part.size())) > 0) {
+  while (content.size() < kLongestState &&
+         (length = read(file.get(), part.data(), part.size())) > 0) {
     content.append(part.data(), static_cast<std::size_t>(length));
   }
   return content;
