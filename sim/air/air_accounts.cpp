@@ -86,21 +86,25 @@ void AirAccounts::cut(const Content& content, hal::Duration airtime, Shares& sha
   }
 }
 
-AirAccount::Ends& AirAccount::ends_at(hal::AgentId receiver) {
-  auto place = std::ranges::lower_bound(at, receiver, {}, &EndsAt::first);
-  if (place == at.end() || place->first != receiver) {
-    place = at.emplace(place, receiver, std::make_unique<Ends>());
-  }
-  return *place->second;
+/// In the order in which they come: an account takes room for receivers, not for addresses.
+std::size_t AirAccounts::number_of(hal::AgentId receiver) {
+  if (receiver.value >= numbers_.size()) numbers_.resize(receiver.value + std::size_t{1});
+  std::uint32_t& number = numbers_[receiver.value];
+  if (number == 0) number = ++receivers_;
+  return number - 1;
 }
 
 void AirAccounts::add_end(const Content& content, const Shares& shares, hal::AgentId receiver,
                           bool addressed, hal::Verdict verdict) {
   const std::size_t main = content.main();
+  const std::size_t number = number_of(receiver);
   for (std::size_t i = 0; i < shares.size(); ++i) {
-    AirAccount::Ends& ends = all_[shares[i].account].ends_at(receiver);
-    AirEnds& end = ends.ends[addressed ? 1 : 0][static_cast<std::size_t>(verdict)];
-    note(ends.changed);
+    auto& at = all_[shares[i].account].at;
+    if (number >= at.size()) at.resize(number + 1);
+    auto& ends = at[number];
+    if (!ends) ends = std::make_unique<AirAccount::Ends>(AirAccount::Ends{.receiver = receiver});
+    AirEnds& end = ends->ends[addressed ? 1 : 0][static_cast<std::size_t>(verdict)];
+    note(ends->changed);
     end.frames += i == main ? 1 : 0;
     ++end.parts;
   }

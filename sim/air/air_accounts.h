@@ -35,14 +35,11 @@ struct AirAccount {
 
   /// By receiver and verdict, [1]: those to it or to everyone.
   struct Ends {
+    hal::AgentId receiver;
     std::array<std::array<AirEnds, hal::kVerdictCount>, 2> ends{};
     bool changed = false;
   };
-  using EndsAt = std::pair<hal::AgentId, std::unique_ptr<Ends>>;
-  std::vector<EndsAt> at{};  ///< Sorted by receiver's address.
-
-  /// Of this receiver; new if there was nothing yet.
-  Ends& ends_at(hal::AgentId receiver);
+  std::vector<std::unique_ptr<Ends>> at{};  ///< By the receiver's number; null: nothing.
 };
 
 /// One writer's share, by kind of submessage and transmitter.
@@ -97,6 +94,7 @@ class AirAccounts {
  private:
   using Key = std::pair<hal::AgentId, AirKind>;
 
+  std::size_t number_of(hal::AgentId receiver);
   void note(bool& changed) {
     changes_ += changed ? 0 : 1;
     changed = true;
@@ -105,6 +103,8 @@ class AirAccounts {
   std::vector<AirAccount> all_;
   std::vector<WriterAccount> writers_;
   std::uint64_t changes_ = 0;
+  std::vector<std::uint32_t> numbers_;  ///< Of receivers, by address; 0: not heard of.
+  std::uint32_t receivers_ = 0;         ///< That have a number: from 1 on.
   std::map<Key, std::uint32_t> places_;
   std::map<std::pair<EndpointIndex, Key>, std::uint32_t> writer_places_;
 };

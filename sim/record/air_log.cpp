@@ -99,14 +99,14 @@ void AirLog::write_accounts() {
 }
 
 void AirLog::write_ends(std::size_t account) {
-  for (const auto& [receiver, at] : ledger_.accounts().all()[account].at) {
-    if (!std::exchange(at->changed, false)) continue;
+  for (const auto& at : ledger_.accounts().all()[account].at) {
+    if (!at || !std::exchange(at->changed, false)) continue;
     for (int addressed = 0; addressed < 2; ++addressed) {
       for (int verdict = 0; verdict < hal::kVerdictCount; ++verdict) {
         const air::AirEnds& end =
             at->ends[static_cast<std::size_t>(addressed)][static_cast<std::size_t>(verdict)];
         if (end.parts == 0) continue;
-        put_end_.run(std::uint64_t{account}, receiver.value, addressed,
+        put_end_.run(std::uint64_t{account}, at->receiver.value, addressed,
                      hal::name(static_cast<hal::Verdict>(verdict)), end.frames, end.parts);
       }
     }
