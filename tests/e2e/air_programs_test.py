@@ -80,8 +80,8 @@ class Ping(Air):
         scenario = self.scenario(
             station("a", 0, ", ".join([
                 program("four", "ping", "-c", "3", "-i", "0.1", "b"),
-                program("six", "ping", "-6", "-c", "3", "-i", "0.1", "-I", "wlan0", "ff02::1"),
-                program("end", "sleep", "2.5", on_exit="end")])),
+                program("six", "ping", "-6", "-c", "20", "-i", "0.2", "-I", "wlan0", "ff02::1"),
+                program("end", "sleep", "5", on_exit="end")])),
             station("b", 5), station("c", 10))
         finished = self.run_baraka(scenario)
         self.assertEqual(finished["result"], "end", str(finished))
