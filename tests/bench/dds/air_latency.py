@@ -118,8 +118,7 @@ def halved(rows):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--build", type=pathlib.Path, default=own.ROOT / "build/release")
+    parser = own.parser(__doc__)
     parser.add_argument("--peer", type=pathlib.Path, default=own.ROOT / "build/peers/tap")
     parser.add_argument("--stations", type=int, nargs="+", default=[2, 10, 20, 40])
     parser.add_argument("--peer-stations", type=int, nargs="*", default=[2, 10, 20])
@@ -130,10 +129,8 @@ def main():
     parser.add_argument("--size", type=int, default=64)
     parser.add_argument("--rate", type=float, default=10)
     parser.add_argument("--parallel", type=int, default=1, help="runs at a time; above 1 they disturb each other")
-    parser.add_argument("--store", type=pathlib.Path, help="file of what is measured already")
-    parser.add_argument("--kept", type=pathlib.Path, help="folder for runs that fail")
     options = parser.parse_args()
-    options.build, options.peer = options.build.resolve(), options.peer.resolve()
+    options.peer = options.peer.resolve()
     store = Store(options.store)
     cases = [{"stations": count, "radio": "ours", "factor": factor}
              for count in options.stations for factor in options.factors]

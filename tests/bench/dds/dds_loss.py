@@ -11,8 +11,6 @@ the next ones, so that there may be fewer than the rate says. From the ledger of
 samples or fragments that were sent again, and the share of time in which the air was used. Medians of the runs, with 95 %
 intervals.
 """
-import argparse
-import pathlib
 import statistics
 
 import figures
@@ -93,8 +91,7 @@ def shown(case, rows):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--build", type=pathlib.Path, default=own.ROOT / "build/release")
+    parser = own.parser(__doc__)
     parser.add_argument("--runs", type=int, default=10)
     parser.add_argument("--parallel", type=int, default=1, help="runs at a time")
     parser.add_argument("--factor", type=float, default=1, help="of real time")
@@ -104,11 +101,8 @@ def main():
     parser.add_argument("--losses", type=float, nargs="+", default=LOSSES)
     parser.add_argument("--sizes", type=int, nargs="+", default=sorted({size for size, _ in TRAFFIC}), help="bytes")
     parser.add_argument("--vendors", nargs="+", default=["fastdds", "cyclone"])
-    parser.add_argument("--store", type=pathlib.Path, help="file of what is measured already")
-    parser.add_argument("--kept", type=pathlib.Path, help="folder for runs that fail")
     parser.add_argument("--short", action="store_true", help="two cases, to see that it works")
     options = parser.parse_args()
-    options.build = options.build.resolve()
     traffic = [one for one in TRAFFIC if one[0] in options.sizes]
     if options.short:
         options.runs, options.seconds, options.linger, options.losses, traffic = 1, 2, 1, [0.2], TRAFFIC[:1]

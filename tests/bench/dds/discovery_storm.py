@@ -8,9 +8,7 @@ by multicast, and Fast DDS through a discovery server.
 Stations on a circle of 5 m, 54 Mb/s, group frames at 6 Mb/s; each program writes and reads one topic. Time until every
 program knows the writers and readers of all others, air time by what it was for, and the exponent of its growth.
 """
-import argparse
 import collections
-import pathlib
 import statistics
 
 import figures
@@ -61,18 +59,14 @@ def air_by_kind(run):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--build", type=pathlib.Path, default=own.ROOT / "build/release")
+    parser = own.parser(__doc__)
     parser.add_argument("--participants", type=int, nargs="+", default=[5, 10, 20, 40])
     parser.add_argument("--discovery", nargs="+", choices=KINDS, default=list(KINDS))
     parser.add_argument("--runs", type=int, default=3)
     parser.add_argument("--factor", type=float, default=0.2, help="of real time")
     parser.add_argument("--seconds", type=float, default=30, help="simulated, from the start of the programs")
-    parser.add_argument("--store", type=pathlib.Path, help="file of what is measured already")
-    parser.add_argument("--kept", type=pathlib.Path, help="folder for runs that fail")
     parser.add_argument("--short", action="store_true", help="two small cases, to see that it works")
     options = parser.parse_args()
-    options.build = options.build.resolve()
     if options.short:
         options.participants, options.runs, options.factor, options.seconds = [2, 4], 1, 1, 4
         options.discovery = ["cyclone, multicast"]

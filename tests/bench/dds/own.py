@@ -1,4 +1,5 @@
 """Programs over our radio: a scenario from stations and what runs in them, a run of it, and what it recorded."""
+import argparse
 import contextlib
 import dataclasses
 import json
@@ -87,6 +88,15 @@ class Results:
     def query(self, sql):
         with contextlib.closing(sqlite3.connect(f"file:{self.folder / 'run.sqlite'}?mode=ro", uri=True)) as database:
             return database.execute(sql).fetchall()
+
+
+def parser(text):
+    """Of a bench's command line, with what all of them take."""
+    made = argparse.ArgumentParser(description=text, formatter_class=argparse.RawDescriptionHelpFormatter)
+    made.add_argument("--build", type=lambda text: pathlib.Path(text).resolve(), default=ROOT / "build/release")
+    made.add_argument("--store", type=pathlib.Path, help="file of what is measured already")
+    made.add_argument("--kept", type=pathlib.Path, help="folder for runs that fail")
+    return made
 
 
 @contextlib.contextmanager

@@ -8,8 +8,6 @@ profiles are marked that no other beats: more delivered, sooner (99 %), or with 
 A robot sends to two others 10 m and 15 m away. Reliability is the profile's; Cyclone's, which has none in its
 configuration, is tried both ways.
 """
-import argparse
-import pathlib
 import statistics
 
 import figures
@@ -76,8 +74,7 @@ def middle(rows, key):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--build", type=pathlib.Path, default=own.ROOT / "build/release")
+    parser = own.parser(__doc__)
     parser.add_argument("--traffic", nargs="+", choices=TRAFFIC, default=list(TRAFFIC))
     parser.add_argument("--runs", type=int, default=3)
     parser.add_argument("--parallel", type=int, default=1, help="runs at a time")
@@ -85,11 +82,8 @@ def main():
     parser.add_argument("--seconds", type=float, default=10, help="of publishing")
     parser.add_argument("--linger", type=float, default=3, help="s for the last repairs")
     parser.add_argument("--discovery", type=float, default=40, help="s that may pass until they know each other")
-    parser.add_argument("--store", type=pathlib.Path, help="file of what is measured already")
-    parser.add_argument("--kept", type=pathlib.Path, help="folder for runs that fail")
     parser.add_argument("--short", action="store_true", help="two small cases, to see that it works")
     options = parser.parse_args()
-    options.build = options.build.resolve()
     profiles, conditions = list(PROFILES), list(CONDITIONS)
     if options.short:
         options.runs, options.seconds, options.linger, options.traffic = 1, 2, 1, ["commands"]

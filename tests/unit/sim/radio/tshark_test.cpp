@@ -10,6 +10,7 @@
 #include <string>
 
 #include "sim/radio/codec.h"
+#include "tests/support/output_of.h"
 #include "tests/unit/sim/radio/bss.h"
 
 namespace sim::radio::test {
@@ -50,18 +51,6 @@ void write_pcap(const fs::path& file, const std::vector<Log::Start>& starts) {
   }
 }
 
-std::string output_of(const std::string& command) {
-  std::string text;
-  FILE* const pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) return text;
-  char buffer[4096];
-  while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, pipe)) {
-    text.append(buffer, count);
-  }
-  pclose(pipe);
-  return text;
-}
-
 std::string address(hal::AgentId agent) {
   if (agent == hal::kEveryone) return "ff:ff:ff:ff:ff:ff";
   return fmt::format("02:00:00:00:{:02x}:{:02x}", agent.value >> 8, agent.value & 0xff);
@@ -93,7 +82,7 @@ std::string expected(const Frame& frame) {
 class Tshark : public testing::TestWithParam<Profile> {
  protected:
   void SetUp() override {
-    if (output_of("command -v tshark").empty()) GTEST_SKIP() << "tshark is not installed";
+    if (tests::output_of("command -v tshark").empty()) GTEST_SKIP() << "tshark is not installed";
   }
   ~Tshark() override { fs::remove(file_); }
 
@@ -116,7 +105,7 @@ class Tshark : public testing::TestWithParam<Profile> {
     std::string command =
         "tshark -o wlan.check_checksum:TRUE -T fields -r '" + file_.string() + "'";
     for (const auto& [label, field] : fields) command += " -e " + field;
-    std::istringstream lines(output_of(command + " 2>/dev/null"));
+    std::istringstream lines(tests::output_of(command + " 2>/dev/null"));
     std::vector<std::string> all;
     for (std::string line; std::getline(lines, line);) {
       std::istringstream values(line);

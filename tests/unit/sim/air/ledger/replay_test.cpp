@@ -2,29 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <map>
 #include <sstream>
 #include <tuple>
 
+#include "tests/support/output_of.h"
 #include "tests/unit/sim/air/ledger/replay.h"
 
 namespace sim::air::test {
 namespace {
 
 using namespace std::chrono_literals;
-
-std::string output_of(const std::string& command) {
-  std::string text;
-  FILE* const pipe = popen(command.c_str(), "r");
-  if (pipe == nullptr) return text;
-  char buffer[4096];
-  while (const std::size_t count = std::fread(buffer, 1, sizeof buffer, pipe)) {
-    text.append(buffer, count);
-  }
-  pclose(pipe);
-  return text;
-}
 
 radio::RadioConfig lossless() {
   radio::RadioConfig config = radio::profile_defaults(radio::Profile::kIeee80211g);
@@ -85,7 +73,7 @@ Counts counts_of_tshark(const Replay& replay) {
   Counts counts;
   std::string kind;
   bool retry = false;
-  std::istringstream lines(output_of(command));
+  std::istringstream lines(tests::output_of(command));
   for (std::string line; std::getline(lines, line);) {
     const auto value = [&line](const std::string& attribute) {
       const std::size_t at = line.find(" " + attribute + "=\"");
@@ -134,7 +122,7 @@ std::string text_of(const Counts& counts) {
 }
 
 TEST_P(Captured, SubmessagesAreThoseThatTsharkSees) {
-  if (output_of("command -v tshark").empty()) GTEST_SKIP() << "tshark is not installed";
+  if (tests::output_of("command -v tshark").empty()) GTEST_SKIP() << "tshark is not installed";
   Replay replay(lossless());
   replay.build();
   replay.send(read_capture(GetParam()));
