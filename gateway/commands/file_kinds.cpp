@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "gateway/run/judge_controllers.h"
+#include "gateway/run/judge_programs.h"
 #include "hal/config/document.h"
 #include "hal/config/errors.h"
 #include "hal/description/body_section.h"
@@ -25,7 +26,7 @@ using Overrides = std::vector<std::string>;
 
 void read_scenario(Mapping in) { sim::scenario::read_scenario(std::move(in), "scenario.yaml"); }
 void judge_scenario(const std::string& path, const Overrides& overrides) {
-  load_judged(path, overrides);
+  judge_programs(load_judged(path, overrides));
 }
 void read_hardware(Mapping in) { hal::hardware::RobotFile::read(std::move(in)); }
 void tell(const std::vector<std::string>& warnings) {

@@ -82,11 +82,10 @@ void print_network(const sim::agents::AirSummary& air, const NetworkSummary& net
              network.cpu_load_programs);
   for (const sim::record::ProgramRow& program : network.programs) {
     if (program.ended) {
-      fmt::print("program: {} of agent {}: status {} at {:.9f} s\n", program.name,
-                 program.agent.value, program.status, hal::to_seconds(*program.ended));
+      fmt::print("program: {} of {}: status {} at {:.9f} s\n", program.name, program.agent_name,
+                 program.status, hal::to_seconds(*program.ended));
     } else {
-      fmt::print("program: {} of agent {}: ended with the run\n", program.name,
-                 program.agent.value);
+      fmt::print("program: {} of {}: ended with the run\n", program.name, program.agent_name);
     }
   }
 }

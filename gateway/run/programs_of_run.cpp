@@ -64,7 +64,10 @@ void ProgramsOfRun::start_next(hal::Time now, const std::filesystem::path& resul
     const std::uint32_t number = start_({planned, results});
     started_.push_back({&planned,
                         number,
-                        {.agent = planned.agent, .name = planned.program->name, .started = now}});
+                        {.agent = planned.agent,
+                         .agent_name = planned.agent_name,
+                         .name = planned.program->name,
+                         .started = now}});
   } catch (const std::runtime_error& e) {
     throw std::runtime_error(fmt::format("{}: programs: '{}' of {}: {}", planned.program->place,
                                          planned.program->name, planned.agent_name, e.what()));

@@ -11,6 +11,7 @@
 #include "gateway/run/course.h"
 #include "gateway/run/domain_range.h"
 #include "gateway/run/judge_controllers.h"
+#include "gateway/run/judge_programs.h"
 #include "gateway/run/last_resort.h"
 #include "gateway/run/network_of_run.h"
 #include "gateway/run/network_report.h"
@@ -251,6 +252,7 @@ std::filesystem::path results_path(const RunOptions& options, const std::string&
 
 int run(const RunOptions& options) {
   const Scenario scenario = load_judged(options.scenario, options.overrides);
+  if (options.repeat.empty()) judge_programs(scenario);
   catch_interrupts();
   const Course course(options, scenario);
   (void)domain_of(options);  // before anything is written

@@ -42,6 +42,7 @@ class NewDatabase : public Database {
 /// A program that ran inside an agent.
 struct ProgramRow {
   hal::AgentId agent;
+  std::string agent_name{};  ///< For people; not in the table.
   std::string name;
   hal::Time started{};
   std::optional<hal::Time> ended{};  ///< None: it ended with the run.

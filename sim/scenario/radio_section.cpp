@@ -65,13 +65,22 @@ void take_names(Names& names, Profile profile) {
 }
 
 /// The keys of other profiles mean nothing in this one.
-void refuse_others(FieldReader& reader, Profile profile) {
+void refuse_others(Mapping& in, FieldReader& reader, Profile profile) {
   Names mine, all;
   take_names(mine, profile);
   for (const auto& other : kProfiles) take_names(all, other.value);
+  const bool is_set = in.place("profile").starts_with("--set");
+  bool is_any_there = false;
   for (const std::string& key : all.all()) {
     if (mine.has(key)) continue;
+    is_any_there = is_any_there || (is_set && in.has(key));
     reader.unused(key, fmt::format("is not used by the profile '{}'", name_of(profile)));
+  }
+  if (is_any_there) {
+    in.mistake("profile",
+               fmt::format("the other keys of the section are for another profile; this replaces "
+                           "it as a whole: --set 'radio={{profile: {}}}'",
+                           name_of(profile)));
   }
 }
 
@@ -209,7 +218,7 @@ RadioConfig read_radio(Mapping in) {
   follow_channel(in, config);
   read_chain(in, config);
   read_losses(in, config);
-  refuse_others(reader, *profile);
+  refuse_others(in, reader, *profile);
   if (radio::DcfConfig* const dcf = dcf_of(config)) {
     read_basic_rates(in, *profile, *dcf);
     check_dcf(in, *dcf);
