@@ -36,11 +36,11 @@ void routing_keys(Io& io, RoutingConfig& c, TransmitStatus status) {
              "Exponent of the forwarding probability: the larger, the more the best next hop is "
              "preferred.",
              "2"},
-            "1", {1, 100}, c.beta);
+            "1", {1, 100}, c.choice.beta);
   io.number(
       {"direct_weight",
        "Weight of a neighbour that is the destination itself; others have 1 / hops.", "1000000"},
-      "1", {1, 1e12}, c.direct_weight);
+      "1", {1, 1e12}, c.choice.metric.direct_weight);
   io.duration({"jitter_max", "Rebroadcasts wait a random time up to this.", "100 ms"}, {0, 10},
               c.jitter_max);
   io.duration({"retry_period", "Between two discoveries of one destination.", "5 s"}, {1e-3, 3600},

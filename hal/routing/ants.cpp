@@ -52,13 +52,17 @@ void Ants::answer(const ForwardAnt& ant) {
                           .path = ant.path,
                           .position = static_cast<std::uint8_t>(ant.path.size() - 1),
                           .way = {}};
-  outbox_.send_ant(ant.path.back(), reply);
+  node_.count(ProtocolEvent::kForwardAntAnswered);
+  outbox_.send_control(ant.path.back(), reply);
 }
 
 void Ants::relay(ForwardAnt ant) {
   if (static_cast<int>(ant.path.size()) >= node_.config.hop_limit) return;
   ant.path.push_back(node_.self);
-  node_.after_jitter([this, ant = std::move(ant)] { outbox_.send_ant(kEveryone, ant); });
+  node_.after_jitter([this, ant = std::move(ant)] {
+    node_.count(ProtocolEvent::kForwardAntRelayed);
+    outbox_.send_control(kEveryone, ant);
+  });
 }
 
 bool Ants::on_backward_ant(BackwardAnt ant, const Arrival& arrival) {
@@ -71,6 +75,7 @@ bool Ants::on_backward_ant(BackwardAnt ant, const Arrival& arrival) {
   const Header header = ant.header;
   table_.install({header.topic, header.source, expected, ant.way});
   if (ant.position == 0) {
+    node_.count(ProtocolEvent::kBackwardAntHome);
     forwarding_.discovery().on_answer(header.topic, header.source, header.sequence);
   } else {
     teach_way_back(ant);
@@ -92,7 +97,8 @@ void Ants::teach_way_back(const BackwardAnt& ant) {
 
 void Ants::walk_on(BackwardAnt ant) {
   --ant.position;
-  outbox_.send_ant(ant.path[ant.position], ant);
+  node_.count(ProtocolEvent::kBackwardAntRelayed);
+  outbox_.send_control(ant.path[ant.position], ant);
 }
 
 }  // namespace hal::routing

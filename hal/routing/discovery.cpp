@@ -32,7 +32,8 @@ void Discovery::try_once(const Target& target, Search& search) {
                        .way = {}};
   search.retry = node_.timers.schedule(node_.now() + wait_after(search.tries),
                                        [this, target] { on_retry(target); });
-  outbox_.send_ant(kEveryone, ant);
+  node_.count(ProtocolEvent::kForwardAntSent);
+  outbox_.send_control(kEveryone, ant);
 }
 
 /// Until the next try or, after the last one, until the search is given up.

@@ -13,15 +13,22 @@ void Flooding::send(const Message& message) {
 void Flooding::on_data(Data data) {
   const Header& header = data.header;
   if (header.source == node_.self) return;  // our own flood, come back from a neighbour
-  if (!seen_.note({header.source, header.sequence}, node_.now()).second) return;
+  if (!seen_.note({header.source, header.sequence}, node_.now()).second) {
+    node_.count(ProtocolEvent::kFloodCopyDropped);
+    return;
+  }
   relay(data);
-  deliver(node_, std::move(data));
+  if (header.destination == node_.self || is_broadcast(header.destination)) {
+    deliver(node_, std::move(data));
+  }
 }
 
 void Flooding::relay(const Data& data) {
-  if (data.header.destination == kNeighbours) return;
+  const AgentId destination = data.header.destination;
+  if (destination == kNeighbours || destination == node_.self) return;
   if (data.transmissions >= node_.config.hop_limit) return;
   node_.after_jitter([this, data] {
+    node_.count(ProtocolEvent::kFloodRelayed);
     outbox_.send_message(kEveryone, {.data = data, .came_from = std::nullopt, .owes_fate = false});
   });
 }

@@ -5,8 +5,9 @@
 
 namespace hal::routing {
 
-/// Takes a message to every node: its source broadcasts it at once, every other node once more
-/// after a jitter. One to the neighbours is not repeated.
+/// Takes a message through the whole network: its source broadcasts it at once, every other node
+/// once more after a jitter. One to the neighbours is not repeated; one to a single node is
+/// delivered there, and not repeated by it.
 class Flooding {
  public:
   Flooding(Node& node, Outbox& outbox) : node_(node), outbox_(outbox) {}

@@ -38,7 +38,8 @@ void Forwarding::forward(Transit transit, Verdict verdict_if_exhausted) {
     return;
   }
   const auto routes = table_.routes(header.topic, header.destination);
-  const auto next_hop = pick_next_hop(routes, transit.came_from, node_.config, node_.random);
+  const RouteChoice& choice = node_.config.choice_of(header.topic);
+  const auto next_hop = pick_next_hop(routes, transit.came_from, choice, node_.random);
   if (next_hop) {
     outbox_.send_message(*next_hop, std::move(transit));
   } else {

@@ -11,7 +11,8 @@ namespace hal::routing {
 /// Number of a frame among those its transmitter wants acknowledged.
 using HopNumber = std::uint32_t;
 
-/// A unicast packet that the next hop shall acknowledge: a backward ant, or data for one node.
+/// A unicast packet that the next hop shall acknowledge: a backward ant, data for one node, or a
+/// control packet.
 struct Numbered {
   HopNumber number = 0;
   Packet packet;

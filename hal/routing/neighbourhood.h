@@ -26,6 +26,7 @@ class Neighbourhood {
     if (place == known_.end() || place->id != neighbour) return;
     known_.erase(place);
     observer_.on_neighbour_lost(neighbour);
+    observer_.on_protocol_event(ProtocolEvent::kNeighbourLost);
   }
 
   /// By address.

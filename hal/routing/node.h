@@ -4,7 +4,8 @@
 
 #include "hal/routing/own_timers.h"
 #include "hal/routing/packet.h"
-#include "hal/routing/router.h"
+#include "hal/routing/ports.h"
+#include "hal/routing/routing_config.h"
 
 namespace hal::routing {
 
@@ -20,6 +21,8 @@ struct Node {
 
   Time now() const { return ports.timers.now(); }
   Sequence next_sequence() { return ++last_sequence; }
+
+  void count(ProtocolEvent event) const { ports.observer.on_protocol_event(event); }
 
   /// Runs the action after a random time of at most jitter_max; at once if that is 0. Neighbours
   /// that answer one broadcast in the same instant would collide for certain.

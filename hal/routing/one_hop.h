@@ -7,7 +7,7 @@
 
 #include "hal/routing/neighbourhood.h"
 #include "hal/routing/own_timers.h"
-#include "hal/routing/router.h"
+#include "hal/routing/protocol.h"
 
 namespace hal::routing {
 
@@ -33,17 +33,17 @@ std::optional<Message> parse_one_hop(std::span<const std::uint8_t> bytes, AgentI
 inline constexpr std::size_t kOneHopHeader = 6;
 
 /// One node's end of that.
-class OneHop {
+class OneHop final : public Protocol {
  public:
   OneHop(AgentId self, const RouterPorts& ports);
 
-  /// As Router::send().
-  void send(const Message& message);
-  /// @return false: the bytes are no such frame.
-  bool on_frame(const Reception& reception, std::span<const std::uint8_t> bytes);
-  void on_transmitted(const Transmission& transmission);
-
-  const std::vector<Neighbour>& neighbours() const { return neighbourhood_.known(); }
+  void send(const Message& message) override;
+  void invalidate(std::string_view, AgentId) override {}
+  std::vector<Route> routes(std::string_view, AgentId) const override { return {}; }
+  std::vector<Route> routes() const override { return {}; }
+  std::vector<Neighbour> neighbours() const override { return neighbourhood_.known(); }
+  bool on_frame(const Reception& reception, std::span<const std::uint8_t> bytes) override;
+  void on_transmitted(const Transmission& transmission) override;
 
  private:
   struct Sent {

@@ -29,7 +29,11 @@ class Outbox {
  public:
   Outbox(Node& node, OutboxListener& listener) : node_(node), listener_(listener) {}
 
-  void send_ant(AgentId next_hop, const Packet& ant) { transmit(next_hop, ant, std::nullopt); }
+  /// A packet of the protocol's own. Nobody is told how the link did with it, except that the
+  /// neighbour did not answer.
+  void send_control(AgentId next_hop, const Packet& packet) {
+    transmit(next_hop, packet, std::nullopt);
+  }
 
   /// Counts the transmission in the message. @pre it has one left.
   void send_message(AgentId next_hop, Transit transit);
@@ -39,7 +43,7 @@ class Outbox {
  private:
   struct Outgoing {
     AgentId next_hop;
-    std::optional<Transit> transit;  ///< None: an ant, which nobody misses.
+    std::optional<Transit> transit;  ///< None: of the protocol's own; nobody misses it.
   };
 
   void transmit(AgentId next_hop, const Packet& packet, std::optional<Transit> transit);

@@ -11,7 +11,11 @@ namespace hal::routing {
 namespace {
 
 constexpr std::uint8_t kVersion = 1;
-enum class Kind : std::uint8_t { kForwardAnt = 1, kBackwardAnt = 2, kData = 3 };
+enum class Kind : std::uint8_t { kForwardAnt = 1, kBackwardAnt = 2, kData = 3, kControl = 10 };
+
+std::uint8_t first_octet(Kind kind) {
+  return static_cast<std::uint8_t>(kVersion << 4 | static_cast<std::uint8_t>(kind));
+}
 
 void put(ByteWriter& out, const PathStatistics& way) {
   out.u16(way.hops);
@@ -28,7 +32,7 @@ void put(ByteWriter& out, const std::vector<AgentId>& path) {
 
 void put(ByteWriter& out, Kind kind, const Header& header) {
   BARAKA_CHECK(!header.topic.empty() && header.topic.size() <= kMaxTopic);
-  out.u8(static_cast<std::uint8_t>(kVersion << 4 | static_cast<std::uint8_t>(kind)));
+  out.u8(first_octet(kind));
   out.u8(static_cast<std::uint8_t>(header.topic.size()));
   for (const char c : header.topic) out.u8(static_cast<std::uint8_t>(c));
   out.u16(header.source.value);
@@ -55,6 +59,13 @@ void put(ByteWriter& out, const Data& data) {
   out.u32(data.id);
   out.u8(data.transmissions);
   out.bytes(data.payload);
+}
+
+void put(ByteWriter& out, const Control& control) {
+  BARAKA_CHECK(!control.body.empty() && control.body.size() <= kMaxControl);
+  out.u8(first_octet(Kind::kControl));
+  out.u8(static_cast<std::uint8_t>(control.protocol));
+  out.bytes(control.body);
 }
 
 PathStatistics take_way(ByteReader& in) {
@@ -138,6 +149,15 @@ std::optional<Packet> parse_data(Header header, ByteReader& in) {
   return data;
 }
 
+std::optional<Packet> parse_control(ByteReader& in) {
+  Control control{.protocol = static_cast<ControlOf>(in.u8()), .body = in.rest()};
+  const bool is_known =
+      control.protocol == ControlOf::kAodv || control.protocol == ControlOf::kAntHocNet;
+  const bool has_length = !control.body.empty() && control.body.size() <= kMaxControl;
+  if (!in.ended_well() || !is_known || !has_length) return std::nullopt;
+  return control;
+}
+
 }  // namespace
 
 Bytes encode(const Packet& packet) {
@@ -150,6 +170,7 @@ std::optional<Packet> parse(std::span<const std::uint8_t> frame) {
   ByteReader in(frame);
   const std::uint8_t first = in.u8();
   if (first >> 4 != kVersion) return std::nullopt;
+  if (first == first_octet(Kind::kControl)) return parse_control(in);
   Header header = take_header(in);
   if (!is_valid(header)) return std::nullopt;
   const bool is_flood = is_broadcast(header.destination);
@@ -160,6 +181,8 @@ std::optional<Packet> parse(std::span<const std::uint8_t> frame) {
       return is_flood ? std::nullopt : parse_backward_ant(std::move(header), in);
     case Kind::kData:
       return parse_data(std::move(header), in);
+    case Kind::kControl:
+      break;  // has no header
   }
   return std::nullopt;
 }

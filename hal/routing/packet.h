@@ -54,7 +54,18 @@ struct Data {
   bool operator==(const Data&) const = default;
 };
 
-using Packet = std::variant<ForwardAnt, BackwardAnt, Data>;
+/// Whose a control packet is.
+enum class ControlOf : std::uint8_t { kAodv = 1, kAntHocNet = 2 };
+
+/// A packet that a protocol with a format of its own makes for itself.
+struct Control {
+  ControlOf protocol = ControlOf::kAodv;
+  Bytes body;  ///< Not empty, at most kMaxControl; what is in it is the protocol's affair.
+  bool operator==(const Control&) const = default;
+};
+inline constexpr std::size_t kMaxControl = 2048;
+
+using Packet = std::variant<ForwardAnt, BackwardAnt, Data, Control>;
 
 /// Longest path of an ant, in nodes: its length travels in one byte.
 inline constexpr std::size_t kMaxPath = 255;
@@ -62,7 +73,8 @@ inline constexpr std::size_t kMaxPath = 255;
 /// The bytes of a packet on a link, integers big-endian:
 ///
 ///   octet  0       version (high nibble, 1) and kind (low nibble: 1 forward ant, 2 backward ant,
-///                  3 data)
+///                  3 data, 10 control)
+///   control        u8 protocol, its body to the end of the frame; of the others
 ///          1       length of the topic, then the topic
 ///          u16 source, u16 destination, u32 sequence, then by kind
 ///   forward ant    i64 started [ns], way, path

@@ -2,11 +2,14 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "hal/routing/protocol_event.h"
 #include "hal/types/agent_id.h"
 #include "hal/types/message.h"
+#include "hal/types/random.h"
 #include "hal/types/route.h"
 #include "hal/types/time.h"
 #include "hal/types/verdict.h"
@@ -89,11 +92,31 @@ class RoutingObserver {
     (void)topic, (void)destination, (void)took, (void)found;
   }
   /// A message ended here, at a node on its way or at its end. kDelivered: at its destination;
-  /// for a flood, once per node that it reached. `sent_by` and `id` name the message.
+  /// for a flood, once per node that it reached. `sent_by` and `id` name the message. Of a message
+  /// with copies on several ways, kDelivered wins over the end of another copy.
   virtual void on_message_end(AgentId sent_by, MessageId id, std::string_view topic,
                               Verdict verdict) {
     (void)sent_by, (void)id, (void)topic, (void)verdict;
   }
+  /// The protocol did something worth counting.
+  virtual void on_protocol_event(ProtocolEvent event) { (void)event; }
+};
+
+/// The surroundings of one router; all outlive it.
+struct RouterPorts {
+  Link& link;
+  Timers& timers;
+  Application& application;
+  RoutingObserver& observer;
+};
+
+/// What one router draws from. A search that has to be repeated draws from a stream of its own, so
+/// that it does not shift what the others see.
+struct RouterStreams {
+  RandomStream random;   ///< "<agent>/routing": jitter of relays and hellos, choice of next hops.
+  RandomStream retries;  ///< "<agent>/routing/retries": jitter of repeated searches.
+  RouterStreams(std::uint64_t run_seed, const std::string& agent)
+      : random(run_seed, agent + "/routing"), retries(run_seed, agent + "/routing/retries") {}
 };
 
 }  // namespace hal::routing

@@ -3,47 +3,23 @@
 #include <cstdint>
 #include <memory>
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
 #include "hal/routing/ports.h"
 #include "hal/routing/routing_config.h"
 #include "hal/types/message.h"
-#include "hal/types/random.h"
 #include "hal/types/route.h"
 
 namespace hal::routing {
 
-class OneHop;
+class Protocol;
 
-/// The surroundings of one router; all outlive it.
-struct RouterPorts {
-  Link& link;
-  Timers& timers;
-  Application& application;
-  RoutingObserver& observer;
-};
-
-/// What one router draws from. A search that has to be repeated draws from a stream of its own, so
-/// that it does not shift what the others see.
-struct RouterStreams {
-  RandomStream random;   ///< "<agent>/routing": jitter of relays and hellos, choice of next hops.
-  RandomStream retries;  ///< "<agent>/routing/retries": jitter of repeated searches.
-  RouterStreams(std::uint64_t run_seed, const std::string& agent)
-      : random(run_seed, agent + "/routing"), retries(run_seed, agent + "/routing/retries") {}
-};
-
-/// Ant routing of one node: routes are found on demand by ants that flood out and walk back, kept
-/// per message class with every next hop that leads to the destination, and data picks among them
-/// at random (Labella, Dietrich, Dressler, "Hybrid simulation of Sensor and Actor Networks with
-/// BARAKA", 2009, section 6.1; after Di Caro, Ducatelle, Gambardella, "AntHocNet", 2005).
+/// Routing of one node, by the protocol that RoutingConfig::algorithm names.
 ///
 /// Over a link without tx_status each unicast frame is acknowledged by the next hop's router and
 /// repeated until it is (hop_acknowledgement.h), and neighbours are known by their hellos
-/// (hello.h).
-///
-/// With Algorithm::kNone nothing of this: each message is one frame (one_hop.h).
+/// (hello.h). With Algorithm::kNone nothing of this: each message is one frame (one_hop.h).
 ///
 /// Portable node code: time, radio and randomness are handed in. One thread.
 class Router {
@@ -77,19 +53,12 @@ class Router {
   /// From the link; ignored if it has no tx_status.
   void on_transmitted(const Transmission& transmission);
 
-  /// Frames that could not be parsed, came from this node or from kEveryone, or were ants that
-  /// contradict how they came in.
+  /// Frames that could not be parsed, came from this node or from kEveryone, or were of the
+  /// protocol and contradict how they came in.
   std::uint64_t malformed_frames() const;
 
  private:
-  struct State;
-
-  /// @return false: it is malformed.
-  bool take_frame(const Reception& reception, std::span<const std::uint8_t> bytes);
-
-  /// One of the two.
-  std::unique_ptr<State> state_;
-  std::unique_ptr<OneHop> one_hop_;
+  std::unique_ptr<Protocol> protocol_;
   AgentId self_;
   std::uint64_t malformed_ = 0;
 };

@@ -1,7 +1,12 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <map>
+#include <string>
+#include <string_view>
 
+#include "hal/types/path_metric.h"
 #include "hal/types/time.h"
 
 namespace hal::routing {
@@ -11,15 +16,28 @@ using namespace std::chrono_literals;
 /// How messages find their way.
 enum class Algorithm : std::uint8_t {
   kAnts,
-  kNone,  ///< Not at all: one hop, straight to the link (one_hop.h).
+  kNone,      ///< Not at all: one hop, straight to the link (one_hop.h).
+  kFlooding,  ///< Every message to everyone (flood_routing.h).
 };
 
-/// Parameters of the ant routing. Defaults: the replica of the paper's case study.
+/// How the messages of a class choose among routes: equation 1 of the paper.
+struct RouteChoice {
+  PathMetric metric{};  ///< r(.)
+  double beta = 2;      ///< Exponent of the forwarding probability, >= 1.
+  bool operator==(const RouteChoice&) const = default;
+};
+
+/// Parameters of the routing protocols. Defaults: the replica of the paper's case study.
 struct RoutingConfig {
   Algorithm algorithm = Algorithm::kAnts;  ///< kNone: nothing below counts.
-  double beta = 2;                         ///< Exponent of the forwarding probability, >= 1.
-  double direct_weight =
-      1e6;  ///< > 0: r of a neighbour that is the destination; else r = 1 / hops.
+
+  /// Ants.
+  RouteChoice choice{};                                       ///< Of classes without their own.
+  std::map<std::string, RouteChoice, std::less<>> classes{};  ///< By topic.
+  const RouteChoice& choice_of(std::string_view topic) const {
+    const auto own = classes.find(topic);
+    return own == classes.end() ? choice : own->second;
+  }
   Duration jitter_max = 100ms;  ///< Rebroadcasts wait U(0, jitter_max); >= 0.
   Duration retry_period = 5s;   ///< Between discoveries of one destination; > 0.
   /// 0..1: each retry comes earlier than that by U(0, retry_jitter) of it. Nodes whose first ants

@@ -5,7 +5,7 @@
 namespace hal::routing::test {
 namespace {
 
-constexpr RoutingConfig kNoJitter{.jitter_max = Duration::zero()};
+const RoutingConfig kNoJitter{.jitter_max = Duration::zero()};
 
 TEST(Discovery, OfANeighbourTakesOneBroadcastAndOneUnicast) {
   Network network(2);

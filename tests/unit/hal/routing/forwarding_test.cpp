@@ -6,7 +6,7 @@
 namespace hal::routing::test {
 namespace {
 
-constexpr RoutingConfig kNoJitter{.jitter_max = Duration::zero()};
+const RoutingConfig kNoJitter{.jitter_max = Duration::zero()};
 
 /// 1 - {2, 3} - 4: two ways from 1 to 4.
 void connect_diamond(Network& network) {

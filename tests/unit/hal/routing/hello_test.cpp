@@ -11,7 +11,7 @@
 namespace hal::routing::test {
 namespace {
 
-constexpr RoutingConfig kConfig{.jitter_max = Duration::zero()};  // hellos each 1 s, 2 missed
+const RoutingConfig kConfig{.jitter_max = Duration::zero()};  // hellos each 1 s, 2 missed
 
 std::vector<Time> hellos_of(const Network& network, int node) {
   std::vector<Time> times;

@@ -10,7 +10,7 @@
 namespace hal::routing::test {
 namespace {
 
-constexpr RoutingConfig kConfig{.jitter_max = Duration::zero(),
+const RoutingConfig kConfig{.jitter_max = Duration::zero(),
                                 .ack_timeout = 50ms,
                                 .ack_attempts = 4,
                                 .hello_period = kMaxHelloPeriod};

@@ -13,11 +13,11 @@ Route via(std::uint16_t next_hop, std::uint16_t hops) {
   return {"help", kDestination, AgentId{next_hop}, {.hops = hops}};
 }
 
-std::map<int, int> draw(const std::vector<Route>& routes, const RoutingConfig& config, int draws) {
+std::map<int, int> draw(const std::vector<Route>& routes, const RouteChoice& choice, int draws) {
   RandomStream random(42, "next hop");
   std::map<int, int> counts;
   for (int i = 0; i < draws; ++i) {
-    ++counts[pick_next_hop(routes, std::nullopt, config, random).value().value];
+    ++counts[pick_next_hop(routes, std::nullopt, choice, random).value().value];
   }
   return counts;
 }
@@ -55,8 +55,8 @@ TEST(NextHop, TheDestinationItselfIsAllButCertain) {
 
 // Direct weight 2, beta 1: 2 against 1/2.
 TEST(NextHop, WeighsTheDestinationByDirectWeight) {
-  const RoutingConfig config{.beta = 1, .direct_weight = 2};
-  const auto counts = draw({via(2, 2), via(kDestination.value, 1)}, config, 42000);
+  const RouteChoice choice{.metric = {.direct_weight = 2}, .beta = 1};
+  const auto counts = draw({via(2, 2), via(kDestination.value, 1)}, choice, 42000);
   const std::map<int, double> expected = {{kDestination.value, 0.8}, {2, 0.2}};
   EXPECT_LT(chi_square(counts, expected, 42000), 10.83);  // 1 degree of freedom, 0.1 % level
 }

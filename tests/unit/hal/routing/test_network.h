@@ -67,6 +67,7 @@ class TestNode final : public Link, public Application, public RoutingObserver {
     discoveries.push_back({destination, took, found});
   }
   void on_message_end(AgentId sent_by, MessageId id, std::string_view, Verdict verdict) override;
+  void on_protocol_event(ProtocolEvent event) override { ++events[event]; }
 
   AgentId self;
   std::vector<Message> messages;
@@ -76,6 +77,7 @@ class TestNode final : public Link, public Application, public RoutingObserver {
   std::vector<Neighbour> heard;
   std::vector<AgentId> lost;
   std::vector<DiscoveryRecord> discoveries;
+  std::map<ProtocolEvent, int> events;
   MessageId last_id = 0;
   bool is_sending = false;
   std::unique_ptr<Router> router;

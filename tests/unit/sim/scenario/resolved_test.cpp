@@ -356,8 +356,8 @@ TEST_F(Resolved, KeepsTheRadiosMac) {
 
 TEST_F(Resolved, KeepsTheRouting) {
   const auto c = load(resolved_yaml(load(kEverything))).simulation.routing;
-  EXPECT_EQ(c.beta, 3);
-  EXPECT_EQ(c.direct_weight, 1e5);
+  EXPECT_EQ(c.choice.beta, 3);
+  EXPECT_EQ(c.choice.metric.direct_weight, 1e5);
   EXPECT_EQ(c.jitter_max, 90ms);
   EXPECT_EQ(c.retry_period, 4s);
   EXPECT_EQ(c.retry_jitter, 0.3);

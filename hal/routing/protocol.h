@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "hal/routing/ports.h"
+#include "hal/routing/routing_config.h"
+#include "hal/types/message.h"
+#include "hal/types/route.h"
+
+namespace hal::routing {
+
+/// A way to get messages from node to node: what stands behind a Router, which says what its
+/// members mean. Portable node code: time, radio and randomness are handed in. One thread.
+class Protocol {
+ public:
+  virtual ~Protocol() = default;
+
+  /// @pre as Router::send().
+  virtual void send(const Message& message) = 0;
+  virtual void invalidate(std::string_view topic, AgentId destination) = 0;
+
+  virtual std::vector<Route> routes(std::string_view topic, AgentId destination) const = 0;
+  virtual std::vector<Route> routes() const = 0;
+  virtual std::vector<Neighbour> neighbours() const = 0;
+
+  /// @pre from another node.
+  /// @return false: the frame is malformed, or contradicts how it came in.
+  virtual bool on_frame(const Reception& reception, std::span<const std::uint8_t> bytes) = 0;
+  virtual void on_transmitted(const Transmission& transmission) = 0;
+};
+
+/// The protocol that `config.algorithm` names.
+/// @pre every value that it uses is in the range its comment gives; aborts otherwise.
+std::unique_ptr<Protocol> make_protocol(AgentId self, const RoutingConfig& config,
+                                        const RouterStreams& streams, const RouterPorts& ports);
+
+}  // namespace hal::routing

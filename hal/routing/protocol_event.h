@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace hal::routing {
+
+/// What routing protocols do, for counting. A new one goes in before kCount, with its name in
+/// protocol_event.cpp.
+enum class ProtocolEvent : std::uint8_t {
+  kNeighbourLost,  ///< It did not answer, or was silent for too long.
+  kHelloSent,
+  // Ants.
+  kForwardAntSent,      ///< A search for a route, each try.
+  kForwardAntRelayed,   ///< Broadcast on.
+  kForwardAntAnswered,  ///< At its destination: a backward ant sets out.
+  kBackwardAntRelayed,
+  kBackwardAntHome,  ///< It came to the node that searched.
+  // Floods of messages.
+  kFloodRelayed,
+  kFloodCopyDropped,  ///< A message that this node had already.
+  kCount,
+};
+inline constexpr std::size_t kProtocolEvents = static_cast<std::size_t>(ProtocolEvent::kCount);
+
+/// "forward ant sent", …
+std::string_view name(ProtocolEvent event);
+
+}  // namespace hal::routing

@@ -1,0 +1,108 @@
+#include "hal/types/path_metric.h"
+
+#include <algorithm>
+
+#include "hal/types/check.h"
+#include "hal/types/math.h"
+
+namespace hal {
+namespace {
+
+constexpr double kLeastEnergy = 1e-15;  // J
+constexpr double kMostSnr = 100;        // dB, either way
+/// Bound of one factor, and its inverse: of large weights, so that no product of all leaves the
+/// range of a double.
+constexpr double kMostFactor = 1e75;
+
+constexpr std::array<std::string_view, kPathStatistics.size()> kStatisticNames{"hops", "delay",
+                                                                               "min_snr", "energy"};
+
+/// bit/s per Hz over a channel of that signal to noise ratio.
+double capacity(double snr_db) {
+  const double snr = math::pow(10.0, std::clamp(snr_db, -kMostSnr, kMostSnr) / 10);
+  return math::log(1 + snr) / math::log(2.0);
+}
+
+double value(PathStatistic statistic, const PathStatistics& path) {
+  switch (statistic) {
+    case PathStatistic::kHops:
+      return 1.0 / std::max<int>(1, path.hops);
+    case PathStatistic::kDelay:
+      return 1.0 / to_seconds(std::max(Duration{1}, path.delay));
+    case PathStatistic::kMinSnr:
+      return capacity(path.min_snr_db);
+    case PathStatistic::kEnergy:
+      return 1.0 / std::max(kLeastEnergy, path.energy);
+  }
+  return 1;
+}
+
+/// Unnormalised probabilities. Relative to the best, so that no power overflows.
+std::vector<double> relative_weights(std::span<const Route> routes, const PathMetric& metric,
+                                     double beta) {
+  std::vector<double> result;
+  result.reserve(routes.size());
+  for (const Route& route : routes) {
+    result.push_back(path_value(metric, route.path, route.next_hop == route.destination));
+  }
+  const double best = *std::ranges::max_element(result);
+  for (double& weight : result) weight = math::pow(weight / best, beta);
+  return result;
+}
+
+}  // namespace
+
+std::string_view name(PathStatistic statistic) {
+  return kStatisticNames.at(static_cast<std::size_t>(statistic));
+}
+
+std::optional<PathStatistic> path_statistic(std::string_view name) {
+  const auto* const found = std::ranges::find(kStatisticNames, name);
+  if (found == kStatisticNames.end()) return std::nullopt;
+  return kPathStatistics.at(static_cast<std::size_t>(found - kStatisticNames.begin()));
+}
+
+double PathMetric::weight(PathStatistic statistic) const {
+  const std::array<double, kPathStatistics.size()> weights{hops, delay, min_snr, energy};
+  return weights.at(static_cast<std::size_t>(statistic));
+}
+
+void PathMetric::set_weight(PathStatistic statistic, double weight) {
+  const std::array<double*, kPathStatistics.size()> weights{&hops, &delay, &min_snr, &energy};
+  *weights.at(static_cast<std::size_t>(statistic)) = weight;
+}
+
+PathMetric path_metric(PathStatistic statistic, double direct_weight) {
+  PathMetric metric{.hops = 0, .direct_weight = direct_weight};
+  metric.set_weight(statistic, 1);
+  return metric;
+}
+
+double path_value(const PathMetric& metric, const PathStatistics& path, bool is_destination) {
+  if (is_destination && metric.direct_weight > 0) return metric.direct_weight;
+  double product = 1;
+  for (const PathStatistic statistic : kPathStatistics) {
+    const double weight = metric.weight(statistic);
+    if (weight == 0) continue;
+    const double r = value(statistic, path);
+    const double factor = weight == 1 ? r : math::pow(r, weight);
+    product *= std::clamp(factor, 1 / kMostFactor, kMostFactor);
+  }
+  return product;
+}
+
+std::size_t draw_route(std::span<const Route> routes, const PathMetric& metric, double beta,
+                       RandomStream& random) {
+  BARAKA_CHECK(!routes.empty());
+  const std::vector<double> weights = relative_weights(routes, metric, beta);
+  double total = 0;
+  for (const double weight : weights) total += weight;
+  double left = random.uniform() * total;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    left -= weights[i];
+    if (left < 0) return i;
+  }
+  return weights.size() - 1;  // rounding left a crumb of probability over
+}
+
+}  // namespace hal
