@@ -24,6 +24,30 @@ std::string_view name(ProtocolEvent event) {
       return "flood relayed";
     case ProtocolEvent::kFloodCopyDropped:
       return "flood copy dropped";
+    case ProtocolEvent::kProactiveAntSent:
+      return "proactive ant sent";
+    case ProtocolEvent::kRepairAntSent:
+      return "repair ant sent";
+    case ProtocolEvent::kForwardAntPassedOn:
+      return "forward ant passed on";
+    case ProtocolEvent::kForwardAntDropped:
+      return "forward ant dropped";
+    case ProtocolEvent::kPheromoneBootstrapped:
+      return "pheromone bootstrapped";
+    case ProtocolEvent::kLossNoticeSent:
+      return "loss notice sent";
+    case ProtocolEvent::kLossNoticeReceived:
+      return "loss notice received";
+    case ProtocolEvent::kWarningSent:
+      return "warning sent";
+    case ProtocolEvent::kWarningReceived:
+      return "warning received";
+    case ProtocolEvent::kRepairSucceeded:
+      return "repair succeeded";
+    case ProtocolEvent::kRepairFailed:
+      return "repair failed";
+    case ProtocolEvent::kMessageSalvaged:
+      return "message salvaged";
     case ProtocolEvent::kCount:
       break;
   }
