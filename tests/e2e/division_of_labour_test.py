@@ -6,24 +6,14 @@ import statistics
 import sys
 import unittest
 
-from baraka import BIN, ROOT, Case
+from baraka import BIN, ROOT
+from many_robots_test import IN_PROCESS, PHASES, Hours, phase
 
 SCENARIO = ROOT / "config/scenarios/division_of_labour.yaml"
 TASKS = ROOT / "config/tasks"
-PHASES = ("aligned", "uniform")
-IN_PROCESS = ("--controllers", "in-process")
 MOTE, ROBOT = "agents.motes.controller.parameters.", "agents.robots.controller.parameters."
 LEAST, MOST, EXPONENT = 0.1, 1, 2  # of config/tasks
 is_complete = "--all" in sys.argv
-
-
-def phase(name):
-    return ("--set", f"control_phase={name}")
-
-
-def settings(**values):
-    """--set for keys whose dots are written as two underscores."""
-    return [part for key, value in values.items() for part in ("--set", f"{key.replace('__', '.')}={value}")]
 
 
 class Call:
@@ -33,7 +23,7 @@ class Call:
         self.mote, self.needed, self.began, self.granted, self.ended, self.end = mote, needed, None, None, None, None
 
 
-class Labour(Case):
+class Labour(Hours):
     def play(self, *arguments, seed=1, name="uniform", status=0, scenario=SCENARIO, timeout=600):
         return self.run_baraka(scenario, "--seed", seed, *phase(name), *IN_PROCESS, *arguments, status=status,
                                timeout=timeout)
@@ -88,31 +78,25 @@ class Labour(Case):
             counts[task][kind == "failed"] += int(value)
         return dict(counts)
 
-    def check_under_way(self, call, ended):
-        """A call without an end is not forgotten: its mote waits as its rules say, for at most 300 s since it last
-        heard from the robot in charge, or 30 s since it last called."""
-        (last,), = self.query(f"SELECT max(at_ns) / 1e9 FROM deliveries WHERE receiver = {call.mote}")
-        (called,), = self.query(f"SELECT max(sent_ns) / 1e9 FROM messages WHERE sender = {call.mote}")
-        self.assertLess(ended - max(last, called), 301, f"mote {call.mote}")
-
 
 class Minutes(Labour):
-    def test_ten_minutes_of_all_tasks(self):
+    def test_five_minutes_of_all_tasks(self):
         for name in PHASES:
             with self.subTest(phase=name):
-                finished = self.play("--until", 600, name=name)
+                finished = self.play("--until", 300, name=name)
                 self.assertEqual(finished["result"], "until")
                 self.assertNotIn("warning", finished.err)
-                self.assertGreater(self.check_probabilities(), 1000)
+                self.assertGreater(self.check_probabilities(), 500)
                 topics = {topic for topic, in self.query("SELECT DISTINCT topic FROM messages")}
                 self.assertEqual(topics, {"temperature", "audio", "video", "help", "patrol"})
                 outcomes = self.outcomes()
-                for task in ("temperature", "audio", "video", "answer", "patrol", "idle"):
+                for task in ("temperature", "audio", "video", "patrol", "idle"):
                     self.assertGreater(outcomes[task][0], 0, task)
                 self.assertGreater(outcomes["answer"][1], 0, "somebody is refused")
                 calls = self.calls()
-                self.assertEqual(len(calls), 5, "another mote every two minutes")
-                self.assertIn("FULFILLED", [call.end for call in calls])
+                self.assertEqual(len(calls), 3, "another mote every two minutes")
+                for call in calls:
+                    self.assertIsNotNone(call.granted, f"mote {call.mote}")
 
     def test_over_dds_and_in_process_it_is_the_same(self):
         until = ("--until", 30)
@@ -129,21 +113,21 @@ class Minutes(Labour):
         # A receipt cannot come within no time: temperature pays for the even rows of motes, audio for the odd ones.
         scenario = self.folder / "split.yaml"
         hasty = ", ".join(f"{{agents: m{i}, parameters: {{{'audio' if i // 5 % 2 == 0 else 'temperature'}: "
-                          "{within: 0 s}}}" for i in range(25) if i != 12)
+                          "{needed: 1, within: 0 s}}}" for i in range(25) if i != 12)
         scenario.write_text(f"version: 1\ninclude: {SCENARIO}\nagents:\n  motes:\n    controller:\n"
-                            f"      parameters: {{tasks: [temperature, audio], rest: 5 s}}\n      overrides: [{hasty}]\n")
-        self.play("--until", 600, scenario=scenario)
+                            f"      parameters: {{tasks: [temperature, audio], rest: 2 s}}\n      overrides: [{hasty}]\n")
+        self.play("--until", 150, scenario=scenario)
         self.assertGreaterEqual(self.split(["temperature", "audio"]), 0.6)
         self.check_probabilities()
         # Without the difference nobody has a reason.
         scenario.write_text(f"version: 1\ninclude: {SCENARIO}\nagents:\n  motes:\n    controller:\n"
-                            f"      parameters: {{tasks: [temperature, audio], rest: 5 s}}\n      overrides: []\n")
-        self.play("--until", 600, scenario=scenario)
+                            f"      parameters: {{tasks: [temperature, audio], rest: 2 s}}\n      overrides: []\n")
+        self.play("--until", 150, scenario=scenario)
         self.assertLess(self.split(["temperature", "audio"]), 0.2)
 
     def test_the_exponent_sharpens_and_the_variable_rule_hastens(self):
         def spread(*more):
-            self.play("--until", 300, *more)
+            self.play("--until", 200, *more)
             last = [times[max(times)] for agent, times in self.probabilities().items() if agent.startswith("r")]
             return statistics.mean(max(p.values()) - min(p.values()) for p in last)
         plain = spread()
@@ -186,10 +170,17 @@ agents:
         return file
 
     def test_two_motes_and_a_robot(self):
+        # That robot may well choose something else for as long as a mote calls.
         finished = self.play(scenario=self.scenario(2, 1))
         self.assertEqual(finished["result"], "done")
         self.check_probabilities()
-        self.assertEqual({call.end for call in self.calls()}, {"FULFILLED"})
+        ends = [call.end for call in self.calls()]
+        self.assertEqual(len(ends), 2)
+        self.assertEqual(self.outcomes()["help"], [ends.count("FULFILLED"), ends.count("GAVE_UP")])
+        # Not so if there is nothing else.
+        self.play("--set", ROBOT + "tasks=[answer]", scenario=self.scenario(2, 1))
+        self.assertEqual([call.end for call in self.calls()], ["FULFILLED", "FULFILLED"])
+        self.assertEqual(self.outcomes()["answer"][0], 2)
 
     def test_without_a_robot_calls_are_given_up(self):
         self.play(scenario=self.scenario(2, 0))
@@ -208,7 +199,7 @@ agents:
         file = self.scenario(2, 1)
         file.write_text(file.read_text().replace("rest: 5 s", "rest: 5 s, video: {siez: 5}"))
         finished = self.play(scenario=file, status=2)
-        self.assertIn("some.yaml:13:", finished.err)
+        self.assertIn("some.yaml:14:", finished.err)
         self.assertIn("video.siez: is not a parameter of labour_mote; did you mean 'video.size'?", finished.err)
 
 
@@ -237,11 +228,14 @@ class FortyHours(Labour):
     @unittest.skipUnless(is_complete, "40 hours: run with --all")
     def test_nineteen_calls_of_twenty_are_answered(self):
         print("\nphase    seed answered gave_up under_way  waits    max answer    max wall_s", file=sys.stderr)
-        for name in PHASES:
-            ends = [end for seed in range(1, 21) for end in self.judge_hour(name, seed)]
-            print(f"{name}: {ends.count('FULFILLED')} of {len(ends)} answered, {ends.count('GAVE_UP')} given up, "
-                  f"{ends.count(None)} under way", file=sys.stderr)
-            self.assertGreaterEqual(ends.count("FULFILLED") / len(ends), 0.95)
+        ends = collections.defaultdict(list)
+        for seed in range(1, 21):
+            for name in PHASES:
+                ends[name] += self.judge_hour(name, seed)
+        for name, some in ends.items():
+            print(f"{name}: {some.count('FULFILLED')} of {len(some)} answered, {some.count('GAVE_UP')} given up, "
+                  f"{some.count(None)} under way", file=sys.stderr)
+            self.assertGreaterEqual(some.count("FULFILLED") / len(some), 0.95)
 
 
 if __name__ == "__main__":
