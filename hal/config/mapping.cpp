@@ -329,26 +329,53 @@ std::vector<std::string> Mapping::keys() const {
   return result;
 }
 
+std::optional<PlainValue> Mapping::plain_value(const Node& node, const std::string& key,
+                                               std::string_view expected) {
+  PlainValue value{.key = key, .text = {}, .place = node.place.text()};
+  value.is_list = node.kind == Kind::kList;
+  bool is_plain = true;
+  for (const Node& item : node.items) {
+    const std::string* text = scalar(item, key, "a single value");
+    is_plain = is_plain && text != nullptr;
+    if (is_plain) value.items.push_back(*text);
+  }
+  if (!value.is_list) {
+    const std::string* text = scalar(node, key, expected);
+    is_plain = text != nullptr;
+    if (is_plain) value.text = *text;
+  }
+  if (!is_plain) return std::nullopt;
+  return value;
+}
+
 std::vector<PlainValue> Mapping::plain_values() {
   std::vector<PlainValue> result;
   for (const Entry& entry : node_->entries) {
     find(entry.key);
-    PlainValue value{.key = entry.key, .text = {}, .place = entry.value.place.text()};
-    value.is_list = entry.value.kind == Kind::kList;
-    bool is_plain = true;
-    for (const Node& item : entry.value.items) {
-      const std::string* text = scalar(item, entry.key, "a single value");
-      is_plain = is_plain && text != nullptr;
-      if (is_plain) value.items.push_back(*text);
-    }
-    if (!value.is_list) {
-      const std::string* text = scalar(entry.value, entry.key, "a single value or a list of them");
-      is_plain = text != nullptr;
-      if (is_plain) value.text = *text;
-    }
-    if (is_plain) result.push_back(std::move(value));
+    auto value = plain_value(entry.value, entry.key, "a single value or a list of them");
+    if (value) result.push_back(std::move(*value));
   }
   return result;
+}
+
+std::vector<PlainValue> Mapping::nested_values() {
+  for (const Entry& entry : node_->entries) find(entry.key);
+  std::vector<PlainValue> result;
+  add_nested(*node_, "", result);
+  return result;
+}
+
+void Mapping::add_nested(const Node& mapping, const std::string& prefix,
+                         std::vector<PlainValue>& values) {
+  for (const Entry& entry : mapping.entries) {
+    const std::string key = prefix + entry.key;
+    if (entry.value.kind == Kind::kMapping) {
+      add_nested(entry.value, key + ".", values);
+      continue;
+    }
+    auto value = plain_value(entry.value, key, "a single value, or a list or mapping of them");
+    if (value) values.push_back(std::move(*value));
+  }
 }
 
 std::string Mapping::place(const std::string& key) const {

@@ -31,7 +31,8 @@ struct Scalar {
   std::string place;  ///< "file:line:column".
 };
 
-/// The value of a key in a mapping whose keys are names: one scalar, or a list of them.
+/// The value of a key in a mapping whose keys are names: one scalar, or a list of them. The keys of
+/// mappings inside are joined with dots: "temperature.size".
 struct PlainValue {
   std::string key;
   std::string text;   ///< Of a scalar.
@@ -124,6 +125,8 @@ class Mapping {
   std::vector<std::string> keys() const;
   /// All entries, for mappings whose keys are names and whose values are scalars or lists of them.
   std::vector<PlainValue> plain_values();
+  /// The same, where values may also be mappings of such values.
+  std::vector<PlainValue> nested_values();
 
   /// "file:line:column" of a key's value, or of the mapping if the key is not there.
   std::string place(const std::string& key) const;
@@ -159,6 +162,9 @@ class Mapping {
   void note(const Key& key, const Form& form, const std::string& otherwise = {});
   const Node* required(const Key& key, const Form& form);
   const std::string* scalar(const Node& node, const std::string& key, std::string_view expected);
+  std::optional<PlainValue> plain_value(const Node& node, const std::string& key,
+                                        std::string_view expected);
+  void add_nested(const Node& mapping, const std::string& prefix, std::vector<PlainValue>& values);
   std::optional<double> parsed(const Node& node, const Key& key, const Form& form);
   std::optional<std::int64_t> whole(const Node& node, const Key& key, const Form& form);
   std::vector<double> vector(const Key& key, const Form& form, const Node* node);

@@ -53,7 +53,7 @@ void read_controller(Mapping in, RobotFile& file) {
   Mapping parameters =
       in.mapping({"parameters", "Of the controller; `baraka describe PROGRAM` shows them.",
                   "{speed: 0.5 m/s}"});
-  for (config::PlainValue& given : parameters.plain_values()) {
+  for (config::PlainValue& given : parameters.nested_values()) {
     file.parameters.push_back({std::move(given.key), std::move(given.text), std::move(given.place),
                                given.is_list, std::move(given.items)});
   }

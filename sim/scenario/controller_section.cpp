@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "sim/scenario/fields.h"
 #include "sim/scenario/override_agents.h"
@@ -15,7 +16,7 @@ using hal::exchange::ParameterText;
 
 std::vector<ParameterText> read_parameters(Mapping in) {
   std::vector<ParameterText> parameters;
-  for (hal::config::PlainValue& given : in.plain_values()) {
+  for (hal::config::PlainValue& given : in.nested_values()) {
     parameters.push_back({std::move(given.key), std::move(given.text), std::move(given.place),
                           given.is_list, std::move(given.items)});
   }
@@ -59,15 +60,40 @@ std::vector<ParameterText> common_to(std::span<const AgentConfig> agents) {
   return common;
 }
 
-void write_parameters(Writer& out, const std::vector<ParameterText>& parameters) {
-  out.open("parameters");
+void write_values(Writer& out, const std::vector<ParameterText>& parameters);
+
+/// The parameters whose names begin with `prefix`, which ends in a dot, as a mapping.
+void write_mapping(Writer& out, const std::vector<ParameterText>& parameters,
+                   const std::string& prefix) {
+  std::vector<ParameterText> inner;
   for (const ParameterText& parameter : parameters) {
-    if (parameter.is_list) {
+    if (!parameter.name.starts_with(prefix)) continue;
+    inner.push_back(parameter);
+    inner.back().name.erase(0, prefix.size());
+  }
+  out.open(std::string_view(prefix).substr(0, prefix.size() - 1));
+  write_values(out, inner);
+  out.close();
+}
+
+void write_values(Writer& out, const std::vector<ParameterText>& parameters) {
+  std::set<std::string> mappings;
+  for (const ParameterText& parameter : parameters) {
+    const auto dot = parameter.name.find('.');
+    if (dot != std::string::npos) {
+      const std::string prefix = parameter.name.substr(0, dot + 1);
+      if (mappings.insert(prefix).second) write_mapping(out, parameters, prefix);
+    } else if (parameter.is_list) {
       out.texts(parameter.name, parameter.items);
     } else {
       out.text(parameter.name, parameter.value);
     }
   }
+}
+
+void write_parameters(Writer& out, const std::vector<ParameterText>& parameters) {
+  out.open("parameters");
+  write_values(out, parameters);
   out.close();
 }
 

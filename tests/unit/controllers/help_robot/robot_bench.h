@@ -10,15 +10,16 @@
 
 namespace tests {
 
-/// help_robot in a ControllerHost, with what it senses.
+/// A robot that goes to motes that call, in a ControllerHost, with what it senses.
 class RobotBench {
  public:
   using Said = std::vector<std::pair<int, controllers::HelpWord>>;
 
-  explicit RobotBench(std::vector<hal::exchange::ParameterText> parameters = {}) {
+  explicit RobotBench(std::vector<hal::exchange::ParameterText> parameters = {},
+                      std::vector<hal::exchange::AgentName> directory = {}) {
     auto session = robot_session();
     session.parameters = std::move(parameters);
-    agent = std::make_unique<OneAgent>(*baraka_controller(), session);
+    agent = std::make_unique<OneAgent>(*baraka_controller(), session, std::move(directory));
   }
 
   Actions hear(int from, controllers::HelpWord word) {

@@ -163,6 +163,22 @@ TEST_F(MappingTest, RefusesAPlainValueThatIsNone) {
                           "a.yaml:2:5: c: must be a single value, not a list of 1"}));
 }
 
+TEST_F(MappingTest, JoinsTheKeysOfMappingsInside) {
+  const auto none = mistakes("a: 1 s\nb: {c: [1, 2], d: {e: x}}\nf: {}\n", [this](Mapping& in) {
+    const auto values = in.nested_values();
+    ASSERT_EQ(values.size(), 3u);
+    EXPECT_EQ(values[0].key, "a");
+    EXPECT_EQ(values[1].key, "b.c");
+    EXPECT_EQ(values[1].items, (std::vector<std::string>{"1", "2"}));
+    EXPECT_EQ(values[2].key, "b.d.e");
+    EXPECT_EQ(values[2].text, "x");
+    EXPECT_EQ(values[2].place, folder_.string() + "/a.yaml:2:21");
+  });
+  EXPECT_EQ(none, Lines{});
+  const auto found = mistakes("a: {b: [[1], 2]}\n", [](Mapping& in) { in.nested_values(); });
+  EXPECT_EQ(found, Lines{"a.yaml:1:9: a.b: must be a single value, not a list of 1"});
+}
+
 TEST_F(MappingTest, LimitsAnOptionalTimeToWhatADurationHolds) {
   const auto found = mistakes("timeout: 1e30 s\n",
                               [](Mapping& in) { in.optional_duration(key("timeout"), 0, 1s); });

@@ -104,9 +104,10 @@ agents:
     controller:
       program: help_mote
       processes: 2
-      parameters: {help_at: never, repeat_after: 20 s, friends: [r1, "a, b", -1 m], none: []}
+      parameters: {help_at: never, repeat_after: 20 s, friends: [r1, "a, b", -1 m], none: [],
+                   deep: {size: 3, more: {x: [1 s], y: true}}}
       overrides:
-        - {agents: "x0?", parameters: {help_at: 3 s}}
+        - {agents: "x0?", parameters: {help_at: 3 s, deep: {size: 4}}}
   cart:
     address: 7
     robot:

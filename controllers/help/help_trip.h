@@ -1,20 +1,21 @@
 #pragma once
 
+#include <array>
 #include <optional>
-#include <set>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "controllers/help/travel.h"
 #include "controllers/help_message.h"
-#include "controllers/help_robot/avoidance.h"
 #include "hal/api/controller.h"
+#include "hal/types/path_metric.h"
 
 namespace controllers {
 
-/// A robot that drives to motes that call for help, from one hop of the network's route to the
-/// next.
+/// A robot's trip to a mote that called for help, from one hop of the network's route to the next.
 ///
-///   IDLE --somebody called--> SELECT_DESTINATION --asks--> REQUEST_ASSIGNMENT
+///   IDLE --begin()--> SELECT_DESTINATION --asks--> REQUEST_ASSIGNMENT
 ///                                                               | granted
 ///                 route appears                                 v
 ///   REQUEST_NEXT_HOP ------------------------------------> FIND_NEXT_HOP <-----------------+
@@ -30,16 +31,8 @@ namespace controllers {
 ///
 /// Times are looked at once per control cycle. (Labella, Dietrich, Dressler, "Hybrid simulation of
 /// Sensor and Actor Networks with BARAKA", 2009, section 6.2.)
-class HelpRobot : public hal::Controller {
+class HelpTrip {
  public:
-  HelpRobot(hal::Robot& robot, const hal::Parameters& parameters);
-
-  void start() override;
-  void step() override;
-  void receive(const hal::Message& message) override;
-  void stop() override;
-
- private:
   enum class State {
     kIdle,
     kSelectDestination,
@@ -51,32 +44,62 @@ class HelpRobot : public hal::Controller {
     kGiveUp,
     kArrived,
   };
+  /// By State: the names under which the robot records them.
+  static constexpr std::array<std::string_view, 9> kStateNames{"IDLE",
+                                                               "SELECT_DESTINATION",
+                                                               "REQUEST_ASSIGNMENT",
+                                                               "FIND_NEXT_HOP",
+                                                               "REQUEST_NEXT_HOP",
+                                                               "GO_TO_NEXT_HOP",
+                                                               "GO_TO_DESTINATION",
+                                                               "GIVE_UP",
+                                                               "ARRIVED"};
 
+  /// What parameters() declares. @param prefix  of the names, e.g. "answer."; may be empty.
+  static std::vector<hal::ParameterSpec> parameters(const std::string& prefix);
+  /// @param parameters  these and those of Travel.   @param travel  outlives this.
+  HelpTrip(hal::Robot& robot, Travel& travel, const hal::Parameters& parameters,
+           const std::string& prefix);
+
+  void idle() { enter(State::kIdle); }
+  void begin(hal::AgentId mote);  ///< @pre !is_on()
+  void step();                    ///< Once per control cycle.
+  void receive(hal::AgentId from, HelpWord word);
+
+  bool is_on() const { return state_ != State::kIdle; }
+  bool is_to(hal::AgentId mote) const { return is_on() && mote == destination_; }
+  /// Whether the last trip that ended came to its mote.
+  bool has_arrived() const { return has_arrived_; }
+  /// Whether it ended because another robot has the task, or nobody needs it any more.
+  bool was_refused() const { return was_refused_; }
+  /// r(.) by which it chooses its hops.
+  const hal::PathMetric& metric() const { return metric_; }
+
+ private:
   void enter(State state);
   bool is_under_way() const;
-  void select_destination();
   void request(State state);
   void wait_for_answer();
   void on_answer(bool granted);
   void find_next_hop();
   std::vector<hal::Route> routes_ahead() const;
-  hal::AgentId draw_next_hop(const std::vector<hal::Route>& routes);
   void go();
   void keep_in_touch(double distance);
-  void drive(hal::Vec2 to, double distance);
-  void halt();
   void give_up();
   void arrive();
   void say(HelpWord word);
 
   hal::Robot& robot_;
-  const hal::Parameters parameters_;
+  Travel& travel_;
   const hal::Duration keep_alive_;
   const hal::Duration hop_timeout_;
   const hal::Duration reply_timeout_;
+  const int max_repeats_;
+  const double near_, reached_;  ///< m
+  const hal::PathMetric metric_;
+  const double beta_;
 
   State state_ = State::kIdle;
-  std::set<hal::AgentId> calls_;      ///< Motes that asked for help, without the destination.
   hal::AgentId destination_;          ///< Of every state but IDLE.
   hal::AgentId next_hop_;             ///< Of both GO_TO states.
   std::optional<hal::AgentId> left_;  ///< The hop reached last: the robot stands at it.
@@ -84,7 +107,7 @@ class HelpRobot : public hal::Controller {
   hal::Time deadline_{};       ///< Of the states that wait or go.
   hal::Time keep_alive_at_{};  ///< Of the states that go.
   bool asked_near_ = false;    ///< The question of being near the next hop was sent.
-  Avoidance avoidance_;
+  bool has_arrived_ = false, was_refused_ = false;
 };
 
 }  // namespace controllers

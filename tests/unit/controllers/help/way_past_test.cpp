@@ -1,4 +1,4 @@
-#include "controllers/help_robot/way_past.h"
+#include "controllers/help/way_past.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "controllers/help_robot/avoidance.h"
+#include "controllers/help/avoidance.h"
 
 namespace {
 

@@ -1,4 +1,4 @@
-#include "controllers/help_robot/avoidance.h"
+#include "controllers/help/avoidance.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+#include "hal/api/real_world_object.h"
+
+namespace controllers {
+
+/// The address of the agent that a parameter names.
+/// @throws std::invalid_argument  there is none of that name.
+inline hal::AgentId agent_called(const hal::RealWorldObject& self, const std::string& name,
+                                 const std::string& parameter) {
+  const auto address = self.address_of(name);
+  if (!address) throw std::invalid_argument(parameter + ": there is no agent '" + name + "'");
+  return *address;
+}
+
+}  // namespace controllers

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "controllers/help/help_trip.h"
+#include "controllers/help/travel.h"
+#include "controllers/labour/task_weights.h"
+#include "controllers/labour_robot/patrol.h"
+#include "controllers/labour_robot/requesters.h"
+#include "hal/api/controller.h"
+
+namespace controllers {
+
+/// A robot that chooses one task after the other, at random, and inclines to what it succeeds in
+/// (TaskWeights):
+///
+///   task     what it does                                      is a success if
+///   answer   goes to a mote that called for help (HelpTrip),   it arrived; refused, because
+///   another
+///            drawn from those that did (Requesters)            robot has the task, or given up, a
+///                                                              failure
+///   patrol   goes to a post and stays as a gateway (Patrol)    it was reached in time, and the
+///                                                              sink's receipt came
+///   idle     waits where it is                                 nobody called for help meanwhile
+///
+/// answer is among those to choose from only while a call is fresh, patrol while a post is in
+/// sight. A call that is heard during patrol or idle has the robot choose again; if it draws answer
+/// it breaks off what it did, which then was neither a success nor a failure, else it goes on. So
+/// the robots that are not needed for a call are refused and come to leave calls to others.
+///
+/// It records "p_<task>" at the start and whenever one of them moves; at the end "succeeded_<task>"
+/// and "failed_<task>". States: those of HelpTrip, PATROL, GATEWAY.
+class LabourRobot : public hal::Controller {
+ public:
+  LabourRobot(hal::Robot& robot, const hal::Parameters& parameters);
+  static std::vector<hal::ParameterSpec> parameters();
+  static std::vector<std::string> states();
+
+  void start() override;
+  void step() override;
+  void receive(const hal::Message& message) override;
+  void timer(hal::TimerId id) override;
+  void stop() override;
+
+ private:
+  enum class Task { kAnswer, kPatrol, kIdle };
+
+  bool can_do(Task task) const;
+  std::optional<std::size_t> draw();
+  void begin(std::size_t task);
+  void reconsider();
+  bool is_over() const;
+  bool succeeded() const;
+  void settle();
+
+  hal::Robot& robot_;
+  const std::string sink_name_;
+  const hal::Duration fresh_for_;
+  const double requester_beta_;
+  const bool refusal_fails_;
+  const double idle_;  ///< s, on average.
+  TaskWeights weights_;
+  std::vector<Task> kinds_;  ///< By number of the task.
+  Travel travel_;
+  HelpTrip trip_;
+  Patrol patrol_;
+  Requesters requesters_;
+
+  std::optional<std::size_t> current_;
+  hal::Time idle_until_{};
+  bool heard_call_ = false;  ///< Since the task began.
+  bool is_called_ = false;   ///< Since the last control cycle.
+};
+
+}  // namespace controllers
