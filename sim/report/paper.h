@@ -42,8 +42,8 @@ inline constexpr const char* kNoTail =
     "The paper's longest times are seconds, its route discoveries up to 10 s: two periods of the "
     "retry. Here a first ant is hardly ever lost: frames only collide, the jitter keeps floods "
     "apart, nothing else is on the air, and a link is either perfect or absent. So the retry that "
-    "makes seconds is not needed. Losses of frames bring the tail back; hello beacons and "
-    "background traffic do so far less. docs/case_study_tail.md has the experiment.";
+    "makes seconds is not needed. Losing 20 % or more of the frames brings the tail back; hello "
+    "beacons and background traffic do not. docs/case_study_tail.md has the experiment.";
 
 /// What the paper reports of its case study: T. H. Labella, I. Dietrich, F. Dressler, "Hybrid
 /// simulation of Sensor and Actor Networks with BARAKA", 2009, figures 11 to 14.
