@@ -153,6 +153,33 @@ const CLI::App* add_describe(CLI::App& app, DescribeOptions& options) {
   return describe;
 }
 
+const CLI::App* add_report(CLI::App& app, gateway::ReportOptions& options) {
+  using sim::report::IntervalKind;
+  using sim::report::PlotKind;
+  CLI::App* add = app.add_subcommand("report", "Tables and figures of results or of a campaign");
+  add->add_option("DIR", options.folders, "Folders of results, or of a campaign")->required();
+  add->add_option("-o", options.file,
+                  "Write to this file, print no tables: a page with all figures (.html), one "
+                  "figure (.svg) or the data behind it (.csv)");
+  add->add_option("--figure", options.figure,
+                  "One quantity of `baraka describe observables`, or one of the scenario's report");
+  add->add_option("--versus", options.versus, "Key of the setting along the axis");
+  add->add_option("--by", options.by, "Key of the setting that has a curve for each of its values");
+  add->add_option("--agent", options.agent, "Whose, if agents have it");
+  add->add_option("--as", options.as, "What the figure shows")
+      ->transform(CLI::CheckedTransformer(
+          std::map<std::string, PlotKind>{{"points", PlotKind::kPoints},
+                                          {"table", PlotKind::kTable},
+                                          {"histogram", PlotKind::kHistogram},
+                                          {"time", PlotKind::kTime}}));
+  add->add_option("--interval", options.interval, "Of means over runs")
+      ->transform(CLI::CheckedTransformer(std::map<std::string, IntervalKind>{
+          {"student", IntervalKind::kStudent}, {"bootstrap", IntervalKind::kBootstrap}}));
+  add->add_option("--resamples", options.resamples,
+                  "Write the resamples of bootstrap intervals to this file");
+  return add;
+}
+
 void add_export(CLI::App& app, gateway::ExportOptions& options) {
   CLI::App* add = app.add_subcommand("export", "Tables of a result as CSV");
   add->add_option("DIR", options.folder, "Folder of a result");
@@ -211,11 +238,8 @@ int command(int argc, char** argv) {
   const CLI::App* check = add_check(app, check_options);
   DescribeOptions describe_options;
   const CLI::App* describe = add_describe(app, describe_options);
-  std::vector<std::string> folders;
-  std::string page;
-  CLI::App* report = app.add_subcommand("report", "Tables and figures of one or many results");
-  report->add_option("DIR", folders, "Folders of results")->required();
-  report->add_option("-o", page, "Write a page with the figures to this file, print no tables");
+  gateway::ReportOptions report_options;
+  const CLI::App* report = add_report(app, report_options);
   gateway::ExportOptions export_options;
   add_export(app, export_options);
   gateway::ExecOptions exec_options;
@@ -238,7 +262,7 @@ int command(int argc, char** argv) {
   if (*describe) return describe_options.act();
   if (app.got_subcommand("exec")) gateway::exec_inside(exec_options);
   if (app.got_subcommand("export")) return gateway::export_results(export_options);
-  if (*report) return gateway::report(folders, page);
+  if (*report) return gateway::report(report_options);
   if (app.got_subcommand("new-controller")) return gateway::new_controller(controller);
   if (run_options.replications) return gateway::run_replications(run_options);
   return gateway::run(run_options);

@@ -1,7 +1,10 @@
 #include "gateway/commands/report_command.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -9,14 +12,23 @@
 #include <stdexcept>
 
 #include "gateway/exit_status.h"
+#include "hal/config/document.h"
 #include "hal/config/shared_folders.h"
+#include "sim/report/experiment_section.h"
+#include "sim/report/plot.h"
 #include "sim/report/report.h"
 #include "sim/report/report_page.h"
+#include "sim/report/svg.h"
+#include "sim/scenario/report_section.h"
 #include "sim/scenario/resolved.h"
 #include "sim/scenario/scenario.h"
 
 namespace gateway {
 namespace {
+
+using sim::report::Experiment;
+using sim::report::PlotRequest;
+using sim::report::RunResult;
 
 /// The page without figures. It lies beside this program, if it was built, or where it was
 /// installed.
@@ -36,8 +48,11 @@ std::string empty_page() {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
-/// Settings of the paper's case study, as it is shipped; none if it is not there.
-std::optional<sim::report::Settings> case_study() {
+/// Settings of the paper's case study, as it is shipped; none if it is not there or no run asks for
+/// its figures.
+std::optional<sim::report::Settings> case_study(const std::vector<RunResult>& runs) {
+  const auto asks = [](const RunResult& run) { return run.settings.contains("compare"); };
+  if (!std::ranges::any_of(runs, asks)) return std::nullopt;
   const auto file = hal::config::find_shared("scenarios/case_study.yaml");
   if (!file) return std::nullopt;
   try {
@@ -56,16 +71,110 @@ void write(const std::string& path, const std::string& text) {
   if (!file) throw std::runtime_error(path + ": cannot be written");
 }
 
-}  // namespace
+/// `report:` of a scenario that is not a file.
+std::vector<PlotRequest> requests_in(const std::string& yaml) {
+  std::string path = (std::filesystem::temp_directory_path() / "baraka-XXXXXX.yaml").string();
+  const int file = ::mkstemps(path.data(), 5);
+  if (file < 0) throw std::runtime_error(path + ": cannot be written");
+  ::close(file);
+  write(path, yaml);
+  auto document = hal::config::Document::load(path);
+  std::filesystem::remove(path);
+  auto root = document.root();
+  return sim::scenario::read_report(root);
+}
 
-int report(const std::vector<std::string>& folders, const std::string& page) {
-  const std::vector<std::filesystem::path> results(folders.begin(), folders.end());
-  if (page.empty()) {
-    fmt::print("{}", sim::report::report(results, case_study()));
+sim::report::Sources read_all(const ReportOptions& options) {
+  auto sources = sim::report::read_sources({options.folders.begin(), options.folders.end()});
+  for (Experiment& one : sources.experiments) {
+    if (one.requests.empty() && !one.scenario.empty()) one.requests = requests_in(one.scenario);
+  }
+  return sources;
+}
+
+/// A field of a CSV file as RFC 4180 has it.
+std::string csv_field(const std::string& text) {
+  if (text.find_first_of(",\"\n") == std::string::npos) return text;
+  std::string quoted = "\"";
+  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+
+std::string csv_of(const sim::report::Plot& plot) {
+  std::string text;
+  for (const auto& row : plot_rows(plot)) {
+    for (std::size_t i = 0; i < row.size(); ++i) text += (i == 0 ? "" : ",") + csv_field(row[i]);
+    text += "\r\n";
+  }
+  return text;
+}
+
+/// The one that is asked for: by name of those of the report, else a new one; the command line's
+/// other options count above it.
+PlotRequest request_of(const Experiment& experiment, const ReportOptions& options) {
+  const std::vector<PlotRequest> requests = sim::report::requests_of(experiment);
+  PlotRequest request;
+  request.plot = options.figure;
+  for (const PlotRequest& one : requests) {
+    if (one.plot != options.figure && !(options.figure.empty() && requests.size() == 1)) continue;
+    request = one;
+    break;
+  }
+  if (request.plot.empty()) {
+    std::string names;
+    for (const PlotRequest& one : requests) names += "\n  " + one.plot;
+    throw std::runtime_error(
+        "which figure? --figure NAME takes any quantity that `baraka describe "
+        "observables` lists" +
+        (names.empty() ? names : "; the report has" + names));
+  }
+  const auto replace = [](std::string& value, const std::string& by) {
+    if (!by.empty()) value = by;
+  };
+  replace(request.versus, options.versus);
+  replace(request.by, options.by);
+  replace(request.agent, options.agent);
+  if (options.as) request.as = *options.as;
+  if (options.interval) request.interval = *options.interval;
+  return request;
+}
+
+const Experiment& only_one(const std::vector<Experiment>& experiments) {
+  if (experiments.size() == 1) return experiments.front();
+  throw std::runtime_error(
+      "a figure is of one experiment: name one campaign, or folders of results");
+}
+
+/// The figure as a table, or in a file as its ending says.
+int report_figure(const sim::report::Sources& sources, const ReportOptions& options) {
+  const Experiment& experiment = only_one(sources.experiments);
+  const PlotRequest request = request_of(experiment, options);
+  const sim::report::Plot plot = make_plot(experiment, request);
+  if (options.file.empty()) {
+    fmt::print("{}{}", plot_text(plot), pairs_text(experiment, request));
     return kDone;
   }
-  write(page, sim::report::report_page(results, case_study(), empty_page()));
-  fmt::print("page: {}\n", page);
+  write(options.file, options.file.ends_with(".csv") ? csv_of(plot) : svg(plot));
+  for (const std::string& note : plot.notes) fmt::print("note: {}\n", note);
+  fmt::print("figure: {}\n", options.file);
+  return kDone;
+}
+
+}  // namespace
+
+int report(const ReportOptions& options) {
+  const sim::report::Sources sources = read_all(options);
+  if (!options.resamples.empty()) {
+    write(options.resamples, sim::report::resamples_csv(only_one(sources.experiments)));
+  }
+  const bool is_drawing = options.file.ends_with(".svg") || options.file.ends_with(".csv");
+  if (is_drawing || !options.figure.empty()) return report_figure(sources, options);
+  if (options.file.empty()) {
+    fmt::print("{}", sim::report::report(sources, case_study(sources.runs)));
+    return kDone;
+  }
+  write(options.file, sim::report::report_page(sources, case_study(sources.runs), empty_page()));
+  fmt::print("page: {}\n", options.file);
   return kDone;
 }
 

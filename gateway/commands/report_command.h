@@ -1,12 +1,26 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "sim/report/plot_request.h"
+
 namespace gateway {
 
-/// Prints the tables of one or many results; or, if `page` names a file, writes the figures to it.
-/// @return exit status. @throws std::runtime_error
-int report(const std::vector<std::string>& folders, const std::string& page);
+/// `baraka report`.
+struct ReportOptions {
+  std::vector<std::string> folders;  ///< Of results or campaigns.
+  std::string file;               ///< Page (.html), figure (.svg) or its data (.csv); empty: print.
+  std::string figure;             ///< Name of a quantity; empty: all that is there.
+  std::string versus, by, agent;  ///< As in `report:`; empty: as there.
+  std::optional<sim::report::PlotKind> as;
+  std::optional<sim::report::IntervalKind> interval;
+  std::string resamples;  ///< File for the resamples of bootstrap intervals; empty: none.
+};
+
+/// Prints tables, or writes a page or a figure.
+/// @return exit status. @throws std::exception if something cannot be read, drawn or written.
+int report(const ReportOptions& options);
 
 }  // namespace gateway

@@ -60,8 +60,11 @@ constexpr const char* kReading = R"(## Reading them
     sqlite3 DIR/run.sqlite .schema    the tables with these meanings as comments
 
 The report pools runs only if their settings are the same but for the seed; it lists the settings in
-which its columns differ, and shows the paper's figures only beside runs of its case study (equal in
-all settings but name, seed, radio, record, expect and number of processes) and says why otherwise.
+which its columns differ. `compare: labella2009` of a scenario asks for the figures of that paper beside
+those of the runs; they are shown if the runs are of its case study (equal in all settings but name,
+seed, radio, record, expect and number of processes), else it says why not. Settings that were varied
+make up an experiment: means over the runs of each with their intervals (docs/statistics.md), as
+`report:` of the scenario asks, in tables, on the page, or with `--figure NAME -o FILE.svg` one of them.
 Of a folder of results it takes all but those put aside: `NAME.1` beside `NAME`, `NAME.not-started`.
 
 Which agent did something else first in another run, of what kind, and in which second:

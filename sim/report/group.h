@@ -44,11 +44,13 @@ struct Group {
   /// The profile, with the scenario if there are several; where that is the same for several
   /// groups, with the setting in which they differ, or with a number if they differ in more.
   std::string name;
-  Settings settings;                   ///< Of each run, the seed left out, with the version.
+  Settings settings;  ///< Of each run, with the version; without the seed, `report`, `compare`.
   std::vector<const RunResult*> runs;  ///< Complete ones.
   std::size_t left_out = 0;            ///< Runs that were broken off, failed or did not start.
-  /// Why the paper's figures are not to be compared with these; empty: they are.
+  bool asks_for_papers = false;        ///< Its scenario has `compare: labella2009`.
+  /// Why the paper's figures are not to be compared with these though it asks; empty: they are.
   std::string not_the_papers;
+  bool is_the_papers() const { return asks_for_papers && not_the_papers.empty(); }
 
   std::vector<double> discoveries() const;  ///< s, pooled.
   std::vector<double> delays() const;       ///< s, pooled.

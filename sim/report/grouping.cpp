@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "sim/report/group.h"
+#include "sim/report/plot_request.h"
 
 namespace sim::report {
 namespace {
@@ -13,7 +14,9 @@ constexpr const char* kVersion = "version of baraka";
 
 Settings settings_of(const RunResult& run) {
   Settings settings = run.settings;
-  settings.erase("seed");
+  std::erase_if(settings, [](const auto& setting) {
+    return setting.first == "seed" || is_for_the_report_only(setting.first);
+  });
   settings[kVersion] = run.value("version");
   return settings;
 }
@@ -23,8 +26,9 @@ Settings settings_of(const RunResult& run) {
 bool may_vary(const std::string& key) {
   static const std::set<std::string> keys = {"name",   "seed",          kVersion,   "--until",
                                              "--pace", "reply_timeout", "on_death", "wait"};
-  return keys.contains(key) || key.starts_with("radio.") || key.starts_with("record.") ||
-         key.starts_with("expect.") || key.ends_with(".controller.processes");
+  return keys.contains(key) || is_for_the_report_only(key) || key.starts_with("radio.") ||
+         key.starts_with("record.") || key.starts_with("expect.") ||
+         key.ends_with(".controller.processes");
 }
 
 std::string value_in(const Settings& settings, const std::string& key) {
@@ -100,7 +104,7 @@ std::vector<Difference> differences(const std::vector<Group>& groups) {
 }
 
 bool has_the_papers(const std::vector<Group>& groups) {
-  return std::ranges::any_of(groups, [](const Group& g) { return g.not_the_papers.empty(); });
+  return std::ranges::any_of(groups, [](const Group& g) { return g.is_the_papers(); });
 }
 
 std::vector<Group> group_runs(const std::vector<RunResult>& runs,
@@ -116,8 +120,12 @@ std::vector<Group> group_runs(const std::vector<RunResult>& runs,
     if (place == keyed.end()) {
       const std::string name =
           scenarios.size() > 1 ? fmt::format("{}/{}", scenario, profile) : profile;
-      keyed.push_back({key, {name, settings, {}, 0, not_the_papers(settings, case_study)}});
+      keyed.push_back({key, {name, settings, {}, 0, false, ""}});
       place = std::prev(keyed.end());
+      Group& group = place->second;
+      const auto compare = run.settings.find("compare");
+      group.asks_for_papers = compare != run.settings.end() && compare->second == "labella2009";
+      if (group.asks_for_papers) group.not_the_papers = not_the_papers(settings, case_study);
     }
     if (run.is_complete()) {
       place->second.runs.push_back(&run);

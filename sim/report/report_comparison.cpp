@@ -17,6 +17,9 @@ struct Figure {
   std::string name;
   std::string paper;
   std::function<std::string(const Group&)> ours;
+  paper::Basis basis = paper::Basis::kNone;
+  double theirs = 0;  ///< As a number, of the unit of `value`; 0: not to be compared.
+  std::function<std::optional<double>(const Group&)> value{};
 };
 
 std::optional<double> mean(const std::vector<double>& values) {
@@ -100,12 +103,12 @@ std::vector<Figure> run_figures() {
   };
   return {
       {"runs", std::to_string(paper::kRuns),
-       [](const Group& g) { return std::to_string(g.runs.size()); }},
+       [](const Group& g) { return std::to_string(g.runs.size()); }, paper::Basis::kStated},
       {"runs left out (broken off)", "", [](const Group& g) { return std::to_string(g.left_out); }},
       {"results", "", results_of},
       {"run time, mean s", "", [time](const Group& g) { return number(mean(time(g)), 1); }},
       {"run time, range s", "", [time](const Group& g) { return range_of(time(g), 1); }},
-      {"real-time factor", "> 1", real_time_factor},
+      {"real-time factor", "> 1", real_time_factor, paper::Basis::kStated},
       {"exchanges per s", "", [](const Group& g) { return per_second(g, "exchanges"); }},
       {"events per s", "", [](const Group& g) { return per_second(g, "events"); }},
   };
@@ -158,75 +161,116 @@ std::vector<Figure> message_figures() {
   };
 }
 
-/// Five lines for minimum, quartiles and maximum.
-std::vector<Figure> quantile_figures(const std::string& name, const Quantiles& theirs,
-                                     std::vector<double> (Group::*sample)() const) {
-  const auto line = [&](const char* which, double Quantiles::*member) -> Figure {
-    return {fmt::format("{}, {} ms", name, which), milliseconds(theirs.*member),
-            [sample, member](const Group& group) -> std::string {
-              const auto ours = quantiles((group.*sample)());
-              return ours ? milliseconds((*ours).*member) : "-";
-            }};
-  };
-  const auto least = [sample](const Group& group) -> std::string {
+/// Of a sample of a group.
+std::function<std::optional<double>(const Group&)> value_of(std::vector<double> (Group::*sample)()
+                                                                const,
+                                                            double Quantiles::*member) {
+  return [sample, member](const Group& group) -> std::optional<double> {
     const auto ours = quantiles((group.*sample)());
-    return ours ? number(ours->min * 1e9, 0) : "-";
+    return ours ? std::optional((*ours).*member) : std::nullopt;
   };
-  return {{name + ", minimum ns", number(theirs.min * 1e9, 0), least},
-          line("minimum", &Quantiles::min),
-          line("quartile 1", &Quantiles::q1),
-          line("median", &Quantiles::median),
-          line("quartile 3", &Quantiles::q3),
-          line("maximum", &Quantiles::max)};
 }
 
-/// Of the motes, fewest first.
+/// Six lines for minimum, quartiles and maximum.
+std::vector<Figure> quantile_figures(const std::string& name, const Quantiles& theirs,
+                                     std::vector<double> (Group::*sample)() const) {
+  using paper::Basis;
+  const auto line = [&](const char* which, double Quantiles::*member, Basis basis) -> Figure {
+    const auto value = value_of(sample, member);
+    return {fmt::format("{}, {} ms", name, which),
+            milliseconds(theirs.*member),
+            [value](const Group& group) {
+              const auto ours = value(group);
+              return ours ? milliseconds(*ours) : std::string("-");
+            },
+            basis,
+            theirs.*member,
+            value};
+  };
+  const auto least = value_of(sample, &Quantiles::min);
+  return {{name + ", minimum ns", number(theirs.min * 1e9, 0),
+           [least](const Group& group) {
+             const auto ours = least(group);
+             return ours ? number(*ours * 1e9, 0) : std::string("-");
+           },
+           Basis::kInferred, theirs.min, least},
+          line("minimum", &Quantiles::min, Basis::kInferred),
+          line("quartile 1", &Quantiles::q1, Basis::kCalibrated),
+          line("median", &Quantiles::median, Basis::kCalibrated),
+          line("quartile 3", &Quantiles::q3, Basis::kCalibrated),
+          line("maximum", &Quantiles::max, Basis::kStated)};
+}
+
+/// Of the motes, mean per run, fewest first.
 std::vector<double> packets_of_motes(const Group& group) {
   std::vector<double> values;
   if (group.runs.empty()) return values;
   const auto packets = group.packets();
+  const auto runs = static_cast<double>(group.runs.size());
   for (const RunResult::Agent& agent : group.runs.front()->agents) {
-    if (!agent.is_robot) values.push_back(static_cast<double>(packets.at(agent.agent)));
+    if (!agent.is_robot) values.push_back(static_cast<double>(packets.at(agent.agent)) / runs);
   }
   std::sort(values.begin(), values.end());
   return values;
 }
 
-std::vector<Figure> packet_figures() {
-  const auto most = [](const Group& g) {
-    const auto values = packets_of_motes(g);
-    return values.empty() ? std::string("-") : number(values.back(), 0);
-  };
-  const auto least = [](const Group& g) {
-    const auto values = packets_of_motes(g);
-    return values.empty() ? std::string("-") : number(values.front(), 0);
-  };
-  const auto ratio = [](const Group& g) {
-    const auto values = packets_of_motes(g);
-    if (values.empty() || values.front() <= 0) return std::string("-");
-    return number(values.back() / values.front(), 2);
-  };
-  return {
-      {"packets, most of a mote", number(paper::kMostPackets, 0), most},
-      {"packets, least of a mote", number(paper::kLeastPackets, 0), least},
-      {"packets, ratio", number(paper::kMostPackets / paper::kLeastPackets, 2), ratio},
-  };
+std::optional<double> most_packets(const Group& group) {
+  const auto values = packets_of_motes(group);
+  return values.empty() ? std::nullopt : std::optional(values.back());
 }
 
-std::vector<Figure> all_figures() {
+std::optional<double> least_packets(const Group& group) {
+  const auto values = packets_of_motes(group);
+  return values.empty() ? std::nullopt : std::optional(values.front());
+}
+
+std::optional<double> packets_ratio(const Group& group) {
+  const auto values = packets_of_motes(group);
+  if (values.empty() || values.front() <= 0) return std::nullopt;
+  return values.back() / values.front();
+}
+
+/// Per run, so that groups of any number of runs stand beside the paper's ten.
+std::vector<Figure> packet_figures() {
+  const auto line = [](const char* name, double theirs, int decimals,
+                       std::optional<double> (*value)(const Group&)) -> Figure {
+    return {name,
+            number(theirs, decimals),
+            [value, decimals](const Group& g) { return number(value(g), decimals); },
+            paper::Basis::kCalibrated,
+            theirs,
+            value};
+  };
+  return {
+      line("packets per run, most of a mote", paper::kMostPackets / paper::kRuns, 1, most_packets),
+      line("packets per run, least of a mote", paper::kLeastPackets / paper::kRuns, 1,
+           least_packets),
+      line("packets, ratio", paper::kMostPackets / paper::kLeastPackets, 2, packets_ratio)};
+}
+
+std::vector<Figure> all_figures(bool has_paper) {
   std::vector<Figure> all = run_figures();
-  const std::vector<Figure> score = {
-      {"replica score", "0", [](const Group& g) -> std::string {
-         if (!g.not_the_papers.empty()) return "-";
-         return number(replica_score(quantiles(g.discoveries()), quantiles(g.delays())), 3);
-       }}};
   for (const auto& part :
        {drive_figures(), message_figures(),
         quantile_figures("discovery", paper::kDiscovery, &Group::discoveries),
-        quantile_figures("delay", paper::kDelay, &Group::delays), packet_figures(), score}) {
+        quantile_figures("delay", paper::kDelay, &Group::delays), packet_figures()}) {
     all.insert(all.end(), part.begin(), part.end());
   }
+  if (!has_paper) return all;
+  all.push_back({"replica score", "0",
+                 [](const Group& g) -> std::string {
+                   if (!g.is_the_papers()) return "-";
+                   return number(replica_score(quantiles(g.discoveries()), quantiles(g.delays())),
+                                 3);
+                 },
+                 paper::Basis::kCalibrated});
   return all;
+}
+
+std::optional<double> times_paper(const Figure& figure, const Group& group) {
+  if (!group.is_the_papers() || figure.theirs == 0 || !figure.value) return std::nullopt;
+  const auto ours = figure.value(group);
+  return ours ? std::optional(*ours / figure.theirs) : std::nullopt;
 }
 
 /// Which columns the paper's does not belong beside.
@@ -239,13 +283,43 @@ std::string why_no_paper(const std::vector<Group>& groups) {
   return text;
 }
 
+std::string far_off_text(const std::vector<ComparisonRow>& rows, const std::vector<Group>& groups) {
+  std::string text;
+  for (const ComparisonRow& row : rows) {
+    if (row.figure.ends_with(" ns")) continue;  // its line in ms says the same
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      if (!is_far_off(row.times_paper[i])) continue;
+      text += fmt::format("  {}, {}: {}, {:.2g} times the paper's\n", groups[i].name, row.figure,
+                          row.ours[i], *row.times_paper[i]);
+    }
+  }
+  return text.empty() ? "" : "More than a factor of two off\n" + text;
+}
+
+std::string about_the_paper(const std::vector<ComparisonRow>& rows,
+                            const std::vector<Group>& groups) {
+  return fmt::format("{}\n{}{}\n", paper::kBasisMeaning, far_off_text(rows, groups),
+                     paper::kNoTail);
+}
+
 }  // namespace
 
+bool is_far_off(const std::optional<double>& times_paper) {
+  return times_paper && (*times_paper > 2 || *times_paper < 0.5);
+}
+
 std::vector<ComparisonRow> comparison_rows(const std::vector<Group>& groups) {
+  const bool has_paper = has_the_papers(groups);
   std::vector<ComparisonRow> rows;
-  for (const Figure& figure : all_figures()) {
-    ComparisonRow& row = rows.emplace_back(ComparisonRow{figure.name, figure.paper, {}});
-    for (const Group& group : groups) row.ours.push_back(figure.ours(group));
+  for (const Figure& figure : all_figures(has_paper)) {
+    ComparisonRow& row = rows.emplace_back();
+    row.figure = figure.name;
+    if (has_paper) row.paper = figure.paper;
+    if (has_paper) row.basis = figure.basis;
+    for (const Group& group : groups) {
+      row.ours.push_back(figure.ours(group));
+      row.times_paper.push_back(times_paper(figure, group));
+    }
   }
   return rows;
 }
@@ -253,21 +327,21 @@ std::vector<ComparisonRow> comparison_rows(const std::vector<Group>& groups) {
 std::string comparison_section(const std::vector<Group>& groups) {
   const bool has_paper = has_the_papers(groups);
   std::vector<std::string> head = {"figure"};
-  if (has_paper) head.emplace_back("paper");
+  if (has_paper) head.insert(head.end(), {"paper", "basis"});
   for (const Group& group : groups) head.push_back(group.name);
   TextTable table(head);
-  for (const ComparisonRow& row : comparison_rows(groups)) {
+  const std::vector<ComparisonRow> rows = comparison_rows(groups);
+  for (const ComparisonRow& row : rows) {
     std::vector<std::string> cells = {row.figure};
-    if (has_paper) cells.push_back(row.paper);
+    if (has_paper) cells.insert(cells.end(), {row.paper, paper::name_of(row.basis)});
     cells.insert(cells.end(), row.ours.begin(), row.ours.end());
     table.add_row(cells);
   }
-  return "Figures, pooled over the runs of the same settings but for the seed (quartiles of type "
-         "7; "
-         "delay: of\nmessages to one agent, waiting for a route included; replica score: mean "
-         "|ln(ours "
-         "/ paper's)| of the\nsix quartiles)\n" +
-         table.text() + why_no_paper(groups);
+  return fmt::format(
+      "Figures, pooled over the runs of the same settings but for the seed (quartiles of type 7; "
+      "delay: of\nmessages to one agent, waiting for a route included{})\n{}{}{}",
+      has_paper ? "; replica score: mean |ln(ours / paper's)| of the\nsix quartiles" : "",
+      table.text(), why_no_paper(groups), has_paper ? about_the_paper(rows, groups) : "");
 }
 
 std::string differences_section(const std::vector<Group>& groups) {

@@ -105,15 +105,14 @@ std::string packets_section(const Group& group) {
       grid_text(motes, [&](const Agent& mote) { return number(total(mote), 0); }) +
       "mean per run\n" +
       grid_text(motes, [&](const Agent& mote) { return number(total(mote) / runs, 1); });
-  const bool has_paper = group.not_the_papers.empty();
-  TextTable extremes(
-      has_paper ? std::vector<std::string>{"", "total", "per run", "paper's total of 10 runs"}
-                : std::vector<std::string>{"", "total", "per run"});
+  const bool has_paper = group.is_the_papers();
+  TextTable extremes(has_paper ? std::vector<std::string>{"", "total", "per run", "paper's per run"}
+                               : std::vector<std::string>{"", "total", "per run"});
   for (const auto& [name, mote, paper] : {std::tuple{"most: ", *most, paper::kMostPackets},
                                           {"least: ", *least, paper::kLeastPackets}}) {
     std::vector<std::string> row = {name + place_of(motes, mote), number(total(mote), 0),
                                     number(total(mote) / runs, 1)};
-    if (has_paper) row.push_back(number(paper, 0));
+    if (has_paper) row.push_back(number(paper / paper::kRuns, 1));
     extremes.add_row(row);
   }
   return text + extremes.text();

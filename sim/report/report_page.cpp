@@ -6,9 +6,12 @@
 #include <tuple>
 
 #include "sim/report/air_sums.h"
+#include "sim/report/experiment_section.h"
 #include "sim/report/log_histogram.h"
 #include "sim/report/paper.h"
+#include "sim/report/plot.h"
 #include "sim/report/report_sections.h"
+#include "sim/report/svg.h"
 
 namespace sim::report {
 namespace {
@@ -195,6 +198,7 @@ Json air_json(const Group& group) {
 
 Json to_json(const Group& group) {
   Json json = {{"name", group.name},
+               {"is_the_papers", group.is_the_papers()},
                {"not_the_papers", group.not_the_papers},
                {"left_out", group.left_out},
                {"runs", Json::array()}};
@@ -212,17 +216,39 @@ Json to_json(const Group& group) {
   return json;
 }
 
+Json to_json(const Plot& plot) {
+  return {{"name", plot.name},          {"title", plot.title},
+          {"kind", name_of(plot.kind)}, {"svg", plot.kind == PlotKind::kTable ? "" : svg(plot)},
+          {"rows", plot_rows(plot)},    {"notes", plot.notes}};
+}
+
+Json to_json(const Experiment& experiment) {
+  Json json = {{"settings", experiment.points.size()},
+               {"runs", experiment.runs.size()},
+               {"left_out", experiment.left_out},
+               {"factors", Json::array()},
+               {"plots", Json::array()}};
+  for (const Experiment::Factor& factor : experiment.factors) json["factors"].push_back(factor.key);
+  for (const PlotRequest& request : requests_of(experiment)) {
+    json["plots"].push_back(to_json(make_plot(experiment, request)));
+  }
+  return json;
+}
+
 Json paper_json() {
   return {{"discovery", to_json(std::optional(paper::kDiscovery))},
           {"delay", to_json(std::optional(paper::kDelay))},
           {"most_packets", paper::kMostPackets},
           {"least_packets", paper::kLeastPackets},
-          {"runs", paper::kRuns}};
+          {"runs", paper::kRuns},
+          {"basis", paper::kBasisMeaning},
+          {"no_tail", paper::kNoTail}};
 }
 
 }  // namespace
 
-std::string report_json(const std::vector<Group>& groups) {
+std::string report_json(const std::vector<Group>& groups,
+                        const std::vector<Experiment>& experiments) {
   Json json = {
       {"paper", has_the_papers(groups) ? paper_json() : Json(nullptr)},
       {"differences", Json::array()},
@@ -233,24 +259,27 @@ std::string report_json(const std::vector<Group>& groups) {
   for (const ComparisonRow& row : comparison_rows(groups)) {
     json["comparison"].push_back(
         {{"figure", row.figure}, {"paper", row.paper}, {"ours", row.ours}});
+    Json& json_row = json["comparison"].back();
+    json_row["basis"] = paper::name_of(row.basis);
+    json_row["far_off"] = Json::array();
+    for (const auto& times : row.times_paper) json_row["far_off"].push_back(is_far_off(times));
   }
   for (const Difference& difference : differences(groups)) {
     json["differences"].push_back({{"key", difference.key}, {"values", difference.values}});
   }
   for (const Group& group : groups) json["groups"].push_back(to_json(group));
+  json["experiments"] = Json::array();
+  for (const Experiment& one : experiments) json["experiments"].push_back(to_json(one));
   // Folders may be named in any encoding.
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
-std::string report_page(const std::vector<std::filesystem::path>& folders,
-                        const std::optional<Settings>& case_study, std::string page) {
+std::string report_page(const Sources& sources, const std::optional<Settings>& case_study,
+                        std::string page) {
   constexpr std::string_view kPlace = "\"BARAKA FIGURES\"";
   const std::size_t place = page.find(kPlace);
   if (place == std::string::npos) throw std::runtime_error("the page has no place for figures");
-  std::vector<RunResult> runs;
-  for (const std::filesystem::path& folder : find_results(folders))
-    runs.push_back(read_run(folder));
-  std::string json = report_json(group_runs(runs, case_study));
+  std::string json = report_json(group_runs(sources.runs, case_study), sources.experiments);
   // No name may end the script element that holds the JSON: "<" is "\u003c" there.
   for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos;) {
     json.replace(at, 1, "\\u003c");

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sim/report/group.h"
+#include "sim/report/paper.h"
 #include "sim/report/run_result.h"
 
 namespace sim::report {
@@ -13,11 +14,17 @@ namespace sim::report {
 /// One line per run and robot.
 std::string runs_section(const std::vector<RunResult>& runs);
 
-/// One line of the comparison: what it is, the paper's figure ("" if it has none), each group's.
+/// One line of the comparison: what it is, the paper's figure ("" if it has none) and what it is
+/// worth, each group's, and how many times the paper's that is where it can be said.
 struct ComparisonRow {
   std::string figure, paper;
+  paper::Basis basis = paper::Basis::kNone;
   std::vector<std::string> ours;
+  std::vector<std::optional<double>> times_paper;
 };
+
+/// Whether it is more than a factor of two off.
+bool is_far_off(const std::optional<double>& times_paper);
 std::vector<ComparisonRow> comparison_rows(const std::vector<Group>& groups);
 
 /// One line per figure, a column for each group, and one for the paper if one of them is of its

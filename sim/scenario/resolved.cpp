@@ -4,6 +4,7 @@
 #include "sim/scenario/agents_section.h"
 #include "sim/scenario/outcome_section.h"
 #include "sim/scenario/radio_section.h"
+#include "sim/scenario/report_section.h"
 #include "sim/scenario/run_section.h"
 #include "sim/scenario/world_section.h"
 
@@ -21,6 +22,8 @@ void write(hal::config::Writer& out, const Scenario& scenario) {
   write_agents(out, scenario);
   write_ends(out, scenario);
   write_expectations(out, scenario);
+  write_report(out, scenario.report);
+  write_compare(out, scenario.compare);
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "sim/scenario/overlap_check.h"
 #include "sim/scenario/programs_section.h"
 #include "sim/scenario/radio_section.h"
+#include "sim/scenario/report_section.h"
 #include "sim/scenario/run_section.h"
 #include "sim/scenario/world_section.h"
 
@@ -60,6 +61,8 @@ Scenario read_scenario(Mapping in, const std::filesystem::path& file) {
   check_loss_names(in.within("radio"), scenario);
   read_ends(in, scenario);
   read_expectations(in, scenario);
+  scenario.report = read_report(in);
+  scenario.compare = read_compare(in);
   in.finish();
   return scenario;
 }

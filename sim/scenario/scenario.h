@@ -13,6 +13,7 @@
 #include "hal/types/time.h"
 #include "sim/agents/simulation_config.h"
 #include "sim/record/detail.h"
+#include "sim/report/plot_request.h"
 #include "sim/scenario/program.h"
 
 namespace sim::scenario {
@@ -63,6 +64,9 @@ struct RecordOptions {
   std::optional<hal::AgentId> air_heard_by{};  ///< None: by an ear that hears all.
 };
 
+/// Whose figures a report shows beside those of the runs.
+enum class Published : std::uint8_t { kNothing, kLabella2009 };
+
 /// Above so many agents messages are counted and not listed, unless the file asks for it.
 inline constexpr std::size_t kAgentsOfListedMessages = 100;
 
@@ -76,6 +80,8 @@ struct Scenario {
   std::optional<hal::Duration> reply_timeout = 10s;  ///< None: wait for ever.
   hal::Duration wait = 30s;                          ///< For the next controller, before the start.
   RecordOptions record;
+  std::vector<report::PlotRequest> report;  ///< What the report shows.
+  Published compare = Published::kNothing;
   std::vector<std::string> state_places;  ///< Of each end condition's `state`; empty: it has none.
   std::vector<std::string> warnings;      ///< What is allowed and hardly meant, a line each.
 };

@@ -78,7 +78,7 @@ class CaseStudy(Case):
             outs.append(self.out)
         report = Program("baraka", "report", *outs).finish()
         self.assertEqual(report.status, 0, str(report))
-        self.assertRegex(report.out, r"figure +paper +mobility_framework +ideal +disk")
+        self.assertRegex(report.out, r"figure +paper +basis +mobility_framework +ideal +disk")
 
 
 if __name__ == "__main__":

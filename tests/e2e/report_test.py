@@ -16,8 +16,11 @@ import sys
 import unittest
 import urllib.parse
 
-from baraka import BIN, CASE_STUDY, Case, Program
+from baraka import BIN, CASE_STUDY, Case, Program, ROOT
 
+MANY_ROBOTS = ROOT / "config/scenarios/many_robots.yaml"
+# What has no place in a report about a scenario that compares itself with nothing.
+PAPERS_WORDS = r"(?i)paper|replica score|case study|labella|fig\. ?\d|calibrated|inferred"
 CHROMIUM = shutil.which("chromium")
 FLAGS = ["--headless", "--no-sandbox", "--disable-gpu", "--no-first-run", "--hide-scrollbars",
          "--disable-background-networking", "--disable-component-update", "--disable-sync"]
@@ -85,7 +88,25 @@ def rows_of(link):
     return list(csv.reader(io.StringIO(urllib.parse.unquote(text))))[1:]
 
 
-class Page(Case):
+class PageCase(Case):
+    """A page of results that are made once."""
+
+    def make(self):
+        """What setUpClass calls a case for."""
+
+    def report(self, page, *results):
+        finished = Program("baraka", "report", "-o", page, *results).finish()
+        self.assertEqual(finished.status, 0, str(finished))
+        self.assertEqual(finished["page"], str(page))
+
+    def number(self, sql, *results):
+        return sum(self.query(sql, out)[0][0] for out in results)
+
+    def files(self, name):
+        return {link["download"]: rows_of(link) for link in self.document.section(name).all("a")}
+
+
+class Page(PageCase):
     """Two runs over 802.11 and one over an ideal radio."""
 
     @classmethod
@@ -103,24 +124,10 @@ class Page(Case):
         case.report(cls.page, *cls.results)
         cls.document = Document(chromium(cls.home, cls.page, "--dump-dom"))
 
-    def make(self):
-        """What setUpClass calls a case for."""
-
-    def report(self, page, *results):
-        finished = Program("baraka", "report", "-o", page, *results).finish()
-        self.assertEqual(finished.status, 0, str(finished))
-        self.assertEqual(finished["page"], str(page))
-
-    def number(self, sql, *results):
-        return sum(self.query(sql, out)[0][0] for out in results)
-
     def panels(self, name):
         found = list(self.document.section(name).all("panel"))
         self.assertEqual(len(found), 2)
         return zip(found, (self.results[:2], self.results[2:]))
-
-    def files(self, name):
-        return {link["download"]: rows_of(link) for link in self.document.section(name).all("a")}
 
     def test_the_network_has_every_node_and_link(self):
         for panel, results in self.panels("network"):
@@ -209,7 +216,7 @@ class Page(Case):
     def test_the_profiles_stand_side_by_side_with_the_paper(self):
         head, *rows = self.document.section("comparison").all("tr")
         self.assertEqual([cell.text for cell in head.children],
-                         ["figure", "paper", "mobility_framework", "ideal"])
+                         ["figure", "paper", "basis", "mobility_framework", "ideal"])
         median = next(row for row in rows if row.children[0].text == "delay, median ms")
         self.assertEqual(median.children[1].text, "2.520")
         self.assertEqual(self.document.section("profiles").count("box"), 2 * 3)
@@ -231,6 +238,33 @@ class Page(Case):
             for section in document.root.all("section"):
                 if section["id"] == name:
                     self.assertNotIn("paper", [cell.text for cell in section.all("td")])
+
+    def test_what_is_far_off_is_marked_and_what_a_figure_is_worth_is_said(self):
+        rows = {row.children[0].text: row.children
+                for row in self.document.section("comparison").all("tr")}
+        self.assertEqual(rows["delay, median ms"][2].text, "calibrated")
+        self.assertEqual(rows["delay, maximum ms"][2].text, "stated")
+        for name, cells in rows.items():
+            for cell in cells[3:]:
+                if name not in ("delay, maximum ms", "discovery, maximum ms", "delay, median ms"):
+                    continue
+                times = float(cell.text) / float(cells[1].text)
+                marked = "far-off" in (cell.attributes.get("class") or "")
+                self.assertEqual(marked, not 0.5 <= times <= 2, f"{name}: {times}")
+        self.assertEqual(self.document.section("comparison").count("no-tail"), 1)
+
+    def test_the_settings_make_up_an_experiment_with_a_mark_for_each(self):
+        part = self.document.section("experiment-0")
+        plots = list(part.all("plot"))
+        self.assertGreater(len(plots), 0)
+        for plot in plots:
+            self.assertEqual(sorted(point["data-runs"] for point in plot.all("point")), ["1", "2"])
+        sent, = [plot for plot in plots if plot["data-plot"] == "frames.sent"]
+        frames = [self.number("SELECT sum(count) FROM frames_sent", *results) / len(results)
+                  for results in (self.results[:2], self.results[2:])]
+        self.assertEqual([float(point["data-y"]) for point in sent.all("point")], frames)
+        self.assertEqual(sent.count("interval"), 1)  # of the two runs; one run has none
+        self.assertIn("only", next(sent.all("note")).text + "only")
 
     def test_it_needs_nothing_but_itself(self):
         source = Document(self.page.read_text()).root
@@ -263,6 +297,67 @@ class Page(Case):
         document = Document(chromium(self.folder, page, "--dump-dom"))
         self.assertEqual(document.section("packets").count("packets"), 25)
         self.assertNotIn("profiles", [s["id"] for s in document.root.all("section")])
+
+
+class Team(PageCase):
+    """Twelve robots at two speeds, two seeds each: a scenario that compares itself with nothing."""
+
+    SPEEDS = "0.5 m/s", "0.9 m/s"
+    REPORT = ("report=[{plot: frames.sent, versus: speed}, {plot: agents.path, agent: r3},"
+              " {plot: agents.path, as: histogram}, {plot: run.simulated, as: table}]")
+
+    @classmethod
+    def setUpClass(cls):
+        case = cls("make")
+        case.setUp()
+        cls.addClassCleanup(case.doCleanups)
+        cls.results = []
+        for speed in cls.SPEEDS:
+            for seed in 1, 2:
+                case.run_baraka(MANY_ROBOTS, "--controllers", "in-process", "--until", 32, "--seed", seed, "--set",
+                                f"agents.robots.controller.parameters.speed={speed}", "--set", cls.REPORT)
+                cls.results.append(case.out)
+        cls.home = case.folder
+        cls.page = case.folder / "report.html"
+        case.report(cls.page, *cls.results)
+        cls.document = Document(chromium(cls.home, cls.page, "--dump-dom"))
+
+    def plot(self, index):
+        return list(self.document.section("experiment-0").all("plot"))[index]
+
+    def test_each_speed_is_a_column_and_a_mark(self):
+        head, *_ = self.document.section("comparison").all("tr")
+        self.assertEqual([cell.text for cell in head.children][1:],
+                         [f"mobility_framework, speed {speed}" for speed in self.SPEEDS])
+        points = list(self.plot(0).all("point"))
+        self.assertEqual([(float(point["data-x"]), point["data-runs"]) for point in points],
+                         [(0.5, "2"), (0.9, "2")])
+        self.assertEqual(self.plot(0).count("interval"), 2)
+        sql = "SELECT path_m FROM bodies JOIN agents USING (agent) WHERE name = 'r3'"
+        self.assertEqual([float(point["data-y"]) for point in self.plot(1).all("point")],
+                         [self.number(sql, *self.results[i:i + 2]) / 2 for i in (0, 2)])
+
+    def test_a_histogram_counts_each_robot_once_and_a_table_needs_no_drawing(self):
+        bins = sum(int(one["data-count"]) for one in self.plot(2).all("bin"))
+        self.assertEqual(bins, 4 * 12)
+        self.assertEqual((self.plot(3).count("svg"), self.plot(3).count("tr")), (0, 3))
+
+    def test_every_robot_has_its_colour_in_the_legend_and_a_map_of_its_own(self):
+        panels = list(self.document.section("trajectory").all("panel"))
+        self.assertEqual(len(panels), 2)
+        for panel in panels:
+            self.assertEqual((panel.count("entry"), panel.count("multiple"), panel.count("shown")), (12, 12, 12))
+            self.assertEqual(panel.count("mark"), 12 * 2)  # at 0 and 30 s
+            looks = {(track["style"], track["stroke-dasharray"]) for track in panel.all("shown")}
+            self.assertEqual(len(looks), 12)
+
+    def test_none_of_the_papers_words_is_on_it(self):
+        def words(element):
+            yield element.text
+            for child in element.children:
+                if child.tag not in ("script", "style"):
+                    yield from words(child)
+        self.assertNotRegex(" ".join(words(self.document.root)), PAPERS_WORDS)
 
 
 if __name__ == "__main__":

@@ -1,12 +1,14 @@
 #!/usr/bin/env python3
 """What happens to folders of results: no run touches what no run wrote, and whatever ends a run, the
 earlier result is still there, whole."""
+import csv
 import os
 import pathlib
 import shutil
 import sqlite3
 import subprocess
 import unittest
+import xml.etree.ElementTree
 
 from baraka import BIN, CASE_STUDY, ROOT, Case, Program, send, some_domain, wait_for
 
@@ -385,6 +387,10 @@ class FullDisk(Folders):
         self.assertEqual(self.run_value("result"), "done")
 
 
+# What has no place in a report about a scenario that compares itself with nothing.
+PAPERS_WORDS = r"(?i)paper|replica score|case study|labella|fig\. ?\d|baraka.*2009|calibrated|inferred"
+
+
 class Reports(Folders):
     """Of real runs, side by side."""
 
@@ -404,9 +410,9 @@ class Reports(Folders):
                         scenario=CASE_STUDY, out=out)
         self.run_to("--until", "2", "--seed", "2", scenario=CASE_STUDY)
         report = self.report(*speeds.values(), self.out)
-        self.assertEqual(self.head(report), ["figure", "paper", "mobility_framework, speed 0.5 m/s",
+        self.assertEqual(self.head(report), ["figure", "paper", "basis", "mobility_framework, speed 0.5 m/s",
                                              "mobility_framework, speed 0.94 m/s"])
-        self.assertRegex(report, r"\nruns +10 +1 +2\n")
+        self.assertRegex(report, r"\nruns +10 +stated +1 +2\n")
         self.assertRegex(report, r"speed 0.5 m/s: not the paper's case study: agents\.robots\.\S*speed "
                                  r"is 0\.5 m/s, not 0\.94 m/s\n")
         self.assertRegex(report, r"Settings in which these differ\n.*\nagents\.robots\.\S*speed +"
@@ -414,11 +420,55 @@ class Reports(Folders):
 
     def test_the_papers_column_stands_beside_its_case_study_only(self):
         self.run_to("--until", "2", "--set", "radio.profile=ideal", scenario=CASE_STUDY)
-        self.assertEqual(self.head(self.report(self.out)), ["figure", "paper", "ideal"])
+        self.assertEqual(self.head(self.report(self.out)), ["figure", "paper", "basis", "ideal"])
         self.run_to(out=self.folder / "other")
         report = self.report(self.folder / "other")
         self.assertEqual(self.head(report), ["figure", "mobility_framework"])
-        self.assertIn("not the paper's case study: ", report)
+        self.assertNotRegex(report, PAPERS_WORDS)
+
+
+class Experiments(Folders):
+    """Two periods of hellos between two motes, three seeds each, as one experiment."""
+
+    def run_all(self):
+        self.outs = []
+        for phase in "aligned", "uniform":
+            for seed in 1, 2, 3:
+                self.outs.append(self.folder / f"{phase}_{seed}")
+                self.run_to("--until", "2", "--seed", seed, "--set", f"control_phase={phase}", "--set",
+                            "report=[{plot: frames.sent, versus: control_phase}]", out=self.outs[-1])
+
+    def test_a_figure_for_a_paper_and_its_numbers(self):
+        self.run_all()
+        text = Program("baraka", "report", *self.outs).finish()
+        self.assertEqual(text.status, 0, str(text))
+        self.assertIn("Experiment: 2 settings, 6 complete runs", text.out)
+        self.assertIn("note: only 3 runs of a setting", text.out)
+        self.assertNotRegex(text.out, PAPERS_WORDS)
+        svg, table = self.folder / "sent.svg", self.folder / "sent.csv"
+        for file in svg, table:
+            self.assertEqual(Program("baraka", "report", *self.outs, "-o", file).finish()["figure"], str(file))
+        drawing = xml.etree.ElementTree.parse(svg).getroot()
+        points = [one for one in drawing.iter() if one.get("class") == "point"]
+        self.assertEqual([(point.get("data-runs"), float(point.get("data-y"))) for point in points],
+                         [("3", sum(self.query("SELECT sum(count) FROM frames_sent", out)[0][0] for out in outs) / 3)
+                          for outs in (self.outs[:3], self.outs[3:])])
+        head, *rows = csv.reader(table.open())
+        self.assertEqual(head, ["control_phase", "runs", "mean", "95 % low", "high", "sd"])
+        self.assertEqual([row[:2] for row in rows], [["aligned", "3"], ["uniform", "3"]])
+        resamples = self.folder / "resamples.csv"
+        done = Program("baraka", "report", *self.outs, "--interval", "bootstrap", "--figure", "frames.sent",
+                       "--resamples", resamples).finish()
+        self.assertIn("BCa", done.out)
+        lines = resamples.read_text().splitlines()
+        self.assertEqual({len(line.split(",")) for line in lines}, {3})
+        self.assertEqual(len(lines), 2000)
+        for arguments, message in ((["--figure", "frames.snet"], "did you mean 'frames.sent'?"),
+                                   (["--figure", "frames.sent", "--versus", "speed"], "they differ in\n  control_phase"),
+                                   (["--figure", "frames.sent", "--as", "time"], "was not recorded over time")):
+            wrong = Program("baraka", "report", *self.outs, *arguments).finish()
+            self.assertEqual(wrong.status, 1, str(wrong))
+            self.assertIn(message, wrong.err)
 
 
 class TellingApart(Folders):

@@ -1,5 +1,6 @@
 import { select } from "d3-selection";
 import { air } from "./air.js";
+import { experiment } from "./experiment.js";
 import { losses } from "./losses.js";
 import { network } from "./network.js";
 import { packets } from "./packets.js";
@@ -10,11 +11,14 @@ import { trajectory } from "./trajectory.js";
 const kSeries = 4;  // colours
 
 function head(main, figures) {
-  const complete = figures.groups.reduce((count, g) => count + g.runs.length, 0);
-  const left_out = figures.groups.reduce((count, g) => count + g.left_out, 0);
+  const complete = figures.experiments.reduce((count, one) => count + one.runs, 0);
+  const left_out = figures.experiments.reduce((count, one) => count + one.left_out.length, 0);
+  const settings = figures.experiments.reduce((count, one) => count + one.settings, 0);
+  const names = figures.groups.length && figures.groups.length <= 6
+    ? figures.groups.map((g) => g.name).join(", ") : plural(settings, "setting");
   main.append("h1").text("BARAKA report");
-  main.append("p").attr("class", "lead").text(`${plural(complete, "complete run")} of `
-    + `${figures.groups.map((g) => g.name).join(", ")}${left_out ? `; ${left_out} broken off, left out` : ""}. `
+  main.append("p").attr("class", "lead").text(`${plural(complete, "complete run")} of ${names}`
+    + `${left_out ? `; ${left_out} left out` : ""}. `
     + (figures.paper ? "The paper: T. H. Labella, I. Dietrich, F. Dressler, “Hybrid simulation of Sensor and Actor "
     + "Networks with BARAKA”, 2009." : ""));
   for (const g of figures.groups.filter((one) => one.not_the_papers)) {
@@ -24,14 +28,19 @@ function head(main, figures) {
 }
 
 function comparison(figures) {
-  const title = figures.paper ? "The paper's figures beside ours" : "Figures";
-  const part = section("comparison", title, "Pooled over the runs of the same settings but for the "
-    + "seed. Quartiles are of type 7; delays are of messages to one agent, waiting for a route "
-    + "included; replica score: mean |ln(ours / paper's)| of the six quartiles, 0 is equal.", "wide");
-  const paper = (text) => (figures.paper ? [text] : []);
-  const columns = ["figure", ...paper("paper"), ...figures.groups.map((g) => g.name)];
-  const rows = figures.comparison.map((row) => [row.figure, ...paper(row.paper), ...row.ours]);
-  table(part.panels, columns, rows, ["", ...paper("paper")]);
+  const { paper } = figures;
+  const part = section("comparison", paper ? "The paper's figures beside ours" : "Figures",
+    "Pooled over the runs of the same settings but for the seed. Quartiles are of type 7; delays are of messages to "
+    + "one agent, waiting for a route included" + (paper ? "; replica score: mean |ln(ours / paper's)| of the six "
+    + `quartiles, 0 is equal. Marked: more than a factor of two off. ${paper.basis}` : "."), "wide");
+  const of_paper = (...texts) => (paper ? texts : []);
+  const columns = ["figure", ...of_paper("paper", "basis"), ...figures.groups.map((g) => g.name)];
+  const rows = figures.comparison.map((row) => [row.figure, ...of_paper(row.paper, row.basis), ...row.ours]);
+  const element = table(part.panels, columns, rows, ["", ...of_paper("paper", "paper basis")]);
+  const first = columns.length - figures.groups.length;
+  element.selectAll("tbody tr").each((_, i, all) => select(all[i]).selectAll("td")
+    .classed("far-off", (__, column) => column >= first && figures.comparison[i].far_off[column - first]));
+  if (paper) part.panels.append("p").attr("class", "caption no-tail").text(paper.no_tail);
   download(part.downloads, "comparison.csv", columns, rows);
   return part.element;
 }
@@ -60,10 +69,12 @@ function runs(groups) {
 
 function draw(figures) {
   const main = select("main");
+  const fig = (number, title) => (figures.paper ? `Fig. ${number} · ${title}` : title);
   figures.groups.forEach((group, i) => { group.series = i % kSeries; });
   head(main, figures);
   const groups = figures.groups.filter((g) => g.runs.length);
-  const parts = [comparison(figures)];
+  const parts = figures.experiments.map((one, i) => experiment(one, i)).filter((part) => part);
+  if (figures.groups.length) parts.push(comparison(figures));
   if (figures.groups.length > 1) parts.push(differences(figures));
   // Each figure shows the groups that have something to show, or is left out.
   const add = (plot, is_there) => {
@@ -71,17 +82,17 @@ function draw(figures) {
     if (shown.length) parts.push(plot(shown));
   };
   if (groups.length > 1) parts.push(profiles(groups, figures));
-  add(network, (g) => g.nodes.length);
-  add(trajectory, (g) => g.runs.some((run) => run.robots.length));
-  add((shown) => packets(shown, figures.paper), (g) => g.nodes.some((n) => !n.robot));
+  add((shown) => network(shown, fig(2, "Network")), (g) => g.nodes.length);
+  add((shown) => trajectory(shown, fig(11, "Trajectory")), (g) => g.runs.some((run) => run.robots.length));
+  add((shown) => packets(shown, figures.paper, fig(12, "Packets received by each node")), (g) => g.nodes.some((n) => !n.robot));
   add(losses, (g) => g.verdicts.some((row) => row.addressed));
   add(air, (g) => g.air.kinds.length);
-  add((shown) => times("discovery", "Fig. 13 · Time to discover a route", "time to discover a route",
+  add((shown) => times("discovery", fig(13, "Time to discover a route"), "time to discover a route",
     "Searches that found a route.", shown, figures), (g) => g.discovery.quantiles);
-  add((shown) => times("delay", "Fig. 14 · End-to-end delay", "end-to-end delay",
+  add((shown) => times("delay", fig(14, "End-to-end delay"), "end-to-end delay",
     "Messages to one agent that arrived, waiting for a route included.", shown, figures),
   (g) => g.delay.quantiles);
-  parts.push(runs(groups));
+  if (groups.length) parts.push(runs(groups));
   for (const part of parts) main.append(() => part.node());
   document.documentElement.dataset.drawn = parts.length;
 }

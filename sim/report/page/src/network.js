@@ -46,8 +46,8 @@ function draw(parent, group) {
     .attr("y", (n) => on.y(n.y) + (n.robot ? -6 : 18)).text((n) => n.name);
 }
 
-export function network(groups) {
-  const part = section("network", "Fig. 2 · Network", "Motes (circles) and robots (diamonds) at the "
+export function network(groups, title) {
+  const part = section("network", title, "Motes (circles) and robots (diamonds) at the "
     + "start; a line joins two that can hear each other, in both directions; it bends where a third "
     + "node stands between. The circled mote is the one that ended the run: the robot's target.",
     groups.length > 1 ? "" : "single");

@@ -50,12 +50,12 @@ function note(group) {
     + `${thousands(least.packets)}${robots}`;
 }
 
-export function packets(groups, paper) {
-  const part = section("packets", "Fig. 12 · Packets received by each node", "Frames whose payload went "
+export function packets(groups, paper, title) {
+  const part = section("packets", title, "Frames whose payload went "
     + "up to the network layer: the stronger the colour, the more. Bold: total of the runs; below: the "
     + "mean per run."
-    + (paper ? ` The paper, total of ${paper.runs} runs: most ${thousands(paper.most_packets)} (second `
-      + `row from the top, third column), least ${thousands(paper.least_packets)} (lower right).` : ""),
+    + (paper ? ` The paper, mean of ${paper.runs} runs: most ${paper.most_packets / paper.runs} (second `
+      + `row from the top, third column), least ${paper.least_packets / paper.runs} (lower right).` : ""),
     groups.length > 1 ? "" : "single");
   groups.forEach((group) => {
     draw(panel(part.panels, group.series, `${group.name}, ${plural(group.runs.length, "run")}`,

@@ -132,7 +132,7 @@ export function times(key, title, label, caption, groups, figures) {
     const count = sum(sample.runs_ns, (run) => run.length);
     const { element } = panel(part.panels, group.series, group.name,
       `${plural(count, "time")} from ${plural(group.runs.length, "run")}`);
-    const theirs = group.not_the_papers ? null : figures.paper?.[key];
+    const theirs = group.is_the_papers ? figures.paper?.[key] : null;
     draw_histogram(element, label, group, sample, theirs, figures.histogram);
     table(element, kColumns, [
       quantile_rows("ours", sample.quantiles, thousands(count), thousands(sample.zeros)),
@@ -154,8 +154,8 @@ export function profiles(groups, figures) {
     shown.forEach((g, i) => draw_box(on, 18 + 28 * i, g.name, g.series, g[key].quantiles));
   }
   download(part.downloads, "quartiles.csv", ["what", "profile", ...kQuantiles.map((q) => `${q}_s`)],
-    ["discovery", "delay"].flatMap((key) => [{ name: "paper", [key]: { quantiles: figures.paper?.[key] } },
-      ...groups].filter((g) => g[key].quantiles)
+    ["discovery", "delay"].flatMap((key) => [
+      ...(figures.paper ? [{ name: "paper", [key]: { quantiles: figures.paper[key] } }] : []), ...groups].filter((g) => g[key].quantiles)
       .map((g) => [key, g.name, ...kQuantiles.map((q) => g[key].quantiles[q])])));
   return part.element;
 }

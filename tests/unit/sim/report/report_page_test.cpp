@@ -23,6 +23,7 @@ std::string run_sql(const std::string& profile, int seed, std::int64_t delay_ns)
   return fmt::format(R"sql(
 INSERT INTO run VALUES ('scenario','tiny'), ('profile','{}'), ('seed',{}), ('result','arrived'),
   ('simulated_s',95.5);
+INSERT INTO settings VALUES ('compare','labella2009');
 INSERT INTO agents VALUES (1,'m0','mote','p',0,0,0), (2,'m1','mote','p',3,4,0),
   (3,'r0','robot','p',1,1,0);
 INSERT INTO ends VALUES (2,'DONE',0,'arrived');
@@ -46,7 +47,7 @@ class ReportPageTest : public testing::Test {
     make_result(folder.path() / name, sql);
   }
   std::string page(const std::string& empty) const {
-    return report_page({folder.path()}, Settings{}, empty);
+    return report_page(read_sources({folder.path()}), Settings{}, empty);
   }
   Json figures() const { return Json::parse(page("\"BARAKA FIGURES\"")); }
 
@@ -126,8 +127,11 @@ TEST_F(ReportPageTest, SetsThePapersFiguresBesideOurs) {
   const Json all = figures();
   EXPECT_EQ(all["paper"]["delay"]["median"], 2.52e-3);
   EXPECT_EQ(all["paper"]["most_packets"], 4272);
-  const Json row = {
-      {"figure", "delay, median ms"}, {"paper", "2.520"}, {"ours", {"1.000", "0.000"}}};
+  const Json row = {{"figure", "delay, median ms"},
+                    {"paper", "2.520"},
+                    {"basis", "calibrated"},
+                    {"far_off", {true, true}},
+                    {"ours", {"1.000", "0.000"}}};
   EXPECT_NE(std::find(all["comparison"].begin(), all["comparison"].end(), row),
             all["comparison"].end());
 }

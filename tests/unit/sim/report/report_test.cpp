@@ -21,6 +21,7 @@ std::string run_sql(const std::string& profile, int seed, const std::string& res
   return fmt::format(R"sql(
 INSERT INTO run VALUES ('scenario','tiny'), ('profile','{}'), ('seed',{}), ('result','{}'),
   ('simulated_s',100.0), ('wall_s',4.0), ('exchanges',1000), ('events',5000);
+INSERT INTO settings VALUES ('compare','labella2009');
 INSERT INTO agents VALUES (1,'m0','mote','p',0,0,0), (2,'m1','mote','p',3,4,0),
   (3,'r0','robot','p',0,0,0);
 INSERT INTO ends VALUES (2,'DONE',0,'arrived'), (NULL,NULL,0,'timeout');
@@ -63,7 +64,7 @@ class ReportTest : public testing::Test {
   }
   /// The runs are made of few settings, and so is the case study that they are of.
   std::string text(const std::optional<Settings>& case_study = Settings{}) const {
-    return report({folder.path()}, case_study);
+    return report(read_sources({folder.path()}), case_study);
   }
 
   Folder folder;
@@ -87,7 +88,7 @@ TEST_F(ReportTest, SaysWhyFramesWereLost) {
   EXPECT_EQ(line(text(), "delivered"), "7|1|4|12");
   EXPECT_EQ(line(text(), "collision"), "2|0|0|2");
   EXPECT_EQ(line(text(), "below sensitivity"), "1|5|6|12");
-  EXPECT_EQ(line(text(), "frames sent x radios"), "10|6|10|26");
+  EXPECT_EQ(line(text(), "frames sent x radios"), "10|stated|6|10|26");
 }
 
 TEST_F(ReportTest, NamesTheLinksThatLostMost) {
@@ -112,11 +113,11 @@ TEST_F(ReportTest, SetsTheProfilesSideBySideWithThePaper) {
   add("b", run_sql("mobility_framework", 2));
   add("c", run_sql("ideal", 1));
   const std::string printed = text();
-  EXPECT_EQ(line(printed, "figure"), "paper|mobility_framework|ideal");
-  EXPECT_EQ(line(printed, "runs"), "10|2|1");
+  EXPECT_EQ(line(printed, "figure"), "paper|basis|mobility_framework|ideal");
+  EXPECT_EQ(line(printed, "runs"), "10|stated|2|1");
   EXPECT_EQ(line(printed, "results"), "2 arrived|1 arrived");
   EXPECT_EQ(line(printed, "run time, mean s"), "100.0|100.0");
-  EXPECT_EQ(line(printed, "real-time factor"), "> 1|25.0|25.0");
+  EXPECT_EQ(line(printed, "real-time factor"), "> 1|stated|25.0|25.0");
   EXPECT_EQ(line(printed, "exchanges per s"), "10.0|10.0");
   EXPECT_EQ(line(printed, "path, mean m"), "7.5|7.5");
   EXPECT_EQ(line(printed, "messages to one agent"), "8|4");
@@ -169,13 +170,13 @@ TEST_F(ReportTest, SetsThePaperBesideItsCaseStudyOnlyAndSaysWhy) {
       "INSERT INTO settings VALUES ('seed','5'), ('radio.profile','disk'), ('--until','2 s'),"
       " ('world.walls.0.name','w');";
   add("a", run_sql("disk", 5) + same);
-  EXPECT_EQ(line(text(case_study), "figure"), "paper|disk");
-  EXPECT_EQ(line(text(case_study), "most: m1"), "25|25.0|4272");
+  EXPECT_EQ(line(text(case_study), "figure"), "paper|basis|disk");
+  EXPECT_EQ(line(text(case_study), "most: m1"), "25|25.0|427.2");
 
   add("a", run_sql("disk", 5) + same + "UPDATE settings SET value = 'v' WHERE value = 'w'");
   std::string printed = text(case_study);
   EXPECT_EQ(line(printed, "figure"), "disk");
-  EXPECT_EQ(line(printed, "replica score"), "-");
+  EXPECT_EQ(line(printed, "replica score"), "no line 'replica score'");
   EXPECT_EQ(line(printed, "most: m1"), "25|25.0");
   EXPECT_NE(printed.find("disk: not the paper's case study: world.walls.0.name is v, not w\n"),
             std::string::npos);
@@ -186,6 +187,29 @@ TEST_F(ReportTest, SetsThePaperBesideItsCaseStudyOnlyAndSaysWhy) {
   EXPECT_EQ(line(text(std::nullopt), "figure"), "disk");
 }
 
+// One run beside the paper's ten: each per run. 4 ms are 0.0007 times 5.66 s, 2 ms 0.8 times 2.52.
+TEST_F(ReportTest, ComparesEqualNumbersOfRunsAndNamesWhatIsFarOff) {
+  add("a", run_sql("mobility_framework", 1));
+  const std::string printed = text();
+  EXPECT_EQ(line(printed, "packets per run, most of a mote"), "427.2|calibrated|25.0");
+  const std::string off = section(printed, "More than a factor of two off");
+  EXPECT_NE(off.find("mobility_framework, delay, maximum ms: 4.000, 0.00071 times the paper's\n"),
+            std::string::npos)
+      << off;
+  EXPECT_EQ(off.find("delay, median"), std::string::npos);
+  EXPECT_NE(printed.find("docs/case_study_tail.md"), std::string::npos);
+}
+
+TEST_F(ReportTest, AScenarioThatComparesItselfWithNothingShowsNoneOfThePapersWords) {
+  add("a", run_sql("mobility_framework", 1) + "DELETE FROM settings");
+  add("b", run_sql("ideal", 1) + "DELETE FROM settings");
+  const std::string printed = text();
+  EXPECT_EQ(line(printed, "figure"), "mobility_framework|ideal");
+  for (const char* word : {"paper", "replica", "Fig.", "case study", "calibrated", "stated"}) {
+    EXPECT_EQ(printed.find(word), std::string::npos) << word;
+  }
+}
+
 TEST_F(ReportTest, LeavesOutWhatWasPutAsideUnlessItIsNamed) {
   for (const char* name : {"a", "a.1", "b.2", "a.not-started"}) add(name, run_sql("ideal", 1));
   const std::string printed = text();
@@ -193,8 +217,8 @@ TEST_F(ReportTest, LeavesOutWhatWasPutAsideUnlessItIsNamed) {
     EXPECT_NE(printed.find("\n" + (folder.path() / name).string() + " "), std::string::npos)
         << name;
   }
-  EXPECT_EQ(line(printed, "runs"), "10|2");
-  EXPECT_EQ(line(report({folder.path() / "a.1"}, Settings{}), "runs"), "10|1");
+  EXPECT_EQ(line(printed, "runs"), "10|stated|2");
+  EXPECT_EQ(line(report(read_sources({folder.path() / "a.1"}), Settings{}), "runs"), "10|stated|1");
 }
 
 // Delays 1, 2, 4 ms: type 7 quartiles 1.5, 2, 3. Twice the sample (two runs): positions 1.25, 2.5,
@@ -204,12 +228,12 @@ TEST_F(ReportTest, PoolsTheQuartilesOfAllRuns) {
   add("b", run_sql("mobility_framework", 2));
   add("c", run_sql("ideal", 1));
   const std::string printed = text();
-  EXPECT_EQ(line(printed, "delay, minimum ns"), "700000|1000000|1000000");
-  EXPECT_EQ(line(printed, "delay, quartile 1 ms"), "0.700|1.250|1.500");
-  EXPECT_EQ(line(printed, "delay, median ms"), "2.520|2.000|2.000");
-  EXPECT_EQ(line(printed, "delay, quartile 3 ms"), "8.700|3.500|3.000");
-  EXPECT_EQ(line(printed, "delay, maximum ms"), "5660.000|4.000|4.000");
-  EXPECT_EQ(line(printed, "discovery, minimum ns"), "960000|962181|962181");
+  EXPECT_EQ(line(printed, "delay, minimum ns"), "700000|inferred|1000000|1000000");
+  EXPECT_EQ(line(printed, "delay, quartile 1 ms"), "0.700|calibrated|1.250|1.500");
+  EXPECT_EQ(line(printed, "delay, median ms"), "2.520|calibrated|2.000|2.000");
+  EXPECT_EQ(line(printed, "delay, quartile 3 ms"), "8.700|calibrated|3.500|3.000");
+  EXPECT_EQ(line(printed, "delay, maximum ms"), "5660.000|stated|4.000|4.000");
+  EXPECT_EQ(line(printed, "discovery, minimum ns"), "960000|inferred|962181|962181");
 }
 
 TEST_F(ReportTest, LeavesBrokenRunsOutOfTheFigures) {
@@ -217,7 +241,7 @@ TEST_F(ReportTest, LeavesBrokenRunsOutOfTheFigures) {
   add("b", run_sql("mobility_framework", 2, "running"));
   add("c", run_sql("mobility_framework", 3, "failed"));
   const std::string printed = text();
-  EXPECT_EQ(line(printed, "runs"), "10|1");
+  EXPECT_EQ(line(printed, "runs"), "10|stated|1");
   EXPECT_EQ(line(printed, "runs left out (broken off)"), "2");
   EXPECT_NE(line(printed, (folder.path() / "b").string()).find("unfinished"), std::string::npos);
 }
@@ -225,17 +249,17 @@ TEST_F(ReportTest, LeavesBrokenRunsOutOfTheFigures) {
 TEST_F(ReportTest, SurvivesAGroupWithoutACompleteRun) {
   add("a", run_sql("mobility_framework", 1, "failed"));
   const std::string printed = text();
-  EXPECT_EQ(line(printed, "runs"), "10|0");
-  EXPECT_EQ(line(printed, "replica score"), "0|-");
+  EXPECT_EQ(line(printed, "runs"), "10|stated|0");
+  EXPECT_EQ(line(printed, "replica score"), "0|calibrated|-");
 }
 
 TEST_F(ReportTest, AddsUpPacketsAndGivesTheirMean) {
   add("a", run_sql("mobility_framework", 1));
   add("b", run_sql("mobility_framework", 2));
   const std::string printed = text();
-  EXPECT_EQ(line(printed, "most: m1"), "50|25.0|4272");
-  EXPECT_EQ(line(printed, "least: m0"), "20|10.0|1848");
-  EXPECT_EQ(line(printed, "packets, ratio"), "2.31|2.50");
+  EXPECT_EQ(line(printed, "most: m1"), "50|25.0|427.2");
+  EXPECT_EQ(line(printed, "least: m0"), "20|10.0|184.8");
+  EXPECT_EQ(line(printed, "packets, ratio"), "2.31|calibrated|2.50");
 }
 
 TEST_F(ReportTest, ChecksDelaysAgainstTheLeastTheMacAllows) {

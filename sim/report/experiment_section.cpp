@@ -1,0 +1,179 @@
+#include "sim/report/experiment_section.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "sim/report/plot_parts.h"
+#include "sim/report/report_format.h"
+#include "sim/report/text_table.h"
+#include "sim/statistics/paired.h"
+#include "sim/statistics/quantile.h"
+
+namespace sim::report {
+namespace {
+
+std::string head_text(const Experiment& experiment) {
+  std::string text = fmt::format("Experiment: {} setting{}, {} complete run{}",
+                                 experiment.points.size(), experiment.points.size() == 1 ? "" : "s",
+                                 experiment.runs.size(), experiment.runs.size() == 1 ? "" : "s");
+  for (const std::string& run : experiment.left_out) text += "\n  left out: " + run;
+  for (std::size_t i = 0; i < experiment.factors.size(); ++i) {
+    std::set<std::string> levels;
+    for (const Experiment::Point& point : experiment.points) levels.insert(point.levels[i].text);
+    text += fmt::format("\n  {}: {} values", experiment.factors[i].key, levels.size());
+  }
+  return text + "\n";
+}
+
+std::string significant(double value) { return fmt::format("{:.6g}", value); }
+
+/// "scenario seeds" in common, in the order of the first point's runs.
+std::vector<std::pair<double, double>> pairs_of(const Experiment& experiment, const Selected& of,
+                                                std::size_t point) {
+  std::vector<std::pair<double, double>> pairs;
+  for (const std::size_t first : experiment.points.front().runs) {
+    for (const std::size_t second : experiment.points[point].runs) {
+      if (experiment.runs[first].seed != experiment.runs[second].seed) continue;
+      if (of.values.contains(first) && of.values.contains(second)) {
+        pairs.emplace_back(of.values.at(first), of.values.at(second));
+        break;
+      }
+    }
+  }
+  return pairs;
+}
+
+std::string optional_text(const std::optional<double>& value) {
+  return value ? significant(*value) : "-";
+}
+
+}  // namespace
+
+std::string quantities_text(const Experiment& experiment) {
+  TextTable table({"quantity", "unit", "runs", "mean", "95 % low", "high", "sd", "median"});
+  for (const auto& [quantity, by_run] : experiment.values) {
+    if (!quantity.agent.empty()) continue;
+    std::vector<double> values;
+    for (const auto& [run, value] : by_run) values.push_back(value);
+    const auto of = statistics::moments(values);
+    const auto interval = statistics::mean_interval(values);
+    table.add_row({quantity.name, experiment.units.at(quantity.name), std::to_string(of->count),
+                   significant(of->mean), interval ? significant(interval->low) : "-",
+                   interval ? significant(interval->high) : "-",
+                   of->count > 1 ? significant(of->sd) : "-",
+                   significant(*statistics::quantile(values, 0.5))});
+  }
+  return "Quantities of a run: mean over the runs, its 95 % interval by Student's t\n" +
+         table.text();
+}
+
+std::vector<std::vector<std::string>> plot_rows(const Plot& plot) {
+  const bool is_histogram = plot.kind == PlotKind::kHistogram;
+  const bool has_curves = plot.curves.size() > 1;
+  std::vector<std::vector<std::string>> rows = {
+      is_histogram ? std::vector<std::string>{"from", "to", "count"}
+                   : std::vector<std::string>{plot.x_label.empty() ? "setting" : plot.x_label,
+                                              "runs", "mean", "95 % low", "high", "sd"}};
+  if (has_curves) rows.front().insert(rows.front().begin(), "curve");
+  for (const Plot::Curve& curve : plot.curves) {
+    for (const Plot::Mark& mark : curve.marks) {
+      auto& row = rows.emplace_back();
+      if (has_curves) row.push_back(curve.label);
+      if (is_histogram) {
+        row.insert(row.end(), {significant(mark.x - mark.width / 2),
+                               significant(mark.x + mark.width / 2), std::to_string(mark.count)});
+        continue;
+      }
+      const bool is_category = !plot.categories.empty();
+      row.push_back(is_category ? plot.categories.at(static_cast<std::size_t>(mark.x))
+                                : significant(mark.x));
+      row.insert(row.end(), {std::to_string(mark.count), significant(mark.y),
+                             mark.interval ? significant(mark.interval->low) : "-",
+                             mark.interval ? significant(mark.interval->high) : "-",
+                             mark.count > 1 ? significant(mark.sd) : "-"});
+    }
+  }
+  return rows;
+}
+
+std::string plot_text(const Plot& plot) {
+  constexpr std::size_t kMostRows = 60;
+  const auto rows = plot_rows(plot);
+  TextTable table;
+  for (std::size_t i = 0; i < std::min(rows.size(), kMostRows + 1); ++i) table.add_row(rows[i]);
+  std::string text = fmt::format(
+      "{}: {}\n{}", plot.title,
+      plot.kind == PlotKind::kHistogram
+          ? plot.x_label
+          : plot.y_label + ", mean over runs and its 95 % interval" +
+                (plot.interval == IntervalKind::kBootstrap ? " (BCa bootstrap)" : " (Student's t)"),
+      table.text());
+  if (rows.size() > kMostRows + 1) {
+    text += fmt::format("… {} more rows: baraka report DIR --figure {} -o FILE.csv\n",
+                        rows.size() - kMostRows - 1, plot.name);
+  }
+  for (const std::string& note : plot.notes) text += "note: " + note + "\n";
+  return text;
+}
+
+std::string pairs_text(const Experiment& experiment, const PlotRequest& request) {
+  const auto of = select(experiment, request.plot, request.agent);
+  if (!of || experiment.points.size() < 2) return {};
+  TextTable table({"setting", "pairs", "difference", "95 % low", "high", "p", "correlation"});
+  bool is_empty = true;
+  for (std::size_t point = 1; point < experiment.points.size(); ++point) {
+    std::vector<double> first;
+    std::vector<double> second;
+    for (const auto& [a, b] : pairs_of(experiment, *of, point)) {
+      first.push_back(a);
+      second.push_back(b);
+    }
+    const auto pairs = statistics::compare_pairs(first, second);
+    if (!pairs) continue;
+    is_empty = false;
+    table.add_row({experiment.label(point), std::to_string(pairs->difference.count),
+                   significant(pairs->difference.mean), significant(pairs->interval.low),
+                   significant(pairs->interval.high), optional_text(pairs->p),
+                   optional_text(pairs->correlation)});
+  }
+  if (is_empty) return {};
+  return fmt::format("{}: difference to {}, runs with equal seeds in pairs\n{}", request.plot,
+                     experiment.label(0), table.text());
+}
+
+std::string resamples_csv(const Experiment& experiment) {
+  std::set<std::size_t> counts;
+  for (const Experiment::Point& point : experiment.points) counts.insert(point.runs.size());
+  std::string text;
+  for (const std::size_t count : counts) {
+    if (count > 1) text += resamples_of(count).csv();
+  }
+  return text;
+}
+
+std::string experiment_section(const Experiment& experiment) {
+  std::string text = head_text(experiment);
+  const std::vector<PlotRequest> requests = requests_of(experiment);
+  if (requests.empty() && experiment.points.size() > 1) {
+    text += "\nno quantity that is shown by default differs; --figure NAME shows any of them\n";
+  }
+  for (const PlotRequest& request : requests) {
+    text += "\n" + plot_text(make_plot(experiment, request));
+    if (const std::string pairs = pairs_text(experiment, request); !pairs.empty()) {
+      text += "\n" + pairs;
+    }
+  }
+  if (experiment.points.size() == 1 && experiment.runs.size() > 1) {
+    text += "\n" + quantities_text(experiment);
+    if (experiment.runs.size() < statistics::kFewestRuns) {
+      text +=
+          fmt::format("note: only {} runs: too few to trust an interval; at least {} are needed\n",
+                      experiment.runs.size(), statistics::kFewestRuns);
+    }
+  }
+  return text;
+}
+
+}  // namespace sim::report

@@ -1,0 +1,175 @@
+#include "sim/report/plot.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "hal/config/suggest.h"
+#include "sim/report/plot_parts.h"
+
+namespace sim::report {
+namespace {
+
+constexpr std::size_t kDefaultPlots = 6;
+constexpr std::size_t kEnoughForBootstrap = 50;
+
+/// Of the run, in the order in which they are preferred where nothing was asked for.
+constexpr const char* kPreferred[] = {"messages.delivery_ratio", "messages.delay.median",
+                                      "messages.delay.p95",      "messages.goodput",
+                                      "run.simulated",           "paths.mean",
+                                      "discoveries.time.median", "frames.sent"};
+
+std::vector<std::string> names_of(const Experiment& experiment) {
+  std::vector<std::string> names;
+  for (const auto& [name, unit] : experiment.units) names.push_back(name);
+  return names;
+}
+
+std::size_t factor_or_throw(const Experiment& experiment, const std::string& key) {
+  if (const auto factor = experiment.factor(key)) return *factor;
+  std::string keys;
+  for (const Experiment::Factor& one : experiment.factors) keys += "\n  " + one.key;
+  throw std::runtime_error(fmt::format(
+      "{}: is no setting in which these runs differ{}", key,
+      keys.empty() ? "; they do not differ in any but the seed" : "; they differ in" + keys));
+}
+
+std::optional<std::size_t> optional_factor(const Experiment& experiment, const std::string& key) {
+  return key.empty() ? std::nullopt : std::optional(factor_or_throw(experiment, key));
+}
+
+void check_is_there(const Experiment& experiment, const PlotRequest& request) {
+  const auto& name = request.plot;
+  if (!experiment.units.contains(name)) {
+    throw std::runtime_error(
+        fmt::format("{}: none of these runs has such a quantity{}; baraka describe observables "
+                    "lists those of every run",
+                    name, hal::config::suggestion(name, names_of(experiment))));
+  }
+  if (request.agent.empty()) return;
+  const Experiment::Quantity whose{name, request.agent};
+  if (experiment.values.contains(whose) || experiment.courses.contains(whose) ||
+      experiment.bins.contains(whose)) {
+    return;
+  }
+  throw std::runtime_error(
+      fmt::format("{}: none of these runs has it of '{}'", name, request.agent));
+}
+
+PlotKind kind_of(const Experiment& experiment, const PlotRequest& request) {
+  if (request.as != PlotKind::kAutomatic) return request.as;
+  const bool is_value = select(experiment, request.plot, request.agent).has_value();
+  if (is_value && (!experiment.factors.empty() || !request.versus.empty()))
+    return PlotKind::kPoints;
+  return courses_of(experiment, request).empty() ? PlotKind::kHistogram : PlotKind::kTime;
+}
+
+void note_few_runs(Plot& plot, const Experiment& experiment) {
+  std::size_t fewest = experiment.runs.size();
+  for (const Experiment::Point& point : experiment.points) {
+    fewest = std::min(fewest, point.runs.size());
+  }
+  if (plot.interval == IntervalKind::kBootstrap && fewest < kEnoughForBootstrap) {
+    plot.notes.push_back(fmt::format(
+        "{} runs of a setting: a bootstrap interval needs {} to hold 95 %; see docs/statistics.md",
+        fewest, kEnoughForBootstrap));
+  }
+  if (fewest >= statistics::kFewestRuns) return;
+  plot.notes.push_back(
+      fewest < 2 ? "one run of a setting: nothing is known of how much it varies, and there is no "
+                   "interval; more replications are needed"
+                 : fmt::format("only {} runs of a setting: too few to trust its interval; at least "
+                               "{} replications are needed",
+                               fewest, statistics::kFewestRuns));
+}
+
+/// How much of the variation is between the points: between 0 and 1.
+double share_between(const Experiment& experiment, const std::map<std::size_t, double>& values) {
+  std::vector<double> all;
+  for (const auto& [run, value] : values) all.push_back(value);
+  const auto total = statistics::moments(all);
+  if (!total || total->sd <= 0) return 0;
+  double within = 0;
+  for (const Experiment::Point& point : experiment.points) {
+    std::vector<double> some;
+    for (const std::size_t run : point.runs) {
+      if (const auto found = values.find(run); found != values.end()) some.push_back(found->second);
+    }
+    const auto of = statistics::moments(some);
+    if (of) within += of->sd * of->sd * static_cast<double>(of->count - 1);
+  }
+  return 1 - within / (total->sd * total->sd * static_cast<double>(total->count - 1));
+}
+
+}  // namespace
+
+std::string axis_label(const std::string& name, const std::string& unit) {
+  return unit.empty() || unit == "1" ? name : fmt::format("{} / {}", name, unit);
+}
+
+std::optional<Selected> select(const Experiment& experiment, const std::string& name,
+                               const std::string& agent) {
+  const auto own = experiment.values.find({name, agent});
+  if (own != experiment.values.end()) return Selected{own->second, agent};
+  if (!agent.empty()) return std::nullopt;
+  std::map<std::size_t, std::pair<double, std::size_t>> sums;
+  std::size_t agents = 0;
+  for (auto at = experiment.values.lower_bound({name, ""});
+       at != experiment.values.end() && at->first.name == name; ++at, ++agents) {
+    for (const auto& [run, value] : at->second) {
+      sums[run].first += value;
+      ++sums[run].second;
+    }
+  }
+  if (agents == 0) return std::nullopt;
+  Selected selected{{}, fmt::format("mean of {} agents", agents)};
+  if (agents == 1) selected.whose = experiment.values.lower_bound({name, ""})->first.agent;
+  for (const auto& [run, sum] : sums) {
+    selected.values[run] = sum.first / static_cast<double>(sum.second);
+  }
+  return selected;
+}
+
+Plot make_plot(const Experiment& experiment, const PlotRequest& request) {
+  check_is_there(experiment, request);
+  Plot plot;
+  plot.kind = kind_of(experiment, request);
+  plot.interval = request.interval;
+  plot.name = request.agent.empty() ? request.plot : request.plot + "." + request.agent;
+  const auto of = select(experiment, request.plot, request.agent);
+  const std::string whose = of ? of->whose : request.agent;
+  plot.title = whose.empty() ? request.plot : fmt::format("{} ({})", request.plot, whose);
+  plot.y_label = axis_label(request.plot, experiment.units.at(request.plot));
+  const auto by = optional_factor(experiment, request.by);
+  auto versus = optional_factor(experiment, request.versus);
+  if (plot.kind == PlotKind::kHistogram) {
+    add_histogram(plot, experiment, request);
+  } else if (plot.kind == PlotKind::kTime) {
+    add_time(plot, experiment, request);
+  } else {
+    if (!of) {
+      throw std::runtime_error(fmt::format(
+          "{}: has no single value per run; `as: time` or `as: histogram` shows it", request.plot));
+    }
+    if (!versus && !experiment.factors.empty())
+      versus = by && *by == 0 && experiment.factors.size() > 1 ? 1 : 0;
+    add_points(plot, experiment, *of, versus, by);
+  }
+  if (plot.kind != PlotKind::kHistogram) note_few_runs(plot, experiment);
+  return plot;
+}
+
+std::vector<PlotRequest> requests_of(const Experiment& experiment) {
+  if (!experiment.requests.empty() || experiment.points.size() < 2) return experiment.requests;
+  std::vector<PlotRequest> requests;
+  for (const char* name : kPreferred) {
+    const auto of = select(experiment, name, "");
+    if (!of || share_between(experiment, of->values) <= 0) continue;
+    if (requests.size() < kDefaultPlots) requests.push_back({.plot = name});
+  }
+  return requests;
+}
+
+}  // namespace sim::report

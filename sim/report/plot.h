@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sim/report/experiment.h"
+#include "sim/report/plot_request.h"
+#include "sim/statistics/interval.h"
+
+namespace sim::report {
+
+/// One figure of an experiment, ready to be drawn or printed.
+struct Plot {
+  /// One place of a curve. With the number of runs (or values, of a histogram) behind it.
+  struct Mark {
+    double x = 0, y = 0;
+    std::optional<statistics::Interval> interval;  ///< Of y, at statistics::kLevel.
+    std::size_t count = 0;
+    double sd = 0;       ///< Over the runs.
+    double width = 0;    ///< Of a bar.
+    std::string x_text;  ///< As written in the setting; empty: x.
+  };
+  struct Curve {
+    std::string label;
+    std::vector<Mark> marks;  ///< By x.
+  };
+
+  std::string name;  ///< For files and links: "messages.delivery_ratio".
+  std::string title;
+  PlotKind kind = PlotKind::kPoints;
+  IntervalKind interval = IntervalKind::kStudent;
+  std::string x_label, y_label;
+  std::vector<std::string> categories;  ///< Texts at x = 0, 1, …; empty: x is a number.
+  std::string curves_are;               ///< What the curves differ in; empty: there is one.
+  std::vector<Curve> curves;            ///< Not empty.
+  std::vector<std::string> notes;       ///< What the reader must know: too few runs …
+};
+
+/// @throws std::runtime_error  the experiment has no such quantity, agent or setting, with what it
+///   has instead; or nothing of that kind.
+Plot make_plot(const Experiment& experiment, const PlotRequest& request);
+
+/// What the experiment asks for; else, if settings were varied, the quantities of the run that
+/// differ most between them.
+std::vector<PlotRequest> requests_of(const Experiment& experiment);
+
+/// A quantity of each run: of the run itself, of one agent, or the mean over those that have it.
+struct Selected {
+  std::map<std::size_t, double> values;  ///< By run.
+  std::string whose;                     ///< "", "m17", "mean of 25 agents".
+};
+/// None: the experiment has no such quantity, or not of that agent.
+std::optional<Selected> select(const Experiment& experiment, const std::string& name,
+                               const std::string& agent);
+
+}  // namespace sim::report

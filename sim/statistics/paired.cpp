@@ -1,0 +1,65 @@
+#include "sim/statistics/paired.h"
+
+#include <cmath>
+#include <vector>
+
+#include "sim/statistics/distributions.h"
+
+namespace sim::statistics {
+namespace {
+
+std::vector<double> differences_of(std::span<const double> first, std::span<const double> second) {
+  std::vector<double> differences;
+  for (std::size_t i = 0; i < first.size(); ++i) differences.push_back(second[i] - first[i]);
+  return differences;
+}
+
+std::optional<double> correlation_of(std::span<const double> first,
+                                     std::span<const double> second) {
+  const double middle_1 = mean_of(first);
+  const double middle_2 = mean_of(second);
+  double squares_1 = 0;
+  double squares_2 = 0;
+  double products = 0;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    const double off_1 = first[i] - middle_1;
+    const double off_2 = second[i] - middle_2;
+    squares_1 += off_1 * off_1;
+    squares_2 += off_2 * off_2;
+    products += off_1 * off_2;
+  }
+  if (squares_1 <= 0 || squares_2 <= 0) return std::nullopt;
+  return products / std::sqrt(squares_1 * squares_2);
+}
+
+}  // namespace
+
+std::optional<PairedComparison> compare_pairs(std::span<const double> first,
+                                              std::span<const double> second, double level) {
+  const std::vector<double> differences = differences_of(first, second);
+  const auto interval = mean_interval(differences, level);
+  if (!interval) return std::nullopt;
+  PairedComparison comparison;
+  comparison.difference = *moments(differences);
+  comparison.interval = *interval;
+  comparison.correlation = correlation_of(first, second);
+  const Moments& of = comparison.difference;
+  if (of.sd > 0) {
+    const auto count = static_cast<double>(of.count);
+    comparison.t = of.mean / (of.sd / std::sqrt(count));
+    comparison.p = 2 * student_t_cdf(-std::abs(*comparison.t), count - 1);
+  }
+  return comparison;
+}
+
+std::optional<Interval> bootstrap_pairs(std::span<const double> first,
+                                        std::span<const double> second, const Resamples& resamples,
+                                        double level) {
+  const std::vector<double> differences = differences_of(first, second);
+  if (differences.size() < 2) return std::nullopt;
+  const std::vector<double> sorted = bootstrap(differences, resamples, mean_of);
+  const auto bca = bca_interval(differences, sorted, mean_of, level);
+  return bca ? *bca : percentile_interval(sorted, level);
+}
+
+}  // namespace sim::statistics

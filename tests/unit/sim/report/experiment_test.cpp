@@ -1,0 +1,137 @@
+#include "sim/report/experiment.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "sim/campaign/campaign_database.h"
+#include "sim/report/experiment_section.h"
+#include "sim/report/run_result.h"
+#include "tests/unit/sim/record/test_run.h"
+
+namespace sim::report::test {
+namespace {
+
+using record::test::Folder;
+using record::test::make_result;
+
+/// Ended at `ended` s; the sent and delivered messages make no difference here.
+std::string experiment_sql(const std::string& settings, int seed, int ended,
+                           const std::string& result = "done") {
+  return fmt::format(R"sql(
+INSERT INTO run VALUES ('scenario','own'), ('profile','ideal'), ('seed',{}), ('result','{}'),
+  ('version','0.1'), ('simulated_s',{}.0), ('ended_ns',{}000000000);
+INSERT INTO agents VALUES (1,'m0','mote','p',0,0,0), (2,'m1','mote','p',3,4,0);
+INSERT INTO settings VALUES ('name','own'), ('seed','{}'){};
+)sql",
+                     seed, result, ended, ended, seed, settings);
+}
+
+class ExperimentTest : public testing::Test {
+ protected:
+  ExperimentTest() : folder(testing::UnitTest::GetInstance()->current_test_info()->name()) {}
+
+  void add(const std::string& name, const std::string& sql) {
+    make_result(folder.path() / name, sql);
+  }
+  Experiment read() const { return experiment_of(find_results({folder.path()})); }
+
+  Folder folder;
+};
+
+TEST_F(ExperimentTest, HasAPointPerSettingAndPoolsSeedsOnly) {
+  add("a", experiment_sql(", ('agents.r.speed','0.5 m/s')", 1, 10));
+  add("b", experiment_sql(", ('agents.r.speed','0.3 m/s')", 1, 20));
+  add("c", experiment_sql(", ('agents.r.speed','0.5 m/s')", 2, 30));
+  const Experiment experiment = read();
+  ASSERT_EQ(experiment.points.size(), 2u);
+  EXPECT_EQ(experiment.points[0].runs, (std::vector<std::size_t>{0, 2}));
+  EXPECT_EQ(experiment.points[1].runs, (std::vector<std::size_t>{1}));
+  ASSERT_EQ(experiment.factors.size(), 1u);
+  EXPECT_EQ(experiment.factors[0].key, "agents.r.speed");
+  EXPECT_EQ(experiment.factors[0].unit, "m/s");
+  EXPECT_EQ(experiment.points[1].levels[0].number, 0.3);
+  EXPECT_EQ(experiment.label(1), "speed 0.3 m/s");
+  EXPECT_EQ(experiment.values.at({"run.simulated", ""}).at(2), 30);
+  EXPECT_EQ(experiment.runs[2].seed, 2u);
+}
+
+TEST_F(ExperimentTest, WhatIsForTheReportOnlyMakesNoSettingsOfItsOwn) {
+  add("a", experiment_sql(", ('report.0.plot','run.simulated'), ('report.0.as','table')", 1, 10));
+  add("b", experiment_sql(", ('compare','labella2009')", 2, 20));
+  const Experiment experiment = read();
+  EXPECT_EQ(experiment.points.size(), 1u);
+  EXPECT_TRUE(experiment.factors.empty());
+  ASSERT_EQ(experiment.requests.size(), 1u);
+  EXPECT_EQ(experiment.requests[0].plot, "run.simulated");
+  EXPECT_EQ(experiment.requests[0].as, PlotKind::kTable);
+}
+
+// A profile sets many keys: they differ between the same runs, and one name for it is enough.
+TEST_F(ExperimentTest, OfSettingsThatDifferTogetherTheProfileNamesThem) {
+  add("a",
+      experiment_sql(", ('radio.bits','1'), ('radio.profile','disk'), ('speed','1 m/s')", 1, 10));
+  add("b",
+      experiment_sql(", ('radio.bits','2'), ('radio.profile','ideal'), ('speed','1 m/s')", 1, 10));
+  add("c",
+      experiment_sql(", ('radio.bits','2'), ('radio.profile','ideal'), ('speed','2 m/s')", 1, 10));
+  const Experiment experiment = read();
+  ASSERT_EQ(experiment.factors.size(), 2u);
+  EXPECT_EQ(experiment.factors[0].key, "radio.profile");
+  EXPECT_EQ(experiment.factors[1].key, "speed");
+  EXPECT_FALSE(experiment.points[0].levels[0].number);
+}
+
+TEST_F(ExperimentTest, BrokenRunsAreNamedAndLeftOut) {
+  add("a", experiment_sql("", 1, 10));
+  add("b", experiment_sql("", 2, 10, "failed"));
+  const Experiment experiment = read();
+  EXPECT_EQ(experiment.runs.size(), 1u);
+  ASSERT_EQ(experiment.left_out.size(), 1u);
+  EXPECT_TRUE(experiment.left_out[0].ends_with("b: failed")) << experiment.left_out[0];
+}
+
+campaign::RunRow done(std::int64_t run, int point, int replication, std::uint64_t seed) {
+  campaign::RunRow row;
+  row.plan = {run, point, replication, seed};
+  row.state = campaign::RunState::kDone;
+  row.result = "done";
+  return row;
+}
+
+TEST_F(ExperimentTest, ACampaignIsReadFromItsDatabase) {
+  {
+    campaign::CampaignDatabase database(folder.path());
+    campaign::CampaignDatabase::Plan plan;
+    plan.values = {{"report.0.plot", "x"}, {"report.0.versus", "speed"}};
+    plan.factors = {{"agents.r.speed", "m/s"}};
+    plan.points = {{1, "speed=1 m/s", "", {{"1 m/s", 1}}}, {2, "speed=2 m/s", "", {{"2 m/s", 2}}}};
+    plan.runs = {{1, 1, 1, 7}, {2, 2, 1, 7}, {3, 2, 2, 8}};
+    database.add(plan);
+    campaign::Measured measured;
+    measured.measurements = {{{"x", "s", ""}, 4.0}, {{"y", "m", "r0"}, std::nullopt}};
+    measured.series = {{{"z", "m", "r0"}, {{0, 1}, {1, 2}}}};
+    measured.histograms = {{{"h", "m", ""}, {{0, 1, 5}}}};
+    database.finish(done(1, 1, 1, 7), measured);
+    measured.measurements = {{{"x", "s", ""}, 6.0}};
+    database.finish(done(2, 2, 1, 7), measured);
+  }
+  const Experiment experiment = experiment_of_campaign(folder.path());
+  ASSERT_EQ(experiment.runs.size(), 2u);
+  EXPECT_EQ(experiment.left_out, (std::vector<std::string>{"run 3: waiting"}));
+  EXPECT_EQ(experiment.label(1), "speed 2 m/s");
+  EXPECT_EQ(experiment.values.at({"x", ""}).at(1), 6);
+  EXPECT_FALSE(experiment.values.contains({"y", "r0"}));
+  EXPECT_EQ(experiment.courses.at({"z", "r0"}).at(0).size(), 2u);
+  EXPECT_EQ(experiment.bins.at({"h", ""}).at(0)[0].count, 5u);
+  ASSERT_EQ(experiment.requests.size(), 1u);
+  EXPECT_EQ(experiment.requests[0].versus, "speed");
+  // The same seed at both points: one pair is no comparison, and nothing is said of it.
+  const std::string text = experiment_section(experiment);
+  EXPECT_NE(text.find("2 settings, 2 complete runs"), std::string::npos) << text;
+  EXPECT_EQ(text.find("in pairs"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace sim::report::test
