@@ -45,6 +45,7 @@ MAY_INCLUDE = {
                 "hal/config", "hal/types"],
     "gateway/netns": ["hal/types"],
     "gateway/holder": ["gateway/netns"],
+    "gateway/slurm": ["gateway", "hal/config", "hal/types"],
     "gateway/run": ["gateway", "gateway/netns", "hal", "sim"],
     "gateway/commands": ["gateway", "gateway/netns", "gateway/run", "hal", "sim"],
     "gateway/baraka": ["gateway", "gateway/run", "gateway/commands", "hal", "sim"],
