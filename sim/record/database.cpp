@@ -15,7 +15,7 @@ Database::Database(const std::filesystem::path& file, Mode mode) : name_(file.st
   }
   // Not read-only: a file whose writer was killed may need its journal rolled back first.
   // Without a lock of its own: one thread at a time uses it.
-  const int create = mode == Mode::kCreate ? SQLITE_OPEN_CREATE : 0;
+  const int create = mode == Mode::kRead ? 0 : SQLITE_OPEN_CREATE;
   const int how = SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX | create;
   int result = sqlite3_open_v2(name_.c_str(), &handle_, how, nullptr);
   if (result == SQLITE_CANTOPEN && mode == Mode::kRead) {

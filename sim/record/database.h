@@ -15,9 +15,10 @@ namespace sim::record {
 /// thread at a time, its statements included.
 class Database {
  public:
-  enum class Mode : std::uint8_t { kCreate, kRead };
+  enum class Mode : std::uint8_t { kCreate, kRead, kUpdate };
 
-  /// kCreate replaces the file; kRead needs it.
+  /// kCreate replaces the file; kRead needs it; kUpdate keeps what is in it and makes it if it is
+  /// not there.
   Database(const std::filesystem::path& file, Mode mode);
   ~Database();
   Database(const Database&) = delete;

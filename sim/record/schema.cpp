@@ -28,25 +28,31 @@ std::string to_sql(const Table& table) {
 
 }  // namespace
 
-std::string schema_sql() {
+std::string schema_sql(const std::vector<Table>& tables) {
   std::string sql;
-  for (const Table& table : tables()) sql += to_sql(table);
+  for (const Table& table : tables) sql += to_sql(table);
   return sql;
 }
 
-const Table* find_table(std::string_view name) {
-  const auto found = std::find_if(tables().begin(), tables().end(),
+std::string schema_sql() { return schema_sql(tables()); }
+
+const Table* find_table(const std::vector<Table>& tables, std::string_view name) {
+  const auto found = std::find_if(tables.begin(), tables.end(),
                                   [&](const Table& table) { return table.name == name; });
-  return found == tables().end() ? nullptr : &*found;
+  return found == tables.end() ? nullptr : &*found;
 }
 
-std::string table_names() {
+const Table* find_table(std::string_view name) { return find_table(tables(), name); }
+
+std::string table_names(const std::vector<Table>& tables) {
   std::string names;
-  for (const Table& table : tables()) {
+  for (const Table& table : tables) {
     names += (names.empty() ? "" : ", ") + std::string(table.name);
   }
   return names;
 }
+
+std::string table_names() { return table_names(tables()); }
 
 void create_tables(Database& database) {
   database.execute("PRAGMA synchronous = OFF; BEGIN");

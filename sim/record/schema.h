@@ -55,6 +55,11 @@ std::string_view conventions();
 /// As SQL, meanings as comments: SQLite keeps them, `sqlite3 run.sqlite .schema` shows them.
 std::string schema_sql();
 
+/// The same of other tables than those of `run.sqlite`: of a file of another kind.
+std::string schema_sql(const std::vector<Table>& tables);
+const Table* find_table(const std::vector<Table>& tables, std::string_view name);
+std::string table_names(const std::vector<Table>& tables);
+
 /// Makes the tables in a new file. It does not wait for the disk, then or later: if the machine
 /// dies, the last seconds are lost, but not if the process does.
 void create_tables(Database& database);

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "sim/record/schema.h"
+
+namespace sim::campaign {
+
+/// Version of the tables below, as `PRAGMA user_version` of the file. Any change of a table, of a
+/// column or of what one means is a new version; readers accept this one only.
+inline constexpr int kSchemaVersion = 1;
+
+/// The file with the tables, in the folder of a campaign.
+inline constexpr const char* kCampaignDatabase = "campaign.sqlite";
+
+/// The tables of `campaign.sqlite`, and the keys of its table `campaign`: the one source of the
+/// file, of its description and of what may be exported.
+const std::vector<record::Table>& tables();
+const std::vector<record::RunKey>& campaign_keys();
+
+/// As SQL, with the indices that are not for people.
+std::string schema_sql();
+
+}  // namespace sim::campaign
