@@ -40,6 +40,21 @@ struct PlainValue {
   std::vector<std::string> items{};  ///< Of a list.
 };
 
+/// A value of any kind, for somebody else to read.
+struct WrittenValue {
+  std::string text;   ///< For people: a single value as it stands, others as `yaml`.
+  std::string yaml;   ///< On one line, as it may stand behind the `=` of an override.
+  std::string place;  ///< "file:line:column".
+};
+
+/// The value of a key in a mapping whose keys are names, whatever it is.
+struct WrittenEntry {
+  std::string key;
+  WrittenValue value;
+  bool is_list = false;
+  std::vector<WrittenValue> items{};  ///< Of a list.
+};
+
 /// One name of an enumeration.
 template <class E>
 struct Option {
@@ -124,6 +139,9 @@ class Mapping {
   std::vector<std::string> keys() const;
   /// All entries, for mappings whose keys are names and whose values are scalars or lists of them.
   std::vector<PlainValue> plain_values();
+
+  /// The same with values of any kind.
+  std::vector<WrittenEntry> written_values();
 
   /// "file:line:column" of a key's value, or of the mapping if the key is not there.
   std::string place(const std::string& key) const;

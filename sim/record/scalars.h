@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "sim/record/run_reader.h"
+
+namespace sim::record {
+
+/// One number of a run.
+struct Scalar {
+  std::string name;   ///< Stable: lower case, digits, '_' and dots, as in scalar_kinds().
+  std::string unit;   ///< "s", "m", "J", …; "1": a share or a count.
+  std::string agent;  ///< Name; "": of the run.
+  double value = 0;   ///< Finite.
+};
+
+/// A number that the result of every run has, or a family of them.
+struct ScalarKind {
+  /// Ends in a word in capitals if it is a family: "messages.ends.VERDICT".
+  std::string_view name;
+  std::string_view unit;
+  std::string_view meaning;
+  /// Of the result's tables: rows of agent's name ("": of the run), value (null: none) and, of a
+  /// family, what stands for the word in capitals.
+  std::string query;
+};
+
+/// All of them: what `baraka describe observables` prints of them, and what scalars_of() reads.
+const std::vector<ScalarKind>& scalar_kinds();
+
+/// Every run as numbers, whether observables were asked for or not: those of scalar_kinds(), in
+/// their order, and the sums of the observables of the run. What a run does not have (the delay of
+/// messages when none arrived, quantiles of delays when messages were only counted) is not there.
+/// A function of the run's simulated course: the same for equal fingerprints.
+/// @throws std::runtime_error  the file is damaged.
+std::vector<Scalar> scalars_of(RunReader& reader);
+
+/// A number over the time of a run.
+struct Series {
+  std::string name, unit, agent;                  ///< As of a Scalar.
+  std::vector<std::pair<double, double>> points;  ///< Simulated time [s], value; by time.
+};
+
+/// The observables of a run that were kept as samples.
+std::vector<Series> series_of(RunReader& reader);
+
+/// How often a number was within bounds.
+struct Bins {
+  struct Bin {
+    double lower = 0,
+           upper = 0;  ///< In the unit; lower <= value < upper. The outermost may be infinite.
+    std::uint64_t count = 0;
+  };
+  std::string name, unit, agent;  ///< As of a Scalar.
+  std::vector<Bin> bins;          ///< By lower bound.
+};
+
+/// The observables of a run that were kept as histograms.
+std::vector<Bins> bins_of(RunReader& reader);
+
+/// A text as a part of a name: in lower case, with '_' for all that is not a letter or a digit:
+/// "no route" is "no_route".
+std::string name_part(std::string_view text);
+
+}  // namespace sim::record

@@ -1,0 +1,125 @@
+#include "sim/record/scalars.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+#include <set>
+
+#include "tests/unit/sim/record/test_run.h"
+
+namespace sim::record::test {
+namespace {
+
+/// Two agents, one of them a robot; three messages to one agent, two of which arrived; a flood.
+constexpr const char* kRun =
+    "INSERT INTO run VALUES ('simulated_s', 10.0), ('ended_ns', 10000000000), ('events', 42),"
+    " ('refused_actions', 1), ('wall_s', 3.0);"
+    "INSERT INTO agents VALUES (1, 'm0', 'mote', 'p', 0, 0, 0), (2, 'r0', 'robot', 'p', 1, 0, 0);"
+    "INSERT INTO messages VALUES"
+    " (1, 1, 2, 'Help call', 100, 0, NULL, NULL, 'delivered'),"
+    " (1, 2, 2, 'Help call', 50, 0, NULL, NULL, 'delivered'),"
+    " (1, 3, 2, 'audio', 50, 0, NULL, NULL, 'no route'),"
+    " (1, 4, 65535, 'audio', 50, 0, NULL, NULL, 'delivered');"
+    "INSERT INTO deliveries VALUES (1, 1, 2, 5, 1000000000, 1), (1, 2, 2, 6, 3000000000, 3),"
+    " (1, 4, 2, 7, 9000000000, 1);"
+    "INSERT INTO discoveries VALUES (1, 'a', 2, 9, 500000000, 1), (1, 'a', 2, 9, 900000000, 0);"
+    "INSERT INTO bodies VALUES (1, 0, NULL, 0, 0, 0, 0, 0, 0), (2, 7.5, 0.25, 0, 1, 0, 0, 3, 4);"
+    "INSERT INTO states VALUES (2, 1000000000, 'GOES HOME'), (2, 4000000000, 'RESTS'),"
+    " (2, 9000000000, 'GOES HOME');"
+    "INSERT INTO recorded VALUES (2, 1000000000, 'need', 0.5), (2, 2000000000, 'need', 0.75),"
+    " (2, 2000000000, 'distance', 3);";
+
+class Scalars : public testing::Test {
+ protected:
+  explicit Scalars(const std::string& rows = kRun)
+      : folder(testing::UnitTest::GetInstance()->current_test_info()->name()) {
+    make_result(folder.path(), rows);
+    RunReader reader(folder.path());
+    all = scalars_of(reader);
+    series = series_of(reader);
+  }
+
+  std::optional<double> value(const std::string& name, const std::string& agent = "") const {
+    const auto found = std::ranges::find_if(
+        all, [&](const Scalar& one) { return one.name == name && one.agent == agent; });
+    if (found == all.end()) return std::nullopt;
+    return found->value;
+  }
+
+  Folder folder;
+  std::vector<Scalar> all;
+  std::vector<Series> series;
+};
+
+struct ScalarsOfNothing : Scalars {
+  ScalarsOfNothing() : Scalars("SELECT 1;") {}
+};
+
+TEST_F(Scalars, CountMessagesToOneAgent) {
+  EXPECT_EQ(value("messages.sent"), 3);
+  EXPECT_EQ(value("messages.delivered"), 2);
+  EXPECT_DOUBLE_EQ(*value("messages.delivery_ratio"), 2.0 / 3);
+  EXPECT_EQ(value("messages.ends.no_route"), 1);
+  EXPECT_EQ(value("topics.help_call.sent"), 2);
+  EXPECT_EQ(value("topics.audio.delivered"), 0);
+  EXPECT_DOUBLE_EQ(*value("messages.goodput"), 8 * 150 / 10.0);
+  EXPECT_EQ(value("messages.transmissions.mean"), 2);
+}
+
+TEST_F(Scalars, CountBroadcasts) {
+  EXPECT_EQ(value("broadcasts.sent"), 1);
+  EXPECT_EQ(value("broadcasts.deliveries"), 1);
+  EXPECT_EQ(value("broadcasts.reach"), 1);
+}
+
+// R: quantile(c(1, 3), c(.5, .95, .99), type = 7) is 2.00 2.90 2.98.
+TEST_F(Scalars, GiveQuantilesOfDelays) {
+  EXPECT_DOUBLE_EQ(*value("messages.delay.mean"), 2);
+  EXPECT_DOUBLE_EQ(*value("messages.delay.median"), 2);
+  EXPECT_DOUBLE_EQ(*value("messages.delay.p95"), 2.9);
+  EXPECT_DOUBLE_EQ(*value("messages.delay.p99"), 2.98);
+  EXPECT_DOUBLE_EQ(*value("messages.delay.max"), 3);
+  EXPECT_DOUBLE_EQ(*value("discoveries.time.median"), 0.5);
+  EXPECT_EQ(value("discoveries.failed"), 1);
+}
+
+TEST_F(Scalars, AreOfRobotsWhereAgentsAreNamed) {
+  EXPECT_EQ(value("agents.path", "r0"), 7.5);
+  EXPECT_EQ(value("agents.path", "m0"), std::nullopt);
+  EXPECT_EQ(value("paths.sum"), 7.5);
+  EXPECT_EQ(value("agents.wall_steps", "r0"), 3);
+}
+
+TEST_F(Scalars, SayHowLongAStateLasted) {
+  EXPECT_DOUBLE_EQ(*value("states.goes_home.time", "r0"), 3 + 1);
+  EXPECT_DOUBLE_EQ(*value("states.rests.time", "r0"), 5);
+  EXPECT_EQ(value("states.goes_home.entries", "r0"), 2);
+  EXPECT_DOUBLE_EQ(*value("states.goes_home.first", "r0"), 1);
+}
+
+TEST_F(Scalars, SumUpWhatControllersRecorded) {
+  EXPECT_EQ(value("controllers.need.mean", "r0"), 0.625);
+  EXPECT_EQ(value("controllers.need.last", "r0"), 0.75);
+  EXPECT_EQ(value("controllers.distance.count", "r0"), 1);
+  ASSERT_EQ(series.size(), 2u);
+  EXPECT_EQ(series[1].name, "controllers.need");
+  EXPECT_EQ(series[1].agent, "r0");
+  EXPECT_EQ(series[1].points, (std::vector<std::pair<double, double>>{{1, 0.5}, {2, 0.75}}));
+}
+
+TEST_F(Scalars, NameEachNumberOnce) {
+  std::set<std::pair<std::string, std::string>> names;
+  for (const Scalar& one : all) EXPECT_TRUE(names.emplace(one.name, one.agent).second) << one.name;
+}
+
+TEST_F(ScalarsOfNothing, LeaveOutWhatThereIsNot) {
+  EXPECT_EQ(value("messages.sent"), 0);
+  EXPECT_EQ(value("messages.delivery_ratio"), std::nullopt);
+  EXPECT_EQ(value("messages.delay.median"), std::nullopt);
+  EXPECT_EQ(value("broadcasts.reach"), std::nullopt);
+  EXPECT_TRUE(series.empty());
+}
+
+}  // namespace
+}  // namespace sim::record::test
