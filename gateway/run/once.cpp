@@ -39,12 +39,12 @@ std::unique_ptr<FolderLock> hold_now(const std::filesystem::path& folder, std::s
 }  // namespace
 
 std::optional<FinishedResult> finished_result(const std::filesystem::path& folder,
-                                              std::uint64_t seed) {
+                                              std::optional<std::uint64_t> seed) {
   const std::filesystem::path file = folder / sim::record::kResultsFile;
   if (!std::filesystem::exists(file)) return std::nullopt;
   try {
     std::map<std::string, std::string> values = values_of_run(file);
-    if (values["seed"] != std::to_string(seed)) return std::nullopt;
+    if (seed && values["seed"] != std::to_string(*seed)) return std::nullopt;
     const std::string& status = values["exit_status"];
     if (status != std::to_string(kDone) && status != std::to_string(kExpectationNotMet)) {
       return std::nullopt;

@@ -16,11 +16,11 @@ struct FinishedResult {
   std::string result, fingerprint;
 };
 
-/// None: there is no result in the folder, of another seed, or of a run that failed or was cut
+/// None: there is no result in the folder, of another seed (none: of any), or of a run that failed or was cut
 /// short. @pre no run is writing there: on a file system of several computers, a database that is
 /// being written elsewhere cannot be read.
 std::optional<FinishedResult> finished_result(const std::filesystem::path& folder,
-                                              std::uint64_t seed);
+                                              std::optional<std::uint64_t> seed = {});
 
 /// Holds the folder of a result as soon as nobody else does: waits for a run that is writing there,
 /// here or, on a file system of several computers, elsewhere. What was killed in the middle of

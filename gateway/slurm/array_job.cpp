@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <chrono>
+#include <cstdint>
 
 namespace gateway::slurm {
 namespace {
@@ -12,6 +13,13 @@ std::string quoted(const std::string& text) {
   std::string word = "'";
   for (const char letter : text) word += letter == '\'' ? "'\\''" : std::string(1, letter);
   return word + "'";
+}
+
+/// As `sbatch --time` takes it, whole seconds and not less: "1-02:03:04".
+std::string time_limit(hal::Duration limit) {
+  const std::int64_t seconds = std::chrono::ceil<std::chrono::seconds>(limit).count();
+  return fmt::format("{}-{:02}:{:02}:{:02}", seconds / 86400, seconds / 3600 % 24,
+                     seconds / 60 % 60, seconds % 60);
 }
 
 }  // namespace
@@ -39,27 +47,19 @@ std::string script_of(const ArrayJob& job) {
   for (const Task& task : job.tasks) {
     text += fmt::format("{}) exec {}", task.index, quoted(job.program.string()));
     for (const std::string& argument : task.arguments) text += " " + quoted(argument);
-    text += " ;;\n";
+    text += fmt::format(" >>{} 2>&1 ;;\n", quoted(task.log.string()));
   }
   return text +
          "*) echo \"error: no task $SLURM_ARRAY_TASK_ID in this job\" >&2; exit 2 ;;\nesac\n";
 }
 
-std::filesystem::path log_of(const std::filesystem::path& logs, const std::string& name,
-                             int index) {
-  return logs / fmt::format("{}-{}.log", name, index);
-}
-
-std::filesystem::path log_of(const ArrayJob& job, int index) {
-  return log_of(job.logs, job.name, index);
-}
-
-std::vector<std::string> submission_of(const ArrayJob& job, const Settings& settings,
+std::vector<std::string> submission_of(const ArrayJob& job,
+                                       const sim::campaign::SlurmSettings& settings,
                                        const std::filesystem::path& script) {
   // A '%' of a path would begin a pattern.
-  std::string logs = job.logs.string();
-  for (std::size_t at = 0; (at = logs.find('%', at)) != std::string::npos; at += 2) {
-    logs.insert(at, "%");
+  std::string log = job.log.string();
+  for (std::size_t at = 0; (at = log.find('%', at)) != std::string::npos; at += 2) {
+    log.insert(at, "%");
   }
   std::vector<std::string> command{"sbatch",
                                    "--parsable",
@@ -68,7 +68,7 @@ std::vector<std::string> submission_of(const ArrayJob& job, const Settings& sett
                                    "--requeue",
                                    "--ntasks=1",
                                    "--chdir=" + job.folder.string(),
-                                   "--output=" + logs + "/" + job.name + "-%a.log",
+                                   "--output=" + log,
                                    "--open-mode=append"};
   if (!settings.partition.empty()) command.push_back("--partition=" + settings.partition);
   if (settings.time) command.push_back("--time=" + time_limit(*settings.time));

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "gateway/slurm/settings.h"
+#include "sim/campaign/slurm_section.h"
 
 namespace gateway::slurm {
 
@@ -13,6 +13,7 @@ namespace gateway::slurm {
 struct Task {
   int index = 0;  ///< Below MaxArraySize of the cluster.
   std::vector<std::string> arguments;
+  std::filesystem::path log{};  ///< What it prints is appended here.
 };
 
 /// Calls of one program, to be submitted in one command.
@@ -20,7 +21,7 @@ struct ArrayJob {
   std::string name;               ///< By which it is found again.
   std::filesystem::path program;  ///< The same path on every node.
   std::filesystem::path folder;   ///< Where the programs start; shared with the nodes.
-  std::filesystem::path logs;     ///< Folder of what they print, shared with the nodes.
+  std::filesystem::path log;      ///< What Slurm has to say of the tasks is appended here.
   std::vector<Task> tasks{};      ///< By rising index.
   std::optional<int> at_once{};   ///< Most that run at a time; none: as many as there is room for.
 };
@@ -32,12 +33,9 @@ std::string indices_of(const ArrayJob& job);
 /// starts again after its node was lost runs the same.
 std::string script_of(const ArrayJob& job);
 
-/// What the task of an index prints. Of all its starts: the last ones are at the end.
-std::filesystem::path log_of(const ArrayJob& job, int index);
-std::filesystem::path log_of(const std::filesystem::path& logs, const std::string& name, int index);
-
 /// The command that submits the script and prints the number of the job.
-std::vector<std::string> submission_of(const ArrayJob& job, const Settings& settings,
+std::vector<std::string> submission_of(const ArrayJob& job,
+                                       const sim::campaign::SlurmSettings& settings,
                                        const std::filesystem::path& script);
 
 }  // namespace gateway::slurm

@@ -21,6 +21,8 @@ namespace {
 
 using Steady = std::chrono::steady_clock;
 
+constexpr int kBetweenLooks = 100;  // ms
+
 /// Both ends of a pipe; what is still open is closed.
 struct Pipe {
   std::array<int, 2> ends{-1, -1};
@@ -64,15 +66,14 @@ bool take(int descriptor, std::string& text) {
   return size > 0 || (size < 0 && errno == EINTR);
 }
 
-/// Until the program has closed both. @return whether it did by `end`.
-bool read_all(Pipe& out, Pipe& err, Printed& printed, Steady::time_point end) {
+/// Until the program has closed both. @return whether it did before `is_over` said so.
+bool read_all(Pipe& out, Pipe& err, Printed& printed, const std::function<bool()>& is_over) {
   out.close(1);
   err.close(1);
   while (out.ends[0] >= 0 || err.ends[0] >= 0) {
-    const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Steady::now());
-    if (left.count() <= 0) return false;
+    if (is_over()) return false;
     std::array<pollfd, 2> polled{{{out.ends[0], POLLIN, 0}, {err.ends[0], POLLIN, 0}}};
-    if (::poll(polled.data(), polled.size(), static_cast<int>(left.count())) <= 0) continue;
+    if (::poll(polled.data(), polled.size(), kBetweenLooks) <= 0) continue;
     if (polled[0].revents != 0 && !take(out.ends[0], printed.out)) out.close(0);
     if (polled[1].revents != 0 && !take(err.ends[0], printed.err)) err.close(0);
   }
@@ -97,7 +98,8 @@ std::string Printed::last_error() const {
   return last;
 }
 
-hal::Result<Printed> run_program(const std::vector<std::string>& command, hal::Duration longest) {
+hal::Result<Printed> run_program(const std::vector<std::string>& command, hal::Duration longest,
+                                 const std::function<bool(const Printed&)>& give_up) {
   std::vector<std::string> strings = command;
   std::vector<char*> arguments;
   arguments.reserve(strings.size() + 1);
@@ -117,14 +119,17 @@ hal::Result<Printed> run_program(const std::vector<std::string>& command, hal::D
   }
 
   Printed printed;
-  const bool in_time = read_all(out, err, printed, Steady::now() + longest);
+  const auto begin = Steady::now();
+  const bool in_time = read_all(out, err, printed, [&] {
+    return Steady::now() - begin > longest || (give_up && give_up(printed));
+  });
   if (!in_time) ::kill(-pid, SIGKILL);
   printed.status = status_of(pid);
   if (in_time) return printed;
-  return hal::fail(
-      hal::Errc::kTimeout,
-      fmt::format("{}: no answer within {:.0f} s{}", command[0], hal::to_seconds(longest),
-                  printed.err.empty() ? "" : ": " + printed.last_error()));
+  const std::chrono::duration<double> waited = Steady::now() - begin;
+  return hal::fail(hal::Errc::kTimeout,
+                   fmt::format("{}: no answer within {:.1f} s{}", command[0], waited.count(),
+                               printed.err.empty() ? "" : ": " + printed.last_error()));
 }
 
 }  // namespace gateway::slurm

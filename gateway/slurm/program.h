@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ struct Printed {
 /// Runs a program of PATH to its end, in a process group of its own, so that Ctrl-C does not reach
 /// it, with nothing to read. Killed after `longest`, and when this process dies.
 /// Errors: kNotAvailable, there is no such program, or it cannot be started; kTimeout.
-hal::Result<Printed> run_program(const std::vector<std::string>& command, hal::Duration longest);
+/// @param give_up  asked ten times a second, with what was printed so far: whether not to wait
+///   any longer, which is as if `longest` had passed. Empty: never.
+hal::Result<Printed> run_program(const std::vector<std::string>& command, hal::Duration longest,
+                                 const std::function<bool(const Printed&)>& give_up = {});
 
 }  // namespace gateway::slurm

@@ -38,6 +38,19 @@ std::string_view word_of(std::string_view text, const std::string& key) {
   return text.substr(0, text.find_first_of(" \n"));
 }
 
+/// Of "1-02:03:04"; the days may be missing.
+std::optional<double> seconds_in(std::string_view text) {
+  double days = 0;
+  if (text.find('-') != std::string_view::npos) {
+    days = number_in<int>(next_part(text, '-')).value_or(0);
+  }
+  const auto hours = number_in<int>(next_part(text, ':'));
+  const auto minutes = number_in<int>(next_part(text, ':'));
+  const auto seconds = number_in<int>(text);
+  if (!hours || !minutes || !seconds) return std::nullopt;
+  return ((days * 24 + *hours) * 60 + *minutes) * 60 + *seconds;
+}
+
 std::optional<QueuedTask> task_of(std::string_view line) {
   std::string_view rest = line;
   const auto job = number_in<std::int64_t>(next_part(rest, '|'));
@@ -49,7 +62,11 @@ std::optional<QueuedTask> task_of(std::string_view line) {
 
 }  // namespace
 
-std::string TaskEnd::in_words() const {
+bool JobEnd::has_status(int value) const {
+  return (state == "COMPLETED" || state == "FAILED") && signal == 0 && status == value;
+}
+
+std::string JobEnd::in_words() const {
   std::string words = state;
   if (!node.empty()) words += " on " + node;
   if (!reason.empty() && reason != "None" && reason != "NonZeroExitCode") {
@@ -75,11 +92,14 @@ hal::Result<std::vector<QueuedTask>> parse_queue(std::string_view printed) {
   return tasks;
 }
 
-std::optional<TaskEnd> parse_job(std::string_view printed) {
-  TaskEnd end{.state = std::string(word_of(printed, "JobState")),
-              .reason = std::string(word_of(printed, "Reason")),
-              .node = std::string(word_of(printed, "NodeList"))};
+std::optional<JobEnd> parse_job(std::string_view printed) {
+  JobEnd end;
+  end.state = word_of(printed, "JobState");
+  end.reason = word_of(printed, "Reason");
+  end.node = word_of(printed, "NodeList");
   if (end.state.empty()) return std::nullopt;
+  end.restarts = number_in<int>(word_of(printed, "Restarts")).value_or(0);
+  end.wall_s = seconds_in(word_of(printed, "RunTime"));
   if (end.node == "(null)") end.node.clear();
   std::string_view code = word_of(printed, "ExitCode");
   end.status = number_in<int>(next_part(code, ':')).value_or(0);

@@ -22,13 +22,17 @@ struct QueuedTask {
 };
 
 /// How a task ended, as far as Slurm still knows.
-struct TaskEnd {
+struct JobEnd {
   std::string state;   ///< "COMPLETED", "FAILED", "TIMEOUT", "CANCELLED", "NODE_FAIL", …
   std::string reason;  ///< "NonZeroExitCode", …
   int status = 0;      ///< Exit status.
   int signal = 0;      ///< That killed it.
   std::string node;
+  int restarts = 0;              ///< How often it was started again.
+  std::optional<double> wall_s;  ///< Of its last start.
 
+  /// Whether the program ended by itself with this status.
+  bool has_status(int value) const;
   std::string in_words() const;  ///< "TIMEOUT on n1 (TimeLimit)".
 };
 
@@ -39,7 +43,7 @@ inline constexpr const char* kQueueFormat = "%F|%K|%T|%j|%r";
 hal::Result<std::vector<QueuedTask>> parse_queue(std::string_view printed);
 
 /// Of `scontrol --oneliner show job`; none: it says nothing of a state.
-std::optional<TaskEnd> parse_job(std::string_view printed);
+std::optional<JobEnd> parse_job(std::string_view printed);
 
 /// The value of a key that `scontrol show config` prints.
 std::optional<std::string> parse_config(std::string_view printed, std::string_view key);

@@ -105,6 +105,7 @@ CampaignFile read_campaign(Mapping in, const std::filesystem::path& file) {
   read_seeds(in, campaign);
   read_design(in, campaign);
   read_how(in, campaign);
+  campaign.slurm = read_slurm(in);
   const auto points = campaign.design == Design::kLatinHypercube
                           ? static_cast<std::int64_t>(campaign.samples)
                           : static_cast<std::int64_t>(campaign.points.size());

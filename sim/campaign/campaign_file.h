@@ -9,6 +9,7 @@
 
 #include "hal/config/mapping.h"
 #include "hal/types/time.h"
+#include "sim/campaign/slurm_section.h"
 
 namespace sim::campaign {
 
@@ -58,6 +59,7 @@ struct CampaignFile {
   Keep keep = Keep::kNone;
   RunControllers controllers = RunControllers::kInProcess;
   std::optional<int> jobs{};  ///< None: as many as there are processors.
+  SlurmSettings slurm{};
 
   Design design = Design::kOnePoint;
   std::vector<std::string> keys{};     ///< That are varied, in the order of the file.

@@ -46,7 +46,7 @@ MAY_INCLUDE = {
                 "hal/config", "hal/types"],
     "gateway/netns": ["hal/types"],
     "gateway/holder": ["gateway/netns"],
-    "gateway/slurm": ["gateway", "hal/config", "hal/types"],
+    "gateway/slurm": ["gateway", "sim/campaign", "hal/types"],
     "gateway/run": ["gateway", "gateway/netns", "hal", "sim"],
     "gateway/campaign": ["gateway", "gateway/run", "gateway/slurm", "hal", "sim"],
     "gateway/commands": ["gateway", "gateway/netns", "gateway/run", "gateway/campaign", "hal", "sim"],

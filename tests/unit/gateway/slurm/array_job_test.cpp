@@ -14,9 +14,10 @@ namespace {
 using namespace std::chrono_literals;
 
 ArrayJob job_of(const std::vector<int>& indices) {
-  ArrayJob job{.name = "baraka-1", .program = "/usr/bin/printf", .folder = "/", .logs = "/l%g"};
+  ArrayJob job{.name = "baraka-1", .program = "/usr/bin/printf", .folder = "/", .log = "/l%g.log"};
   for (const int index : indices) {
-    job.tasks.push_back({index, {"[%s] ", "it's", std::to_string(index), "$HOME `x` \\ \""}});
+    job.tasks.push_back(
+        {index, {"[%s] ", "it's", std::to_string(index), "$HOME `x` \\ \""}, "/dev/stdout"});
   }
   return job;
 }
@@ -42,6 +43,22 @@ TEST(SlurmArrayJob, EachTaskBecomesItsProgramWithItsArgumentsAsTheyAre) {
   EXPECT_EQ(run_as(script, "1").out, "[it's] [1] [$HOME `x` \\ \"] ");
 }
 
+TEST(SlurmArrayJob, WhatATaskPrintsIsAppendedToItsLogAndSoIsThatItCannotStart) {
+  const std::filesystem::path log = testing::TempDir() + "/it's a log";
+  std::filesystem::remove(log);
+  ArrayJob job{.name = "n", .program = "/bin/echo", .folder = "/", .log = "/l"};
+  job.tasks = {{0, {"first"}, log}};
+  (void)run_as(script_of(job), "0");
+  job.program = "/not/there";
+  EXPECT_EQ(run_as(script_of(job), "0").status, 127);
+  std::ifstream in(log);
+  std::string first, second;
+  std::getline(in, first);
+  std::getline(in, second);
+  EXPECT_EQ(first, "first");
+  EXPECT_NE(second.find("/not/there: No such file"), std::string::npos) << second;
+}
+
 TEST(SlurmArrayJob, AnIndexWithoutATaskIsAnError) {
   const Printed printed = run_as(script_of(job_of({1})), "2");
   EXPECT_EQ(printed.status, 2);
@@ -49,7 +66,8 @@ TEST(SlurmArrayJob, AnIndexWithoutATaskIsAnError) {
 }
 
 TEST(SlurmArrayJob, TheSubmissionSaysWhatTheSettingsSay) {
-  const Settings settings{.partition = "short", .time = 90min + 500ms, .arguments = {"--mem=1G"}};
+  const sim::campaign::SlurmSettings settings{
+      .partition = "short", .time = 90min + 500ms, .arguments = {"--mem=1G"}};
   const auto command = submission_of(job_of({0}), settings, "/s.sh");
   const auto has = [&](const std::string& word) {
     return std::ranges::find(command, word) != command.end();
@@ -58,17 +76,8 @@ TEST(SlurmArrayJob, TheSubmissionSaysWhatTheSettingsSay) {
   EXPECT_TRUE(has("--time=0-01:30:01"));
   EXPECT_TRUE(has("--mem=1G"));
   EXPECT_TRUE(has("--requeue"));
-  EXPECT_TRUE(has("--output=/l%%g/baraka-1-%a.log"));
+  EXPECT_TRUE(has("--output=/l%%g.log"));
   EXPECT_EQ(command.back(), "/s.sh");
-}
-
-TEST(SlurmSettings, ArgumentsThatTheEngineNeedsAreRefused) {
-  for (const char* argument : {"--array=1", "-a1", "-J", "--wrap=x", "--no-requeue", "-W", "mem"}) {
-    EXPECT_NE(refusal(argument), "") << argument;
-  }
-  for (const char* argument : {"--account=a", "-A", "--mem=1G", "--hold", "--nice", "-n1"}) {
-    EXPECT_EQ(refusal(argument), "") << argument;
-  }
 }
 
 TEST(SlurmProgram, WhatIsNotThereIsNamed) {
@@ -85,9 +94,17 @@ TEST(SlurmProgram, OneThatDoesNotEndIsKilledWithWhatItStarted) {
   EXPECT_NE(printed.error().message.find("stuck"), std::string::npos);
 }
 
-TEST(SlurmProgram, LongOutputAndErrorsArriveWhole) {
+TEST(SlurmProgram, OneIsGivenUpByWhatItPrints) {
   const auto printed = run_program(
-      {"bash", "-c", "for i in {1..5000}; do echo $i; echo $i >&2; done; exit 3"}, 20s);
+      {"bash", "-c", "echo sleeping and retrying >&2; sleep 1000"}, 100s,
+      [](const Printed& so_far) { return so_far.err.find("retrying") != std::string::npos; });
+  ASSERT_FALSE(printed);
+  EXPECT_NE(printed.error().message.find("sleeping and retrying"), std::string::npos);
+}
+
+TEST(SlurmProgram, LongOutputAndErrorsArriveWhole) {
+  const auto printed =
+      run_program({"bash", "-c", "for i in {1..5000}; do echo $i; echo $i >&2; done; exit 3"}, 20s);
   ASSERT_TRUE(printed);
   EXPECT_EQ(printed->status, 3);
   EXPECT_EQ(std::ranges::count(printed->out, '\n'), 5000);

@@ -42,12 +42,16 @@ TEST(SlurmQueue, WhatIsNoTaskIsAnErrorThatShowsTheLine) {
 TEST(SlurmJob, TheEndOfATaskIsReadFromItsKeys) {
   const auto end = parse_job(
       "JobId=12 ArrayJobId=11 ArrayTaskId=3 JobName=baraka UserId=root(0) JobState=TIMEOUT "
-      "Reason=TimeLimit Dependency=(null) Requeue=1 Restarts=0 ExitCode=0:15 "
+      "Reason=TimeLimit Dependency=(null) Requeue=1 Restarts=2 ExitCode=0:15 "
+      "RunTime=1-00:01:05 TimeLimit=1-00:01:00 "
       "ReqNodeList=(null) ExcNodeList=(null) NodeList=n2 BatchHost=n2\n");
   ASSERT_TRUE(end);
   EXPECT_EQ(end->state, "TIMEOUT");
   EXPECT_EQ(end->status, 0);
   EXPECT_EQ(end->signal, 15);
+  EXPECT_EQ(end->restarts, 2);
+  EXPECT_EQ(end->wall_s, 86465);
+  EXPECT_FALSE(end->has_status(0));
   EXPECT_EQ(end->in_words(), "TIMEOUT on n2 (TimeLimit), killed by signal 15");
 }
 
@@ -55,6 +59,8 @@ TEST(SlurmJob, AnExitStatusIsSaidOnce) {
   const auto end =
       parse_job("JobId=3 JobState=FAILED Reason=NonZeroExitCode ExitCode=2:0 NodeList=(null)\n");
   ASSERT_TRUE(end);
+  EXPECT_TRUE(end->has_status(2));
+  EXPECT_FALSE(end->wall_s);
   EXPECT_EQ(end->in_words(), "FAILED, exit status 2");
 }
 

@@ -1,4 +1,4 @@
-#include "gateway/slurm/settings.h"
+#include "sim/campaign/slurm_section.h"
 
 #include <fmt/format.h>
 
@@ -6,7 +6,7 @@
 #include <array>
 #include <string_view>
 
-namespace gateway::slurm {
+namespace sim::campaign {
 namespace {
 
 struct Reserved {
@@ -31,9 +31,7 @@ constexpr std::array<Reserved, 11> kReserved{
 }  // namespace
 
 std::string refusal(const std::string& argument) {
-  if (!argument.starts_with("-")) {
-    return "is no option; write '--option=value' as one argument";
-  }
+  if (!argument.starts_with("-")) return "is no option; write '--option=value' as one argument";
   const std::string option = argument.substr(0, argument.find('='));
   const auto* const found = std::ranges::find_if(kReserved, [&](const Reserved& reserved) {
     return option == reserved.option || (!reserved.letter.empty() && !option.starts_with("--") &&
@@ -42,14 +40,8 @@ std::string refusal(const std::string& argument) {
   return found == kReserved.end() ? "" : std::string(found->why);
 }
 
-std::string time_limit(hal::Duration limit) {
-  const std::int64_t seconds = std::chrono::ceil<std::chrono::seconds>(limit).count();
-  return fmt::format("{}-{:02}:{:02}:{:02}", seconds / 86400, seconds / 3600 % 24,
-                     seconds / 60 % 60, seconds % 60);
-}
-
-Settings read_settings(hal::config::Mapping& campaign) {
-  Settings settings;
+SlurmSettings read_slurm(hal::config::Mapping& campaign) {
+  SlurmSettings settings;
   hal::config::Mapping in = campaign.mapping(
       {"slurm", "How `--engine slurm` submits the runs, as one array job.", {}, "{}"});
   settings.partition =
@@ -81,4 +73,4 @@ Settings read_settings(hal::config::Mapping& campaign) {
   return settings;
 }
 
-}  // namespace gateway::slurm
+}  // namespace sim::campaign

@@ -8,10 +8,10 @@
 #include "hal/config/mapping.h"
 #include "hal/types/time.h"
 
-namespace gateway::slurm {
+namespace sim::campaign {
 
 /// How the runs of a campaign are submitted: the key `slurm` of its file.
-struct Settings {
+struct SlurmSettings {
   std::string partition;                         ///< Empty: the cluster's default.
   std::optional<hal::Duration> time;             ///< Limit of each run; none: the partition's.
   std::vector<std::string> arguments;            ///< Further ones of `sbatch`.
@@ -21,12 +21,9 @@ struct Settings {
 };
 
 /// Reads the key `slurm` of a campaign file; absent: as above.
-Settings read_settings(hal::config::Mapping& campaign);
-
-/// As `sbatch --time` takes it, whole seconds and not less: "1-02:03:04".
-std::string time_limit(hal::Duration limit);
+SlurmSettings read_slurm(hal::config::Mapping& campaign);
 
 /// Why an argument of `sbatch` cannot be given: the engine needs it itself; empty: it can.
 std::string refusal(const std::string& argument);
 
-}  // namespace gateway::slurm
+}  // namespace sim::campaign
