@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <poll.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -116,6 +117,10 @@ bool has_ended(int descriptor) {
   return hal::poll_for({&polled, 1}, hal::Duration::zero()) > 0;
 }
 
+double seconds(const timeval& time) {
+  return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+}
+
 /// Leaves the process to be reaped later. @pre it has ended.
 Ending ending_of(const std::string& name, pid_t pid) {
   siginfo_t info{};
@@ -123,9 +128,9 @@ Ending ending_of(const std::string& name, pid_t pid) {
     continue;
   }
   if (info.si_code == CLD_EXITED) {
-    return {name, pid, info.si_status, fmt::format("exited with status {}", info.si_status)};
+    return {name, pid, info.si_status, fmt::format("exited with status {}", info.si_status), 0};
   }
-  return {name, pid, 128 + info.si_status, fmt::format("killed by signal {}", info.si_status)};
+  return {name, pid, 128 + info.si_status, fmt::format("killed by signal {}", info.si_status), 0};
 }
 
 }  // namespace
@@ -177,16 +182,22 @@ void Spawner::wait_all(hal::Duration timeout) {
   }
 }
 
-std::vector<Ending> Spawner::stop_all() {
+void Spawner::ask_to_end() const {
   for (const Child& child : children_) {
     if (!has_ended(child.descriptor)) kill(child.pid, SIGTERM);
   }
+}
+
+std::vector<Ending> Spawner::stop_all() {
+  ask_to_end();
   wait_all(kGrace);
   std::vector<Ending> endings;
   for (const Child& child : children_) {
     if (!has_ended(child.descriptor)) kill(child.pid, SIGKILL);
     endings.push_back(ending_of(child.name, child.pid));  // Waits until it has ended.
-    waitpid(child.pid, nullptr, 0);
+    rusage used{};
+    wait4(child.pid, nullptr, 0, &used);
+    endings.back().user_s = seconds(used.ru_utime) + seconds(used.ru_stime);
     close(child.descriptor);
   }
   children_.clear();

@@ -28,6 +28,7 @@ struct Ending {
   pid_t pid = 0;
   int status = 0;     ///< Exit status; 128 + signal if a signal killed it.
   std::string cause;  ///< "exited with status 2", "killed by signal 9".
+  double user_s = 0;  ///< Processor time of it and of those it waited for, the system's included.
 };
 
 /// What a program had to say in the end, for a message: ": its last line", or nothing.
@@ -50,6 +51,12 @@ class Spawner {
   /// Whether all run. Errors: kNotConnected, naming the first that ended, how, and its last
   /// words.
   hal::Result<void> check() const;
+
+  /// Of the one that was started first: readable once it has ended. -1: there is none.
+  int descriptor() const { return children_.empty() ? -1 : children_.front().descriptor; }
+
+  /// Asks those that still run to end, and does not wait for it.
+  void ask_to_end() const;
 
   /// Waits for all to end by themselves, up to `timeout`.
   void wait_all(hal::Duration timeout);

@@ -61,6 +61,9 @@ void add_surroundings(CLI::App* run, RunOptions& options) {
   run->add_option("--out", options.out, "Folder for the results; default: results/<name>");
   run->add_flag("--overwrite", options.overwrite,
                 "Remove an earlier result there; default: keep it as <name>.1, .2, ...");
+  run->add_flag("--once", options.once,
+                "Keep a finished result of this seed there, and wait for another run that is "
+                "writing there");
   run->add_option("--set", options.overrides, "KEY=VALUE, the key as a dotted path")
       ->allow_extra_args(false);
   run->add_option("--log", options.log, "Least that run.log tells of; default: info")

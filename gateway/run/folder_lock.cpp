@@ -62,7 +62,7 @@ FolderLock::FolderLock(const fs::path& folder) : file_(lock_of(folder)) {
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) continue;
     const std::string holder = content(descriptor_);
     ::close(descriptor_);
-    throw std::runtime_error(
+    throw FolderHeld(
         fmt::format("{}: another run is writing there (pid {})", folder.string(), holder));
   } while (!is_still(file_, descriptor_));
   const std::string pid = std::to_string(::getpid());

@@ -1,15 +1,21 @@
 #pragma once
 
 #include <filesystem>
+#include <stdexcept>
 
 namespace gateway {
+
+/// Another process holds the folder; what() names it.
+struct FolderHeld : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
 
 /// A folder that this process holds until destruction, or until it dies. The lock is a file beside
 /// the folder, so the folder may be renamed or not be there at all.
 class FolderLock {
  public:
-  /// @pre the folder that it is in exists. @throws std::runtime_error  if another process holds it,
-  ///   naming that one, or the lock is no file of this user's, or cannot be written.
+  /// @pre the folder that it is in exists. @throws FolderHeld. @throws std::runtime_error  the lock
+  ///   is no file of this user's, or cannot be written.
   explicit FolderLock(const std::filesystem::path& folder);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;

@@ -90,12 +90,13 @@ void warn_of_unheard_topics(sim::record::Recorder& recorder, hal::Time at) {
 
 }  // namespace
 
-Results::Results(const Scenario& scenario, const RunOptions& options, const std::string& pace)
+Results::Results(const Scenario& scenario, const RunOptions& options, const std::string& pace,
+                 std::unique_ptr<FolderLock> held)
     : scenario_(scenario),
       pace_(pace),
       settings_(settings_of(scenario, options, pace)),
       folder_(results_path(options, scenario.name),
-              {.files = files_of(scenario), .overwrite = options.overwrite}),
+              {.files = files_of(scenario), .overwrite = options.overwrite}, std::move(held)),
       fingerprint_([this](const sim::Fingerprint::Row& row) { recorder_->add(row); }) {
   sim::log_to_file((folder_.path() / kLog).string(), *hal::log::level_called(options.log));
   write_file(folder_.path() / kScenario, sim::scenario::resolved_yaml(scenario));

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -21,8 +22,9 @@ class Results {
   /// From now on the log goes to the folder of what has not begun.
   /// @throws as ResultsFolder.
   /// @param pace  as Course::pace().
+  /// @param held  as for ResultsFolder.
   Results(const sim::scenario::Scenario& scenario, const RunOptions& options,
-          const std::string& pace);
+          const std::string& pace, std::unique_ptr<FolderLock> held);
 
   /// The run begins: from now on it is recorded, and an earlier result is no longer in its place.
   /// @throws std::runtime_error  the tables cannot be made, or as ResultsFolder::begin().

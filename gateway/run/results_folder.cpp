@@ -8,6 +8,7 @@
 #include <charconv>
 #include <cstring>
 #include <stdexcept>
+#include <utility>
 
 #include "gateway/exit_status.h"
 #include "gateway/run/result_marker.h"
@@ -144,13 +145,15 @@ void finish_set_aside(const fs::path& folder) {
   }
 }
 
-ResultsFolder::ResultsFolder(const fs::path& out, const Settings& settings)
+ResultsFolder::ResultsFolder(const fs::path& out, const Settings& settings,
+                             std::unique_ptr<FolderLock> held)
     : out_(folder_named(out)),
       path_(beside(out_, kNotStarted)),
       overwrite_(settings.overwrite),
-      run_id_(new_run_id()) {
+      run_id_(new_run_id()),
+      lock_(std::move(held)) {
   if (out_.has_parent_path()) make_folder(out_.parent_path());
-  lock_.emplace(out_);
+  if (!lock_) lock_ = std::make_unique<FolderLock>(out_);
   finish_set_aside(out_);
   require_result_or_nothing(out_);
   require_result_or_nothing(path_);

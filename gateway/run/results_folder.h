@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,7 +32,9 @@ class ResultsFolder {
   /// Makes the folder of what has not begun.
   /// @throws UsageError  one of the folders is not a result's or holds what no run wrote.
   /// @throws std::runtime_error  another run holds it, or it cannot be written.
-  ResultsFolder(const std::filesystem::path& out, const Settings& settings);
+  /// @param held  the lock of the folder; null: it is to be taken.
+  ResultsFolder(const std::filesystem::path& out, const Settings& settings,
+                std::unique_ptr<FolderLock> held = nullptr);
 
   /// The run has begun: its folder gets its name, and an earlier result makes room for it.
   /// @throws std::runtime_error  it cannot; then the earlier result is still there.
@@ -49,7 +52,7 @@ class ResultsFolder {
   bool overwrite_;
   std::string run_id_;
   std::optional<std::filesystem::path> kept_;
-  std::optional<FolderLock> lock_;
+  std::unique_ptr<FolderLock> lock_;
 };
 
 /// Makes a folder and those it is in. @throws std::runtime_error

@@ -15,6 +15,7 @@
 #include "gateway/run/last_resort.h"
 #include "gateway/run/network_of_run.h"
 #include "gateway/run/network_report.h"
+#include "gateway/run/once.h"
 #include "gateway/run/results.h"
 #include "gateway/run/run_inspection.h"
 #include "gateway/run/start_inside.h"
@@ -243,6 +244,14 @@ int run(const RunOptions& options, const Scenario& scenario, const Course& cours
   return conclude(results, judge, simulation, std::move(ending));
 }
 
+/// Of a run that was not needed.
+int say_finished(const FinishedResult& finished, const std::filesystem::path& folder) {
+  fmt::print(stderr, "the result is there already\n");
+  fmt::print("result: {}\nfingerprint: {}\nresults: {}\n", hal::printable(finished.result),
+             finished.fingerprint, folder.string());
+  return finished.status;
+}
+
 }  // namespace
 
 std::filesystem::path results_path(const RunOptions& options, const std::string& scenario) {
@@ -260,7 +269,14 @@ int run(const RunOptions& options) {
                                       .domain = options.inspect_domain,
                                       .repeated = !options.repeat.empty()});
   check_repeat(options, scenario.name);
-  Results results(scenario, options, course.pace());
+  std::unique_ptr<FolderLock> held;
+  if (options.once) {
+    const std::filesystem::path folder = results_path(options, scenario.name);
+    held = hold_when_free(folder);
+    const auto finished = finished_result(folder, scenario.simulation.seed);
+    if (finished) return say_finished(*finished, folder);
+  }
+  Results results(scenario, options, course.pace(), std::move(held));
   try {
     return run(options, scenario, course, inspection, results);
   } catch (const std::exception& e) {

@@ -25,6 +25,7 @@ struct RunOptions {
   std::optional<int> inspect_domain;  ///< None: the run's.
   std::string out;                    ///< Empty: results/<scenario name>.
   bool overwrite = false;             ///< An earlier result there is removed, not kept.
+  bool once = false;  ///< A finished result there stays, and another run there is waited for.
   std::optional<int> replications;
   int jobs = 1;              ///< Replications at a time.
   std::string log = "info";  ///< The least that run.log tells of.

@@ -12,6 +12,7 @@
 #include "hal/config/survey.h"
 #include "hal/config/value.h"
 #include "hal/config/writer.h"
+#include "hal/config/yaml.h"
 
 namespace hal::config {
 
@@ -27,6 +28,11 @@ Form number_form(std::string_view unit, Range range) {
 
 Form whole_form(std::int64_t low, std::int64_t high) {
   return {.kind = Form::Kind::kWhole, .low = low, .high = high};
+}
+
+WrittenValue written_value(const Node& node) {
+  std::string yaml = flow_yaml(node);
+  return {node.kind == Kind::kScalar ? node.text : yaml, yaml, node.place.text()};
 }
 
 Form vector_form(std::string_view unit, Range range, std::size_t size) {
@@ -376,6 +382,19 @@ void Mapping::add_nested(const Node& mapping, const std::string& prefix,
     auto value = plain_value(entry.value, key, "a single value, or a list or mapping of them");
     if (value) values.push_back(std::move(*value));
   }
+}
+
+std::vector<WrittenEntry> Mapping::written_values() {
+  std::vector<WrittenEntry> result;
+  for (const Entry& entry : node_->entries) {
+    find(entry.key);
+    WrittenEntry& written = result.emplace_back();
+    written.key = entry.key;
+    written.value = written_value(entry.value);
+    written.is_list = entry.value.kind == Kind::kList;
+    for (const Node& item : entry.value.items) written.items.push_back(written_value(item));
+  }
+  return result;
 }
 
 std::string Mapping::place(const std::string& key) const {

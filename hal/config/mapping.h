@@ -41,6 +41,21 @@ struct PlainValue {
   std::vector<std::string> items{};  ///< Of a list.
 };
 
+/// A value of any kind, for somebody else to read.
+struct WrittenValue {
+  std::string text;   ///< For people: a single value as it stands, others as `yaml`.
+  std::string yaml;   ///< On one line, as it may stand behind the `=` of an override.
+  std::string place;  ///< "file:line:column".
+};
+
+/// The value of a key in a mapping whose keys are names, whatever it is.
+struct WrittenEntry {
+  std::string key;
+  WrittenValue value;
+  bool is_list = false;
+  std::vector<WrittenValue> items{};  ///< Of a list.
+};
+
 /// One name of an enumeration.
 template <class E>
 struct Option {
@@ -127,6 +142,9 @@ class Mapping {
   std::vector<PlainValue> plain_values();
   /// The same, where values may also be mappings of such values.
   std::vector<PlainValue> nested_values();
+
+  /// The same with values of any kind.
+  std::vector<WrittenEntry> written_values();
 
   /// "file:line:column" of a key's value, or of the mapping if the key is not there.
   std::string place(const std::string& key) const;

@@ -73,6 +73,12 @@ const Unit* find_unit(std::string_view name) {
   return found == kUnits.end() ? nullptr : &*found;
 }
 
+const Unit& base_unit_of(const Unit& unit) {
+  // Each dimension is listed from its SI unit on.
+  return *std::find_if(kUnits.begin(), kUnits.end(),
+                       [&](const Unit& other) { return other.dimension == unit.dimension; });
+}
+
 double converted(double number, const Unit& from, const Unit& to) {
   BARAKA_CHECK(from.dimension == to.dimension);
   if (from.name == to.name) return number;

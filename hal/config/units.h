@@ -40,6 +40,9 @@ struct Unit {
 /// The unit of that name; null if there is none.
 const Unit* find_unit(std::string_view name);
 
+/// The SI unit of the same dimension.
+const Unit& base_unit_of(const Unit& unit);
+
 /// A number of `from` in units of `to`. @pre same dimension.
 double converted(double number, const Unit& from, const Unit& to);
 

@@ -107,6 +107,20 @@ std::string readable(double value, std::string_view unit) {
   return degrees.size() < exact.size() ? degrees : exact;
 }
 
+std::optional<WrittenNumber> written_number(std::string_view text) {
+  const auto parts = split(trimmed(text));
+  if (!parts || !std::isfinite(parts->number)) return std::nullopt;
+  if (parts->unit.empty()) return WrittenNumber{parts->number, "1"};
+  if (find_unit(parts->unit) == nullptr || parts->unit == "1") return std::nullopt;
+  return WrittenNumber{parts->number, std::string(parts->unit)};
+}
+
+std::string_view base_unit(std::string_view unit) {
+  const Unit* const given = find_unit(unit);
+  BARAKA_CHECK(given != nullptr);
+  return base_unit_of(*given).name;
+}
+
 bool is_unit(std::string_view unit) { return find_unit(unit) != nullptr; }
 
 }  // namespace hal::config

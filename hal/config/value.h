@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -25,6 +26,19 @@ std::string format_value(double value, std::string_view unit);
 
 /// The same for people, in the unit of the dimension that reads best: "100 ms", "30 deg".
 std::string readable(double value, std::string_view unit);
+
+/// A number as it stands in a file, with its unit.
+struct WrittenNumber {
+  double number = 0;
+  std::string unit;  ///< "1": a plain number.
+};
+
+/// Reads a number with any unit of the list, or without one: "15 cm" is 15 and "cm".
+/// @return none: the text is neither. It throws nothing away: "15 cm x" is neither.
+std::optional<WrittenNumber> written_number(std::string_view text);
+
+/// The SI unit of the same dimension: "m" of "cm", "W" of "dBm". @pre is_unit(unit)
+std::string_view base_unit(std::string_view unit);
 
 /// Whether parse_value() knows the unit.
 bool is_unit(std::string_view unit);

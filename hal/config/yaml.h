@@ -22,4 +22,7 @@ struct Problem {
 Node parse_yaml(const std::string& text, const Place& origin, std::vector<Problem>& problems,
                 std::size_t& values_left);
 
+/// The node on one line, in flow style: parse_yaml() reads it back to the same values.
+std::string flow_yaml(const Node& node);
+
 }  // namespace hal::config

@@ -492,5 +492,73 @@ class TellingApart(Folders):
         self.assertGreater(moving, 50)
 
 
+class Once(Folders):
+    """What runs of a cluster do that start again: --once."""
+    slow = ["--until", "2", "--max-speed", "2"]
+
+    def run_id(self):
+        return self.run_value("run_id")
+
+    def test_a_finished_result_stays_and_is_told_again(self):
+        first = self.run_to("--seed", "3")
+        before = content(self.out)
+        again = self.run_to("--seed", "3", "--once", "--overwrite")
+        self.assertIn("the result is there already", again.err)
+        self.assertEqual([again[key] for key in ("result", "fingerprint")],
+                         [first[key] for key in ("result", "fingerprint")])
+        self.assertEqual(content(self.out), before)
+        unmet = ["--set", "end=[{at: 1 s, result: gave up}]", "--set", "expect=[{result: other}]"]
+        for _ in range(2):
+            self.run_to(*unmet, "--once", "--overwrite", "--seed", "4", status=3)
+
+    def test_another_seed_or_a_failed_run_is_no_such_result(self):
+        self.run_to("--seed", "3")
+        self.run_to("--seed", "4", "--once", "--overwrite")
+        self.assertEqual(self.run_value("seed"), 4)
+        fault = ["--set", "agents.robots.controller.parameters.throw_at=1 s", "--once", "--overwrite"]
+        failed = []
+        for _ in range(2):
+            self.run_to(*fault, status=1, scenario=ROOT / "tests/e2e/faulty.yaml")
+            failed.append(self.run_id())
+        self.assertNotEqual(*failed)
+
+    def test_one_waits_for_another_that_is_writing_there(self):
+        first = self.start(CASE_STUDY, *IN_PROCESS, *self.slow, "--once", out=self.out)
+        wait_for(self.has_begun)
+        mine = self.run_id()
+        second = self.start(CASE_STUDY, *IN_PROCESS, *self.slow, "--once", "--overwrite", out=self.out)
+        ended = second.finish()
+        self.assertEqual((ended.status, first.finish().status), (0, 0), str(ended))
+        self.assertIn(f"waiting: {self.out}: another run is writing there (pid {first.process.pid})", ended.err)
+        self.assertIn("the result is there already", ended.err)
+        self.assertEqual(self.run_id(), mine)
+
+    def test_one_takes_the_place_of_another_that_was_killed(self):
+        first = self.start(CASE_STUDY, *IN_PROCESS, *self.slow, "--once", out=self.out)
+        wait_for(self.has_begun)
+        second = self.start(CASE_STUDY, *IN_PROCESS, "--until", "2", "--once", "--overwrite", out=self.out)
+        send(first.process.pid, "SIGKILL")
+        ended = second.finish()
+        self.assertEqual(ended.status, 0, str(ended))
+        self.assertEqual(self.run_value("exit_status"), 0)
+        self.assertNotIn("already", ended.err)
+
+    def test_one_that_waits_can_be_interrupted(self):
+        first = self.start(CASE_STUDY, *IN_PROCESS, "--max-speed", "1", out=self.out)
+        wait_for(self.has_begun)
+        second = self.start(CASE_STUDY, *IN_PROCESS, "--once", out=self.out)
+        self.assertIn("waiting", second.process.stderr.readline())
+        send(second.process.pid, "SIGTERM")
+        self.assertEqual(second.finish().status, 130)
+        send(first.process.pid, "SIGINT")
+        self.assertEqual(first.finish().status, 130)
+
+    def has_begun(self):
+        try:
+            return self.out.exists() and self.run_id()
+        except sqlite3.OperationalError:
+            return None
+
+
 if __name__ == "__main__":
     unittest.main()

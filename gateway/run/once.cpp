@@ -1,0 +1,73 @@
+#include "gateway/run/once.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <exception>
+#include <map>
+#include <thread>
+
+#include "gateway/exit_status.h"
+#include "gateway/run/results_folder.h"
+#include "gateway/run/wall_pace.h"
+#include "sim/record/database.h"
+#include "sim/record/schema.h"
+
+namespace gateway {
+namespace {
+
+constexpr std::chrono::milliseconds kBetweenTries{100};
+
+std::map<std::string, std::string> values_of_run(const std::filesystem::path& file) {
+  sim::record::Database database(file, sim::record::Database::Mode::kRead);
+  sim::record::Statement query(database, "SELECT key, value FROM run");
+  std::map<std::string, std::string> values;
+  while (query.next()) values[query.text(0)] = query.text(1);
+  return values;
+}
+
+/// Null: another process has it.
+std::unique_ptr<FolderLock> hold_now(const std::filesystem::path& folder, std::string& holder) {
+  try {
+    return std::make_unique<FolderLock>(folder);
+  } catch (const FolderHeld& held) {
+    holder = held.what();
+    return nullptr;
+  }
+}
+
+}  // namespace
+
+std::optional<FinishedResult> finished_result(const std::filesystem::path& folder,
+                                              std::optional<std::uint64_t> seed) {
+  const std::filesystem::path file = folder / sim::record::kResultsFile;
+  if (!std::filesystem::exists(file)) return std::nullopt;
+  try {
+    std::map<std::string, std::string> values = values_of_run(file);
+    if (seed && values["seed"] != std::to_string(*seed)) return std::nullopt;
+    const std::string& status = values["exit_status"];
+    if (status != std::to_string(kDone) && status != std::to_string(kExpectationNotMet)) {
+      return std::nullopt;
+    }
+    return FinishedResult{std::stoi(status), values["result"], values["fingerprint"]};
+  } catch (const std::exception&) {
+    return std::nullopt;  // cut short before its tables were complete
+  }
+}
+
+std::unique_ptr<FolderLock> hold_when_free(const std::filesystem::path& out) {
+  const std::filesystem::path folder = folder_named(out);
+  if (folder.has_parent_path()) make_folder(folder.parent_path());
+  std::string holder;
+  std::unique_ptr<FolderLock> lock = hold_now(folder, holder);
+  if (!lock) fmt::print(stderr, "waiting: {}\n", holder);
+  while (!lock) {
+    if (interrupted()) throw Interrupted("interrupted while another run was writing there");
+    std::this_thread::sleep_for(kBetweenTries);
+    lock = hold_now(folder, holder);
+  }
+  finish_set_aside(folder);
+  return lock;
+}
+
+}  // namespace gateway

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "gateway/run/folder_lock.h"
+
+namespace gateway {
+
+/// A result that another run of the same scenario and seed would only repeat.
+struct FinishedResult {
+  int status = 0;  ///< Exit status of the run: kDone or kExpectationNotMet.
+  std::string result, fingerprint;
+};
+
+/// None: there is no result in the folder, of another seed (none: of any), or of a run that failed or was cut
+/// short. @pre no run is writing there: on a file system of several computers, a database that is
+/// being written elsewhere cannot be read.
+std::optional<FinishedResult> finished_result(const std::filesystem::path& folder,
+                                              std::optional<std::uint64_t> seed = {});
+
+/// Holds the folder of a result as soon as nobody else does: waits for a run that is writing there,
+/// here or, on a file system of several computers, elsewhere. What was killed in the middle of
+/// setting an earlier result aside is ended.
+/// @throws Interrupted  by the user. @throws UsageError, std::runtime_error  as ResultsFolder.
+std::unique_ptr<FolderLock> hold_when_free(const std::filesystem::path& folder);
+
+}  // namespace gateway

@@ -1,0 +1,91 @@
+#include "gateway/slurm/cluster.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <charconv>
+#include <chrono>
+
+#include "gateway/exit_status.h"
+#include "gateway/slurm/program.h"
+
+namespace gateway::slurm {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr hal::Duration kLongest = 60s;
+constexpr int kUsualFirstBadIndex = 1001;
+
+/// What sbatch says before it tries again by itself, for minutes.
+bool tries_again(const Printed& printed) {
+  return printed.err.find("retrying") != std::string::npos;
+}
+
+}  // namespace
+
+hal::Result<std::string> Cluster::answer(const std::vector<std::string>& command) const {
+  const auto printed = run_program(command, kLongest, [this](const Printed& so_far) {
+    return interrupted_() || tries_again(so_far);
+  });
+  if (!printed) return tl::unexpected(printed.error());
+  if (printed->status == 0) return printed->out;
+  return hal::fail(hal::Errc::kNotAvailable,
+                   fmt::format("{}: {}", command[0], printed->last_error()));
+}
+
+void Cluster::require() const {
+  for (const char* name : {"sbatch", "squeue", "scontrol", "scancel"}) {
+    const auto printed = run_program({name, "--version"}, kLongest);
+    if (printed && printed->status == 0) continue;
+    throw UsageError(
+        fmt::format("--engine slurm: needs Slurm's {} on this computer (Debian: "
+                    "slurm-client): {}",
+                    name, printed ? printed->last_error() : printed.error().message));
+  }
+  const auto ping = answer({"scontrol", "ping"});
+  if (!ping) throw UsageError("--engine slurm: no cluster answers: " + ping.error().message);
+}
+
+hal::Result<int> Cluster::first_bad_index() const {
+  const auto config = answer({"scontrol", "show", "config"});
+  if (!config) return tl::unexpected(config.error());
+  const std::string text = parse_config(*config, "MaxArraySize").value_or("");
+  int index = kUsualFirstBadIndex;
+  (void)std::from_chars(text.data(), text.data() + text.size(), index);
+  return std::max(index, 1);
+}
+
+hal::Result<std::vector<QueuedTask>> Cluster::queue(const std::set<std::string>& names) const {
+  if (names.empty()) return std::vector<QueuedTask>{};
+  const auto printed = answer({"squeue", "--me", "--noheader", "--array",
+                               fmt::format("--name={}", fmt::join(names, ",")),
+                               "--format=" + std::string(kQueueFormat)});
+  if (!printed) return tl::unexpected(printed.error());
+  return parse_queue(*printed);
+}
+
+hal::Result<std::int64_t> Cluster::submit(const std::vector<std::string>& command) const {
+  const auto printed = answer(command);
+  if (!printed) return tl::unexpected(printed.error());
+  if (const auto job = parse_submission(*printed)) return *job;
+  return hal::fail(hal::Errc::kProtocol,
+                   fmt::format("sbatch printed '{}', no number of a job", *printed));
+}
+
+std::optional<JobEnd> Cluster::end_of(std::int64_t job, int index) const {
+  const auto printed =
+      answer({"scontrol", "--oneliner", "show", "job", fmt::format("{}_{}", job, index)});
+  return printed ? parse_job(*printed) : std::nullopt;
+}
+
+hal::Result<void> Cluster::cancel(const std::vector<std::string>& jobs) const {
+  if (jobs.empty()) return {};
+  std::vector<std::string> command{"scancel"};
+  command.insert(command.end(), jobs.begin(), jobs.end());
+  const auto printed = answer(command);
+  if (!printed) return tl::unexpected(printed.error());
+  return {};
+}
+
+}  // namespace gateway::slurm

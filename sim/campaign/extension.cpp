@@ -1,0 +1,135 @@
+#include "sim/campaign/extension.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <sstream>
+#include <string_view>
+
+#include "hal/config/errors.h"
+#include "sim/campaign/factors.h"
+
+namespace sim::campaign {
+namespace {
+
+/// Of the table campaign, what no run may have differently.
+constexpr std::string_view kFixed[] = {"version", "design", "base_seed",
+                                       "seeds",   "until",  "sampled"};
+
+[[noreturn]] void refuse(const CampaignReader& reader, const std::string& why) {
+  throw hal::config::ConfigErrors(
+      {fmt::format("{}: holds another campaign: {}; only more replications and more points are "
+                   "added to it: give another --out, or remove the folder",
+                   reader.folder().string(), why)});
+}
+
+/// The first lines that differ.
+std::string difference(const std::string& old_text, const std::string& new_text) {
+  std::istringstream old_lines(old_text), new_lines(new_text);
+  std::string before, after;
+  do {
+    if (!std::getline(old_lines, before)) before.clear();
+    if (!std::getline(new_lines, after)) after.clear();
+  } while (before == after && (old_lines || new_lines));
+  return fmt::format("there '{}', now '{}'", before, after);
+}
+
+std::string value_of(const WantedRuns& wanted, std::string_view key) {
+  const auto found = std::ranges::find(
+      wanted.values, key, [](const auto& pair) { return std::string_view(pair.first); });
+  return found == wanted.values.end() ? "" : found->second;
+}
+
+void require_same_values(const WantedRuns& wanted, CampaignReader& reader) {
+  for (const std::string_view key : kFixed) {
+    const std::string before = reader.value(key), now = value_of(wanted, key);
+    if (before != now) refuse(reader, fmt::format("{}: there '{}', now '{}'", key, before, now));
+  }
+  const std::vector<Factor> factors = reader.factors();
+  const auto same = [](const Factor& a, const Factor& b) {
+    return a.key == b.key && a.unit == b.unit;
+  };
+  if (std::ranges::equal(factors, wanted.factors, same)) return;
+  const auto list = [](const std::vector<Factor>& all) {
+    std::string text;
+    for (const Factor& factor : all) {
+      text += fmt::format("{}{} [{}]", text.empty() ? "" : ", ", factor.key, factor.unit);
+    }
+    return text.empty() ? std::string("nothing") : text;
+  };
+  refuse(reader, fmt::format("there {} is varied, now {}", list(factors), list(wanted.factors)));
+}
+
+using Texts = std::vector<std::string>;
+
+Texts texts_of(const PointRow& point) {
+  Texts texts;
+  for (const Level& level : point.levels) texts.push_back(level.text);
+  return texts;
+}
+
+/// Every point that is there is wanted, with the same scenario. @return their numbers.
+std::map<Texts, int> require_same_points(const WantedRuns& wanted, CampaignReader& reader) {
+  std::map<Texts, const PointRow*> by_texts;
+  for (const PointRow& point : wanted.points) by_texts[texts_of(point)] = &point;
+  std::map<Texts, int> numbers;
+  for (const PointRow& before : reader.points()) {
+    const Texts texts = texts_of(before);
+    numbers[texts] = before.point;
+    const auto now = by_texts.find(texts);
+    if (now == by_texts.end()) {
+      refuse(reader, fmt::format("point {} there, {}, is asked for no more", before.point,
+                                 before.label.empty() ? "of one scenario" : before.label));
+    }
+    if (now->second->scenario == before.scenario) continue;
+    refuse(reader, fmt::format("another scenario{}: {}",
+                               before.label.empty() ? "" : fmt::format(" ({})", before.label),
+                               difference(before.scenario, now->second->scenario)));
+  }
+  return numbers;
+}
+
+std::string many(std::size_t count, std::string_view one) {
+  return fmt::format("{} more {}{}", count, one, count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+Extension extension(const WantedRuns& wanted, CampaignReader& reader) {
+  const bool is_new = reader.count_rows().at("campaign") == 0;
+  Extension result;
+  result.plan.values = wanted.values;
+  std::map<Texts, int> numbers;
+  if (is_new) {
+    result.plan.factors = wanted.factors;
+  } else {
+    require_same_values(wanted, reader);
+    numbers = require_same_points(wanted, reader);
+  }
+  std::set<std::pair<int, int>> there;
+  std::int64_t last_run = 0;
+  for (const RunRow& row : reader.runs()) {
+    there.emplace(row.plan.point, row.plan.replication);
+    last_run = std::max(last_run, row.plan.run);
+  }
+  int last_point = static_cast<int>(numbers.size());
+  for (const PointRow& wanted_point : wanted.points) {
+    PointRow point = wanted_point;
+    const auto known = numbers.find(texts_of(point));
+    point.point = known != numbers.end() ? known->second : ++last_point;
+    for (int k = 1; k <= wanted.replications; ++k) {
+      if (there.contains({point.point, k})) continue;
+      result.plan.runs.push_back(
+          {++last_run, point.point, k, seed_of(wanted.seeds, wanted.base_seed, point, k)});
+    }
+    if (known == numbers.end()) result.plan.points.push_back(std::move(point));
+  }
+  if (is_new || result.plan.runs.empty()) return result;
+  if (!result.plan.points.empty()) result.said = many(result.plan.points.size(), "point") + ", ";
+  result.said += many(result.plan.runs.size(), "run");
+  return result;
+}
+
+}  // namespace sim::campaign

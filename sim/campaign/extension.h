@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sim/campaign/campaign_database.h"
+#include "sim/campaign/campaign_file.h"
+#include "sim/campaign/campaign_reader.h"
+
+namespace sim::campaign {
+
+/// All runs that are asked for.
+struct WantedRuns {
+  std::vector<std::pair<std::string, std::string>> values;  ///< Of the table campaign.
+  std::vector<Factor> factors;
+  std::vector<PointRow> points;  ///< With their scenarios.
+  int replications = 1;
+  Seeds seeds = Seeds::kCommon;
+  std::uint64_t base_seed = 0;
+};
+
+/// What a campaign's database needs to hold all of them.
+struct Extension {
+  CampaignDatabase::Plan plan;
+  std::string said;  ///< For people: "3 more points, 30 more runs"; "" if nothing was there before.
+};
+
+/// @param reader  of the database as it is; it may be empty.
+/// @throws hal::config::ConfigErrors  runs of other settings are there, or some that are not asked
+///   for any more; the message starts with the folder.
+Extension extension(const WantedRuns& wanted, CampaignReader& reader);
+
+}  // namespace sim::campaign

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "sim/campaign/campaign_file.h"
+#include "sim/campaign/rows.h"
+
+namespace sim::campaign {
+
+/// What is varied, and the value that each point has of it.
+struct FactorTable {
+  std::vector<Factor> factors;
+  std::vector<PointRow> points;  ///< Numbered from 1, with labels and levels, without scenarios.
+};
+
+/// Numbers are given in SI units, levels in dB and dBm in these if all values of a factor are. A
+/// key that a point of a list does not set has the level "" there.
+/// @param keys  that are varied.
+FactorTable factor_table(const std::vector<std::string>& keys,
+                         const std::vector<DesignPoint>& points);
+
+/// Of one replication at one point: common: base + replication - 1; independent: from a random
+/// stream of the base seed that is named after the point's values and the replication, so that more
+/// points or replications change no other's.
+std::uint64_t seed_of(Seeds seeds, std::uint64_t base, const PointRow& point, int replication);
+
+}  // namespace sim::campaign
