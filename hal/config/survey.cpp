@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <iterator>
 #include <utility>
 
 namespace hal::config {
@@ -16,11 +17,10 @@ void Survey::note(const std::string& path, const Key& key, Form form, std::strin
 }
 
 std::size_t Survey::decide(Decision decision) {
-  const std::string id = decision.id();
-  const auto met = std::find_if(decisions_.begin(), decisions_.end(),
-                                [&](const Decision& other) { return other.id() == id; });
-  if (met != decisions_.end()) return met->taken;
-  if (const auto wanted = taken_.find(id); wanted != taken_.end()) decision.taken = wanted->second;
+  const auto [met, is_new] = met_.try_emplace(decision.id(), decisions_.size());
+  if (!is_new) return decisions_[met->second].taken;
+  if (const auto wanted = taken_.find(met->first); wanted != taken_.end())
+    decision.taken = wanted->second;
   decisions_.push_back(std::move(decision));
   return decisions_.back().taken;
 }
@@ -42,6 +42,7 @@ class Explorer {
     std::vector<const Survey::Read*> found;
   };
 
+  void survey_with(Survey& survey);
   const Survey& survey_of(const Taken& taken);
   void follow(const Taken& taken);
   void follow_all() {
@@ -58,12 +59,17 @@ class Explorer {
   std::map<Taken, Survey> surveys_;
   std::deque<Taken> ahead_{{}};
   std::vector<Way> ways_;
-  std::set<std::string> paths_, decisions_;
+  std::set<std::string> paths_, decisions_, mentioned_;
 };
+
+void Explorer::survey_with(Survey& survey) {
+  read_(survey.root());
+  mentioned_.insert(survey.mentioned().begin(), survey.mentioned().end());
+}
 
 const Survey& Explorer::survey_of(const Taken& taken) {
   const auto [found, is_new] = surveys_.try_emplace(taken, taken);
-  if (is_new) read_(found->second.root());
+  if (is_new) survey_with(found->second);
   return found->second;
 }
 
@@ -155,13 +161,9 @@ KeyDescription Explorer::described(const Survey::Read& read, const Taken& taken)
 }
 
 std::vector<std::string> Explorer::never_read() const {
-  std::set<std::string> result;
-  for (const auto& [taken, survey] : surveys_) {
-    for (const std::string& path : survey.mentioned()) {
-      if (!paths_.contains(path)) result.insert(path);
-    }
-  }
-  return {result.begin(), result.end()};
+  std::vector<std::string> result;
+  std::ranges::set_difference(mentioned_, paths_, std::back_inserter(result));
+  return result;
 }
 
 std::string outer_path(const std::string& path) {
@@ -217,9 +219,16 @@ KeyTable Explorer::table() {
   for (const Way& way : ways_) {
     for (const Survey::Read* read : way.found) table.keys.push_back(described(*read, way.taken));
   }
+  std::set<Taken> known;
   for (const Way& way : ways_) {
     for (const Taken& pair : pairs(way.taken)) {
-      for (const Survey::Read& read : survey_of(pair).read()) {
+      if (!known.insert(pair).second) continue;
+      // One that is new is not kept: there are thousands.
+      const auto kept = surveys_.find(pair);
+      std::optional<Survey> passing;
+      if (kept == surveys_.end()) survey_with(passing.emplace(pair));
+      const Survey& survey = passing ? *passing : kept->second;
+      for (const Survey::Read& read : survey.read()) {
         if (paths_.insert(read.path).second) table.keys.push_back(described(read, pair));
       }
     }

@@ -62,6 +62,7 @@ class Survey {
   std::vector<Read> read_;
   std::set<std::string> paths_, mentioned_;
   std::vector<Decision> decisions_;
+  std::map<std::string, std::size_t> met_;  ///< Places in decisions_, by Decision::id().
 };
 
 /// A key counts only with these values of another one, or only with or without another one.
