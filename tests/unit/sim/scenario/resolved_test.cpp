@@ -416,13 +416,18 @@ TEST_F(Resolved, KeepsAgentsAndTheirParameters) {
   ASSERT_EQ(scenario.groups.size(), 3u);
   EXPECT_EQ(scenario.groups[0].name, "odd");
   EXPECT_EQ(scenario.groups[0].processes, 2);
-  ASSERT_EQ(all[1].parameters.size(), 4u);
+  ASSERT_EQ(all[1].parameters.size(), 7u);
   EXPECT_EQ(all[1].parameters[0].value, "3 s");
   EXPECT_EQ(all[1].parameters[1].value, "20 s");
   EXPECT_TRUE(all[1].parameters[2].is_list);
   EXPECT_EQ(all[1].parameters[2].items, (std::vector<std::string>{"r1", "a, b", "-1 m"}));
   EXPECT_TRUE(all[1].parameters[3].is_list);
   EXPECT_TRUE(all[1].parameters[3].items.empty());
+  EXPECT_EQ(all[1].parameters[4].name, "deep.size");
+  EXPECT_EQ(all[1].parameters[4].value, "4");
+  EXPECT_EQ(all[1].parameters[5].name, "deep.more.x");
+  EXPECT_EQ(all[1].parameters[5].items, std::vector<std::string>{"1 s"});
+  EXPECT_EQ(all[1].parameters[6].value, "true");
   EXPECT_TRUE(all[0].parameters.empty());
 }
 
