@@ -388,7 +388,7 @@ class FullDisk(Folders):
 
 
 # What has no place in a report about a scenario that compares itself with nothing.
-PAPERS_WORDS = r"(?i)paper|replica score|case study|labella|fig\. ?\d|baraka.*2009|calibrated|inferred"
+PAPERS_WORDS = r"(?i)paper|replica score|case study|labella|fig\. ?\d|calibrated|inferred"
 
 
 class Reports(Folders):
