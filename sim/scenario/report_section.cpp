@@ -54,9 +54,8 @@ PlotRequest read_request(Mapping& in) {
 std::vector<PlotRequest> read_report(Mapping& in) {
   std::vector<PlotRequest> requests;
   for (Mapping& one :
-       in.mappings({"report",
-                    "What the report shows of the runs; changes nothing about them.",
-                    {},
+       in.mappings({"report", "What the report shows of the runs; changes nothing about them.",
+                    "[{plot: messages.delivery_ratio, as: table}]",
                     "the quantities of the run in which the settings that are varied differ"})) {
     requests.push_back(read_request(one));
   }
