@@ -453,7 +453,7 @@ class Experiments(Folders):
         self.assertEqual([(point.get("data-runs"), float(point.get("data-y"))) for point in points],
                          [("3", sum(self.query("SELECT sum(count) FROM frames_sent", out)[0][0] for out in outs) / 3)
                           for outs in (self.outs[:3], self.outs[3:])])
-        head, *rows = csv.reader(table.open())
+        head, *rows = csv.reader(table.read_text().splitlines())
         self.assertEqual(head, ["control_phase", "runs", "mean", "95 % low", "high", "sd"])
         self.assertEqual([row[:2] for row in rows], [["aligned", "3"], ["uniform", "3"]])
         resamples = self.folder / "resamples.csv"
