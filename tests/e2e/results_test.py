@@ -456,6 +456,13 @@ class Experiments(Folders):
         head, *rows = csv.reader(table.read_text().splitlines())
         self.assertEqual(head, ["control_phase", "runs", "mean", "95 % low", "high", "sd"])
         self.assertEqual([row[:2] for row in rows], [["aligned", "3"], ["uniform", "3"]])
+        scenario = self.folder / "scenario.yaml"
+        scenario.write_text("report: [{plot: run.events, as: table}]\n")
+        later = Program("baraka", "report", *self.outs, "--scenario", scenario).finish()
+        self.assertIn("\nrun.events: run.events, mean over runs", later.out)
+        scenario.write_text("report: [{plot: run.events, as: tabel}]\n")
+        wrong = Program("baraka", "report", *self.outs, "--scenario", scenario).finish()
+        self.assertIn(f"{scenario}:1:32: report.as: 'tabel' is not one of", wrong.err)
         resamples = self.folder / "resamples.csv"
         done = Program("baraka", "report", *self.outs, "--interval", "bootstrap", "--figure", "frames.sent",
                        "--resamples", resamples).finish()
