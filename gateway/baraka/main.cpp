@@ -178,6 +178,8 @@ const CLI::App* add_report(CLI::App& app, gateway::ReportOptions& options) {
   add->add_option("--interval", options.interval, "Of means over runs")
       ->transform(CLI::CheckedTransformer(std::map<std::string, IntervalKind>{
           {"student", IntervalKind::kStudent}, {"bootstrap", IntervalKind::kBootstrap}}));
+  add->add_option("--scenario", options.scenario,
+                  "Show what `report:` of this scenario file says now, not what the runs had");
   add->add_option("--resamples", options.resamples,
                   "Write the resamples of bootstrap intervals to this file");
   return add;

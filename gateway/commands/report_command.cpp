@@ -71,23 +71,35 @@ void write(const std::string& path, const std::string& text) {
   if (!file) throw std::runtime_error(path + ": cannot be written");
 }
 
+/// `report:` of a scenario file.
+std::vector<PlotRequest> requests_in(const std::filesystem::path& scenario) {
+  auto document = hal::config::Document::load(scenario);
+  auto root = document.root();
+  std::vector<PlotRequest> requests = sim::scenario::read_report(root);
+  document.finish();
+  return requests;
+}
+
 /// `report:` of a scenario that is not a file.
-std::vector<PlotRequest> requests_in(const std::string& yaml) {
+std::vector<PlotRequest> requests_in_text(const std::string& yaml) {
   std::string path = (std::filesystem::temp_directory_path() / "baraka-XXXXXX.yaml").string();
   const int file = ::mkstemps(path.data(), 5);
   if (file < 0) throw std::runtime_error(path + ": cannot be written");
   ::close(file);
   write(path, yaml);
-  auto document = hal::config::Document::load(path);
+  std::vector<PlotRequest> requests = requests_in(path);
   std::filesystem::remove(path);
-  auto root = document.root();
-  return sim::scenario::read_report(root);
+  return requests;
 }
 
 sim::report::Sources read_all(const ReportOptions& options) {
   auto sources = sim::report::read_sources({options.folders.begin(), options.folders.end()});
   for (Experiment& one : sources.experiments) {
-    if (one.requests.empty() && !one.scenario.empty()) one.requests = requests_in(one.scenario);
+    if (!options.scenario.empty()) {
+      one.requests = requests_in(options.scenario);
+    } else if (one.requests.empty() && !one.scenario.empty()) {
+      one.requests = requests_in_text(one.scenario);
+    }
   }
   return sources;
 }

@@ -16,6 +16,7 @@ struct ReportOptions {
   std::string versus, by, agent;  ///< As in `report:`; empty: as there.
   std::optional<sim::report::PlotKind> as;
   std::optional<sim::report::IntervalKind> interval;
+  std::string scenario;   ///< File whose `report:` counts; empty: that of the runs.
   std::string resamples;  ///< File for the resamples of bootstrap intervals; empty: none.
 };
 

@@ -29,6 +29,7 @@ ReadRun read_head(record::RunReader& reader) {
   while (rows.next()) run.settings[rows.text(0)] = rows.text(1);
   run.settings["version of baraka"] = reader.value("version");
   run.settings.try_emplace("name", reader.value("scenario"));
+  run.settings.try_emplace("radio.profile", reader.value("profile"));
   run.compared = run.settings;
   std::erase_if(run.compared, [](const auto& setting) {
     return setting.first == "seed" || is_for_the_report_only(setting.first);

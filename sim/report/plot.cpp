@@ -88,6 +88,7 @@ void note_few_runs(Plot& plot, const Experiment& experiment) {
 /// How much of the variation is between the points: between 0 and 1.
 double share_between(const Experiment& experiment, const std::map<std::size_t, double>& values) {
   std::vector<double> all;
+  all.reserve(values.size());
   for (const auto& [run, value] : values) all.push_back(value);
   const auto total = statistics::moments(all);
   if (!total || total->sd <= 0) return 0;
@@ -101,6 +102,20 @@ double share_between(const Experiment& experiment, const std::map<std::size_t, d
     if (of) within += of->sd * of->sd * static_cast<double>(of->count - 1);
   }
   return 1 - within / (total->sd * total->sd * static_cast<double>(total->count - 1));
+}
+
+/// With the factors that were asked for, or the first ones.
+void add_points_of(Plot& plot, const Experiment& experiment, const PlotRequest& request,
+                   const std::optional<Selected>& of) {
+  if (!of) {
+    throw std::runtime_error(fmt::format(
+        "{}: has no single value per run; `as: time` or `as: histogram` shows it", request.plot));
+  }
+  const auto by = optional_factor(experiment, request.by);
+  auto versus = optional_factor(experiment, request.versus);
+  const std::size_t count = experiment.factors.size();
+  if (!versus && count > 0) versus = by == std::size_t{0} && count > 1 ? 1 : 0;
+  add_points(plot, experiment, *of, versus, by);
 }
 
 }  // namespace
@@ -142,22 +157,16 @@ Plot make_plot(const Experiment& experiment, const PlotRequest& request) {
   const std::string whose = of ? of->whose : request.agent;
   plot.title = whose.empty() ? request.plot : fmt::format("{} ({})", request.plot, whose);
   plot.y_label = axis_label(request.plot, experiment.units.at(request.plot));
-  const auto by = optional_factor(experiment, request.by);
-  auto versus = optional_factor(experiment, request.versus);
   if (plot.kind == PlotKind::kHistogram) {
     add_histogram(plot, experiment, request);
-  } else if (plot.kind == PlotKind::kTime) {
+    return plot;
+  }
+  if (plot.kind == PlotKind::kTime) {
     add_time(plot, experiment, request);
   } else {
-    if (!of) {
-      throw std::runtime_error(fmt::format(
-          "{}: has no single value per run; `as: time` or `as: histogram` shows it", request.plot));
-    }
-    if (!versus && !experiment.factors.empty())
-      versus = by && *by == 0 && experiment.factors.size() > 1 ? 1 : 0;
-    add_points(plot, experiment, *of, versus, by);
+    add_points_of(plot, experiment, request, of);
   }
-  if (plot.kind != PlotKind::kHistogram) note_few_runs(plot, experiment);
+  note_few_runs(plot, experiment);
   return plot;
 }
 

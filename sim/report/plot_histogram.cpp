@@ -32,26 +32,35 @@ BinCounts recorded_bins(const Experiment& experiment, const PlotRequest& request
   return counts;
 }
 
-/// All samples of the point's runs; of quantities without samples the value of each run.
-std::vector<double> samples_of(const Experiment& experiment, const PlotRequest& request,
-                               const Experiment::Point& point) {
-  std::vector<double> samples;
-  const auto courses = courses_of(experiment, request);
-  for (const std::size_t run : point.runs) {
-    const auto found = courses.find(run);
-    if (found == courses.end()) continue;
-    for (const Experiment::Course& course : found->second) {
-      for (const auto& [at, value] : course) samples.push_back(value);
-    }
+void add_samples(const std::vector<Experiment::Course>& courses, std::vector<double>& samples) {
+  for (const Experiment::Course& course : courses) {
+    for (const auto& [at, value] : course) samples.push_back(value);
   }
-  if (!courses.empty()) return samples;
+}
+
+/// The value of each of the point's runs.
+std::vector<double> values_of(const Experiment& experiment, const PlotRequest& request,
+                              const Experiment::Point& point) {
+  std::vector<double> values;
   for (const auto& [quantity, by_run] : experiment.values) {
     if (!is_asked(quantity, request)) continue;
     for (const std::size_t run : point.runs) {
-      if (const auto found = by_run.find(run); found != by_run.end()) {
-        samples.push_back(found->second);
-      }
+      const auto found = by_run.find(run);
+      if (found != by_run.end()) values.push_back(found->second);
     }
+  }
+  return values;
+}
+
+/// All samples of the point's runs; of quantities without samples the value of each run.
+std::vector<double> samples_of(const Experiment& experiment, const PlotRequest& request,
+                               const Experiment::Point& point) {
+  const auto courses = courses_of(experiment, request);
+  if (courses.empty()) return values_of(experiment, request, point);
+  std::vector<double> samples;
+  for (const std::size_t run : point.runs) {
+    const auto found = courses.find(run);
+    if (found != courses.end()) add_samples(found->second, samples);
   }
   return samples;
 }

@@ -131,6 +131,7 @@ void add_points(Plot& plot, const Experiment& experiment, const Selected& of,
     mark.x_text = level.text;
     if (mark.count == 0) continue;
     std::vector<Experiment::Level> key;
+    key.reserve(curve_factors.size());
     for (const std::size_t factor : curve_factors) key.push_back(point.levels[factor]);
     auto curve = std::ranges::find(curves, key, &decltype(curves)::value_type::first);
     if (curve == curves.end()) {

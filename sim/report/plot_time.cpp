@@ -58,6 +58,7 @@ Plot::Curve curve_of(const std::string& label, const std::vector<double>& times,
   Plot::Curve curve{label, {}};
   for (const double time : times) {
     std::vector<double> values;
+    values.reserve(runs.size());
     for (const std::vector<Course>* agents : runs) values.push_back(mean_at(*agents, time));
     Plot::Mark& mark = curve.marks.emplace_back(mark_of(values, interval));
     mark.x = time;

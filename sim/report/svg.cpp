@@ -209,7 +209,7 @@ class Drawing {
       if (!mark.interval) return;
       there += fmt::format("{}{:.2f},{:.2f}", there.empty() ? 'M' : 'L', x_.at(mark.x),
                            y_.at(mark.interval->high));
-      back = fmt::format("L{:.2f},{:.2f}", x_.at(mark.x), y_.at(mark.interval->low)) + back;
+      back.insert(0, fmt::format("L{:.2f},{:.2f}", x_.at(mark.x), y_.at(mark.interval->low)));
     }
     add("<path class=\"band\" fill=\"currentColor\" opacity=\"0.2\" d=\"{}{}Z\"/>\n", there, back);
   }

@@ -28,8 +28,8 @@ PlotRequest read_request(Mapping& in) {
   request.versus = in.text({"versus", "Key of the setting along the axis; its last part will do.",
                             "radio.transmit_power", "the first that is varied"},
                            "");
-  request.by = in.text({"by", "Key of the setting that has a curve for each of its values.", "radio.profile",
-                        "all others that are varied"},
+  request.by = in.text({"by", "Key of the setting that has a curve for each of its values.",
+                        "radio.profile", "all others that are varied"},
                        "");
   request.agent = in.text(
       {"agent", "Whose, if agents have it.", "NAME0", "the run's, or the mean over the agents"},
@@ -54,9 +54,8 @@ PlotRequest read_request(Mapping& in) {
 std::vector<PlotRequest> read_report(Mapping& in) {
   std::vector<PlotRequest> requests;
   for (Mapping& one :
-       in.mappings({"report",
-                    "What the report shows of the runs; changes nothing about them.",
-                    {},
+       in.mappings({"report", "What the report shows of the runs; changes nothing about them.",
+                    "[{plot: messages.delivery_ratio, as: table}]",
                     "the quantities of the run in which the settings that are varied differ"})) {
     requests.push_back(read_request(one));
   }

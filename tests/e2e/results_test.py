@@ -388,7 +388,7 @@ class FullDisk(Folders):
 
 
 # What has no place in a report about a scenario that compares itself with nothing.
-PAPERS_WORDS = r"(?i)paper|replica score|case study|labella|fig\. ?\d|baraka.*2009|calibrated|inferred"
+PAPERS_WORDS = r"(?i)paper|replica score|case study|labella|fig\. ?\d|calibrated|inferred"
 
 
 class Reports(Folders):
@@ -453,9 +453,16 @@ class Experiments(Folders):
         self.assertEqual([(point.get("data-runs"), float(point.get("data-y"))) for point in points],
                          [("3", sum(self.query("SELECT sum(count) FROM frames_sent", out)[0][0] for out in outs) / 3)
                           for outs in (self.outs[:3], self.outs[3:])])
-        head, *rows = csv.reader(table.open())
+        head, *rows = csv.reader(table.read_text().splitlines())
         self.assertEqual(head, ["control_phase", "runs", "mean", "95 % low", "high", "sd"])
         self.assertEqual([row[:2] for row in rows], [["aligned", "3"], ["uniform", "3"]])
+        scenario = self.folder / "scenario.yaml"
+        scenario.write_text("report: [{plot: run.events, as: table}]\n")
+        later = Program("baraka", "report", *self.outs, "--scenario", scenario).finish()
+        self.assertIn("\nrun.events: run.events, mean over runs", later.out)
+        scenario.write_text("report: [{plot: run.events, as: tabel}]\n")
+        wrong = Program("baraka", "report", *self.outs, "--scenario", scenario).finish()
+        self.assertIn(f"{scenario}:1:32: report.as: 'tabel' is not one of", wrong.err)
         resamples = self.folder / "resamples.csv"
         done = Program("baraka", "report", *self.outs, "--interval", "bootstrap", "--figure", "frames.sent",
                        "--resamples", resamples).finish()
