@@ -123,8 +123,11 @@ void add_campaign(CLI::App& app, gateway::CampaignOptions& options) {
       ->transform(whole_number(1, kMostJobs));
   campaign->add_option("--set", options.overrides, "KEY=VALUE of the campaign file")
       ->allow_extra_args(false);
-  campaign->add_option("--engine", options.engine, "What runs them: local (default)")
-      ->transform(hal::runtime::one_of({"local"}));
+  campaign
+      ->add_option("--engine", options.engine,
+                   "What runs them: local (default); slurm: the nodes of a cluster")
+      ->transform(hal::runtime::one_of({"local", "slurm"}));
+  campaign->add_flag("--cancel", options.cancel, "Only end what Slurm still has of it");
   campaign->add_flag("--retry-failed", options.retry_failed, "Do the runs again that failed");
   campaign->add_flag("--status", options.status, "Only say how far it is");
 }

@@ -13,6 +13,7 @@
 
 #include "gateway/campaign/campaign_status.h"
 #include "gateway/campaign/judge_points.h"
+#include "gateway/campaign/slurm_campaign.h"
 #include "gateway/exit_status.h"
 #include "gateway/run/results_folder.h"
 #include "gateway/run/wall_pace.h"
@@ -153,6 +154,7 @@ int do_campaign(const CampaignFolder& folder, const EngineMaker& make_engine, Ca
 
 int run_campaign(const CampaignOptions& options) {
   if (options.status) return print_status(folder_of(options));
+  if (options.cancel) return cancel_campaign(folder_of(options));
   const JudgedCampaign campaign = judge_campaign(options.file, options.overrides);
   for (const std::string& warning : campaign.warnings) fmt::print(stderr, "{}\n", warning);
   const EngineMaker engine = engine_for(options, campaign.file);

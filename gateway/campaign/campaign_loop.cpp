@@ -107,7 +107,7 @@ void CampaignLoop::run() {
   progress_.end();
   if (running_.empty()) return;
   parts_.engine.stop();
-  collect_what_is_whole();
+  if (!parts_.engine.outlives_stop()) collect_what_is_whole();
 }
 
 void CampaignLoop::start_some() {

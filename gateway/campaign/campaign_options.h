@@ -16,6 +16,7 @@ struct CampaignOptions {
   bool retry_failed = false;           ///< Runs that failed are done again.
   bool status = false;                 ///< Only say how far it is.
   std::string engine = "local";
+  bool cancel = false;  ///< Only end what Slurm has of it.
 };
 
 }  // namespace gateway

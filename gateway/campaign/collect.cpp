@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "gateway/exit_status.h"
+#include "gateway/run/folder_lock.h"
 #include "sim/record/run_reader.h"
 #include "sim/record/scalars.h"
 
@@ -121,7 +122,8 @@ std::string utc_now() {
 std::optional<CollectedRun> collect_finished(const CampaignFolder& folder,
                                              const sim::campaign::RunPlan& run) {
   const fs::path result = folder.result_of(run);
-  if (!fs::exists(result / sim::record::kResultsFile)) return std::nullopt;
+  // What is being written, maybe on another computer, cannot be read.
+  if (is_held(result) || !fs::exists(result / sim::record::kResultsFile)) return std::nullopt;
   try {
     RunReader reader(result);
     const std::string status = reader.value("exit_status");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 
@@ -13,6 +14,10 @@ namespace gateway {
 /// Makes an engine once the campaign's database is open: what it has to remember of its jobs it
 /// keeps in the table campaign. The database outlives the engine.
 using EngineMaker = std::function<std::unique_ptr<Engine>(sim::campaign::CampaignDatabase&)>;
+
+/// Where the results of a campaign go.
+std::filesystem::path campaign_folder(const CampaignOptions& options,
+                                      const sim::campaign::CampaignFile& file);
 
 /// The engine that `--engine` asks for. Called before anything is written.
 /// @throws UsageError  there is none of that name, or it cannot work here.

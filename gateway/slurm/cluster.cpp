@@ -3,10 +3,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
 
 #include "gateway/exit_status.h"
+#include "gateway/find_program.h"
 #include "gateway/slurm/program.h"
 
 namespace gateway::slurm {
@@ -20,6 +25,14 @@ constexpr int kUsualFirstBadIndex = 1001;
 /// What sbatch says before it tries again by itself, for minutes.
 bool tries_again(const Printed& printed) {
   return printed.err.find("retrying") != std::string::npos;
+}
+
+std::vector<std::filesystem::path> folders_of_path() {
+  const char* const path = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe)
+  std::istringstream folders(path == nullptr ? "" : path);
+  std::vector<std::filesystem::path> found;
+  for (std::string folder; std::getline(folders, folder, ':');) found.emplace_back(folder);
+  return found;
 }
 
 }  // namespace
@@ -36,12 +49,9 @@ hal::Result<std::string> Cluster::answer(const std::vector<std::string>& command
 
 void Cluster::require() const {
   for (const char* name : {"sbatch", "squeue", "scontrol", "scancel"}) {
-    const auto printed = run_program({name, "--version"}, kLongest);
-    if (printed && printed->status == 0) continue;
-    throw UsageError(
-        fmt::format("--engine slurm: needs Slurm's {} on this computer (Debian: "
-                    "slurm-client): {}",
-                    name, printed ? printed->last_error() : printed.error().message));
+    if (find_program(name, folders_of_path())) continue;
+    throw UsageError(fmt::format(
+        "--engine slurm: Slurm's {} is in no folder of PATH (Debian: slurm-client)", name));
   }
   const auto ping = answer({"scontrol", "ping"});
   if (!ping) throw UsageError("--engine slurm: no cluster answers: " + ping.error().message);

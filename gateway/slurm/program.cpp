@@ -90,12 +90,14 @@ int status_of(pid_t pid) {
 
 std::string Printed::last_error() const {
   std::istringstream lines(err);
-  std::string last = status > 128 ? fmt::format("killed by signal {}", status - 128)
-                                  : fmt::format("exited with status {}", status);
+  std::string last;
   for (std::string line; std::getline(lines, line);) {
     if (!line.empty()) last = line;
   }
-  return last;
+  if (last.empty()) last = out.substr(0, out.find('\n'));
+  if (!last.empty()) return last;
+  return status > 128 ? fmt::format("killed by signal {}", status - 128)
+                      : fmt::format("exited with status {}", status);
 }
 
 hal::Result<Printed> run_program(const std::vector<std::string>& command, hal::Duration longest,
