@@ -65,6 +65,8 @@ SlurmEngine::SlurmEngine(Settings settings, slurm::Notes notes)
   if (!index) throw std::runtime_error(index.error().message);
   first_bad_index_ = *index;
   most_in_one_ = static_cast<std::size_t>(first_bad_index_);
+  slots_ = cluster_.processors(settings_.slurm.partition).value_or(1);
+  if (settings_.at_once) slots_ = std::min(slots_, *settings_.at_once);
 }
 
 std::vector<std::int64_t> SlurmEngine::adopt(std::span<const CampaignTask> started) {
@@ -109,7 +111,7 @@ std::size_t SlurmEngine::running() const {
   }));
 }
 
-std::size_t SlurmEngine::slots() const { return std::max(most_running_, running()); }
+std::size_t SlurmEngine::slots() const { return static_cast<std::size_t>(std::max(slots_, 1)); }
 
 void SlurmEngine::start(std::span<const CampaignTask> tasks) {
   for (const CampaignTask& task : tasks) {
@@ -224,7 +226,6 @@ std::vector<TaskEnd> SlurmEngine::look() {
     if (auto end = end_of(active)) ends.push_back(*std::move(end));
   }
   for (const TaskEnd& end : ends) active_.erase(end.run);
-  most_running_ = std::max(most_running_, running());
   tell_why_all_wait();
   return ends;
 }

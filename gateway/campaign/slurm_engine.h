@@ -83,7 +83,7 @@ class SlurmEngine final : public Engine {
   std::vector<CampaignTask> unsent_;
   std::size_t most_in_one_;  ///< Tasks of an array that the cluster took last, or all it may have.
   std::map<std::int64_t, Active> active_;  ///< By run.
-  std::size_t most_running_ = 1;
+  int slots_ = 1;
   hal::Time next_look_{}, next_try_{};
   std::string said_;  ///< Last; not said again.
 };

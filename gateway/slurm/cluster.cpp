@@ -44,7 +44,7 @@ hal::Result<std::string> Cluster::answer(const std::vector<std::string>& command
   if (!printed) return tl::unexpected(printed.error());
   if (printed->status == 0) return printed->out;
   return hal::fail(hal::Errc::kNotAvailable,
-                   fmt::format("{}: {}", command[0], printed->last_error()));
+                   fmt::format("{}: {}", command[0], printed->last_errors()));
 }
 
 void Cluster::require() const {
@@ -64,6 +64,13 @@ hal::Result<int> Cluster::first_bad_index() const {
   int index = kUsualFirstBadIndex;
   (void)std::from_chars(text.data(), text.data() + text.size(), index);
   return std::max(index, 1);
+}
+
+std::optional<int> Cluster::processors(const std::string& partition) const {
+  std::vector<std::string> command{"sinfo", "--noheader", "--format=%C"};
+  if (!partition.empty()) command.push_back("--partition=" + partition);
+  const auto printed = answer(command);
+  return printed ? parse_processors(*printed) : std::nullopt;
 }
 
 hal::Result<std::vector<QueuedTask>> Cluster::queue(const std::set<std::string>& names) const {

@@ -15,6 +15,8 @@ struct Printed {
   std::string out, err;
   /// The last line of err that says anything, else the first of out, else how it ended.
   std::string last_error() const;
+  /// The last three lines of err in one, else as last_error().
+  std::string last_errors() const;
 };
 
 /// Runs a program of PATH to its end, in a process group of its own, so that Ctrl-C does not reach

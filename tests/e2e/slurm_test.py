@@ -19,7 +19,7 @@ MISSING = slurm_cluster.missing()
 TWO_MOTES = ROOT / "config/scenarios/two_motes.yaml"
 MANY = ROOT / "config/scenarios/many_robots.yaml"
 FAULTY = ROOT / "tests/e2e/faulty.yaml"
-LONG = 280  # s, in which a lost node is found out, and its runs start again
+LONG = 600  # s, in which a lost node is found out, and its runs start again
 
 
 class Campaigns(Case):
@@ -90,28 +90,29 @@ class LostNodes(Campaigns):
     killed, then one together with its slurmstepds, whose runs go on."""
 
     def test_20_runs_are_those_of_this_computer_when_nodes_are_lost(self):
-        file = self.campaign(MANY, 20, more="until: 2400 s")
+        file = self.campaign(MANY, 20, more="until: 1800 s")
         cluster = self.start_cluster()
         program = self.start_on(cluster, file)
         wait_for(lambda: self.done(), timeout=60)
 
-        # One slurmd alone: its runs go on under their slurmstepds, and Slurm starts them again elsewhere.
-        wait_for(lambda: self.runs_of(cluster, "n2"))
-        frozen = self.freeze(cluster, "n2")
+        # One slurmd alone: its runs go on under their slurmstepds, and Slurm starts them again.
+        wait_for(lambda: self.writers(cluster, "n2"))
         cluster.kill("n2")
-        self.wait_for_writer_and_waiter(cluster, "n2", frozen)
+        wait_for(lambda: cluster.state_of("n2").startswith("DOWN"), timeout=90)
         cluster.start("n2")
         wait_for(lambda: cluster.state_of("n2") in ("IDLE", "MIXED", "ALLOCATED"), timeout=60)
 
-        # One with its slurmstepds: its runs are nobody's any more.
-        wait_for(lambda: self.runs_of(cluster, "n1"), timeout=60)
-        frozen = self.freeze(cluster, "n1")
+        # One with its slurmstepds: its runs are nobody's any more, and one of them takes its time.
+        frozen = wait_for(lambda: self.writers(cluster, "n1"), timeout=60)[0]
+        os.kill(frozen, signal.SIGSTOP)
         victims = cluster.stepds("n1")
         cluster.kill("n1")
         for pid in victims:
             with contextlib.suppress(ProcessLookupError):
                 os.kill(pid, signal.SIGKILL)
-        self.wait_for_writer_and_waiter(cluster, "n1", frozen)
+        said = f"another run is writing there (pid {frozen})"
+        wait_for(lambda: any(said in log for log in self.logs().values()), timeout=LONG)
+        os.kill(frozen, signal.SIGCONT)
 
         finished = program.finish(LONG)
         self.assertEqual(finished.status, 0, f"{finished}\n{cluster.log()}")
@@ -122,28 +123,11 @@ class LostNodes(Campaigns):
         self.assertEqual(len(self.submissions()), 1, "it was submitted once")
         self.assert_equal_to_local(file, 20)
 
-    def runs_of(self, cluster, node):
-        """Pids of runs below the slurmstepds of a node, early in their life."""
+    def writers(self, cluster, node):
+        """Pids of runs below the slurmstepds of a node that hold their folders."""
+        holders = {lock.read_text() for lock in (self.out / "runs").glob(".*.lock")}
         return [pid for stepd in cluster.stepds(node) for pid in descendants(stepd)
-                if (stat_of(pid) or ("",))[0] == "baraka"]
-
-    def freeze(self, cluster, node):
-        """Stops one run of a node in the middle, so that it outlives what started it."""
-        for pid in self.runs_of(cluster, node):
-            with contextlib.suppress(ProcessLookupError):
-                os.kill(pid, signal.SIGSTOP)
-                return pid
-        raise AssertionError(f"no run on {node}")
-
-    def wait_for_writer_and_waiter(self, cluster, node, frozen):
-        """Until the task of a frozen run started again and waits for it; then lets it go on."""
-        wait_for(lambda: cluster.state_of(node).startswith("DOWN"), timeout=90)
-        said = f"another run is writing there (pid {frozen})"
-        try:
-            wait_for(lambda: any(said in log for log in self.logs().values()), timeout=90)
-        except AssertionError:
-            raise AssertionError(f"{stat_of(frozen)} {cluster.tasks()}\n{self.logs()}\n{cluster.log()}") from None
-        os.kill(frozen, signal.SIGCONT)
+                if (stat_of(pid) or ("",))[0] == "baraka" and str(pid) in holders]
 
 
 class Killed(Campaigns):
