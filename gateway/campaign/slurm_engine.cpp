@@ -70,7 +70,8 @@ SlurmEngine::SlurmEngine(Settings settings, slurm::Notes notes)
 }
 
 std::vector<std::int64_t> SlurmEngine::adopt(std::span<const CampaignTask> started) {
-  const auto queue = cluster_.queue(submissions_.names());
+  // Also after an interruption: what is with Slurm has to be known, to be told.
+  const auto queue = slurm::Cluster([] { return false; }).queue(submissions_.names());
   if (!queue) {
     throw std::runtime_error(queue.error().message +
                              "; what runs of this campaign is not known, so none is started");
