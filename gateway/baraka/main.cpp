@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 
+#include "gateway/campaign/campaign_command.h"
 #include "gateway/commands/check_command.h"
 #include "gateway/commands/describe_command.h"
 #include "gateway/commands/exec_command.h"
@@ -15,7 +16,6 @@
 #include "gateway/commands/topic_command.h"
 #include "gateway/exit_status.h"
 #include "gateway/run/domain_range.h"
-#include "gateway/run/replications.h"
 #include "gateway/run/run_command.h"
 #include "gateway/status_of_command.h"
 #include "hal/dds/domains.h"
@@ -110,6 +110,28 @@ void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
       ->needs(replications);
 }
 
+void add_campaign(CLI::App& app, gateway::CampaignOptions& options) {
+  CLI::App* campaign = app.add_subcommand(
+      "campaign", "Run a scenario many times, over the values of its keys; goes on where it ended");
+  campaign->add_option("FILE", options.file, "Campaign file")->required();
+  campaign->add_option("--out", options.out, "Folder for the results; default: results/<name>");
+  campaign->add_flag("--overwrite", options.overwrite,
+                     "Remove an earlier result of a single run there");
+  campaign
+      ->add_option("--jobs", options.jobs,
+                   "Runs at a time; default: as the file says, else one for each processor")
+      ->transform(whole_number(1, kMostJobs));
+  campaign->add_option("--set", options.overrides, "KEY=VALUE of the campaign file")
+      ->allow_extra_args(false);
+  campaign
+      ->add_option("--engine", options.engine,
+                   "What runs them: local (default); slurm: the nodes of a cluster")
+      ->transform(hal::runtime::one_of({"local", "slurm"}));
+  campaign->add_flag("--cancel", options.cancel, "Only end what Slurm still has of it");
+  campaign->add_flag("--retry-failed", options.retry_failed, "Do the runs again that failed");
+  campaign->add_flag("--status", options.status, "Only say how far it is");
+}
+
 void add_new_controller(CLI::App& app, gateway::NewControllerOptions& options) {
   CLI::App* add =
       app.add_subcommand("new-controller", "Write a project for a controller of your own");
@@ -122,7 +144,7 @@ void add_new_controller(CLI::App& app, gateway::NewControllerOptions& options) {
 /// @return the command `baraka check`.
 const CLI::App* add_check(CLI::App& app, gateway::CheckOptions& options) {
   CLI::App* check = app.add_subcommand(
-      "check", "Find every mistake in scenario, hardware, robot, mote or radio files");
+      "check", "Find every mistake in scenario, campaign, hardware, robot, mote or radio files");
   check->add_option("FILE", options.files, "Files")->required();
   check->add_option("--set", options.overrides, "KEY=VALUE, the key as a dotted path")
       ->allow_extra_args(false);
@@ -187,10 +209,11 @@ const CLI::App* add_report(CLI::App& app, gateway::ReportOptions& options) {
 
 void add_export(CLI::App& app, gateway::ExportOptions& options) {
   CLI::App* add = app.add_subcommand("export", "Tables of a result as CSV");
-  add->add_option("DIR", options.folder, "Folder of a result");
+  add->add_option("DIR", options.folder, "Folder of a result or of a campaign");
   add->add_option("TABLE", options.table, "Table to print; default: list them");
   add->add_option("-o", options.file, "Write to this file");
-  add->add_flag("--describe", options.describe, "What is in a result: every table and column");
+  add->add_flag("--describe", options.describe,
+                "What is in a result, or in this campaign: every table and column");
 }
 
 void add_exec(CLI::App& app, gateway::ExecOptions& options) {
@@ -239,6 +262,8 @@ int command(int argc, char** argv) {
   RunOptions run_options;
   std::string seed;
   add_run(app, run_options, seed);
+  gateway::CampaignOptions campaign_options;
+  add_campaign(app, campaign_options);
   gateway::CheckOptions check_options;
   const CLI::App* check = add_check(app, check_options);
   DescribeOptions describe_options;
@@ -263,6 +288,7 @@ int command(int argc, char** argv) {
     if (*topic.app) return topic.act(topic_options);
   }
   if (!seed.empty()) run_options.overrides.push_back("seed=" + seed);
+  if (app.got_subcommand("campaign")) return gateway::run_campaign(campaign_options);
   if (*check) return gateway::check(check_options);
   if (*describe) return describe_options.act();
   if (app.got_subcommand("exec")) gateway::exec_inside(exec_options);

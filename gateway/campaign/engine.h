@@ -77,6 +77,9 @@ class Engine {
   /// The campaign ends before its runs, on an interruption or an error. When it returns, this
   /// process has none under way; whether others have, is the engine's to say (adopt()).
   virtual void stop() = 0;
+
+  /// Whether tasks go on after stop(): then they are collected only after adopt().
+  virtual bool outlives_stop() const { return false; }
 };
 
 }  // namespace gateway

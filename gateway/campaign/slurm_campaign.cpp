@@ -7,7 +7,6 @@
 #include "gateway/run/wall_pace.h"
 #include "gateway/slurm/cluster.h"
 #include "gateway/slurm/submissions.h"
-#include "sim/campaign/campaign_database.h"
 #include "sim/campaign/campaign_reader.h"
 
 namespace gateway {
@@ -16,50 +15,54 @@ namespace {
 using sim::campaign::CampaignDatabase;
 using sim::campaign::CampaignReader;
 
-/// Each in a connection of its own: the campaign's one is nobody else's.
-slurm::Notes notes_in(const std::filesystem::path& folder) {
-  return {.value =
-              [folder](std::string_view key) {
-                if (!CampaignReader::is_campaign(folder)) return std::string{};
-                return CampaignReader(folder).value(key);
-              },
-          .set = [folder](std::string_view key,
-                          std::string_view value) { CampaignDatabase(folder).set(key, value); }};
+/// @param database  outlives them.
+slurm::Notes notes_in(CampaignDatabase& database) {
+  return {.value = [&database](std::string_view key) { return database.value(key); },
+          .set = [&database](std::string_view key,
+                             std::string_view value) { database.set(key, value); }};
+}
+
+/// That nothing can be added to.
+slurm::Notes notes_in(CampaignReader& reader) {
+  return {.value = [&reader](std::string_view key) { return reader.value(key); }, .set = {}};
 }
 
 }  // namespace
 
-std::unique_ptr<Engine> slurm_engine(const std::filesystem::path& folder,
-                                     const sim::campaign::SlurmSettings& settings,
-                                     std::optional<int> at_once) {
-  const std::filesystem::path home = std::filesystem::absolute(folder).lexically_normal();
-  return std::make_unique<SlurmEngine>(
-      SlurmEngine::Settings{.slurm = settings, .at_once = at_once, .folder = home / "slurm"},
-      notes_in(home));
+EngineMaker slurm_engine(const std::filesystem::path& folder,
+                         const sim::campaign::SlurmSettings& settings, std::optional<int> at_once) {
+  SlurmEngine::require();
+  const SlurmEngine::Settings all{
+      .slurm = settings,
+      .at_once = at_once,
+      .folder = std::filesystem::absolute(folder).lexically_normal() / "slurm"};
+  return [all](CampaignDatabase& database) {
+    return std::make_unique<SlurmEngine>(all, notes_in(database));
+  };
 }
 
-void require_none_with_slurm(const std::filesystem::path& folder) {
-  const slurm::Submissions submissions(notes_in(folder));
-  if (submissions.all().empty()) return;
+void require_none_with_slurm(CampaignDatabase& database) {
+  const slurm::Submissions submissions(notes_in(database));
   const auto queue = slurm::Cluster(interrupted).queue(submissions.names());
   if (!queue) {
     throw UsageError(
-        fmt::format("{}: runs of this campaign were given to Slurm, and whether it "
-                    "still has some cannot be found out: {}",
-                    folder.string(), queue.error().message));
+        "runs of this campaign were given to Slurm, and whether it still has some "
+        "cannot be found out: " +
+        queue.error().message);
   }
   if (queue->empty()) return;
   throw UsageError(
-      fmt::format("{}: {} runs of this campaign are with Slurm: go on with "
-                  "--engine slurm, or end them with --cancel",
-                  folder.string(), queue->size()));
+      fmt::format("{} runs of this campaign are with Slurm: go on with --engine slurm, "
+                  "or end them with --cancel",
+                  queue->size()));
 }
 
 int cancel_campaign(const std::filesystem::path& folder) {
   if (!CampaignReader::is_campaign(folder)) {
     throw UsageError(fmt::format("{}: holds no campaign", folder.string()));
   }
-  fmt::print("cancelled: {}\n", cancel_slurm_jobs(notes_in(folder)));
+  CampaignReader reader(folder);
+  fmt::print("cancelled: {}\n", cancel_slurm_jobs(notes_in(reader)));
   return kDone;
 }
 

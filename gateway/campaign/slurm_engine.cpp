@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <fstream>
 #include <set>
@@ -36,20 +37,18 @@ void write_script(const std::filesystem::path& file, const std::string& text) {
   if (!out) throw std::runtime_error(fmt::format("{}: cannot be written", file.string()));
 }
 
-/// By name of the job and index.
-using Places = std::map<std::pair<std::string, int>, slurm::QueuedTask>;
-
-Places by_task(const std::vector<slurm::QueuedTask>& queue) {
-  Places places;
+std::map<std::pair<std::string, int>, slurm::QueuedTask> by_task(
+    const std::vector<slurm::QueuedTask>& queue) {
+  std::map<std::pair<std::string, int>, slurm::QueuedTask> places;
   for (const slurm::QueuedTask& task : queue) places[{task.name, task.index}] = task;
   return places;
 }
 
 /// Reasons that need nobody's help.
 bool is_ordinary(const std::string& reason) {
-  static const std::set<std::string, std::less<>> kOrdinary{
+  constexpr std::array<std::string_view, 7> kOrdinary{
       "None", "Priority", "Resources", "BeginTime", "JobArrayTaskLimit", "Dependency", "Cleaning"};
-  return kOrdinary.contains(reason);
+  return std::ranges::find(kOrdinary, reason) != kOrdinary.end();
 }
 
 std::string in_queue(const slurm::QueuedTask& task) {
@@ -61,16 +60,18 @@ std::string in_queue(const slurm::QueuedTask& task) {
 void SlurmEngine::require() { slurm::Cluster(interrupted).require(); }
 
 SlurmEngine::SlurmEngine(Settings settings, slurm::Notes notes)
-    : settings_(std::move(settings)), notes_(std::move(notes)), cluster_(interrupted) {
+    : settings_(std::move(settings)), submissions_(std::move(notes)), cluster_(interrupted) {
   const auto index = cluster_.first_bad_index();
   if (!index) throw std::runtime_error(index.error().message);
   first_bad_index_ = *index;
   most_in_one_ = static_cast<std::size_t>(first_bad_index_);
+  slots_ = cluster_.processors(settings_.slurm.partition).value_or(1);
+  if (settings_.at_once) slots_ = std::min(slots_, *settings_.at_once);
 }
 
 std::vector<std::int64_t> SlurmEngine::adopt(std::span<const CampaignTask> started) {
-  submissions_.emplace(notes_);
-  const auto queue = cluster_.queue(submissions_->names());
+  // Also after an interruption: what is with Slurm has to be known, to be told.
+  const auto queue = slurm::Cluster([] { return false; }).queue(submissions_.names());
   if (!queue) {
     throw std::runtime_error(queue.error().message +
                              "; what runs of this campaign is not known, so none is started");
@@ -79,7 +80,7 @@ std::vector<std::int64_t> SlurmEngine::adopt(std::span<const CampaignTask> start
   for (const CampaignTask& task : started) ours[task.run] = task;
   std::vector<std::string> strays;  // of runs that have their result
   for (const slurm::QueuedTask& place : *queue) {
-    const std::int64_t run = submissions_->named(place.name)->first + place.index;
+    const std::int64_t run = submissions_.named(place.name)->first + place.index;
     const auto task = ours.find(run);
     if (task == ours.end() || active_.contains(run)) {
       strays.push_back(in_queue(place));
@@ -111,7 +112,7 @@ std::size_t SlurmEngine::running() const {
   }));
 }
 
-std::size_t SlurmEngine::slots() const { return std::max(most_running_, running()); }
+std::size_t SlurmEngine::slots() const { return static_cast<std::size_t>(std::max(slots_, 1)); }
 
 void SlurmEngine::start(std::span<const CampaignTask> tasks) {
   for (const CampaignTask& task : tasks) {
@@ -139,7 +140,7 @@ std::size_t SlurmEngine::next_count() const {
 
 /// @return whether to go on submitting.
 bool SlurmEngine::submit(std::size_t count) {
-  const slurm::Submission submission = submissions_->add(unsent_.front().run);
+  const slurm::Submission submission = submissions_.add(unsent_.front().run);
   make_folder(settings_.folder);
   slurm::ArrayJob job{.name = submission.name,
                       .program = std::filesystem::read_symlink("/proc/self/exe"),
@@ -157,14 +158,14 @@ bool SlurmEngine::submit(std::size_t count) {
   const std::filesystem::path script = settings_.folder / (submission.name + ".sh");
   write_script(script, slurm::script_of(job));
   const auto number = cluster_.submit(slurm::submission_of(job, settings_.slurm, script));
-  if (!number) return cannot_send(count, number.error().message);
+  if (!number) return cannot_send(count, number.error());
   sent(count, *number);
   return true;
 }
 
 void SlurmEngine::sent(std::size_t count, std::int64_t job) {
-  submissions_->set_job(job);
-  const slurm::Submission& submission = submissions_->all().back();
+  submissions_.set_job(job);
+  const slurm::Submission& submission = submissions_.all().back();
   for (std::size_t i = 0; i < count; ++i) {
     const CampaignTask& task = unsent_[i];
     const auto index = static_cast<int>(task.run - submission.first);
@@ -176,9 +177,9 @@ void SlurmEngine::sent(std::size_t count, std::int64_t job) {
 }
 
 /// Of a submission that was refused or not answered. @return whether to go on submitting.
-bool SlurmEngine::cannot_send(std::size_t count, const std::string& why) {
+bool SlurmEngine::cannot_send(std::size_t count, const hal::Error& why) {
   next_try_ = now() + settings_.slurm.poll;
-  const auto queue = cluster_.queue({submissions_->all().back().name});
+  const auto queue = cluster_.queue({submissions_.all().back().name});
   if (!queue) {
     say(queue.error().message + "; asking again");
     return false;
@@ -192,8 +193,9 @@ bool SlurmEngine::cannot_send(std::size_t count, const std::string& why) {
     next_try_ = now();
     return true;
   }
-  if (active_.empty() && !interrupted()) throw std::runtime_error(why);
-  say(fmt::format("{}; {} runs wait here", why, unsent_.size()));
+  const bool is_final = why.code != hal::Errc::kTimeout && active_.empty();
+  if (is_final && !interrupted()) throw std::runtime_error(why.message);
+  say(fmt::format("{}; {} runs wait here", why.message, unsent_.size()));
   return false;
 }
 
@@ -220,23 +222,23 @@ std::vector<TaskEnd> SlurmEngine::look() {
   }
   const Places places = by_task(*queue);
   std::vector<TaskEnd> ends;
-  for (auto entry = active_.begin(); entry != active_.end();) {
-    Active& active = entry->second;
-    const auto found =
-        active.place ? places.find({active.place->name, active.place->index}) : places.end();
-    std::optional<TaskEnd> end;
-    if (found != places.end()) {
-      active.place = found->second;
-      active.gone_since.reset();
-    } else {
-      end = end_of(active);
-    }
-    if (end) ends.push_back(*std::move(end));
-    entry = end ? active_.erase(entry) : std::next(entry);
+  for (auto& [run, active] : active_) {
+    if (find_again(active, places)) continue;
+    if (auto end = end_of(active)) ends.push_back(*std::move(end));
   }
-  most_running_ = std::max(most_running_, running());
+  for (const TaskEnd& end : ends) active_.erase(end.run);
   tell_why_all_wait();
   return ends;
+}
+
+/// @return whether it is in the queue.
+bool SlurmEngine::find_again(Active& active, const Places& places) {
+  if (!active.place) return false;
+  const auto found = places.find({active.place->name, active.place->index});
+  if (found == places.end()) return false;
+  active.place = found->second;
+  active.gone_since.reset();
+  return true;
 }
 
 /// Of a task that is in no queue. None: it has not ended, or its result may still come to light.

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gateway/campaign/engine.h"
@@ -38,7 +39,7 @@ class SlurmEngine final : public Engine {
   ///   called before anything is written.
   static void require();
 
-  /// @param notes  asked from adopt() on. @throws std::runtime_error  the cluster does not answer.
+  /// @throws std::runtime_error  the cluster does not answer, or a note is not as it should be.
   SlurmEngine(Settings settings, slurm::Notes notes);
 
   std::string_view name() const override { return "slurm"; }
@@ -51,6 +52,7 @@ class SlurmEngine final : public Engine {
 
   /// Leaves the jobs where they are, and says so.
   void stop() override;
+  bool outlives_stop() const override { return true; }
 
  private:
   /// Queued or running, or what a lost node has left running.
@@ -60,25 +62,28 @@ class SlurmEngine final : public Engine {
     std::optional<hal::Time> gone_since;     ///< Seen in no queue and nowhere running.
   };
 
+  /// By name of the job and index.
+  using Places = std::map<std::pair<std::string, int>, slurm::QueuedTask>;
+
   void submit_unsent();
   bool submit(std::size_t count);
   void sent(std::size_t count, std::int64_t job);
-  bool cannot_send(std::size_t count, const std::string& why);
+  bool cannot_send(std::size_t count, const hal::Error& why);
   std::size_t next_count() const;
   std::vector<TaskEnd> look();
+  static bool find_again(Active& active, const Places& places);
   std::optional<TaskEnd> end_of(Active& active);
   void tell_why_all_wait();
   void say(const std::string& what);
 
   Settings settings_;
-  slurm::Notes notes_;
-  std::optional<slurm::Submissions> submissions_;  ///< From adopt() on.
+  slurm::Submissions submissions_;
   slurm::Cluster cluster_;
   int first_bad_index_;
   std::vector<CampaignTask> unsent_;
   std::size_t most_in_one_;  ///< Tasks of an array that the cluster took last, or all it may have.
   std::map<std::int64_t, Active> active_;  ///< By run.
-  std::size_t most_running_ = 1;
+  int slots_ = 1;
   hal::Time next_look_{}, next_try_{};
   std::string said_;  ///< Last; not said again.
 };

@@ -29,7 +29,7 @@ int check(const CheckOptions& options) {
   for (const std::string& file : options.files) {
     try {
       const std::string path =
-          hal::config::named_file(file, {"scenarios", "robots", "radios", "hardware"});
+          hal::config::named_file(file, {"scenarios", "campaigns", "robots", "radios", "hardware"});
       const FileKind& kind = wanted != nullptr ? *wanted : recognised(path, options.overrides);
       kind.judge(path, options.overrides);
       fmt::print("{}: ok\n", file);

@@ -5,10 +5,14 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <map>
 #include <memory>
 #include <stdexcept>
+#include <vector>
 
 #include "gateway/exit_status.h"
+#include "sim/campaign/description.h"
+#include "sim/campaign/schema.h"
 #include "sim/record/description.h"
 #include "sim/record/run_reader.h"
 #include "sim/report/csv.h"
@@ -46,19 +50,44 @@ class Output {
   File file_;
 };
 
-std::string list_of_tables(const std::string& folder) {
+std::string list_of_tables(const std::vector<sim::record::Table>& tables,
+                           const std::map<std::string, std::int64_t>& rows) {
   std::string list = fmt::format("{:<14} {:>9}  {}\n", "table", "rows", "what it is");
-  const auto rows = sim::record::RunReader(folder).count_rows();
-  for (const sim::record::Table& table : sim::record::tables()) {
+  for (const sim::record::Table& table : tables) {
     list += fmt::format("{:<14} {:>9}  {}\n", table.name, rows.at(std::string(table.name)),
                         table.meaning);
   }
   return list;
 }
 
+/// Of the folder of a campaign.
+int export_campaign(const ExportOptions& options) {
+  const auto& tables = sim::campaign::tables();
+  if (!options.table.empty() && sim::record::find_table(tables, options.table) == nullptr) {
+    throw UsageError(fmt::format("export: '{}' is no table of a campaign; there are: {}",
+                                 options.table, sim::record::table_names(tables)));
+  }
+  sim::campaign::CampaignReader reader(options.folder);
+  const std::string list = list_of_tables(tables, reader.count_rows());
+  Output output(options.file);
+  const auto write = [&output](std::string_view text) { output.write(text); };
+  if (options.describe) {
+    write(sim::campaign::describe_campaign());
+  } else if (options.table.empty()) {
+    write(list);
+  } else {
+    sim::report::write_csv(reader, options.table, write);
+  }
+  output.finish();
+  return kDone;
+}
+
 }  // namespace
 
 int export_results(const ExportOptions& options) {
+  if (!options.folder.empty() && sim::campaign::CampaignReader::is_campaign(options.folder)) {
+    return export_campaign(options);
+  }
   if (!options.describe && options.folder.empty()) {
     throw UsageError("export: DIR is missing, the folder of a result");
   }
@@ -67,15 +96,17 @@ int export_results(const ExportOptions& options) {
                                  options.table, sim::record::table_names()));
   }
   if (options.describe && !(options.folder.empty() && options.table.empty())) {
-    throw UsageError("export: --describe is about every result, so no DIR");
+    throw UsageError("export: --describe is about every result, so no DIR but a campaign's");
   }
   if (!options.describe && sim::record::RunReader(options.folder).is_unfinished()) {
     fmt::print(stderr, "warning: {}: this run is unfinished: broken off, or still under way\n",
                options.folder);
   }
   // Everything that can be wrong with the result shows before a file is replaced.
-  const std::string list =
-      !options.describe && options.table.empty() ? list_of_tables(options.folder) : "";
+  const std::string list = !options.describe && options.table.empty()
+                               ? list_of_tables(sim::record::tables(),
+                                                sim::record::RunReader(options.folder).count_rows())
+                               : "";
   Output output(options.file);
   const auto write = [&output](std::string_view text) { output.write(text); };
   if (options.describe) {

@@ -6,13 +6,13 @@ namespace gateway {
 
 /// What the command line of `baraka export` says.
 struct ExportOptions {
-  std::string folder;  ///< Of a result.
+  std::string folder;  ///< Of a result or of a campaign.
   std::string table;   ///< Empty: list the tables.
   std::string file;    ///< Empty: standard output.
   bool describe = false;
 };
 
-/// Prints a table of a result as CSV, its tables, or what all of them are.
+/// Prints a table of a result or of a campaign as CSV, its tables, or what all of them are.
 /// @return exit status. @throws UsageError  there is no such table. @throws std::runtime_error
 int export_results(const ExportOptions& options);
 

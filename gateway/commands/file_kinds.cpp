@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "gateway/campaign/judge_points.h"
 #include "gateway/run/judge_controllers.h"
 #include "gateway/run/judge_programs.h"
 #include "hal/config/document.h"
@@ -28,9 +29,14 @@ void read_scenario(Mapping in) { sim::scenario::read_scenario(std::move(in), "sc
 void judge_scenario(const std::string& path, const Overrides& overrides) {
   judge_programs(load_judged(path, overrides));
 }
+void read_campaign(Mapping in) { sim::campaign::read_campaign(std::move(in), "campaign.yaml"); }
 void read_hardware(Mapping in) { hal::hardware::RobotFile::read(std::move(in)); }
 void tell(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) fmt::print(stderr, "{}\n", warning);
+}
+
+void judge_points(const std::string& path, const Overrides& overrides) {
+  tell(judge_campaign(path, overrides).warnings);
 }
 
 void judge_hardware(const std::string& path, const Overrides& overrides) {
@@ -72,6 +78,16 @@ end:
   - {at: 600 s, result: timeout}
 expect:
   - {result: arrived}
+)";
+
+constexpr const char* kCampaign = R"(version: 1
+name: speeds
+scenario: scenarios/case_study.yaml
+replications: 5
+vary:
+  agents.robots.controller.parameters.speed: [0.3 m/s, 0.6 m/s]
+  radio.profile: [mobility_framework, ideal]
+keep: failed
 )";
 
 constexpr const char* kHardware = R"(version: 1
@@ -123,6 +139,9 @@ const std::vector<FileKind>& file_kinds() {
   static const std::vector<FileKind> kinds = {
       {"scenario", "What `baraka run` runs: a world, a radio, agents and their controllers.",
        kScenario, read_scenario, judge_scenario},
+      {"campaign",
+       "What `baraka campaign` runs: a scenario many times, over the values of its keys.",
+       kCampaign, read_campaign, judge_points},
       {"hardware", "A real robot or mote: what `baraka-agentd` drives.", kHardware, read_hardware,
        judge_hardware},
       {"robot",

@@ -79,6 +79,15 @@ FolderLock::~FolderLock() {
   ::close(descriptor_);
 }
 
+void remove_lock_of_the_dead(const fs::path& folder) {
+  if (!fs::exists(lock_of(folder)) || is_held(folder)) return;
+  try {
+    const FolderLock lock(folder);
+  } catch (const std::runtime_error&) {
+    return;  // somebody else was faster
+  }
+}
+
 bool is_held(const fs::path& folder) {
   const int descriptor = ::open(lock_of(folder).c_str(), O_RDWR | O_NOFOLLOW | O_CLOEXEC);
   if (descriptor < 0) return false;

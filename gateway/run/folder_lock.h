@@ -29,4 +29,8 @@ class FolderLock {
 /// Whether some process holds the folder, which need not exist.
 bool is_held(const std::filesystem::path& folder);
 
+/// Removes the file that a process left which died while it held the folder. Does nothing if there
+/// is none, or if a process holds it.
+void remove_lock_of_the_dead(const std::filesystem::path& folder);
+
 }  // namespace gateway

@@ -16,9 +16,9 @@ struct FinishedResult {
   std::string result, fingerprint;
 };
 
-/// None: there is no result in the folder, of another seed (none: of any), or of a run that failed or was cut
-/// short. @pre no run is writing there: on a file system of several computers, a database that is
-/// being written elsewhere cannot be read.
+/// None: there is no result in the folder, of another seed (none: of any), or of a run that failed
+/// or was cut short. @pre no run is writing there: on a file system of several computers, a
+/// database that is being written elsewhere cannot be read.
 std::optional<FinishedResult> finished_result(const std::filesystem::path& folder,
                                               std::optional<std::uint64_t> seed = {});
 

@@ -3,10 +3,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <charconv>
 #include <chrono>
+#include <cstdlib>
+#include <filesystem>
+#include <sstream>
 
 #include "gateway/exit_status.h"
+#include "gateway/find_program.h"
 #include "gateway/slurm/program.h"
 
 namespace gateway::slurm {
@@ -22,6 +27,14 @@ bool tries_again(const Printed& printed) {
   return printed.err.find("retrying") != std::string::npos;
 }
 
+std::vector<std::filesystem::path> folders_of_path() {
+  const char* const path = std::getenv("PATH");  // NOLINT(concurrency-mt-unsafe)
+  std::istringstream folders(path == nullptr ? "" : path);
+  std::vector<std::filesystem::path> found;
+  for (std::string folder; std::getline(folders, folder, ':');) found.emplace_back(folder);
+  return found;
+}
+
 }  // namespace
 
 hal::Result<std::string> Cluster::answer(const std::vector<std::string>& command) const {
@@ -31,17 +44,14 @@ hal::Result<std::string> Cluster::answer(const std::vector<std::string>& command
   if (!printed) return tl::unexpected(printed.error());
   if (printed->status == 0) return printed->out;
   return hal::fail(hal::Errc::kNotAvailable,
-                   fmt::format("{}: {}", command[0], printed->last_error()));
+                   fmt::format("{}: {}", command[0], printed->last_errors()));
 }
 
 void Cluster::require() const {
   for (const char* name : {"sbatch", "squeue", "scontrol", "scancel"}) {
-    const auto printed = run_program({name, "--version"}, kLongest);
-    if (printed && printed->status == 0) continue;
-    throw UsageError(
-        fmt::format("--engine slurm: needs Slurm's {} on this computer (Debian: "
-                    "slurm-client): {}",
-                    name, printed ? printed->last_error() : printed.error().message));
+    if (find_program(name, folders_of_path())) continue;
+    throw UsageError(fmt::format(
+        "--engine slurm: Slurm's {} is in no folder of PATH (Debian: slurm-client)", name));
   }
   const auto ping = answer({"scontrol", "ping"});
   if (!ping) throw UsageError("--engine slurm: no cluster answers: " + ping.error().message);
@@ -54,6 +64,13 @@ hal::Result<int> Cluster::first_bad_index() const {
   int index = kUsualFirstBadIndex;
   (void)std::from_chars(text.data(), text.data() + text.size(), index);
   return std::max(index, 1);
+}
+
+std::optional<int> Cluster::processors(const std::string& partition) const {
+  std::vector<std::string> command{"sinfo", "--noheader", "--format=%C"};
+  if (!partition.empty()) command.push_back("--partition=" + partition);
+  const auto printed = answer(command);
+  return printed ? parse_processors(*printed) : std::nullopt;
 }
 
 hal::Result<std::vector<QueuedTask>> Cluster::queue(const std::set<std::string>& names) const {

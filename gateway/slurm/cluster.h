@@ -25,6 +25,10 @@ class Cluster {
   /// The first index that no array may have; 1001 where the cluster does not say it.
   hal::Result<int> first_bad_index() const;
 
+  /// That can be used, by whomever. @param partition  empty: all. None: the cluster does not say
+  /// it.
+  std::optional<int> processors(const std::string& partition) const;
+
   /// Tasks of this user's jobs of these names that wait, run or are about to end.
   hal::Result<std::vector<QueuedTask>> queue(const std::set<std::string>& names) const;
 

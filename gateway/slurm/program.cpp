@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <poll.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
@@ -12,6 +13,7 @@
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <deque>
 #include <sstream>
 
 #include "gateway/limits.h"
@@ -90,12 +92,25 @@ int status_of(pid_t pid) {
 
 std::string Printed::last_error() const {
   std::istringstream lines(err);
-  std::string last = status > 128 ? fmt::format("killed by signal {}", status - 128)
-                                  : fmt::format("exited with status {}", status);
+  std::string last;
   for (std::string line; std::getline(lines, line);) {
     if (!line.empty()) last = line;
   }
-  return last;
+  if (last.empty()) last = out.substr(0, out.find('\n'));
+  if (!last.empty()) return last;
+  return status > 128 ? fmt::format("killed by signal {}", status - 128)
+                      : fmt::format("exited with status {}", status);
+}
+
+std::string Printed::last_errors() const {
+  constexpr std::size_t kMostLines = 3;
+  std::istringstream lines(err);
+  std::deque<std::string> last;
+  for (std::string line; std::getline(lines, line);) {
+    if (!line.empty()) last.push_back(line);
+    if (last.size() > kMostLines) last.pop_front();
+  }
+  return last.empty() ? last_error() : fmt::format("{}", fmt::join(last, "; "));
 }
 
 hal::Result<Printed> run_program(const std::vector<std::string>& command, hal::Duration longest,

@@ -13,7 +13,10 @@ namespace gateway::slurm {
 struct Printed {
   int status = 0;  ///< Exit status; 128 + signal if a signal killed it.
   std::string out, err;
-  std::string last_error() const;  ///< The last line of err that says anything, or how it ended.
+  /// The last line of err that says anything, else the first of out, else how it ended.
+  std::string last_error() const;
+  /// The last three lines of err in one, else as last_error().
+  std::string last_errors() const;
 };
 
 /// Runs a program of PATH to its end, in a process group of its own, so that Ctrl-C does not reach

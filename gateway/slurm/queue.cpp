@@ -115,6 +115,14 @@ std::optional<std::string> parse_config(std::string_view printed, std::string_vi
   return std::nullopt;
 }
 
+std::optional<int> parse_processors(std::string_view printed) {
+  std::string_view line = without_spaces(next_part(printed, '\n'));
+  const auto allocated = number_in<int>(next_part(line, '/'));
+  const auto idle = number_in<int>(next_part(line, '/'));
+  if (!allocated || !idle) return std::nullopt;
+  return *allocated + *idle;
+}
+
 std::optional<std::int64_t> parse_submission(std::string_view printed) {
   std::optional<std::int64_t> job;
   while (!printed.empty()) {

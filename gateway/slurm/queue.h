@@ -48,6 +48,10 @@ std::optional<JobEnd> parse_job(std::string_view printed);
 /// The value of a key that `scontrol show config` prints.
 std::optional<std::string> parse_config(std::string_view printed, std::string_view key);
 
+/// The sum of "allocated/idle/other/total" without the other ones, which `sinfo --format=%C` prints
+/// in a line.
+std::optional<int> parse_processors(std::string_view printed);
+
 /// The number of the job that `sbatch --parsable` prints, "12" or "12;cluster", maybe after other
 /// lines.
 std::optional<std::int64_t> parse_submission(std::string_view printed);

@@ -17,7 +17,8 @@ constexpr std::array kStates = {RunState::kWaiting, RunState::kRunning, RunState
                                 RunState::kFailed};
 
 RunState state_called(const std::string& name) {
-  const auto* const found = std::ranges::find(kStates, name, name_of);
+  const auto* const found =
+      std::ranges::find(kStates, name, [](RunState state) { return name_of(state); });
   if (found == kStates.end()) throw std::runtime_error(fmt::format("'{}' is no state", name));
   return *found;
 }

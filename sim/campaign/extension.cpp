@@ -25,17 +25,6 @@ constexpr std::string_view kFixed[] = {"version", "design", "base_seed",
                    reader.folder().string(), why)});
 }
 
-/// The first lines that differ.
-std::string difference(const std::string& old_text, const std::string& new_text) {
-  std::istringstream old_lines(old_text), new_lines(new_text);
-  std::string before, after;
-  do {
-    if (!std::getline(old_lines, before)) before.clear();
-    if (!std::getline(new_lines, after)) after.clear();
-  } while (before == after && (old_lines || new_lines));
-  return fmt::format("there '{}', now '{}'", before, after);
-}
-
 std::string value_of(const WantedRuns& wanted, std::string_view key) {
   const auto found = std::ranges::find(
       wanted.values, key, [](const auto& pair) { return std::string_view(pair.first); });
@@ -46,6 +35,11 @@ void require_same_values(const WantedRuns& wanted, CampaignReader& reader) {
   for (const std::string_view key : kFixed) {
     const std::string before = reader.value(key), now = value_of(wanted, key);
     if (before != now) refuse(reader, fmt::format("{}: there '{}', now '{}'", key, before, now));
+  }
+  const std::string replications = reader.value("replications");
+  if (!wanted.may_be_fewer && std::stoll(replications) > wanted.replications) {
+    refuse(reader,
+           fmt::format("replications: there {}, now {}", replications, wanted.replications));
   }
   const std::vector<Factor> factors = reader.factors();
   const auto same = [](const Factor& a, const Factor& b) {
@@ -86,7 +80,7 @@ std::map<Texts, int> require_same_points(const WantedRuns& wanted, CampaignReade
     if (now->second->scenario == before.scenario) continue;
     refuse(reader, fmt::format("another scenario{}: {}",
                                before.label.empty() ? "" : fmt::format(" ({})", before.label),
-                               difference(before.scenario, now->second->scenario)));
+                               first_difference(before.scenario, now->second->scenario)));
   }
   return numbers;
 }
@@ -96,6 +90,16 @@ std::string many(std::size_t count, std::string_view one) {
 }
 
 }  // namespace
+
+std::string first_difference(const std::string& old_text, const std::string& new_text) {
+  std::istringstream old_lines(old_text), new_lines(new_text);
+  std::string before, after;
+  do {
+    if (!std::getline(old_lines, before)) before.clear();
+    if (!std::getline(new_lines, after)) after.clear();
+  } while (before == after && (old_lines || new_lines));
+  return fmt::format("there '{}', now '{}'", before, after);
+}
 
 Extension extension(const WantedRuns& wanted, CampaignReader& reader) {
   const bool is_new = reader.count_rows().at("campaign") == 0;

@@ -19,6 +19,7 @@ struct WantedRuns {
   int replications = 1;
   Seeds seeds = Seeds::kCommon;
   std::uint64_t base_seed = 0;
+  bool may_be_fewer = false;  ///< Fewer replications than there are leave the others as they are.
 };
 
 /// What a campaign's database needs to hold all of them.
@@ -31,5 +32,8 @@ struct Extension {
 /// @throws hal::config::ConfigErrors  runs of other settings are there, or some that are not asked
 ///   for any more; the message starts with the folder.
 Extension extension(const WantedRuns& wanted, CampaignReader& reader);
+
+/// The first lines in which two texts differ, for a message: "there 'a', now 'b'".
+std::string first_difference(const std::string& old_text, const std::string& new_text);
 
 }  // namespace sim::campaign

@@ -42,8 +42,8 @@ std::string refusal(const std::string& argument) {
 
 SlurmSettings read_slurm(hal::config::Mapping& campaign) {
   SlurmSettings settings;
-  hal::config::Mapping in = campaign.mapping(
-      {"slurm", "How `--engine slurm` submits the runs, as one array job.", {}, "{}"});
+  hal::config::Mapping in =
+      campaign.mapping({"slurm", "How `--engine slurm` submits the runs, as one array job."});
   settings.partition =
       in.text({"partition", "Partition of the cluster.", "short", "the cluster's default"}, "");
   settings.time = in.optional_duration(

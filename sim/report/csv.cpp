@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "sim/campaign/schema.h"
 #include "sim/record/run_reader.h"
 
 namespace sim::report {
@@ -32,35 +33,58 @@ std::string field_of(const Statement& query, int column) {
   return quoted(query.text(column));
 }
 
-}  // namespace
+using Write = std::function<void(std::string_view)>;
 
-void write_csv(const std::filesystem::path& folder, std::string_view name,
-               const std::function<void(std::string_view)>& write) {
-  const Table* const table = record::find_table(name);
-  if (table == nullptr) {
-    throw std::runtime_error(
-        fmt::format("'{}' is no table of a result; there are: {}", name, record::table_names()));
-  }
-  record::RunReader reader(folder);
+std::string columns_of(const Table& table) {
   std::string columns;
-  for (const Column& column : table->columns) {
+  for (const Column& column : table.columns) {
     columns += (columns.empty() ? "" : ",") + std::string(column.name);
   }
-  const std::string order = table->primary_key.empty() ? "rowid" : std::string(table->primary_key);
-  Statement query =
-      reader.query(fmt::format("SELECT {} FROM {} ORDER BY {}", columns, name, order));
-  write(columns);
+  return columns;
+}
+
+/// All rows, in the order of the primary key if there is one, else as written.
+std::string query_for(const Table& table) {
+  const std::string order = table.primary_key.empty() ? "rowid" : std::string(table.primary_key);
+  return fmt::format("SELECT {} FROM {} ORDER BY {}", columns_of(table), table.name, order);
+}
+
+void write_rows(Statement& query, const Table& table, const Write& write) {
+  write(columns_of(table));
   write(kLineEnd);
   std::string line;
   while (query.next()) {
     line.clear();
-    for (int i = 0; i < static_cast<int>(table->columns.size()); ++i) {
+    for (int i = 0; i < static_cast<int>(table.columns.size()); ++i) {
       if (i > 0) line += ',';
       line += field_of(query, i);
     }
     line += kLineEnd;
     write(line);
   }
+}
+
+}  // namespace
+
+void write_csv(const std::filesystem::path& folder, std::string_view name, const Write& write) {
+  const Table* const table = record::find_table(name);
+  if (table == nullptr) {
+    throw std::runtime_error(
+        fmt::format("'{}' is no table of a result; there are: {}", name, record::table_names()));
+  }
+  record::RunReader reader(folder);
+  Statement query = reader.query(query_for(*table));
+  write_rows(query, *table, write);
+}
+
+void write_csv(campaign::CampaignReader& reader, std::string_view name, const Write& write) {
+  const Table* const table = record::find_table(campaign::tables(), name);
+  if (table == nullptr) {
+    throw std::runtime_error(fmt::format("'{}' is no table of a campaign; there are: {}", name,
+                                         record::table_names(campaign::tables())));
+  }
+  Statement query = reader.query(query_for(*table));
+  write_rows(query, *table, write);
 }
 
 }  // namespace sim::report

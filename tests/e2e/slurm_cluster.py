@@ -50,7 +50,6 @@ ReturnToService=2
 SlurmdTimeout=10
 SlurmctldTimeout=10
 KillWait=2
-MinJobAge=300
 InactiveLimit=0
 MessageTimeout=3
 {settings}

@@ -3,6 +3,7 @@
 node, daemon or campaign is killed on the way; and what can be wrong with a cluster is said."""
 import contextlib
 import os
+import re
 import shutil
 import signal
 import sqlite3
@@ -18,7 +19,7 @@ MISSING = slurm_cluster.missing()
 TWO_MOTES = ROOT / "config/scenarios/two_motes.yaml"
 MANY = ROOT / "config/scenarios/many_robots.yaml"
 FAULTY = ROOT / "tests/e2e/faulty.yaml"
-LONG = 280  # s, in which a lost node is found out, and its runs start again
+LONG = 600  # s, in which a lost node is found out, and its runs start again
 
 
 class Campaigns(Case):
@@ -72,9 +73,10 @@ class Campaigns(Case):
         return {log.name: log.read_text() for log in sorted((self.out / "runs").glob("*.log"))}
 
     def assert_each_ran_to_its_end_once(self, count):
-        """A run that finds a finished result prints no wall_s; one that was killed, neither."""
-        self.assertEqual({name: log.count("wall_s:") for name, log in self.logs().items()},
-                         {name: 1 for name in self.logs()})
+        """Of the ends that each log tells, all but one are of runs that found a result there."""
+        ends = {name: len(re.findall(r"^result: (?!interrupted)", log, re.M)) - log.count("the result is there already")
+                for name, log in self.logs().items()}
+        self.assertEqual(ends, {name: 1 for name in self.logs()})
         self.assertEqual(len(self.logs()), count)
 
     def assert_equal_to_local(self, file, count):
@@ -88,28 +90,29 @@ class LostNodes(Campaigns):
     killed, then one together with its slurmstepds, whose runs go on."""
 
     def test_20_runs_are_those_of_this_computer_when_nodes_are_lost(self):
-        file = self.campaign(MANY, 20, more="until: 1000 s")
+        file = self.campaign(MANY, 20, more="until: 1800 s")
         cluster = self.start_cluster()
         program = self.start_on(cluster, file)
         wait_for(lambda: self.done(), timeout=60)
 
-        # One slurmd alone: its runs go on under their slurmstepds, and Slurm starts them again elsewhere.
-        wait_for(lambda: self.runs_of(cluster, "n2"))
-        frozen = self.freeze(cluster, "n2")
+        # One slurmd alone: its runs go on under their slurmstepds, and Slurm starts them again.
+        wait_for(lambda: self.writers(cluster, "n2"))
         cluster.kill("n2")
-        self.wait_for_writer_and_waiter(cluster, "n2", frozen)
+        wait_for(lambda: cluster.state_of("n2").startswith("DOWN"), timeout=90)
         cluster.start("n2")
         wait_for(lambda: cluster.state_of("n2") in ("IDLE", "MIXED", "ALLOCATED"), timeout=60)
 
-        # One with its slurmstepds: its runs are nobody's any more.
-        wait_for(lambda: self.runs_of(cluster, "n1"), timeout=60)
-        frozen = self.freeze(cluster, "n1")
+        # One with its slurmstepds: its runs are nobody's any more, and one of them takes its time.
+        frozen = wait_for(lambda: self.writers(cluster, "n1"), timeout=60)[0]
+        os.kill(frozen, signal.SIGSTOP)
         victims = cluster.stepds("n1")
         cluster.kill("n1")
         for pid in victims:
             with contextlib.suppress(ProcessLookupError):
                 os.kill(pid, signal.SIGKILL)
-        self.wait_for_writer_and_waiter(cluster, "n1", frozen)
+        said = f"another run is writing there (pid {frozen})"
+        wait_for(lambda: any(said in log for log in self.logs().values()), timeout=LONG)
+        os.kill(frozen, signal.SIGCONT)
 
         finished = program.finish(LONG)
         self.assertEqual(finished.status, 0, f"{finished}\n{cluster.log()}")
@@ -120,28 +123,11 @@ class LostNodes(Campaigns):
         self.assertEqual(len(self.submissions()), 1, "it was submitted once")
         self.assert_equal_to_local(file, 20)
 
-    def runs_of(self, cluster, node):
-        """Pids of runs below the slurmstepds of a node, early in their life."""
+    def writers(self, cluster, node):
+        """Pids of runs below the slurmstepds of a node that hold their folders."""
+        holders = {lock.read_text() for lock in (self.out / "runs").glob(".*.lock")}
         return [pid for stepd in cluster.stepds(node) for pid in descendants(stepd)
-                if (stat_of(pid) or ("",))[0] == "baraka"]
-
-    def freeze(self, cluster, node):
-        """Stops one run of a node in the middle, so that it outlives what started it."""
-        for pid in self.runs_of(cluster, node):
-            with contextlib.suppress(ProcessLookupError):
-                os.kill(pid, signal.SIGSTOP)
-                return pid
-        raise AssertionError(f"no run on {node}")
-
-    def wait_for_writer_and_waiter(self, cluster, node, frozen):
-        """Until the task of a frozen run started again and waits for it; then lets it go on."""
-        wait_for(lambda: cluster.state_of(node).startswith("DOWN"), timeout=90)
-        said = f"another run is writing there (pid {frozen})"
-        try:
-            wait_for(lambda: any(said in log for log in self.logs().values()), timeout=90)
-        except AssertionError:
-            raise AssertionError(f"{stat_of(frozen)} {cluster.tasks()}\n{self.logs()}\n{cluster.log()}") from None
-        os.kill(frozen, signal.SIGCONT)
+                if (stat_of(pid) or ("",))[0] == "baraka" and str(pid) in holders]
 
 
 class Killed(Campaigns):
@@ -150,7 +136,8 @@ class Killed(Campaigns):
         cluster = self.start_cluster()
         for signal_name, done in (("SIGKILL", 0), ("SIGKILL", 2), ("SIGINT", 4)):
             program = self.start_on(cluster, file)
-            wait_for(lambda: len(self.done()) >= done and cluster.tasks(), timeout=60)
+            wait_for(lambda: len(self.done()) >= done and [3] == [len(words) for words in self.submissions()],
+                     timeout=60)
             os.kill(program.process.pid, getattr(signal, signal_name))
             finished = program.finish()
         self.assertEqual(finished.status, 130, str(finished))
@@ -193,8 +180,11 @@ class Killed(Campaigns):
         program.process.send_signal(signal.SIGINT)
         self.assertEqual(program.finish().status, 130)
         self.assertEqual(len(cluster.tasks()), 4)
-        local = self.run_on(None, file, status=2)
+        local = Program("baraka", "campaign", file, "--out", self.out, env=cluster.environment).finish()
+        self.assertEqual(local.status, 2, str(local))
         self.assertIn("4 runs of this campaign are with Slurm", local.err)
+        local = self.run_on(None, file, status=2)
+        self.assertIn("whether it still has some cannot be found out", local.err)
         cancelled = self.run_on(cluster, file, "--cancel")
         self.assertEqual(cancelled["cancelled"], "4")
         self.assertEqual(cluster.tasks(), {})
@@ -221,7 +211,7 @@ class Clusters(Campaigns):
         file = self.campaign()
         empty = self.folder / "bin"
         empty.mkdir()
-        for environment, message in (({"PATH": str(empty)}, "needs Slurm's sbatch"),
+        for environment, message in (({"PATH": str(empty)}, "Slurm's sbatch is in no folder of PATH"),
                                      ({"SLURM_CONF": str(self.folder / "none.conf")}, "no cluster answers")):
             self.out = self.folder / "slurm"
             refused = Program("baraka", "campaign", file, "--engine", "slurm", "--out", self.out,
@@ -241,7 +231,7 @@ class Clusters(Campaigns):
         self.assertIn("TimeLimit=00:05:00", shown)
 
     def test_a_full_queue_takes_them_bit_by_bit(self):
-        cluster = self.start_cluster(settings="MaxJobCount=6")
+        cluster = self.start_cluster(settings="MaxJobCount=6\nMinJobAge=2")
         finished = self.run_on(cluster, self.campaign(replications=12))
         self.assertEqual(finished["finished"], "12")
         self.assertGreater(len(self.submissions()), 2)

@@ -109,6 +109,7 @@ TEST(SlurmProgram, LongOutputAndErrorsArriveWhole) {
   EXPECT_EQ(printed->status, 3);
   EXPECT_EQ(std::ranges::count(printed->out, '\n'), 5000);
   EXPECT_EQ(printed->last_error(), "5000");
+  EXPECT_EQ(printed->last_errors(), "4998; 4999; 5000");
 }
 
 }  // namespace

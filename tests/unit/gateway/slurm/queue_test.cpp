@@ -76,6 +76,12 @@ TEST(SlurmConfig, AKeyIsFoundByItsWholeName) {
   EXPECT_FALSE(parse_config(kPrinted, "MaxArray"));
 }
 
+TEST(SlurmProcessors, ThoseOfNodesThatAreDownDoNotCount) {
+  EXPECT_EQ(parse_processors("1/3/2/6\n"), 4);
+  EXPECT_FALSE(parse_processors(""));
+  EXPECT_FALSE(parse_processors("1K/3K/0/4K\n"));
+}
+
 TEST(SlurmSubmission, TheNumberStandsInALineOfItsOwn) {
   EXPECT_EQ(parse_submission("17\n"), 17);
   EXPECT_EQ(parse_submission("welcome to the cluster\n18;dragon\n"), 18);

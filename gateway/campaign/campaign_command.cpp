@@ -1,0 +1,174 @@
+#include "gateway/campaign/campaign_command.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "gateway/campaign/campaign_status.h"
+#include "gateway/campaign/judge_points.h"
+#include "gateway/campaign/slurm_campaign.h"
+#include "gateway/exit_status.h"
+#include "gateway/run/results_folder.h"
+#include "gateway/run/wall_pace.h"
+#include "hal/config/errors.h"
+#include "hal/config/shared_folders.h"
+
+namespace gateway {
+namespace {
+
+namespace fs = std::filesystem;
+
+using sim::campaign::CampaignDatabase;
+using sim::campaign::CampaignFile;
+using sim::campaign::CampaignReader;
+using sim::campaign::PointRow;
+using sim::campaign::WantedRuns;
+using Clock = std::chrono::steady_clock;
+
+std::string text_of(const fs::path& file) {
+  std::ifstream in(file);
+  return {std::istreambuf_iterator<char>(in), {}};
+}
+
+std::string until_words(const CampaignFile& file) {
+  return file.until ? fmt::format("{} s", hal::to_seconds(*file.until)) : "its end";
+}
+
+WantedRuns wanted_by(const JudgedCampaign& campaign, const CampaignOptions& options) {
+  const CampaignFile& file = campaign.file;
+  const bool in_process = file.controllers == sim::campaign::RunControllers::kInProcess;
+  WantedRuns wanted{
+      .values = {{"name", file.name},
+                 {"version", BARAKA_VERSION},
+                 {"scenario", file.scenario},
+                 {"design", std::string(name_of(file.design))},
+                 {"base_seed", std::to_string(campaign.seed)},
+                 {"replications", std::to_string(file.replications)},
+                 {"seeds", std::string(name_of(file.seeds))},
+                 {"until", until_words(file)},
+                 {"controllers", in_process ? "in-process" : "spawn"},
+                 {"file", text_of(hal::config::named_file(options.file, {"campaigns"}))}},
+      .factors = campaign.table.factors,
+      .points = campaign.table.points,
+      .replications = file.replications,
+      .seeds = file.seeds,
+      .base_seed = campaign.seed};
+  if (file.samples > 0) wanted.values.emplace_back("sampled", std::to_string(file.samples));
+  return wanted;
+}
+
+std::vector<std::string> run_arguments(const CampaignFile& file) {
+  const bool in_process = file.controllers == sim::campaign::RunControllers::kInProcess;
+  std::vector<std::string> arguments{"--controllers", in_process ? "in-process" : "spawn",
+                                     "--no-inspect"};
+  if (file.until) {
+    arguments.insert(arguments.end(), {"--until", fmt::format("{}", hal::to_seconds(*file.until))});
+  }
+  return arguments;
+}
+
+/// Of a campaign file, without judging its points.
+fs::path folder_of(const CampaignOptions& options) {
+  if (!options.out.empty()) return options.out;
+  const fs::path file = hal::config::named_file(options.file, {"campaigns"});
+  return fs::path("results") / sim::campaign::load_campaign(file, options.overrides).name;
+}
+
+void print_counts(const CampaignStatus& status, const CampaignFolder& folder, std::size_t kept,
+                  Clock::time_point begin) {
+  const bool is_one_point = fs::exists(folder.path() / kReplicationsFile);
+  if (is_one_point) fmt::print("replications: {}\n", status.runs);
+  if (!is_one_point) {
+    fmt::print("{}points: {}\nruns: {}\n", status.table, status.points, status.runs);
+  }
+  fmt::print("finished: {}\nfailed: {}\nkept: {}\n", status.done, status.failed, kept);
+  for (const auto& [result, count] : status.results) fmt::print("result {}: {}\n", result, count);
+  fmt::print("wall_s: {:.3f}\n", std::chrono::duration<double>(Clock::now() - begin).count());
+  fmt::print("results: {}\n", folder.path().string());
+}
+
+constexpr const char* kGoOn = "the same command goes on from here";
+
+/// Writes what there is to do, and where each point's scenario is.
+void plan(const CampaignFolder& folder, CampaignDatabase& database, const WantedRuns& wanted) {
+  CampaignReader reader(folder.path());
+  const sim::campaign::Extension more = sim::campaign::extension(wanted, reader);
+  database.add(more.plan);
+  if (!more.said.empty()) fmt::print(stderr, "the campaign has {}\n", more.said);
+  for (const PointRow& point : CampaignReader(folder.path()).points()) {
+    if (fs::exists(folder.path() / kReplicationsFile)) break;  // it has claimed it
+    folder.claim(point.point, point.scenario);
+  }
+}
+
+int outcome(const CampaignStatus& status) {
+  if (status.done + status.failed < status.runs) {
+    fmt::print(stderr, "interrupted; {}\n", kGoOn);
+    return kInterrupted;
+  }
+  if (status.failed > 0) return kRunFailed;
+  return status.unmet > 0 ? kExpectationNotMet : kDone;
+}
+
+}  // namespace
+
+int do_campaign(const CampaignFolder& folder, const EngineMaker& make_engine, CampaignWork work) {
+  const auto begin = Clock::now();
+  const int replications = work.wanted.replications;
+  std::size_t kept = 0;
+  try {
+    CampaignDatabase database(folder.path());
+    const std::unique_ptr<Engine> engine = make_engine(database);
+    work.wanted.values.emplace_back("engine", engine->name());
+    plan(folder, database, work.wanted);
+    work.loop.replications = replications;
+    work.loop.progress.terminal = ::isatty(STDERR_FILENO) != 0;
+    work.loop.progress.slots = engine->slots();
+    CampaignLoop loop({database, folder, *engine}, std::move(work.loop));
+    kept = loop.kept();
+    if (kept > 0) fmt::print(stderr, "{} had ended before\n", kept);
+    loop.run();
+  } catch (const hal::config::ConfigErrors&) {
+    throw;
+  } catch (const UsageError&) {
+    throw;
+  } catch (const DiskFull& e) {
+    throw std::runtime_error(
+        fmt::format("the disk is full, no more runs are started: {}; {}", e.what(), kGoOn));
+  } catch (const std::exception& e) {
+    throw std::runtime_error(fmt::format("{}; {}", e.what(), kGoOn));
+  }
+  CampaignReader reader(folder.path());
+  const CampaignStatus status = status_of(reader, replications);
+  fmt::print(stderr, "{}", status.bad_ends);
+  print_counts(status, folder, kept, begin);
+  return outcome(status);
+}
+
+int run_campaign(const CampaignOptions& options) {
+  if (options.status) return print_status(folder_of(options));
+  if (options.cancel) return cancel_campaign(folder_of(options));
+  const JudgedCampaign campaign = judge_campaign(options.file, options.overrides);
+  for (const std::string& warning : campaign.warnings) fmt::print(stderr, "{}\n", warning);
+  const EngineMaker engine = engine_for(options, campaign.file);
+  catch_interrupts();
+  const fs::path out =
+      options.out.empty() ? fs::path("results") / campaign.file.name : fs::path(options.out);
+  const CampaignFolder folder(
+      out, {.layout = CampaignFolder::Layout::kCampaign, .overwrite = options.overwrite});
+  make_folder(folder.path() / "runs");
+  CampaignWork work{.wanted = wanted_by(campaign, options), .loop = {}};
+  work.loop.keep = campaign.file.keep;
+  work.loop.retry_failed = options.retry_failed;
+  work.loop.run_arguments = run_arguments(campaign.file);
+  return do_campaign(folder, engine, std::move(work));
+}
+
+}  // namespace gateway

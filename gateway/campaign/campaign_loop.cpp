@@ -1,0 +1,162 @@
+#include "gateway/campaign/campaign_loop.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+#include <utility>
+
+#include "gateway/run/wall_pace.h"
+
+namespace gateway {
+namespace {
+
+using namespace std::chrono_literals;
+using sim::campaign::CampaignReader;
+using sim::campaign::Keep;
+using sim::campaign::RunRow;
+using sim::campaign::RunState;
+
+}  // namespace
+
+CampaignLoop::CampaignLoop(Parts parts, Settings settings)
+    : parts_(parts), settings_(std::move(settings)), progress_(settings_.progress) {
+  resume();
+}
+
+CampaignTask CampaignLoop::task_of(const RunPlan& run) const {
+  const CampaignFolder& folder = parts_.folder;
+  const std::filesystem::path result = std::filesystem::absolute(folder.result_of(run));
+  CampaignTask task{
+      .run = run.run,
+      .name = folder.name_of(run),
+      .arguments = {"run", std::filesystem::absolute(folder.scenario_of(run.point)).string(),
+                    "--seed", std::to_string(run.seed), "--out", result.string(), "--overwrite"},
+      .folder = result,
+      .log = std::filesystem::absolute(folder.log_of(run))};
+  task.arguments.insert(task.arguments.end(), settings_.run_arguments.begin(),
+                        settings_.run_arguments.end());
+  return task;
+}
+
+bool CampaignLoop::is_to_do(const RunRow& row) const {
+  if (row.plan.replication > settings_.replications) return false;
+  if (row.state == RunState::kFailed) return settings_.retry_failed;
+  if (row.state != RunState::kDone) return true;
+  return settings_.results_are_folders && !collect_finished(parts_.folder, row.plan);
+}
+
+/// Finds out what there is to do.
+void CampaignLoop::resume() {
+  std::vector<RunRow> started;
+  std::vector<std::int64_t> again;
+  for (RunRow& row : CampaignReader(parts_.folder.path()).runs()) {
+    const bool has_ended = row.state == RunState::kDone || row.state == RunState::kFailed;
+    if (!is_to_do(row)) {
+      if (row.plan.replication > settings_.replications) continue;
+      progress_.on_earlier(row);
+      ++kept_;
+      // One that was killed between the transaction and this.
+      if (row.folder.empty()) parts_.folder.remove(row.plan);
+    } else if (auto collected = has_ended && row.state == RunState::kFailed
+                                    ? std::nullopt
+                                    : collect_finished(parts_.folder, row.plan)) {
+      commit(*collected);
+      progress_.on_earlier(collected->row);
+      ++kept_;
+    } else {
+      waiting_.push_back(row.plan);
+      if (has_ended) again.push_back(row.plan.run);
+      if (row.state == RunState::kRunning) started.push_back(std::move(row));
+    }
+  }
+  if (!again.empty()) parts_.database.reset(again);
+  adopt(started);
+  progress_.set_waiting({waiting_.begin(), waiting_.end()});
+}
+
+void CampaignLoop::adopt(const std::vector<RunRow>& started) {
+  std::vector<CampaignTask> tasks;
+  std::vector<std::int64_t> lost;
+  for (const RunRow& row : started) tasks.push_back(task_of(row.plan));
+  const std::vector<std::int64_t> adopted = parts_.engine.adopt(tasks);
+  for (const RunRow& row : started) {
+    if (std::ranges::find(adopted, row.plan.run) == adopted.end()) {
+      lost.push_back(row.plan.run);
+    } else {
+      running_[row.plan.run] = row.plan;
+    }
+  }
+  std::erase_if(waiting_, [&](const RunPlan& run) { return running_.contains(run.run); });
+  if (!lost.empty()) parts_.database.reset(lost);
+}
+
+void CampaignLoop::run() {
+  try {
+    while (!(waiting_.empty() && running_.empty()) && !interrupted()) {
+      start_some();
+      progress_.show(CampaignProgress::Clock::now());
+      for (const TaskEnd& end : parts_.engine.poll(250ms)) finish(end);
+    }
+  } catch (...) {
+    progress_.end();
+    parts_.engine.stop();
+    throw;
+  }
+  progress_.end();
+  if (running_.empty()) return;
+  parts_.engine.stop();
+  if (!parts_.engine.outlives_stop()) collect_what_is_whole();
+}
+
+void CampaignLoop::start_some() {
+  const std::size_t count = std::min(parts_.engine.room(), waiting_.size());
+  if (count == 0) return;
+  std::vector<CampaignTask> tasks;
+  std::vector<std::int64_t> runs;
+  for (std::size_t i = 0; i < count; ++i) {
+    tasks.push_back(task_of(waiting_[i]));
+    runs.push_back(waiting_[i].run);
+  }
+  parts_.database.start(runs, utc_now());
+  parts_.engine.start(tasks);
+  for (std::size_t i = 0; i < count; ++i) {
+    const RunPlan run = waiting_.front();
+    waiting_.pop_front();
+    running_[run.run] = run;
+    progress_.on_start(run, CampaignProgress::Clock::now());
+  }
+}
+
+void CampaignLoop::finish(const TaskEnd& end) {
+  const RunPlan run = running_.at(end.run);
+  CollectedRun collected = collect(parts_.folder, run, end);
+  if (collected.row.state == RunState::kFailed) require_room(parts_.folder, collected.row.error);
+  commit(collected);
+  running_.erase(run.run);
+  progress_.on_end(collected.row, parts_.folder.name_of(run), CampaignProgress::Clock::now());
+}
+
+/// Into the database; then its folder may go.
+void CampaignLoop::commit(CollectedRun& collected) {
+  const bool failed = collected.row.state == RunState::kFailed;
+  const bool keeps = settings_.keep == Keep::kAll || (settings_.keep == Keep::kFailed && failed);
+  const RunPlan& run = collected.row.plan;
+  if (keeps) {
+    collected.row.folder =
+        parts_.folder.result_of(run).lexically_relative(parts_.folder.path()).string();
+  }
+  parts_.database.finish(collected.row, collected.measured);
+  if (!keeps) parts_.folder.remove(run);
+}
+
+/// Some may have ended in the moment they were stopped.
+void CampaignLoop::collect_what_is_whole() {
+  for (const auto& [number, run] : running_) {
+    auto collected = collect_finished(parts_.folder, run);
+    if (collected) commit(*collected);
+  }
+}
+
+}  // namespace gateway

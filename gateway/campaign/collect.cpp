@@ -1,0 +1,174 @@
+#include "gateway/campaign/collect.h"
+
+#include <fcntl.h>
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <ctime>
+#include <fstream>
+#include <string_view>
+#include <utility>
+
+#include "gateway/exit_status.h"
+#include "gateway/run/folder_lock.h"
+#include "sim/record/run_reader.h"
+#include "sim/record/scalars.h"
+
+namespace gateway {
+namespace {
+
+namespace fs = std::filesystem;
+
+using sim::campaign::Measured;
+using sim::campaign::RunRow;
+using sim::campaign::RunState;
+using sim::record::RunReader;
+
+/// How much room a run wants before it begins (results.cpp's reserve), and its tables.
+constexpr off_t kLeastRoom = off_t{2} << 20;
+
+/// Units of the database: "" for none.
+std::string unit_of(const std::string& unit) { return unit == "1" ? "" : unit; }
+
+Measured measured_by(RunReader& reader) {
+  Measured all;
+  for (const sim::record::Scalar& one : sim::record::scalars_of(reader)) {
+    all.measurements.push_back({{one.name, unit_of(one.unit), one.agent}, one.value});
+  }
+  for (sim::record::Series& one : sim::record::series_of(reader)) {
+    all.series.push_back({{one.name, unit_of(one.unit), one.agent}, std::move(one.points)});
+  }
+  for (const sim::record::Bins& one : sim::record::bins_of(reader)) {
+    auto& histogram = all.histograms.emplace_back();
+    histogram.observable = {one.name, unit_of(one.unit), one.agent};
+    for (const auto& bin : one.bins) {
+      histogram.bins.push_back({bin.lower, bin.upper, static_cast<std::int64_t>(bin.count)});
+    }
+  }
+  return all;
+}
+
+std::optional<double> number_of(RunReader& reader, std::string_view key) {
+  const std::string text = reader.value(key);
+  return text.empty() ? std::nullopt : std::optional(std::stod(text));
+}
+
+CollectedRun read_finished(RunReader& reader, const sim::campaign::RunPlan& run, int status) {
+  CollectedRun collected;
+  RunRow& row = collected.row;
+  row.plan = run;
+  row.state = RunState::kDone;
+  row.result = reader.value("result");
+  if (row.result != "until") row.expectations_met = status == kDone;
+  row.fingerprint = reader.value("fingerprint");
+  row.simulated_s = number_of(reader, "simulated_s");
+  row.wall_s = number_of(reader, "wall_s");
+  row.ended = utc_now();
+  collected.measured = measured_by(reader);
+  return collected;
+}
+
+/// Why a run failed, by its own account; "": it left none.
+std::string own_error(const fs::path& folder) {
+  for (const fs::path& place : {folder, fs::path(folder.string() + ".not-started")}) {
+    try {
+      if (!fs::exists(place / sim::record::kResultsFile)) continue;
+      RunReader reader(place);
+      if (std::string error = reader.value("error"); !error.empty()) return error;
+    } catch (const std::exception&) {
+      continue;  // cut short before its tables were complete
+    }
+  }
+  return "";
+}
+
+/// The error that it printed, or the last line of its log.
+std::string last_words_of(const fs::path& log) {
+  constexpr std::string_view kError = "error: ";
+  std::ifstream file(log);
+  std::string last;
+  for (std::string line; std::getline(file, line);) {
+    if (line.starts_with(kError)) return line.substr(kError.size());
+    if (!line.empty()) last = line;
+  }
+  return last;
+}
+
+/// Whether the file system takes so much more; 0: it does, else errno.
+int try_to_write(const fs::path& file, off_t bytes) {
+  const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644);
+  if (descriptor < 0) return errno;
+  const int error = ::posix_fallocate(descriptor, 0, bytes);
+  ::close(descriptor);
+  ::unlink(file.c_str());
+  return error;
+}
+
+bool means_full(int error) { return error == ENOSPC || error == EDQUOT || error == EFBIG; }
+
+}  // namespace
+
+std::string utc_now() {
+  const std::time_t now = std::time(nullptr);
+  std::tm utc{};
+  ::gmtime_r(&now, &utc);
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", utc);
+}
+
+std::optional<CollectedRun> collect_finished(const CampaignFolder& folder,
+                                             const sim::campaign::RunPlan& run) {
+  const fs::path result = folder.result_of(run);
+  // What is being written, maybe on another computer, cannot be read.
+  if (is_held(result) || !fs::exists(result / sim::record::kResultsFile)) return std::nullopt;
+  try {
+    RunReader reader(result);
+    const std::string status = reader.value("exit_status");
+    if (status.empty() || reader.value("seed") != std::to_string(run.seed)) return std::nullopt;
+    const int number = std::stoi(status);
+    if (number != kDone && number != kExpectationNotMet) return std::nullopt;
+    return read_finished(reader, run, number);
+  } catch (const std::exception&) {
+    return std::nullopt;  // cut short before its tables were complete
+  }
+}
+
+CollectedRun collect(const CampaignFolder& folder, const sim::campaign::RunPlan& run,
+                     const TaskEnd& end) {
+  CollectedRun collected;
+  if (auto finished = collect_finished(folder, run)) {
+    collected = std::move(*finished);
+  } else {
+    RunRow& row = collected.row;
+    row.plan = run;
+    row.state = RunState::kFailed;
+    row.result = "failed";
+    row.error = own_error(folder.result_of(run));
+    const std::string words = last_words_of(folder.log_of(run));
+    if (row.error.empty()) row.error = end.cause + (words.empty() ? "" : ": " + words);
+    row.ended = utc_now();
+  }
+  collected.row.host = end.host;
+  if (end.wall_s) collected.row.wall_s = end.wall_s;
+  collected.row.user_s = end.user_s;
+  return collected;
+}
+
+void require_room(const CampaignFolder& folder, const std::string& error) {
+  // The words of the C library and of SQLite (sqlite3_errstr(SQLITE_FULL)).
+  for (const std::string& words :
+       {std::string(std::strerror(ENOSPC)), std::string(std::strerror(EDQUOT)),
+        std::string(std::strerror(EFBIG)), std::string("database or disk is full")}) {
+    if (error.find(words) != std::string::npos) {
+      throw DiskFull(fmt::format("{}: {}", folder.path().string(), error));
+    }
+  }
+  const int refused = try_to_write(folder.path() / ".room", kLeastRoom);
+  if (!means_full(refused)) return;
+  throw DiskFull(fmt::format("{}: {}", folder.path().string(), std::strerror(refused)));
+}
+
+}  // namespace gateway

@@ -1,0 +1,152 @@
+#include "gateway/campaign/judge_points.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "gateway/run/judge_controllers.h"
+#include "hal/config/document.h"
+#include "hal/config/errors.h"
+#include "hal/config/shared_folders.h"
+#include "sim/campaign/latin_hypercube.h"
+#include "sim/scenario/resolved.h"
+#include "sim/scenario/scenario.h"
+
+namespace gateway {
+namespace {
+
+namespace fs = std::filesystem;
+
+using hal::config::ConfigErrors;
+using sim::campaign::CampaignFile;
+using sim::campaign::DesignPoint;
+using sim::campaign::FactorValue;
+using sim::campaign::PointRow;
+using sim::scenario::Scenario;
+
+/// Beside the campaign file, or where scenarios are looked for.
+fs::path scenario_file(const CampaignFile& campaign, const fs::path& file) {
+  const fs::path beside = file.parent_path() / campaign.scenario;
+  if (fs::exists(beside)) return beside.lexically_normal();
+  try {
+    return hal::config::named_file(campaign.scenario, {"scenarios"});
+  } catch (const ConfigErrors& e) {
+    throw ConfigErrors({fmt::format("{}: scenario: {}", campaign.scenario_place, e.what())});
+  }
+}
+
+std::uint64_t seed_in(const fs::path& scenario) {
+  auto document = hal::config::Document::load(scenario);
+  return static_cast<std::uint64_t>(document.root().integer(
+      {"seed", "As of a scenario.", "1"}, 0, std::numeric_limits<std::int64_t>::max(), 1));
+}
+
+/// Mistakes of the points, so that each is told once, where its cause stands.
+class PointMistakes {
+ public:
+  explicit PointMistakes(std::size_t points) : points_(points) {}
+
+  void add(const DesignPoint& point, const PointRow& row, const std::vector<std::string>& lines) {
+    const std::string which =
+        row.label.empty() ? "" : fmt::format("point {}: {}", row.point, row.label);
+    for (const std::string& line : lines) {
+      if (const auto own = of_a_value(point, line)) {
+        note(*own, which);
+      } else {
+        const std::string& place = point.empty() ? std::string() : point.front().place;
+        others_[line].push_back({place, which});
+      }
+    }
+  }
+
+  std::vector<std::string> lines() const {
+    std::vector<std::string> all;
+    for (const auto& [line, where] : others_) {
+      // Of the scenario itself if no point is without it.
+      if (where.size() == points_) {
+        all.push_back(line);
+      } else {
+        all.push_back(fmt::format("{}: {} ({})", where.front().place, line, where.front().which));
+      }
+    }
+    for (const auto& [line, which] : of_values_) all.push_back(fmt::format("{} ({})", line, which));
+    return all;
+  }
+
+ private:
+  struct Where {
+    std::string place, which;
+  };
+
+  void note(const std::string& line, const std::string& which) {
+    if (seen_.insert(line).second) of_values_.emplace_back(line, which);
+  }
+
+  /// A mistake "--set KEY: …" with the place of that value; none: it is of another kind.
+  static std::optional<std::string> of_a_value(const DesignPoint& point, const std::string& line) {
+    for (const FactorValue& value : point) {
+      const std::string start = "--set " + value.key + ": ";
+      if (!line.starts_with(start)) continue;
+      const std::string what = line.substr(start.size());
+      const std::string last = value.key.substr(value.key.rfind('.') + 1);
+      // Of something inside the value, or of a parameter, it says the key itself.
+      const bool says_key = what.starts_with(value.key + ".") || what.starts_with(last + ": ");
+      return fmt::format("{}: {}{}", value.place, says_key ? "" : value.key + ": ", what);
+    }
+    return std::nullopt;
+  }
+
+  std::size_t points_;
+  std::map<std::string, std::vector<Where>> others_;
+  std::set<std::string> seen_;
+  std::vector<std::pair<std::string, std::string>> of_values_;
+};
+
+/// @throws ConfigErrors
+Scenario judged(const fs::path& file, const std::vector<std::string>& overrides,
+                std::set<std::string>& warnings) {
+  Scenario scenario = sim::scenario::load_scenario(file, overrides);
+  ControllerJudgement judgement = judge_controllers(scenario);
+  if (!judgement.mistakes.empty()) throw ConfigErrors(std::move(judgement.mistakes));
+  warnings.insert(scenario.warnings.begin(), scenario.warnings.end());
+  warnings.insert(judgement.not_checked.begin(), judgement.not_checked.end());
+  return scenario;
+}
+
+std::vector<std::string> overrides_of(const DesignPoint& point, std::uint64_t seed) {
+  std::vector<std::string> overrides{fmt::format("seed={}", seed)};
+  for (const FactorValue& value : point) overrides.push_back(value.key + "=" + value.yaml);
+  return overrides;
+}
+
+}  // namespace
+
+JudgedCampaign judge_campaign(const std::string& path, const std::vector<std::string>& overrides) {
+  const fs::path file = hal::config::named_file(path, {"campaigns"});
+  JudgedCampaign campaign;
+  campaign.file = sim::campaign::load_campaign(file, overrides);
+  const fs::path scenario = scenario_file(campaign.file, file);
+  campaign.seed = campaign.file.seed ? *campaign.file.seed : seed_in(scenario);
+  const std::vector<DesignPoint> points = sim::campaign::points_of(campaign.file, campaign.seed);
+  campaign.table = sim::campaign::factor_table(campaign.file.keys, points);
+  PointMistakes mistakes(points.size());
+  std::set<std::string> warnings;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    PointRow& row = campaign.table.points[i];
+    try {
+      row.scenario = sim::scenario::resolved_yaml(
+          judged(scenario, overrides_of(points[i], campaign.seed), warnings));
+    } catch (const ConfigErrors& errors) {
+      mistakes.add(points[i], row, errors.messages());
+    }
+  }
+  std::vector<std::string> lines = mistakes.lines();
+  if (!lines.empty()) throw ConfigErrors(std::move(lines));
+  campaign.warnings.assign(warnings.begin(), warnings.end());
+  return campaign;
+}
+
+}  // namespace gateway

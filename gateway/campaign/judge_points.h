@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "sim/campaign/campaign_file.h"
+#include "sim/campaign/factors.h"
+
+namespace gateway {
+
+/// A campaign file all of whose points have been judged.
+struct JudgedCampaign {
+  sim::campaign::CampaignFile file;
+  std::uint64_t seed = 0;             ///< Of replication 1.
+  sim::campaign::FactorTable table;   ///< Its points have their scenarios, resolved.
+  std::vector<std::string> warnings;  ///< Of the points' scenarios, each once.
+};
+
+/// Reads a campaign file and the scenario of each of its points.
+/// @param overrides  of the campaign file, "key=value".
+/// @throws hal::config::ConfigErrors  with every mistake of all points: one of a value that is
+/// varied
+///   stands at that value in the campaign file, with the point that shows it; one of the scenario
+///   that no point is without, once.
+JudgedCampaign judge_campaign(const std::string& path, const std::vector<std::string>& overrides);
+
+}  // namespace gateway

@@ -1,0 +1,100 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "gateway/campaign/campaign_command.h"
+#include "gateway/campaign/local_engine.h"
+#include "gateway/run/domain_range.h"
+#include "gateway/run/judge_controllers.h"
+#include "gateway/run/wall_pace.h"
+#include "hal/config/errors.h"
+#include "sim/scenario/resolved.h"
+
+namespace gateway {
+namespace {
+
+void check_options(const RunOptions& options, std::uint64_t seed) {
+  std::vector<std::string> mistakes;
+  const auto last = static_cast<std::uint64_t>(*options.replications) - 1;
+  if (seed > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max()) - last) {
+    mistakes.push_back(
+        fmt::format("--replications: from seed {}, there are no {} seeds", seed, last + 1));
+  }
+  if (options.jobs > 1 && options.controllers == ControllersFrom::kExternal) {
+    mistakes.push_back(
+        "--jobs: runs side by side need controllers of their own, so no --controllers external");
+  }
+  if (!mistakes.empty()) throw hal::config::ConfigErrors(std::move(mistakes));
+}
+
+constexpr const char* kFrom[] = {"spawn", "external", "in-process"};
+
+/// What `baraka` is started with for each replication, behind scenario, seed and folder.
+std::vector<std::string> arguments_of(const RunOptions& options) {
+  std::vector<std::string> arguments{"--controllers", kFrom[static_cast<int>(options.controllers)]};
+  const auto add = [&](const char* option, const std::string& value) {
+    arguments.insert(arguments.end(), {option, value});
+  };
+  if (options.until) add("--until", fmt::format("{}", *options.until));
+  if (std::isfinite(options.max_speed)) add("--max-speed", fmt::format("{}", options.max_speed));
+  add("--log", options.log);
+  if (options.inspect_domain) add("--inspect-domain", std::to_string(*options.inspect_domain));
+  if (!options.inspect) arguments.emplace_back("--no-inspect");
+  return arguments;
+}
+
+std::string until_of(const RunOptions& options) {
+  return options.until ? fmt::format("{} s", *options.until) : "its end";
+}
+
+sim::campaign::WantedRuns wanted_of(const RunOptions& options,
+                                    const sim::scenario::Scenario& scenario) {
+  const std::uint64_t seed = scenario.simulation.seed;
+  sim::campaign::PointRow point;
+  point.scenario = sim::scenario::resolved_yaml(scenario);
+  return {.values = {{"name", scenario.name},
+                     {"version", BARAKA_VERSION},
+                     {"scenario", options.scenario},
+                     {"design", std::string(name_of(sim::campaign::Design::kOnePoint))},
+                     {"base_seed", std::to_string(seed)},
+                     {"replications", std::to_string(*options.replications)},
+                     {"seeds", std::string(name_of(sim::campaign::Seeds::kCommon))},
+                     {"until", until_of(options)},
+                     {"controllers", kFrom[static_cast<int>(options.controllers)]}},
+          .factors = {},
+          .points = {std::move(point)},
+          .replications = *options.replications,
+          .seeds = sim::campaign::Seeds::kCommon,
+          .base_seed = seed,
+          .may_be_fewer = true};
+}
+
+}  // namespace
+
+int run_replications(const RunOptions& options) {
+  const sim::scenario::Scenario scenario = load_judged(options.scenario, options.overrides);
+  check_options(options, scenario.simulation.seed);
+  const LocalEngine::Settings settings{.jobs = options.jobs,
+                                       .domains = domains_for(options.domain, options.jobs)};
+  catch_interrupts();
+  const CampaignFolder folder(
+      results_path(options, scenario.name),
+      {.layout = CampaignFolder::Layout::kReplications, .overwrite = options.overwrite});
+  CampaignWork work{.wanted = wanted_of(options, scenario), .loop = {}};
+  folder.claim(1, fmt::format("# version: {}\n# until: {}\n{}", BARAKA_VERSION, until_of(options),
+                              work.wanted.points.front().scenario));
+  work.loop.keep = sim::campaign::Keep::kAll;
+  work.loop.retry_failed = true;
+  work.loop.results_are_folders = true;
+  work.loop.run_arguments = arguments_of(options);
+  work.loop.progress.every_run = true;
+  const auto engine = [&settings](sim::campaign::CampaignDatabase& /*database*/) {
+    return std::make_unique<LocalEngine>(settings);
+  };
+  return do_campaign(folder, engine, std::move(work));
+}
+
+}  // namespace gateway

@@ -1,0 +1,15 @@
+#include "gateway/campaign/run_name.h"
+
+#include <fmt/format.h>
+
+namespace gateway {
+
+std::string campaign_run_name(const sim::campaign::RunPlan& run) {
+  return fmt::format("p{:03}-r{:02}", run.point, run.replication);
+}
+
+std::string replication_name(const sim::campaign::RunPlan& run) {
+  return fmt::format("replication-{:02}", run.replication);
+}
+
+}  // namespace gateway
