@@ -173,26 +173,28 @@ class EndedEarly(Campaigns):
     content = {**SPEEDS, "replications": 4}
 
     def test_kills_at_random_instants_lose_and_repeat_nothing(self):
-        self.campaign(self.content, out=self.folder / "undisturbed")
+        content = {**self.content, "replications": max(4, KILLS)}
+        self.campaign(content, out=self.folder / "undisturbed")
         expected = self.ask(ENDED, self.folder / "undisturbed")
         random.seed(int(os.environ.get("BARAKA_SEED", "12")))
+        before = {}  # what was done before a kill is not touched after it
         for _ in range(KILLS):
             # While it plans, and while it runs.
-            program = self.begin(self.content)
+            program = self.begin(content)
             time.sleep(random.uniform(0, 0.8))
             send(program.process.pid, "SIGKILL")
             program.finish()
-        before = {row[0]: row[1] for row in self.ask("SELECT run, attempts FROM runs WHERE state = 'done'")} \
-            if (self.out / "campaign.sqlite").exists() and self.done() else {}
-        finished = self.campaign(self.content)
+            if self.done():
+                before.update(self.ask("SELECT run, ended || attempts FROM runs WHERE state = 'done'"))
+        finished = self.campaign(content)
         self.assertGreaterEqual(int(finished["kept"]), len(before))
         self.assertEqual(self.ask(ENDED), expected)
-        after = dict(self.ask("SELECT run, attempts FROM runs"))
+        after = dict(self.ask("SELECT run, ended || attempts FROM runs"))
         self.assertEqual({run: after[run] for run in before}, before, "done again")
         self.assertEqual(self.ask("PRAGMA integrity_check"), [("ok",)])
-        self.assertEqual(self.ask("SELECT run, observable, value FROM measurements ORDER BY 1, 2"),
-                         self.ask("SELECT run, observable, value FROM measurements ORDER BY 1, 2",
-                                  self.folder / "undisturbed"))
+        measured = ("SELECT run, name, agent, value FROM measurements JOIN observables USING (observable) "
+                    "ORDER BY 1, 2, 3")
+        self.assertEqual(self.ask(measured), self.ask(measured, self.folder / "undisturbed"))
         self.assertEqual(list((self.out / "runs").iterdir()), [])
 
     def test_ctrl_c_ends_it_and_the_same_command_goes_on(self):
