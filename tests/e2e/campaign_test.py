@@ -101,6 +101,18 @@ class WhatIsRun(Campaigns):
         self.assertEqual(single.status, 2)
         self.assertIn("campaign.sqlite", single.err)
 
+    def test_a_campaign_and_replications_do_not_share_a_folder(self):
+        self.campaign({**SPEEDS, "replications": 1})
+        few = ["--replications", 1, "--until", 1, "--controllers", "in-process"]
+        refused = self.start(CASE_STUDY, *few, out=self.out).finish()
+        self.assertEqual(refused.status, 2)
+        self.assertIn("holds a campaign", refused.err)
+        self.assertFalse((self.out / "replications.yaml").exists())
+        self.run_baraka(CASE_STUDY, *few)
+        self.assertEqual(self.ask("SELECT state, folder FROM runs"), [("done", "replication-01")])
+        refused = self.campaign({"scenario": str(CASE_STUDY), "until": "1 s"}, status=2)
+        self.assertIn("holds replications", refused.err)
+
     def test_a_hypercube_has_its_points_from_the_seed(self):
         content = {**SPEEDS, "replications": 1, "until": "1 s", "vary": None,
                    "sample": {"latin_hypercube": 4, "ranges": {SPEED: {"from": "0.1 m/s", "to": "0.9 m/s"}}}}
