@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "gateway/campaign/run_name.h"
+#include "gateway/exit_status.h"
 #include "gateway/run/folder_lock.h"
 #include "gateway/run/result_marker.h"
 #include "gateway/run/results_folder.h"
@@ -21,6 +22,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kUnfinished = ".new";
+constexpr const char* kNotBegun = ".not-started";  // as in results_folder.h
 
 std::string content_of(const fs::path& file) {
   std::ifstream in(file);
@@ -44,8 +46,14 @@ CampaignFolder::CampaignFolder(const fs::path& path, const Settings& settings)
   if (path_.has_parent_path()) make_folder(path_.parent_path());
   lock_.emplace(path_);
   finish_set_aside(path_);
-  if (sim::campaign::CampaignReader::is_campaign(path_)) return;
-  if (fs::exists(path_ / kReplicationsFile)) return;
+  const bool has_replications = fs::exists(path_ / kReplicationsFile);
+  if (has_replications || sim::campaign::CampaignReader::has_database(path_)) {
+    if (has_replications == (layout_ == Layout::kReplications)) return;
+    throw UsageError(fmt::format("{}: holds {}; give another --out, or remove the folder",
+                                 path_.string(),
+                                 has_replications ? "replications of one scenario (baraka run)"
+                                                  : "a campaign (baraka campaign)"));
+  }
   remove_half(path_ / (std::string(kReplicationsFile) + kUnfinished));
   require_result_or_nothing(path_);
   const auto replaced = set_aside(path_, settings.overwrite);
@@ -74,6 +82,11 @@ fs::path CampaignFolder::log_of(const sim::campaign::RunPlan& run) const {
   return result_of(run).string() + ".log";
 }
 
+fs::path CampaignFolder::left_by(const sim::campaign::RunPlan& run) const {
+  const fs::path result = result_of(run), not_begun = result.string() + kNotBegun;
+  return !fs::exists(result) && fs::exists(not_begun) ? not_begun : result;
+}
+
 void CampaignFolder::claim(int point, const std::string& scenario) const {
   const fs::path file = scenario_of(point);
   if (fs::exists(file)) {
@@ -95,7 +108,7 @@ void CampaignFolder::claim(int point, const std::string& scenario) const {
 
 void CampaignFolder::remove(const sim::campaign::RunPlan& run) const {
   const fs::path result = result_of(run);
-  for (const fs::path& folder : {result, fs::path(result.string() + ".not-started")}) {
+  for (const fs::path& folder : {result, fs::path(result.string() + kNotBegun)}) {
     if (fs::exists(folder)) remove_result(folder);
   }
   fs::remove(log_of(run));

@@ -38,6 +38,10 @@ class CampaignFolder {
   std::filesystem::path result_of(const sim::campaign::RunPlan& run) const;
   std::filesystem::path log_of(const sim::campaign::RunPlan& run) const;
 
+  /// Where a run that has ended left what there is of it: its result, or the folder of one that
+  /// never began.
+  std::filesystem::path left_by(const sim::campaign::RunPlan& run) const;
+
   /// Writes the scenario of a point, unless it is there.
   /// @throws hal::config::ConfigErrors  another one is there. @throws std::runtime_error
   void claim(int point, const std::string& scenario) const;

@@ -41,10 +41,34 @@ CampaignTask CampaignLoop::task_of(const RunPlan& run) const {
 }
 
 bool CampaignLoop::is_to_do(const RunRow& row) const {
-  if (row.plan.replication > settings_.replications) return false;
   if (row.state == RunState::kFailed) return settings_.retry_failed;
   if (row.state != RunState::kDone) return true;
   return settings_.results_are_folders && !collect_finished(parts_.folder, row.plan);
+}
+
+/// Whether its process has ended well and was not yet in the database when that of the campaign
+/// died.
+bool CampaignLoop::collect_whole(const RunRow& row) {
+  if (row.state == RunState::kFailed) return false;  // it is to be done again
+  auto collected = collect_finished(parts_.folder, row.plan);
+  if (!collected) return false;
+  commit(*collected);
+  keep(collected->row);
+  return true;
+}
+
+/// Whether there is nothing to do; what an earlier process left undone of that is done.
+bool CampaignLoop::is_settled(const RunRow& row) {
+  if (is_to_do(row)) return collect_whole(row);
+  keep(row);
+  // One that was killed between the transaction and this.
+  if (row.folder.empty()) parts_.folder.remove(row.plan);
+  return true;
+}
+
+void CampaignLoop::keep(const RunRow& row) {
+  progress_.on_earlier(row);
+  ++kept_;
 }
 
 /// Finds out what there is to do.
@@ -52,24 +76,13 @@ void CampaignLoop::resume() {
   std::vector<RunRow> started;
   std::vector<std::int64_t> again;
   for (RunRow& row : CampaignReader(parts_.folder.path()).runs()) {
-    const bool has_ended = row.state == RunState::kDone || row.state == RunState::kFailed;
-    if (!is_to_do(row)) {
-      if (row.plan.replication > settings_.replications) continue;
-      progress_.on_earlier(row);
-      ++kept_;
-      // One that was killed between the transaction and this.
-      if (row.folder.empty()) parts_.folder.remove(row.plan);
-    } else if (auto collected = has_ended && row.state == RunState::kFailed
-                                    ? std::nullopt
-                                    : collect_finished(parts_.folder, row.plan)) {
-      commit(*collected);
-      progress_.on_earlier(collected->row);
-      ++kept_;
-    } else {
-      waiting_.push_back(row.plan);
-      if (has_ended) again.push_back(row.plan.run);
-      if (row.state == RunState::kRunning) started.push_back(std::move(row));
+    if (row.plan.replication > settings_.replications) continue;
+    if (is_settled(row)) continue;
+    waiting_.push_back(row.plan);
+    if (row.state == RunState::kDone || row.state == RunState::kFailed) {
+      again.push_back(row.plan.run);
     }
+    if (row.state == RunState::kRunning) started.push_back(std::move(row));
   }
   if (!again.empty()) parts_.database.reset(again);
   adopt(started);
@@ -79,6 +92,7 @@ void CampaignLoop::resume() {
 void CampaignLoop::adopt(const std::vector<RunRow>& started) {
   std::vector<CampaignTask> tasks;
   std::vector<std::int64_t> lost;
+  tasks.reserve(started.size());
   for (const RunRow& row : started) tasks.push_back(task_of(row.plan));
   const std::vector<std::int64_t> adopted = parts_.engine.adopt(tasks);
   for (const RunRow& row : started) {
@@ -145,7 +159,7 @@ void CampaignLoop::commit(CollectedRun& collected) {
   const RunPlan& run = collected.row.plan;
   if (keeps) {
     collected.row.folder =
-        parts_.folder.result_of(run).lexically_relative(parts_.folder.path()).string();
+        parts_.folder.left_by(run).lexically_relative(parts_.folder.path()).string();
   }
   parts_.database.finish(collected.row, collected.measured);
   if (!keeps) parts_.folder.remove(run);

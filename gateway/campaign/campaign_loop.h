@@ -52,6 +52,9 @@ class CampaignLoop {
   bool is_to_do(const sim::campaign::RunRow& row) const;
   CampaignTask task_of(const RunPlan& run) const;
   void resume();
+  bool is_settled(const sim::campaign::RunRow& row);
+  bool collect_whole(const sim::campaign::RunRow& row);
+  void keep(const sim::campaign::RunRow& row);
   void adopt(const std::vector<sim::campaign::RunRow>& started);
   void start_some();
   void finish(const TaskEnd& end);

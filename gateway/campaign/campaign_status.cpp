@@ -131,7 +131,7 @@ CampaignStatus status_of(CampaignReader& reader, int replications) {
 }
 
 int print_status(const std::filesystem::path& folder) {
-  if (!CampaignReader::is_campaign(folder)) {
+  if (!CampaignReader::has_database(folder)) {
     throw UsageError(fmt::format("{}: no campaign has begun there; give --out if it is elsewhere",
                                  folder.string()));
   }

@@ -85,7 +85,7 @@ int export_campaign(const ExportOptions& options) {
 }  // namespace
 
 int export_results(const ExportOptions& options) {
-  if (!options.folder.empty() && sim::campaign::CampaignReader::is_campaign(options.folder)) {
+  if (!options.folder.empty() && sim::campaign::CampaignReader::has_database(options.folder)) {
     return export_campaign(options);
   }
   if (!options.describe && options.folder.empty()) {

@@ -65,8 +65,12 @@ CampaignReader::CampaignReader(const std::filesystem::path& folder)
                   folder_.string(), kCampaignDatabase, version.integer(0), kSchemaVersion));
 }
 
-bool CampaignReader::is_campaign(const std::filesystem::path& folder) {
+bool CampaignReader::has_database(const std::filesystem::path& folder) {
   return std::filesystem::exists(folder / kCampaignDatabase);
+}
+
+bool CampaignReader::is_campaign(const std::filesystem::path& folder) {
+  return has_database(folder) && !std::filesystem::exists(folder / kReplicationsFile);
 }
 
 std::string CampaignReader::value(std::string_view key) {

@@ -25,6 +25,10 @@ class CampaignReader {
   explicit CampaignReader(const std::filesystem::path& folder);
 
   /// Whether the folder has such a file.
+  static bool has_database(const std::filesystem::path& folder);
+
+  /// Whether it is the folder of a campaign: it has such a file, and not only beside the results of
+  /// `baraka run --replications`, which say more.
   static bool is_campaign(const std::filesystem::path& folder);
 
   const std::filesystem::path& folder() const { return folder_; }

@@ -42,8 +42,17 @@ std::string identity_of(const DesignPoint& point) {
   std::map<std::string, std::string> values;
   for (const FactorValue& value : point) values[value.key] = value.yaml;
   std::string identity;
-  for (const auto& [key, yaml] : values) identity += key + "=" + yaml + "\n";
+  for (const auto& [key, yaml] : values) identity.append(key).append("=").append(yaml).append("\n");
   return identity;
+}
+
+void refuse_repeated(Mapping& in, const WrittenEntry& list) {
+  std::set<std::string> seen;
+  for (const WrittenValue& item : list.items) {
+    if (!seen.insert(item.yaml).second) {
+      in.mistake(list.key, fmt::format("has {} twice", item.text));
+    }
+  }
 }
 
 /// A list of values under each key, none of them twice.
@@ -58,12 +67,7 @@ std::vector<WrittenEntry> read_lists(Mapping& in) {
                                         entry.is_list ? "an empty one" : entry.value.text));
       continue;
     }
-    std::set<std::string> seen;
-    for (const WrittenValue& item : entry.items) {
-      if (!seen.insert(item.yaml).second) {
-        in.mistake(entry.key, fmt::format("has {} twice", item.text));
-      }
-    }
+    refuse_repeated(in, entry);
     lists.push_back(std::move(entry));
   }
   return lists;

@@ -85,6 +85,33 @@ std::map<Texts, int> require_same_points(const WantedRuns& wanted, CampaignReade
   return numbers;
 }
 
+/// Those that are there keep their numbers, the others get the next ones.
+std::vector<PointRow> numbered(std::vector<PointRow> points, const std::map<Texts, int>& numbers) {
+  int last = static_cast<int>(numbers.size());
+  for (PointRow& point : points) {
+    const auto known = numbers.find(texts_of(point));
+    point.point = known != numbers.end() ? known->second : ++last;
+  }
+  return points;
+}
+
+/// The runs of its points that are not there.
+void add_runs(const WantedRuns& wanted, CampaignReader& reader, CampaignDatabase::Plan& plan) {
+  std::set<std::pair<int, int>> there;
+  std::int64_t last = 0;
+  for (const RunRow& row : reader.runs()) {
+    there.emplace(row.plan.point, row.plan.replication);
+    last = std::max(last, row.plan.run);
+  }
+  for (const PointRow& point : plan.points) {
+    for (int k = 1; k <= wanted.replications; ++k) {
+      if (there.contains({point.point, k})) continue;
+      plan.runs.push_back(
+          {++last, point.point, k, seed_of(wanted.seeds, wanted.base_seed, point, k)});
+    }
+  }
+}
+
 std::string many(std::size_t count, std::string_view one) {
   return fmt::format("{} more {}{}", count, one, count == 1 ? "" : "s");
 }
@@ -112,24 +139,10 @@ Extension extension(const WantedRuns& wanted, CampaignReader& reader) {
     require_same_values(wanted, reader);
     numbers = require_same_points(wanted, reader);
   }
-  std::set<std::pair<int, int>> there;
-  std::int64_t last_run = 0;
-  for (const RunRow& row : reader.runs()) {
-    there.emplace(row.plan.point, row.plan.replication);
-    last_run = std::max(last_run, row.plan.run);
-  }
-  int last_point = static_cast<int>(numbers.size());
-  for (const PointRow& wanted_point : wanted.points) {
-    PointRow point = wanted_point;
-    const auto known = numbers.find(texts_of(point));
-    point.point = known != numbers.end() ? known->second : ++last_point;
-    for (int k = 1; k <= wanted.replications; ++k) {
-      if (there.contains({point.point, k})) continue;
-      result.plan.runs.push_back(
-          {++last_run, point.point, k, seed_of(wanted.seeds, wanted.base_seed, point, k)});
-    }
-    if (known == numbers.end()) result.plan.points.push_back(std::move(point));
-  }
+  result.plan.points = numbered(wanted.points, numbers);
+  add_runs(wanted, reader, result.plan);
+  std::erase_if(result.plan.points,
+                [&](const PointRow& point) { return numbers.contains(texts_of(point)); });
   if (is_new || result.plan.runs.empty()) return result;
   if (!result.plan.points.empty()) result.said = many(result.plan.points.size(), "point") + ", ";
   result.said += many(result.plan.runs.size(), "run");

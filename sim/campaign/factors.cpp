@@ -32,6 +32,7 @@ std::string common_unit(const std::vector<std::optional<WrittenNumber>>& numbers
 /// Gives a factor its unit, and its levels their numbers.
 void add_numbers(Factor& factor, std::size_t index, std::vector<PointRow>& points) {
   std::vector<std::optional<WrittenNumber>> numbers;
+  numbers.reserve(points.size());
   for (const PointRow& point : points) {
     numbers.push_back(hal::config::written_number(point.levels[index].text));
   }

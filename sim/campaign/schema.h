@@ -14,6 +14,9 @@ inline constexpr int kSchemaVersion = 1;
 /// The file with the tables, in the folder of a campaign.
 inline constexpr const char* kCampaignDatabase = "campaign.sqlite";
 
+/// What a folder of `baraka run --replications` has beside it: what was asked for.
+inline constexpr const char* kReplicationsFile = "replications.yaml";
+
 /// The tables of `campaign.sqlite`, and the keys of its table `campaign`: the one source of the
 /// file, of its description and of what may be exported.
 const std::vector<record::Table>& tables();

@@ -47,7 +47,8 @@ air. Agent hhll has the MAC address 02:00:00:00:hh:ll. A second run writes the s
     tshark -r DIR/air.pcapng -Y 'wlan.fc.retry == 1'     the retries
 
 With `--replications`, `DIR` holds `replications.yaml` (what was asked for), a folder like the above
-for each, `replication-01` and so on, and what each printed, `replication-01.log`.
+for each, `replication-01` and so on, what each printed, `replication-01.log`, and all of them as
+numbers, `campaign.sqlite` (campaign_tables.md).
 
 )";
 

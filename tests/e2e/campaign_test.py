@@ -101,6 +101,18 @@ class WhatIsRun(Campaigns):
         self.assertEqual(single.status, 2)
         self.assertIn("campaign.sqlite", single.err)
 
+    def test_a_campaign_and_replications_do_not_share_a_folder(self):
+        self.campaign({**SPEEDS, "replications": 1})
+        few = ["--replications", 1, "--until", 1, "--controllers", "in-process"]
+        refused = self.start(CASE_STUDY, *few, out=self.out).finish()
+        self.assertEqual(refused.status, 2)
+        self.assertIn("holds a campaign", refused.err)
+        self.assertFalse((self.out / "replications.yaml").exists())
+        self.run_baraka(CASE_STUDY, *few)
+        self.assertEqual(self.ask("SELECT state, folder FROM runs"), [("done", "replication-01")])
+        refused = self.campaign({"scenario": str(CASE_STUDY), "until": "1 s"}, status=2)
+        self.assertIn("holds replications", refused.err)
+
     def test_a_hypercube_has_its_points_from_the_seed(self):
         content = {**SPEEDS, "replications": 1, "until": "1 s", "vary": None,
                    "sample": {"latin_hypercube": 4, "ranges": {SPEED: {"from": "0.1 m/s", "to": "0.9 m/s"}}}}
@@ -173,26 +185,28 @@ class EndedEarly(Campaigns):
     content = {**SPEEDS, "replications": 4}
 
     def test_kills_at_random_instants_lose_and_repeat_nothing(self):
-        self.campaign(self.content, out=self.folder / "undisturbed")
+        content = {**self.content, "replications": max(4, KILLS)}
+        self.campaign(content, out=self.folder / "undisturbed")
         expected = self.ask(ENDED, self.folder / "undisturbed")
         random.seed(int(os.environ.get("BARAKA_SEED", "12")))
+        before = {}  # what was done before a kill is not touched after it
         for _ in range(KILLS):
             # While it plans, and while it runs.
-            program = self.begin(self.content)
+            program = self.begin(content)
             time.sleep(random.uniform(0, 0.8))
             send(program.process.pid, "SIGKILL")
             program.finish()
-        before = {row[0]: row[1] for row in self.ask("SELECT run, attempts FROM runs WHERE state = 'done'")} \
-            if (self.out / "campaign.sqlite").exists() and self.done() else {}
-        finished = self.campaign(self.content)
+            if self.done():
+                before.update(self.ask("SELECT run, ended || attempts FROM runs WHERE state = 'done'"))
+        finished = self.campaign(content)
         self.assertGreaterEqual(int(finished["kept"]), len(before))
         self.assertEqual(self.ask(ENDED), expected)
-        after = dict(self.ask("SELECT run, attempts FROM runs"))
+        after = dict(self.ask("SELECT run, ended || attempts FROM runs"))
         self.assertEqual({run: after[run] for run in before}, before, "done again")
         self.assertEqual(self.ask("PRAGMA integrity_check"), [("ok",)])
-        self.assertEqual(self.ask("SELECT run, observable, value FROM measurements ORDER BY 1, 2"),
-                         self.ask("SELECT run, observable, value FROM measurements ORDER BY 1, 2",
-                                  self.folder / "undisturbed"))
+        measured = ("SELECT run, name, agent, value FROM measurements JOIN observables USING (observable) "
+                    "ORDER BY 1, 2, 3")
+        self.assertEqual(self.ask(measured), self.ask(measured, self.folder / "undisturbed"))
         self.assertEqual(list((self.out / "runs").iterdir()), [])
 
     def test_ctrl_c_ends_it_and_the_same_command_goes_on(self):

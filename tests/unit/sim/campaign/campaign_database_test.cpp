@@ -7,6 +7,7 @@
 #include <array>
 #include <csignal>
 #include <cstdlib>
+#include <fstream>
 #include <limits>
 
 #include "sim/campaign/campaign_reader.h"
@@ -161,6 +162,15 @@ TEST(CampaignDatabase, AnotherVersionIsRefused) {
   }
   EXPECT_THROW(CampaignReader{folder.path()}, std::runtime_error);
   EXPECT_THROW(CampaignDatabase{folder.path()}, std::runtime_error);
+}
+
+TEST(CampaignReader, TellsACampaignFromReplications) {
+  const Folder folder("replications");
+  { CampaignDatabase(folder.path()).add(two_points()); }
+  EXPECT_TRUE(CampaignReader::is_campaign(folder.path()));
+  std::ofstream(folder.path() / kReplicationsFile) << "version: 1\n";
+  EXPECT_FALSE(CampaignReader::is_campaign(folder.path()));
+  EXPECT_TRUE(CampaignReader::has_database(folder.path()));
 }
 
 TEST(CampaignReader, NeedsTheFile) {
