@@ -370,17 +370,6 @@ std::vector<Table> body_tables() {
          "physics steps in contact with a wall; null until the run has ended"},
         {"object_steps", "INTEGER", "",
          "physics steps in contact with another body; null until the run has ended"}}},
-      {"agent_use",
-       "what agents used, written at the end of the run",
-       {{"agent", "INTEGER PRIMARY KEY", "", "who"},
-        {"transmitting_ns", "INTEGER NOT NULL", "ns", "its radio sent"},
-        {"receiving_ns", "INTEGER NOT NULL", "ns",
-         "its radio found the medium busy by others; 0 with profiles without a MAC"},
-        {"listening_ns", "INTEGER NOT NULL", "ns", "its radio found the medium idle"},
-        {"off_ns", "INTEGER NOT NULL", "ns", "its radio was off"},
-        {"retries", "INTEGER", "", "frames that it sent again; null with record: {frames: none}"},
-        {"energy_j", "REAL", "J",
-         "drawn from its battery by computer, radio and motors; null: it has no battery"}}},
       {"lost_bodies",
        "bodies that tipped over (tilt above 1 rad) or left the world",
        {{"agent", "INTEGER PRIMARY KEY", "", "who"},
@@ -397,6 +386,22 @@ std::vector<Table> body_tables() {
         {"at_ns", "INTEGER NOT NULL", "ns", "of the event in which it was recorded"},
         {"name", "TEXT NOT NULL", "", "as the controller calls it"},
         {"value", "REAL NOT NULL", "", "in the controller's unit"}}},
+  };
+}
+
+std::vector<Table> use_tables() {
+  return {
+      {"agent_use",
+       "what agents used, written at the end of the run",
+       {{"agent", "INTEGER PRIMARY KEY", "", "who"},
+        {"transmitting_ns", "INTEGER NOT NULL", "ns", "its radio sent"},
+        {"receiving_ns", "INTEGER NOT NULL", "ns",
+         "its radio found the medium busy by others; 0 with profiles without a MAC"},
+        {"listening_ns", "INTEGER NOT NULL", "ns", "its radio found the medium idle"},
+        {"off_ns", "INTEGER NOT NULL", "ns", "its radio was off"},
+        {"retries", "INTEGER", "", "frames that it sent again; null with record: {frames: none}"},
+        {"energy_j", "REAL", "J",
+         "drawn from its battery by computer, radio and motors; null: it has no battery"}}},
   };
 }
 
@@ -489,7 +494,8 @@ const std::vector<Table>& tables() {
     for (const auto& part :
          {setup_tables(), count_tables(), air_tables(), link_verdict_tables(), verdict_sum_tables(),
           message_tables(), counted_message_tables(), message_sum_tables(), delivery_sum_tables(),
-          ledger_tables(), observable_tables(), body_tables(), program_tables(), trace_tables()}) {
+          ledger_tables(), observable_tables(), body_tables(), use_tables(), program_tables(),
+          trace_tables()}) {
       sum.insert(sum.end(), part.begin(), part.end());
     }
     return sum;
