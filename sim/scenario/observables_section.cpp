@@ -33,11 +33,12 @@ using AskedFor = std::map<std::string, std::string>;
 
 void read_when(Mapping& in, ObservableRequest& request) {
   if (in.has("on")) {
-    in.choice({"on",
-               "Look at it when it changes: what only happens, as a delay or what a controller "
-               "records, each time; all else at control instants, if it is not as before.",
-               "change"},
-              kOn, true);
+    (void)in.choice(
+        {"on",
+         "Look at it when it changes: what only happens, as a delay or what a controller "
+         "records, each time; all else at control instants, if it is not as before.",
+         "change"},
+        kOn);
     request.every.reset();
     in.refuse("every", "cannot stand beside on");
     return;
