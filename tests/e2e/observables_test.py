@@ -61,7 +61,7 @@ class Observables(Case):
             "{name: messages.*.received, every: 30 s}"))
         places = self.samples("agents.x")
         self.assertEqual([at for _, at, _ in places], [float(s) for s in range(31)])
-        kept = dict(self.query("SELECT at_ns / 1000000000, x_m FROM poses JOIN agents USING (agent) "
+        kept = dict(self.query("SELECT at_ns / 1000000000, p.x_m FROM poses p JOIN agents USING (agent) "
                                "WHERE name = 'r0' AND at_ns % 1000000000 = 0"))
         for _, at, x in places:
             if at in kept:
