@@ -49,21 +49,20 @@ std::string observable_name(const std::string& name) {
 /// What there is of the observables in short. Where one is kept in two ways, the first counts.
 constexpr const char* kSums =
     "WITH first AS (SELECT MIN(observable) AS observable FROM observables GROUP BY name, agent),"
-    " some AS (SELECT o.observable, o.name, o.agent, o.unit FROM first"
-    " JOIN observables o USING (observable) JOIN observable_sums s USING (observable)"
+    " some AS (SELECT o.name, o.agent, o.unit, count, mean, mean_over_time, sd, min, max, last"
+    " FROM first JOIN observables o USING (observable) JOIN observable_sums USING (observable)"
     " WHERE count > 0)"
-    " SELECT a.name, some.name, part, some.unit, v FROM ("
-    "SELECT observable, 0 AS place, '.count' AS part, count AS v FROM observable_sums"
-    " UNION ALL SELECT observable, 1, '.mean', mean FROM observable_sums"
-    " UNION ALL SELECT observable, 2, '.mean_over_time', mean_over_time FROM observable_sums"
-    " UNION ALL SELECT observable, 3, '.sd', sd FROM observable_sums"
-    " UNION ALL SELECT observable, 4, '.min', min FROM observable_sums"
-    " UNION ALL SELECT observable, 5, '.max', max FROM observable_sums"
-    " UNION ALL SELECT observable, 6, '.last', last FROM observable_sums"
-    " UNION ALL SELECT q.observable, 7 + q.share, printf('.p%02d', round(100 * q.share)), q.value"
-    " FROM observable_quantiles q) parts"
-    " JOIN some USING (observable) JOIN agents a USING (agent)"
-    " WHERE v IS NOT NULL ORDER BY some.name, some.agent, place";
+    " SELECT a.name, p.name, part, p.unit, v FROM ("
+    "SELECT name, agent, unit, 0 AS place, '.count' AS part, count AS v FROM some"
+    " UNION ALL SELECT name, agent, unit, 1, '.mean', mean FROM some"
+    " UNION ALL SELECT name, agent, unit, 2, '.mean_over_time', mean_over_time FROM some"
+    " UNION ALL SELECT name, agent, unit, 3, '.sd', sd FROM some"
+    " UNION ALL SELECT name, agent, unit, 4, '.min', min FROM some"
+    " UNION ALL SELECT name, agent, unit, 5, '.max', max FROM some"
+    " UNION ALL SELECT name, agent, unit, 6, '.last', last FROM some"
+    " UNION ALL SELECT name, agent, unit, 7 + share, printf('.p%02d', round(100 * share)), value"
+    " FROM observable_quantiles JOIN observables USING (observable)) p"
+    " JOIN agents a USING (agent) WHERE v IS NOT NULL ORDER BY p.name, agent, place";
 
 void read_sums(RunReader& reader, std::vector<Scalar>& to) {
   Statement rows = reader.query(kSums);
