@@ -121,5 +121,6 @@ BARAKA_CONTROLLER {
             .default_value = false,
             .meaning = "Whether to read commands best-effort: lost ones are not sent again."}},
       .states = {"waiting", "driving", "stopped"},
+      .records = {{"commands", "1", "Velocity commands that it has got."}},
       .make_for_robot = hal::make_for_robot<controllers::RosBase>};
 }

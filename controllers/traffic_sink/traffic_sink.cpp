@@ -70,6 +70,11 @@ BARAKA_CONTROLLER {
                           "Bytes of each message, beside the payload, that count in `goodput`."},
                          {"start", "s", 0, 0, 1e9, "Messages before it are not counted."},
                          {"stop", "s", kNever, 0, kNever, "Messages from then on likewise."}},
+          .records = {{"received", "1", "Messages counted, told at the end as the others."},
+                      {"bytes", "1", "Of their payloads."},
+                      {"goodput", "bit/s", "Of their payloads and `overhead`."},
+                      {"latency_mean", "s", "From sending to arrival, of those with a time."},
+                      {"latency_max", "s", "The longest of these."}},
           .make_for_mote = hal::make_for_mote<controllers::TrafficSink>,
           .make_for_robot = hal::make_for_robot<controllers::TrafficSink>};
 }

@@ -163,6 +163,10 @@ BARAKA_CONTROLLER {
            {"backlog", "1", 10, 1, 10000, "Messages under way at any time, if saturated."},
            {"start", "s", 0, 0, 1e9, "When it begins."},
            {"stop", "s", kUnset, 0, kUnset, "When it ends."}},
+      .records = {{"sent", "1", "Messages that it sent, told at the end as the others."},
+                  {"handed_over", "1", "Of these, taken by the next hop."},
+                  {"failed", "1", "Of these, without a route, or never taken."},
+                  {"queue_full", "1", "Of these, that found no room in the queue."}},
       .make_for_mote = hal::make_for_mote<controllers::TrafficSource>,
       .make_for_robot = hal::make_for_robot<controllers::TrafficSource>};
 }

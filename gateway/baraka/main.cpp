@@ -12,6 +12,7 @@
 #include "gateway/commands/export_command.h"
 #include "gateway/commands/file_kinds.h"
 #include "gateway/commands/new_controller.h"
+#include "gateway/commands/observables_page.h"
 #include "gateway/commands/report_command.h"
 #include "gateway/commands/topic_command.h"
 #include "gateway/exit_status.h"
@@ -161,7 +162,10 @@ struct DescribeOptions {
 
   int act() const {
     if (!markdown) return gateway::describe(what);
-    std::fputs(gateway::keys_page().c_str(), stdout);
+    if (!what.empty() && what != "observables") {
+      throw gateway::UsageError("describe: --markdown is for all keys, or for observables");
+    }
+    std::fputs((what.empty() ? gateway::keys_page() : gateway::observables_page()).c_str(), stdout);
     return gateway::kDone;
   }
 };
@@ -170,11 +174,10 @@ struct DescribeOptions {
 const CLI::App* add_describe(CLI::App& app, DescribeOptions& options) {
   CLI::App* describe =
       app.add_subcommand("describe", "Say what keys of files and parameters of controllers mean");
-  CLI::Option* what =
-      describe->add_option("WHAT", options.what, "A kind of file, a key or a controller");
-  describe
-      ->add_flag("--markdown", options.markdown, "All keys of all files as the page docs/keys.md")
-      ->excludes(what);
+  describe->add_option("WHAT", options.what, "A kind of file, a key, a controller, or observables");
+  describe->add_flag("--markdown", options.markdown,
+                     "All keys of all files as the page docs/keys.md; of observables "
+                     "docs/observables.md");
   return describe;
 }
 

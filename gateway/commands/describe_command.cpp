@@ -1,6 +1,7 @@
 #include "gateway/commands/describe_command.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
@@ -9,6 +10,7 @@
 
 #include "gateway/commands/file_kinds.h"
 #include "gateway/commands/key_words.h"
+#include "gateway/commands/observables_page.h"
 #include "gateway/exit_status.h"
 #include "hal/config/suggest.h"
 #include "hal/config/value.h"
@@ -23,6 +25,8 @@ using hal::config::Form;
 using hal::config::KeyDescription;
 using hal::config::KeyTable;
 
+constexpr std::string_view kObservables = "observables";
+
 void print_kinds() {
   fmt::print("Kinds of files:\n");
   for (const FileKind& kind : file_kinds()) fmt::print("  {:<9} {}\n", kind.name, kind.about);
@@ -31,7 +35,8 @@ void print_kinds() {
       "baraka describe KEY         one key: `seed`, `radio.tx_power`\n"
       "baraka describe VALUE       a sensor, a driver, a profile with its keys: `imu`, `tmc200`\n"
       "baraka describe CONTROLLER  a controller's parameters\n"
-      "baraka describe --markdown  everything as one page\n");
+      "baraka describe observables what can be followed in a run, and the numbers of each run\n"
+      "baraka describe --markdown  all keys as one page\n");
 }
 
 /// The lines below a key's path.
@@ -158,11 +163,16 @@ void print_controller(const hal::ControllerKind& kind) {
                parameter.meaning, expected(form), range.empty() ? "" : ", ", range,
                hal::runtime::written(parameter, parameter.default_value));
   }
+  if (!kind.states.empty()) fmt::print("States: {}\n", fmt::join(kind.states, ", "));
+  for (const hal::RecordSpec& record : kind.records) {
+    fmt::print("controllers.AGENT.{}\n    {}\n    unit:    {}\n", record.name, record.meaning,
+               record.unit);
+  }
 }
 
 /// All that `what` could have meant.
 std::vector<std::string> candidates() {
-  std::vector<std::string> result;
+  std::vector<std::string> result{std::string(kObservables)};
   for (const FileKind& kind : file_kinds()) {
     result.push_back(kind.name);
     for (const KeyDescription& key : keys_of(kind).keys) {
@@ -186,7 +196,11 @@ int describe(const std::string& what) {
     print_kind(kind);
     return kDone;
   }
-  found = print_key(what);
+  if (what == kObservables) {
+    fmt::print("{}\n", observables_text());
+    found = true;
+  }
+  found = print_key(what) || found;
   found = print_option(what) || found;
   const auto folders = hal::runtime::controller_folders();
   if (const auto kind = hal::runtime::load_plugin(what, folders)) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <set>
 #include <utility>
 #include <variant>
@@ -105,6 +106,65 @@ void judge_states(const sim::scenario::Scenario& scenario, const sim::scenario::
   }
 }
 
+std::vector<std::string> names_of(const std::vector<hal::RecordSpec>& records) {
+  std::vector<std::string> names;
+  names.reserve(records.size());
+  for (const hal::RecordSpec& record : records) names.push_back(record.name);
+  return names;
+}
+
+/// What is known of what the controllers of the agents of a pattern record.
+struct DeclaredRecords {
+  std::vector<std::string> names{};
+  bool has_match = false;
+  bool has_unknown = false;  ///< One of them does not declare what it records.
+};
+
+/// @param kinds  by controller; without those whose plug-in is not there.
+DeclaredRecords declared_records(const sim::scenario::Scenario& scenario,
+                                 const sim::record::ObservablePattern& pattern,
+                                 const std::map<std::string, const hal::ControllerKind*>& kinds) {
+  DeclaredRecords declared;
+  std::set<std::string> seen;
+  for (const sim::agents::AgentConfig& agent : scenario.simulation.agents) {
+    if (!pattern.has_agent(agent.name) || !seen.insert(agent.program).second) continue;
+    const auto kind = kinds.find(agent.program);
+    if (kind == kinds.end() || kind->second->records.empty()) {
+      declared.has_unknown = declared.has_unknown || !agent.program.empty();
+      continue;
+    }
+    for (const std::string& name : names_of(kind->second->records)) {
+      declared.names.push_back(name);
+      declared.has_match = declared.has_match || pattern.has_value(name);
+    }
+  }
+  return declared;
+}
+
+/// Whether some controller records what the scenario observes.
+void judge_records(const sim::scenario::Scenario& scenario,
+                   const std::map<std::string, const hal::ControllerKind*>& kinds,
+                   ControllerJudgement& judgement) {
+  const sim::scenario::RecordOptions& record = scenario.record;
+  for (std::size_t i = 0; i < record.observables.size(); ++i) {
+    const auto pattern = sim::record::ObservablePattern::of(record.observables[i].name);
+    if (!pattern || pattern->domain != sim::record::kControllersDomain) continue;
+    const DeclaredRecords declared = declared_records(scenario, *pattern, kinds);
+    if (declared.has_match) continue;
+    if (declared.has_unknown) {
+      judgement.not_checked.push_back(
+          fmt::format("{}: record.observables.name: not checked, a controller of {} does not "
+                      "declare what it records",
+                      record.observable_places[i], pattern->agents));
+      continue;
+    }
+    judgement.mistakes.push_back(
+        fmt::format("{}: record.observables.name: no controller of {} records '{}'{}",
+                    record.observable_places[i], pattern->agents, pattern->value,
+                    hal::config::suggestion(pattern->value, declared.names)));
+  }
+}
+
 void judge_teleop(const sim::scenario::Scenario& scenario, const sim::scenario::Group& group,
                   std::vector<std::string>& mistakes) {
   if (group.inside) {
@@ -130,6 +190,7 @@ void judge_teleop(const sim::scenario::Scenario& scenario, const sim::scenario::
 
 ControllerJudgement judge_controllers(const sim::scenario::Scenario& scenario) {
   ControllerJudgement judgement;
+  std::map<std::string, const hal::ControllerKind*> kinds;
   for (const sim::scenario::Group& group : scenario.groups) {
     if (group.program.empty()) continue;  // nobody drives them
     if (group.program == kTeleop) {
@@ -138,6 +199,10 @@ ControllerJudgement judge_controllers(const sim::scenario::Scenario& scenario) {
     }
     const auto kind = hal::runtime::load_plugin(group.program, hal::runtime::controller_folders());
     if (kind) {
+      kinds[group.program] = *kind;
+      for (const hal::RecordSpec& record : (*kind)->records) {
+        judgement.recorded_units[{group.program, record.name}] = record.unit;
+      }
       judge_group(scenario, group, **kind, judgement.mistakes);
       judge_channels(scenario, group, **kind, judgement.mistakes);
       judge_states(scenario, group, group.program, (*kind)->states, judgement);
@@ -154,6 +219,7 @@ ControllerJudgement judge_controllers(const sim::scenario::Scenario& scenario) {
                                                kind.error().message));
     }
   }
+  judge_records(scenario, kinds, judgement);
   return judgement;
 }
 
@@ -165,6 +231,7 @@ sim::scenario::Scenario load_judged(const std::string& path,
   if (!judgement.mistakes.empty()) {
     throw hal::config::ConfigErrors(std::move(judgement.mistakes));
   }
+  scenario.record.recorded_units = std::move(judgement.recorded_units);
   for (const std::string& warning : scenario.warnings) fmt::print(stderr, "{}\n", warning);
   for (const std::string& line : judgement.not_checked) fmt::print(stderr, "{}\n", line);
   return scenario;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sim/scenario/scenario.h"
@@ -11,10 +13,13 @@ namespace gateway {
 struct ControllerJudgement {
   std::vector<std::string> mistakes;     ///< "file:line:column: key: what is wrong".
   std::vector<std::string> not_checked;  ///< What could not be judged, and why; a line each.
+  /// Units of what controllers record, by controller and name, as far as they declare it.
+  std::map<std::pair<std::string, std::string>, std::string> recorded_units{};
 };
 
 /// Loads the plug-in of each program, and checks against it the agents' kinds and parameters, the
-/// channels they offer, and the states that end conditions wait for. A program that is neither
+/// channels they offer, the states that end conditions wait for, and what is observed of what they
+/// record. A program that is neither
 /// found as a plug-in nor as a program is a mistake.
 ControllerJudgement judge_controllers(const sim::scenario::Scenario& scenario);
 

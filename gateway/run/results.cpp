@@ -15,6 +15,7 @@
 #include "hal/types/log.h"
 #include "hal/types/printable.h"
 #include "sim/core/log_sink.h"
+#include "sim/record/observables.h"
 #include "sim/record/schema.h"
 #include "sim/scenario/plan.h"
 #include "sim/scenario/resolved.h"
@@ -128,6 +129,21 @@ void Results::begin(sim::agents::Simulation& simulation) {
   simulation.add_observer(*recorder_);
   simulation.add_observer(fingerprint_);
   if (!scenario_.record.air.empty()) capture(simulation);
+  if (!scenario_.record.observables.empty()) observe(simulation);
+}
+
+void Results::observe(sim::agents::Simulation& simulation) {
+  const auto unit_of = [this](hal::AgentId id, const std::string& name) {
+    const auto& agents = scenario_.simulation.agents;
+    const auto agent = std::ranges::find(agents, id, &sim::agents::AgentConfig::id);
+    const auto& units = scenario_.record.recorded_units;
+    const auto unit = units.find({agent->program, name});
+    return unit == units.end() ? std::string() : unit->second;
+  };
+  sim::record::Observables& observables =
+      recorder_->observe(scenario_.record.observables, scenario_.simulation, simulation, unit_of);
+  simulation.add_observer(observables);
+  simulation.set_sampler(observables);
 }
 
 void Results::capture(sim::agents::Simulation& simulation) {
@@ -170,6 +186,7 @@ ExitStatus Results::finish(const sim::agents::Simulation& simulation, Outcome& o
   try {
     for (const auto& agent : scenario_.simulation.agents) {
       recorder_->add_contacts(agent.id, simulation.contacts(agent.id));
+      recorder_->add_use(agent.id, simulation.use(agent.id));
     }
     if (capture_) capture_->finish(outcome.ended_at);
     fingerprint_.finish();

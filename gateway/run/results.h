@@ -57,6 +57,7 @@ class Results {
  private:
   void record(const std::filesystem::path& folder);
   void capture(sim::agents::Simulation& simulation);
+  void observe(sim::agents::Simulation& simulation);
   void give_up(const sim::agents::Outcome& outcome, ExitStatus status);
 
   const sim::scenario::Scenario& scenario_;

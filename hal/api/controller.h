@@ -27,6 +27,13 @@ class Controller {
   virtual void stop() {}  ///< Once, when the run ends.
 };
 
+/// A value that a controller records.
+struct RecordSpec {
+  std::string name{};
+  std::string unit{};  ///< "s", "m", "1" for a plain number or a share, …
+  std::string meaning{};
+};
+
 /// What there is to know about a kind of controller before one is made.
 struct ControllerKind {
   using MakeForMote = std::unique_ptr<Controller> (*)(Mote&, const Parameters&);
@@ -41,6 +48,10 @@ struct ControllerKind {
   /// Every name it calls RealWorldObject::state() with, so that a scenario that waits for another
   /// one is refused before it runs; other names are refused then. Empty: any name, unchecked.
   std::vector<std::string> states{};
+  /// Every name it calls RealWorldObject::record() with, so that a scenario that observes another
+  /// one is refused before it runs, and results have its unit; other names are refused then. Empty:
+  /// any name, unchecked.
+  std::vector<RecordSpec> records{};
   MakeForMote make_for_mote = nullptr;    ///< Null: does not run on motes.
   MakeForRobot make_for_robot = nullptr;  ///< Null: does not run on robots.
 };

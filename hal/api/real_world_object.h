@@ -108,7 +108,8 @@ class RealWorldObject {
   /// Puts a number of the controller's own into the results (table `recorded`) and before readers
   /// of inspection (rt/baraka/values), with the time of now(): record("distance", 0.35).
   /// @param name  1..kMaxRecordedName bytes, none of them zero; an agent may use kMaxRecordedNames
-  ///   names.   @param value  finite. What is not so is refused, which is logged once.
+  ///   names. One of ControllerKind::records, if it declares any.
+  /// @param value  finite. What is not so is refused, which is logged once.
   virtual void record(std::string_view name, double value) = 0;
 
   virtual void log(log::Level level, std::string_view text) = 0;

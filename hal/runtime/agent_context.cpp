@@ -5,11 +5,22 @@
 #include "hal/exchange/validate.h"
 
 namespace hal::runtime {
+namespace {
+
+std::vector<std::string> names_of(const std::vector<RecordSpec>& records) {
+  std::vector<std::string> names;
+  names.reserve(records.size());
+  for (const RecordSpec& record : records) names.push_back(record.name);
+  return names;
+}
+
+}  // namespace
 
 AgentContext::AgentContext(const exchange::AgentSession& agent_session, const ControllerKind& kind,
                            Outbox& out, const exchange::Directory& names)
     : session(agent_session),
       states(kind.states),
+      records(names_of(kind.records)),
       outbox(out),
       readings(agent_session.channels),
       routes(kind.wants.watched, kind.wants.neighbours),

@@ -55,7 +55,8 @@ struct AgentContext {
   bool take_due_timer(TimerId id);
 
   const exchange::AgentSession session;
-  const std::vector<std::string> states;  ///< That the controller declares; empty: it does not.
+  const std::vector<std::string> states;   ///< That the controller declares; empty: it does not.
+  const std::vector<std::string> records;  ///< Names of values, likewise.
   CallGuard guard;
   Outbox& outbox;
   Time now{};

@@ -170,6 +170,13 @@ void ObjectOf<Interface>::state(std::string_view name) {
 template <class Interface>
 void ObjectOf<Interface>::record(std::string_view name, double value) {
   context_.guard.check("record");
+  const auto& declared = context_.records;
+  if (!declared.empty() && std::ranges::find(declared, name) == declared.end()) {
+    (void)context_.refuse(
+        "record", fmt::format("'{}' is not one of the values that the controller declares: {}",
+                              name, fmt::join(declared, ", ")));
+    return;
+  }
   exchange::Action& action = context_.outbox.add(exchange::ActionKind::kRecord);
   action.text = name;
   action.value = value;

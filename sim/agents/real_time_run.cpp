@@ -121,6 +121,7 @@ void Simulation::RealTimeRun::take_arrivals_until(hal::Time target, FollowedCloc
 
 /// @pre the events up to then have run.
 void Simulation::RealTimeRun::take_arrivals_at(hal::Time at) {
+  s_.look_before(at);
   s_.events.advance_to(at);
   s_.take_outside(at);
 }
@@ -154,6 +155,7 @@ void Simulation::RealTimeRun::work_off_until(hal::Time target, FollowedClock* cl
   while (!s_.result) {
     const auto instant = s_.events.next_time();
     if (!instant || *instant > target) return;
+    s_.look_before(*instant);
     while (!s_.result && s_.events.next_time() == instant) s_.events.run_next();
     post(clock);
   }
@@ -187,6 +189,7 @@ void Simulation::RealTimeRun::attend(hal::Time now) {
 }
 
 void Simulation::RealTimeRun::take_in(const Turn& turn, const Courier::Turn& brought) {
+  s_.look_before(turn.at);
   s_.events.advance_to(turn.at);
   s_.observers.on_turn(turn);
   hal::log::debug(turn.at, "exchange", "{}: {} actions took effect{}",
@@ -212,6 +215,7 @@ void Simulation::RealTimeRun::take_effect(const Courier::Answer& answer, bool st
 
 /// Recorded as a turn that brought nothing.
 void Simulation::RealTimeRun::on_death(const Turn& turn, const hal::Error& error) {
+  s_.look_before(turn.at);
   s_.events.advance_to(turn.at);
   s_.observers.on_turn({turn.at, turn.port});
   carried_[turn.port].dropped = true;

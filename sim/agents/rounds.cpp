@@ -79,8 +79,24 @@ void Simulation::State::work_off(hal::Time begin) {
   while (!result) {
     const auto next = events.next_time();
     if (!next || *next > last) break;
-    events.run_next(last);
+    look_before(*next);
+    events.run_next(std::min(last, look_due));
   }
+}
+
+void Simulation::State::look_until(hal::Time next) {
+  while (look_due < next) {
+    events.advance_to(look_due);
+    sampler->look(look_due);
+    look_due = sampler->due();
+  }
+}
+
+void Simulation::State::look_at_the_end(std::optional<hal::Time> until_then) {
+  const bool goes_on = !result && !broken_off && until_then;
+  const hal::Time end = goes_on ? *until_then : events.now();
+  look_before(end + hal::Duration{1});
+  if (goes_on) events.advance_to(end);
 }
 
 std::vector<Event>& Simulation::State::take_events() {
@@ -197,6 +213,7 @@ void Simulation::State::go_on(hal::Time next, Pace& pace) {
     case Pace::Verdict::kAskAgain:
       return on_failures(controllers.find_dead());
     case Pace::Verdict::kGoOn:
+      look_before(next);
       take_outside(next);
       work_off(next);
       if (!result) exchange(next + config.controller_latency);

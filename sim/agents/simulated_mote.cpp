@@ -13,13 +13,6 @@ namespace {
 
 namespace devices = hal::devices;
 
-/// J
-double energy(const radio::RadioUse& use, const devices::RadioPower& power) {
-  return power.transmit * hal::to_seconds(use.transmitting) +
-         power.receive * hal::to_seconds(use.receiving) +
-         power.listen * hal::to_seconds(use.listening) + power.off * hal::to_seconds(use.off);
-}
-
 hal::routing::RoutingConfig routing_of(const AgentConfig& agent, const SimulationConfig& config) {
   hal::routing::RoutingConfig routing = config.routing;
   routing.algorithm = agent.routing.value_or(routing.algorithm);
@@ -27,6 +20,12 @@ hal::routing::RoutingConfig routing_of(const AgentConfig& agent, const Simulatio
 }
 
 }  // namespace
+
+double energy(const radio::RadioUse& use, const devices::RadioPower& power) {
+  return power.transmit * hal::to_seconds(use.transmitting) +
+         power.receive * hal::to_seconds(use.receiving) +
+         power.listen * hal::to_seconds(use.listening) + power.off * hal::to_seconds(use.off);
+}
 
 SimulatedMote::SimulatedMote(const AgentConfig& config, radio::MacSap& mac,
                              Surroundings surroundings, hal::agent::AgentListener& listener,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "hal/agent/agent_core.h"
+#include "hal/devices/battery.h"
 #include "hal/devices/sensor.h"
 #include "sim/agents/observer.h"
 #include "sim/agents/queue_timers.h"
@@ -15,6 +16,9 @@
 #include "sim/radio/mac_sap.h"
 
 namespace sim::agents {
+
+/// What a radio drew, J.
+double energy(const radio::RadioUse& use, const hal::devices::RadioPower& power);
 
 /// What all agents of a run share; outlives them.
 struct Surroundings {
@@ -57,6 +61,7 @@ class SimulatedMote : public hal::agent::Sensors {
 
   hal::AgentId id() const { return id_; }
   Surroundings& surroundings() { return surroundings_; }
+  const Surroundings& surroundings() const { return surroundings_; }
 
  private:
   /// One of `sensors:`, and its last values.

@@ -31,6 +31,13 @@ void SimulatedRobot::advance(hal::Time at) {
   odometry_at_ = at;
 }
 
+hal::Pose2 SimulatedRobot::reckoned(hal::Time now) const {
+  if (now <= odometry_at_) return odometry_.pose();
+  hal::devices::WheelOdometry then = odometry_;
+  then.update(surroundings().world.wheel_angles(id()), now - odometry_at_);
+  return then.pose();
+}
+
 bool SimulatedRobot::sample(std::size_t channel, hal::Time at, std::vector<double>& values) {
   const std::uint16_t id = core().session().channels[channel].id;
   switch (id) {

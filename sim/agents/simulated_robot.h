@@ -23,6 +23,9 @@ class SimulatedRobot final : public SimulatedMote, public hal::agent::Drive {
   hal::Result<void> drive_wheels(std::span<const double> speeds, hal::Time as_of) override;
   void halt() override;
 
+  /// Where it would be by its odometry if that were read now, in the frame at the start.
+  hal::Pose2 reckoned(hal::Time now) const;
+
  private:
   void cut_motors() override;
   std::span<const sensing::InfraredReading> infrared(hal::Time at);

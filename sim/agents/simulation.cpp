@@ -67,12 +67,25 @@ Simulation::State::State(const SimulationConfig& the_config, std::vector<Observe
   }
 }
 
+AgentView Simulation::State::view(hal::AgentId agent) {
+  return {.agent = *agents.at(agent),
+          .scene = scene,
+          .positions = positions,
+          .mac = air.sap(agent),
+          .now = events.now()};
+}
+
 Simulation::Simulation(const SimulationConfig& config, std::vector<Observer*> observers)
     : state_(std::make_unique<State>(config, std::move(observers))) {}
 
 Simulation::~Simulation() = default;
 
 void Simulation::add_observer(Observer& observer) { state_->observers.add(observer); }
+
+void Simulation::set_sampler(Sampler& sampler) {
+  state_->sampler = &sampler;
+  state_->look_due = sampler.due();
+}
 
 void Simulation::connect_air(air::FrameSink& sink, air::FrameSource& source) {
   state_->interfaces.connect(sink, source);
@@ -120,7 +133,7 @@ Outcome Simulation::run(std::optional<hal::Time> until, Pace& pace) {
     s.go_on(*next, pace);
   }
   if (!s.error.empty()) return s.outcome();
-  if (!s.result && !s.broken_off && until) s.events.advance_to(*until);
+  s.look_at_the_end(until);
   s.stop_controllers();
   return s.outcome();
 }
@@ -144,7 +157,7 @@ Outcome Simulation::repeat(std::optional<hal::Time> until, std::span<const Turn>
 Outcome Simulation::end_of(RealTimeRun& run) {
   State& s = *state_;
   if (s.error.empty()) {
-    if (!s.result && !s.broken_off && s.until) s.events.advance_to(*s.until);
+    s.look_at_the_end(s.until);
     run.stop();
   }
   Outcome outcome = s.outcome();
@@ -171,6 +184,16 @@ ContactCounts Simulation::contacts(hal::AgentId agent) const {
   if (!state_->world->has(agent)) return {};  // a station: nothing touches it
   const physics::Contacts& contacts = state_->world->contacts(agent);
   return {.wall_steps = contacts.walls.steps, .object_steps = contacts.bodies.steps};
+}
+
+std::optional<double> Simulation::read(const Quantity& quantity, hal::AgentId agent,
+                                       std::size_t number) const {
+  return quantity.read(state_->view(agent), number);
+}
+
+AgentUse Simulation::use(hal::AgentId agent) const {
+  const AgentView view = state_->view(agent);
+  return {.radio = view.mac.use(), .energy = drawn_energy(view)};
 }
 
 const std::string& Simulation::state(hal::AgentId agent) const {

@@ -11,11 +11,14 @@
 #include "hal/types/agent_id.h"
 #include "hal/types/time.h"
 #include "sim/agents/observer.h"
+#include "sim/agents/quantities.h"
 #include "sim/agents/real_time.h"
+#include "sim/agents/sampler.h"
 #include "sim/agents/simulation_config.h"
 #include "sim/air/frame_sink.h"
 #include "sim/air/frame_source.h"
 #include "sim/core/outside_input.h"
+#include "sim/radio/radio_use.h"
 
 namespace sim::agents {
 
@@ -23,6 +26,12 @@ struct Progress {
   hal::Time now{};
   std::uint64_t events = 0;
   std::uint64_t exchanges = 0;
+};
+
+/// What an agent used since the start of the run.
+struct AgentUse {
+  radio::RadioUse radio;
+  std::optional<double> energy;  ///< J; none: it has no battery. See drawn_energy().
 };
 
 /// Decides how fast a run goes and when it is broken off. It may wait; it changes nothing else.
@@ -70,6 +79,10 @@ class Simulation final : public hal::exchange::AgentHost {
   /// One more observer, after the others. @pre the simulation has not run.
   void add_observer(Observer& observer);
 
+  /// Has it look at the run from now on; at most one. @pre the simulation has not run.
+  /// @param sampler  outlives the simulation.
+  void set_sampler(Sampler& sampler);
+
   std::vector<hal::exchange::AgentOffer> offers() const override;
   std::vector<hal::exchange::AgentName> directory() const override;
   void connect(std::shared_ptr<hal::exchange::ControllerPort> port,
@@ -112,6 +125,10 @@ class Simulation final : public hal::exchange::AgentHost {
   /// True state, for expectations: m, world frame.
   BodyState body(hal::AgentId agent) const;
   ContactCounts contacts(hal::AgentId agent) const;
+  AgentUse use(hal::AgentId agent) const;
+  /// One of quantities(), as it is now; none: the agent does not have it now. @pre it has it.
+  std::optional<double> read(const Quantity& quantity, hal::AgentId agent,
+                             std::size_t number = 0) const;
   /// Last state the agent's controller named; empty: none.
   const std::string& state(hal::AgentId agent) const;
 

@@ -49,7 +49,16 @@ struct Simulation::State final : hal::agent::AgentListener {
   void apply_last(const hal::exchange::Action& action);
   void on_failures(const std::vector<Controllers::Failure>& failures);
   void go_on(hal::Time next, Pace& pace);
+  /// What the sampler is to see before anything happens at `next`. @pre nothing is to happen
+  /// before.
+  void look_before(hal::Time next) {
+    if (look_due < next) look_until(next);
+  }
+  void look_until(hal::Time next);
+  /// Advances to `until` if the run was not ended before, and has the sampler look so far.
+  void look_at_the_end(std::optional<hal::Time> until);
   void stop_controllers();
+  AgentView view(hal::AgentId agent);
   Outcome outcome() const;
 
   const SimulationConfig config;
@@ -72,7 +81,9 @@ struct Simulation::State final : hal::agent::AgentListener {
   std::optional<std::string> result;  ///< Set when the run has ended.
   std::string error;
   bool broken_off = false;
-  std::vector<std::string> bodies_lost;  ///< One line for each of the world's lost bodies.
+  Sampler* sampler = nullptr;
+  hal::Time look_due = hal::Time::max();  ///< Of the sampler.
+  std::vector<std::string> bodies_lost;   ///< One line for each of the world's lost bodies.
 };
 
 }  // namespace sim::agents

@@ -19,6 +19,7 @@ class BssMac : public MacBase, protected FrameListener {
   void set_radio(bool on) final;
   bool radio_on() const final { return dcf_->radio_on(); }
   std::size_t room() const final;
+  std::size_t waiting() const final { return queued(); }
   RadioUse use() const final { return dcf_->use(); }
 
  protected:

@@ -46,6 +46,7 @@ class DcfMac final : public MacBase, public RadioListener, private AccessListene
   void set_radio(bool on) override;
   bool radio_on() const override { return radio_.state() != Radio::State::kOff; }
   std::size_t room() const override { return queue_.room(); }
+  std::size_t waiting() const override { return queue_.size(); }
   RadioUse use() const override { return radio_.use(); }
 
  private:

@@ -34,6 +34,7 @@ class DiskMac final : public MacBase {
   void set_radio(bool on) override;
   bool radio_on() const override { return state_ != State::kOff; }
   std::size_t room() const override;
+  std::size_t waiting() const override { return queue_.size(); }
   RadioUse use() const override {
     return {
         state_.spent(State::kTransmit), {}, state_.spent(State::kIdle), state_.spent(State::kOff)};

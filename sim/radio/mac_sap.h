@@ -79,6 +79,8 @@ class MacSap {
   virtual hal::Duration expected_delay() const = 0;
   /// How many requests more would be taken now.
   virtual std::size_t room() const = 0;
+  /// How many requests have been taken and have not ended.
+  virtual std::size_t waiting() const = 0;
   /// Energy to transmit `bytes` of payload once [J].
   virtual double transmit_energy(std::size_t bytes) const = 0;
 };

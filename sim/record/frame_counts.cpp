@@ -36,6 +36,10 @@ FrameCounts::FrameCounts(Database& database)
 
 void FrameCounts::on_frame_start(const radio::Frame& frame) {
   sent_.add(frame.transmitter, frame.receiver, kind_of(frame));
+  if (!frame.retry) return;
+  const std::size_t transmitter = frame.transmitter.value;
+  if (transmitter >= retries_.size()) retries_.resize(transmitter + 1);
+  ++retries_[transmitter];
 }
 
 void FrameCounts::on_reception(const radio::Frame& frame, hal::AgentId receiver,

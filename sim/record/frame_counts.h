@@ -23,6 +23,10 @@ class FrameCounts {
   /// Writes a row for each count that changed since the last call.
   void write();
 
+  std::uint64_t retries(hal::AgentId agent) const {
+    return agent.value < retries_.size() ? retries_[agent.value] : 0;
+  }
+
   std::uint64_t counted() const;  ///< Since the last write(), and
   std::uint64_t rows() const;     ///< how many rows it would write.
 
@@ -31,7 +35,8 @@ class FrameCounts {
   PairCounts sent_;
   PairCounts receptions_;  ///< And packets: where the one is, the other is near.
   PairCounts requests_;
-  std::vector<std::uint64_t> faint_;  ///< By address of the transmitter.
+  std::vector<std::uint64_t> faint_;    ///< By address of the transmitter, as
+  std::vector<std::uint64_t> retries_;  ///< these.
 };
 
 }  // namespace sim::record

@@ -12,6 +12,7 @@
 #include "sim/record/frame_class.h"
 #include "sim/record/hexadecimal.h"
 #include "sim/record/message_in.h"
+#include "sim/record/observables.h"
 #include "sim/record/schema.h"
 
 namespace sim::record {
@@ -206,11 +207,33 @@ void Recorder::on_rows(hal::Time at, int rows) {
   commit_rows();
 }
 
+void Recorder::add_use(hal::AgentId agent, const agents::AgentUse& use) {
+  Statement insert(database_, "INSERT INTO agent_use VALUES (?, ?, ?, ?, ?, ?, ?)");
+  std::optional<std::uint64_t> retries;
+  if (counts_frames()) retries = frames_.retries(agent);
+  insert.run(agent.value, use.radio.transmitting.count(), use.radio.receiving.count(),
+             use.radio.listening.count(), use.radio.off.count(), retries, use.energy);
+}
+
 void Recorder::add(const Fingerprint::Row& row) {
   std::optional<std::int64_t> hash;
   if (row.hash) hash = static_cast<std::int64_t>(*row.hash);
   insert_fingerprint_.run(row.second, sim::name(row.part), row.agent.value, hash);
   on_rows(hal::Time{std::chrono::seconds{row.second}}, 1);
+}
+
+Observables& Recorder::observe(
+    std::vector<ObservableRequest> requests, const agents::SimulationConfig& config,
+    const agents::Simulation& simulation,
+    std::function<std::string(hal::AgentId, const std::string&)> unit_of) {
+  observables_ = std::make_unique<Observables>(
+      std::move(requests),
+      Observables::Surroundings{.simulation = simulation,
+                                .config = config,
+                                .database = database_,
+                                .on_rows = [this](hal::Time at, int rows) { on_rows(at, rows); },
+                                .unit_of = std::move(unit_of)});
+  return *observables_;
 }
 
 void Recorder::give_up(const agents::Outcome& outcome) {
@@ -224,6 +247,7 @@ void Recorder::give_up(const agents::Outcome& outcome) {
 void Recorder::finish(const agents::Outcome& outcome, const Fingerprint& fingerprint) {
   broadcasts_.finish(outcome.ended_at);
   if (air_) air_->finish(outcome.ended_at);
+  if (observables_) observables_->finish(outcome.ended_at);
   write(outcome);
   write_totals(fingerprint);
   is_finished_ = true;

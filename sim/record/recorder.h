@@ -2,6 +2,8 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,9 +24,12 @@
 #include "sim/record/interface_counts.h"
 #include "sim/record/message_counts.h"
 #include "sim/record/message_log.h"
+#include "sim/record/observable.h"
 #include "sim/record/unheard_topics.h"
 
 namespace sim::record {
+
+class Observables;
 
 struct RecorderOptions {
   hal::Duration pose_period = std::chrono::seconds{1};
@@ -88,8 +93,18 @@ class Recorder final : public agents::Observer {
     bodies_.on_contacts(agent, contacts);
   }
 
+  /// @pre once for an agent.
+  void add_use(hal::AgentId agent, const agents::AgentUse& use);
+
   void add(const Fingerprint::Row& row);
   void add(const ProgramRow& program);
+
+  /// Observes what is asked for. Before the run; at most once.
+  /// @param simulation  of that run; the caller makes what is returned its observer and sampler.
+  /// @param unit_of  unit of what an agent's controller records under a name; "": not known.
+  Observables& observe(std::vector<ObservableRequest> requests,
+                       const agents::SimulationConfig& config, const agents::Simulation& simulation,
+                       std::function<std::string(hal::AgentId, const std::string&)> unit_of);
 
   /// Writes how a run ended that did not begin, or that could not be written to its end: what came
   /// after the last commit is lost, its end is not if there is room for a few thousand bytes.
@@ -166,6 +181,7 @@ class Recorder final : public agents::Observer {
   BroadcastWatch broadcasts_;
   BodyLog bodies_;
   InterfaceCounts interfaces_;
+  std::unique_ptr<Observables> observables_;
   Statement set_, insert_discovery_, insert_lost_body_, insert_state_, insert_value_, insert_turn_,
       insert_arrival_, insert_association_, insert_frame_, insert_frame_end_, insert_fingerprint_;
   int rows_ = 0;     ///< Since the last commit.

@@ -102,6 +102,9 @@ std::vector<ScalarKind> network_scalars() {
        "SELECT '', IFNULL(SUM(count), 0) FROM frames_sent"},
       {"frames.CLASS", "1", "frames of that class on the air: frames.broadcast, frames.ack",
        "SELECT '', SUM(count), class FROM frames_sent GROUP BY 3 ORDER BY 3"},
+      {"frames.retries", "1", "of them, sent again", "SELECT '', SUM(retries) FROM agent_use"},
+      {"frames.airtime", "s", "time on the air of all radios together",
+       "SELECT '', SUM(transmitting_ns) * 1e-9 FROM agent_use"},
       {"receptions.VERDICT", "1",
        "how frames ended at radios that they were for: receptions.delivered, receptions.collision",
        "SELECT '', SUM(count), verdict FROM verdict_sums WHERE addressed GROUP BY 3 ORDER BY 3"},
@@ -169,13 +172,32 @@ std::vector<ScalarKind> controller_scalars() {
   };
 }
 
+std::vector<ScalarKind> use_scalars() {
+  constexpr std::string_view kShare =
+      "SELECT name, 1.0 * {} / NULLIF(transmitting_ns + receiving_ns + listening_ns + off_ns, 0)"
+      " FROM agent_use JOIN agents USING (agent) ORDER BY agent";
+  return {
+      {"use.transmitting", "1", "share of the run in which an agent's radio sent",
+       fmt::format(kShare, "transmitting_ns")},
+      {"use.receiving", "1", "likewise, in which it found the medium busy by others",
+       fmt::format(kShare, "receiving_ns")},
+      {"use.off", "1", "likewise, in which it was off", fmt::format(kShare, "off_ns")},
+      {"use.retries", "1", "frames that an agent sent again",
+       "SELECT name, retries FROM agent_use JOIN agents USING (agent) ORDER BY agent"},
+      {"use.energy", "J", "drawn from an agent's battery by computer, radio and motors",
+       "SELECT name, energy_j FROM agent_use JOIN agents USING (agent) ORDER BY agent"},
+      {"energy.sum", "J", "the same of all agents with a battery",
+       "SELECT '', SUM(energy_j) FROM agent_use"},
+  };
+}
+
 }  // namespace
 
 const std::vector<ScalarKind>& scalar_kinds() {
   static const std::vector<ScalarKind> all = [] {
     std::vector<ScalarKind> sum;
     for (const auto& part : {run_scalars(), message_scalars(), topic_scalars(), network_scalars(),
-                             body_scalars(), controller_scalars()}) {
+                             body_scalars(), use_scalars(), controller_scalars()}) {
       sum.insert(sum.end(), part.begin(), part.end());
     }
     return sum;

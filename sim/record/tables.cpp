@@ -1,5 +1,6 @@
 // What is in run.sqlite. The file is long because it is the list of it all.
 #include "sim/record/ledger_tables.h"
+#include "sim/record/observable_tables.h"
 #include "sim/record/schema.h"
 
 namespace sim::record {
@@ -388,6 +389,22 @@ std::vector<Table> body_tables() {
   };
 }
 
+std::vector<Table> use_tables() {
+  return {
+      {"agent_use",
+       "what agents used, written at the end of the run",
+       {{"agent", "INTEGER PRIMARY KEY", "", "who"},
+        {"transmitting_ns", "INTEGER NOT NULL", "ns", "its radio sent"},
+        {"receiving_ns", "INTEGER NOT NULL", "ns",
+         "its radio found the medium busy by others; 0 with profiles without a MAC"},
+        {"listening_ns", "INTEGER NOT NULL", "ns", "its radio found the medium idle"},
+        {"off_ns", "INTEGER NOT NULL", "ns", "its radio was off"},
+        {"retries", "INTEGER", "", "frames that it sent again; null with record: {frames: none}"},
+        {"energy_j", "REAL", "J",
+         "drawn from its battery by computer, radio and motors; null: it has no battery"}}},
+  };
+}
+
 std::vector<Table> program_tables() {
   return {
       {"interfaces",
@@ -477,7 +494,8 @@ const std::vector<Table>& tables() {
     for (const auto& part :
          {setup_tables(), count_tables(), air_tables(), link_verdict_tables(), verdict_sum_tables(),
           message_tables(), counted_message_tables(), message_sum_tables(), delivery_sum_tables(),
-          ledger_tables(), body_tables(), program_tables(), trace_tables()}) {
+          ledger_tables(), observable_tables(), body_tables(), use_tables(), program_tables(),
+          trace_tables()}) {
       sum.insert(sum.end(), part.begin(), part.end());
     }
     return sum;

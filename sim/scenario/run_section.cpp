@@ -7,6 +7,7 @@
 #include <string>
 
 #include "sim/scenario/fields.h"
+#include "sim/scenario/observables_section.h"
 
 namespace sim::scenario {
 namespace {
@@ -171,6 +172,7 @@ void read_record(Mapping in, Scenario& scenario) {
   FieldReader reader(in);
   record_keys(reader, scenario.record);
   read_air(in, scenario);
+  read_observables(in, scenario);
   in.finish();
 }
 
@@ -181,6 +183,7 @@ void write_run(Writer& out, const Scenario& scenario) {
   out.open("record");
   record_keys(writer, copy.record);
   write_air(out, scenario);
+  write_observables(out, scenario);
   out.close();
 }
 

@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -13,6 +15,7 @@
 #include "hal/types/time.h"
 #include "sim/agents/simulation_config.h"
 #include "sim/record/detail.h"
+#include "sim/record/observable.h"
 #include "sim/report/plot_request.h"
 #include "sim/scenario/program.h"
 
@@ -62,6 +65,10 @@ struct RecordOptions {
   hal::Duration pose_period = 1s;
   std::string air{};                           ///< File of the captured frames; empty: none.
   std::optional<hal::AgentId> air_heard_by{};  ///< None: by an ear that hears all.
+  std::vector<record::ObservableRequest> observables{};
+  std::vector<std::string> observable_places{};  ///< "file:line:column" of each one's name.
+  /// Units of what controllers record, by controller and name, as far as they declare it.
+  std::map<std::pair<std::string, std::string>, std::string> recorded_units{};
 };
 
 /// Whose figures a report shows beside those of the runs.

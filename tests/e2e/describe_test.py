@@ -17,6 +17,20 @@ def describe(*what):
 
 
 class Describe(unittest.TestCase):
+    def test_the_page_of_observables_is_what_the_program_writes(self):
+        finished = describe("observables", "--markdown")
+        self.assertEqual(finished.status, 0, finished)
+        self.assertEqual(finished.out, (ROOT / "docs/observables.md").read_text(),
+                         REGENERATE.replace("--markdown", "observables --markdown").replace("keys", "observables"))
+        self.assertEqual(describe("radio", "--markdown").status, 2)
+
+    def test_observables_are_listed_with_their_units(self):
+        text = describe("observables").out
+        self.assertRegex(text, r"(?m)^  agents.AGENT.speed +m/s +true speed")
+        self.assertRegex(text, r"(?m)^  messages.delay.p95 +s +95 %")
+        self.assertIn("record.observables (scenario file)", text)
+        self.assertRegex(describe("traffic_sink").out, r"(?m)^controllers.AGENT.goodput\n.*\n +unit: +bit/s$")
+
     def test_the_page_of_the_tree_is_what_the_program_writes(self):
         finished = describe("--markdown")
         self.assertEqual(finished.status, 0, finished)

@@ -103,6 +103,24 @@ TEST(State, OneThatIsNotDeclaredIsRefusedAndToldOnce) {
                                      "controller declares: STANDS, GOES"});
 }
 
+TEST(Record, OneThatIsNotDeclaredIsRefusedAndToldOnce) {
+  Scripted::next() = {.step = [](hal::Robot& robot) {
+    robot.record("need", 0.5);
+    robot.record("knead", 1);
+    robot.record("knead", 2);
+    robot.record("distance", 3);
+  }};
+  hal::ControllerKind kind = Scripted::kind();
+  kind.records = {{"distance", "m", "To the caller."}, {"need", "1", "How much it is needed."}};
+  tests::OneAgent agent(kind, tests::robot_session());
+  const Actions actions = agent.control();
+  EXPECT_EQ(tests::texts(actions, ActionKind::kRecord),
+            (std::vector<std::string>{"need", "distance"}));
+  EXPECT_EQ(tests::texts(actions, ActionKind::kLog),
+            std::vector<std::string>{"r0: record: 'knead' is not one of the values that the "
+                                     "controller declares: distance, need"});
+}
+
 TEST(Send, TakesTheLongestTopicAndPayloadAndRefusesOneByteMore) {
   const hal::Bytes longest(hal::kMaxPayload);
   const hal::Bytes too_long(hal::kMaxPayload + 1);

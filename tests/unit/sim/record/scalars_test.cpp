@@ -25,6 +25,7 @@ constexpr const char* kRun =
     " (1, 4, 2, 7, 9000000000, 1);"
     "INSERT INTO discoveries VALUES (1, 'a', 2, 9, 500000000, 1), (1, 'a', 2, 9, 900000000, 0);"
     "INSERT INTO bodies VALUES (1, 0, NULL, 0, 0, 0, 0, 0, 0), (2, 7.5, 0.25, 0, 1, 0, 0, 3, 4);"
+    "INSERT INTO agent_use VALUES (1, 100, 200, 700, 0, 5, NULL), (2, 0, 500, 500, 0, 2, 12.5);"
     "INSERT INTO states VALUES (2, 1000000000, 'GOES HOME'), (2, 4000000000, 'RESTS'),"
     " (2, 9000000000, 'GOES HOME');"
     "INSERT INTO recorded VALUES (2, 1000000000, 'need', 0.5), (2, 2000000000, 'need', 0.75),"
@@ -38,6 +39,7 @@ class Scalars : public testing::Test {
     RunReader reader(folder.path());
     all = scalars_of(reader);
     series = series_of(reader);
+    bins = bins_of(reader);
   }
 
   std::optional<double> value(const std::string& name, const std::string& agent = "") const {
@@ -50,6 +52,23 @@ class Scalars : public testing::Test {
   Folder folder;
   std::vector<Scalar> all;
   std::vector<Series> series;
+  std::vector<Bins> bins;
+};
+
+/// The same, and two agents' observables; one of them kept in two ways, and one of a controller.
+constexpr const char* kObserved =
+    "INSERT INTO observables VALUES (1, 'agents.x', 1, 'm', 'samples', 500000000, 0),"
+    " (2, 'agents.x', 2, 'm', 'samples', 500000000, 0),"
+    " (3, 'agents.x', 2, 'm', 'quantiles', 100000000, 0),"
+    " (4, 'controllers.need', 2, 'W', 'histogram', NULL, 0);"
+    "INSERT INTO observable_samples VALUES (1, 0, 1), (2, 0, 2), (1, 500000000, 3);"
+    "INSERT INTO observable_sums VALUES (1, 2, 2, 1.5, 1, 3, 4, 3, 2.5),"
+    " (2, 1, 2, NULL, 2, 2, 2, 2, 2), (3, 9, 5, 1, 5, 5, 45, 5, 5), (4, 2, 0.7, 0, 0, 1, 1, 1, 1);"
+    "INSERT INTO observable_quantiles VALUES (3, 0.05, 4.5, 0);"
+    "INSERT INTO observable_bins VALUES (4, NULL, 0, 1), (4, 0, 2.5, 7);";
+
+struct ScalarsOfObservables : Scalars {
+  ScalarsOfObservables() : Scalars(std::string(kRun) + kObserved) {}
 };
 
 struct ScalarsOfNothing : Scalars {
@@ -91,6 +110,14 @@ TEST_F(Scalars, AreOfRobotsWhereAgentsAreNamed) {
   EXPECT_EQ(value("agents.wall_steps", "r0"), 3);
 }
 
+TEST_F(Scalars, SayWhatAgentsUsed) {
+  EXPECT_EQ(value("use.transmitting", "m0"), 0.1);
+  EXPECT_EQ(value("use.receiving", "r0"), 0.5);
+  EXPECT_EQ(value("frames.retries"), 7);
+  EXPECT_EQ(value("use.energy", "m0"), std::nullopt);
+  EXPECT_EQ(value("energy.sum"), 12.5);
+}
+
 TEST_F(Scalars, SayHowLongAStateLasted) {
   EXPECT_DOUBLE_EQ(*value("states.goes_home.time", "r0"), 3 + 1);
   EXPECT_DOUBLE_EQ(*value("states.rests.time", "r0"), 5);
@@ -111,6 +138,33 @@ TEST_F(Scalars, SumUpWhatControllersRecorded) {
 TEST_F(Scalars, NameEachNumberOnce) {
   std::set<std::pair<std::string, std::string>> names;
   for (const Scalar& one : all) EXPECT_TRUE(names.emplace(one.name, one.agent).second) << one.name;
+}
+
+TEST_F(ScalarsOfObservables, SumThemUpByAgent) {
+  EXPECT_EQ(value("agents.x.mean", "m0"), 2);
+  EXPECT_EQ(value("agents.x.sd", "m0"), 1.5);
+  EXPECT_EQ(value("agents.x.sd", "r0"), std::nullopt);
+  EXPECT_EQ(value("agents.x.mean_over_time", "m0"), 2.5);
+  EXPECT_EQ(value("agents.x.count", "r0"), 1) << "the first way counts";
+  EXPECT_EQ(value("agents.x.p05", "r0"), 4.5);
+}
+
+TEST_F(ScalarsOfObservables, CountWhatAControllerRecordsAsObserved) {
+  EXPECT_EQ(value("controllers.need.mean", "r0"), 0.7);
+  EXPECT_EQ(std::ranges::count(all, "controllers.need.mean", &Scalar::name), 1);
+  const auto need = std::ranges::find(all, "controllers.need.mean", &Scalar::name);
+  EXPECT_EQ(need->unit, "W");
+}
+
+TEST_F(ScalarsOfObservables, HaveSeriesAndBins) {
+  ASSERT_EQ(series.size(), 4u);
+  EXPECT_EQ(series[0].name + " " + series[0].agent + " " + series[0].unit, "agents.x m0 m");
+  EXPECT_EQ(series[0].points, (std::vector<std::pair<double, double>>{{0, 1}, {0.5, 3}}));
+  ASSERT_EQ(bins.size(), 1u);
+  EXPECT_EQ(bins[0].name, "controllers.need");
+  ASSERT_EQ(bins[0].bins.size(), 2u);
+  EXPECT_LT(bins[0].bins[0].lower, -1e300);
+  EXPECT_EQ(bins[0].bins[1].count, 7u);
 }
 
 TEST_F(ScalarsOfNothing, LeaveOutWhatThereIsNot) {

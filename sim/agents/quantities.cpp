@@ -1,0 +1,171 @@
+#include "sim/agents/quantities.h"
+
+#include <cmath>
+#include <set>
+#include <utility>
+#include <variant>
+
+#include "hal/devices/wheel_drive.h"
+#include "hal/types/math.h"
+#include "sim/agents/simulated_mote.h"
+#include "sim/agents/simulated_robot.h"
+#include "sim/radio/mac_sap.h"
+
+namespace sim::agents {
+namespace {
+
+using View = const AgentView&;
+using Value = std::optional<double>;
+
+bool always(const AgentConfig&, std::size_t) { return true; }
+bool with_body(const AgentConfig& agent, std::size_t) { return has_body(agent); }
+bool robot_only(const AgentConfig& agent, std::size_t) { return is_robot(agent); }
+
+bool has_wheel(const AgentConfig& agent, std::size_t number) {
+  const auto* robot = std::get_if<hal::devices::RobotDescription>(&agent.body);
+  return robot != nullptr && number < hal::devices::WheelDrive(robot->wheels).wheel_count();
+}
+
+const BodyState& body_of(View view) { return view.scene.body(view.agent.config().id, view.now); }
+
+Value speed(View view, std::size_t) {
+  const hal::Vec3 v = view.positions.velocity(view.agent.config().id, view.now);
+  return std::sqrt(v.x * v.x + v.y * v.y);
+}
+
+Value turn_rate(View view, std::size_t) {
+  return view.scene.world().velocity(view.agent.config().id).angular.z;
+}
+
+Value clearance(View view, std::size_t) {
+  const double clearance = body_of(view).clearance;
+  return std::isfinite(clearance) ? Value{clearance} : std::nullopt;
+}
+
+/// Where the robot would be by its odometry, world frame, less where it is.
+hal::Pose2 odometry_error(View view) {
+  const AgentConfig& config = view.agent.config();
+  const hal::Pose2 own = static_cast<const SimulatedRobot&>(view.agent).reckoned(view.now);
+  const double c = hal::math::cos(config.pose.theta);
+  const double s = hal::math::sin(config.pose.theta);
+  const BodyState& is = body_of(view);
+  return {config.pose.x + c * own.x - s * own.y - is.x,
+          config.pose.y + s * own.x + c * own.y - is.y, config.pose.theta + own.theta - is.theta};
+}
+
+Value odometry_distance(View view, std::size_t) {
+  const hal::Pose2 error = odometry_error(view);
+  return std::sqrt(error.x * error.x + error.y * error.y);
+}
+
+Value odometry_angle(View view, std::size_t) {
+  constexpr double kTurn = 2 * 3.14159265358979323846;
+  return std::remainder(odometry_error(view).theta, kTurn);
+}
+
+Value wheel_angle(View view, std::size_t number) {
+  return view.scene.world().wheel_angles(view.agent.config().id)[number];
+}
+
+bool has_battery(const AgentConfig& agent, std::size_t) {
+  return hal::devices::battery_of(sensors_of(agent)) != nullptr;
+}
+
+std::vector<Quantity> body_quantities() {
+  return {
+      {"agents", "x", "m", "place in the world, of the origin of the body", false, always,
+       [](View view, std::size_t) -> Value { return body_of(view).x; }},
+      {"agents", "y", "m", "likewise", false, always,
+       [](View view, std::size_t) -> Value { return body_of(view).y; }},
+      {"agents", "yaw", "rad", "heading in the world", false, with_body,
+       [](View view, std::size_t) -> Value { return body_of(view).theta; }},
+      {"agents", "tilt", "rad", "between the body's z axis and the vertical", false, with_body,
+       [](View view, std::size_t) -> Value { return body_of(view).tilt; }},
+      {"agents", "speed", "m/s", "true speed in the plane", false, always, speed},
+      {"agents", "turn_rate", "rad/s", "true rate of turn", false, with_body, turn_rate},
+      {"agents", "clearance", "m", "to the nearest wall's surface; none without walls", false,
+       with_body, clearance},
+      {"agents", "odometry_error", "m", "between where a robot is and where its odometry has it",
+       false, robot_only, odometry_distance},
+      {"agents", "odometry_yaw_error", "rad", "heading by odometry less the true one, -pi to pi",
+       false, robot_only, odometry_angle},
+      {"agents", "wheel_speed", "rad/s",
+       "of a driven wheel, in the order of the robot's file; mean since the look before", true,
+       has_wheel, wheel_angle, true},
+      {"agents", "energy", "J",
+       "drawn so far from its battery by computer, radio and motors; none without a battery", false,
+       has_battery, [](View view, std::size_t) { return drawn_energy(view); }},
+  };
+}
+
+std::vector<Quantity> radio_quantities() {
+  return {
+      {"radio", "queue", "1", "frames that wait to be sent or are being sent", false, always,
+       [](View view, std::size_t) -> Value { return static_cast<double>(view.mac.waiting()); }},
+      {"radio", "on", "1", "1: the radio is on, 0: off", false, always,
+       [](View view, std::size_t) -> Value { return view.mac.radio_on() ? 1 : 0; }},
+      {"radio", "transmit_share", "1", "share of the time since the look before in which it sent",
+       true, always,
+       [](View view, std::size_t) -> Value {
+         return hal::to_seconds(view.mac.use().transmitting);
+       }},
+      {"radio", "receive_share", "1", "likewise, in which the medium was busy by others", true,
+       always,
+       [](View view, std::size_t) -> Value { return hal::to_seconds(view.mac.use().receiving); }},
+      {"radio", "idle_share", "1", "likewise, in which the medium was idle", true, always,
+       [](View view, std::size_t) -> Value { return hal::to_seconds(view.mac.use().listening); }},
+      {"radio", "off_share", "1", "likewise, in which it was off", true, always,
+       [](View view, std::size_t) -> Value { return hal::to_seconds(view.mac.use().off); }},
+  };
+}
+
+Value destinations(View view, std::size_t) {
+  std::set<std::pair<std::string, hal::AgentId>> known;
+  for (const hal::Route& route : view.agent.core().router().routes())
+    known.emplace(route.topic, route.destination);
+  return static_cast<double>(known.size());
+}
+
+std::vector<Quantity> routing_quantities() {
+  return {
+      {"routing", "neighbours", "1", "agents that its router knows to hear directly", false, always,
+       [](View view, std::size_t) -> Value {
+         return static_cast<double>(view.agent.core().router().neighbours().size());
+       }},
+      {"routing", "routes", "1", "entries of its routing tables, one per next hop", false, always,
+       [](View view, std::size_t) -> Value {
+         return static_cast<double>(view.agent.core().router().routes().size());
+       }},
+      {"routing", "destinations", "1", "pairs of a topic and an agent that it has a route to",
+       false, always, destinations},
+      {"routing", "malformed_frames", "1", "frames so far that its router could not read", false,
+       always,
+       [](View view, std::size_t) -> Value {
+         return static_cast<double>(view.agent.core().router().malformed_frames());
+       }},
+  };
+}
+
+}  // namespace
+
+std::optional<double> drawn_energy(const AgentView& view) {
+  const AgentConfig& config = view.agent.config();
+  const hal::devices::Battery* battery = hal::devices::battery_of(sensors_of(config));
+  if (battery == nullptr) return std::nullopt;
+  const double motors = is_robot(config) ? view.scene.world().energy(config.id).motor_input : 0.0;
+  return battery->idle_power * hal::to_seconds(view.now - hal::Time{}) + motors +
+         energy(view.mac.use(), battery->radio);
+}
+
+const std::vector<Quantity>& quantities() {
+  static const std::vector<Quantity> all = [] {
+    std::vector<Quantity> sum = body_quantities();
+    for (const auto& part : {radio_quantities(), routing_quantities()}) {
+      sum.insert(sum.end(), part.begin(), part.end());
+    }
+    return sum;
+  }();
+  return all;
+}
+
+}  // namespace sim::agents

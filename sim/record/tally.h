@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+namespace sim::record {
+
+/// What is added up, or remembered, of each agent from what happens in a run.
+enum class Tally : std::uint8_t {
+  kFramesSent,
+  kRetries,
+  kAirtime,
+  kFramesReceived,
+  kFramesLost,
+  kRequestsFailed,
+  kRssi,
+  kMessagesSent,
+  kMessagesArrived,
+  kMessagesReceived,
+  kDelay,
+  kDiscoveries,
+  kDiscoveriesFailed,
+  kDiscoveryTime,
+  kRouteChanges,
+};
+inline constexpr std::size_t kTallies = 15;
+
+struct TallyKind {
+  Tally tally;
+  std::string_view domain, name, unit, meaning;
+  /// It has no value until something happens, and each time is one to look at; else it counts from
+  /// 0.
+  bool is_of_events = false;
+};
+
+/// In the order of the enumeration.
+const std::vector<TallyKind>& tally_kinds();
+
+}  // namespace sim::record
