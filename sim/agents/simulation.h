@@ -112,6 +112,9 @@ class Simulation final : public hal::exchange::AgentHost {
   /// True state, for expectations: m, world frame.
   BodyState body(hal::AgentId agent) const;
   ContactCounts contacts(hal::AgentId agent) const;
+  /// Whether a condition of SimulationConfig::asked holds now, or has held at any time of the run.
+  bool holds(std::size_t asked) const;
+  bool has_held(std::size_t asked) const;
   /// Last state the agent's controller named; empty: none.
   const std::string& state(hal::AgentId agent) const;
 
