@@ -3,6 +3,7 @@ import math
 
 import air_scenarios
 from document import pyplot
+from gap import bridge_the_gap
 from runs import SCENARIOS
 from teleop import teleop_behind_a_wall
 
@@ -148,7 +149,8 @@ def handover(runs):
 
 
 PAGES = {"saturation": saturation, "hidden_terminal": hidden_terminal, "range": range_, "near_far": near_far,
-         "behind_a_wall": behind_a_wall, "handover": handover, "teleop_behind_a_wall": teleop_behind_a_wall}
+         "behind_a_wall": behind_a_wall, "bridge_the_gap": bridge_the_gap, "handover": handover,
+         "teleop_behind_a_wall": teleop_behind_a_wall}
 
 
 def figures(runs, only):
