@@ -21,14 +21,31 @@ std::vector<std::vector<Seen>> islands_of(std::vector<Seen> callers, double reac
     callers.erase(callers.begin());
     for (std::size_t next = 0; next < island.size(); ++next) {
       const Seen from = island[next];
-      const auto found = std::ranges::stable_partition(
-          callers, [&](const Seen& other) { return between(from, other) > reach; });
-      island.insert(island.end(), found.begin(), found.end());
-      callers.erase(found.begin(), found.end());
+      const auto near =
+          std::stable_partition(callers.begin(), callers.end(),
+                                [&](const Seen& other) { return between(from, other) > reach; });
+      island.insert(island.end(), near, callers.end());
+      callers.erase(near, callers.end());
     }
     islands.push_back(std::move(island));
   }
   return islands;
+}
+
+/// Between an island and what is beyond; without `far` if all are as wide as that, m.
+Gap narrowest(const std::vector<Seen>& island, const std::vector<Seen>& beyond, double width) {
+  Gap gap;
+  gap.island = island.front().agent;
+  for (const Seen& near : island) {
+    for (const Seen& far : beyond) {
+      if (between(near, far) >= width) continue;
+      width = between(near, far);
+      gap.near = near.agent;
+      gap.far = far.agent;
+      gap.place = 0.5 * (near.position + far.position);
+    }
+  }
+  return gap;
 }
 
 }  // namespace
@@ -40,25 +57,17 @@ std::vector<Gap> find_gaps(const std::vector<Seen>& seen,
     if (callers.contains(one.agent)) calling.push_back(one);
   }
   std::ranges::sort(calling, {}, &Seen::agent);
+  const auto is_far = [&](const Seen& one) {
+    return std::ranges::all_of(calling,
+                               [&](const Seen& other) { return between(other, one) > reach; });
+  };
   for (const Seen& one : seen) {
-    const bool is_far = std::ranges::all_of(
-        calling, [&](const Seen& caller) { return between(caller, one) > reach; });
-    if (is_far && !callers.contains(one.agent)) beyond.push_back(one);
+    if (!callers.contains(one.agent) && is_far(one)) beyond.push_back(one);
   }
   std::vector<Gap> gaps;
   for (const std::vector<Seen>& island : islands_of(calling, reach)) {
-    Gap gap{.island = island.front().agent};
-    double narrowest = 2 * reach;
-    for (const Seen& near : island) {
-      gap.need += callers.at(near.agent);
-      for (const Seen& far : beyond) {
-        if (between(near, far) >= narrowest) continue;
-        narrowest = between(near, far);
-        gap.near = near.agent;
-        gap.far = far.agent;
-        gap.place = 0.5 * (near.position + far.position);
-      }
-    }
+    Gap gap = narrowest(island, beyond, 2 * reach);
+    for (const Seen& one : island) gap.need += callers.at(one.agent);
     if (gap.far != hal::AgentId{}) gaps.push_back(gap);
   }
   return gaps;
