@@ -11,8 +11,8 @@ inline hal::Pose2 parking(hal::AgentId agent) {
   constexpr double kFar = 5e4;     // half as far as bodies get lost (physics::BodyLoss)
   constexpr double kApart = 20.0;  // more than any two bodies are long
   constexpr int kInRow = 100;
-  const int number = agent.value;
-  return {kFar + kApart * (number % kInRow), kFar - kApart * (number / kInRow), 0};
+  const int column = agent.value % kInRow, row = agent.value / kInRow;
+  return {kFar + kApart * column, kFar - kApart * row, 0};
 }
 
 }  // namespace sim::agents
