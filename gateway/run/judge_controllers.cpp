@@ -1,12 +1,12 @@
 #include "gateway/run/judge_controllers.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <map>
 #include <set>
 #include <utility>
-#include <variant>
 
 #include "gateway/find_program.h"
 #include "gateway/teleop_port.h"
@@ -61,48 +61,45 @@ void judge_channels(const sim::scenario::Scenario& scenario, const sim::scenario
   }
 }
 
-/// A state of agents' controllers that a scenario waits for or asks about.
-struct AwaitedState {
-  std::string place;  ///< "file:line:column".
-  std::string_view key;
-  std::vector<hal::AgentId> agents;
-  std::string state;
-};
+/// The states of each program that declares some, and of programs that declare none.
+using StatesOf = std::map<std::string, std::vector<std::string>>;
 
-std::vector<AwaitedState> awaited_states(const sim::scenario::Scenario& scenario) {
-  std::vector<AwaitedState> awaited;
-  for (std::size_t i = 0; i < scenario.simulation.ends.size(); ++i) {
-    const sim::agents::EndCondition& end = scenario.simulation.ends[i];
-    if (end.agent)
-      awaited.push_back({scenario.state_places[i], "end.state", {*end.agent}, end.state});
+/// The programs of some agents, in order; empty for those that nobody drives.
+std::vector<std::string> programs_of(const std::vector<hal::AgentId>& agents,
+                                     const sim::scenario::Scenario& scenario) {
+  std::vector<std::string> programs;
+  for (const hal::AgentId id : agents) {
+    const std::string& program = config_of(scenario, id).program;
+    if (std::ranges::find(programs, program) == programs.end()) programs.push_back(program);
   }
-  for (const sim::scenario::Expectation& expectation : scenario.expectations) {
-    const auto* distance = std::get_if<sim::scenario::ExpectedDistance>(&expectation.condition);
-    if (distance == nullptr || distance->entered.empty()) continue;
-    awaited.push_back({expectation.place, "expect.entered", distance->which, distance->entered});
-  }
-  return awaited;
+  return programs;
 }
 
-/// Whether the controller enters the states that are awaited of this group's agents alone.
-void judge_states(const sim::scenario::Scenario& scenario, const sim::scenario::Group& group,
-                  std::string_view program, const std::vector<std::string>& states,
+/// Whether somebody of whom a state is awaited enters it.
+/// @param states  of the programs whose plug-ins are there.
+void judge_states(const sim::scenario::Scenario& scenario, const StatesOf& states,
                   ControllerJudgement& judgement) {
-  const auto is_of_group = [&](hal::AgentId id) {
-    return std::ranges::find(group.agents, id) != group.agents.end();
-  };
-  bool unknown = false;
-  for (const AwaitedState& awaited : awaited_states(scenario)) {
-    if (!std::ranges::all_of(awaited.agents, is_of_group)) continue;
-    if (states.empty()) unknown = true;
-    if (states.empty() || std::ranges::find(states, awaited.state) != states.end()) continue;
-    judgement.mistakes.push_back(fmt::format("{}: {}: {} declares no state '{}'{}", awaited.place,
-                                             awaited.key, program, awaited.state,
-                                             hal::config::suggestion(awaited.state, states)));
-  }
-  if (unknown) {
-    judgement.not_checked.push_back(
-        fmt::format("states of {}: not checked, it declares none", program));
+  std::set<std::string> said;
+  for (const sim::scenario::AwaitedState& awaited : scenario.awaited) {
+    const std::vector<std::string> programs = programs_of(awaited.agents, scenario);
+    std::vector<std::string> all;
+    bool may_enter = false;
+    for (const std::string& program : programs) {
+      const auto declared = states.find(program);
+      may_enter |= declared == states.end() && !program.empty();  // its plug-in is not there
+      if (declared == states.end()) continue;
+      may_enter |= declared->second.empty();
+      if (declared->second.empty() && said.insert(program).second) {
+        judgement.not_checked.push_back(
+            fmt::format("states of {}: not checked, it declares none", program));
+      }
+      all.insert(all.end(), declared->second.begin(), declared->second.end());
+    }
+    if (may_enter || std::ranges::find(all, awaited.state) != all.end()) continue;
+    judgement.mistakes.push_back(fmt::format("{}: {}: {} declare{} no state '{}'{}", awaited.place,
+                                             awaited.key, fmt::join(programs, " and "),
+                                             programs.size() == 1 ? "s" : "", awaited.state,
+                                             hal::config::suggestion(awaited.state, all)));
   }
 }
 
@@ -191,6 +188,7 @@ void judge_teleop(const sim::scenario::Scenario& scenario, const sim::scenario::
 ControllerJudgement judge_controllers(const sim::scenario::Scenario& scenario) {
   ControllerJudgement judgement;
   std::map<std::string, const hal::ControllerKind*> kinds;
+  StatesOf states;
   for (const sim::scenario::Group& group : scenario.groups) {
     if (group.program.empty()) continue;  // nobody drives them
     if (group.program == kTeleop) {
@@ -205,7 +203,7 @@ ControllerJudgement judge_controllers(const sim::scenario::Scenario& scenario) {
       }
       judge_group(scenario, group, **kind, judgement.mistakes);
       judge_channels(scenario, group, **kind, judgement.mistakes);
-      judge_states(scenario, group, group.program, (*kind)->states, judgement);
+      states[group.program] = (*kind)->states;
     } else if (kind.error().code != hal::Errc::kNotAvailable) {
       judgement.mistakes.push_back(
           fmt::format("{}: program: {}", group.program_place, kind.error().message));
@@ -220,6 +218,7 @@ ControllerJudgement judge_controllers(const sim::scenario::Scenario& scenario) {
     }
   }
   judge_records(scenario, kinds, judgement);
+  judge_states(scenario, states, judgement);
   return judgement;
 }
 

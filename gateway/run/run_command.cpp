@@ -36,9 +36,12 @@ using sim::scenario::Scenario;
 std::vector<std::string> unmet(const sim::scenario::Judge& judge, const Outcome& outcome,
                                const Simulation& simulation) {
   if (outcome.kind != Outcome::Kind::kEnded) return {};
-  return judge.unmet(outcome.result, [&](hal::AgentId agent) {
+  const auto position = [&](hal::AgentId agent) {
     const sim::agents::BodyState body = simulation.body(agent);
     return hal::Vec2{body.x, body.y};
+  };
+  return judge.unmet(outcome.result, position, [&](std::size_t asked, bool at_some_time) {
+    return at_some_time ? simulation.has_held(asked) : simulation.holds(asked);
   });
 }
 

@@ -31,6 +31,10 @@ void Discharge::draw(double joules, Duration over) {
   charge_ = std::max(0.0, charge_ - open * current_ * seconds / battery_.capacity);
 }
 
+void Discharge::take(double joules) {
+  charge_ = std::clamp(charge_ - joules / battery_.capacity, 0.0, 1.0);
+}
+
 double Discharge::voltage() const { return open_voltage() - battery_.resistance * current_; }
 
 double Discharge::open_voltage() const {

@@ -58,6 +58,10 @@ class Discharge {
   /// Loads drew so much energy, evenly. @param joules  >= 0. @param over  > 0.
   void draw(double joules, Duration over);
 
+  /// Charge is gone, or has come, by no load: at once, without heat. @param joules  may be
+  /// negative.
+  void take(double joules);
+
   double charge() const { return charge_; }    ///< 0 .. 1
   double voltage() const;                      ///< V, at the terminals, under the last load
   double current() const { return current_; }  ///< A, of the last load

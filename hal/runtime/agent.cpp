@@ -87,6 +87,7 @@ void Agent::handle(const exchange::Event& event) {
 void Agent::call_back(const exchange::Event& event) {
   switch (event.cause) {
     case exchange::Cause::kStart:
+      started_ = true;
       return controller_->start();
     case exchange::Cause::kMessage:
       return receive(event);
@@ -101,7 +102,7 @@ void Agent::call_back(const exchange::Event& event) {
       return controller_->step();
     case exchange::Cause::kStop:
       over_ = true;
-      controller_->stop();
+      if (started_) controller_->stop();
       return context_.log_mistakes();
   }
 }

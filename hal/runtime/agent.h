@@ -10,7 +10,8 @@ namespace hal::runtime {
 
 /// One agent in a controller process: its knowledge, its Mote or Robot, its controller.
 ///
-///   alive --kStop--> over        Once over, events are left alone.
+///   new --kStart--> alive --kStop--> over      Once over, events are left alone. One that ends
+///   new --kStop--> over                        before it was started is not told to stop.
 ///   alive --throws-> over
 class Agent {
  public:
@@ -19,6 +20,10 @@ class Agent {
                                                const exchange::AgentSession& session,
                                                const exchange::Directory& directory,
                                                Outbox& outbox);
+
+  const exchange::AgentSession& session() const { return context_.session; }
+  /// Has been handed its START: another one is for a new controller.
+  bool has_started() const { return started_; }
 
   /// Takes in what the event brings and makes the callback it stands for.
   void handle(const exchange::Event& event);
@@ -35,7 +40,7 @@ class Agent {
   const std::string who_;  ///< For people.
   std::unique_ptr<RealWorldObject> object_;
   std::unique_ptr<Controller> controller_;  ///< Goes before the object it refers to.
-  bool over_ = false;
+  bool started_ = false, over_ = false;
 };
 
 }  // namespace hal::runtime

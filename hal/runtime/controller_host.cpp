@@ -9,13 +9,13 @@
 
 namespace hal::runtime {
 
-ControllerHost::ControllerHost(const exchange::Session& session)
-    : directory_(session.directory), outbox_(std::make_unique<Outbox>()) {}
+ControllerHost::ControllerHost(const ControllerKind& kind, const exchange::Session& session)
+    : kind_(kind), directory_(session.directory), outbox_(std::make_unique<Outbox>()) {}
 ControllerHost::~ControllerHost() = default;
 
 Result<std::unique_ptr<ControllerHost>> ControllerHost::create(const ControllerKind& kind,
                                                                const exchange::Session& session) {
-  std::unique_ptr<ControllerHost> host(new ControllerHost(session));
+  std::unique_ptr<ControllerHost> host(new ControllerHost(kind, session));
   std::string mistakes;
   Errc code = Errc::kInvalidArgument;
   for (const exchange::AgentSession& one : session.agents) {
@@ -40,11 +40,23 @@ void cut_at_zero(std::string& text) {
 
 }  // namespace
 
+/// If that fails, the constructor threw, the old one stays and is handed nothing more.
+void ControllerHost::make_anew(std::unique_ptr<Agent>& agent) {
+  const exchange::AgentSession session = agent->session();
+  auto made = Agent::create(kind_, session, directory_, *outbox_);
+  if (made) {
+    agent = std::move(*made);
+  } else {
+    outbox_->add(exchange::ActionKind::kError).text = made.error().message;
+  }
+}
+
 exchange::Reply ControllerHost::answer(const exchange::Step& step) {
   for (std::size_t i = 0; i < step.events.size(); ++i) {
     const exchange::Event& event = step.events[i];
     outbox_->answer(event.agent, static_cast<std::uint32_t>(i));
-    if (const auto* agent = agents_.find(event.agent); agent != nullptr) {
+    if (auto* agent = agents_.find(event.agent); agent != nullptr) {
+      if (event.cause == exchange::Cause::kStart && (*agent)->has_started()) make_anew(*agent);
       (*agent)->handle(event);
       continue;
     }

@@ -36,7 +36,9 @@ class ControllerHost {
 
   /// Works off the events in their order. Never fails: a controller that throws leaves an action
   /// kError with its message, and gets no callback any more; an event for an agent that is not of
-  /// the session leaves a kError naming it. `Reply::process` is for the caller to fill in.
+  /// the session leaves a kError naming it. The second kStart of an agent, and each further one, is
+  /// for a controller that is made anew and knows nothing of the one before. `Reply::process` is
+  /// for the caller to fill in.
   exchange::Reply answer(const exchange::Step& step);
 
   /// Instead of the rest of answer(step), for a callback that does not return: what there is of the
@@ -44,9 +46,11 @@ class ControllerHost {
   exchange::Reply broken_off(const exchange::Step& step, std::string message);
 
  private:
-  explicit ControllerHost(const exchange::Session& session);
+  ControllerHost(const ControllerKind& kind, const exchange::Session& session);
+  void make_anew(std::unique_ptr<Agent>& agent);
   exchange::Reply gathered(const exchange::Step& step);
 
+  const ControllerKind& kind_;
   const exchange::Directory directory_;  ///< Of all agents of the process.
   std::unique_ptr<Outbox> outbox_;       ///< Outlives the agents, which write into it.
   exchange::AgentTable<std::unique_ptr<Agent>> agents_;

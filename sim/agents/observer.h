@@ -8,6 +8,7 @@
 #include "hal/types/agent_id.h"
 #include "hal/types/time.h"
 #include "sim/agents/real_time.h"
+#include "sim/agents/scripted_event.h"
 #include "sim/air/refusal.h"
 #include "sim/core/outside_input.h"
 #include "sim/physics/world.h"
@@ -45,6 +46,8 @@ class Observer : public radio::RadioObserver, public hal::agent::AgentObserver {
   }
   /// A body tipped over or got lost; once per body, after the physics step.
   virtual void on_body_lost(const physics::LostBody& lost) { (void)lost; }
+  /// Something happened to an agent, or to the air, because the scenario says so.
+  virtual void on_scripted(const ScriptedDone& done) { (void)done; }
   /// In real time: a controller process had an influence on the run.
   virtual void on_turn(const Turn& turn) { (void)turn; }
   /// A frame from the agent's interface became this request, with a tag of its own.

@@ -117,6 +117,9 @@ class ObserverList final : public Observer {
   void on_arrival(const OutsideArrival& arrival) override {
     for (Observer* o : observers_) o->on_arrival(arrival);
   }
+  void on_scripted(const ScriptedDone& done) override {
+    for (Observer* o : observers_) o->on_scripted(done);
+  }
   void on_turn(const Turn& turn) override {
     for (Observer* o : observers_) o->on_turn(turn);
   }

@@ -23,9 +23,19 @@ void RadioLink::transmit(hal::AgentId next_hop, hal::Bytes frame, hal::routing::
                  .tag = tag});
 }
 
+void RadioLink::set_radio(bool on) {
+  is_wanted_ = on;
+  mac_.set_radio(is_wanted_ && has_power_ && !is_empty_);
+}
+
+void RadioLink::set_power(bool on) {
+  has_power_ = on;
+  set_radio(is_wanted_);
+}
+
 void RadioLink::cut_power() {
-  has_power_ = false;
-  mac_.set_radio(false);
+  is_empty_ = true;
+  set_radio(is_wanted_);
 }
 
 void RadioLink::on_receive(const radio::MacIndication& indication) {

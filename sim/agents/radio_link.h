@@ -20,9 +20,11 @@ class RadioLink final : public hal::agent::Link, public radio::MacClient {
   void transmit(hal::AgentId next_hop, hal::Bytes frame, hal::routing::LinkTag tag) override;
   hal::Duration expected_delay() const override { return mac_.expected_delay(); }
   double transmit_energy(std::size_t bytes) const override { return mac_.transmit_energy(bytes); }
-  void set_radio(bool on) override { mac_.set_radio(on && has_power_); }
+  void set_radio(bool on) override;
   /// Off for good.
   void cut_power();
+  /// Off until it has power again; then as its controller wants it.
+  void set_power(bool on);
 
   void on_receive(const radio::MacIndication& indication) override;
   void on_transmitted(std::uint64_t tag, hal::Verdict verdict) override;
@@ -30,7 +32,7 @@ class RadioLink final : public hal::agent::Link, public radio::MacClient {
  private:
   radio::MacSap& mac_;
   LinkKind kind_;
-  bool has_power_ = true;
+  bool is_wanted_ = true, has_power_ = true, is_empty_ = false;
   hal::routing::Router* router_ = nullptr;
 };
 

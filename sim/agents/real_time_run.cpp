@@ -208,6 +208,7 @@ void Simulation::RealTimeRun::take_in(const Turn& turn, const Courier::Turn& bro
 
 void Simulation::RealTimeRun::take_effect(const Courier::Answer& answer, bool stale) {
   const auto& [action, event_time] = answer;
+  if (s_.is_of_dead(action.agent, event_time)) return;
   if (action.kind == ActionKind::kError) return s_.on_error(action, event_time);
   if (stale && drives(action)) return s_.agents.at(action.agent)->core().refuse(Courier::kStale);
   s_.apply(action);
@@ -236,7 +237,7 @@ void Simulation::RealTimeRun::restart_watchdog(hal::AgentId agent) {
 
 void Simulation::RealTimeRun::stop() {
   finish_all();
-  for (const auto& [id, agent] : s_.agents) agent->core().stop();
+  s_.stop_agents();
   post(nullptr);
   for (std::size_t i = 0; i < carried_.size(); ++i) {
     if (carried_[i].dropped || !carried_[i].courier.has_waiting()) continue;

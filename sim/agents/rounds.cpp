@@ -2,6 +2,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 #include <vector>
 
@@ -32,28 +33,46 @@ void move_by_time(std::vector<Event>& from, std::vector<Event>& to) {
 void Simulation::State::on_state(hal::AgentId agent, const std::string& state) {
   hal::log::debug(events.now(), agents.at(agent)->name(), "state {}", state);
   for (const EndCondition& condition : config.ends) {
-    if (condition.agent != agent || condition.state != state) continue;
-    events.schedule(events.now() + condition.after, Rank::kScenario, kWorld,
-                    [this, &condition] { end(condition.result); });
+    if (condition.agent == agent && condition.state == state) on_end(condition);
   }
 }
 
 void Simulation::State::start() {
   observers.on_start(air.links());
-  for (const auto& [id, agent] : agents) agent->start();
+  for (const auto& [id, agent] : agents) {
+    if (!agent->config().is_present) kill(id);
+    agent->start();
+  }
   if (std::ranges::any_of(config.agents, has_body)) {
     events.schedule(hal::Time{} + config.world.step, Rank::kPhysics, kWorld,
                     [this] { step_bodies(); });
   }
   for (const EndCondition& condition : config.ends) {
-    if (condition.agent) continue;
+    if (condition.agent || condition.when) continue;
     events.schedule(hal::Time{} + condition.after, Rank::kScenario, kWorld,
                     [this, &condition] { end(condition.result); });
   }
+  watch_conditions();
+}
+
+void Simulation::State::watch_conditions() {
+  for (const EndCondition& condition : config.ends) {
+    if (condition.when) watch.add(*condition.when, [this, &condition] { on_end(condition); });
+  }
+  for (const Condition& condition : config.asked) asked.push_back(watch.add(condition));
+  if (!watch.empty()) observers.add(watch);
+  watch.start();
+  script.start();
+}
+
+void Simulation::State::on_end(const EndCondition& condition) {
+  events.schedule(events.now() + condition.after, Rank::kScenario, kWorld,
+                  [this, &condition] { end(condition.result); });
 }
 
 void Simulation::State::step_bodies() {
   world->step();
+  for (const hal::AgentId agent : std::exchange(displaced, {})) air.displace(agent);
   for (const physics::LostBody& lost : world->lost_bodies().subspan(bodies_lost.size())) {
     const std::string& name = agents.at(lost.agent)->name();
     hal::log::warning(events.now(), name, "{}", physics::name(lost.how));
@@ -108,6 +127,7 @@ std::vector<Event>& Simulation::State::take_events() {
     agents.at(agent)->core().take_events(taken);
   }
   waiting.clear();
+  std::ranges::move(std::exchange(farewells, {}), std::back_inserter(taken));
   // By agent already, and by cause within; with a window of time, time comes first.
   const auto earlier = [](const Event& a, const Event& b) { return a.time < b.time; };
   if (std::is_sorted(taken.begin(), taken.end(), earlier)) return taken;
@@ -125,15 +145,22 @@ void Simulation::State::exchange(hal::Time window_end) {
   }
 }
 
+bool Simulation::State::is_of_dead(hal::AgentId agent, hal::Time event_time) const {
+  const auto died = died_at.find(agent);
+  return died != died_at.end() && event_time < died->second;
+}
+
 void Simulation::State::take_effect(Controllers::Answer answer) {
+  if (is_of_dead(answer.action.agent, answer.event_time)) return;
   if (answer.action.kind == ActionKind::kError) return on_error(answer.action, answer.event_time);
   if (config.controller_latency == hal::Duration::zero()) {
     apply(answer.action);
     return;
   }
-  events.schedule(
-      answer.event_time + config.controller_latency, Rank::kAction, answer.action.agent,
-      [this, action = std::make_shared<Action>(std::move(answer.action))] { apply(*action); });
+  events.schedule(answer.event_time + config.controller_latency, Rank::kAction, answer.action.agent,
+                  [this, given = std::make_shared<Controllers::Answer>(std::move(answer))] {
+                    if (!is_of_dead(given->action.agent, given->event_time)) apply(given->action);
+                  });
 }
 
 void Simulation::State::on_error(const Action& action, hal::Time event_time) {
@@ -149,7 +176,8 @@ void Simulation::State::apply(const Action& action) {
 
 /// After the end only words count.
 void Simulation::State::apply_last(const Action& action) {
-  if (is_word(action)) apply(action);
+  const bool is_heard = std::ranges::find(dead, action.agent) == dead.end();
+  if (is_heard && is_word(action)) apply(action);
 }
 
 void Simulation::State::on_failures(const std::vector<Controllers::Failure>& failures) {
@@ -172,8 +200,21 @@ void Simulation::State::on_failures(const std::vector<Controllers::Failure>& fai
   }
 }
 
-void Simulation::State::stop_controllers() {
+/// Those that the script killed are told, too, so that their processes know the run is over: what
+/// they say to it is not heard.
+void Simulation::State::stop_agents() {
   for (const auto& [id, agent] : agents) agent->core().stop();
+  for (const hal::AgentId agent : dead) {
+    Event stop;
+    stop.agent = agent;
+    stop.time = events.now();
+    stop.cause = hal::exchange::Cause::kStop;
+    farewells.push_back(std::move(stop));
+  }
+}
+
+void Simulation::State::stop_controllers() {
+  stop_agents();
   Controllers::Round round = controllers.exchange(take_events(), events.now());
   for (const Controllers::Failure& failure : round.failures) {
     hal::log::warning(events.now(), "run", "at the stop: {}", failure.error.message);

@@ -54,11 +54,15 @@ void SimulatedMote::add_sensors(radio::MacSap& mac) {
       surroundings_.world,
       [&scene = surroundings_.scene]() -> const sensing::Proximity& { return scene.proximity(); },
       [&mac](const devices::RadioPower& power) { return energy(mac.use(), power); }};
+  sensing::SensorSite of_first_battery = site;
+  of_first_battery.taken_energy = [this] { return taken_energy_; };
   for (const devices::SensorDescription& sensor : sensors_of(config_)) {
     const auto* battery = std::get_if<devices::Battery>(&sensor);
     if (battery != nullptr && battery->when_empty == devices::WhenEmpty::kOff)
       cutting_ = sensors_.size();
-    sensors_.push_back({sensing::make_sensor(sensor, site), {}});
+    const bool is_first = battery != nullptr && !battery_;
+    if (is_first) battery_ = sensors_.size();
+    sensors_.push_back({sensing::make_sensor(sensor, is_first ? of_first_battery : site), {}});
   }
 }
 
@@ -70,15 +74,20 @@ void SimulatedMote::start() {
     const double period = hal::to_seconds(surroundings_.config.control_period);
     first += hal::from_seconds(random.uniform() * period);
   }
-  events.schedule(first, Rank::kScenario, id(), [this] { core_.start(); });
+  if (!config_.is_present) set_present(false);
+  events.schedule(first, Rank::kScenario, id(), [this] {
+    if (is_present_) core_.start();
+  });
   events.schedule(first, Rank::kControl, id(), [this] { on_control(); });
 }
 
 void SimulatedMote::on_control() {
   const hal::Time now = surroundings_.events.now();
-  surroundings_.observer.on_body(now, id(), surroundings_.scene.body(id(), now));
-  core_.control();
-  if (cutting_ && read(sensors_[*cutting_], now).front() <= 0) cut_power();
+  if (is_present_) {
+    surroundings_.observer.on_body(now, id(), surroundings_.scene.body(id(), now));
+    core_.control();
+    if (cutting_ && read(sensors_[*cutting_], now).front() <= 0) cut_power();
+  }
   surroundings_.events.schedule(now + surroundings_.config.control_period, Rank::kControl, id(),
                                 [this] { on_control(); });
 }
@@ -86,13 +95,47 @@ void SimulatedMote::on_control() {
 void SimulatedMote::silence(hal::Time stop_at) {
   if (!core_.is_connected()) return;
   core_.disconnect();
-  surroundings_.events.schedule(stop_at, Rank::kAction, id(), [this] { core_.halt(); });
+  stop_ = surroundings_.events.schedule(stop_at, Rank::kAction, id(), [this] { core_.halt(); });
+}
+
+void SimulatedMote::begin_anew(const hal::Wants& wants) {
+  surroundings_.events.cancel(stop_);
+  core_.connect(wants);
+  core_.start();
 }
 
 void SimulatedMote::cut_power() {
   cutting_.reset();
+  is_empty_ = true;
   link_.cut_power();
-  cut_motors();
+  power_motors();
+}
+
+void SimulatedMote::set_power(bool on) {
+  is_on_ = on;
+  link_.set_power(is_on_ && is_present_);
+  power_motors();
+}
+
+void SimulatedMote::power_motors() { set_motors(is_on_ && is_present_ && !is_empty_); }
+
+void SimulatedMote::set_present(bool present) {
+  if (present == is_present_) return;
+  if (!present) kept_charge_ = charge();
+  is_present_ = present;
+  if (present && kept_charge_) drain((charge().value_or(0) - *kept_charge_) * capacity());
+  set_power(is_on_);
+}
+
+std::optional<double> SimulatedMote::charge() {
+  if (!battery_) return std::nullopt;
+  return read(sensors_[*battery_], surroundings_.events.now()).front();
+}
+
+void SimulatedMote::drain(double joules) { taken_energy_ += joules; }
+
+double SimulatedMote::capacity() const {
+  return std::get<devices::Battery>(sensors_of(config_)[*battery_]).capacity;
 }
 
 bool SimulatedMote::sample(std::size_t channel, hal::Time at, std::vector<double>& values) {

@@ -51,6 +51,22 @@ class SimulatedMote : public hal::agent::Sensors {
 
   /// Its controller is gone: no more events; wheels stop at `at`; radio and routing live on.
   void silence(hal::Time stop_at);
+  /// A controller that knows nothing begins now. @param wants  of its kind.
+  void begin_anew(const hal::Wants& wants);
+
+  /// Radio and motors have power, or have not.
+  void set_power(bool on);
+  /// Whether the agent takes part: else it has no power, is not seen, and its battery does not run
+  /// down. Its body and its controller are for the caller to see to.
+  void set_present(bool present);
+  bool is_present() const { return is_present_; }
+
+  /// Of the first battery now, 0 .. 1; none: it has none.
+  std::optional<double> charge();
+  /// Takes charge out of the first battery. @param joules  may be negative. @pre it has one.
+  void drain(double joules);
+  /// J, of the first battery, full. @pre it has one.
+  double capacity() const;
 
   bool sample(std::size_t channel, hal::Time at, std::vector<double>& values) override;
 
@@ -74,7 +90,8 @@ class SimulatedMote : public hal::agent::Sensors {
   const std::vector<double>& read(Part& part, hal::Time at);
   void on_control();
   void cut_power();
-  virtual void cut_motors() {}
+  void power_motors();
+  virtual void set_motors(bool on) { (void)on; }
   void localise(hal::Time at, std::vector<double>& values);
 
   const AgentConfig& config_;
@@ -86,6 +103,11 @@ class SimulatedMote : public hal::agent::Sensors {
   std::vector<Part> sensors_;  ///< As in the description.
   /// Of the battery that, empty, switches the agent off; none: there is no such, or it is empty.
   std::optional<std::size_t> cutting_;
+  bool is_empty_ = false, is_on_ = true, is_present_ = true;
+  std::optional<std::size_t> battery_;  ///< The first one.
+  double taken_energy_ = 0;             ///< J, out of that, by no load.
+  std::optional<double> kept_charge_;   ///< While it is not present.
+  EventQueue::EventId stop_;            ///< Of the wheels, after the end of a controller.
 };
 
 }  // namespace sim::agents

@@ -1,5 +1,7 @@
 #include "sim/agents/simulated_robot.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <variant>
 
@@ -13,6 +15,12 @@ namespace devices = hal::devices;
 
 const hal::devices::RobotDescription& description_of(const AgentConfig& config) {
   return std::get<hal::devices::RobotDescription>(config.body);
+}
+
+double fastest_of(std::span<const double> speeds) {
+  double fastest = 0;
+  for (const double speed : speeds) fastest = std::max(fastest, std::abs(speed));
+  return fastest;
 }
 
 }  // namespace
@@ -61,14 +69,31 @@ std::span<const sensing::InfraredReading> SimulatedRobot::infrared(hal::Time at)
   return infrared_.readings();
 }
 
+/// Of a command whose fastest wheel turns with this. rad/s
+double SimulatedRobot::share_of(double fastest) const {
+  return fastest > wheel_limit_ ? wheel_limit_ / fastest : 1;
+}
+
 hal::Result<void> SimulatedRobot::drive(const hal::Twist2& body, hal::Time) {
-  const auto driven = surroundings().world.set_body_velocity(id(), body);
+  physics::World& world = surroundings().world;
+  auto driven = world.set_body_velocity(id(), body);
   if (!driven) return tl::unexpected(driven.error());
+  if (std::isinf(wheel_limit_)) return {};
+  const hal::Twist2& able = driven->twist;
+  std::vector<double> speeds(world.drive(id()).wheel_count());
+  world.drive(id()).wheel_speeds(able, speeds);
+  const double share = share_of(fastest_of(speeds));
+  if (share == 1) return {};
+  driven = world.set_body_velocity(id(), {share * able.vx, share * able.vy, share * able.omega});
   return {};
 }
 
 hal::Result<void> SimulatedRobot::drive_wheels(std::span<const double> speeds, hal::Time) {
-  return surroundings().world.set_wheel_speeds(id(), speeds);
+  const double share = share_of(fastest_of(speeds));
+  if (share == 1) return surroundings().world.set_wheel_speeds(id(), speeds);
+  std::vector<double> slower(speeds.begin(), speeds.end());
+  for (double& speed : slower) speed *= share;
+  return surroundings().world.set_wheel_speeds(id(), slower);
 }
 
 void SimulatedRobot::halt() {
@@ -76,8 +101,8 @@ void SimulatedRobot::halt() {
   BARAKA_CHECK(surroundings().world.set_body_velocity(id(), {}).has_value());
 }
 
-void SimulatedRobot::cut_motors() {
-  BARAKA_CHECK(surroundings().world.set_motors(id(), false).has_value());
+void SimulatedRobot::set_motors(bool on) {
+  BARAKA_CHECK(surroundings().world.set_motors(id(), on).has_value());
 }
 
 }  // namespace sim::agents

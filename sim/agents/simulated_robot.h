@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -25,14 +26,19 @@ class SimulatedRobot final : public SimulatedMote, public hal::agent::Drive {
 
   /// Where it would be by its odometry if that were read now, in the frame at the start.
   hal::Pose2 reckoned(hal::Time now) const;
+  /// No wheel turns faster than this any more: commands beyond it are scaled down, direction kept.
+  /// @param limit  rad/s, > 0
+  void limit_wheels(double limit) { wheel_limit_ = limit; }
 
  private:
-  void cut_motors() override;
+  double share_of(double fastest) const;
+  void set_motors(bool on) override;
   std::span<const sensing::InfraredReading> infrared(hal::Time at);
 
   hal::devices::WheelOdometry odometry_;
   hal::Time odometry_at_{};
   sensing::InfraredArray infrared_;
+  double wheel_limit_ = std::numeric_limits<double>::infinity();  ///< rad/s
 };
 
 }  // namespace sim::agents

@@ -31,10 +31,24 @@ std::vector<hal::AgentId> ids(const SimulationConfig& config) {
   return ids;
 }
 
+/// That the script ever gives an agent's radio; 0: it leaves it alone.
+hal::Milliwatts most_power(hal::AgentId agent, const SimulationConfig& config) {
+  hal::Milliwatts most{};
+  for (const ScriptedEvent& event : config.script) {
+    for (const ScriptedAction& action : event.actions) {
+      const auto* values = std::get_if<Retune>(&action.what);
+      if (values == nullptr || !values->tx_power) continue;
+      if (std::ranges::find(action.agents, agent) != action.agents.end())
+        most = std::max(most, *values->tx_power);
+    }
+  }
+  return most;
+}
+
 std::vector<radio::RadioNetwork::Station> stations(const SimulationConfig& config) {
   std::vector<radio::RadioNetwork::Station> stations;
   for (const AgentConfig& agent : config.agents) {
-    stations.push_back({agent.id, agent.name, agent.radio});
+    stations.push_back({agent.id, agent.name, agent.radio, most_power(agent.id, config)});
   }
   return stations;
 }
@@ -55,7 +69,17 @@ Simulation::State::State(const SimulationConfig& the_config, std::vector<Observe
            .obstacles = obstacles,
            .observer = observers,
            .seed = config.seed}),
-      interfaces(config, air, {.events = events, .outside = outside, .observer = observers}) {
+      interfaces(config, air, {.events = events, .outside = outside, .observer = observers}),
+      watch({.events = events,
+             .position =
+                 [this](hal::AgentId agent) {
+                   const BodyState& body = scene.body(agent, events.now());
+                   return hal::Vec2{body.x, body.y};
+                 },
+             .charge = [this](hal::AgentId agent) { return agents.at(agent)->charge(); },
+             .look_every = config.world.step}),
+      script(config.script, events, watch,
+             [this](const ScriptedAction& action, std::size_t event) { act(action, event); }) {
   const Surroundings surroundings{events, *world, scene, observers, config};
   for (const AgentConfig& agent : config.agents) {
     auto& made = agents[agent.id];
@@ -112,7 +136,10 @@ std::vector<hal::exchange::AgentName> Simulation::directory() const {
 
 void Simulation::connect(std::shared_ptr<hal::exchange::ControllerPort> port,
                          const std::vector<hal::AgentId>& agents, const hal::Wants& wants) {
-  for (const hal::AgentId agent : agents) state_->agents.at(agent)->core().connect(wants);
+  for (const hal::AgentId agent : agents) {
+    state_->agents.at(agent)->core().connect(wants);
+    state_->wants[agent] = wants;
+  }
   state_->controllers.connect(std::move(port), agents);
 }
 
@@ -194,6 +221,14 @@ std::optional<double> Simulation::read(const Quantity& quantity, hal::AgentId ag
 AgentUse Simulation::use(hal::AgentId agent) const {
   const AgentView view = state_->view(agent);
   return {.radio = view.mac.use(), .energy = drawn_energy(view)};
+}
+
+bool Simulation::holds(std::size_t asked) const {
+  return state_->watch.holds(state_->asked[asked]);
+}
+
+bool Simulation::has_held(std::size_t asked) const {
+  return state_->watch.has_held(state_->asked[asked]);
 }
 
 const std::string& Simulation::state(hal::AgentId agent) const {

@@ -129,6 +129,9 @@ class Simulation final : public hal::exchange::AgentHost {
   /// One of quantities(), as it is now; none: the agent does not have it now. @pre it has it.
   std::optional<double> read(const Quantity& quantity, hal::AgentId agent,
                              std::size_t number = 0) const;
+  /// Whether a condition of SimulationConfig::asked holds now, or has held at any time of the run.
+  bool holds(std::size_t asked) const;
+  bool has_held(std::size_t asked) const;
   /// Last state the agent's controller named; empty: none.
   const std::string& state(hal::AgentId agent) const;
 

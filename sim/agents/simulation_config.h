@@ -13,7 +13,9 @@
 #include "hal/types/geometry.h"
 #include "hal/types/quantity.h"
 #include "hal/types/time.h"
+#include "sim/agents/condition.h"
 #include "sim/agents/path.h"
+#include "sim/agents/scripted_event.h"
 #include "sim/air/network_config.h"
 #include "sim/physics/world.h"
 #include "sim/radio/radio_config.h"
@@ -61,7 +63,8 @@ struct AgentConfig {
   std::optional<hal::routing::Algorithm> routing{};
   /// None: no program can use its radio by sockets.
   std::optional<air::NetworkConfig> network{};
-  bool inside = false;  ///< Its controller runs in the agent's own network.
+  bool inside = false;     ///< Its controller runs in the agent's own network.
+  bool is_present = true;  ///< At the start; else an event adds it, or nothing ever does.
 };
 
 /// To its controller it is a robot; all others are motes.
@@ -82,12 +85,14 @@ struct LocalisationConfig {
   hal::Metres range{300};
 };
 
-/// The run ends `after` an agent's controller enters a state, or at a time.
+/// The run ends `after` an agent's controller enters a state, `after` a condition begins to hold,
+/// or at a time.
 struct EndCondition {
-  std::optional<hal::AgentId> agent;  ///< None: at time `after`.
+  std::optional<hal::AgentId> agent;  ///< None, and no `when`: at time `after`.
   std::string state;
   hal::Duration after{};
   std::string result;  ///< What the run is then called, e.g. "arrived".
+  std::optional<Condition> when{};
 };
 
 /// Everything a run depends on. Equal values and seed give equal runs.
@@ -107,6 +112,9 @@ struct SimulationConfig {
   LocalisationConfig localisation;
   std::vector<AgentConfig> agents;  ///< By address.
   std::vector<EndCondition> ends;
+  std::vector<ScriptedEvent> script;  ///< Things that happen to agents.
+  /// Of which Simulation::holds() and has_held() tell in the end. Nothing depends on them.
+  std::vector<Condition> asked;
 };
 
 }  // namespace sim::agents

@@ -1,15 +1,18 @@
 #pragma once
 
 #include <algorithm>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "hal/exchange/agent_table.h"
+#include "sim/agents/condition_watch.h"
 #include "sim/agents/controllers.h"
 #include "sim/agents/interfaces.h"
 #include "sim/agents/observer_list.h"
+#include "sim/agents/script.h"
 #include "sim/agents/simulated_mote.h"
 #include "sim/agents/simulation.h"
 #include "sim/agents/world_obstacles.h"
@@ -47,6 +50,19 @@ struct Simulation::State final : hal::agent::AgentListener {
   void on_error(const hal::exchange::Action& action, hal::Time event_time);
   void apply(const hal::exchange::Action& action);
   void apply_last(const hal::exchange::Action& action);
+  /// An answer of a controller that has died since it was asked.
+  bool is_of_dead(hal::AgentId agent, hal::Time event_time) const;
+  void on_end(const EndCondition& condition);
+  void watch_conditions();
+
+  // What the script says.
+  void act(const ScriptedAction& action, std::size_t event);
+  void befall(Fortune fortune, hal::AgentId agent);
+  void kill(hal::AgentId agent);
+  void place(hal::AgentId agent, const hal::Pose2& pose);
+  void retune(hal::AgentId agent, const Retune& values);
+  void drain(hal::AgentId agent, const Drain& drain);
+  void jam(const Jam& interferer, hal::Time last);
   void on_failures(const std::vector<Controllers::Failure>& failures);
   void go_on(hal::Time next, Pace& pace);
   /// What the sampler is to see before anything happens at `next`. @pre nothing is to happen
@@ -57,6 +73,7 @@ struct Simulation::State final : hal::agent::AgentListener {
   void look_until(hal::Time next);
   /// Advances to `until` if the run was not ended before, and has the sampler look so far.
   void look_at_the_end(std::optional<hal::Time> until);
+  void stop_agents();
   void stop_controllers();
   AgentView view(hal::AgentId agent);
   Outcome outcome() const;
@@ -83,7 +100,15 @@ struct Simulation::State final : hal::agent::AgentListener {
   bool broken_off = false;
   Sampler* sampler = nullptr;
   hal::Time look_due = hal::Time::max();  ///< Of the sampler.
-  std::vector<std::string> bodies_lost;   ///< One line for each of the world's lost bodies.
+  std::vector<std::string> bodies_lost;  ///< One line for each of the world's lost bodies.
+  ConditionWatch watch;
+  std::vector<std::size_t> asked;  ///< Numbers of SimulationConfig::asked in the watch.
+  Script script;
+  std::map<hal::AgentId, hal::Wants> wants;     ///< Of their controllers.
+  std::map<hal::AgentId, hal::Time> died_at;    ///< When controllers died by the script, last.
+  std::vector<hal::AgentId> dead;               ///< Whose controllers are dead by the script.
+  std::vector<hal::exchange::Event> farewells;  ///< The last events, of those.
+  std::vector<hal::AgentId> displaced;          ///< Since the last physics step.
 };
 
 }  // namespace sim::agents

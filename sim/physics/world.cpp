@@ -13,6 +13,7 @@
 #include "sim/physics/awake_list.h"
 #include "sim/physics/body_loss.h"
 #include "sim/physics/contact_pass.h"
+#include "sim/physics/displace.h"
 #include "sim/physics/jam_guard.h"
 #include "sim/physics/object.h"
 #include "sim/physics/ode_world.h"
@@ -78,6 +79,7 @@ class World::Implementation {
   void adopt(dGeomID geometry, const Solid& solid, AgentId owner);
   void furnish(Object& object, Solid::Kind kind, const Geometries& geometries);
   void step();
+  void put_down();
   void actuate();
   bool follow(std::size_t object);
   void outdate(std::size_t object);
@@ -103,6 +105,7 @@ class World::Implementation {
   std::uint64_t jams = 0;
   int largest_exact = 0;
   std::vector<LostBody> lost;
+  std::vector<std::pair<std::size_t, hal::Pose2>> placed;  ///< Objects, before the next step.
 };
 
 Object& World::Implementation::insert(AgentId agent) {
@@ -149,7 +152,19 @@ void World::Implementation::actuate() {
   }
 }
 
+/// What was placed since the last step.
+void World::Implementation::put_down() {
+  for (const auto& [number, pose] : placed) {
+    Object& object = *objects[number];
+    if (object.frozen) continue;
+    displace(object, pose);
+    awake.add(number);
+  }
+  placed.clear();
+}
+
 void World::Implementation::step() {
+  put_down();
   actuate();
   pass.run(config.step * static_cast<std::int64_t>(steps) + hal::Time{});
   const Solve how{hal::to_seconds(config.step), config.jam_contacts, config.jam_robots, config.seed,
@@ -291,6 +306,12 @@ Result<void> World::set_motors(AgentId agent, bool on) {
   if (!drivetrain) return tl::unexpected(drivetrain.error());
   (*drivetrain)->set_power(on);
   return {};
+}
+
+void World::place(AgentId agent, const hal::Pose2& pose) {
+  BARAKA_CHECK(has(agent) && std::isfinite(pose.x) && std::isfinite(pose.y) &&
+               std::isfinite(pose.theta));
+  implementation_->placed.emplace_back(implementation_->index[agent.value], pose);
 }
 
 void World::step() { implementation_->step(); }

@@ -147,6 +147,11 @@ class World {
   /// becomes zero. Errors: kNotAvailable (not a robot).
   hal::Result<void> set_motors(AgentId agent, bool on);
 
+  /// Puts a body somewhere else with the next step: at rest and upright on the ground. A robot
+  /// keeps its command. What stands there is pushed apart.
+  /// @pre the agent was added; the pose is finite.
+  void place(AgentId agent, const hal::Pose2& pose);
+
   /// Moves everything on by config().step.
   void step();
 

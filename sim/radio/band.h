@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/core/event_queue.h"
+#include "sim/radio/burst.h"
 #include "sim/radio/channel.h"
 #include "sim/radio/neighbourhood.h"
 #include "sim/radio/observer.h"
@@ -32,6 +33,16 @@ class Band {
     for (const auto& antenna : antennas) stations_.push_back(antenna.agent);
     if (const WavesConfig* const waves = waves_of(config)) {
       channel_ = std::make_unique<Channel>(around.events, neighbourhood_, around.observer, *waves);
+    }
+  }
+
+  /// It begins now. @pre a profile with waves.
+  void interfere(const Burst& burst) {
+    const Site from(burst.from);
+    for (StationIndex to = 0; to < stations_.size(); ++to) {
+      const auto arrival = neighbourhood_.arrival(burst.power, from, to);
+      if (arrival.power.value > 0)
+        channel_->interfere(to, arrival.delay, burst.length, arrival.power.value);
     }
   }
 

@@ -1,5 +1,6 @@
 #include "sim/radio/channel.h"
 
+#include <limits>
 #include <utility>
 
 #include "sim/radio/radio.h"
@@ -179,6 +180,12 @@ void Channel::finish(Transmission& transmission) {
     }
   }
   transmissions_.drop_use(transmission);
+}
+
+void Channel::interfere(StationIndex at, hal::Duration delay, hal::Duration length, double power) {
+  constexpr StationIndex kNoStation = std::numeric_limits<StationIndex>::max();
+  const bool alarms = faint_[at].add(kNoStation, events_.now(), delay, length, power);
+  if (alarms) radios_[at]->watch_energy();
 }
 
 void Channel::cut(const Radio& from) {

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "sim/core/event_queue.h"
+#include "sim/radio/burst.h"
 #include "sim/radio/faint_signals.h"
 #include "sim/radio/frame.h"
 #include "sim/radio/neighbourhood.h"
@@ -34,6 +35,10 @@ class Channel {
 
   /// The frame starts now.
   void transmit(Radio& from, const FramePtr& frame);
+
+  /// Energy that is no frame begins now and arrives there after the delay.
+  /// @param length  at most kLongestBurst. @param power  mW
+  void interfere(StationIndex at, hal::Duration delay, hal::Duration length, double power);
 
   /// What this radio is transmitting ends now, cut short.
   void cut(const Radio& from);

@@ -45,6 +45,8 @@ class MacBase : public MacSap {
   void add_client(Ethertype ethertype, MacClient& client) final;
   hal::Duration expected_delay() const final;
   double transmit_energy(std::size_t bytes) const final;
+  /// Into the antenna, for transmit_energy() from now on.
+  void set_tx_power(hal::Milliwatts power) { tx_power_ = power; }
 
  protected:
   /// Checks the preconditions of transmit().

@@ -40,7 +40,8 @@ double longest_reach(const Propagation& propagation,
   double best_gain = 0;
   for (const auto& antenna : antennas) best_gain = std::max(best_gain, antenna.gain);
   for (const auto& antenna : antennas) {
-    reach = std::max(reach, propagation.reach(best_gain * antenna.gain * antenna.tx_power));
+    const hal::Milliwatts most = std::max(antenna.tx_power, antenna.most_power);
+    reach = std::max(reach, propagation.reach(best_gain * antenna.gain * most));
   }
   return reach;
 }
@@ -260,6 +261,27 @@ void Neighbourhood::follow_time(StationIndex transmitter) {
     link.arrival =
         propagation_.arrival(link.steady, from, stations_[link.receiver].site, events_.now());
   }
+}
+
+void Neighbourhood::displace(StationIndex index) {
+  Station& station = stations_[index];
+  station.valid_until = {};
+  refresh(station);
+  grid_.put(index, {station.site.position.x, station.site.position.y});
+  // Anybody may have had it in reach, or have it now.
+  for (Station& other : stations_) other.is_out_of_date = true;
+}
+
+void Neighbourhood::set_tx_power(StationIndex station, hal::Milliwatts power) {
+  stations_[station].radiated = stations_[station].gain * power;
+  stations_[station].is_out_of_date = true;
+}
+
+Propagation::Arrival Neighbourhood::arrival(hal::Milliwatts sent, const Site& from,
+                                            StationIndex to) {
+  Station& station = stations_[to];
+  refresh(station);
+  return propagation_.mean_arrival(propagation_.steady(station.gain * sent, from, station.site));
 }
 
 void Neighbourhood::forget(StationIndex transmitter) {

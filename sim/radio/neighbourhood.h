@@ -56,9 +56,10 @@ class Neighbourhood {
   struct Antenna {
     hal::AgentId agent;
     hal::Milliwatts tx_power;
-    double height = 0;       ///< m above the agent's position.
-    std::uint64_t name = 0;  ///< As Site::name.
-    double gain = 1;         ///< A ratio; when sending and when receiving.
+    double height = 0;             ///< m above the agent's position.
+    std::uint64_t name = 0;        ///< As Site::name.
+    double gain = 1;               ///< A ratio; when sending and when receiving.
+    hal::Milliwatts most_power{};  ///< That set_tx_power() may ask for, if more than `tx_power`.
   };
   /// @param antennas  in ascending order of agents; the index into it is the StationIndex.
   Neighbourhood(EventQueue& events, const Positions& positions, const Propagation& propagation,
@@ -66,6 +67,16 @@ class Neighbourhood {
 
   /// Up-to-date links from this station to all that notice it. Valid until the next call for it.
   const Links& links_from(StationIndex transmitter);
+
+  /// The station is somewhere else now, without having moved there.
+  void displace(StationIndex station);
+
+  /// What the station sends with from its next frame on. @param power  at most the greater one of
+  /// its antenna's `tx_power` and `most_power`.
+  void set_tx_power(StationIndex station, hal::Milliwatts power);
+
+  /// What comes of a power that is sent at a place where no station is. Frames keep their mean.
+  Propagation::Arrival arrival(hal::Milliwatts sent, const Site& from, StationIndex to);
 
   /// Gives back the memory that links_from() took for a station, which may never transmit.
   void forget(StationIndex transmitter);

@@ -60,7 +60,8 @@ Neighbourhood::Antenna antenna(const RadioNetwork::Station& station, const Radio
           .tx_power = station.radio.tx_power.value_or(tx_power(config)),
           .height = station.radio.antenna_height.value_or(height).value,
           .name = hal::RandomStream(seed, station.name + "/propagation").next(),
-          .gain = ratio(station.radio.antenna_gain.value_or(gain))};
+          .gain = ratio(station.radio.antenna_gain.value_or(gain)),
+          .most_power = station.most_power};
 }
 
 /// 0 of profiles without waves, which have no channel numbers.
@@ -146,6 +147,20 @@ struct RadioNetwork::State {
     if (waves_of(config) == nullptr) {
       air.disk = std::make_unique<DiskAir>(DiskAir{air.band->neighbourhood(), {}});
     }
+  }
+
+  std::size_t number_of(hal::AgentId agent) const {
+    const auto found = std::ranges::lower_bound(stations, agent, {}, &Station::agent);
+    BARAKA_CHECK(found != stations.end() && found->agent == agent);
+    return static_cast<std::size_t>(found - stations.begin());
+  }
+
+  /// The neighbourhood that the agent is in, and its number there.
+  std::pair<Neighbourhood*, StationIndex> place_of(hal::AgentId agent) {
+    Air& air = air_of(channel_of(stations[number_of(agent)], config));
+    const auto& all = air.band->stations();
+    return {&air.band->neighbourhood(),
+            static_cast<StationIndex>(std::ranges::lower_bound(all, agent) - all.begin())};
   }
 
   const StationProfile& profile_of(const Station& station, const Air& air) {
@@ -236,13 +251,26 @@ RadioNetwork::RadioNetwork(const RadioConfig& config, const std::vector<Station>
 
 RadioNetwork::~RadioNetwork() = default;
 
-MacSap& RadioNetwork::sap(hal::AgentId agent) {
-  const auto& stations = state_->stations;
-  const auto found =
-      std::lower_bound(stations.begin(), stations.end(), agent,
-                       [](const Station& station, hal::AgentId id) { return station.agent < id; });
-  BARAKA_CHECK(found != stations.end() && found->agent == agent);
-  return *state_->macs[static_cast<std::size_t>(found - stations.begin())];
+MacSap& RadioNetwork::sap(hal::AgentId agent) { return *state_->macs[state_->number_of(agent)]; }
+
+void RadioNetwork::displace(hal::AgentId agent) {
+  const auto [neighbourhood, station] = state_->place_of(agent);
+  neighbourhood->displace(station);
+}
+
+void RadioNetwork::set_tx_power(hal::AgentId agent, hal::Milliwatts power) {
+  const auto [neighbourhood, station] = state_->place_of(agent);
+  neighbourhood->set_tx_power(station, power);
+  state_->macs[state_->number_of(agent)]->set_tx_power(power);
+}
+
+void RadioNetwork::interfere(const Burst& burst) {
+  const WavesConfig* const waves = waves_of(state_->config);
+  BARAKA_CHECK(waves != nullptr);
+  const std::uint32_t channel = burst.channel.value_or(waves->phy.channel);
+  for (const auto& air : state_->airs) {
+    if (air->channel == channel) air->band->interfere(burst);
+  }
 }
 
 std::vector<std::pair<hal::AgentId, hal::AgentId>> RadioNetwork::links() const {

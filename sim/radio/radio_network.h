@@ -8,6 +8,7 @@
 
 #include "hal/types/agent_id.h"
 #include "sim/core/event_queue.h"
+#include "sim/radio/burst.h"
 #include "sim/radio/mac_sap.h"
 #include "sim/radio/observer.h"
 #include "sim/radio/ports.h"
@@ -30,6 +31,7 @@ class RadioNetwork {
     hal::AgentId agent;
     std::string name;  ///< Of the agent; names its random streams.
     StationConfig radio{};
+    hal::Milliwatts most_power{};  ///< That set_tx_power() will ask for; 0: it will not.
   };
 
   /// @throws std::invalid_argument  what check() refuses, and an access point that is no station.
@@ -40,6 +42,13 @@ class RadioNetwork {
   RadioNetwork& operator=(const RadioNetwork&) = delete;
 
   MacSap& sap(hal::AgentId agent);
+
+  /// The agent is somewhere else now, without having moved there.
+  void displace(hal::AgentId agent);
+  /// Into the antenna from its next frame on, > 0. @param power  at most Station::most_power.
+  void set_tx_power(hal::AgentId agent, hal::Milliwatts power);
+  /// Begins now. On a channel number that nobody uses: no effect. @pre a profile with waves.
+  void interfere(const Burst& burst);
 
   /// Pairs that could receive each other's frames now, each once, lower address first: the arrows
   /// of the paper's Fig. 2.

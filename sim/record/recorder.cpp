@@ -58,6 +58,7 @@ Recorder::Recorder(const std::filesystem::path& file, const agents::SimulationCo
       insert_lost_body_(database_, "INSERT INTO lost_bodies VALUES (?, ?, ?)"),
       insert_state_(database_, "INSERT INTO states VALUES (?, ?, ?)"),
       insert_value_(database_, "INSERT INTO recorded VALUES (?, ?, ?, ?)"),
+      insert_scripted_(database_, "INSERT INTO events VALUES (?, ?, ?, ?)"),
       insert_turn_(database_, "INSERT INTO turns VALUES (?, ?, ?, ?)"),
       insert_arrival_(database_, "INSERT INTO arrivals VALUES (?, ?, ?)"),
       insert_association_(database_, "INSERT INTO associations VALUES (?, ?, ?)"),
@@ -121,12 +122,15 @@ void Recorder::describe(const agents::SimulationConfig& config) {
   for (const physics::StaticBox& wall : config.walls) {
     insert_wall.run(wall.name, wall.centre.x, wall.centre.y, wall.yaw, wall.size.x, wall.size.y);
   }
+  std::vector<std::pair<hal::AgentId, std::string>> names;
+  for (const agents::AgentConfig& agent : config.agents) names.emplace_back(agent.id, agent.name);
   Statement insert_end(database_, "INSERT INTO ends VALUES (?, ?, ?, ?)");
   for (const agents::EndCondition& end : config.ends) {
     std::optional<int> agent;
     std::optional<std::string> state;
     if (end.agent) agent = end.agent->value;
     if (end.agent) state = end.state;
+    if (end.when) state = to_text(*end.when, names);
     insert_end.run(agent, state, end.after.count(), end.result);
   }
 }
@@ -164,6 +168,13 @@ void Recorder::add(const ProgramRow& program) {
   if (program.ended) ended = hal::to_ns(*program.ended);
   if (program.ended) status = program.status;
   insert.run(program.agent.value, program.name, hal::to_ns(program.started), ended, status);
+}
+
+void Recorder::on_scripted(const agents::ScriptedDone& done) {
+  std::optional<int> agent;
+  if (done.agent != hal::AgentId{}) agent = done.agent.value;
+  insert_scripted_.run(hal::to_ns(done.at), std::uint64_t{done.event}, done.action, agent);
+  on_rows(done.at, 1);
 }
 
 void Recorder::on_turn(const agents::Turn& turn) {

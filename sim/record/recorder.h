@@ -151,6 +151,7 @@ class Recorder final : public agents::Observer {
                    const radio::MacIndication& indication) override;
   void on_air_refused(hal::Time at, hal::AgentId agent, air::Refusal refusal,
                       std::size_t bytes) override;
+  void on_scripted(const agents::ScriptedDone& done) override;
   void on_turn(const agents::Turn& turn) override;
   void on_arrival(const OutsideArrival& arrival) override;
 
@@ -182,8 +183,9 @@ class Recorder final : public agents::Observer {
   BodyLog bodies_;
   InterfaceCounts interfaces_;
   std::unique_ptr<Observables> observables_;
-  Statement set_, insert_discovery_, insert_lost_body_, insert_state_, insert_value_, insert_turn_,
-      insert_arrival_, insert_association_, insert_frame_, insert_frame_end_, insert_fingerprint_;
+  Statement set_, insert_discovery_, insert_lost_body_, insert_state_, insert_value_,
+      insert_scripted_, insert_turn_, insert_arrival_, insert_association_, insert_frame_,
+      insert_frame_end_, insert_fingerprint_;
   int rows_ = 0;     ///< Since the last commit.
   hal::Time now_{};  ///< Of the latest row, or of the end.
   hal::Time next_commit_{kCommitPeriod};

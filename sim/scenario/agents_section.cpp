@@ -47,6 +47,11 @@ const Key kStation{
     "The group's agents are radios without bodies, which stand or move on a path; to "
     "their controllers they are motes."};
 
+const Key kPresent{"present",
+                   "Whether the group's agents are there at the start; if not, an event may add "
+                   "them.",
+                   "false"};
+
 using Algorithm = hal::routing::Algorithm;
 const Key kRouting{"routing",
                    "How the group's messages find their way: ant routing with the keys of the "
@@ -173,6 +178,8 @@ void read_group(const std::string& name, Mapping in, Scenario& scenario, Taken& 
   read_station_radios(
       in.mapping({"radio", "What the radios of the group's agents have of their own."}),
       scenario.simulation.radio, agents);
+  const bool is_present = in.flag(kPresent, true);
+  for (AgentConfig& agent : agents) agent.is_present = is_present;
   const bool has_routing = in.has(kRouting.name);
   const Algorithm routing = in.choice(kRouting, kAlgorithms, scenario.simulation.routing.algorithm);
   for (AgentConfig& agent : agents) {
@@ -230,6 +237,7 @@ void write_group(Writer& out, const Group& group, std::span<const AgentConfig> a
   write_network(out, agents);
   write_programs(out, group);
   write_station_radios(out, agents);
+  if (!agents.front().is_present) out.flag(kPresent.name, false);
   if (agents.front().routing)
     FieldWriter(out).choice(kRouting, kAlgorithms, *agents.front().routing);
   out.close();

@@ -33,14 +33,19 @@ void Judge::on_state(hal::Time, hal::AgentId agent, std::string_view state) {
   }
 }
 
-std::vector<std::string> Judge::unmet(std::string_view result, const TruePosition& position) const {
+std::vector<std::string> Judge::unmet(std::string_view result, const TruePosition& position,
+                                      const TrueCondition& condition) const {
   std::vector<std::string> lines;
   for (std::size_t i = 0; i < who_.size(); ++i) {
     const Expectation& expectation = scenario_.expectations[i];
-    const auto* distance = std::get_if<ExpectedDistance>(&expectation.condition);
-    const auto line = distance != nullptr
-                          ? unmet(*distance, who_[i], position)
-                          : unmet(std::get<ExpectedResult>(expectation.condition), result);
+    std::optional<std::string> line;
+    if (const auto* distance = std::get_if<ExpectedDistance>(&expectation.condition)) {
+      line = unmet(*distance, who_[i], position);
+    } else if (const auto* asked = std::get_if<ExpectedCondition>(&expectation.condition)) {
+      line = unmet(*asked, condition);
+    } else {
+      line = unmet(std::get<ExpectedResult>(expectation.condition), result);
+    }
     if (line) lines.push_back(fmt::format("{}: expect: {}", expectation.place, *line));
   }
   return lines;
@@ -50,6 +55,17 @@ std::optional<std::string> Judge::unmet(const ExpectedResult& expected,
                                         std::string_view result) const {
   if (expected.result == result) return std::nullopt;
   return fmt::format("the result is '{}', expected '{}'", result, expected.result);
+}
+
+std::optional<std::string> Judge::unmet(const ExpectedCondition& expected,
+                                        const TrueCondition& condition) const {
+  if (condition(expected.asked, expected.at_some_time)) return std::nullopt;
+  std::vector<std::pair<hal::AgentId, std::string>> names;
+  for (const agents::AgentConfig& agent : scenario_.simulation.agents)
+    names.emplace_back(agent.id, agent.name);
+  return fmt::format("{}: {}",
+                     expected.at_some_time ? "never held in the run" : "does not hold at the end",
+                     to_text(scenario_.simulation.asked[expected.asked], names));
 }
 
 std::optional<std::string> Judge::unmet(const ExpectedDistance& expected,

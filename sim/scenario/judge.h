@@ -15,13 +15,17 @@ namespace sim::scenario {
 /// True position of an agent at the end of the run [m, world frame].
 using TruePosition = std::function<hal::Vec2(hal::AgentId)>;
 
+/// Whether a condition of SimulationConfig::asked holds at the end of the run, or has held at some
+/// time of it.
+using TrueCondition = std::function<bool(std::size_t asked, bool at_some_time)>;
+
 /// Judges a run by the expectations of its scenario. An observer, because a run's end does not show
 /// which agents went through which states.
 ///
 ///   Judge judge(scenario);
 ///   Simulation simulation(scenario.simulation, {&judge, …});
 ///   …run…
-///   const auto lines = judge.unmet(outcome.result, position);
+///   const auto lines = judge.unmet(outcome.result, position, condition);
 class Judge final : public agents::Observer {
  public:
   /// @param scenario  outlives the judge.
@@ -31,13 +35,18 @@ class Judge final : public agents::Observer {
 
   /// The expectations that do not hold, one line each: "place: expect: what was seen and what was
   /// expected". Empty: all hold.
-  std::vector<std::string> unmet(std::string_view result, const TruePosition& position) const;
+  /// @param condition  may be empty if no expectation has one.
+  std::vector<std::string> unmet(std::string_view result, const TruePosition& position,
+                                 const TrueCondition& condition = {}) const;
 
  private:
   std::optional<std::string> unmet(const ExpectedResult& expected, std::string_view result) const;
   std::optional<std::string> unmet(const ExpectedDistance& expected,
                                    std::optional<hal::AgentId> who,
                                    const TruePosition& position) const;
+
+  std::optional<std::string> unmet(const ExpectedCondition& expected,
+                                   const TrueCondition& condition) const;
 
   const Scenario& scenario_;
   /// By expectation: whom it is about. With `entered`, nobody until somebody enters that state.

@@ -3,11 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "hal/config/suggest.h"
-#include "hal/types/check.h"
-#include "hal/types/pattern.h"
+#include "sim/scenario/agent_names.h"
+#include "sim/scenario/condition_section.h"
 #include "sim/scenario/fields.h"
+#include "sim/scenario/given_keys.h"
 
 namespace sim::scenario {
 namespace {
@@ -15,31 +17,9 @@ namespace {
 using agents::EndCondition;
 using hal::AgentId;
 
-constexpr Range kTime{0, hal::config::kLongestDuration};  // s
+constexpr Range kEndTime{0, hal::config::kLongestDuration};  // s
 
-AgentId agent_named(Mapping& in, const std::string& key, const std::string& name,
-                    const Scenario& scenario) {
-  std::vector<std::string> names;
-  for (const agents::AgentConfig& agent : scenario.simulation.agents) {
-    if (agent.name == name) return agent.id;
-    names.push_back(agent.name);
-  }
-  if (!name.empty()) {
-    in.mistake(key,
-               fmt::format("unknown agent '{}'{}", name, hal::config::suggestion(name, names)));
-  }
-  return AgentId{};
-}
-
-const std::string& declared_name(AgentId id, const Scenario& scenario) {
-  const auto& all = scenario.simulation.agents;
-  const auto found = std::find_if(
-      all.begin(), all.end(), [id](const agents::AgentConfig& agent) { return agent.id == id; });
-  BARAKA_CHECK(found != all.end());
-  return found->name;
-}
-
-EndCondition read_end(Mapping& in, const Scenario& scenario) {
+EndCondition read_end(Mapping& in, Scenario& scenario) {
   EndCondition end;
   if (in.has("agent")) {
     end.agent = agent_named(
@@ -47,10 +27,19 @@ EndCondition read_end(Mapping& in, const Scenario& scenario) {
         in.text({"agent", "The run ends when this agent's controller enters a state.", "NAME0"}),
         scenario);
     end.state = in.text({"state", "That state, as the controller calls it.", "FULFILLED"});
-    end.after = in.duration({"after", "So much later.", "1 s"}, kTime, hal::Duration{});
+    end.after = in.duration({"after", "So much later.", "1 s"}, kEndTime, hal::Duration{});
     in.refuse("at", "cannot stand beside agent");
+    in.refuse("when", "cannot stand beside agent");
+    scenario.awaited.push_back({in.place("state"), "end.state", {*end.agent}, end.state});
+  } else if (in.has("when")) {
+    (void)in.mapping({"when",
+                      "The run ends when this condition begins to hold: as `when` of `events`.",
+                      kConditionExample});
+    end.when = read_condition(in.within("when"), scenario);
+    end.after = in.duration({"after", "So much later.", "1 s"}, kEndTime, hal::Duration{});
+    in.refuse("at", "cannot stand beside when");
   } else {
-    end.after = in.duration({"at", "The run ends at this time.", "60 s"}, kTime);
+    end.after = in.duration({"at", "The run ends at this time.", "60 s"}, kEndTime);
   }
   end.result = in.text({"result", "What the run is then called.", "done"});
   in.finish();
@@ -74,14 +63,6 @@ ExpectedResult read_result(Mapping& in, const Scenario& scenario) {
   return expected;
 }
 
-std::vector<AgentId> agents_like(const std::string& pattern, const Scenario& scenario) {
-  std::vector<AgentId> matching;
-  for (const agents::AgentConfig& agent : scenario.simulation.agents) {
-    if (hal::matches(pattern, agent.name)) matching.push_back(agent.id);
-  }
-  return matching;
-}
-
 /// The first of the two: a name or, with `entered`, a pattern.
 void read_whose(Mapping& in, const std::string& whose, const Scenario& scenario,
                 ExpectedDistance& expected) {
@@ -100,8 +81,11 @@ void read_whose(Mapping& in, const std::string& whose, const Scenario& scenario,
   }
 }
 
+/// What an expectation is about: one of them.
+constexpr std::array<const char*, 4> kExpected{"result", "distance", "holds", "held"};
+
 /// Two agents from a list of two names.
-ExpectedDistance read_distance(Mapping& in, const Scenario& scenario) {
+ExpectedDistance read_expected_distance(Mapping& in, Scenario& scenario) {
   ExpectedDistance expected;
   if (in.has("entered")) {
     expected.entered = in.text(
@@ -117,21 +101,41 @@ ExpectedDistance read_distance(Mapping& in, const Scenario& scenario) {
   } else {
     in.mistake("distance", fmt::format("must name two agents, not {}", names.size()));
   }
-  expected.below =
-      hal::Metres{in.number({"below", "The distance must be smaller.", "10 m"}, "m", {0, 1e9})};
+  expected.below = hal::Metres{
+      in.number({"below", "With `distance`: it must be smaller.", "10 m"}, "m", {0, 1e9})};
+  if (!expected.entered.empty() && !expected.which.empty())
+    scenario.awaited.push_back({in.place(), "expect.entered", expected.which, expected.entered});
   return expected;
 }
 
-Expectation read_expectation(Mapping& in, const Scenario& scenario) {
+ExpectedCondition read_expected_condition(Mapping& in, const std::string& key, Scenario& scenario) {
+  const bool at_some_time = key == "held";
+  (void)in.mapping({key,
+                    at_some_time ? "This condition must have held at some time of the run: as "
+                                   "`when` of `events`."
+                                 : "This condition must hold at the end of the run: as `when` of "
+                                   "`events`.",
+                    kConditionExample});
+  scenario.simulation.asked.push_back(read_condition(in.within(key), scenario));
+  return {scenario.simulation.asked.size() - 1, at_some_time};
+}
+
+Expectation read_expectation(Mapping& in, Scenario& scenario) {
   Expectation expectation{ExpectedResult{}, in.place()};
-  const bool distance = in.has("distance");
-  if (distance == in.has("result")) {
-    in.mistake("", "must have either result or distance");
+  const GivenKeys keys(in);
+  const auto given =
+      std::ranges::count_if(kExpected, [&](const char* key) { return keys.has(key); });
+  if (given != 1 && !keys.is_survey()) {
+    in.mistake("", "must have one of result, distance, holds, held");
+    for (const char* key : kExpected) in.has(key);
     for (const char* key : {"below", "entered"}) in.has(key);
-  } else if (distance) {
-    expectation.condition = read_distance(in, scenario);
-  } else {
-    expectation.condition = read_result(in, scenario);
+    in.finish();
+    return expectation;
+  }
+  if (keys.has("distance")) expectation.condition = read_expected_distance(in, scenario);
+  if (keys.has("result")) expectation.condition = read_result(in, scenario);
+  for (const char* key : {"holds", "held"}) {
+    if (keys.has(key)) expectation.condition = read_expected_condition(in, key, scenario);
   }
   in.finish();
   return expectation;
@@ -144,8 +148,6 @@ void read_ends(Mapping& in, Scenario& scenario) {
            {"end", "When the run ends; the first condition that is met counts. At least one.",
             "[{at: 60 s, result: done}]", hal::config::kMustBeGiven})) {
     scenario.simulation.ends.push_back(read_end(end, scenario));
-    const bool waits = scenario.simulation.ends.back().agent.has_value();
-    scenario.state_places.push_back(waits ? end.place("state") : std::string{});
   }
   if (scenario.simulation.ends.empty()) {
     in.mistake("end", "must have at least one condition, e.g. {at: 60 s, result: timeout}");
@@ -165,8 +167,13 @@ void write_ends(Writer& out, const Scenario& scenario) {
   for (const EndCondition& end : scenario.simulation.ends) {
     out.open_item();
     if (end.agent) {
-      out.text("agent", declared_name(*end.agent, scenario));
+      out.text("agent", declared(*end.agent, scenario).name);
       out.text("state", end.state);
+      out.duration("after", end.after);
+    } else if (end.when) {
+      out.open("when");
+      write_condition(out, *end.when, scenario);
+      out.close();
       out.duration("after", end.after);
     } else {
       out.duration("at", end.after);
@@ -182,9 +189,13 @@ void write_expectations(Writer& out, const Scenario& scenario) {
   for (const Expectation& expectation : scenario.expectations) {
     out.open_item();
     if (const auto* distance = std::get_if<ExpectedDistance>(&expectation.condition)) {
-      out.texts("distance", {distance->whose, declared_name(distance->to, scenario)});
+      out.texts("distance", {distance->whose, declared(distance->to, scenario).name});
       out.number("below", distance->below.value, "m");
       if (!distance->entered.empty()) out.text("entered", distance->entered);
+    } else if (const auto* asked = std::get_if<ExpectedCondition>(&expectation.condition)) {
+      out.open(asked->at_some_time ? "held" : "holds");
+      write_condition(out, scenario.simulation.asked[asked->asked], scenario);
+      out.close();
     } else {
       out.text("result", std::get<ExpectedResult>(expectation.condition).result);
     }

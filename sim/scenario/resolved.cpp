@@ -2,6 +2,7 @@
 
 #include "hal/config/writer.h"
 #include "sim/scenario/agents_section.h"
+#include "sim/scenario/events_section.h"
 #include "sim/scenario/outcome_section.h"
 #include "sim/scenario/radio_section.h"
 #include "sim/scenario/report_section.h"
@@ -20,6 +21,7 @@ void write(hal::config::Writer& out, const Scenario& scenario) {
   write_routing(out, scenario.simulation.routing, transmit_status(scenario.simulation.link));
   write_localisation(out, scenario.simulation.localisation);
   write_agents(out, scenario);
+  write_events(out, scenario);
   write_ends(out, scenario);
   write_expectations(out, scenario);
   write_report(out, scenario.report);

@@ -8,6 +8,7 @@
 #include "hal/config/document.h"
 #include "sim/scenario/agents_section.h"
 #include "sim/scenario/bss_section.h"
+#include "sim/scenario/events_section.h"
 #include "sim/scenario/fields.h"
 #include "sim/scenario/loss_section.h"
 #include "sim/scenario/network_section.h"
@@ -59,6 +60,7 @@ Scenario read_scenario(Mapping in, const std::filesystem::path& file) {
   check_networks(in, scenario);
   check_logs(in, scenario);
   check_loss_names(in.within("radio"), scenario);
+  read_events(in, scenario);
   read_ends(in, scenario);
   read_expectations(in, scenario);
   scenario.report = read_report(in);

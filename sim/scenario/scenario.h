@@ -51,9 +51,23 @@ struct ExpectedDistance {
   std::string entered = {};
 };
 
+/// A condition must hold at the end, or must have held at some time of the run.
+struct ExpectedCondition {
+  std::size_t asked = 0;  ///< Index in SimulationConfig::asked.
+  bool at_some_time = false;
+};
+
+/// A state of agents' controllers that the scenario waits for or asks about.
+struct AwaitedState {
+  std::string place;  ///< "file:line:column".
+  std::string key;    ///< "end.state"
+  std::vector<hal::AgentId> agents;
+  std::string state;
+};
+
 /// One entry of `expect:`.
 struct Expectation {
-  std::variant<ExpectedResult, ExpectedDistance> condition;
+  std::variant<ExpectedResult, ExpectedDistance, ExpectedCondition> condition;
   std::string place;  ///< "file:line:column".
 };
 
@@ -89,8 +103,8 @@ struct Scenario {
   RecordOptions record;
   std::vector<report::PlotRequest> report;  ///< What the report shows.
   Published compare = Published::kNothing;
-  std::vector<std::string> state_places;  ///< Of each end condition's `state`; empty: it has none.
-  std::vector<std::string> warnings;      ///< What is allowed and hardly meant, a line each.
+  std::vector<AwaitedState> awaited;  ///< For who knows which states controllers enter.
+  std::vector<std::string> warnings;  ///< What is allowed and hardly meant, a line each.
 };
 
 /// Reads a scenario from the top level of its file; notes mistakes there.

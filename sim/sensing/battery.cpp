@@ -17,6 +17,10 @@ class SimulatedBattery final : public hal::devices::Sensor {
       drawn_ = drawn;
       read_at_ = at;
     }
+    if (const double taken = site_.taken_energy ? site_.taken_energy() : 0; taken != taken_) {
+      discharge_.take(taken - taken_);
+      taken_ = taken;
+    }
     return std::vector{discharge_.charge(), discharge_.voltage(), discharge_.current()};
   }
 
@@ -31,6 +35,7 @@ class SimulatedBattery final : public hal::devices::Sensor {
   SensorSite site_;
   hal::devices::Discharge discharge_;
   double drawn_ = 0;  ///< J until it was read last.
+  double taken_ = 0;  ///< J, likewise.
   hal::Time read_at_{};
 };
 

@@ -21,6 +21,8 @@ struct SensorSite {
   std::function<const Proximity&()> proximity;  ///< As of the last physics step.
   /// J since time 0 that the agent's radio drew, if it needs so much in each state.
   std::function<double(const hal::devices::RadioPower&)> radio_energy{};
+  /// J since time 0 that were taken out of the agent's first battery by no load.
+  std::function<double()> taken_energy{};
 };
 
 /// The instants phase + k * period at which a sensor measures; the phase is its own.

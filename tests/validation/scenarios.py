@@ -4,6 +4,7 @@ import math
 import air_scenarios
 import labour
 from document import pyplot
+from gap import bridge_the_gap
 from runs import SCENARIOS
 from teleop import teleop_behind_a_wall
 
@@ -149,7 +150,8 @@ def handover(runs):
 
 
 PAGES = {"saturation": saturation, "hidden_terminal": hidden_terminal, "range": range_, "near_far": near_far,
-         "behind_a_wall": behind_a_wall, "handover": handover, "teleop_behind_a_wall": teleop_behind_a_wall,
+         "behind_a_wall": behind_a_wall, "bridge_the_gap": bridge_the_gap,
+         "handover": handover, "teleop_behind_a_wall": teleop_behind_a_wall,
          "division_of_labour": labour.division_of_labour}
 
 

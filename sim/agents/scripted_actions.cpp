@@ -1,0 +1,98 @@
+// The part of a run that does what the events of its scenario say.
+#include <algorithm>
+#include <variant>
+
+#include "hal/types/check.h"
+#include "hal/types/log.h"
+#include "sim/agents/parking.h"
+#include "sim/agents/simulated_robot.h"
+#include "sim/agents/simulation_state.h"
+
+namespace sim::agents {
+
+void Simulation::State::act(const ScriptedAction& action, std::size_t event) {
+  if (const auto* interferer = std::get_if<Jam>(&action.what)) {
+    jam(*interferer, events.now() + interferer->duration);
+    observers.on_scripted({events.now(), event, name(action)});
+  }
+  for (const hal::AgentId agent : action.agents) {
+    hal::log::info(events.now(), agents.at(agent)->name(), "the scenario: {}", name(action));
+    observers.on_scripted({events.now(), event, name(action), agent});
+    if (const auto* one = std::get_if<Befall>(&action.what)) befall(one->fortune, agent);
+    if (const auto* one = std::get_if<MoveTo>(&action.what)) place(agent, one->pose);
+    if (const auto* one = std::get_if<Retune>(&action.what)) retune(agent, *one);
+    if (const auto* one = std::get_if<Drain>(&action.what)) drain(agent, *one);
+  }
+}
+
+void Simulation::State::befall(Fortune fortune, hal::AgentId id) {
+  SimulatedMote& agent = *agents.at(id);
+  const auto begin_anew = [&] {
+    kill(id);
+    if (agent.config().program.empty()) return;
+    std::erase(dead, id);
+    agent.begin_anew(wants.at(id));
+  };
+  switch (fortune) {
+    case Fortune::kKill:
+      return kill(id);
+    case Fortune::kRestart:
+      return agent.is_present() ? begin_anew() : void();
+    case Fortune::kSwitchOff:
+    case Fortune::kSwitchOn:
+      return agent.set_power(fortune == Fortune::kSwitchOn);
+    case Fortune::kAdd:
+      if (agent.is_present()) return;
+      agent.set_present(true);
+      if (has_body(agent.config())) place(id, agent.config().pose);
+      return begin_anew();
+    case Fortune::kRemove:
+      if (!agent.is_present()) return;
+      kill(id);
+      agent.set_present(false);
+      if (has_body(agent.config())) place(id, parking(id));
+  }
+}
+
+void Simulation::State::kill(hal::AgentId agent) {
+  died_at[agent] = events.now();
+  if (!agents.at(agent)->core().is_connected()) return;
+  agents.at(agent)->silence(events.now() + config.command_timeout);
+  dead.push_back(agent);
+  std::erase(waiting, agent);
+}
+
+void Simulation::State::place(hal::AgentId agent, const hal::Pose2& pose) {
+  world->place(agent, pose);
+  displaced.push_back(agent);
+}
+
+void Simulation::State::retune(hal::AgentId agent, const Retune& values) {
+  if (values.tx_power) air.set_tx_power(agent, *values.tx_power);
+  if (!values.wheel_speed) return;
+  auto* robot = dynamic_cast<SimulatedRobot*>(agents.at(agent).get());
+  BARAKA_CHECK(robot != nullptr);  // the scenario was checked
+  robot->limit_wheels(*values.wheel_speed);
+}
+
+void Simulation::State::drain(hal::AgentId id, const Drain& drain) {
+  SimulatedMote& agent = *agents.at(id);
+  const double charge = agent.charge().value_or(0);
+  const double to_level = drain.level ? (charge - *drain.level) * agent.capacity() : 0;
+  agent.drain(drain.energy ? *drain.energy : std::max(0.0, to_level));
+}
+
+/// One burst, and so on until then.
+void Simulation::State::jam(const Jam& interferer, hal::Time last) {
+  const auto length = hal::from_seconds(interferer.duty_cycle * hal::to_seconds(interferer.period));
+  air.interfere({.from = interferer.position,
+                 .power = interferer.power,
+                 .channel = interferer.channel,
+                 .length = std::min(length, last - events.now())});
+  const hal::Time next = events.now() + interferer.period;
+  if (next >= last) return;
+  events.schedule(next, Rank::kScenario, kWorld,
+                  [this, &interferer, last] { jam(interferer, last); });
+}
+
+}  // namespace sim::agents

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "sim/scenario/fields.h"
+
+namespace sim::scenario {
+
+/// Which of many kinds of thing a mapping says, by the key that is there. Of who surveys the keys
+/// all are: then every kind is read, one after the other, so that each key is described once and
+/// not on each way past the others.
+class GivenKeys {
+ public:
+  explicit GivenKeys(const Mapping& in)
+      : keys_(in.keys()), is_survey_(keys_ == std::vector<std::string>{"NAME"}) {}
+
+  bool has(std::string_view key) const {
+    return is_survey_ || std::ranges::find(keys_, key) != keys_.end();
+  }
+  /// Nobody asks what a file says, but what it may say.
+  bool is_survey() const { return is_survey_; }
+
+ private:
+  std::vector<std::string> keys_;
+  bool is_survey_;
+};
+
+}  // namespace sim::scenario

@@ -1,0 +1,190 @@
+#include "sim/agents/condition_watch.h"
+
+#include <gtest/gtest.h>
+
+#include <map>
+
+namespace sim::agents {
+namespace {
+
+using namespace std::chrono_literals;
+using hal::AgentId;
+
+constexpr AgentId kA{1}, kB{2};
+
+template <class What>
+Condition condition_of(What what) {
+  Condition condition;
+  condition.what = std::move(what);
+  return condition;
+}
+
+/// Two agents whose places and batteries a test sets.
+class Watching : public testing::Test {
+ protected:
+  Condition any_in(const std::string& state) { return condition_of(InState{any_, state}); }
+  Condition all_in(const std::string& state) { return condition_of(InState{all_, state}); }
+
+  /// Watches from the start of the run. Counts how often it begins.
+  std::size_t watch(const Condition& condition) {
+    const std::size_t number = watch_.add(condition, [this] { ++begun_; });
+    watch_.start();
+    return number;
+  }
+  void run_until(hal::Duration end) {
+    while (events_.next_time() && *events_.next_time() <= Time{} + end) events_.run_next();
+    events_.advance_to(Time{} + end);
+  }
+  void enter(AgentId agent, const char* state) { watch_.on_state(events_.now(), agent, state); }
+  void receive(AgentId agent, const char* topic) {
+    hal::Message message;
+    message.topic = topic;
+    watch_.on_message_delivered(events_.now(), agent, message, 1);
+  }
+
+  EventQueue events_;
+  std::map<AgentId, hal::Vec2> places_;
+  std::map<AgentId, double> charges_{{kA, 0.9}, {kB, 0.9}};
+  ConditionWatch watch_{{.events = events_,
+                         .position = [this](AgentId agent) { return places_[agent]; },
+                         .charge = [this](AgentId agent) { return std::optional(charges_[agent]); },
+                         .look_every = 10ms}};
+  const Subjects any_{Subjects::Quantifier::kAny, "*", {kA, kB}};
+  const Subjects all_{Subjects::Quantifier::kAll, "*", {kA, kB}};
+  int begun_ = 0;
+};
+
+TEST_F(Watching, AStateOfAnyIsSeenAtOnceAlsoIfItLastsNoTime) {
+  const auto number = watch(any_in("ARRIVED"));
+  enter(kB, "ARRIVED");
+  EXPECT_TRUE(watch_.holds(number));
+  enter(kB, "IDLE");
+  EXPECT_FALSE(watch_.holds(number));
+  EXPECT_TRUE(watch_.has_held(number));
+  enter(kA, "ARRIVED");
+  enter(kB, "ARRIVED");  // it holds already
+  EXPECT_EQ(begun_, 2);
+}
+
+TEST_F(Watching, AStateOfAllNeedsAll) {
+  const auto number = watch(all_in("DONE"));
+  enter(kA, "DONE");
+  EXPECT_FALSE(watch_.holds(number));
+  enter(kB, "DONE");
+  EXPECT_TRUE(watch_.holds(number));
+}
+
+TEST_F(Watching, ATimeComesAtItsTime) {
+  const auto number = watch(condition_of(TimeReached{2s}));
+  run_until(1999ms);
+  EXPECT_FALSE(watch_.holds(number));
+  run_until(2s);
+  EXPECT_TRUE(watch_.holds(number));
+  EXPECT_EQ(begun_, 1);
+}
+
+TEST_F(Watching, WhatMustHoldForAWhileBeginsThen) {
+  Condition condition = any_in("WAIT");
+  condition.hold = 5s;
+  const auto number = watch(condition);
+  enter(kA, "WAIT");
+  run_until(4s);
+  enter(kA, "IDLE");
+  enter(kA, "WAIT");  // from the beginning
+  run_until(8999ms);
+  EXPECT_FALSE(watch_.has_held(number));
+  run_until(9s);
+  EXPECT_TRUE(watch_.holds(number));
+  enter(kA, "IDLE");
+  EXPECT_FALSE(watch_.holds(number));
+}
+
+TEST_F(Watching, DistancesAreLookedAtOncePerStep) {
+  places_ = {{kA, {0, 0}}, {kB, {30, 40}}};
+  const auto near = watch(condition_of(ApartBy{.a = kA, .b = kB, .below = 50}));
+  EXPECT_FALSE(watch_.holds(near));
+  places_[kB] = {30, 39};
+  run_until(9ms);
+  EXPECT_FALSE(watch_.holds(near));
+  run_until(10ms);
+  EXPECT_TRUE(watch_.holds(near));
+}
+
+TEST_F(Watching, ADistanceMayBeABandOrALowerLimit) {
+  places_ = {{kA, {0, 0}}, {kB, {7, 0}}};
+  EXPECT_TRUE(
+      watch_.holds(watch(condition_of(ApartBy{.a = kA, .b = kB, .above = 5, .below = 10}))));
+  EXPECT_FALSE(watch_.holds(watch(condition_of(ApartBy{.a = kA, .b = kB, .above = 7}))));
+}
+
+TEST_F(Watching, AreasAreCirclesAndBoxes) {
+  places_ = {{kA, {3, 4}}, {kB, {100, 0}}};
+  EXPECT_TRUE(watch_.holds(watch(condition_of(InArea{any_, {Area::Circle{{0, 0}, 5}}}))));
+  EXPECT_FALSE(watch_.holds(watch(condition_of(InArea{any_, {Area::Circle{{0, 0}, 4.99}}}))));
+  EXPECT_FALSE(watch_.holds(watch(condition_of(InArea{all_, {Area::Box{{0, 0}, {10, 10}}}}))));
+  EXPECT_TRUE(watch_.holds(watch(condition_of(InArea{all_, {Area::Box{{0, 0}, {100, 10}}}}))));
+}
+
+TEST_F(Watching, ABatteryIsSeenAtItsAgentsControlInstants) {
+  const auto number = watch(condition_of(BatteryLevel{.who = any_, .below = 0.5}));
+  charges_[kB] = 0.4;
+  run_until(1s);
+  EXPECT_FALSE(watch_.holds(number));
+  watch_.on_cycle(events_.now(), kA);
+  EXPECT_FALSE(watch_.holds(number));
+  watch_.on_cycle(events_.now(), kB);
+  EXPECT_TRUE(watch_.holds(number));
+}
+
+TEST_F(Watching, AgentsInAStateAreCounted) {
+  const auto two =
+      watch(condition_of(CountOf{.who = any_, .state = "DONE", .topic = {}, .at_least = 2}));
+  const auto most =
+      watch(condition_of(CountOf{.who = any_, .state = "DONE", .topic = {}, .at_most = 1}));
+  EXPECT_TRUE(watch_.holds(most));
+  enter(kA, "DONE");
+  EXPECT_FALSE(watch_.holds(two));
+  enter(kB, "DONE");
+  EXPECT_TRUE(watch_.holds(two));
+  EXPECT_FALSE(watch_.holds(most));
+}
+
+TEST_F(Watching, MessagesOfAClassAreCountedOverAllReceivers) {
+  const auto number =
+      watch(condition_of(CountOf{.who = any_, .state = {}, .topic = "t", .at_least = 3}));
+  receive(kA, "t");
+  receive(kB, "t");
+  receive(kB, "other");
+  receive(AgentId{3}, "t");
+  EXPECT_FALSE(watch_.holds(number));
+  receive(kA, "t");
+  EXPECT_TRUE(watch_.holds(number));
+}
+
+TEST_F(Watching, ConditionsAreCombined) {
+  using Kind = Combination::Kind;
+  const auto both = watch(condition_of(Combination{Kind::kAll, {any_in("A"), any_in("B")}}));
+  const auto either = watch(condition_of(Combination{Kind::kAny, {any_in("A"), any_in("B")}}));
+  const auto none = watch(condition_of(Combination{Kind::kNone, {any_in("A")}}));
+  EXPECT_TRUE(watch_.holds(none));
+  enter(kA, "A");
+  EXPECT_FALSE(watch_.holds(both));
+  EXPECT_TRUE(watch_.holds(either));
+  EXPECT_FALSE(watch_.holds(none));
+  enter(kB, "B");
+  EXPECT_TRUE(watch_.holds(both));
+}
+
+TEST(ConditionText, SaysWhatWasAsked) {
+  const std::vector<std::pair<AgentId, std::string>> names{{kA, "a"}, {kB, "b"}};
+  const Subjects any{Subjects::Quantifier::kAny, "r*", {kA, kB}};
+  Condition condition = condition_of(Combination{
+      Combination::Kind::kAll,
+      {condition_of(InState{any, "DONE"}), condition_of(ApartBy{.a = kA, .b = kB, .below = 5})}});
+  condition.hold = 2s;
+  EXPECT_EQ(to_text(condition, names),
+            "all of (any of 'r*' in state DONE; distance of a and b below 5 m) for 2 s");
+}
+
+}  // namespace
+}  // namespace sim::agents

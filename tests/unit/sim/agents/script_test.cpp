@@ -1,0 +1,228 @@
+// What the events of a scenario do to the agents of a run.
+#include <algorithm>
+
+#include "sim/agents/scripted_event.h"
+#include "tests/unit/sim/agents/two_motes.h"
+
+namespace tests {
+namespace {
+
+using sim::agents::AtTime;
+using sim::agents::Befall;
+using sim::agents::Fortune;
+using sim::agents::ScriptedAction;
+using sim::agents::ScriptedDone;
+using sim::agents::ScriptedEvent;
+
+ScriptedAction befall(Fortune fortune, AgentId agent) {
+  return {Befall{fortune}, "x", {agent}, {}};
+}
+
+/// When actions of the script were done.
+class Done final : public sim::agents::Observer {
+ public:
+  void on_scripted(const ScriptedDone& done) override { times.push_back(done.at); }
+  std::vector<Time> times;
+};
+
+class Scripted : public TwoMotes {
+ protected:
+  Scripted() {
+    for (auto& agent : config.agents) agent.program = "script";
+  }
+  /// With this radio, and no search for routes.
+  void hop_over(sim::radio::Profile profile) {
+    config.radio = sim::radio::profile_defaults(profile);
+    for (auto& agent : config.agents) agent.routing = hal::routing::Algorithm::kNone;
+  }
+  void at(hal::Duration when, ScriptedAction action) {
+    config.script.push_back({AtTime{when}, {std::move(action)}, {}});
+  }
+  /// Each mote sends to the other one in each control cycle.
+  Outcome run_sending(Time until) {
+    return run(until, [](const Event& event) -> std::vector<Action> {
+      if (event.cause != Cause::kControl) return {};
+      return {send(event.agent == kA ? kB : kA)};
+    });
+  }
+  /// Events of a cause that an agent's controllers were handed in [from, to).
+  std::size_t handed(AgentId agent, Cause cause, Time from, Time to) const {
+    const auto seen = port->of(cause);
+    return static_cast<std::size_t>(std::ranges::count_if(seen, [&](const Event& event) {
+      return event.agent == agent && event.time >= from && event.time < to;
+    }));
+  }
+};
+
+TEST_F(Scripted, AKilledControllerIsToldNothingButTheEndAndItsRadioLivesOn) {
+  at(1s, befall(Fortune::kKill, kB));
+  run_sending(Time{2s});
+  EXPECT_EQ(handed(kB, Cause::kControl, Time{}, Time{1s}), 10u);
+  EXPECT_EQ(handed(kB, Cause::kControl, Time{1s}, Time{3s}), 0u);
+  EXPECT_EQ(handed(kB, Cause::kMessage, Time{1s}, Time{3s}), 0u);
+  EXPECT_EQ(handed(kB, Cause::kStop, Time{1s}, Time{3s}), 1u);
+  // Its radio still acknowledges: the other one's messages are handed over.
+  const auto notices = port->of(Cause::kNotice);
+  ASSERT_FALSE(notices.empty());
+  EXPECT_EQ(notices.back().agent, kA);
+  EXPECT_EQ(notices.back().fate, hal::Fate::kHandedOver);
+}
+
+TEST_F(Scripted, ARestartedControllerBeginsWithItsStart) {
+  at(1s, befall(Fortune::kKill, kB));
+  at(1550ms, befall(Fortune::kRestart, kB));
+  run_sending(Time{2s});
+  EXPECT_EQ(handed(kB, Cause::kStart, Time{}, Time{1s}), 1u);
+  EXPECT_EQ(handed(kB, Cause::kStart, Time{1550ms}, Time{1551ms}), 1u);
+  EXPECT_EQ(handed(kB, Cause::kControl, Time{1s}, Time{1550ms}), 0u);
+  EXPECT_GE(handed(kB, Cause::kControl, Time{1550ms}, Time{2s}), 4u);
+  EXPECT_EQ(handed(kA, Cause::kStart, Time{}, Time{3s}), 1u);
+}
+
+TEST_F(Scripted, WhatAKilledControllerHadDecidedDiesWithIt) {
+  config.controller_latency = 50ms;
+  at(1s, befall(Fortune::kKill, kB));
+  at(1s, befall(Fortune::kRestart, kB));
+  run_sending(Time{1050ms});
+  // The answers to the cycles from 0 to 0.9 s took effect, and that of A to the one of 1 s.
+  EXPECT_EQ(
+      std::ranges::count(effects.actions, ActionKind::kSend, &std::pair<Time, ActionKind>::second),
+      10 + 11);
+}
+
+TEST_F(Scripted, WithoutPowerNothingIsSentOrReceived) {
+  at(1s, befall(Fortune::kSwitchOff, kB));
+  at(1500ms, befall(Fortune::kSwitchOn, kB));
+  run_sending(Time{2s});
+  EXPECT_EQ(handed(kA, Cause::kMessage, Time{1s}, Time{1500ms}), 0u);
+  EXPECT_EQ(handed(kB, Cause::kControl, Time{1s}, Time{1500ms}), 5u);  // it does not know
+  EXPECT_GT(handed(kA, Cause::kMessage, Time{1500ms}, Time{2s}), 0u);
+}
+
+TEST_F(Scripted, AnAgentThatIsNotPresentTakesNoPartUntilItIsAdded) {
+  config.agents[1].is_present = false;
+  at(1s, befall(Fortune::kAdd, kB));
+  at(1500ms, befall(Fortune::kRemove, kB));
+  run_sending(Time{2s});
+  EXPECT_EQ(handed(kA, Cause::kMessage, Time{}, Time{1s}), 0u);
+  EXPECT_GT(handed(kA, Cause::kMessage, Time{1s}, Time{1500ms}), 0u);
+  EXPECT_EQ(handed(kA, Cause::kMessage, Time{1600ms}, Time{2s}), 0u);
+  EXPECT_EQ(handed(kB, Cause::kStart, Time{}, Time{1s}), 0u);
+  EXPECT_EQ(handed(kB, Cause::kStart, Time{1s}, Time{3s}), 1u);
+  EXPECT_EQ(handed(kB, Cause::kControl, Time{1500ms}, Time{3s}), 0u);
+}
+
+TEST_F(Scripted, ABodyThatIsMovedIsThereWithTheNextStep) {
+  at(1s, {sim::agents::MoveTo{{300, 5, 1}}, "b", {kB}, {}});
+  port = std::make_shared<ScriptedPort>(nothing);
+  sim::agents::Simulation simulation(config, {});
+  simulation.connect(port, {kA, kB}, {});
+  NoPace pace;
+  simulation.run(Time{1100ms}, pace);
+  EXPECT_NEAR(simulation.body(kB).x, 300, 1e-3);
+  EXPECT_NEAR(simulation.body(kB).y, 5, 1e-3);
+  EXPECT_NEAR(simulation.body(kB).theta, 1, 1e-3);
+}
+
+TEST_F(Scripted, TheRadioFollowsABodyThatIsMoved) {
+  hop_over(sim::radio::Profile::kMobilityFramework);
+  at(1s, {sim::agents::MoveTo{{1000, 0, 0}}, "b", {kB}, {}});
+  at(1500ms, {sim::agents::MoveTo{{50, 0, 0}}, "b", {kB}, {}});
+  run_sending(Time{2s});
+  EXPECT_GT(handed(kA, Cause::kMessage, Time{}, Time{1s}), 0u);
+  EXPECT_EQ(handed(kA, Cause::kMessage, Time{1020ms}, Time{1500ms}), 0u);
+  EXPECT_GT(handed(kA, Cause::kMessage, Time{1500ms}, Time{2s}), 0u);
+}
+
+TEST_F(Scripted, LessPowerReachesLessFar) {
+  hop_over(sim::radio::Profile::kMobilityFramework);
+  config.agents[1].pose.x = 110;  // 100 m apart
+  at(1s, {sim::agents::Retune{.tx_power = hal::Milliwatts{0.1}, .wheel_speed = {}}, "b", {kB}, {}});
+  at(1500ms,
+     {sim::agents::Retune{.tx_power = hal::Milliwatts{4}, .wheel_speed = {}}, "b", {kB}, {}});
+  run_sending(Time{2s});
+  EXPECT_GT(handed(kA, Cause::kMessage, Time{}, Time{1s}), 0u);
+  EXPECT_EQ(handed(kA, Cause::kMessage, Time{1010ms}, Time{1500ms}), 0u);
+  EXPECT_GT(handed(kA, Cause::kMessage, Time{1500ms}, Time{2s}), 0u);
+}
+
+TEST_F(Scripted, AJammerKeepsStationsFromSendingAsLongAsItLasts) {
+  hop_over(sim::radio::Profile::kIeee80211b);
+  at(1s, {sim::agents::Jam{.position = {15, 3, 0},
+                           .power = hal::Milliwatts{100},
+                           .channel = {},
+                           .duration = 500ms,
+                           .period = 10ms,
+                           .duty_cycle = 1},
+          {},
+          {},
+          {}});
+  run_sending(Time{2s});
+  EXPECT_GT(handed(kA, Cause::kMessage, Time{}, Time{1s}), 0u);
+  EXPECT_EQ(handed(kA, Cause::kMessage, Time{1010ms}, Time{1500ms}), 0u);
+  EXPECT_GT(handed(kA, Cause::kMessage, Time{1500ms}, Time{2s}), 0u);
+}
+
+TEST_F(Scripted, EventsHappenAtTheirTimesAndAsOftenAsTheySay) {
+  const ScriptedAction action = befall(Fortune::kSwitchOn, kA);
+  config.script = {
+      {sim::agents::Periodically{.every = 300ms, .from = 100ms, .until = {}, .count = 3},
+       {action},
+       {}},
+      {sim::agents::Periodically{.every = 1s, .from = 1500ms, .until = 2600ms, .count = {}},
+       {action},
+       {}}};
+  Done done;
+  port = std::make_shared<ScriptedPort>(nothing);
+  sim::agents::Simulation simulation(config, {&done});
+  simulation.connect(port, {kA, kB}, {});
+  NoPace pace;
+  simulation.run(Time{5s}, pace);
+  EXPECT_EQ(done.times,
+            (std::vector{Time{100ms}, Time{400ms}, Time{700ms}, Time{1500ms}, Time{2500ms}}));
+}
+
+TEST_F(Scripted, AConditionMakesThemHappenOnceOrEachTime) {
+  sim::agents::Condition b_is_on;
+  b_is_on.what = sim::agents::InState{{sim::agents::Subjects::Quantifier::kOne, "b", {kB}}, "ON"};
+  for (const bool each_time : {false, true}) {
+    config.script = {
+        {sim::agents::Whenever{b_is_on, each_time}, {befall(Fortune::kSwitchOn, kA)}, {}}};
+    Done done;
+    port = std::make_shared<ScriptedPort>([](const Event& event) -> std::vector<Action> {
+      if (event.agent != kB || event.cause != Cause::kControl) return {};
+      return {state("ON"), state("OFF")};
+    });
+    sim::agents::Simulation simulation(config, {&done});
+    simulation.connect(port, {kA, kB}, {});
+    NoPace pace;
+    simulation.run(Time{450ms}, pace);
+    EXPECT_EQ(done.times.size(), each_time ? 5u : 1u);
+  }
+}
+
+TEST_F(Scripted, AConditionEndsTheRunSomeTimeAfterItBeginsToHold) {
+  sim::agents::Condition sent;
+  sent.what = sim::agents::CountOf{.who = {sim::agents::Subjects::Quantifier::kAny, "*", {kA, kB}},
+                                   .state = {},
+                                   .topic = "test",
+                                   .at_least = 5};
+  config.ends = {{.agent = {}, .state = {}, .after = 1s, .result = "enough", .when = sent}};
+  config.asked = {sent};
+  port = std::make_shared<ScriptedPort>([](const Event& event) -> std::vector<Action> {
+    if (event.cause != Cause::kControl) return {};
+    return {send(event.agent == kA ? kB : kA)};
+  });
+  sim::agents::Simulation simulation(config, {});
+  simulation.connect(port, {kA, kB}, {});
+  NoPace pace;
+  const Outcome outcome = simulation.run(Time{5s}, pace);
+  EXPECT_EQ(outcome.result, "enough");
+  EXPECT_GE(outcome.ended_at, Time{1200ms});
+  EXPECT_LT(outcome.ended_at, Time{1400ms});
+  EXPECT_TRUE(simulation.holds(0));
+  EXPECT_TRUE(simulation.has_held(0));
+}
+
+}  // namespace
+}  // namespace tests
