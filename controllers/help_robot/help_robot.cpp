@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cmath>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "controllers/help_robot/way_past.h"
 #include "hal/types/math.h"
@@ -20,6 +22,21 @@ constexpr std::array<std::string_view, 9> kStateNames{"IDLE",
                                                       "GO_TO_DESTINATION",
                                                       "GIVE_UP",
                                                       "ARRIVED"};
+/// Values of the parameter `metric`.
+std::vector<std::string> metric_names() {
+  std::vector<std::string> names;
+  for (const hal::PathStatistic statistic : hal::kPathStatistics) {
+    names.emplace_back(name(statistic));
+  }
+  return names;
+}
+
+hal::PathMetric metric_of(const hal::Parameters& parameters) {
+  const auto statistic = hal::path_statistic(parameters.text("metric"));
+  return hal::path_metric(statistic.value_or(hal::PathStatistic::kHops),
+                          parameters["direct_weight"]);
+}
+
 constexpr double kRoomToPass = 0.15;  // m between the body's rim and the centre of a mote
 
 }  // namespace
@@ -27,6 +44,7 @@ constexpr double kRoomToPass = 0.15;  // m between the body's rim and the centre
 HelpRobot::HelpRobot(hal::Robot& robot, const hal::Parameters& parameters)
     : robot_(robot),
       parameters_(parameters),
+      metric_(metric_of(parameters)),
       keep_alive_(hal::from_seconds(parameters["keep_alive"])),
       hop_timeout_(hal::from_seconds(parameters["hop_timeout"])),
       reply_timeout_(hal::from_seconds(parameters["reply_timeout"])),
@@ -128,22 +146,9 @@ void HelpRobot::find_next_hop() {
   enter(next_hop_ == destination_ ? State::kGoToDestination : State::kGoToNextHop);
 }
 
-/// Draws a hop with P ~ r^beta, r = direct_weight for the destination itself, else 1 / hops, as
-/// routing does for packets.
+/// Draws a hop as routing does for packets, by a metric of the robot's own.
 hal::AgentId HelpRobot::draw_next_hop(const std::vector<hal::Route>& routes) {
-  std::vector<double> weights;
-  double total = 0;
-  for (const hal::Route& route : routes) {
-    const double r = route.next_hop == destination_ ? parameters_["direct_weight"]
-                                                    : 1.0 / std::max<int>(route.path.hops, 1);
-    total += weights.emplace_back(hal::math::pow(r, parameters_["beta"]));
-  }
-  double drawn = robot_.random().uniform() * total;
-  for (std::size_t i = 0; i + 1 < routes.size(); ++i) {
-    if (drawn < weights[i]) return routes[i].next_hop;
-    drawn -= weights[i];
-  }
-  return routes.back().next_hop;
+  return routes[hal::draw_route(routes, metric_, parameters_["beta"], robot_.random())].next_hop;
 }
 
 void HelpRobot::go() {
@@ -224,7 +229,12 @@ BARAKA_CONTROLLER {
                {"max_repeats", "1", 3, 0, 1000, "Questions after the first one."},
                {"near", "m", 10, 0.5, 1000, "Asks for the next hop, or has arrived, below this."},
                {"reached", "m", 4, 0.5, 1000, "A hop has been reached below this."},
-               {"direct_weight", "1", 1e6, 1, 1e12, "Weight of a hop that is the mote itself."},
+               {.name = "metric",
+                .default_value = "hops",
+                .meaning = "What makes a path good: the robot prefers hops on such ones.",
+                .choices = controllers::metric_names()},
+               {"direct_weight", "1", 1e6, 0, 1e12,
+                "Weight of a hop that is the mote itself; 0: that of its path, as of others."},
                {"beta", "1", 2, 1, 20, "Exponent of the weights."},
                {"body_radius", "m", 0.185, 0.01, 2, "From the middle to the infrared sensors."},
                {"wall_gap", "m", 0.265, 0.1, 2, "Between the body and a wall it follows."},

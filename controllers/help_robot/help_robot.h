@@ -8,6 +8,7 @@
 #include "controllers/help_message.h"
 #include "controllers/help_robot/avoidance.h"
 #include "hal/api/controller.h"
+#include "hal/types/path_metric.h"
 
 namespace controllers {
 
@@ -71,6 +72,7 @@ class HelpRobot : public hal::Controller {
 
   hal::Robot& robot_;
   const hal::Parameters parameters_;
+  const hal::PathMetric metric_;  ///< By which it prefers hops.
   const hal::Duration keep_alive_;
   const hal::Duration hop_timeout_;
   const hal::Duration reply_timeout_;

@@ -1,6 +1,7 @@
 #include "hal/routing/protocol.h"
 
 #include "hal/routing/ant_routing.h"
+#include "hal/routing/aodv_routing.h"
 #include "hal/routing/flood_routing.h"
 #include "hal/routing/one_hop.h"
 #include "hal/types/check.h"
@@ -16,6 +17,8 @@ std::unique_ptr<Protocol> make_protocol(AgentId self, const RoutingConfig& confi
       return std::make_unique<OneHop>(self, ports);
     case Algorithm::kFlooding:
       return std::make_unique<FloodRouting>(self, config, streams, ports);
+    case Algorithm::kAodv:
+      return std::make_unique<AodvRouting>(self, config, streams, ports);
   }
   BARAKA_CHECK(false);
 }

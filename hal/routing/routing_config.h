@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "hal/routing/aodv_config.h"
 #include "hal/types/path_metric.h"
 #include "hal/types/time.h"
 
@@ -18,6 +19,7 @@ enum class Algorithm : std::uint8_t {
   kAnts,
   kNone,      ///< Not at all: one hop, straight to the link (one_hop.h).
   kFlooding,  ///< Every message to everyone (flood_routing.h).
+  kAodv,      ///< RFC 3561 (aodv_routing.h).
 };
 
 /// How the messages of a class choose among routes: equation 1 of the paper.
@@ -51,6 +53,8 @@ struct RoutingConfig {
   int hop_limit = 30;               ///< Of ants, floods and data, 1..255.
   std::uint32_t buffer_limit = 64;  ///< Messages that wait for one route or next hop.
   Duration buffer_age = 10s;        ///< A message waits for a route no longer than this; > 0.
+
+  AodvConfig aodv{};
 
   /// Over a link without transmit status only (hop_acknowledgement.h, hello.h).
   Duration ack_timeout = 50ms;    ///< Until a frame is repeated, doubled each time; > 0.

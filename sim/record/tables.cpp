@@ -235,6 +235,12 @@ std::vector<Table> message_tables() {
         {"ended_ns", "INTEGER NOT NULL", "ns", "when"},
         {"took_ns", "INTEGER NOT NULL", "ns", "since the first message waited for it"},
         {"found", "INTEGER NOT NULL", "", "0: given up"}}},
+      {"routing_events",
+       "what the routing protocols did",
+       {{"agent", "INTEGER NOT NULL", "", "whose router"},
+        {"event", "TEXT NOT NULL", "", "'rreq sent', 'forward ant relayed', ..., by protocol"},
+        {"count", "INTEGER NOT NULL", "", "so often"}},
+       "agent, event"},
   };
 }
 
