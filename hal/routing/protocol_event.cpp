@@ -32,6 +32,18 @@ constexpr std::array<std::string_view, kProtocolEvents> kEventNames{
     "local repair started",
     "local repair done",
     "local repair failed",
+    "proactive ant sent",
+    "repair ant sent",
+    "forward ant passed on",
+    "forward ant dropped",
+    "pheromone bootstrapped",
+    "loss notice sent",
+    "loss notice received",
+    "warning sent",
+    "warning received",
+    "repair succeeded",
+    "repair failed",
+    "message salvaged",
 };
 static_assert(!kEventNames.back().empty());
 

@@ -37,6 +37,19 @@ enum class ProtocolEvent : std::uint8_t {
   kLocalRepairStarted,
   kLocalRepairDone,
   kLocalRepairFailed,
+  // AntHocNet, beside those of ants. What it broadcasts on counts as relayed.
+  kProactiveAntSent,
+  kRepairAntSent,
+  kForwardAntPassedOn,  ///< Unicast, where pheromone leads.
+  kForwardAntDropped,   ///< A copy that is not good enough, or an ant whose broadcasts are used up.
+  kPheromoneBootstrapped,  ///< From one target of a neighbour's hello.
+  kLossNoticeSent,
+  kLossNoticeReceived,
+  kWarningSent,  ///< A message came for which there is no trail.
+  kWarningReceived,
+  kRepairSucceeded,
+  kRepairFailed,
+  kMessageSalvaged,  ///< The next hop did not answer, and the message is not given up yet.
   kCount,
 };
 inline constexpr std::size_t kProtocolEvents = static_cast<std::size_t>(ProtocolEvent::kCount);

@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "hal/routing/anthocnet_config.h"
 #include "hal/routing/aodv_config.h"
 #include "hal/types/path_metric.h"
 #include "hal/types/time.h"
@@ -17,9 +18,10 @@ using namespace std::chrono_literals;
 /// How messages find their way.
 enum class Algorithm : std::uint8_t {
   kAnts,
-  kNone,      ///< Not at all: one hop, straight to the link (one_hop.h).
-  kFlooding,  ///< Every message to everyone (flood_routing.h).
-  kAodv,      ///< RFC 3561 (aodv_routing.h).
+  kNone,       ///< Not at all: one hop, straight to the link (one_hop.h).
+  kFlooding,   ///< Every message to everyone (flood_routing.h).
+  kAodv,       ///< RFC 3561 (aodv_routing.h).
+  kAntHocNet,  ///< AntHocNet in full (anthocnet.h).
 };
 
 /// How the messages of a class choose among routes: equation 1 of the paper.
@@ -55,6 +57,7 @@ struct RoutingConfig {
   Duration buffer_age = 10s;        ///< A message waits for a route no longer than this; > 0.
 
   AodvConfig aodv{};
+  AntHocNetConfig anthocnet{};
 
   /// Over a link without transmit status only (hop_acknowledgement.h, hello.h).
   Duration ack_timeout = 50ms;    ///< Until a frame is repeated, doubled each time; > 0.

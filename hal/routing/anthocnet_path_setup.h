@@ -1,0 +1,49 @@
+#pragma once
+
+#include <map>
+
+#include "hal/routing/anthocnet_ants.h"
+#include "hal/routing/anthocnet_backlog.h"
+
+namespace hal::routing::anthocnet {
+
+/// Reactive path setup at the source of a session ([PPSN], 3.1): a reactive ant, and again after
+/// retry_period, less a random share of it (RoutingConfig::retry_jitter), `retries` times in all.
+///
+///   begin() --> ant, t0 --retry_period--> ant --retry_period--> … --> given up: what waits ends
+///                |                         |
+///                +------ ant comes home ---+--> found, took now - t0
+class PathSetup {
+ public:
+  PathSetup(Node& node, const PheromoneTable& table, Ants& ants, Backlog& backlog)
+      : node_(node), table_(table), ants_(ants), backlog_(backlog) {}
+
+  /// Starts a search unless one is on.
+  void begin(const Target& target);
+  bool is_on(const Target& target) const { return searches_.contains(target); }
+
+  /// An ant came home. It ends the search if it is one of this search's: late answers to an earlier
+  /// one speak of an older network.
+  void on_home(const Target& target, Sequence sequence);
+
+ private:
+  struct Search {
+    Time started{};
+    Sequence first_sequence = 0;
+    int tries = 0;
+    OwnTimers::Handle retry = 0;
+  };
+
+  void try_once(const Target& target);
+  Duration wait_after(int tries);
+  void on_retry(const Target& target);
+  void end(const Target& target, bool found);
+
+  Node& node_;
+  const PheromoneTable& table_;
+  Ants& ants_;
+  Backlog& backlog_;
+  std::map<Target, Search> searches_;
+};
+
+}  // namespace hal::routing::anthocnet

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hal/routing/anthocnet_packet.h"
+#include "hal/routing/ports.h"
+#include "hal/types/random.h"
+
+namespace hal::routing::anthocnet {
+
+/// What a node knows of one way to a target.
+struct Trail {
+  AgentId next_hop;
+  double regular = 0;  ///< 1/s, laid by ants; 0: none, messages do not go this way.
+  double bootstrapped =
+      0;                ///< 1/s, virtual: derived from hellos; 0: none. For proactive ants only.
+  PathStatistics path;  ///< Of the last ant; void without regular pheromone.
+};
+
+/// A regular trail that was removed.
+struct Loss {
+  Target target;
+  PathStatistics path;
+  bool was_best = false;  ///< No other had as much regular pheromone.
+};
+
+/// The pheromone of one node, by target and next hop: T of [PPSN], regular and virtual side by
+/// side. Regular trails are the node's routes: the observer hears of each difference in them, in
+/// order of (topic, destination, next hop).
+class PheromoneTable {
+ public:
+  explicit PheromoneTable(RoutingObserver& observer) : observer_(observer) {}
+
+  /// Lays regular pheromone (> 0, 1/s): a new trail has all of it, an old one keeps the share
+  /// `weight` (0..1) of what was there: T = weight T + (1 - weight) pheromone. No effect beyond
+  /// RouteTable::kMostClasses classes.
+  void lay(const Route& route, double pheromone, double weight);
+  /// Replaces virtual pheromone (> 0, 1/s).
+  void set_virtual(const Target& target, AgentId next_hop, double pheromone);
+
+  /// Removes a trail with both its pheromones. @return what was regular of it.
+  std::optional<Loss> remove(const Target& target, AgentId next_hop);
+  /// Removes all that start with this neighbour. @return the regular ones, by target.
+  std::vector<Loss> remove_via(AgentId next_hop);
+  /// Removes all trails of a target.
+  void remove(const Target& target);
+
+  /// By next hop; empty if there are none.
+  std::vector<Trail> trails(const Target& target) const;
+  bool has_regular(const Target& target) const { return best_regular(target).has_value(); }
+  /// The first of those with most; none if nobody laid any.
+  std::optional<Trail> best_regular(const Target& target) const;
+  std::optional<Trail> best_virtual(const Target& target) const;
+  /// All with any pheromone, in order.
+  std::vector<Target> targets() const;
+
+  std::vector<Route> routes(std::string_view topic, AgentId destination) const;
+  std::vector<Route> routes() const;
+
+ private:
+  using Trails = std::map<AgentId, Trail>;
+
+  Trail* trail_at(const Target& target, AgentId next_hop);
+  Loss loss_of(const Target& target, const Trails& trails, const Trail& lost) const;
+  void report_removed(const Target& target, AgentId next_hop) const;
+
+  RoutingObserver& observer_;
+  std::map<std::string, std::map<AgentId, Trails>, std::less<>> classes_;  ///< None is empty.
+};
+
+/// Weight of a trail in a choice, >= 0; 0: not to be chosen.
+using Weight = double (*)(const Trail&);
+double regular_weight(const Trail& trail);
+double any_weight(const Trail& trail);  ///< The greater of regular and virtual.
+
+/// Picks a trail's next hop: P(n) = w(n)^beta / sum over all of w^beta, among those with w > 0 that
+/// are not in `avoided`.
+/// @param beta  0..100.
+/// @return none if there is none. Draws from `random` only if there are two or more.
+std::optional<AgentId> pick(const std::vector<Trail>& trails, Weight weight, double beta,
+                            const std::vector<AgentId>& avoided, RandomStream& random);
+
+}  // namespace hal::routing::anthocnet
