@@ -135,15 +135,17 @@ struct KeysOf {
   std::vector<std::string_view> keys;
 };
 
+std::vector<KeysOf> keys_of_some() {
+  return {{{Algorithm::kAnts},
+           {"metric", "beta", "direct_weight", "retry_period", "retry_jitter", "retries",
+            "acceptance", "accept_anywhere", "classes"}},
+          {{Algorithm::kAodv}, {kAodvKeys.begin(), kAodvKeys.end()}},
+          {{Algorithm::kAnts, Algorithm::kAodv}, {"buffer_limit", "buffer_age"}}};
+}
+
 /// Keys of other algorithms mean nothing here.
 void refuse_others(Mapping& in, Algorithm algorithm) {
-  static const std::vector<KeysOf> kKeys{
-      {{Algorithm::kAnts},
-       {"metric", "beta", "direct_weight", "retry_period", "retry_jitter", "retries", "acceptance",
-        "accept_anywhere", "classes"}},
-      {{Algorithm::kAodv}, {kAodvKeys.begin(), kAodvKeys.end()}},
-      {{Algorithm::kAnts, Algorithm::kAodv}, {"buffer_limit", "buffer_age"}}};
-  for (const auto& [algorithms, keys] : kKeys) {
+  for (const auto& [algorithms, keys] : keys_of_some()) {
     if (std::ranges::find(algorithms, algorithm) != algorithms.end()) continue;
     for (const std::string_view key : keys) {
       in.refuse(std::string(key),

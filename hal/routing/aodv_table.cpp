@@ -15,7 +15,8 @@ Route route_of(std::string_view topic, AgentId destination, const AodvEntry& ent
 }
 
 bool is_better(const AodvOffer& offer, const AodvEntry& known, bool is_active) {
-  if (!known.sequence) return true;
+  // Of a neighbour that was only heard no number is known: nothing longer is better.
+  if (!known.sequence) return !is_active || offer.hops <= known.hops;
   if (!offer.sequence) return false;
   if (is_newer(*offer.sequence, *known.sequence)) return true;
   if (*offer.sequence != *known.sequence) return false;

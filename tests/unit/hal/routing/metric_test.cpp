@@ -62,7 +62,8 @@ TEST(MetricOfRouting, EachStatisticPrefersAWayOfItsOwn) {
   for (const auto& [statistic, way] : kBestWay) {
     Network network(10, with(path_metric(statistic)));
     build_ways(network);
-    EXPECT_GT(shares(network, "help")[way], 140) << name(statistic);
+    // 1/2 hop against three times 1/3, to the fourth: 126 are expected, of the others 25 each.
+    EXPECT_GT(shares(network, "help")[way], 100) << name(statistic);
   }
 }
 
