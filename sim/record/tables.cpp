@@ -227,6 +227,11 @@ std::vector<Table> message_tables() {
         {"delay_ns", "INTEGER NOT NULL", "ns", "since it was sent, waiting for a route included"},
         {"transmissions", "INTEGER", "", "on its way, the last hop included"}},
        "sender, id, receiver"},
+  };
+}
+
+std::vector<Table> routing_tables() {
+  return {
       {"discoveries",
        "searches for a route",
        {{"agent", "INTEGER NOT NULL", "", "who searched"},
@@ -480,10 +485,10 @@ std::string_view conventions() {
 const std::vector<Table>& tables() {
   static const std::vector<Table> all = [] {
     std::vector<Table> sum;
-    for (const auto& part :
-         {setup_tables(), count_tables(), air_tables(), link_verdict_tables(), verdict_sum_tables(),
-          message_tables(), counted_message_tables(), message_sum_tables(), delivery_sum_tables(),
-          ledger_tables(), body_tables(), program_tables(), trace_tables()}) {
+    for (const auto& part : {setup_tables(), count_tables(), air_tables(), link_verdict_tables(),
+                             verdict_sum_tables(), message_tables(), routing_tables(),
+                             counted_message_tables(), message_sum_tables(), delivery_sum_tables(),
+                             ledger_tables(), body_tables(), program_tables(), trace_tables()}) {
       sum.insert(sum.end(), part.begin(), part.end());
     }
     return sum;
