@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hal/description/anthocnet_keys.h"
 #include "hal/description/aodv_keys.h"
 #include "hal/description/fields.h"
 
@@ -18,18 +19,21 @@ using routing::RoutingConfig;
 
 constexpr std::array<Option<Algorithm>, 1> kNoRouting{{{"none", Algorithm::kNone}}};
 /// Those that have keys.
-constexpr std::array<Option<Algorithm>, 3> kAlgorithms{
-    {{"ants", Algorithm::kAnts}, {"aodv", Algorithm::kAodv}, {"flooding", Algorithm::kFlooding}}};
+constexpr std::array<Option<Algorithm>, 4> kAlgorithms{{{"ants", Algorithm::kAnts},
+                                                        {"anthocnet", Algorithm::kAntHocNet},
+                                                        {"aodv", Algorithm::kAodv},
+                                                        {"flooding", Algorithm::kFlooding}}};
 constexpr std::array<Option<PathStatistic>, kPathStatistics.size()> kStatistics{
     {{"hops", PathStatistic::kHops},
      {"delay", PathStatistic::kDelay},
      {"min_snr", PathStatistic::kMinSnr},
      {"energy", PathStatistic::kEnergy}}};
 
-const Key kAlgorithm{"algorithm",
-                     "Ants with the keys of the paper's algorithm; AODV (RFC 3561); or flooding of "
-                     "every message. Each has keys of its own.",
-                     "aodv"};
+const Key kAlgorithm{
+    "algorithm",
+    "Ants with the keys of the paper's algorithm; AntHocNet in full; AODV (RFC 3561); "
+    "or flooding of every message. Each has keys of its own.",
+    "aodv"};
 const Key kMetric{"metric",
                   "What makes a path good, r(.) of equation 1: one statistic of its tuple (hops, "
                   "delay, min_snr, energy), or several with exponents, multiplied.",
@@ -39,22 +43,34 @@ const Key kClasses{"classes", "Message classes that choose their routes in a way
 
 /// How the router finds out for itself whether a hop works.
 template <class Io>
-void hop_keys(Io& io, RoutingConfig& c, const LinkCapabilities& link) {
-  if (link.tx_status) {
-    for (const char* key : {"ack_timeout", "ack_attempts", "hello_period", "hello_limit"}) {
-      io.unused(key, "is not used with 'link: mac', which reports what becomes of each frame");
-    }
-    return;
-  }
+void ack_keys(Io& io, RoutingConfig& c) {
   io.duration({"ack_timeout",
                "Until a frame that nobody acknowledged is repeated; doubled each time.", "50 ms"},
               {1e-4, 10}, c.ack_timeout);
   io.count({"ack_attempts", "Transmissions before a hop counts as failed.", "4"}, 1, 16,
            c.ack_attempts);
+}
+
+template <class Io>
+void hello_keys(Io& io, RoutingConfig& c) {
   io.duration({"hello_period", "Between two hellos to the neighbours.", "1 s"}, {1e-3, 3600},
               c.hello_period);
   io.count({"hello_limit", "Hellos in a row that a neighbour may miss.", "2"}, 1, 100,
            c.hello_limit);
+}
+
+/// AntHocNet's hellos carry pheromone: it sends them over any link.
+template <class Io>
+void hop_keys(Io& io, RoutingConfig& c, const LinkCapabilities& link) {
+  const char* unused = "is not used with 'link: mac', which reports what becomes of each frame";
+  const bool has_hellos = !link.tx_status || c.algorithm == Algorithm::kAntHocNet;
+  if (link.tx_status) {
+    for (const char* key : {"ack_timeout", "ack_attempts"}) io.unused(key, unused);
+  } else {
+    ack_keys(io, c);
+  }
+  if (has_hellos) return hello_keys(io, c);
+  for (const char* key : {"hello_period", "hello_limit"}) io.unused(key, unused);
 }
 
 template <class Io>
@@ -72,7 +88,7 @@ void choice_keys(Io& io, RouteChoice& c) {
 }
 
 template <class Io>
-void search_keys(Io& io, RoutingConfig& c) {
+void retry_keys(Io& io, RoutingConfig& c) {
   io.duration({"retry_period", "Between two discoveries of one destination.", "5 s"}, {1e-3, 3600},
               c.retry_period);
   io.number({"retry_jitter",
@@ -81,6 +97,10 @@ void search_keys(Io& io, RoutingConfig& c) {
             "1", {0, 1}, c.retry_jitter);
   io.count({"retries", "Discoveries in all before a destination is given up.", "3"}, 1, 100,
            c.retries);
+}
+
+template <class Io>
+void acceptance_keys(Io& io, RoutingConfig& c) {
   io.number({"acceptance",
              "Later copies of an ant are accepted with at most this times the fewest hops.", "1.5"},
             "1", {1, 100}, c.acceptance);
@@ -114,7 +134,9 @@ template <class Io>
 void routing_keys(Io& io, RoutingConfig& c, const LinkCapabilities& link) {
   if (c.algorithm == Algorithm::kAnts) choice_keys(io, c.choice);
   jitter_key(io, c);
-  if (c.algorithm == Algorithm::kAnts) search_keys(io, c);
+  if (c.algorithm == Algorithm::kAnts || c.algorithm == Algorithm::kAntHocNet) retry_keys(io, c);
+  if (c.algorithm == Algorithm::kAnts) acceptance_keys(io, c);
+  if (c.algorithm == Algorithm::kAntHocNet) anthocnet_keys(io, c.anthocnet);
   if (c.algorithm == Algorithm::kAodv) aodv_keys(io, c.aodv);
   hop_limit_key(io, c);
   if (c.algorithm != Algorithm::kFlooding) buffer_keys(io, c);
@@ -137,10 +159,12 @@ struct KeysOf {
 
 std::vector<KeysOf> keys_of_some() {
   return {{{Algorithm::kAnts},
-           {"metric", "beta", "direct_weight", "retry_period", "retry_jitter", "retries",
-            "acceptance", "accept_anywhere", "classes"}},
+           {"metric", "beta", "direct_weight", "acceptance", "accept_anywhere", "classes"}},
+          {{Algorithm::kAnts, Algorithm::kAntHocNet}, {"retry_period", "retry_jitter", "retries"}},
+          {{Algorithm::kAntHocNet}, {kAntHocNetKeys.begin(), kAntHocNetKeys.end()}},
           {{Algorithm::kAodv}, {kAodvKeys.begin(), kAodvKeys.end()}},
-          {{Algorithm::kAnts, Algorithm::kAodv}, {"buffer_limit", "buffer_age"}}};
+          {{Algorithm::kAnts, Algorithm::kAntHocNet, Algorithm::kAodv},
+           {"buffer_limit", "buffer_age"}}};
 }
 
 /// Keys of other algorithms mean nothing here.
@@ -251,6 +275,7 @@ RoutingConfig read_routing(Mapping& in, const LinkCapabilities& link) {
   Mapping keys = in.mapping(key);
   config.algorithm = keys.choice(kAlgorithm, kAlgorithms, config.algorithm);
   if (config.algorithm == Algorithm::kAodv) config.jitter_max = kAodvJitter;
+  if (config.algorithm == Algorithm::kAntHocNet) anthocnet_defaults(config);
   const bool has_classes = config.algorithm == Algorithm::kAnts;
   if (has_classes) config.choice.metric = read_metric(keys, config.choice.metric, link);
   FieldReader reader(keys);

@@ -10,8 +10,9 @@
 namespace hal::description {
 
 /// The algorithms by their names in files.
-inline constexpr std::array<config::Option<routing::Algorithm>, 4> kRoutingAlgorithms{
+inline constexpr std::array<config::Option<routing::Algorithm>, 5> kRoutingAlgorithms{
     {{"ants", routing::Algorithm::kAnts},
+     {"anthocnet", routing::Algorithm::kAntHocNet},
      {"aodv", routing::Algorithm::kAodv},
      {"flooding", routing::Algorithm::kFlooding},
      {"none", routing::Algorithm::kNone}}};
