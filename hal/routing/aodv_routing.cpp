@@ -143,6 +143,7 @@ void AodvRouting::answer_for_other(const Rreq& rreq, const AodvEntry& route, Age
                    .originator = rreq.originator,
                    .lifetime = route.expires - node_.now()};
   table_.add_precursor(rreq.destination, from);
+  table_.use(rreq.destination, node_.now());
   const AodvEntry* const back = table_.active(rreq.originator);
   if (back == nullptr) return;
   table_.add_precursor(rreq.originator, next_hop);
@@ -321,7 +322,11 @@ void AodvRouting::on_data(Data data, AgentId from) {
   if (!relayed_.note(key, node_.now()).second) return;
   table_.note_class(header.topic);
   refresh(data, from);
-  forward({.data = std::move(data), .came_from = from, .owes_fate = false});
+  Transit transit{.data = std::move(data), .came_from = from, .owes_fate = false};
+  if (!search_.is_held()) return forward(std::move(transit));
+  // Section 6.13: others still send through the node that it was before its restart.
+  search_.hold_until(node_.now() + node_.config.aodv.delete_period());
+  refuse(transit);
 }
 
 /// Section 6.2: a route that is used lives on, both ways.

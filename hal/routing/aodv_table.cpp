@@ -88,7 +88,9 @@ const AodvEntry* AodvTable::invalidate(AgentId destination, std::optional<AodvSe
   const auto found = entries_.find(destination);
   if (found == entries_.end() || !found->second.is_valid) return nullptr;
   AodvEntry& entry = found->second;
-  if (entry.sequence) {
+  // Where nobody can have learnt of the route from this node, the number need not grow; and it must
+  // not outgrow that of a neighbour that is only heard now and then.
+  if (entry.sequence && entry.is_in_use) {
     const bool is_told = newest && is_newer(*newest, *entry.sequence);
     entry.sequence = is_told ? *newest : *entry.sequence + 1;
   }

@@ -42,10 +42,10 @@ struct AodvOffer {
 ///                           ^                            |
 ///                           +--------newer offer---------+
 ///
-/// A number grows when its route breaks and also when it expires. Both keep the order on which
-/// freedom from loops rests: along a route, (number, -hops) only gets better (R. van Glabbeek, P.
-/// Hoefner, W. L. Tan, M. Portmann, "Sequence Numbers Do Not Guarantee Loop Freedom", 2013, on what
-/// the RFC leaves open).
+/// A number grows when its route breaks and also when it expires, if it was in use. Both keep the
+/// order on which freedom from loops rests: along a route, (number, -hops) only gets better (R. van
+/// Glabbeek, P. Hoefner, W. L. Tan, M. Portmann, "Sequence Numbers Do Not Guarantee Loop Freedom",
+/// 2013, on what the RFC leaves open).
 ///
 /// To the observer a route is one of every class that was seen at this node: classes(). Of the
 /// statistics of a path only the hops are known.
