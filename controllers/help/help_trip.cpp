@@ -33,8 +33,8 @@ std::vector<hal::ParameterSpec> HelpTrip::parameters(const std::string& prefix) 
        .default_value = "hops",
        .meaning = "Of the path behind a hop: what makes it a good one.",
        .choices = statistic_names()},
-      {prefix + "direct_weight", "1", 1e6, 1, 1e12,
-       "Stands for the metric of a hop that is the mote itself."},
+      {prefix + "direct_weight", "1", 1e6, 0, 1e12,
+       "Stands for the metric of a hop that is the mote itself; 0: nothing does."},
       {prefix + "beta", "1", 2, 1, 20, "Exponent of the metric."}};
 }
 

@@ -271,4 +271,8 @@ void AgentCore::on_message_end(AgentId sent_by, MessageId message, std::string_v
   ports_.observer.on_message_end(now(), id(), sent_by, message, verdict);
 }
 
+void AgentCore::on_protocol_event(routing::ProtocolEvent event) {
+  ports_.observer.on_protocol_event(id(), event);
+}
+
 }  // namespace hal::agent

@@ -103,6 +103,7 @@ class AgentCore final : public routing::Application, public routing::RoutingObse
                     bool found) override;
   void on_message_end(AgentId sent_by, MessageId id, std::string_view topic,
                       Verdict verdict) override;
+  void on_protocol_event(routing::ProtocolEvent event) override;
 
  private:
   enum class Phase : std::uint8_t { kNoController, kWaiting, kDriven, kOver };

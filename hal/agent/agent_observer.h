@@ -4,6 +4,7 @@
 #include <string_view>
 
 #include "hal/exchange/step.h"
+#include "hal/routing/protocol_event.h"
 #include "hal/types/agent_id.h"
 #include "hal/types/channel.h"
 #include "hal/types/geometry.h"
@@ -69,6 +70,10 @@ class AgentObserver {
   }
   virtual void on_discovery(Time at, AgentId agent, const Discovery& discovery) {
     (void)at, (void)agent, (void)discovery;
+  }
+  /// Its routing protocol did something worth counting.
+  virtual void on_protocol_event(AgentId agent, routing::ProtocolEvent event) {
+    (void)agent, (void)event;
   }
   virtual void on_route_change(Time at, AgentId agent, const RouteChange& change) {
     (void)at, (void)agent, (void)change;

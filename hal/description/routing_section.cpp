@@ -1,48 +1,94 @@
 #include "hal/description/routing_section.h"
 
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hal/description/anthocnet_keys.h"
+#include "hal/description/aodv_keys.h"
 #include "hal/description/fields.h"
 
 namespace hal::description {
 namespace {
 
 using routing::Algorithm;
+using routing::LinkCapabilities;
+using routing::RouteChoice;
 using routing::RoutingConfig;
 
 constexpr std::array<Option<Algorithm>, 1> kNoRouting{{{"none", Algorithm::kNone}}};
+/// Those that have keys.
+constexpr std::array<Option<Algorithm>, 4> kAlgorithms{{{"ants", Algorithm::kAnts},
+                                                        {"anthocnet", Algorithm::kAntHocNet},
+                                                        {"aodv", Algorithm::kAodv},
+                                                        {"flooding", Algorithm::kFlooding}}};
+constexpr std::array<Option<PathStatistic>, kPathStatistics.size()> kStatistics{
+    {{"hops", PathStatistic::kHops},
+     {"delay", PathStatistic::kDelay},
+     {"min_snr", PathStatistic::kMinSnr},
+     {"energy", PathStatistic::kEnergy}}};
+
+const Key kAlgorithm{
+    "algorithm",
+    "Ants with the keys of the paper's algorithm; AntHocNet in full; AODV (RFC 3561); "
+    "or flooding of every message. Each has keys of its own.",
+    "aodv"};
+const Key kMetric{"metric",
+                  "What makes a path good, r(.) of equation 1: one statistic of its tuple (hops, "
+                  "delay, min_snr, energy), or several with exponents, multiplied.",
+                  "{hops: 1, delay: 0.5}"};
+const Key kClasses{"classes", "Message classes that choose their routes in a way of their own.",
+                   "{video: {metric: delay, beta: 4}}"};
 
 /// How the router finds out for itself whether a hop works.
 template <class Io>
-void hop_keys(Io& io, RoutingConfig& c, TransmitStatus status) {
-  if (status == TransmitStatus::kReported) {
-    for (const char* key : {"ack_timeout", "ack_attempts", "hello_period", "hello_limit"}) {
-      io.unused(key, "is not used with 'link: mac', which reports what becomes of each frame");
-    }
-    return;
-  }
+void ack_keys(Io& io, RoutingConfig& c) {
   io.duration({"ack_timeout",
                "Until a frame that nobody acknowledged is repeated; doubled each time.", "50 ms"},
               {1e-4, 10}, c.ack_timeout);
   io.count({"ack_attempts", "Transmissions before a hop counts as failed.", "4"}, 1, 16,
            c.ack_attempts);
+}
+
+template <class Io>
+void hello_keys(Io& io, RoutingConfig& c) {
   io.duration({"hello_period", "Between two hellos to the neighbours.", "1 s"}, {1e-3, 3600},
               c.hello_period);
   io.count({"hello_limit", "Hellos in a row that a neighbour may miss.", "2"}, 1, 100,
            c.hello_limit);
 }
 
+/// AntHocNet's hellos carry pheromone: it sends them over any link.
 template <class Io>
-void routing_keys(Io& io, RoutingConfig& c, TransmitStatus status) {
+void hop_keys(Io& io, RoutingConfig& c, const LinkCapabilities& link) {
+  const char* unused = "is not used with 'link: mac', which reports what becomes of each frame";
+  const bool has_hellos = !link.tx_status || c.algorithm == Algorithm::kAntHocNet;
+  if (link.tx_status) {
+    for (const char* key : {"ack_timeout", "ack_attempts"}) io.unused(key, unused);
+  } else {
+    ack_keys(io, c);
+  }
+  if (has_hellos) return hello_keys(io, c);
+  for (const char* key : {"hello_period", "hello_limit"}) io.unused(key, unused);
+}
+
+template <class Io>
+void choice_keys(Io& io, RouteChoice& c) {
   io.number({"beta",
              "Exponent of the forwarding probability: the larger, the more the best next hop is "
              "preferred.",
              "2"},
-            "1", {1, 100}, c.choice.beta);
-  io.number(
-      {"direct_weight",
-       "Weight of a neighbour that is the destination itself; others have 1 / hops.", "1000000"},
-      "1", {1, 1e12}, c.choice.metric.direct_weight);
-  io.duration({"jitter_max", "Rebroadcasts wait a random time up to this.", "100 ms"}, {0, 10},
-              c.jitter_max);
+            "1", {1, 100}, c.beta);
+  io.number({"direct_weight",
+             "Weight of a neighbour that is the destination itself, in place of the metric's; 0: "
+             "it has the metric's, like the others.",
+             "1000000"},
+            "1", {0, 1e12}, c.metric.direct_weight);
+}
+
+template <class Io>
+void retry_keys(Io& io, RoutingConfig& c) {
   io.duration({"retry_period", "Between two discoveries of one destination.", "5 s"}, {1e-3, 3600},
               c.retry_period);
   io.number({"retry_jitter",
@@ -51,45 +97,205 @@ void routing_keys(Io& io, RoutingConfig& c, TransmitStatus status) {
             "1", {0, 1}, c.retry_jitter);
   io.count({"retries", "Discoveries in all before a destination is given up.", "3"}, 1, 100,
            c.retries);
+}
+
+template <class Io>
+void acceptance_keys(Io& io, RoutingConfig& c) {
   io.number({"acceptance",
              "Later copies of an ant are accepted with at most this times the fewest hops.", "1.5"},
             "1", {1, 100}, c.acceptance);
   io.flag({"accept_anywhere",
            "Whether every node accepts later copies; else only the destination does.", "true"},
           c.accept_anywhere);
+}
+
+template <class Io>
+void jitter_key(Io& io, RoutingConfig& c) {
+  io.duration({"jitter_max", "Rebroadcasts wait a random time up to this.", "100 ms"}, {0, 10},
+              c.jitter_max);
+}
+
+template <class Io>
+void hop_limit_key(Io& io, RoutingConfig& c) {
   io.count({"hop_limit", "Hops after which ants, floods and messages are dropped.", "30"}, 1, 100,
            c.hop_limit);
+}
+
+template <class Io>
+void buffer_keys(Io& io, RoutingConfig& c) {
   io.count({"buffer_limit", "Messages that may wait for one route or next hop.", "64"}, 0,
            1'000'000, c.buffer_limit);
   io.duration({"buffer_age", "Longest wait of a message for a route.", "10 s"}, {1e-3, 3600},
               c.buffer_age);
-  hop_keys(io, c, status);
+}
+
+/// All but those of a metric and of classes.
+template <class Io>
+void routing_keys(Io& io, RoutingConfig& c, const LinkCapabilities& link) {
+  if (c.algorithm == Algorithm::kAnts) choice_keys(io, c.choice);
+  jitter_key(io, c);
+  if (c.algorithm == Algorithm::kAnts || c.algorithm == Algorithm::kAntHocNet) retry_keys(io, c);
+  if (c.algorithm == Algorithm::kAnts) acceptance_keys(io, c);
+  if (c.algorithm == Algorithm::kAntHocNet) anthocnet_keys(io, c.anthocnet);
+  if (c.algorithm == Algorithm::kAodv) aodv_keys(io, c.aodv);
+  hop_limit_key(io, c);
+  if (c.algorithm != Algorithm::kFlooding) buffer_keys(io, c);
+  hop_keys(io, c, link);
+}
+
+std::string_view name_of(Algorithm algorithm) {
+  std::string_view name;
+  for (const auto& option : kRoutingAlgorithms) {
+    if (option.value == algorithm) name = option.name;
+  }
+  return name;
+}
+
+/// Keys that some algorithms have and others do not.
+struct KeysOf {
+  std::vector<Algorithm> algorithms;
+  std::vector<std::string_view> keys;
+};
+
+std::vector<KeysOf> keys_of_some() {
+  return {{{Algorithm::kAnts},
+           {"metric", "beta", "direct_weight", "acceptance", "accept_anywhere", "classes"}},
+          {{Algorithm::kAnts, Algorithm::kAntHocNet}, {"retry_period", "retry_jitter", "retries"}},
+          {{Algorithm::kAntHocNet}, {kAntHocNetKeys.begin(), kAntHocNetKeys.end()}},
+          {{Algorithm::kAodv}, {kAodvKeys.begin(), kAodvKeys.end()}},
+          {{Algorithm::kAnts, Algorithm::kAntHocNet, Algorithm::kAodv},
+           {"buffer_limit", "buffer_age"}}};
+}
+
+/// Keys of other algorithms mean nothing here.
+void refuse_others(Mapping& in, Algorithm algorithm) {
+  for (const auto& [algorithms, keys] : keys_of_some()) {
+    if (std::ranges::find(algorithms, algorithm) != algorithms.end()) continue;
+    for (const std::string_view key : keys) {
+      in.refuse(std::string(key),
+                "is a key of 'algorithm: " + std::string(name_of(algorithms.front())) +
+                    "' and means nothing with 'algorithm: " + std::string(name_of(algorithm)) +
+                    "'");
+    }
+  }
+}
+
+PathMetric read_weights(Mapping& in, const PathMetric& otherwise) {
+  PathMetric metric{.hops = 0, .direct_weight = otherwise.direct_weight};
+  Mapping weights = in.mapping(kMetric);
+  double total = 0;
+  for (const auto& [name, statistic] : kStatistics) {
+    const Key key{std::string(name), "Exponent of this statistic's value in the product.", "0.5"};
+    const double weight = weights.number(key, "1", {0, 100}, 0);
+    metric.set_weight(statistic, weight);
+    total += weight;
+  }
+  weights.finish();
+  if (total > 0) return metric;
+  in.mistake(kMetric.name, "must weigh at least one of hops, delay, min_snr, energy");
+  return otherwise;
+}
+
+PathMetric read_metric(Mapping& in, const PathMetric& otherwise, const LinkCapabilities& link) {
+  PathMetric metric = otherwise;
+  if (in.has_scalar(kMetric.name)) {
+    const auto statistic = in.choice(kMetric, kStatistics, PathStatistic::kHops);
+    metric = path_metric(statistic, otherwise.direct_weight);
+  } else if (in.has(kMetric.name)) {
+    metric = read_weights(in, otherwise);
+  }
+  if (metric.min_snr > 0 && !link.rssi && in.has(kMetric.name)) {
+    in.mistake(kMetric.name,
+               "'min_snr' needs a link that tells how strong frames arrive, which this one, a UDP "
+               "socket or a radio without waves, does not");
+    metric.min_snr = 0;
+    metric.hops = 1;
+  }
+  return metric;
+}
+
+RouteChoice read_choice(Mapping& in, const RouteChoice& otherwise, const LinkCapabilities& link) {
+  RouteChoice choice = otherwise;
+  choice.metric = read_metric(in, otherwise.metric, link);
+  FieldReader reader(in);
+  choice_keys(reader, choice);
+  return choice;
+}
+
+void read_classes(Mapping& in, RoutingConfig& config, const LinkCapabilities& link) {
+  if (!in.has(kClasses.name)) return;
+  Mapping classes = in.mapping(kClasses);
+  for (const std::string& topic : classes.keys()) {
+    Mapping own = classes.mapping(
+        {topic, "A message class, by its topic; what it does not say is as for the others."});
+    config.classes[topic] = read_choice(own, config.choice, link);
+    own.finish();
+  }
+  classes.finish();
+}
+
+void write_metric(Writer& out, const PathMetric& metric) {
+  for (const auto& [name, statistic] : kStatistics) {
+    if (metric == path_metric(statistic, metric.direct_weight)) {
+      return out.text(kMetric.name, name);
+    }
+  }
+  out.open(kMetric.name);
+  for (const auto& [name, statistic] : kStatistics) {
+    if (metric.weight(statistic) > 0) out.number(name, metric.weight(statistic), "1");
+  }
+  out.close();
+}
+
+void write_classes(Writer& out, const RoutingConfig& config) {
+  if (config.classes.empty()) return;
+  out.open(kClasses.name);
+  for (const auto& [topic, choice] : config.classes) {
+    RouteChoice copy = choice;
+    FieldWriter writer(out);
+    out.open(topic);
+    write_metric(out, choice.metric);
+    choice_keys(writer, copy);
+    out.close();
+  }
+  out.close();
 }
 
 }  // namespace
 
-RoutingConfig read_routing(Mapping& in, TransmitStatus status) {
+RoutingConfig read_routing(Mapping& in, const LinkCapabilities& link) {
   const Key key{"routing",
-                "How messages find their way over several hops: ant routing, with these keys; or "
-                "`none`: straight to the MAC, one hop."};
+                "How messages find their way over several hops, with these keys; or `none`: "
+                "straight to the MAC, one hop."};
   RoutingConfig config;
   if (in.has_scalar(key.name)) {
     config.algorithm = in.choice(key, kNoRouting, Algorithm::kNone);
     return config;
   }
-  Mapping ants = in.mapping(key);
-  FieldReader reader(ants);
-  routing_keys(reader, config, status);
-  ants.finish();
+  Mapping keys = in.mapping(key);
+  config.algorithm = keys.choice(kAlgorithm, kAlgorithms, config.algorithm);
+  if (config.algorithm == Algorithm::kAodv) config.jitter_max = kAodvJitter;
+  if (config.algorithm == Algorithm::kAntHocNet) anthocnet_defaults(config);
+  const bool has_classes = config.algorithm == Algorithm::kAnts;
+  if (has_classes) config.choice.metric = read_metric(keys, config.choice.metric, link);
+  FieldReader reader(keys);
+  routing_keys(reader, config, link);
+  if (has_classes) read_classes(keys, config, link);
+  refuse_others(keys, config.algorithm);
+  keys.finish();
   return config;
 }
 
-void write_routing(Writer& out, const RoutingConfig& config, TransmitStatus status) {
+void write_routing(Writer& out, const RoutingConfig& config, const LinkCapabilities& link) {
   if (config.algorithm == Algorithm::kNone) return out.text("routing", kNoRouting[0].name);
   RoutingConfig copy = config;
   FieldWriter writer(out);
   out.open("routing");
-  routing_keys(writer, copy, status);
+  writer.choice(kAlgorithm, kAlgorithms, config.algorithm);
+  const bool has_classes = config.algorithm == Algorithm::kAnts;
+  if (has_classes) write_metric(out, config.choice.metric);
+  routing_keys(writer, copy, link);
+  if (has_classes) write_classes(out, config);
   out.close();
 }
 

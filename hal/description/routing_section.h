@@ -1,20 +1,28 @@
 #pragma once
 
+#include <array>
+
 #include "hal/config/mapping.h"
 #include "hal/config/writer.h"
+#include "hal/routing/ports.h"
 #include "hal/routing/routing_config.h"
 
 namespace hal::description {
 
-/// What the link under the router tells of its frames.
-enum class TransmitStatus {
-  kReported,  ///< The keys of hop acknowledgements and hellos are refused.
-  kNone,      ///< The router finds out for itself: they are used.
-};
+/// The algorithms by their names in files.
+inline constexpr std::array<config::Option<routing::Algorithm>, 5> kRoutingAlgorithms{
+    {{"ants", routing::Algorithm::kAnts},
+     {"anthocnet", routing::Algorithm::kAntHocNet},
+     {"aodv", routing::Algorithm::kAodv},
+     {"flooding", routing::Algorithm::kFlooding},
+     {"none", routing::Algorithm::kNone}}};
 
 /// `routing:` of a scenario, or of a real agent's file: a mapping, or `none`.
-routing::RoutingConfig read_routing(config::Mapping& in, TransmitStatus status);
+/// @param link  what the link under the router tells of its frames. If it reports what becomes of
+///              them, the keys of hop acknowledgements and hellos are refused; if it does not tell
+///              how strong they were, so is the metric of the signal to noise ratio.
+routing::RoutingConfig read_routing(config::Mapping& in, const routing::LinkCapabilities& link);
 void write_routing(config::Writer& out, const routing::RoutingConfig& config,
-                   TransmitStatus status);
+                   const routing::LinkCapabilities& link);
 
 }  // namespace hal::description

@@ -121,7 +121,7 @@ RobotFile RobotFile::read(Mapping in) {
   read_controller(in.mapping({"controller", "The program that drives it."}), file);
   read_times(in, file);
   file.radio = read_radio(in.mapping({"radio", "The UDP radio."}), file.radio_places);
-  file.routing = description::read_routing(in, description::TransmitStatus::kNone);
+  file.routing = description::read_routing(in, routing::LinkCapabilities{});
   file.localisation = read_localisation(
       in.mapping({"localisation", "How the agent knows where it and the others are."}), file);
   read_body(in, file);

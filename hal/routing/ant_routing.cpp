@@ -90,6 +90,6 @@ bool AntRouting::take(Data data, const Arrival& arrival) {
 }
 
 /// Of another protocol: not for this node.
-bool AntRouting::take(Control, const Arrival&) { return true; }
+bool AntRouting::take(const Control&, const Arrival&) { return true; }
 
 }  // namespace hal::routing

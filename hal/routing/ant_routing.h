@@ -32,7 +32,7 @@ class AntRouting final : public Protocol, private HopListener {
   bool take(ForwardAnt ant, const Arrival& arrival);
   bool take(BackwardAnt ant, const Arrival& arrival);
   bool take(Data data, const Arrival& arrival);
-  bool take(Control control, const Arrival& arrival);
+  bool take(const Control& control, const Arrival& arrival);
 
   HopLayer hops_;
   RouteTable table_;

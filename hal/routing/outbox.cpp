@@ -10,12 +10,12 @@ void Outbox::send_message(AgentId next_hop, Transit transit) {
   BARAKA_CHECK(transit.data.transmissions < 255);
   ++transit.data.transmissions;
   const Packet packet = transit.data;
-  transmit(next_hop, packet, std::move(transit));
+  transmit(next_hop, packet, {.next_hop = next_hop, .transit = std::move(transit), .done = {}});
 }
 
-void Outbox::transmit(AgentId next_hop, const Packet& packet, std::optional<Transit> transit) {
+void Outbox::transmit(AgentId next_hop, const Packet& packet, Outgoing outgoing) {
   const LinkTag tag = ++last_tag_;
-  outgoing_.emplace(tag, Outgoing{next_hop, std::move(transit)});
+  outgoing_.emplace(tag, std::move(outgoing));
   node_.ports.link.transmit(next_hop, encode(packet), tag);
 }
 
@@ -26,6 +26,8 @@ void Outbox::on_transmitted(const Transmission& transmission) {
   if (transmission.verdict == Verdict::kRetryLimit) listener_.on_no_answer(outgoing.next_hop);
   if (outgoing.transit) {
     listener_.on_sent(std::move(*outgoing.transit), transmission.verdict);
+  } else if (outgoing.done) {
+    outgoing.done(transmission.verdict);
   }
 }
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "hal/routing/node.h"
 
@@ -29,10 +31,13 @@ class Outbox {
  public:
   Outbox(Node& node, OutboxListener& listener) : node_(node), listener_(listener) {}
 
-  /// A packet of the protocol's own. Nobody is told how the link did with it, except that the
-  /// neighbour did not answer.
-  void send_control(AgentId next_hop, const Packet& packet) {
-    transmit(next_hop, packet, std::nullopt);
+  /// How the link did with a packet.
+  using Done = std::function<void(Verdict)>;
+
+  /// A packet of the protocol's own. @param done  empty: nobody asks how the link did with it, only
+  /// the neighbour that did not answer is told of.
+  void send_control(AgentId next_hop, const Packet& packet, Done done = {}) {
+    transmit(next_hop, packet, {.next_hop = next_hop, .transit = {}, .done = std::move(done)});
   }
 
   /// Counts the transmission in the message. @pre it has one left.
@@ -43,10 +48,11 @@ class Outbox {
  private:
   struct Outgoing {
     AgentId next_hop;
-    std::optional<Transit> transit;  ///< None: of the protocol's own; nobody misses it.
+    std::optional<Transit> transit;  ///< None: of the protocol's own.
+    Done done;                       ///< Of such a packet; may be empty.
   };
 
-  void transmit(AgentId next_hop, const Packet& packet, std::optional<Transit> transit);
+  void transmit(AgentId next_hop, const Packet& packet, Outgoing outgoing);
 
   Node& node_;
   OutboxListener& listener_;

@@ -20,6 +20,23 @@ enum class ProtocolEvent : std::uint8_t {
   // Floods of messages.
   kFloodRelayed,
   kFloodCopyDropped,  ///< A message that this node had already.
+  // AODV (RFC 3561).
+  kRreqSent,          ///< By the node that searches, each try.
+  kRreqForwarded,     ///< Broadcast on.
+  kRreqDelayed,       ///< RREQ_RATELIMIT.
+  kRrepSent,          ///< By the destination.
+  kRrepSentForOther,  ///< By a node on the way that has a route.
+  kRrepGratuitous,
+  kRrepForwarded,
+  kRrepReceived,     ///< By the node that searched.
+  kRrepLost,         ///< The next hop towards that one did not answer, and is blacklisted.
+  kRreqBlacklisted,  ///< Ignored: came over a link that carries one way only.
+  kRerrSent,
+  kRerrReceived,
+  kRerrSuppressed,  ///< RERR_RATELIMIT.
+  kLocalRepairStarted,
+  kLocalRepairDone,
+  kLocalRepairFailed,
   // AntHocNet, beside those of ants. What it broadcasts on counts as relayed.
   kProactiveAntSent,
   kRepairAntSent,

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "hal/routing/anthocnet_config.h"
+#include "hal/routing/aodv_config.h"
 #include "hal/types/path_metric.h"
 #include "hal/types/time.h"
 
@@ -19,6 +20,7 @@ enum class Algorithm : std::uint8_t {
   kAnts,
   kNone,       ///< Not at all: one hop, straight to the link (one_hop.h).
   kFlooding,   ///< Every message to everyone (flood_routing.h).
+  kAodv,       ///< RFC 3561 (aodv_routing.h).
   kAntHocNet,  ///< AntHocNet in full (anthocnet.h).
 };
 
@@ -54,6 +56,7 @@ struct RoutingConfig {
   std::uint32_t buffer_limit = 64;  ///< Messages that wait for one route or next hop.
   Duration buffer_age = 10s;        ///< A message waits for a route no longer than this; > 0.
 
+  AodvConfig aodv{};
   AntHocNetConfig anthocnet{};
 
   /// Over a link without transmit status only (hop_acknowledgement.h, hello.h).

@@ -97,6 +97,9 @@ class ObserverList final : public Observer {
                       hal::Verdict verdict) override {
     for (Observer* o : observers_) o->on_message_end(at, at_node, sender, id, verdict);
   }
+  void on_protocol_event(hal::AgentId agent, hal::routing::ProtocolEvent event) override {
+    for (Observer* o : observers_) o->on_protocol_event(agent, event);
+  }
   void on_discovery(hal::Time at, hal::AgentId agent, const Discovery& discovery) override {
     for (Observer* o : observers_) o->on_discovery(at, agent, discovery);
   }

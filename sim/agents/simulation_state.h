@@ -100,7 +100,7 @@ struct Simulation::State final : hal::agent::AgentListener {
   bool broken_off = false;
   Sampler* sampler = nullptr;
   hal::Time look_due = hal::Time::max();  ///< Of the sampler.
-  std::vector<std::string> bodies_lost;  ///< One line for each of the world's lost bodies.
+  std::vector<std::string> bodies_lost;   ///< One line for each of the world's lost bodies.
   ConditionWatch watch;
   std::vector<std::size_t> asked;  ///< Numbers of SimulationConfig::asked in the watch.
   Script script;

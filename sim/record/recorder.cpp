@@ -53,6 +53,7 @@ Recorder::Recorder(const std::filesystem::path& file, const agents::SimulationCo
       broadcasts_([this](auto... end) { on_message_end(hal::Time{}, hal::AgentId{}, end...); }),
       bodies_(database_, options.pose_period),
       interfaces_(database_),
+      routing_(database_),
       set_(database_, "REPLACE INTO run VALUES (?, ?)"),
       insert_discovery_(database_, "INSERT INTO discoveries VALUES (?, ?, ?, ?, ?, ?)"),
       insert_lost_body_(database_, "INSERT INTO lost_bodies VALUES (?, ?, ?)"),
@@ -200,6 +201,7 @@ void Recorder::update_totals() {
   if (air_) air_->write();
   bodies_.write();
   interfaces_.write();
+  routing_.write();
 }
 
 void Recorder::commit_rows() {

@@ -25,6 +25,7 @@
 #include "sim/record/message_counts.h"
 #include "sim/record/message_log.h"
 #include "sim/record/observable.h"
+#include "sim/record/routing_counts.h"
 #include "sim/record/unheard_topics.h"
 
 namespace sim::record {
@@ -144,6 +145,9 @@ class Recorder final : public agents::Observer {
   void on_message_end(hal::Time at, hal::AgentId at_node, hal::AgentId sender, hal::MessageId id,
                       hal::Verdict verdict) override;
   void on_discovery(hal::Time at, hal::AgentId agent, const agents::Discovery& discovery) override;
+  void on_protocol_event(hal::AgentId agent, hal::routing::ProtocolEvent event) override {
+    routing_.on_event(agent, event);
+  }
   void on_state(hal::Time at, hal::AgentId agent, std::string_view state) override;
   void on_record(hal::Time at, hal::AgentId agent, std::string_view name, double value) override;
   void on_air_entered(hal::Time at, hal::AgentId agent, const radio::MacRequest& request) override;
@@ -183,6 +187,7 @@ class Recorder final : public agents::Observer {
   BodyLog bodies_;
   InterfaceCounts interfaces_;
   std::unique_ptr<Observables> observables_;
+  RoutingCounts routing_;
   Statement set_, insert_discovery_, insert_lost_body_, insert_state_, insert_value_,
       insert_scripted_, insert_turn_, insert_arrival_, insert_association_, insert_frame_,
       insert_frame_end_, insert_fingerprint_;

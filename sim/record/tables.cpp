@@ -230,6 +230,11 @@ std::vector<Table> message_tables() {
         {"delay_ns", "INTEGER NOT NULL", "ns", "since it was sent, waiting for a route included"},
         {"transmissions", "INTEGER", "", "on its way, the last hop included"}},
        "sender, id, receiver"},
+  };
+}
+
+std::vector<Table> routing_tables() {
+  return {
       {"discoveries",
        "searches for a route",
        {{"agent", "INTEGER NOT NULL", "", "who searched"},
@@ -238,6 +243,12 @@ std::vector<Table> message_tables() {
         {"ended_ns", "INTEGER NOT NULL", "ns", "when"},
         {"took_ns", "INTEGER NOT NULL", "ns", "since the first message waited for it"},
         {"found", "INTEGER NOT NULL", "", "0: given up"}}},
+      {"routing_events",
+       "what the routing protocols did",
+       {{"agent", "INTEGER NOT NULL", "", "whose router"},
+        {"event", "TEXT NOT NULL", "", "'rreq sent', 'forward ant relayed', ..., by protocol"},
+        {"count", "INTEGER NOT NULL", "", "so often"}},
+       "agent, event"},
   };
 }
 
@@ -501,9 +512,9 @@ const std::vector<Table>& tables() {
     std::vector<Table> sum;
     for (const auto& part :
          {setup_tables(), count_tables(), air_tables(), link_verdict_tables(), verdict_sum_tables(),
-          message_tables(), counted_message_tables(), message_sum_tables(), delivery_sum_tables(),
-          ledger_tables(), observable_tables(), body_tables(), use_tables(), program_tables(),
-          trace_tables()}) {
+          message_tables(), routing_tables(), counted_message_tables(), message_sum_tables(),
+          delivery_sum_tables(), ledger_tables(), observable_tables(), body_tables(), use_tables(),
+          program_tables(), trace_tables()}) {
       sum.insert(sum.end(), part.begin(), part.end());
     }
     return sum;

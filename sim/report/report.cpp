@@ -18,6 +18,9 @@ std::string runs_text(const std::vector<RunResult>& runs,
     if (group.runs.empty()) continue;
     text += "\n" + links_section(group) + "\n" + packets_section(group) + "\n" +
             losses_section(group) + "\n" + hops_section(group);
+    if (const std::string routing = routing_section(group); !routing.empty()) {
+      text += "\n" + routing;
+    }
     if (const std::string air = air_section(group); !air.empty()) text += "\n" + air;
   }
   return text + "\n";

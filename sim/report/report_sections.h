@@ -48,6 +48,9 @@ std::string losses_section(const Group& group);
 /// if no agent has a network.
 std::string air_section(const Group& group);
 
+/// How often the routing protocols did what they do; "" if nothing was counted.
+std::string routing_section(const Group& group);
+
 /// Least end-to-end delay by number of transmissions, beside what the MAC allows.
 std::string hops_section(const Group& group);
 

@@ -164,6 +164,14 @@ void read_discoveries(RunReader& reader, RunResult& run) {
   }
 }
 
+void read_routing_events(RunReader& reader, RunResult& run) {
+  Statement query =
+      reader.query("SELECT event, SUM(count) FROM routing_events GROUP BY event ORDER BY event");
+  while (query.next()) {
+    run.routing_events[query.text(0)] = static_cast<std::uint64_t>(query.integer(1));
+  }
+}
+
 void read_air_topics(RunReader& reader, RunResult& run) {
   Statement topics = reader.query(
       "SELECT topic, samples, delivered, first_try, repaired, airtime_ns FROM air_topics"
@@ -280,6 +288,7 @@ RunResult read_run(const fs::path& folder) {
   read_delivery_sums(reader, run);
   read_deliveries(reader, run);
   read_discoveries(reader, run);
+  read_routing_events(reader, run);
   read_air_topics(reader, run);
   read_air(reader, run);
   read_goal(reader, run);

@@ -102,7 +102,8 @@ struct RunResult {
   std::map<std::string, std::uint64_t> verdicts;  ///< Of messages to one agent.
   std::vector<std::int64_t> discoveries_ns;       ///< Those that found a route.
   std::uint64_t discoveries_failed = 0;
-  std::vector<AirTopic> air_topics;    ///< By name.
+  std::map<std::string, std::uint64_t> routing_events;  ///< Over all agents.
+  std::vector<AirTopic> air_topics;                     ///< By name.
   std::vector<AirKind> air_kinds;      ///< Most air time first; empty: nobody has a network.
   std::vector<AirSecond> air_seconds;  ///< By second.
   std::optional<int> goal;             ///< The agent whose state ended the run.

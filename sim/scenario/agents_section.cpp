@@ -10,6 +10,7 @@
 
 #include "hal/config/suggest.h"
 #include "hal/description/body_section.h"
+#include "hal/description/routing_section.h"
 #include "hal/types/check.h"
 #include "sim/scenario/controller_section.h"
 #include "sim/scenario/fields.h"
@@ -54,11 +55,9 @@ const Key kPresent{"present",
 
 using Algorithm = hal::routing::Algorithm;
 const Key kRouting{"routing",
-                   "How the group's messages find their way: ant routing with the keys of the "
-                   "scenario's `routing`, or `none`: straight to the MAC, one hop.",
+                   "How the group's messages find their way: by this algorithm, with the keys of "
+                   "the scenario's `routing`, or `none`: straight to the MAC, one hop.",
                    "none", "that of the scenario"};
-constexpr std::array<Option<Algorithm>, 2> kAlgorithms{
-    {{"ants", Algorithm::kAnts}, {"none", Algorithm::kNone}}};
 
 using hal::kLastAddress;
 
@@ -181,7 +180,8 @@ void read_group(const std::string& name, Mapping in, Scenario& scenario, Taken& 
   const bool is_present = in.flag(kPresent, true);
   for (AgentConfig& agent : agents) agent.is_present = is_present;
   const bool has_routing = in.has(kRouting.name);
-  const Algorithm routing = in.choice(kRouting, kAlgorithms, scenario.simulation.routing.algorithm);
+  const Algorithm routing = in.choice(kRouting, hal::description::kRoutingAlgorithms,
+                                      scenario.simulation.routing.algorithm);
   for (AgentConfig& agent : agents) {
     if (has_routing) agent.routing = routing;
   }
@@ -239,7 +239,8 @@ void write_group(Writer& out, const Group& group, std::span<const AgentConfig> a
   write_station_radios(out, agents);
   if (!agents.front().is_present) out.flag(kPresent.name, false);
   if (agents.front().routing)
-    FieldWriter(out).choice(kRouting, kAlgorithms, *agents.front().routing);
+    FieldWriter(out).choice(kRouting, hal::description::kRoutingAlgorithms,
+                            *agents.front().routing);
   out.close();
 }
 

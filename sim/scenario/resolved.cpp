@@ -18,7 +18,7 @@ void write(hal::config::Writer& out, const Scenario& scenario) {
   write_run(out, scenario);
   write_world(out, scenario.simulation);
   write_radio(out, scenario.simulation.radio);
-  write_routing(out, scenario.simulation.routing, transmit_status(scenario.simulation.link));
+  write_routing(out, scenario.simulation.routing, link_capabilities(scenario.simulation));
   write_localisation(out, scenario.simulation.localisation);
   write_agents(out, scenario);
   write_events(out, scenario);

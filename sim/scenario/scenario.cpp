@@ -48,7 +48,7 @@ Scenario read_scenario(Mapping in, const std::filesystem::path& file) {
   read_run(in, scenario);
   read_world(in.mapping({"world", "Walls, boxes and the physics engine."}), scenario.simulation);
   scenario.simulation.radio = read_radio(in.mapping({"radio", "The radio that all agents have."}));
-  scenario.simulation.routing = read_routing(in, transmit_status(scenario.simulation.link));
+  scenario.simulation.routing = read_routing(in, link_capabilities(scenario.simulation));
   scenario.simulation.localisation = read_localisation(
       in.mapping({"localisation", "What controllers are told of where the others are."}));
   read_agents(

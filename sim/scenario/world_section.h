@@ -14,10 +14,10 @@ void write_world(hal::config::Writer& out, const agents::SimulationConfig& confi
 using hal::description::read_routing;
 using hal::description::write_routing;
 
-/// Whether that link reports the status of transmissions.
-inline hal::description::TransmitStatus transmit_status(agents::LinkKind link) {
-  using hal::description::TransmitStatus;
-  return link == agents::LinkKind::kMac ? TransmitStatus::kReported : TransmitStatus::kNone;
+/// What the agents' links tell their routers.
+inline hal::routing::LinkCapabilities link_capabilities(const agents::SimulationConfig& config) {
+  if (config.link != agents::LinkKind::kMac) return {};
+  return {.tx_status = true, .rssi = radio::waves_of(config.radio) != nullptr};
 }
 
 /// `localisation:`.

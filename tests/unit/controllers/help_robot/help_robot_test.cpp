@@ -248,20 +248,22 @@ TEST_F(HelpRobot, StandsWhileTheHopIsNotLocalised) {
   EXPECT_EQ(last_drive(bench.control()), hal::Twist2{});
 }
 
-/// How often each hop is drawn from the routes (hop, number of hops) in so many runs that differ
-/// in their seed.
-std::map<int, int> draws(const std::vector<std::pair<int, int>>& routes, int runs) {
+using Ways = std::vector<std::pair<int, hal::PathStatistics>>;
+
+/// How often each hop is drawn from the routes in so many runs that differ in their seed.
+std::map<int, int> draws_of(const Ways& routes, int runs, const std::string& metric) {
   std::map<int, int> drawn;
   for (int seed = 0; seed < runs; ++seed) {
     auto session = tests::robot_session();
     session.seed = static_cast<std::uint64_t>(seed);
+    session.parameters = {{.name = "metric", .value = metric, .place = "here"}};
     tests::RobotBench bench;
     bench.agent = std::make_unique<tests::OneAgent>(*baraka_controller(), session);
     bench.hear(kMote, HelpWord::kHelp);
     bench.control();
     double bearing = 0;  // 0.5 rad apart, so that the drive tells the hops apart
-    for (const auto& [hop, hops] : routes) {
-      bench.learn(kMote, hop, hops);
+    for (const auto& [hop, path] : routes) {
+      bench.learn(kMote, hop, path);
       bench.positions[hop] = {100 * std::cos(bearing), 100 * std::sin(bearing)};
       bearing += 0.5;
     }
@@ -272,6 +274,15 @@ std::map<int, int> draws(const std::vector<std::pair<int, int>>& routes, int run
   return drawn;
 }
 
+/// The same from routes (hop, number of hops).
+std::map<int, int> draws(const std::vector<std::pair<int, int>>& routes, int runs) {
+  Ways ways;
+  for (const auto& [hop, hops] : routes) {
+    ways.emplace_back(hop, hal::PathStatistics{.hops = static_cast<std::uint16_t>(hops)});
+  }
+  return draws_of(ways, runs, "hops");
+}
+
 // P ~ (1/h)^2: 1/4, 1/9 and 1/36 give 9 : 4 : 1. Of 1400 draws 900, 400, 100 are expected; four
 // standard deviations of the binomial are 72, 68 and 39.
 TEST(HelpRobotsChoice, FollowsTheInverseSquareOfTheHops) {
@@ -279,6 +290,18 @@ TEST(HelpRobotsChoice, FollowsTheInverseSquareOfTheHops) {
   EXPECT_NEAR(drawn[0], 900, 72);
   EXPECT_NEAR(drawn[1], 400, 68);
   EXPECT_NEAR(drawn[2], 100, 39);
+}
+
+// Four ways, each far better than the others in one statistic.
+TEST(HelpRobotsChoice, FollowsTheStatisticThatItsParameterNames) {
+  const Ways ways{{3, {.hops = 1, .delay = 1s, .min_snr_db = -20, .energy = 1}},
+                  {4, {.hops = 50, .delay = 1ms, .min_snr_db = -20, .energy = 1}},
+                  {5, {.hops = 50, .delay = 1s, .min_snr_db = 60, .energy = 1}},
+                  {6, {.hops = 50, .delay = 1s, .min_snr_db = -20, .energy = 1e-3}}};
+  const std::vector<std::string> metrics{"hops", "delay", "min_snr", "energy"};
+  for (std::size_t i = 0; i < metrics.size(); ++i) {
+    EXPECT_GE(draws_of(ways, 50, metrics[i])[static_cast<int>(i)], 48) << metrics[i];
+  }
 }
 
 // The mote itself has weight (10^6)^2 against 1/4.

@@ -30,12 +30,15 @@ class RobotBench {
 
   /// Tells the robot that `next_hop` leads to `destination` in so many hops.
   void learn(int destination, int next_hop, int hops, bool removed = false) {
+    learn(destination, next_hop, {.hops = static_cast<std::uint16_t>(hops)}, removed);
+  }
+  void learn(int destination, int next_hop, const hal::PathStatistics& path, bool removed = false) {
     auto event = agent->event(hal::exchange::Cause::kLink);
     hal::RouteChange change;
     change.route.topic = "help";
     change.route.destination = hal::AgentId{static_cast<std::uint16_t>(destination)};
     change.route.next_hop = hal::AgentId{static_cast<std::uint16_t>(next_hop)};
-    change.route.path.hops = static_cast<std::uint16_t>(hops);
+    change.route.path = path;
     change.removed = removed;
     event.routes.push_back(change);
     agent->feed(event);

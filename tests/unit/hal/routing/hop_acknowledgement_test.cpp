@@ -11,9 +11,9 @@ namespace hal::routing::test {
 namespace {
 
 const RoutingConfig kConfig{.jitter_max = Duration::zero(),
-                                .ack_timeout = 50ms,
-                                .ack_attempts = 4,
-                                .hello_period = kMaxHelloPeriod};
+                            .ack_timeout = 50ms,
+                            .ack_attempts = 4,
+                            .hello_period = kMaxHelloPeriod};
 
 Network silent_links(int nodes, RoutingConfig config = kConfig) {
   return Network(nodes, config, 1, Network::kNothing);

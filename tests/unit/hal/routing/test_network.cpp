@@ -13,6 +13,10 @@ TestNode::TestNode(Network& network, AgentId own, const RoutingConfig& config, s
 
 LinkCapabilities TestNode::capabilities() const { return network_.capabilities; }
 
+Duration TestNode::expected_delay() const { return network_.delay_of(self); }
+
+double TestNode::transmit_energy(std::size_t) const { return network_.energy_of(self); }
+
 void TestNode::transmit(AgentId next_hop, Bytes frame, LinkTag tag) {
   network_.transmit(self, next_hop, frame, tag);
 }

@@ -52,8 +52,8 @@ class TestNode final : public Link, public Application, public RoutingObserver {
 
   LinkCapabilities capabilities() const override;
   void transmit(AgentId next_hop, Bytes frame, LinkTag tag) override;
-  Duration expected_delay() const override { return 1ms; }
-  double transmit_energy(std::size_t) const override { return 0.5; }
+  Duration expected_delay() const override;
+  double transmit_energy(std::size_t) const override;
 
   void on_message(Message message, int transmissions) override {
     messages.push_back(std::move(message));
@@ -121,6 +121,9 @@ class Network {
   };
   /// SNR of a reception [dB].
   std::function<double(AgentId from, AgentId to)> snr_db = [](AgentId, AgentId) { return 30.0; };
+  /// What the link of a node says of a frame sent now [s, J].
+  std::function<Duration(AgentId node)> delay_of = [](AgentId) { return Duration{1ms}; };
+  std::function<double(AgentId node)> energy_of = [](AgentId) { return 0.5; };
   std::vector<SentFrame> sent;
   std::vector<EndRecord> ends;
 

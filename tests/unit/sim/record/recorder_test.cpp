@@ -285,6 +285,20 @@ TEST_F(RecorderTest, KeepsLinksDiscoveriesAndStates) {
   EXPECT_EQ(asked("SELECT agent || state || at_ns FROM states"), "2WAIT3000000000");
 }
 
+TEST_F(RecorderTest, CountsWhatRoutingDoes) {
+  using hal::routing::ProtocolEvent;
+  const std::string sum =
+      "SELECT group_concat(agent || event || count, ',') FROM (SELECT * FROM routing_events"
+      " ORDER BY agent, event)";
+  EXPECT_EQ(asked(sum), "null");
+  recorder->on_protocol_event(AgentId{2}, ProtocolEvent::kRreqSent);
+  recorder->on_protocol_event(AgentId{2}, ProtocolEvent::kRreqSent);
+  recorder->on_protocol_event(AgentId{1}, ProtocolEvent::kHelloSent);
+  EXPECT_EQ(asked(sum), "1hello sent1,2rreq sent2");
+  recorder->on_protocol_event(AgentId{2}, ProtocolEvent::kRreqSent);
+  EXPECT_EQ(asked(sum), "1hello sent1,2rreq sent3");
+}
+
 TEST_F(RecorderTest, KeepsWhatControllersRecord) {
   recorder->on_record(Time{1s}, AgentId{2}, "distance", 0.1);
   recorder->on_record(Time{1s}, AgentId{1}, "tries", -3);

@@ -374,6 +374,72 @@ TEST_F(Resolved, KeepsTheRouting) {
   EXPECT_EQ(c.hello_limit, 5u);
 }
 
+TEST_F(Resolved, KeepsHowRoutesAreChosen) {
+  const auto routing_of = [this](const std::string& routing) {
+    const std::string text = std::string("version: 1\nradio: {profile: ieee80211b}\nrouting: ") +
+                             routing +
+                             "\nagents: {m: {mote: {model: brick, size: [1 cm, 1 cm, 1 cm],"
+                             " mass: 1 g}, poses: [{x: 0 m, y: 0 m}],"
+                             " controller: {program: help_mote}}}\n";
+    return load(resolved_yaml(load(text))).simulation.routing;
+  };
+  EXPECT_EQ(routing_of("{metric: delay}").choice.metric,
+            hal::path_metric(hal::PathStatistic::kDelay));
+  const auto several = routing_of(
+      "{metric: {hops: 1, min_snr: 0.5}, direct_weight: 0, classes: {video: {metric: energy},"
+      " audio: {beta: 7}}}");
+  const hal::PathMetric product{.hops = 1, .min_snr = 0.5, .direct_weight = 0};
+  EXPECT_EQ(several.choice.metric, product);
+  EXPECT_EQ(several.choice_of("video").metric, hal::path_metric(hal::PathStatistic::kEnergy, 0));
+  EXPECT_EQ(several.choice_of("audio").beta, 7);
+  EXPECT_EQ(several.choice_of("audio").metric, product);
+  EXPECT_EQ(several.choice_of("else").beta, 2);
+}
+
+TEST_F(Resolved, KeepsTheOtherProtocols) {
+  const auto routing_of = [this](const std::string& routing) {
+    const std::string text = std::string("version: 1\nradio: {profile: ieee80211b}\nrouting: ") +
+                             routing +
+                             "\nagents: {m: {mote: {model: brick, size: [1 cm, 1 cm, 1 cm],"
+                             " mass: 1 g}, poses: [{x: 0 m, y: 0 m}],"
+                             " controller: {program: help_mote}}}\n";
+    return load(resolved_yaml(load(text))).simulation.routing;
+  };
+  using hal::routing::Algorithm;
+  const auto flooding = routing_of("{algorithm: flooding, jitter_max: 7 ms, hop_limit: 9}");
+  EXPECT_EQ(flooding.algorithm, Algorithm::kFlooding);
+  EXPECT_EQ(flooding.jitter_max, 7ms);
+  EXPECT_EQ(flooding.hop_limit, 9);
+  const auto plain = routing_of("{algorithm: aodv}");
+  EXPECT_EQ(plain.algorithm, Algorithm::kAodv);
+  EXPECT_EQ(plain.jitter_max, 10ms);
+  EXPECT_EQ(plain.aodv.active_route_timeout, 3s);
+  const auto aodv =
+      routing_of(
+          "{algorithm: aodv, active_route_timeout: 4 s, allowed_hello_loss: 3,"
+          " hello_interval: 2 s, local_add_ttl: 3, net_diameter: 20, node_traversal_time: 30 ms,"
+          " rerr_ratelimit: 11, rreq_ratelimit: 12, rreq_retries: 4, timeout_buffer: 5,"
+          " ttl_start: 6, ttl_increment: 7, ttl_threshold: 8, hello: false,"
+          " destination_only: true, gratuitous_reply: false, local_repair: true,"
+          " wait_after_start: true}")
+          .aodv;
+  EXPECT_EQ(aodv.active_route_timeout, 4s);
+  EXPECT_EQ(aodv.allowed_hello_loss, 3);
+  EXPECT_EQ(aodv.hello_interval, 2s);
+  EXPECT_EQ(aodv.local_add_ttl, 3);
+  EXPECT_EQ(aodv.net_diameter, 20);
+  EXPECT_EQ(aodv.node_traversal_time, 30ms);
+  EXPECT_EQ(aodv.rerr_ratelimit, 11);
+  EXPECT_EQ(aodv.rreq_ratelimit, 12);
+  EXPECT_EQ(aodv.rreq_retries, 4);
+  EXPECT_EQ(aodv.timeout_buffer, 5);
+  EXPECT_EQ(aodv.ttl_start, 6);
+  EXPECT_EQ(aodv.ttl_increment, 7);
+  EXPECT_EQ(aodv.ttl_threshold, 8);
+  EXPECT_FALSE(aodv.hello || aodv.gratuitous_reply);
+  EXPECT_TRUE(aodv.destination_only && aodv.local_repair && aodv.wait_after_start);
+}
+
 TEST_F(Resolved, KeepsEveryBody) {
   const auto first = load(kEverything).simulation.agents;
   const auto again = load(resolved_yaml(load(kEverything))).simulation.agents;

@@ -1,0 +1,20 @@
+#include "sim/record/routing_counts.h"
+
+namespace sim::record {
+
+RoutingCounts::RoutingCounts(Database& database)
+    : put_(database, "REPLACE INTO routing_events VALUES (?, ?, ?)") {}
+
+void RoutingCounts::write() {
+  if (!changed_) return;
+  for (const auto& [agent, counts] : counts_) {
+    for (std::size_t event = 0; event < counts.size(); ++event) {
+      if (counts[event] == 0) continue;
+      put_.run(agent.value, hal::routing::name(static_cast<hal::routing::ProtocolEvent>(event)),
+               counts[event]);
+    }
+  }
+  changed_ = false;
+}
+
+}  // namespace sim::record
