@@ -103,7 +103,7 @@ class LostNodes(Campaigns):
         wait_for(lambda: cluster.state_of("n2") in ("IDLE", "MIXED", "ALLOCATED"), timeout=60)
 
         # One with its slurmstepds: its runs are nobody's any more, and one of them takes its time.
-        frozen = wait_for(lambda: self.writers(cluster, "n1"), timeout=60)[0]
+        frozen = max(wait_for(lambda: self.writers(cluster, "n1"), timeout=60))  # the youngest
         victims = cluster.stepds("n1")
         cluster.kill("n1")
         for pid in victims:
