@@ -103,13 +103,13 @@ class LostNodes(Campaigns):
         wait_for(lambda: cluster.state_of("n2") in ("IDLE", "MIXED", "ALLOCATED"), timeout=60)
 
         # One with its slurmstepds: its runs are nobody's any more, and one of them takes its time.
-        frozen = wait_for(lambda: self.writers(cluster, "n1"), timeout=60)[0]
-        os.kill(frozen, signal.SIGSTOP)
+        frozen = max(wait_for(lambda: self.writers(cluster, "n1"), timeout=60))  # the youngest
         victims = cluster.stepds("n1")
         cluster.kill("n1")
         for pid in victims:
             with contextlib.suppress(ProcessLookupError):
                 os.kill(pid, signal.SIGKILL)
+        os.kill(frozen, signal.SIGSTOP)  # not before: what is stopped when it is orphaned gets a SIGHUP
         said = f"another run is writing there (pid {frozen})"
         wait_for(lambda: any(said in log for log in self.logs().values()), timeout=LONG)
         os.kill(frozen, signal.SIGCONT)
