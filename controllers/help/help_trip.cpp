@@ -9,6 +9,7 @@ namespace {
 
 std::vector<std::string> statistic_names() {
   std::vector<std::string> names;
+  names.reserve(hal::kPathStatistics.size());
   for (const hal::PathStatistic one : hal::kPathStatistics) names.emplace_back(hal::name(one));
   return names;
 }
