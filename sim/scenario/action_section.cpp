@@ -238,6 +238,8 @@ ScriptedAction read_action(Mapping in, const Scenario& scenario) {
     in.mistake("",
                "must say what happens: kill, restart, switch_off, switch_on, add, remove, "
                "move, set, drain or jam");
+    for (const FortuneKey& key : kFortunes) in.has(std::string(name(key.fortune)));
+    for (const char* key : {"move", "set", "drain", "jam"}) in.has(key);
   }
   in.finish();
   return action;

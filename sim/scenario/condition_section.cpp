@@ -242,6 +242,7 @@ Condition read_condition(Mapping in, Scenario& scenario) {
     in.mistake("",
                "must say a condition: time, distance, count, all_of, any_of, not; or state, area "
                "or battery of an agent, of any or all of a pattern");
+    for (const ConditionKind& kind : kKinds) in.has(kind.key);
     for (const char* key : {"agent", "any", "all", "below", "above"}) in.has(key);
   }
   condition.hold = in.duration({"for", "It must have held for so long without a break.", "5 s"},
