@@ -175,17 +175,19 @@ int report_figure(const sim::report::Sources& sources, const ReportOptions& opti
 }  // namespace
 
 int report(const ReportOptions& options) {
+  const bool is_drawing = options.file.ends_with(".svg") || options.file.ends_with(".csv");
+  const bool is_page = !is_drawing && options.figure.empty() && !options.file.empty();
+  const std::string page = is_page ? empty_page() : "";
   const sim::report::Sources sources = read_all(options);
   if (!options.resamples.empty()) {
     write(options.resamples, sim::report::resamples_csv(only_one(sources.experiments)));
   }
-  const bool is_drawing = options.file.ends_with(".svg") || options.file.ends_with(".csv");
   if (is_drawing || !options.figure.empty()) return report_figure(sources, options);
   if (options.file.empty()) {
     fmt::print("{}", sim::report::report(sources, case_study(sources.runs)));
     return kDone;
   }
-  write(options.file, sim::report::report_page(sources, case_study(sources.runs), empty_page()));
+  write(options.file, sim::report::report_page(sources, case_study(sources.runs), page));
   fmt::print("page: {}\n", options.file);
   return kDone;
 }

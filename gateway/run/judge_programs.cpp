@@ -27,7 +27,7 @@ std::string path_of(const sim::scenario::Program& program) {
 
 }  // namespace
 
-void judge_programs(const sim::scenario::Scenario& scenario) {
+std::vector<std::string> missing_programs(const sim::scenario::Scenario& scenario) {
   std::vector<std::string> mistakes;
   std::set<std::string> said;
   for (const sim::scenario::PlannedProgram& planned : sim::scenario::plan_programs(scenario)) {
@@ -42,7 +42,12 @@ void judge_programs(const sim::scenario::Scenario& scenario) {
       if (said.insert(line).second) mistakes.push_back(std::move(line));
     }
   }
-  if (!mistakes.empty()) throw hal::config::ConfigErrors(std::move(mistakes));
+  return mistakes;
+}
+
+void require_programs(const sim::scenario::Scenario& scenario) {
+  std::vector<std::string> missing = missing_programs(scenario);
+  if (!missing.empty()) throw hal::config::ConfigErrors(std::move(missing));
 }
 
 }  // namespace gateway

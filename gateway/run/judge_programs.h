@@ -1,12 +1,18 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "sim/scenario/scenario.h"
 
 namespace gateway {
 
-/// Whether every program that runs inside an agent can be found: before a run starts, as one may
-/// be due only late in it. What a run is to make itself ({results}) is not looked for.
-/// @throws hal::config::ConfigErrors  "file:line:column: command: …" for each that is not there.
-void judge_programs(const sim::scenario::Scenario& scenario);
+/// The programs inside agents that cannot be found on this computer, "file:line:column: command: …"
+/// each. What a run is to make itself ({results}) is not looked for.
+std::vector<std::string> missing_programs(const sim::scenario::Scenario& scenario);
+
+/// Before a run starts, as a program may be due only late in it.
+/// @throws hal::config::ConfigErrors  one is missing.
+void require_programs(const sim::scenario::Scenario& scenario);
 
 }  // namespace gateway

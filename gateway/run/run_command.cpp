@@ -264,7 +264,7 @@ std::filesystem::path results_path(const RunOptions& options, const std::string&
 
 int run(const RunOptions& options) {
   const Scenario scenario = load_judged(options.scenario, options.overrides);
-  if (options.repeat.empty()) judge_programs(scenario);
+  if (options.repeat.empty()) require_programs(scenario);
   catch_interrupts();
   const Course course(options, scenario);
   (void)domain_of(options);  // before anything is written

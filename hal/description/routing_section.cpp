@@ -180,11 +180,15 @@ void refuse_others(Mapping& in, Algorithm algorithm) {
   }
 }
 
-PathMetric read_weights(Mapping& in, const PathMetric& otherwise) {
+PathMetric read_weights(Mapping& in, const PathMetric& otherwise, const LinkCapabilities& link) {
   PathMetric metric{.hops = 0, .direct_weight = otherwise.direct_weight};
   Mapping weights = in.mapping(kMetric);
+  const std::vector<std::string> given = weights.keys();
   double total = 0;
   for (const auto& [name, statistic] : kStatistics) {
+    // Where it can have no effect it is not offered; who gives it is told why.
+    const bool is_offered = statistic != PathStatistic::kMinSnr || link.rssi;
+    if (!is_offered && std::ranges::find(given, name) == given.end()) continue;
     const Key key{std::string(name), "Exponent of this statistic's value in the product.", "0.5"};
     const double weight = weights.number(key, "1", {0, 100}, 0);
     metric.set_weight(statistic, weight);
@@ -202,7 +206,7 @@ PathMetric read_metric(Mapping& in, const PathMetric& otherwise, const LinkCapab
     const auto statistic = in.choice(kMetric, kStatistics, PathStatistic::kHops);
     metric = path_metric(statistic, otherwise.direct_weight);
   } else if (in.has(kMetric.name)) {
-    metric = read_weights(in, otherwise);
+    metric = read_weights(in, otherwise, link);
   }
   if (metric.min_snr > 0 && !link.rssi && in.has(kMetric.name)) {
     in.mistake(kMetric.name,

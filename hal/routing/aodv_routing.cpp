@@ -198,28 +198,34 @@ void AodvRouting::on_message(const Rrep& rrep, int ttl, AgentId from) {
                         .sequence = rrep.destination_sequence,
                         .expires = node_.now() + std::max(rrep.lifetime, Duration{1})};
   const bool was_in_use = table_.is_in_use(from);
-  const bool is_taken = table_.offer(offer);
+  (void)table_.offer(offer);
   if (is_hello) table_.set_in_use(from, was_in_use);
   on_route(from);
   if (is_hello) return;
   if (rrep.originator == node_.self) {
     node_.count(ProtocolEvent::kRrepReceived);
-  } else if (is_taken && ttl > 1) {
+  } else if (ttl > 1) {
     relay(rrep, ttl - 1);
   }
   on_route(rrep.destination);
 }
 
+/// Passes on what this node knows now, also if the reply told it nothing new: the RFC's wording
+/// forwards only what updates the table, by which a search ends at a node that knew the route.
 void AodvRouting::relay(Rrep rrep, int ttl) {
   const AodvEntry* const back = table_.active(rrep.originator);
   const AodvEntry* const route = table_.active(rrep.destination);
-  if (back == nullptr || route == nullptr || search_.is_held()) return;
+  if (back == nullptr || route == nullptr || !route->sequence || search_.is_held()) return;
+  if (is_newer(rrep.destination_sequence, *route->sequence)) return;
   const AgentId to = back->next_hop;
   const AgentId next_hop = route->next_hop;
+  if (to == next_hop) return;
+  rrep.hops = static_cast<std::uint8_t>(route->hops);
+  rrep.destination_sequence = *route->sequence;
+  rrep.lifetime = std::min(rrep.lifetime, route->expires - node_.now());
   table_.add_precursor(rrep.destination, to);
   table_.add_precursor(next_hop, to);
   table_.use(rrep.originator, node_.now() + node_.config.aodv.active_route_timeout);
-  ++rrep.hops;
   node_.count(ProtocolEvent::kRrepForwarded);
   send_reply(to, rrep, ttl);
 }

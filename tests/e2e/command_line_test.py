@@ -2,9 +2,11 @@
 """What `baraka` says to those who use it wrongly, and what it does with folders of results."""
 import contextlib
 import csv
+import pathlib
 import shutil
 import sqlite3
 import subprocess
+import tempfile
 import unittest
 
 from baraka import BIN, CASE_STUDY, ROOT, Case, Program
@@ -92,8 +94,36 @@ class CommandLine(Case):
             finished = Program("baraka", "check", path).finish()
             self.assertEqual(finished.status, 2, str(finished))
             for line in lines:
-                self.assertIn(f"{path}:{line}", finished.err)
+                place = f"{path.parent / line}" if line.startswith("parts/") else f"{path}:{line}"
+                self.assertIn(place, finished.err)
         self.assertGreaterEqual(judged, 2)
+
+    def test_a_program_that_is_not_there_is_named_before_a_run(self):
+        with tempfile.TemporaryDirectory() as folder:
+            scenario, out = pathlib.Path(folder, "late.yaml"), pathlib.Path(folder, "out")
+            scenario.write_text("""version: 1
+routing: none
+radio: {profile: ieee80211g}
+end: [{at: 10 s, result: done}]
+agents:
+  a:
+    name: a
+    station: {}
+    poses: [{x: 0 m, y: 0 m}]
+    network: {}
+    programs:
+      - {name: there, command: [sh, -c, "true"]}
+      - {name: late, command: [ddspref, ping], start: 9 s}
+      - {name: made, command: ["{results}/later"], start: 9 s}
+""")
+            line = f"{scenario}:13:9: command: no program 'ddspref' in PATH"
+            checked = Program("baraka", "check", scenario).finish()  # perhaps for another computer
+            self.assertEqual(checked.status, 0, str(checked))
+            self.assertIn(line, checked.err)
+            refused = Program("baraka", "run", scenario, "--out", out).finish()
+            self.assertEqual(refused.status, 2, str(refused))
+            self.assertIn(line, refused.err)
+            self.assertFalse(out.exists())
 
     def test_an_unknown_controller_is_a_mistake_in_the_scenario(self):
         finished = Program("baraka", "check", TWO_MOTES, "--set",

@@ -462,7 +462,7 @@ class Experiments(Folders):
         self.assertIn("\nrun.events: run.events, mean over runs", later.out)
         scenario.write_text("report: [{plot: run.events, as: tabel}]\n")
         wrong = Program("baraka", "report", *self.outs, "--scenario", scenario).finish()
-        self.assertIn(f"{scenario}:1:32: report.as: 'tabel' is not one of", wrong.err)
+        self.assertIn(f"{scenario}:1:33: report.as: 'tabel' is not one of", wrong.err)
         resamples = self.folder / "resamples.csv"
         done = Program("baraka", "report", *self.outs, "--interval", "bootstrap", "--figure", "frames.sent",
                        "--resamples", resamples).finish()

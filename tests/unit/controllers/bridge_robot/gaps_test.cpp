@@ -28,7 +28,7 @@ TEST(Gaps, AreBridgedHalfwayToTheNearestThatNeitherCallsNorHasFailed) {
 }
 
 TEST(Gaps, ThatAreTooWideForOneRobotAreLeftOut) {
-  EXPECT_TRUE(find_gaps(kLine, {{AgentId{4}, 30}}, 19).empty());  // 2 * 19 < 40
+  EXPECT_TRUE(find_gaps(kLine, {{AgentId{4}, 30}}, 15).empty());  // 2 * 15 < 30.4
   EXPECT_TRUE(find_gaps({{AgentId{4}, {0, 0}}}, {{AgentId{4}, 30}}, kReach).empty());
   EXPECT_TRUE(find_gaps(kLine, {}, kReach).empty());
 }

@@ -172,7 +172,7 @@ TEST_F(MappingTest, JoinsTheKeysOfMappingsInside) {
     EXPECT_EQ(values[1].items, (std::vector<std::string>{"1", "2"}));
     EXPECT_EQ(values[2].key, "b.d.e");
     EXPECT_EQ(values[2].text, "x");
-    EXPECT_EQ(values[2].place, folder_.string() + "/a.yaml:2:21");
+    EXPECT_EQ(values[2].place, folder_.string() + "/a.yaml:2:23");
   });
   EXPECT_EQ(none, Lines{});
   const auto found = mistakes("a: {b: [[1], 2]}\n", [](Mapping& in) { in.nested_values(); });

@@ -80,11 +80,12 @@ TEST_F(Scripted, ARestartedControllerBeginsWithItsStart) {
 }
 
 TEST_F(Scripted, WhatAKilledControllerHadDecidedDiesWithIt) {
-  config.controller_latency = 50ms;
+  config.controller_latency = 150ms;
   at(1s, befall(Fortune::kKill, kB));
   at(1s, befall(Fortune::kRestart, kB));
-  run_sending(Time{1050ms});
-  // The answers to the cycles from 0 to 0.9 s took effect, and that of A to the one of 1 s.
+  run_sending(Time{1150ms});
+  // Of A the answers to the cycles from 0 to 1 s took effect; of B those from 0 to 0.8 s, and that
+  // of its successor to the one of 1 s, but not the one of 0.9 s, which was under way.
   EXPECT_EQ(
       std::ranges::count(effects.actions, ActionKind::kSend, &std::pair<Time, ActionKind>::second),
       10 + 11);

@@ -376,11 +376,11 @@ TEST_F(Resolved, KeepsTheRouting) {
 
 TEST_F(Resolved, KeepsHowRoutesAreChosen) {
   const auto routing_of = [this](const std::string& routing) {
-    const std::string text = std::string("version: 1\nradio: {profile: ieee80211b}\nrouting: ") +
-                             routing +
-                             "\nagents: {m: {mote: {model: brick, size: [1 cm, 1 cm, 1 cm],"
-                             " mass: 1 g}, poses: [{x: 0 m, y: 0 m}],"
-                             " controller: {program: help_mote}}}\n";
+    const std::string text =
+        std::string("version: 1\nradio: {profile: ieee80211b}\nrouting: ") + routing +
+        "\nagents: {m: {mote: {model: brick, size: [1 cm, 1 cm, 1 cm],"
+        " mass: 1 g}, poses: [{x: 0 m, y: 0 m}],"
+        " controller: {program: help_mote}}}\nend: [{at: 1 s, result: done}]\n";
     return load(resolved_yaml(load(text))).simulation.routing;
   };
   EXPECT_EQ(routing_of("{metric: delay}").choice.metric,
@@ -398,11 +398,11 @@ TEST_F(Resolved, KeepsHowRoutesAreChosen) {
 
 TEST_F(Resolved, KeepsTheOtherProtocols) {
   const auto routing_of = [this](const std::string& routing) {
-    const std::string text = std::string("version: 1\nradio: {profile: ieee80211b}\nrouting: ") +
-                             routing +
-                             "\nagents: {m: {mote: {model: brick, size: [1 cm, 1 cm, 1 cm],"
-                             " mass: 1 g}, poses: [{x: 0 m, y: 0 m}],"
-                             " controller: {program: help_mote}}}\n";
+    const std::string text =
+        std::string("version: 1\nradio: {profile: ieee80211b}\nrouting: ") + routing +
+        "\nagents: {m: {mote: {model: brick, size: [1 cm, 1 cm, 1 cm],"
+        " mass: 1 g}, poses: [{x: 0 m, y: 0 m}],"
+        " controller: {program: help_mote}}}\nend: [{at: 1 s, result: done}]\n";
     return load(resolved_yaml(load(text))).simulation.routing;
   };
   using hal::routing::Algorithm;

@@ -268,8 +268,9 @@ TEST(RepeatedStep, IsAnsweredFromMemoryWithoutASecondCallback) {
   wire::Session session_sample = to_wire(session, this_process());
   EXPECT_TRUE(sessions.write(session_sample));
   std::vector<std::string> states;
+  constexpr std::array kCauses{Cause::kStart, Cause::kControl, Cause::kStop};
   for (const std::uint64_t sequence : {1U, 2U, 2U, 3U}) {
-    exchange::Step step = step_with(sequence == 3 ? Cause::kStop : Cause::kControl, sequence);
+    exchange::Step step = step_with(kCauses.at(sequence - 1), sequence);
     step.server = "s";
     step.run = 1;
     wire::Step sample;
@@ -278,7 +279,7 @@ TEST(RepeatedStep, IsAnsweredFromMemoryWithoutASecondCallback) {
     states.push_back(wait_for(replies).actions().at(0).text());
   }
   controllers.join();
-  EXPECT_EQ(states, (std::vector<std::string>{"stepped 1", "stepped 2", "stepped 2", "stopped"}));
+  EXPECT_EQ(states, (std::vector<std::string>{"started", "stepped 1", "stepped 1", "stopped"}));
 }
 
 }  // namespace
