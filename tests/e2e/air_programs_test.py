@@ -242,8 +242,8 @@ class Programs(Air):
         self.assertEqual(well["result"], "timeout")
 
     def test_one_that_is_not_there_is_named(self):
-        finished = self.run_baraka(self.scenario(station("a", 0, program("x", "no-such-program"))), status=1)
-        self.assertRegex(finished.err, r"scenario.yaml:\d+:\d+: programs: 'x' of a: .*no-such-program")
+        finished = self.run_baraka(self.scenario(station("a", 0, program("x", "no-such-program"))), status=2)
+        self.assertRegex(finished.err, r"scenario.yaml:\d+:\d+: command: no program 'no-such-program' in PATH")
 
     def test_one_that_is_killed_is_noted(self):
         under_way = self.start(self.scenario(station("a", 0, program("victim", "sleep", "1234", on_exit="fail"))))

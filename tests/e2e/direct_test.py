@@ -126,7 +126,7 @@ class Direct(Case):
 
         self.assertIn("routing: 'nobody' is not", check("routing=nobody"))
         self.assertIn("agents.walker.routing: 'aodv' is not one of ants, none",
-                      check("agents.walker.routing=aodv"))
+                      check("agents.walker.routing=oadv"))
         self.assertIn("line.speed: 0 m/s is below", check("agents.walker.station.path.line.speed=0 m/s"))
         self.assertIn("line: cannot stand beside circle", check("agents.posts.circle={count: 2, radius: 1 m}"))
         self.assertIn("is not one of saturated", check("agents.sender.controller.parameters.pattern=wild"))
