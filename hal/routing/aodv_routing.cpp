@@ -205,27 +205,28 @@ void AodvRouting::on_message(const Rrep& rrep, int ttl, AgentId from) {
   if (rrep.originator == node_.self) {
     node_.count(ProtocolEvent::kRrepReceived);
   } else if (ttl > 1) {
-    relay(rrep, ttl - 1);
+    relay(rrep, ttl - 1, from);
   }
   on_route(rrep.destination);
 }
 
-/// Passes on what this node knows now, also if the reply told it nothing new: the RFC's wording
-/// forwards only what updates the table, by which a search ends at a node that knew the route.
-void AodvRouting::relay(Rrep rrep, int ttl) {
+/// What this node goes by now: what the reply told it, or what it knew before and the reply
+/// confirms. The RFC's wording forwards only what updates the table, by which a search that asks
+/// for the destination itself ends at a node that knew the route.
+void AodvRouting::relay(Rrep rrep, int ttl, AgentId from) {
   const AodvEntry* const back = table_.active(rrep.originator);
   const AodvEntry* const route = table_.active(rrep.destination);
   if (back == nullptr || route == nullptr || !route->sequence || search_.is_held()) return;
-  if (is_newer(rrep.destination_sequence, *route->sequence)) return;
+  const bool is_ours = route->next_hop == from && route->hops == rrep.hops + 1 &&
+                       *route->sequence == rrep.destination_sequence;
+  if (!is_ours) return;
   const AgentId to = back->next_hop;
   const AgentId next_hop = route->next_hop;
   if (to == next_hop) return;
-  rrep.hops = static_cast<std::uint8_t>(route->hops);
-  rrep.destination_sequence = *route->sequence;
-  rrep.lifetime = std::min(rrep.lifetime, route->expires - node_.now());
   table_.add_precursor(rrep.destination, to);
   table_.add_precursor(next_hop, to);
   table_.use(rrep.originator, node_.now() + node_.config.aodv.active_route_timeout);
+  ++rrep.hops;
   node_.count(ProtocolEvent::kRrepForwarded);
   send_reply(to, rrep, ttl);
 }

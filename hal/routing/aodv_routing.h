@@ -48,7 +48,7 @@ class AodvRouting final : public Protocol, private HopListener {
   bool answer(const Rreq& rreq, AgentId from);
   void answer_for_other(const Rreq& rreq, const AodvEntry& route, AgentId from);
   void relay(Rreq rreq, int ttl);
-  void relay(Rrep rrep, int ttl);
+  void relay(Rrep rrep, int ttl, AgentId from);
   void send_reply(AgentId to, const Rrep& rrep, int ttl);
 
   void on_data(Data data, AgentId from);
