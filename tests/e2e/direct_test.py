@@ -125,7 +125,7 @@ class Direct(Case):
             return finished.err
 
         self.assertIn("routing: 'nobody' is not", check("routing=nobody"))
-        self.assertIn("agents.walker.routing: 'aodv' is not one of ants, none",
+        self.assertIn("agents.walker.routing: 'oadv' is not one of ants, anthocnet, aodv, flooding, none",
                       check("agents.walker.routing=oadv"))
         self.assertIn("line.speed: 0 m/s is below", check("agents.walker.station.path.line.speed=0 m/s"))
         self.assertIn("line: cannot stand beside circle", check("agents.posts.circle={count: 2, radius: 1 m}"))
