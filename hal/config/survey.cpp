@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <deque>
 #include <iterator>
+#include <string_view>
 #include <utility>
 
 namespace hal::config {
@@ -100,10 +101,24 @@ void Explorer::follow(const Taken& taken) {
   ways_.push_back(std::move(way));
 }
 
+/// "agents.NAME." of "agents.NAME.radio?".
+std::string_view mapping_of(std::string_view id) { return id.substr(0, id.rfind('.') + 1); }
+
+/// Whether one of two decisions stands in the mapping of the other, or in one inside it: then keys
+/// may hang on both.
+bool may_meet(std::string_view one, std::string_view other) {
+  return one.starts_with(mapping_of(other)) || other.starts_with(mapping_of(one));
+}
+
 std::vector<Taken> Explorer::pairs(const Taken& taken) {
   std::vector<Taken> result;
   for (const Decision& decision : survey_of(taken).decisions()) {
     if (taken.contains(decision.id())) continue;
+    const std::string id = decision.id();
+    const bool meets = taken.empty() || std::ranges::any_of(taken, [&](const auto& one) {
+                         return may_meet(one.first, id);
+                       });
+    if (!meets) continue;
     for (std::size_t option = 0; option < decision.options.size(); ++option) {
       if (option != decision.taken) result.push_back(taking(taken, decision, option));
     }
