@@ -75,6 +75,27 @@ std::vector<std::string> programs_of(const std::vector<hal::AgentId>& agents,
   return programs;
 }
 
+/// What some programs may enter.
+struct Enterable {
+  std::vector<std::string> states;
+  std::vector<std::string> silent;  ///< Programs that declare none.
+  bool is_all = false;              ///< Of one of them it is not known.
+};
+Enterable enterable(const std::vector<std::string>& programs, const StatesOf& states) {
+  Enterable all;
+  for (const std::string& program : programs) {
+    const auto declared = states.find(program);
+    if (declared == states.end()) {
+      all.is_all |= !program.empty();  // its plug-in is not there
+      continue;
+    }
+    if (declared->second.empty()) all.silent.push_back(program);
+    all.states.insert(all.states.end(), declared->second.begin(), declared->second.end());
+  }
+  all.is_all |= !all.silent.empty();
+  return all;
+}
+
 /// Whether somebody of whom a state is awaited enters it.
 /// @param states  of the programs whose plug-ins are there.
 void judge_states(const sim::scenario::Scenario& scenario, const StatesOf& states,
@@ -82,18 +103,11 @@ void judge_states(const sim::scenario::Scenario& scenario, const StatesOf& state
   std::set<std::string> said;
   for (const sim::scenario::AwaitedState& awaited : scenario.awaited) {
     const std::vector<std::string> programs = programs_of(awaited.agents, scenario);
-    std::vector<std::string> all;
-    bool may_enter = false;
-    for (const std::string& program : programs) {
-      const auto declared = states.find(program);
-      may_enter |= declared == states.end() && !program.empty();  // its plug-in is not there
-      if (declared == states.end()) continue;
-      may_enter |= declared->second.empty();
-      if (declared->second.empty() && said.insert(program).second) {
-        judgement.not_checked.push_back(
-            fmt::format("states of {}: not checked, it declares none", program));
-      }
-      all.insert(all.end(), declared->second.begin(), declared->second.end());
+    const auto [all, silent, may_enter] = enterable(programs, states);
+    for (const std::string& program : silent) {
+      if (!said.insert(program).second) continue;
+      judgement.not_checked.push_back(
+          fmt::format("states of {}: not checked, it declares none", program));
     }
     if (may_enter || std::ranges::find(all, awaited.state) != all.end()) continue;
     judgement.mistakes.push_back(fmt::format("{}: {}: {} declare{} no state '{}'{}", awaited.place,

@@ -51,6 +51,7 @@ class Explorer {
   }
   /// Ways that take one more decision otherwise.
   std::vector<Taken> pairs(const Taken& taken);
+  void add_new(const Taken& pair, std::vector<KeyDescription>& keys);
   KeyDescription described(const Survey::Read& key, const Taken& taken);
   std::optional<Condition> condition(const std::string& path, const Taken& taken,
                                      const Decision& decision, KeyDescription& key);
@@ -228,6 +229,18 @@ std::vector<KeyDescription> in_order(const std::vector<KeyDescription>& keys) {
   return result;
 }
 
+/// The keys that are read on this way and were on none before.
+void Explorer::add_new(const Taken& pair, std::vector<KeyDescription>& keys) {
+  // A survey that is new is not kept: there are thousands.
+  const auto kept = surveys_.find(pair);
+  std::optional<Survey> passing;
+  if (kept == surveys_.end()) survey_with(passing.emplace(pair));
+  const Survey& survey = passing ? *passing : kept->second;
+  for (const Survey::Read& read : survey.read()) {
+    if (paths_.insert(read.path).second) keys.push_back(described(read, pair));
+  }
+}
+
 KeyTable Explorer::table() {
   KeyTable table;
   follow_all();
@@ -237,15 +250,7 @@ KeyTable Explorer::table() {
   std::set<Taken> known;
   for (const Way& way : ways_) {
     for (const Taken& pair : pairs(way.taken)) {
-      if (!known.insert(pair).second) continue;
-      // One that is new is not kept: there are thousands.
-      const auto kept = surveys_.find(pair);
-      std::optional<Survey> passing;
-      if (kept == surveys_.end()) survey_with(passing.emplace(pair));
-      const Survey& survey = passing ? *passing : kept->second;
-      for (const Survey::Read& read : survey.read()) {
-        if (paths_.insert(read.path).second) table.keys.push_back(described(read, pair));
-      }
+      if (known.insert(pair).second) add_new(pair, table.keys);
     }
   }
   table.keys = in_order(table.keys);
