@@ -152,17 +152,31 @@ void CampaignLoop::finish(const TaskEnd& end) {
   progress_.on_end(collected.row, parts_.folder.name_of(run), CampaignProgress::Clock::now());
 }
 
-/// Into the database; then its folder may go.
-void CampaignLoop::commit(CollectedRun& collected) {
+/// Whether its folder stays; notes that in the row.
+bool CampaignLoop::keeps_folder(CollectedRun& collected) const {
   const bool failed = collected.row.state == RunState::kFailed;
   const bool keeps = settings_.keep == Keep::kAll || (settings_.keep == Keep::kFailed && failed);
-  const RunPlan& run = collected.row.plan;
   if (keeps) {
     collected.row.folder =
-        parts_.folder.left_by(run).lexically_relative(parts_.folder.path()).string();
+        parts_.folder.left_by(collected.row.plan).lexically_relative(parts_.folder.path()).string();
   }
-  parts_.database.finish(collected.row, collected.measured);
-  if (!keeps) parts_.folder.remove(run);
+  return keeps;
+}
+
+/// Into the database; then its folder may go. What the database does not take of one run is a
+/// failure of that run: the others go on.
+void CampaignLoop::commit(CollectedRun& collected) {
+  bool keeps = keeps_folder(collected);
+  try {
+    parts_.database.finish(collected.row, collected.measured);
+  } catch (const std::runtime_error& error) {
+    require_room(parts_.folder, error.what());
+    if (collected.row.state == RunState::kFailed) throw;
+    fail(collected, error.what());
+    keeps = keeps_folder(collected);
+    parts_.database.finish(collected.row, collected.measured);
+  }
+  if (!keeps) parts_.folder.remove(collected.row.plan);
 }
 
 /// Some may have ended in the moment they were stopped.

@@ -58,6 +58,7 @@ class CampaignLoop {
   void adopt(const std::vector<sim::campaign::RunRow>& started);
   void start_some();
   void finish(const TaskEnd& end);
+  bool keeps_folder(CollectedRun& collected) const;
   void commit(CollectedRun& collected);
   void collect_what_is_whole();
 

@@ -142,19 +142,25 @@ CollectedRun collect(const CampaignFolder& folder, const sim::campaign::RunPlan&
   if (auto finished = collect_finished(folder, run)) {
     collected = std::move(*finished);
   } else {
-    RunRow& row = collected.row;
-    row.plan = run;
-    row.state = RunState::kFailed;
-    row.result = "failed";
-    row.error = own_error(folder.result_of(run));
     const std::string words = last_words_of(folder.log_of(run));
-    if (row.error.empty()) row.error = end.cause + (words.empty() ? "" : ": " + words);
-    row.ended = utc_now();
+    const std::string own = own_error(folder.result_of(run));
+    fail(collected, own.empty() ? end.cause + (words.empty() ? "" : ": " + words) : own);
+    collected.row.plan = run;
+    collected.row.ended = utc_now();
   }
   collected.row.host = end.host;
   if (end.wall_s) collected.row.wall_s = end.wall_s;
   collected.row.user_s = end.user_s;
   return collected;
+}
+
+void fail(CollectedRun& collected, const std::string& error) {
+  RunRow& row = collected.row;
+  row.state = RunState::kFailed;
+  row.result = "failed";
+  row.expectations_met.reset();
+  row.error = error;
+  collected.measured = {};
 }
 
 void require_room(const CampaignFolder& folder, const std::string& error) {

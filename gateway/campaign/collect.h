@@ -26,6 +26,9 @@ std::optional<CollectedRun> collect_finished(const CampaignFolder& folder,
 CollectedRun collect(const CampaignFolder& folder, const sim::campaign::RunPlan& run,
                      const TaskEnd& end);
 
+/// Makes a run a failed one that has measured nothing.
+void fail(CollectedRun& collected, const std::string& error);
+
 /// The disk is full: then runs fail that would not fail otherwise.
 struct DiskFull : std::runtime_error {
   using std::runtime_error::runtime_error;

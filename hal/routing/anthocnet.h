@@ -51,7 +51,8 @@ class AntHocNet final : public Protocol, private HopListener, private anthocnet:
   anthocnet::Ants ants_{node_, diffusion_, *this};
   anthocnet::Backlog backlog_{node_.node};
   anthocnet::Losses losses_{node_};
-  anthocnet::PathSetup setup_{node_.node, table_, ants_, backlog_};
+  anthocnet::PathSetup setup_{node_, diffusion_, ants_, backlog_,
+                              [this](const anthocnet::Target& target) { on_trail(target); }};
   anthocnet::Repair repair_{node_, ants_, backlog_, losses_};
   anthocnet::Sessions sessions_{node_, ants_};
   anthocnet::DataForwarding forwarding_{

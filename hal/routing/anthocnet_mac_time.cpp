@@ -22,6 +22,9 @@ std::optional<AgentId> MacTime::on_transmitted(const Transmission& transmission)
   const auto frame = under_way_.extract(transmission.tag);
   if (frame.empty()) return std::nullopt;
   const auto [next_hop, handed_over] = frame.mapped();
+  const bool was_tried =
+      transmission.verdict == Verdict::kDelivered || transmission.verdict == Verdict::kRetryLimit;
+  if (!was_tried) return next_hop;  // the frame before it is on the air, or none
   const Time now = timers_.now();
   if (transmission.verdict == Verdict::kDelivered && next_hop != kEveryone) {
     const double took = to_seconds(now - std::max(handed_over, last_end_));

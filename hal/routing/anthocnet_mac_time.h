@@ -42,7 +42,7 @@ class MacTime final : public Link {
   Timers& timers_;
   const double alpha_;
   double mac_time_;  ///< s
-  Time last_end_{};  ///< Of a transmission.
+  Time last_end_{};  ///< Of a transmission; what the link refused or dropped was none.
   std::map<LinkTag, UnderWay> under_way_;
 };
 

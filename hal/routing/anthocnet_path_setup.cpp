@@ -28,7 +28,11 @@ Duration PathSetup::wait_after(int tries) {
 }
 
 void PathSetup::on_retry(const Target& target) {
-  if (table_.has_regular(target)) return end(target, true);
+  diffusion_.know(target);
+  if (table_.has_regular(target)) {
+    end(target, true);
+    return on_trail_(target);
+  }
   if (searches_.at(target).tries < node_.config.retries) return try_once(target);
   end(target, false);
   backlog_.abandon(target, Verdict::kNoRoute);

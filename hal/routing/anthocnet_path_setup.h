@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <map>
+#include <utility>
 
 #include "hal/routing/anthocnet_ants.h"
 #include "hal/routing/anthocnet_backlog.h"
@@ -13,10 +15,20 @@ namespace hal::routing::anthocnet {
 ///   begin() --> ant, t0 --retry_period--> ant --retry_period--> … --> given up: what waits ends
 ///                |                         |
 ///                +------ ant comes home ---+--> found, took now - t0
+///
+/// Found as well if the time is up and a trail is there that no ant of this search laid: the
+/// destination has come near, say.
 class PathSetup {
  public:
-  PathSetup(Node& node, const PheromoneTable& table, Ants& ants, Backlog& backlog)
-      : node_(node), table_(table), ants_(ants), backlog_(backlog) {}
+  /// @param on_trail  sends what waits for a target; when a search ends by a trail of others.
+  PathSetup(AntNode ants_node, Diffusion& diffusion, Ants& ants, Backlog& backlog,
+            std::function<void(const Target&)> on_trail)
+      : node_(ants_node.node),
+        table_(ants_node.table),
+        diffusion_(diffusion),
+        ants_(ants),
+        backlog_(backlog),
+        on_trail_(std::move(on_trail)) {}
 
   /// Starts a search unless one is on.
   void begin(const Target& target);
@@ -41,8 +53,10 @@ class PathSetup {
 
   Node& node_;
   const PheromoneTable& table_;
+  Diffusion& diffusion_;
   Ants& ants_;
   Backlog& backlog_;
+  std::function<void(const Target&)> on_trail_;
   std::map<Target, Search> searches_;
 };
 

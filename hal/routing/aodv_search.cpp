@@ -104,13 +104,32 @@ void AodvSearch::give_up(AgentId destination) {
   const Search search = searches_.extract(destination).mapped();
   if (search.is_repair) {
     calls_.repair_failed(destination);
-  } else {
-    node_.ports.observer.on_discovery(search.topic, destination, node_.now() - search.started,
-                                      false);
+    return search_for_own(destination);
   }
+  node_.ports.observer.on_discovery(search.topic, destination, node_.now() - search.started, false);
   for (const Transit& transit : release(destination)) {
     calls_.abandon(transit, Verdict::kNoRoute);
   }
+}
+
+/// After a repair that found nothing: this node looks for a route as any source does.
+void AodvSearch::search_for_own(AgentId destination) {
+  const auto queue = waiting_.find(destination);
+  if (queue == waiting_.end()) return;
+  std::vector<Transit> of_others;
+  std::erase_if(queue->second, [&](const auto& place) {
+    const Waiting& waiting = place.second;
+    if (!waiting.transit.came_from) return false;
+    node_.timers.cancel(waiting.expiry);
+    of_others.push_back(waiting.transit);
+    return true;
+  });
+  if (queue->second.empty()) {
+    waiting_.erase(queue);
+  } else {
+    begin(destination, queue->second.begin()->second.transit.data.header.topic);
+  }
+  for (const Transit& transit : of_others) calls_.abandon(transit, Verdict::kNoRoute);
 }
 
 std::vector<Transit> AodvSearch::on_route(AgentId destination) {

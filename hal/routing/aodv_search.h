@@ -21,7 +21,8 @@ namespace hal::routing {
 ///                 v                                                             v
 ///              on_route(): found                                             given up
 ///
-/// A repair (section 6.12) is one ring, of a width that is given.
+/// A repair (section 6.12) is one ring, of a width that is given. If it finds nothing, messages of
+/// others are abandoned, and those of this node wait for a search as above.
 class AodvSearch {
  public:
   struct Calls {
@@ -70,6 +71,7 @@ class AodvSearch {
   Duration wait_after(const Search& search) const;
   void on_timeout(AgentId destination);
   void give_up(AgentId destination);
+  void search_for_own(AgentId destination);
   std::vector<Transit> release(AgentId destination);
   void on_expiry(AgentId destination, Sequence place);
 

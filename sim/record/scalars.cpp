@@ -3,36 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <set>
+#include <utility>
 
 namespace sim::record {
 namespace {
 
 bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
-
-/// "topics.TOPIC.sent" with "call" for the word in capitals.
-std::string with_part(std::string_view family, std::string_view part) {
-  const auto* const begin = std::ranges::find_if(family, is_capital);
-  const auto* const end = std::find_if_not(begin, family.end(), is_capital);
-  std::string name(family.begin(), begin);
-  name += name_part(part);
-  name.append(end, family.end());
-  return name;
-}
-
-void read(RunReader& reader, const ScalarKind& kind, std::vector<Scalar>& to) {
-  const bool is_family = std::ranges::any_of(kind.name, is_capital);
-  Statement rows = reader.query(kind.query);
-  while (rows.next()) {
-    if (rows.is_null(1)) continue;
-    const double value = rows.real(1);
-    if (!std::isfinite(value)) continue;
-    to.push_back({.name = is_family ? with_part(kind.name, rows.text(2)) : std::string(kind.name),
-                  .unit = std::string(kind.unit),
-                  .agent = rows.text(0),
-                  .value = value});
-  }
-}
 
 /// With each part as in a name: what a controller records may be called anything.
 std::string observable_name(const std::string& name) {
@@ -44,6 +22,55 @@ std::string observable_name(const std::string& name) {
     begin = end + 1;
   }
   return result;
+}
+
+/// Names after words of scenarios and controllers. Different words may be equal as parts of a name,
+/// "cam-1" and "cam_1": by their order, the later ones end in "_2", "_3", ….
+class Names {
+ public:
+  explicit Names(RunReader& reader) {
+    Statement words = reader.query(
+        "SELECT name FROM observables UNION SELECT 'controllers.' || name FROM recorded ORDER BY "
+        "1");
+    while (words.next()) (void)of_observable(words.text(0));
+  }
+
+  std::string of_observable(const std::string& words) { return of(words, observable_name(words)); }
+
+  /// "topics.TOPIC.sent" with "call" for the word in capitals.
+  std::string in_family(std::string_view family, const std::string& word) {
+    const auto* const begin = std::ranges::find_if(family, is_capital);
+    const auto* const end = std::find_if_not(begin, family.end(), is_capital);
+    const std::string domain(family.begin(), begin);
+    return of(domain + word, domain + name_part(word)).append(end, family.end());
+  }
+
+ private:
+  std::string of(const std::string& words, const std::string& wanted) {
+    const auto [name, is_new] = given_.try_emplace({words, wanted}, wanted);
+    for (int next = 2; is_new && !taken_.insert(name->second).second; ++next) {
+      name->second = wanted + "_" + std::to_string(next);
+    }
+    return name->second;
+  }
+
+  std::map<std::pair<std::string, std::string>, std::string> given_;  ///< By words, and as wanted.
+  std::set<std::string> taken_;
+};
+
+void read(RunReader& reader, const ScalarKind& kind, Names& names, std::vector<Scalar>& to) {
+  const bool is_family = std::ranges::any_of(kind.name, is_capital);
+  Statement rows = reader.query(kind.query);
+  while (rows.next()) {
+    if (rows.is_null(1)) continue;
+    const double value = rows.real(1);
+    if (!std::isfinite(value)) continue;
+    to.push_back(
+        {.name = is_family ? names.in_family(kind.name, rows.text(2)) : std::string(kind.name),
+         .unit = std::string(kind.unit),
+         .agent = rows.text(0),
+         .value = value});
+  }
 }
 
 /// What there is of the observables in short. Where one is kept in two ways, the first counts.
@@ -61,14 +88,16 @@ constexpr const char* kSums =
     " UNION ALL SELECT name, agent, unit, 5, '.max', max FROM some"
     " UNION ALL SELECT name, agent, unit, 6, '.last', last FROM some"
     " UNION ALL SELECT name, agent, unit, 7 + share, printf('.p%02d', round(100 * share)), value"
-    " FROM observable_quantiles JOIN observables USING (observable)) p"
+    " FROM observable_quantiles JOIN observables USING (observable)"
+    " WHERE observable IN (SELECT MIN(observable) FROM observables WHERE keeps = 'quantiles'"
+    " GROUP BY name, agent)) p"
     " JOIN agents a USING (agent) WHERE v IS NOT NULL ORDER BY p.name, agent, place";
 
-void read_sums(RunReader& reader, std::vector<Scalar>& to) {
+void read_sums(RunReader& reader, Names& names, std::vector<Scalar>& to) {
   Statement rows = reader.query(kSums);
   while (rows.next()) {
     const bool is_count = rows.text(2) == ".count";
-    to.push_back({.name = observable_name(rows.text(1)) + rows.text(2),
+    to.push_back({.name = names.of_observable(rows.text(1)) + rows.text(2),
                   .unit = is_count ? "1" : rows.text(3),
                   .agent = rows.text(0),
                   .value = rows.real(4)});
@@ -76,9 +105,10 @@ void read_sums(RunReader& reader, std::vector<Scalar>& to) {
 }
 
 /// @param rows  of agent, name, s, value, unit; those of one series follow one another.
-void read_points(Statement& rows, const std::string& domain, std::vector<Series>& to) {
+void read_points(Statement& rows, const std::string& domain, Names& names,
+                 std::vector<Series>& to) {
   while (rows.next()) {
-    const std::string name = observable_name(domain + rows.text(1));
+    const std::string name = names.of_observable(domain + rows.text(1));
     if (to.empty() || to.back().name != name || to.back().agent != rows.text(0)) {
       to.push_back({.name = name, .unit = rows.text(4), .agent = rows.text(0), .points = {}});
     }
@@ -99,31 +129,35 @@ std::string name_part(std::string_view text) {
 }
 
 std::vector<Scalar> scalars_of(RunReader& reader) {
+  Names names(reader);
   std::vector<Scalar> scalars;
-  for (const ScalarKind& kind : scalar_kinds()) read(reader, kind, scalars);
+  for (const ScalarKind& kind : scalar_kinds()) read(reader, kind, names, scalars);
   std::vector<Scalar> observed;
-  read_sums(reader, observed);
-  std::set<std::pair<std::string, std::string>> names;
-  for (const Scalar& one : observed) names.emplace(one.name, one.agent);
+  read_sums(reader, names, observed);
+  std::set<std::pair<std::string, std::string>> seen;
+  for (const Scalar& one : observed) seen.emplace(one.name, one.agent);
   // What a controller records and is observed as well counts as observed.
-  std::erase_if(scalars, [&](const Scalar& one) { return names.contains({one.name, one.agent}); });
+  std::erase_if(scalars, [&](const Scalar& one) { return seen.contains({one.name, one.agent}); });
   scalars.insert(scalars.end(), observed.begin(), observed.end());
   return scalars;
 }
 
 std::vector<Series> series_of(RunReader& reader) {
+  Names names(reader);
   std::vector<Series> all;
   Statement samples = reader.query(
       "SELECT a.name, o.name, at_ns * 1e-9, value, unit FROM observable_samples s"
       " JOIN observables o USING (observable) JOIN agents a USING (agent)"
+      " WHERE observable IN (SELECT MIN(observable) FROM observables WHERE keeps = 'samples'"
+      " GROUP BY name, agent)"
       " ORDER BY o.name, agent, observable, s.rowid");
-  read_points(samples, "", all);
+  read_points(samples, "", names, all);
   Statement recorded = reader.query(
       "SELECT a.name, r.name, at_ns * 1e-9, value, '' FROM recorded r JOIN agents a USING (agent)"
       " WHERE NOT EXISTS (SELECT 1 FROM observables o WHERE o.agent = r.agent"
       " AND o.name = 'controllers.' || r.name AND keeps = 'samples')"
       " ORDER BY r.name, r.agent, r.rowid");
-  read_points(recorded, "controllers.", all);
+  read_points(recorded, "controllers.", names, all);
   return all;
 }
 
@@ -132,10 +166,13 @@ std::vector<Bins> bins_of(RunReader& reader) {
   Statement rows = reader.query(
       "SELECT a.name, o.name, unit, lower, upper, count FROM observable_bins b"
       " JOIN observables o USING (observable) JOIN agents a USING (agent)"
+      " WHERE observable IN (SELECT MIN(observable) FROM observables WHERE keeps = 'histogram'"
+      " GROUP BY name, agent)"
       " ORDER BY o.name, agent, observable, b.rowid");
+  Names names(reader);
   std::vector<Bins> all;
   while (rows.next()) {
-    const std::string name = observable_name(rows.text(1));
+    const std::string name = names.of_observable(rows.text(1));
     if (all.empty() || all.back().name != name || all.back().agent != rows.text(0)) {
       all.push_back({.name = name, .unit = rows.text(2), .agent = rows.text(0), .bins = {}});
     }

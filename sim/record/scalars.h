@@ -35,6 +35,9 @@ const std::vector<ScalarKind>& scalar_kinds();
 /// Every run as numbers, whether observables were asked for or not: those of scalar_kinds(), in
 /// their order, and the sums of the observables of the run. What a run does not have (the delay of
 /// messages when none arrived, quantiles of delays when messages were only counted) is not there.
+/// No two have the same name and agent: where words of controllers and scenarios are equal as
+/// name_part(), the later ones by their order end in "_2", "_3", …; of an observable that is kept
+/// several times in one way, the first counts.
 /// A function of the run's simulated course: the same for equal fingerprints.
 /// @throws std::runtime_error  the file is damaged.
 std::vector<Scalar> scalars_of(RunReader& reader);

@@ -123,6 +123,21 @@ TEST(MacTime, LeavesOutFailuresAndBroadcasts) {
   EXPECT_EQ(mac.expected_delay(), 3ms);
 }
 
+TEST(MacTime, LeavesOutWhatTheLinkDidNotTry) {
+  for (const Verdict refused : {Verdict::kQueueFull, Verdict::kRadioOff}) {
+    routing::test::Clock clock;
+    IdleLink link;
+    MacTime mac(link, clock, 0, 3ms);
+    mac.transmit(id(2), {1}, 1);
+    clock.run_until(clock.now() + 8ms);
+    mac.transmit(id(2), {1}, 2);
+    EXPECT_EQ(mac.on_transmitted({2, refused}), id(2));
+    clock.run_until(clock.now() + 2ms);
+    mac.on_transmitted({1, Verdict::kDelivered});
+    EXPECT_NEAR(mac.mac_time(), 0.010, 1e-12) << "not from the other frame's refusal";
+  }
+}
+
 TEST(MacTime, IsTheLinksOwnExpectationWithoutTransmitStatus) {
   routing::test::Clock clock;
   IdleLink link;

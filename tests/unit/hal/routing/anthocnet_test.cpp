@@ -88,6 +88,38 @@ TEST(AntHocNet, GivesASearchUpAfterItsRetries) {
   EXPECT_EQ(network.ends[0].verdict, Verdict::kNoRoute);
 }
 
+// The second message finds its destination near by, while the first one still waits for an ant.
+TEST(AntHocNet, SendsWhatWaitsOnceATrailOfOthersIsThere) {
+  RoutingConfig config = ant_config();
+  config.retry_period = 4s;
+  config.buffer_age = 20s;
+  Network network(2, config);
+  network.send(1, 2);
+  network.run(100ms);
+  network.connect(1, 2);
+  network.run(3s);
+  network.send(1, 2);
+  network.run(3s);
+  EXPECT_EQ(network.node(2).messages.size(), 2u);
+  ASSERT_EQ(network.node(1).discoveries.size(), 1u);
+  EXPECT_TRUE(network.node(1).discoveries[0].found);
+}
+
+TEST(AntHocNet, LooksForTheDestinationNearByBeforeItGivesUp) {
+  RoutingConfig config = ant_config();
+  config.retry_period = 4s;
+  config.retries = 1;
+  config.buffer_age = 20s;
+  Network network(2, config);
+  network.send(1, 2);
+  network.run(100ms);
+  network.connect(1, 2);
+  network.run(6s);
+  EXPECT_EQ(network.node(2).messages.size(), 1u);
+  ASSERT_EQ(network.node(1).discoveries.size(), 1u);
+  EXPECT_TRUE(network.node(1).discoveries[0].found);
+}
+
 TEST(AntHocNet, ForgetsWhatIsInvalidatedAndSearchesAgain) {
   Network network(3, ant_config());
   connect_chain(network);

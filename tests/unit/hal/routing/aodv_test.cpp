@@ -237,6 +237,30 @@ TEST(Aodv, ARepairThatFindsNothingIsToldAsABreak) {
   EXPECT_EQ(network.ends[1].verdict, Verdict::kNoRoute);
 }
 
+// 4 - 5 breaks; 4 - 6 - 7 - 8 - 5 leads round it, a hop too long for the repair.
+TEST(Aodv, WhatTheRepairingNodeSendsItselfWaitsForASearchOfItsOwn) {
+  Network network(8, with([](AodvConfig& c) { c.local_repair = true; }));
+  for (const auto& [a, b] :
+       {std::pair{1, 2}, {2, 3}, {3, 4}, {4, 5}, {4, 6}, {6, 7}, {7, 8}, {8, 5}}) {
+    network.connect(a, b);
+  }
+  network.send(1, 5);
+  network.run(2s);
+  network.disconnect(4, 5);
+  const MessageId of_other = network.send(1, 5);
+  network.run(100ms);
+  ASSERT_EQ(network.node(4).events[Event::kLocalRepairStarted], 1);
+  network.send(4, 5);
+  network.run(5s);
+  EXPECT_EQ(network.node(4).events[Event::kLocalRepairFailed], 1);
+  ASSERT_EQ(network.node(5).messages.size(), 2u);
+  EXPECT_EQ(network.node(5).messages[1].source, id(4));
+  const auto lost = std::ranges::find(network.ends, Verdict::kNoRoute, &EndRecord::verdict);
+  ASSERT_NE(lost, network.ends.end());
+  EXPECT_EQ(lost->sent_by, id(1));
+  EXPECT_EQ(lost->id, of_other);
+}
+
 TEST(Aodv, NumbersRollOverWithoutHarm) {
   RoutingConfig config = quiet();
   config.first_sequence = 0xfffffffc;

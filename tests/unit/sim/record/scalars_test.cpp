@@ -71,6 +71,29 @@ struct ScalarsOfObservables : Scalars {
   ScalarsOfObservables() : Scalars(std::string(kRun) + kObserved) {}
 };
 
+/// Words that are equal as parts of names, and what two requests both keep in the same way.
+constexpr const char* kTwins =
+    "INSERT INTO agents VALUES (1, 'm0', 'mote', 'p', 0, 0, 0);"
+    "INSERT INTO run VALUES ('ended_ns', 10000000000);"
+    "INSERT INTO messages VALUES (1, 1, 2, 'cam_1', 1, 0, NULL, NULL, 'delivered'),"
+    " (1, 2, 2, 'cam_1', 1, 0, NULL, NULL, 'delivered'),"
+    " (1, 3, 2, 'cam-1', 1, 0, NULL, NULL, 'no route');"
+    "INSERT INTO deliveries VALUES (1, 1, 2, 5, 1000000000, 1);"
+    "INSERT INTO states VALUES (1, 0, 'AT_1'), (1, 4000000000, 'AT 1');"
+    "INSERT INTO recorded VALUES (1, 0, 'x y', 1), (1, 1, 'x-y', 2), (1, 2, 'x_y', 3);"
+    "INSERT INTO observables VALUES (1, 'controllers.x-y', 1, '', 'quantiles', NULL, 0),"
+    " (2, 'controllers.x-y', 1, '', 'quantiles', NULL, 0),"
+    " (3, 'a.b', 1, '', 'histogram', NULL, 0), (4, 'a.b', 1, '', 'histogram', NULL, 0),"
+    " (5, 'a.c', 1, '', 'samples', NULL, 0), (6, 'a.c', 1, '', 'samples', NULL, 0);"
+    "INSERT INTO observable_sums VALUES (1, 9, 2, 2, 0, 2, 2, 2, 2), (2, 9, 2, 2, 0, 2, 2, 2, 2);"
+    "INSERT INTO observable_quantiles VALUES (1, 0.5, 2, 0), (2, 0.5, 3, 0);"
+    "INSERT INTO observable_bins VALUES (3, 0, 1, 7), (4, 0, 1, 8);"
+    "INSERT INTO observable_samples VALUES (5, 0, 1), (6, 0, 2);";
+
+struct ScalarsOfTwins : Scalars {
+  ScalarsOfTwins() : Scalars(kTwins) {}
+};
+
 struct ScalarsOfNothing : Scalars {
   ScalarsOfNothing() : Scalars("SELECT 1;") {}
 };
@@ -165,6 +188,34 @@ TEST_F(ScalarsOfObservables, HaveSeriesAndBins) {
   ASSERT_EQ(bins[0].bins.size(), 2u);
   EXPECT_LT(bins[0].bins[0].lower, -1e300);
   EXPECT_EQ(bins[0].bins[1].count, 7u);
+}
+
+TEST_F(ScalarsOfTwins, HaveNamesOfTheirOwn) {
+  std::set<std::pair<std::string, std::string>> names;
+  for (const Scalar& one : all) EXPECT_TRUE(names.emplace(one.name, one.agent).second) << one.name;
+  EXPECT_EQ(value("topics.cam_1.sent"), 1) << "cam-1";
+  EXPECT_EQ(value("topics.cam_1_2.sent"), 2) << "cam_1";
+  EXPECT_EQ(value("topics.cam_1.delay.mean"), std::nullopt);
+  EXPECT_EQ(value("topics.cam_1_2.delay.mean"), 1) << "the same one in each kind of number";
+  EXPECT_EQ(value("states.at_1.first", "m0"), 4);
+  EXPECT_EQ(value("states.at_1_2.first", "m0"), 0);
+}
+
+TEST_F(ScalarsOfTwins, AreTheFirstOfWhatIsKeptTwice) {
+  EXPECT_EQ(value("controllers.x_y_2.count", "m0"), 9);
+  EXPECT_EQ(value("controllers.x_y_2.p50", "m0"), 2);
+  ASSERT_EQ(bins.size(), 1u);
+  ASSERT_EQ(bins[0].bins.size(), 1u);
+  EXPECT_EQ(bins[0].bins[0].count, 7u);
+}
+
+TEST_F(ScalarsOfTwins, HaveSeriesOfTheirNames) {
+  std::vector<std::string> names;
+  for (const Series& one : series) names.push_back(one.name);
+  EXPECT_EQ(names, (std::vector<std::string>{"a.c", "controllers.x_y", "controllers.x_y_2",
+                                             "controllers.x_y_3"}));
+  EXPECT_EQ(series[0].points, (std::vector<std::pair<double, double>>{{0, 1}}));
+  EXPECT_EQ(value("controllers.x_y_3.mean", "m0"), series[3].points[0].second);
 }
 
 TEST_F(ScalarsOfNothing, LeaveOutWhatThereIsNot) {
