@@ -51,7 +51,7 @@ class SimulatedMote : public hal::agent::Sensors {
 
   /// Its controller is gone: no more events; wheels stop at `at`; radio and routing live on.
   void silence(hal::Time stop_at);
-  /// A controller that knows nothing begins now. @param wants  of its kind.
+  /// A controller that knows nothing begins now, with wheels that stand. @param wants  of its kind.
   void begin_anew(const hal::Wants& wants);
 
   /// Radio and motors have power, or have not.
