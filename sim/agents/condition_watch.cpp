@@ -129,8 +129,8 @@ bool ConditionWatch::evaluate(Node& node, std::size_t number) {
   const hal::Time now = sight_.events.now();
   const bool begins = holds && !node.held;
   node.held = holds;
-  if (begins) {
-    node.since = now;
+  if (begins) node.since = now;
+  if (begins && !is_over_) {
     sight_.events.schedule(now + hold, Rank::kScenario, kWorld,
                            [this, number] { look_at(number); });
   }
@@ -142,7 +142,7 @@ void ConditionWatch::look_at(std::size_t number) {
   const bool held = watched.holds;
   watched.holds = evaluate(watched.root, number);
   watched.has_held |= watched.holds;
-  if (watched.holds && !held && watched.begins) watched.begins();
+  if (watched.holds && !held && watched.begins && !is_over_) watched.begins();
 }
 
 template <class Needed>
@@ -156,6 +156,11 @@ void ConditionWatch::look_at_places() {
   look_at_all([](const Needs& needs) { return needs.places; });
   sight_.events.schedule(sight_.events.now() + sight_.look_every, Rank::kRadio, kWorld,
                          [this] { look_at_places(); });
+}
+
+void ConditionWatch::look_at_the_end() {
+  is_over_ = true;
+  look_at_all([](const Needs&) { return true; });
 }
 
 void ConditionWatch::on_state(hal::Time, hal::AgentId agent, std::string_view state) {

@@ -48,6 +48,10 @@ class ConditionWatch final : public Observer {
   /// Before the first event of the run.
   void start();
 
+  /// At the end of the run: looks at all of them once more, so that what begins to hold with the
+  /// last instant counts. Schedules nothing, tells nobody.
+  void look_at_the_end();
+
   bool holds(std::size_t number) const { return watched_[number].holds; }
   bool has_held(std::size_t number) const { return watched_[number].has_held; }
 
@@ -91,7 +95,7 @@ class ConditionWatch final : public Observer {
   std::map<hal::AgentId, std::string> states_;
   std::map<std::pair<hal::AgentId, std::string>, std::int64_t> received_;  ///< By agent, class.
   std::map<hal::AgentId, double> charges_;  ///< Of those that are asked about.
-  bool needs_messages_ = false, needs_places_ = false;
+  bool needs_messages_ = false, needs_places_ = false, is_over_ = false;
 };
 
 }  // namespace sim::agents

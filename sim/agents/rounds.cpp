@@ -116,6 +116,7 @@ void Simulation::State::look_at_the_end(std::optional<hal::Time> until_then) {
   const hal::Time end = goes_on ? *until_then : events.now();
   look_before(end + hal::Duration{1});
   if (goes_on) events.advance_to(end);
+  watch.look_at_the_end();
 }
 
 std::vector<Event>& Simulation::State::take_events() {

@@ -71,7 +71,8 @@ struct Simulation::State final : hal::agent::AgentListener {
     if (look_due < next) look_until(next);
   }
   void look_until(hal::Time next);
-  /// Advances to `until` if the run was not ended before, and has the sampler look so far.
+  /// Advances to `until` if the run was not ended before, and has the sampler look so far, and the
+  /// conditions at the last instant.
   void look_at_the_end(std::optional<hal::Time> until);
   void stop_agents();
   void stop_controllers();
