@@ -10,19 +10,37 @@
 
 namespace sim::agents {
 
+namespace {
+
+bool is_add(const ScriptedAction& action) {
+  const auto* befall = std::get_if<Befall>(&action.what);
+  return befall != nullptr && befall->fortune == Fortune::kAdd;
+}
+
+}  // namespace
+
 void Simulation::State::act(const ScriptedAction& action, std::size_t event) {
   if (const auto* interferer = std::get_if<Jam>(&action.what)) {
     jam(*interferer, events.now() + interferer->duration);
     observers.on_scripted({events.now(), event, name(action)});
   }
-  for (const hal::AgentId agent : action.agents) {
-    hal::log::info(events.now(), agents.at(agent)->name(), "the scenario: {}", name(action));
-    observers.on_scripted({events.now(), event, name(action), agent});
-    if (const auto* one = std::get_if<Befall>(&action.what)) befall(one->fortune, agent);
-    if (const auto* one = std::get_if<MoveTo>(&action.what)) place(agent, one->pose);
-    if (const auto* one = std::get_if<Retune>(&action.what)) retune(agent, *one);
-    if (const auto* one = std::get_if<Drain>(&action.what)) drain(agent, *one);
+  for (const hal::AgentId agent : action.agents) act_on(agent, action, event);
+}
+
+void Simulation::State::act_on(hal::AgentId agent, const ScriptedAction& action,
+                               std::size_t event) {
+  if (!agents.at(agent)->is_present() && !is_add(action)) {
+    hal::log::warning(events.now(), agents.at(agent)->name(),
+                      "the scenario: {}: no effect, it is not present ({})", name(action),
+                      action.place);
+    return;
   }
+  hal::log::info(events.now(), agents.at(agent)->name(), "the scenario: {}", name(action));
+  observers.on_scripted({events.now(), event, name(action), agent});
+  if (const auto* one = std::get_if<Befall>(&action.what)) befall(one->fortune, agent);
+  if (const auto* one = std::get_if<MoveTo>(&action.what)) place(agent, one->pose);
+  if (const auto* one = std::get_if<Retune>(&action.what)) retune(agent, *one);
+  if (const auto* one = std::get_if<Drain>(&action.what)) drain(agent, *one);
 }
 
 void Simulation::State::befall(Fortune fortune, hal::AgentId id) {
@@ -37,7 +55,7 @@ void Simulation::State::befall(Fortune fortune, hal::AgentId id) {
     case Fortune::kKill:
       return kill(id);
     case Fortune::kRestart:
-      return agent.is_present() ? begin_anew() : void();
+      return begin_anew();
     case Fortune::kSwitchOff:
     case Fortune::kSwitchOn:
       return agent.set_power(fortune == Fortune::kSwitchOn);
@@ -47,7 +65,6 @@ void Simulation::State::befall(Fortune fortune, hal::AgentId id) {
       if (has_body(agent.config())) place(id, agent.config().pose);
       return begin_anew();
     case Fortune::kRemove:
-      if (!agent.is_present()) return;
       kill(id);
       agent.set_present(false);
       if (has_body(agent.config())) place(id, parking(id));

@@ -57,6 +57,8 @@ struct Simulation::State final : hal::agent::AgentListener {
 
   // What the script says.
   void act(const ScriptedAction& action, std::size_t event);
+  /// Nothing but an `add` has an effect on one that is not present.
+  void act_on(hal::AgentId agent, const ScriptedAction& action, std::size_t event);
   void befall(Fortune fortune, hal::AgentId agent);
   void kill(hal::AgentId agent);
   void place(hal::AgentId agent, const hal::Pose2& pose);
