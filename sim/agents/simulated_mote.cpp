@@ -101,6 +101,7 @@ void SimulatedMote::silence(hal::Time stop_at) {
 void SimulatedMote::begin_anew(const hal::Wants& wants) {
   surroundings_.events.cancel(stop_);
   core_.halt();  // what the dead one had commanded
+  link_.set_radio(true);
   core_.connect(wants);
   core_.start();
 }
@@ -125,7 +126,7 @@ void SimulatedMote::set_present(bool present) {
   if (!present) kept_charge_ = charge();
   is_present_ = present;
   if (present && kept_charge_) drain((charge().value_or(0) - *kept_charge_) * capacity());
-  set_power(is_on_);
+  set_power(present || is_on_);
 }
 
 std::optional<double> SimulatedMote::charge() {

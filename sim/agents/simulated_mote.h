@@ -51,13 +51,14 @@ class SimulatedMote : public hal::agent::Sensors {
 
   /// Its controller is gone: no more events; wheels stop at `at`; radio and routing live on.
   void silence(hal::Time stop_at);
-  /// A controller that knows nothing begins now, with wheels that stand. @param wants  of its kind.
+  /// A controller that knows nothing begins now, with wheels that stand and the radio on, as far as
+  /// it has power. @param wants  of its kind.
   void begin_anew(const hal::Wants& wants);
 
   /// Radio and motors have power, or have not.
   void set_power(bool on);
   /// Whether the agent takes part: else it has no power, is not seen, and its battery does not run
-  /// down. Its body and its controller are for the caller to see to.
+  /// down. It comes switched on. Its body and its controller are for the caller to see to.
   void set_present(bool present);
   bool is_present() const { return is_present_; }
 
