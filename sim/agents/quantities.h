@@ -39,7 +39,7 @@ struct Quantity {
   bool is_rate = false;
   /// Whether an agent has it; of a family, has it with this number from 0.
   bool (*has)(const AgentConfig& agent, std::size_t number) = nullptr;
-  /// None: it does not have it now.
+  /// None: it does not have it now, as an agent that is not present has no body.
   std::optional<double> (*read)(const AgentView& view, std::size_t number) = nullptr;
   bool is_family = false;  ///< Each agent has it with the numbers from 0.
 };

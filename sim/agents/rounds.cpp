@@ -197,6 +197,7 @@ void Simulation::State::on_failures(const std::vector<Controllers::Failure>& fai
     controllers.drop(failure.port);
     for (const hal::AgentId agent : controllers.agents_of(failure.port)) {
       agents.at(agent)->silence(events.now() + config.command_timeout);
+      watch.forget_state(agent);
     }
   }
 }

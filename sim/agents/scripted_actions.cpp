@@ -68,11 +68,13 @@ void Simulation::State::befall(Fortune fortune, hal::AgentId id) {
       kill(id);
       agent.set_present(false);
       if (has_body(agent.config())) place(id, parking(id));
+      return watch.on_removed(id);
   }
 }
 
 void Simulation::State::kill(hal::AgentId agent) {
   died_at[agent] = events.now();
+  watch.forget_state(agent);
   if (!agents.at(agent)->core().is_connected()) return;
   agents.at(agent)->silence(events.now() + config.command_timeout);
   dead.push_back(agent);
