@@ -72,7 +72,11 @@ void Simulation::State::on_end(const EndCondition& condition) {
 
 void Simulation::State::step_bodies() {
   world->step();
-  for (const hal::AgentId agent : std::exchange(displaced, {})) air.displace(agent);
+  for (const hal::AgentId agent : std::exchange(displaced, {})) {
+    air.displace(agent);
+    observers.on_displaced(events.now(), agent);
+  }
+  let_arrive();
   for (const physics::LostBody& lost : world->lost_bodies().subspan(bodies_lost.size())) {
     const std::string& name = agents.at(lost.agent)->name();
     hal::log::warning(events.now(), name, "{}", physics::name(lost.how));

@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hal/exchange/agent_table.h"
@@ -60,6 +61,11 @@ struct Simulation::State final : hal::agent::AgentListener {
   /// Nothing but an `add` has an effect on one that is not present.
   void act_on(hal::AgentId agent, const ScriptedAction& action, std::size_t event);
   void befall(Fortune fortune, hal::AgentId agent);
+  /// It takes part from now on, with a new controller.
+  void join(hal::AgentId agent);
+  void begin_anew(hal::AgentId agent);
+  /// Those whose bodies the physics step has put down.
+  void let_arrive();
   void kill(hal::AgentId agent);
   void place(hal::AgentId agent, const hal::Pose2& pose);
   void retune(hal::AgentId agent, const Retune& values);
@@ -112,6 +118,8 @@ struct Simulation::State final : hal::agent::AgentListener {
   std::vector<hal::AgentId> dead;               ///< Whose controllers are dead by the script.
   std::vector<hal::exchange::Event> farewells;  ///< The last events, of those.
   std::vector<hal::AgentId> displaced;          ///< Since the last physics step.
+  /// Of those that come with the next physics step: what is to happen to them then.
+  std::map<hal::AgentId, std::vector<std::pair<const ScriptedAction*, std::size_t>>> arriving;
 };
 
 }  // namespace sim::agents
