@@ -160,8 +160,10 @@ std::optional<double> drawn_energy(const AgentView& view) {
   const hal::devices::Battery* battery = hal::devices::battery_of(sensors_of(config));
   if (battery == nullptr) return std::nullopt;
   const double motors = is_robot(config) ? view.scene.world().energy(config.id).motor_input : 0.0;
-  return battery->idle_power * hal::to_seconds(view.now - hal::Time{}) + motors +
-         energy(view.mac.use(), battery->radio);
+  // What is not present draws nothing, though its radio counts as off then.
+  const hal::Duration absent = view.agent.absence(view.now);
+  return battery->idle_power * hal::to_seconds(view.now - hal::Time{} - absent) + motors +
+         energy(view.mac.use(), battery->radio) - battery->radio.off * hal::to_seconds(absent);
 }
 
 const std::vector<Quantity>& quantities() {

@@ -124,6 +124,9 @@ void SimulatedMote::power_motors() { set_motors(is_on_ && is_present_ && !is_emp
 void SimulatedMote::set_present(bool present) {
   if (present == is_present_) return;
   if (!present) kept_charge_ = charge();
+  const hal::Time now = surroundings_.events.now();
+  absence_ = absence(now);
+  absent_since_ = now;
   is_present_ = present;
   if (present && kept_charge_) drain((charge().value_or(0) - *kept_charge_) * capacity());
   set_power(present || is_on_);

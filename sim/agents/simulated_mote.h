@@ -62,6 +62,11 @@ class SimulatedMote : public hal::agent::Sensors {
   void set_present(bool present);
   bool is_present() const { return is_present_; }
 
+  /// How long it has not been present in all.
+  hal::Duration absence(hal::Time now) const {
+    return is_present_ ? absence_ : absence_ + (now - absent_since_);
+  }
+
   /// Of the first battery now, 0 .. 1; none: it has none.
   std::optional<double> charge();
   /// Takes charge out of the first battery. @param joules  may be negative. @pre it has one.
@@ -108,6 +113,8 @@ class SimulatedMote : public hal::agent::Sensors {
   std::optional<std::size_t> battery_;  ///< The first one.
   double taken_energy_ = 0;             ///< J, out of that, by no load.
   std::optional<double> kept_charge_;   ///< While it is not present.
+  hal::Time absent_since_{};            ///< If it is not present.
+  hal::Duration absence_{};             ///< Before that.
   EventQueue::EventId stop_;            ///< Of the wheels, after the end of a controller.
 };
 
