@@ -28,18 +28,22 @@ struct ConditionWatch::Value {
     return quantified(c.who, [&](hal::AgentId agent) { return is_in(agent, c.state); });
   }
   bool operator()(const ApartBy& c) const {
-    const hal::Vec2 apart = watch.sight_.position(c.a) - watch.sight_.position(c.b);
+    const auto a = watch.sight_.position(c.a), b = watch.sight_.position(c.b);
+    if (!a || !b) return false;
+    const hal::Vec2 apart = *a - *b;
     const double distance = std::sqrt(dot(apart, apart));
     return distance > c.above && distance < c.below;
   }
   bool operator()(const InArea& c) const {
-    return quantified(
-        c.who, [&](hal::AgentId agent) { return c.area.contains(watch.sight_.position(agent)); });
+    return quantified(c.who, [&](hal::AgentId agent) {
+      const auto position = watch.sight_.position(agent);
+      return position && c.area.contains(*position);
+    });
   }
   bool operator()(const BatteryLevel& c) const {
     return quantified(c.who, [&](hal::AgentId agent) {
-      const auto charge = watch.charges_.find(agent);
-      return charge != watch.charges_.end() && charge->second > c.above && charge->second < c.below;
+      const std::optional<double>& charge = watch.charges_.at(agent);
+      return charge && *charge > c.above && *charge < c.below;
     });
   }
   bool operator()(const CountOf& c) const {
@@ -83,7 +87,7 @@ void ConditionWatch::learn_needs(const Condition& condition, Watched& watched) {
       for (const hal::AgentId agent : count->who.agents) received_[{agent, count->topic}] = 0;
   } else if (const auto* battery = std::get_if<BatteryLevel>(&condition.what)) {
     needs.charges = true;
-    for (const hal::AgentId agent : battery->who.agents) charges_[agent] = 0;
+    for (const hal::AgentId agent : battery->who.agents) charges_[agent];
   } else {
     needs.states |= std::holds_alternative<InState>(condition.what);
     needs.places |= std::holds_alternative<ApartBy>(condition.what) ||
@@ -112,7 +116,7 @@ void ConditionWatch::schedule_times(const Condition& condition, std::size_t numb
 }
 
 void ConditionWatch::start() {
-  for (auto& [agent, charge] : charges_) charge = sight_.charge(agent).value_or(0);
+  for (auto& [agent, charge] : charges_) charge = sight_.charge(agent);
   for (std::size_t i = 0; i < watched_.size(); ++i) {
     schedule_times(watched_[i].condition, i);
     look_at(i);
@@ -129,8 +133,8 @@ bool ConditionWatch::evaluate(Node& node, std::size_t number) {
   const hal::Time now = sight_.events.now();
   const bool begins = holds && !node.held;
   node.held = holds;
-  if (begins) {
-    node.since = now;
+  if (begins) node.since = now;
+  if (begins && !is_over_) {
     sight_.events.schedule(now + hold, Rank::kScenario, kWorld,
                            [this, number] { look_at(number); });
   }
@@ -142,7 +146,7 @@ void ConditionWatch::look_at(std::size_t number) {
   const bool held = watched.holds;
   watched.holds = evaluate(watched.root, number);
   watched.has_held |= watched.holds;
-  if (watched.holds && !held && watched.begins) watched.begins();
+  if (watched.holds && !held && watched.begins && !is_over_) watched.begins();
 }
 
 template <class Needed>
@@ -156,6 +160,22 @@ void ConditionWatch::look_at_places() {
   look_at_all([](const Needs& needs) { return needs.places; });
   sight_.events.schedule(sight_.events.now() + sight_.look_every, Rank::kRadio, kWorld,
                          [this] { look_at_places(); });
+}
+
+void ConditionWatch::forget_state(hal::AgentId agent) {
+  if (states_.erase(agent) > 0) look_at_all([](const Needs& needs) { return needs.states; });
+}
+
+void ConditionWatch::on_removed(hal::AgentId agent) {
+  forget_state(agent);
+  const auto charge = charges_.find(agent);
+  if (charge != charges_.end()) charge->second.reset();
+  look_at_all([](const Needs& needs) { return needs.charges || needs.places; });
+}
+
+void ConditionWatch::look_at_the_end() {
+  is_over_ = true;
+  look_at_all([](const Needs&) { return true; });
 }
 
 void ConditionWatch::on_state(hal::Time, hal::AgentId agent, std::string_view state) {
@@ -175,7 +195,7 @@ void ConditionWatch::on_message_delivered(hal::Time, hal::AgentId receiver,
 void ConditionWatch::on_cycle(hal::Time, hal::AgentId agent) {
   const auto known = charges_.find(agent);
   if (known == charges_.end()) return;
-  known->second = sight_.charge(agent).value_or(known->second);
+  known->second = sight_.charge(agent);
   look_at_all([](const Needs& needs) { return needs.charges; });
 }
 

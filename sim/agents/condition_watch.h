@@ -31,8 +31,9 @@ class ConditionWatch final : public Observer {
  public:
   struct Sight {
     EventQueue& events;
-    std::function<hal::Vec2(hal::AgentId)> position;  ///< m, world frame, now.
-    /// Of the agent's first battery now, 0 .. 1; none: it has none.
+    /// m, world frame, now; none: it is not present.
+    std::function<std::optional<hal::Vec2>(hal::AgentId)> position;
+    /// Of the agent's first battery now, 0 .. 1; none: it has none, or is not present.
     std::function<std::optional<double>(hal::AgentId)> charge;
     hal::Duration look_every{};  ///< At distances and areas, > 0.
   };
@@ -47,6 +48,14 @@ class ConditionWatch final : public Observer {
   bool empty() const { return watched_.empty(); }
   /// Before the first event of the run.
   void start();
+
+  /// Its controller is gone: the state that it was in counts no more.
+  void forget_state(hal::AgentId agent);
+  /// It takes no part any more: nothing but `not` holds of it. Its messages have been counted.
+  void on_removed(hal::AgentId agent);
+  /// At the end of the run: looks at all of them once more, so that what begins to hold with the
+  /// last instant counts. Schedules nothing, tells nobody.
+  void look_at_the_end();
 
   bool holds(std::size_t number) const { return watched_[number].holds; }
   bool has_held(std::size_t number) const { return watched_[number].has_held; }
@@ -90,8 +99,9 @@ class ConditionWatch final : public Observer {
   std::deque<Watched> watched_;  ///< Addresses stay: nodes point into it.
   std::map<hal::AgentId, std::string> states_;
   std::map<std::pair<hal::AgentId, std::string>, std::int64_t> received_;  ///< By agent, class.
-  std::map<hal::AgentId, double> charges_;  ///< Of those that are asked about.
-  bool needs_messages_ = false, needs_places_ = false;
+  /// Of those that are asked about; none: it is not present.
+  std::map<hal::AgentId, std::optional<double>> charges_;
+  bool needs_messages_ = false, needs_places_ = false, is_over_ = false;
 };
 
 }  // namespace sim::agents

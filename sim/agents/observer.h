@@ -44,6 +44,8 @@ class Observer : public radio::RadioObserver, public hal::agent::AgentObserver {
   virtual void on_body(hal::Time at, hal::AgentId agent, const BodyState& body) {
     (void)at, (void)agent, (void)body;
   }
+  /// The physics step that ended now put its body somewhere else, as the scenario says.
+  virtual void on_displaced(hal::Time at, hal::AgentId agent) { (void)at, (void)agent; }
   /// A body tipped over or got lost; once per body, after the physics step.
   virtual void on_body_lost(const physics::LostBody& lost) { (void)lost; }
   /// Something happened to an agent, or to the air, because the scenario says so.

@@ -51,6 +51,9 @@ class ObserverList final : public Observer {
   void on_body(hal::Time at, hal::AgentId agent, const BodyState& body) override {
     for (Observer* o : observers_) o->on_body(at, agent, body);
   }
+  void on_displaced(hal::Time at, hal::AgentId agent) override {
+    for (Observer* o : observers_) o->on_displaced(at, agent);
+  }
   void on_cycle(hal::Time at, hal::AgentId agent) override {
     for (Observer* o : observers_) o->on_cycle(at, agent);
   }

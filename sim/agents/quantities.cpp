@@ -67,6 +67,12 @@ Value wheel_angle(View view, std::size_t number) {
   return view.scene.world().wheel_angles(view.agent.config().id)[number];
 }
 
+/// Of a body that takes part.
+template <auto kRead>
+Value of_present(View view, std::size_t number) {
+  return view.agent.is_present() ? Value{kRead(view, number)} : std::nullopt;
+}
+
 bool has_battery(const AgentConfig& agent, std::size_t) {
   return hal::devices::battery_of(sensors_of(agent)) != nullptr;
 }
@@ -74,24 +80,25 @@ bool has_battery(const AgentConfig& agent, std::size_t) {
 std::vector<Quantity> body_quantities() {
   return {
       {"agents", "x", "m", "place in the world, of the origin of the body", false, always,
-       [](View view, std::size_t) -> Value { return body_of(view).x; }},
+       of_present<[](View view, std::size_t) -> Value { return body_of(view).x; }>},
       {"agents", "y", "m", "likewise", false, always,
-       [](View view, std::size_t) -> Value { return body_of(view).y; }},
+       of_present<[](View view, std::size_t) -> Value { return body_of(view).y; }>},
       {"agents", "yaw", "rad", "heading in the world", false, with_body,
-       [](View view, std::size_t) -> Value { return body_of(view).theta; }},
+       of_present<[](View view, std::size_t) -> Value { return body_of(view).theta; }>},
       {"agents", "tilt", "rad", "between the body's z axis and the vertical", false, with_body,
-       [](View view, std::size_t) -> Value { return body_of(view).tilt; }},
-      {"agents", "speed", "m/s", "true speed in the plane", false, always, speed},
-      {"agents", "turn_rate", "rad/s", "true rate of turn", false, with_body, turn_rate},
+       of_present<[](View view, std::size_t) -> Value { return body_of(view).tilt; }>},
+      {"agents", "speed", "m/s", "true speed in the plane", false, always, of_present<speed>},
+      {"agents", "turn_rate", "rad/s", "true rate of turn", false, with_body,
+       of_present<turn_rate>},
       {"agents", "clearance", "m", "to the nearest wall's surface; none without walls", false,
-       with_body, clearance},
+       with_body, of_present<clearance>},
       {"agents", "odometry_error", "m", "between where a robot is and where its odometry has it",
-       false, robot_only, odometry_distance},
+       false, robot_only, of_present<odometry_distance>},
       {"agents", "odometry_yaw_error", "rad", "heading by odometry less the true one, -pi to pi",
-       false, robot_only, odometry_angle},
+       false, robot_only, of_present<odometry_angle>},
       {"agents", "wheel_speed", "rad/s",
        "of a driven wheel, in the order of the robot's file; mean since the look before", true,
-       has_wheel, wheel_angle, true},
+       has_wheel, of_present<wheel_angle>, true},
       {"agents", "energy", "J",
        "drawn so far from its battery by computer, radio and motors; none without a battery", false,
        has_battery, [](View view, std::size_t) { return drawn_energy(view); }},
@@ -153,8 +160,10 @@ std::optional<double> drawn_energy(const AgentView& view) {
   const hal::devices::Battery* battery = hal::devices::battery_of(sensors_of(config));
   if (battery == nullptr) return std::nullopt;
   const double motors = is_robot(config) ? view.scene.world().energy(config.id).motor_input : 0.0;
-  return battery->idle_power * hal::to_seconds(view.now - hal::Time{}) + motors +
-         energy(view.mac.use(), battery->radio);
+  // What is not present draws nothing, though its radio counts as off then.
+  const hal::Duration absent = view.agent.absence(view.now);
+  return battery->idle_power * hal::to_seconds(view.now - hal::Time{} - absent) + motors +
+         energy(view.mac.use(), battery->radio) - battery->radio.off * hal::to_seconds(absent);
 }
 
 const std::vector<Quantity>& quantities() {

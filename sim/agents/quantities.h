@@ -39,13 +39,13 @@ struct Quantity {
   bool is_rate = false;
   /// Whether an agent has it; of a family, has it with this number from 0.
   bool (*has)(const AgentConfig& agent, std::size_t number) = nullptr;
-  /// None: it does not have it now.
+  /// None: it does not have it now, as an agent that is not present has no body.
   std::optional<double> (*read)(const AgentView& view, std::size_t number) = nullptr;
   bool is_family = false;  ///< Each agent has it with the numbers from 0.
 };
 
 /// What an agent's computer, radio and motors drew from its battery since time 0, J, without what
-/// is lost inside the battery; none: it has no battery.
+/// is lost inside the battery and the time in which it was not present; none: it has no battery.
 std::optional<double> drawn_energy(const AgentView& view);
 
 /// All of them, domain by domain.

@@ -72,7 +72,11 @@ void Simulation::State::on_end(const EndCondition& condition) {
 
 void Simulation::State::step_bodies() {
   world->step();
-  for (const hal::AgentId agent : std::exchange(displaced, {})) air.displace(agent);
+  for (const hal::AgentId agent : std::exchange(displaced, {})) {
+    air.displace(agent);
+    observers.on_displaced(events.now(), agent);
+  }
+  let_arrive();
   for (const physics::LostBody& lost : world->lost_bodies().subspan(bodies_lost.size())) {
     const std::string& name = agents.at(lost.agent)->name();
     hal::log::warning(events.now(), name, "{}", physics::name(lost.how));
@@ -116,6 +120,7 @@ void Simulation::State::look_at_the_end(std::optional<hal::Time> until_then) {
   const hal::Time end = goes_on ? *until_then : events.now();
   look_before(end + hal::Duration{1});
   if (goes_on) events.advance_to(end);
+  watch.look_at_the_end();
 }
 
 std::vector<Event>& Simulation::State::take_events() {
@@ -196,6 +201,7 @@ void Simulation::State::on_failures(const std::vector<Controllers::Failure>& fai
     controllers.drop(failure.port);
     for (const hal::AgentId agent : controllers.agents_of(failure.port)) {
       agents.at(agent)->silence(events.now() + config.command_timeout);
+      watch.forget_state(agent);
     }
   }
 }

@@ -10,52 +10,87 @@
 
 namespace sim::agents {
 
+namespace {
+
+bool is_add(const ScriptedAction& action) {
+  const auto* befall = std::get_if<Befall>(&action.what);
+  return befall != nullptr && befall->fortune == Fortune::kAdd;
+}
+
+}  // namespace
+
 void Simulation::State::act(const ScriptedAction& action, std::size_t event) {
   if (const auto* interferer = std::get_if<Jam>(&action.what)) {
     jam(*interferer, events.now() + interferer->duration);
     observers.on_scripted({events.now(), event, name(action)});
   }
-  for (const hal::AgentId agent : action.agents) {
-    hal::log::info(events.now(), agents.at(agent)->name(), "the scenario: {}", name(action));
-    observers.on_scripted({events.now(), event, name(action), agent});
-    if (const auto* one = std::get_if<Befall>(&action.what)) befall(one->fortune, agent);
-    if (const auto* one = std::get_if<MoveTo>(&action.what)) place(agent, one->pose);
-    if (const auto* one = std::get_if<Retune>(&action.what)) retune(agent, *one);
-    if (const auto* one = std::get_if<Drain>(&action.what)) drain(agent, *one);
+  for (const hal::AgentId agent : action.agents) act_on(agent, action, event);
+}
+
+void Simulation::State::act_on(hal::AgentId agent, const ScriptedAction& action,
+                               std::size_t event) {
+  const auto coming = arriving.find(agent);
+  if (coming != arriving.end()) return void(coming->second.emplace_back(&action, event));
+  if (!agents.at(agent)->is_present() && !is_add(action)) {
+    hal::log::warning(events.now(), agents.at(agent)->name(),
+                      "the scenario: {}: no effect, it is not present ({})", name(action),
+                      action.place);
+    return;
   }
+  hal::log::info(events.now(), agents.at(agent)->name(), "the scenario: {}", name(action));
+  observers.on_scripted({events.now(), event, name(action), agent});
+  if (const auto* one = std::get_if<Befall>(&action.what)) befall(one->fortune, agent);
+  if (const auto* one = std::get_if<MoveTo>(&action.what)) place(agent, one->pose);
+  if (const auto* one = std::get_if<Retune>(&action.what)) retune(agent, *one);
+  if (const auto* one = std::get_if<Drain>(&action.what)) drain(agent, *one);
 }
 
 void Simulation::State::befall(Fortune fortune, hal::AgentId id) {
   SimulatedMote& agent = *agents.at(id);
-  const auto begin_anew = [&] {
-    kill(id);
-    if (agent.config().program.empty()) return;
-    std::erase(dead, id);
-    agent.begin_anew(wants.at(id));
-  };
   switch (fortune) {
     case Fortune::kKill:
       return kill(id);
     case Fortune::kRestart:
-      return agent.is_present() ? begin_anew() : void();
+      return begin_anew(id);
     case Fortune::kSwitchOff:
     case Fortune::kSwitchOn:
       return agent.set_power(fortune == Fortune::kSwitchOn);
     case Fortune::kAdd:
       if (agent.is_present()) return;
-      agent.set_present(true);
-      if (has_body(agent.config())) place(id, agent.config().pose);
-      return begin_anew();
+      if (!has_body(agent.config())) return join(id);
+      place(id, agent.config().pose);
+      arriving[id];
+      return;
     case Fortune::kRemove:
-      if (!agent.is_present()) return;
       kill(id);
       agent.set_present(false);
       if (has_body(agent.config())) place(id, parking(id));
+      return watch.on_removed(id);
+  }
+}
+
+void Simulation::State::join(hal::AgentId agent) {
+  agents.at(agent)->set_present(true);
+  begin_anew(agent);
+}
+
+void Simulation::State::begin_anew(hal::AgentId agent) {
+  kill(agent);
+  if (agents.at(agent)->config().program.empty()) return;
+  std::erase(dead, agent);
+  agents.at(agent)->begin_anew(wants.at(agent));
+}
+
+void Simulation::State::let_arrive() {
+  for (const auto& [agent, meanwhile] : std::exchange(arriving, {})) {
+    join(agent);
+    for (const auto& [action, event] : meanwhile) act_on(agent, *action, event);
   }
 }
 
 void Simulation::State::kill(hal::AgentId agent) {
   died_at[agent] = events.now();
+  watch.forget_state(agent);
   if (!agents.at(agent)->core().is_connected()) return;
   agents.at(agent)->silence(events.now() + config.command_timeout);
   dead.push_back(agent);

@@ -100,6 +100,8 @@ void SimulatedMote::silence(hal::Time stop_at) {
 
 void SimulatedMote::begin_anew(const hal::Wants& wants) {
   surroundings_.events.cancel(stop_);
+  core_.halt();  // what the dead one had commanded
+  link_.set_radio(true);
   core_.connect(wants);
   core_.start();
 }
@@ -122,9 +124,12 @@ void SimulatedMote::power_motors() { set_motors(is_on_ && is_present_ && !is_emp
 void SimulatedMote::set_present(bool present) {
   if (present == is_present_) return;
   if (!present) kept_charge_ = charge();
+  const hal::Time now = surroundings_.events.now();
+  absence_ = absence(now);
+  absent_since_ = now;
   is_present_ = present;
   if (present && kept_charge_) drain((charge().value_or(0) - *kept_charge_) * capacity());
-  set_power(is_on_);
+  set_power(present || is_on_);
 }
 
 std::optional<double> SimulatedMote::charge() {

@@ -51,15 +51,21 @@ class SimulatedMote : public hal::agent::Sensors {
 
   /// Its controller is gone: no more events; wheels stop at `at`; radio and routing live on.
   void silence(hal::Time stop_at);
-  /// A controller that knows nothing begins now. @param wants  of its kind.
+  /// A controller that knows nothing begins now, with wheels that stand and the radio on, as far as
+  /// it has power. @param wants  of its kind.
   void begin_anew(const hal::Wants& wants);
 
   /// Radio and motors have power, or have not.
   void set_power(bool on);
   /// Whether the agent takes part: else it has no power, is not seen, and its battery does not run
-  /// down. Its body and its controller are for the caller to see to.
+  /// down. It comes switched on. Its body and its controller are for the caller to see to.
   void set_present(bool present);
   bool is_present() const { return is_present_; }
+
+  /// How long it has not been present in all.
+  hal::Duration absence(hal::Time now) const {
+    return is_present_ ? absence_ : absence_ + (now - absent_since_);
+  }
 
   /// Of the first battery now, 0 .. 1; none: it has none.
   std::optional<double> charge();
@@ -107,6 +113,8 @@ class SimulatedMote : public hal::agent::Sensors {
   std::optional<std::size_t> battery_;  ///< The first one.
   double taken_energy_ = 0;             ///< J, out of that, by no load.
   std::optional<double> kept_charge_;   ///< While it is not present.
+  hal::Time absent_since_{};            ///< If it is not present.
+  hal::Duration absence_{};             ///< Before that.
   EventQueue::EventId stop_;            ///< Of the wheels, after the end of a controller.
 };
 

@@ -71,12 +71,15 @@ Simulation::State::State(const SimulationConfig& the_config, std::vector<Observe
            .seed = config.seed}),
       interfaces(config, air, {.events = events, .outside = outside, .observer = observers}),
       watch({.events = events,
-             .position =
-                 [this](hal::AgentId agent) {
-                   const BodyState& body = scene.body(agent, events.now());
-                   return hal::Vec2{body.x, body.y};
-                 },
-             .charge = [this](hal::AgentId agent) { return agents.at(agent)->charge(); },
+             .position = [this](hal::AgentId agent) -> std::optional<hal::Vec2> {
+               if (!agents.at(agent)->is_present()) return std::nullopt;
+               const BodyState& body = scene.body(agent, events.now());
+               return hal::Vec2{body.x, body.y};
+             },
+             .charge = [this](hal::AgentId agent) -> std::optional<double> {
+               if (!agents.at(agent)->is_present()) return std::nullopt;
+               return agents.at(agent)->charge();
+             },
              .look_every = config.world.step}),
       script(config.script, events, watch,
              [this](const ScriptedAction& action, std::size_t event) { act(action, event); }) {

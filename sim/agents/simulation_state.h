@@ -5,6 +5,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "hal/exchange/agent_table.h"
@@ -57,7 +58,14 @@ struct Simulation::State final : hal::agent::AgentListener {
 
   // What the script says.
   void act(const ScriptedAction& action, std::size_t event);
+  /// Nothing but an `add` has an effect on one that is not present.
+  void act_on(hal::AgentId agent, const ScriptedAction& action, std::size_t event);
   void befall(Fortune fortune, hal::AgentId agent);
+  /// It takes part from now on, with a new controller.
+  void join(hal::AgentId agent);
+  void begin_anew(hal::AgentId agent);
+  /// Those whose bodies the physics step has put down.
+  void let_arrive();
   void kill(hal::AgentId agent);
   void place(hal::AgentId agent, const hal::Pose2& pose);
   void retune(hal::AgentId agent, const Retune& values);
@@ -71,7 +79,8 @@ struct Simulation::State final : hal::agent::AgentListener {
     if (look_due < next) look_until(next);
   }
   void look_until(hal::Time next);
-  /// Advances to `until` if the run was not ended before, and has the sampler look so far.
+  /// Advances to `until` if the run was not ended before, and has the sampler look so far, and the
+  /// conditions at the last instant.
   void look_at_the_end(std::optional<hal::Time> until);
   void stop_agents();
   void stop_controllers();
@@ -109,6 +118,8 @@ struct Simulation::State final : hal::agent::AgentListener {
   std::vector<hal::AgentId> dead;               ///< Whose controllers are dead by the script.
   std::vector<hal::exchange::Event> farewells;  ///< The last events, of those.
   std::vector<hal::AgentId> displaced;          ///< Since the last physics step.
+  /// Of those that come with the next physics step: what is to happen to them then.
+  std::map<hal::AgentId, std::vector<std::pair<const ScriptedAction*, std::size_t>>> arriving;
 };
 
 }  // namespace sim::agents

@@ -19,11 +19,13 @@ BodyLog::BodyLog(Database& database, hal::Duration period)
 bool BodyLog::on_body(hal::Time at, hal::AgentId agent, const agents::BodyState& body) {
   Track& track = track_of(agent);
   const Pose pose{body.x, body.y, body.theta};
+  const bool jumped = std::exchange(track.displaced, false);
   const bool is_news =
       track.last != pose || body.clearance < track.clearance || body.tilt > track.tilt;
   if (!is_news) return write_pose(at, agent, track);
   note_change(agent, track);
-  if (track.last) track.path += hal::math::hypot(pose.x - track.last->x, pose.y - track.last->y);
+  if (track.last && !jumped)
+    track.path += hal::math::hypot(pose.x - track.last->x, pose.y - track.last->y);
   track.last = pose;
   track.clearance = std::min(track.clearance, body.clearance);
   track.tilt = std::max(track.tilt, body.tilt);

@@ -17,6 +17,8 @@ class BodyLog {
 
   /// @return whether a row was written.
   bool on_body(hal::Time at, hal::AgentId agent, const agents::BodyState& body);
+  /// The way from where it was to where it is found next is none that it went.
+  void on_displaced(hal::AgentId agent) { track_of(agent).displaced = true; }
   void on_contacts(hal::AgentId agent, const agents::ContactCounts& contacts);
 
   /// Writes the row in bodies of each one of which something changed since the last call.
@@ -33,7 +35,8 @@ class BodyLog {
     hal::Time next_row{};
     double clearance = std::numeric_limits<double>::infinity();
     double tilt = 0;
-    bool changed = false;  ///< Since its row in bodies was written.
+    bool changed = false;    ///< Since its row in bodies was written.
+    bool displaced = false;  ///< Since it was seen last.
 
     std::optional<Pose> written;  ///< Latest row in poses.
     double path = 0;

@@ -387,6 +387,8 @@ void Recorder::on_body(hal::Time at, hal::AgentId agent, const agents::BodyState
   on_rows(at, bodies_.on_body(at, agent, body) ? 1 : 0);
 }
 
+void Recorder::on_displaced(hal::Time, hal::AgentId agent) { bodies_.on_displaced(agent); }
+
 void Recorder::on_body_lost(const physics::LostBody& lost) {
   insert_lost_body_.run(lost.agent.value, hal::to_ns(lost.at), physics::name(lost.how));
   on_rows(lost.at, 1);

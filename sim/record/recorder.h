@@ -137,6 +137,7 @@ class Recorder final : public agents::Observer {
   void on_association(hal::Time at, hal::AgentId station,
                       std::optional<hal::AgentId> access_point) override;
   void on_body(hal::Time at, hal::AgentId agent, const agents::BodyState& body) override;
+  void on_displaced(hal::Time at, hal::AgentId agent) override;
   void on_body_lost(const physics::LostBody& lost) override;
   void on_message_sent(hal::Time at, const hal::Message& message) override;
   void on_message_delivered(hal::Time at, hal::AgentId receiver, const hal::Message& message,

@@ -80,6 +80,9 @@ class Events(Case):
         self.assertLess(abs(x), 0.1)
         self.assertTrue(30 <= y < 30.5, y)
         self.assertAlmostEqual(yaw, 1.5708, delta=0.05)
+        # The 20 m that it was moved it did not go.
+        (path,), = self.query("SELECT path_m FROM bodies JOIN agents USING (agent) WHERE name = 'r0'")
+        self.assertLess(path, 5)
         # Without power it rolls to a stand; with it, it goes on.
         before, off, on = (self.pose("r1", at)[0] for at in (5, 6.9, 12.9))
         self.assertLess(off - before, 1.2)

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <map>
+#include <optional>
 
 namespace sim::agents {
 namespace {
@@ -43,10 +44,15 @@ class Watching : public testing::Test {
   }
 
   EventQueue events_;
+  std::optional<hal::Vec2> place_of(AgentId agent) const {
+    const auto place = places_.find(agent);
+    return place == places_.end() ? std::nullopt : std::optional(place->second);
+  }
+
   std::map<AgentId, hal::Vec2> places_;
   std::map<AgentId, double> charges_{{kA, 0.9}, {kB, 0.9}};
   ConditionWatch watch_{{.events = events_,
-                         .position = [this](AgentId agent) { return places_[agent]; },
+                         .position = [this](AgentId agent) { return place_of(agent); },
                          .charge = [this](AgentId agent) { return std::optional(charges_[agent]); },
                          .look_every = 10ms}};
   const Subjects any_{Subjects::Quantifier::kAny, "*", {kA, kB}};
@@ -64,6 +70,38 @@ TEST_F(Watching, AStateOfAnyIsSeenAtOnceAlsoIfItLastsNoTime) {
   enter(kA, "ARRIVED");
   enter(kB, "ARRIVED");  // it holds already
   EXPECT_EQ(begun_, 2);
+}
+
+TEST_F(Watching, WhoIsRemovedIsNowhereInNoStateAndWithoutCharge) {
+  places_ = {{kA, {0, 0}}, {kB, {3, 0}}};
+  const Area everywhere{Area::Circle{.centre = {}, .radius = 1e9}};
+  const CountOf one_done{.who = any_, .state = "DONE", .topic = {}, .at_least = 1};
+  const std::vector numbers{watch_.add(condition_of(ApartBy{.a = kA, .b = kB, .above = 1})),
+                            watch_.add(condition_of(InArea{all_, everywhere})),
+                            watch_.add(condition_of(BatteryLevel{.who = all_, .above = 0.5})),
+                            watch_.add(condition_of(one_done)), watch(any_in("DONE"))};
+  enter(kB, "DONE");
+  for (const auto number : numbers) EXPECT_TRUE(watch_.holds(number)) << number;
+  places_.erase(kB);
+  watch_.on_removed(kB);
+  for (const auto number : numbers) EXPECT_FALSE(watch_.holds(number)) << number;
+}
+
+TEST_F(Watching, TheLastInstantCountsThoughNothingBeginsWithIt) {
+  const auto at_the_end = watch_.add(condition_of(TimeReached{2s}));
+  Condition for_a_while = condition_of(TimeReached{1900ms});
+  for_a_while.hold = 100ms;
+  const auto held = watch_.add(for_a_while);
+  Condition too_short = condition_of(TimeReached{2s});
+  too_short.hold = 1ms;
+  const auto not_yet = watch(too_short);
+  run_until(1999ms);
+  events_.advance_to(Time{2s});
+  watch_.look_at_the_end();
+  EXPECT_TRUE(watch_.holds(at_the_end));
+  EXPECT_TRUE(watch_.has_held(held));
+  EXPECT_FALSE(watch_.holds(not_yet));
+  EXPECT_EQ(begun_, 0);
 }
 
 TEST_F(Watching, AStateOfAllNeedsAll) {

@@ -1,8 +1,12 @@
 // What the events of a scenario do to the agents of a run.
 #include <algorithm>
+#include <memory>
+#include <optional>
 
+#include "sim/agents/quantities.h"
 #include "sim/agents/scripted_event.h"
 #include "tests/unit/sim/agents/two_motes.h"
+#include "tests/unit/sim/physics/robertino.h"
 
 namespace tests {
 namespace {
@@ -25,6 +29,19 @@ class Done final : public sim::agents::Observer {
   std::vector<Time> times;
 };
 
+/// Of the second agent: where it is at its control instants, and when it was displaced.
+class Whereabouts final : public sim::agents::Observer {
+ public:
+  void on_body(Time at, AgentId agent, const sim::agents::BodyState& body) override {
+    if (agent == kB) track.emplace_back(at, body.x);
+  }
+  void on_displaced(Time at, AgentId agent) override {
+    if (agent == kB) displaced.push_back(at);
+  }
+  std::vector<std::pair<Time, double>> track;  ///< m
+  std::vector<Time> displaced;
+};
+
 class Scripted : public TwoMotes {
  protected:
   Scripted() {
@@ -37,6 +54,33 @@ class Scripted : public TwoMotes {
   }
   void at(hal::Duration when, ScriptedAction action) {
     config.script.push_back({AtTime{when}, {std::move(action)}, {}});
+  }
+  /// A run with controllers of this rule, observed by `done_`, ready to run.
+  void begin_simulation(ScriptedPort::Rule rule = nothing) {
+    port = std::make_shared<ScriptedPort>(std::move(rule));
+    simulation_ = std::make_unique<sim::agents::Simulation>(
+        config, std::vector<sim::agents::Observer*>{&done_, &whereabouts});
+    simulation_->connect(port, {kA, kB}, {});
+  }
+  Outcome run(Time until, ScriptedPort::Rule rule) {
+    port = std::make_shared<ScriptedPort>(std::move(rule));
+    sim::agents::Simulation one(config, {&effects, &whereabouts});
+    one.connect(port, {kA, kB}, {});
+    return one.run(until, pace_);
+  }
+  void give_batteries() {
+    hal::devices::Battery battery;
+    battery.capacity = 1000;
+    battery.full_voltage = battery.empty_voltage = 10;
+    battery.idle_power = 10;
+    battery.radio = {.transmit = 1, .receive = 1, .listen = 0.8, .off = 0.5};
+    for (auto& agent : config.agents)
+      std::get<hal::devices::MoteDescription>(agent.body).sensors.emplace_back(battery);
+  }
+  double x_at(hal::Duration when) const {
+    for (const auto& [time, x] : whereabouts.track)
+      if (time >= Time{when}) return x;
+    return 0;
   }
   /// Each mote sends to the other one in each control cycle.
   Outcome run_sending(Time until) {
@@ -52,6 +96,11 @@ class Scripted : public TwoMotes {
       return event.agent == agent && event.time >= from && event.time < to;
     }));
   }
+
+  Done done_;
+  Whereabouts whereabouts;
+  NoPace pace_;
+  std::unique_ptr<sim::agents::Simulation> simulation_;
 };
 
 TEST_F(Scripted, AKilledControllerIsToldNothingButTheEndAndItsRadioLivesOn) {
@@ -111,6 +160,119 @@ TEST_F(Scripted, AnAgentThatIsNotPresentTakesNoPartUntilItIsAdded) {
   EXPECT_EQ(handed(kB, Cause::kStart, Time{}, Time{1s}), 0u);
   EXPECT_EQ(handed(kB, Cause::kStart, Time{1s}, Time{3s}), 1u);
   EXPECT_EQ(handed(kB, Cause::kControl, Time{1500ms}, Time{3s}), 0u);
+}
+
+TEST_F(Scripted, ARestartedControllerFindsItsWheelsAtRest) {
+  auto robot = sim::physics::test::robertino(hal::devices::WheelLevel::kContact);
+  robot.infrared.clear();
+  config.agents[1].body = robot;
+  at(1s, befall(Fortune::kRestart, kB));
+  run(Time{4s}, [](const Event& event) -> std::vector<Action> {
+    if (event.agent != kB || event.cause != Cause::kStart || event.time > Time{}) return {};
+    Action drive;
+    drive.kind = ActionKind::kDriveBody;
+    drive.twist = {0.3, 0, 0};
+    return {drive};
+  });
+  EXPECT_NEAR(x_at(1s) - x_at(0s), 0.3, 0.1);
+  EXPECT_NEAR(whereabouts.track.back().second, x_at(1500ms), 1e-3);
+}
+
+TEST_F(Scripted, TheEndItselfCounts) {
+  sim::agents::Condition at_last;
+  at_last.what = sim::agents::TimeReached{1s};
+  config.asked = {at_last};
+  config.ends = {{.agent = {}, .state = {}, .after = 1s, .result = "done", .when = {}}};
+  begin_simulation();
+  EXPECT_EQ(simulation_->run(Time{5s}, pace_).result, "done");
+  EXPECT_TRUE(simulation_->holds(0));
+  EXPECT_TRUE(simulation_->has_held(0));
+}
+
+TEST_F(Scripted, NothingButAddHasAnEffectOnAnAgentThatIsNotPresent) {
+  give_batteries();
+  at(1s, befall(Fortune::kRemove, kB));
+  at(1100ms, {sim::agents::MoveTo{{15, 0, 0}}, "b", {kB}, {}});
+  at(1200ms, {sim::agents::Drain{.energy = {}, .level = 0.5}, "b", {kB}, {}});
+  at(1300ms, befall(Fortune::kRestart, kB));
+  at(1400ms, befall(Fortune::kRemove, kB));
+  begin_simulation();
+  simulation_->run(Time{2s}, pace_);
+  EXPECT_EQ(done_.times, std::vector{Time{1s}});
+  EXPECT_GT(simulation_->body(kB).x, 1e4);
+}
+
+TEST_F(Scripted, AnAgentThatIsAddedComesSwitchedOn) {
+  at(1s, befall(Fortune::kSwitchOff, kB));
+  at(1100ms, befall(Fortune::kRemove, kB));
+  at(1500ms, befall(Fortune::kAdd, kB));
+  run_sending(Time{2s});
+  EXPECT_EQ(handed(kA, Cause::kMessage, Time{1s}, Time{1500ms}), 0u);
+  EXPECT_GT(handed(kA, Cause::kMessage, Time{1500ms}, Time{2s}), 0u);
+}
+
+TEST_F(Scripted, ARestartedControllerFindsItsRadioOn) {
+  at(1s, befall(Fortune::kRestart, kB));
+  run(Time{2s}, [](const Event& event) -> std::vector<Action> {
+    if (event.cause != Cause::kControl) return {};
+    std::vector<Action> actions{send(event.agent == kA ? kB : kA)};
+    if (event.agent == kB && event.time == Time{500ms}) {
+      actions.emplace_back().kind = ActionKind::kRadio;
+      actions.back().radio_on = false;
+    }
+    return actions;
+  });
+  EXPECT_EQ(handed(kA, Cause::kMessage, Time{600ms}, Time{1s}), 0u);
+  EXPECT_GT(handed(kA, Cause::kMessage, Time{1s}, Time{2s}), 0u);
+}
+
+TEST_F(Scripted, OfWhatIsNotPresentNoConditionHolds) {
+  sim::agents::Condition far, said;
+  far.what = sim::agents::ApartBy{.a = kA, .b = kB, .above = 1000};
+  said.what = sim::agents::InState{{sim::agents::Subjects::Quantifier::kOne, "b", {kB}}, "ON"};
+  config.asked = {far, said};
+  at(1s, befall(Fortune::kRemove, kB));
+  begin_simulation([](const Event& event) -> std::vector<Action> {
+    if (event.cause != Cause::kStart) return {};
+    return {state("ON")};
+  });
+  simulation_->run(Time{2s}, pace_);
+  EXPECT_FALSE(simulation_->has_held(0));
+  EXPECT_FALSE(simulation_->holds(1));
+  EXPECT_TRUE(simulation_->has_held(1));
+  for (const auto& quantity : sim::agents::quantities()) {
+    if (quantity.domain == "agents" && quantity.has(config.agents[1], 0)) {
+      EXPECT_EQ(simulation_->read(quantity, kB, 0), std::nullopt) << quantity.name;
+    }
+  }
+}
+
+TEST_F(Scripted, AnAddedAgentBeginsWhereItIsPutDown) {
+  config.control_phase = sim::agents::ControlPhase::kUniform;
+  config.agents[1].is_present = false;
+  // Control instants at all phases of the physics' steps: one of them comes before the step.
+  config.control_period = 1ms;
+  at(1001ms, befall(Fortune::kAdd, kB));
+  at(1002ms, {sim::agents::MoveTo{{15, 0, 0}}, "b", {kB}, {}});
+  run(Time{2s}, nothing);
+  const auto& track = whereabouts.track;
+  ASSERT_FALSE(track.empty());
+  EXPECT_GE(track.front().first, Time{1010ms});
+  for (const auto& [time, x] : track) EXPECT_LT(x, 21) << hal::to_ns(time);
+  EXPECT_NEAR(track.back().second, 15, 1e-3);
+  EXPECT_EQ(whereabouts.displaced, (std::vector{Time{1010ms}, Time{1020ms}}));
+  EXPECT_EQ(handed(kB, Cause::kStart, Time{1010ms}, Time{1010ms + 1ns}), 1u);
+}
+
+TEST_F(Scripted, WhatIsNotPresentDrawsNothing) {
+  give_batteries();
+  config.agents[1].is_present = false;
+  at(1s, befall(Fortune::kAdd, kB));
+  at(1500ms, befall(Fortune::kRemove, kB));
+  begin_simulation();
+  simulation_->run(Time{3s}, pace_);
+  EXPECT_NEAR(simulation_->use(kA).energy.value(), 3 * 10 + 3 * 0.8, 0.01);
+  EXPECT_NEAR(simulation_->use(kB).energy.value(), 0.5 * 10 + 0.5 * 0.8, 0.01);
 }
 
 TEST_F(Scripted, ABodyThatIsMovedIsThereWithTheNextStep) {

@@ -262,6 +262,20 @@ TEST_F(RecorderTest, AddsUpThePathAtEveryControlInstantAndWritesPosesOncePerSeco
   EXPECT_EQ(asked("SELECT wall_steps FROM bodies"), "null");
 }
 
+TEST_F(RecorderTest, WhereABodyIsPutItDidNotGo) {
+  const AgentId robot{3};
+  recorder->on_displaced(Time{}, robot);  // as it comes
+  recorder->on_body(Time{}, robot, {.x = 0, .y = 0});
+  recorder->on_body(Time{1s}, robot, {.x = 3, .y = 4});
+  recorder->on_displaced(Time{1500ms}, robot);
+  recorder->on_body(Time{2s}, robot, {.x = 300, .y = 4});
+  recorder->on_body(Time{3s}, robot, {.x = 300, .y = 5});
+  recorder->on_displaced(Time{3500ms}, robot);
+  recorder->on_body(Time{4s}, robot, {.x = 300, .y = 5});  // to where it was
+  recorder->on_body(Time{5s}, robot, {.x = 300, .y = 7});
+  EXPECT_EQ(asked("SELECT path_m FROM bodies"), "8.0");
+}
+
 TEST_F(RecorderTest, AWorldWithoutWallsHasNoClearance) {
   recorder->on_body(Time{}, AgentId{3}, {.clearance = std::numeric_limits<double>::infinity()});
   EXPECT_EQ(asked("SELECT clearance_m FROM bodies"), "null");
