@@ -14,15 +14,27 @@
 namespace sim::report {
 namespace {
 
+/// Keys of the factors that change between the same points; "": none.
+std::string changing_with(const Experiment& experiment, std::size_t factor) {
+  std::string keys;
+  for (const Experiment::Factor& one : experiment.factors) {
+    if (one.same_as == factor) keys += (keys.empty() ? "" : ", ") + one.key;
+  }
+  return keys;
+}
+
 std::string head_text(const Experiment& experiment) {
   std::string text = fmt::format("Experiment: {} setting{}, {} complete run{}",
                                  experiment.points.size(), experiment.points.size() == 1 ? "" : "s",
                                  experiment.runs.size(), experiment.runs.size() == 1 ? "" : "s");
   for (const std::string& run : experiment.left_out) text += "\n  left out: " + run;
   for (std::size_t i = 0; i < experiment.factors.size(); ++i) {
+    if (experiment.factors[i].same_as) continue;
     std::set<std::string> levels;
     for (const Experiment::Point& point : experiment.points) levels.insert(point.levels[i].text);
-    text += fmt::format("\n  {}: {} values", experiment.factors[i].key, levels.size());
+    const std::string others = changing_with(experiment, i);
+    text += fmt::format("\n  {}: {} values{}", experiment.factors[i].key, levels.size(),
+                        others.empty() ? "" : " (changes together with " + others + ")");
   }
   return text + "\n";
 }

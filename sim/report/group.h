@@ -46,7 +46,7 @@ struct Group {
   std::string name;
   Settings settings;  ///< Of each run, with the version; without the seed, `report`, `compare`.
   std::vector<const RunResult*> runs;  ///< Complete ones.
-  std::size_t left_out = 0;            ///< Runs that were broken off, failed or did not start.
+  std::size_t left_out = 0;            ///< Broken off, failed, not started, or copies.
   bool asks_for_papers = false;        ///< Its scenario has `compare: labella2009`.
   /// Why the paper's figures are not to be compared with these though it asks; empty: they are.
   std::string not_the_papers;

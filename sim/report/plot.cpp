@@ -40,6 +40,16 @@ std::optional<std::size_t> optional_factor(const Experiment& experiment, const s
   return key.empty() ? std::nullopt : std::optional(factor_or_throw(experiment, key));
 }
 
+/// The first that does not change together with the one that has the curves, if there is any.
+std::optional<std::size_t> default_factor(const Experiment& experiment,
+                                          const std::optional<std::size_t>& by) {
+  if (experiment.factors.empty()) return std::nullopt;
+  for (std::size_t i = 0; by && i < experiment.factors.size(); ++i) {
+    if (experiment.first_like(i) != experiment.first_like(*by)) return i;
+  }
+  return 0;
+}
+
 void check_is_there(const Experiment& experiment, const PlotRequest& request) {
   const auto& name = request.plot;
   if (!experiment.units.contains(name)) {
@@ -113,8 +123,7 @@ void add_points_of(Plot& plot, const Experiment& experiment, const PlotRequest& 
   }
   const auto by = optional_factor(experiment, request.by);
   auto versus = optional_factor(experiment, request.versus);
-  const std::size_t count = experiment.factors.size();
-  if (!versus && count > 0) versus = by == std::size_t{0} && count > 1 ? 1 : 0;
+  if (!versus) versus = default_factor(experiment, by);
   add_points(plot, experiment, *of, versus, by);
 }
 
