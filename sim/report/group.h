@@ -18,7 +18,10 @@ struct RobotDrive {
   double straight = 0;  ///< m from its start to the goal, or to where it ended if there is none.
   std::optional<double> clearance;  ///< m, least distance of its centre to a wall's surface.
   std::optional<std::uint64_t> wall_steps, object_steps;
-  double ratio() const { return straight > 0 ? path / straight : 0; }
+  /// None: it ended where it started, to a micrometre.
+  std::optional<double> ratio() const {
+    return straight > 1e-6 ? std::optional(path / straight) : std::nullopt;
+  }
 };
 std::vector<RobotDrive> drives(const RunResult& run);
 

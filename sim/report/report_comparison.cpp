@@ -120,7 +120,7 @@ std::vector<Figure> drive_figures() {
     return of_drives(g, [](const RobotDrive& d) { return std::optional(d.path); });
   };
   const auto ratio = [](const Group& g) {
-    return of_drives(g, [](const RobotDrive& d) { return std::optional(d.ratio()); });
+    return of_drives(g, [](const RobotDrive& d) { return d.ratio(); });
   };
   const auto clearance = [](const Group& g) {
     return of_drives(g, [](const RobotDrive& d) { return d.clearance; });
