@@ -81,7 +81,10 @@ std::string quantities_text(const Experiment& experiment) {
          table.text();
 }
 
-std::vector<std::vector<std::string>> plot_rows(const Plot& plot) {
+std::vector<std::vector<std::string>> plot_rows(const Plot& plot, Digits digits) {
+  const auto text = [digits](double value) {
+    return digits == Digits::kExact ? fmt::format("{}", value) : significant(value);
+  };
   const bool is_histogram = plot.kind == PlotKind::kHistogram;
   const bool has_curves = plot.curves.size() > 1;
   std::vector<std::vector<std::string>> rows = {
@@ -94,17 +97,17 @@ std::vector<std::vector<std::string>> plot_rows(const Plot& plot) {
       auto& row = rows.emplace_back();
       if (has_curves) row.push_back(curve.label);
       if (is_histogram) {
-        row.insert(row.end(), {significant(mark.x - mark.width / 2),
-                               significant(mark.x + mark.width / 2), std::to_string(mark.count)});
+        row.insert(row.end(), {text(mark.x - mark.width / 2), text(mark.x + mark.width / 2),
+                               std::to_string(mark.count)});
         continue;
       }
       const bool is_category = !plot.categories.empty();
       row.push_back(is_category ? plot.categories.at(static_cast<std::size_t>(mark.x))
-                                : significant(mark.x));
-      row.insert(row.end(), {std::to_string(mark.count), significant(mark.y),
-                             mark.interval ? significant(mark.interval->low) : "-",
-                             mark.interval ? significant(mark.interval->high) : "-",
-                             mark.count > 1 ? significant(mark.sd) : "-"});
+                                : text(mark.x));
+      row.insert(
+          row.end(),
+          {std::to_string(mark.count), text(mark.y), mark.interval ? text(mark.interval->low) : "-",
+           mark.interval ? text(mark.interval->high) : "-", mark.count > 1 ? text(mark.sd) : "-"});
     }
   }
   return rows;
