@@ -114,7 +114,7 @@ std::string csv_field(const std::string& text) {
 
 std::string csv_of(const sim::report::Plot& plot) {
   std::string text;
-  for (const auto& row : plot_rows(plot)) {
+  for (const auto& row : plot_rows(plot, sim::report::Digits::kExact)) {
     for (std::size_t i = 0; i < row.size(); ++i) text += (i == 0 ? "" : ",") + csv_field(row[i]);
     text += "\r\n";
   }
@@ -172,9 +172,22 @@ int report_figure(const sim::report::Sources& sources, const ReportOptions& opti
   return kDone;
 }
 
+/// Refuses a file of a kind that cannot be written. Without an ending (/dev/stdout) it is a page,
+/// or a drawing.
+void check_ending(const ReportOptions& options) {
+  const std::string ending = std::filesystem::path(options.file).extension().string();
+  if (ending.empty() || ending == ".svg" || ending == ".csv") return;
+  const bool is_page = options.figure.empty();
+  if (is_page && (ending == ".html" || ending == ".htm")) return;
+  throw std::runtime_error(
+      fmt::format("-o {}: a figure is written as .svg or .csv{}", options.file,
+                  is_page ? ", the whole report as .html" : "; the page .html has all of them"));
+}
+
 }  // namespace
 
 int report(const ReportOptions& options) {
+  check_ending(options);
   const bool is_drawing = options.file.ends_with(".svg") || options.file.ends_with(".csv");
   const bool is_page = !is_drawing && options.figure.empty() && !options.file.empty();
   const std::string page = is_page ? empty_page() : "";

@@ -12,7 +12,8 @@ std::string short_key(const std::string& key) {
 std::string Experiment::label(std::size_t point) const {
   std::string text;
   for (std::size_t i = 0; i < factors.size(); ++i) {
-    text += fmt::format("{}{} {}", i == 0 ? "" : ", ", short_key(factors[i].key),
+    if (factors[i].same_as) continue;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", short_key(factors[i].key),
                         points[point].levels[i].text);
   }
   return text.empty() ? "all runs" : text;

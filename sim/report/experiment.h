@@ -22,6 +22,9 @@ struct Experiment {
   struct Factor {
     std::string key;   ///< Dotted path, as for --set.
     std::string unit;  ///< Of the levels' numbers; "": none.
+    /// Place of the first factor that changes between the same points: their effects cannot be told
+    /// apart. None: this is the first.
+    std::optional<std::size_t> same_as{};
   };
   /// The value of a factor.
   struct Level {
@@ -51,7 +54,7 @@ struct Experiment {
   std::vector<Factor> factors;
   std::vector<Point> points;
   std::vector<Run> runs;
-  std::vector<std::string> left_out;         ///< Runs that failed or were broken off, a line each.
+  std::vector<std::string> left_out;         ///< Runs that failed, were broken off or are copies.
   std::map<std::string, std::string> units;  ///< Of quantities, by name; "1": a count or a share.
   ByRun<double> values;
   ByRun<Course> courses;
@@ -59,10 +62,15 @@ struct Experiment {
   std::vector<PlotRequest> requests;  ///< What its report shows; empty: what differs most.
   std::string scenario;               ///< Of a campaign: the first point's, resolved, as YAML.
 
-  /// "speed 0.3 m/s, range 100 m": last parts of the keys; "all runs" if nothing is varied.
+  /// "speed 0.3 m/s, range 100 m": last parts of the keys, of those that change together the first;
+  /// "all runs" if nothing is varied.
   std::string label(std::size_t point) const;
   /// None: no such factor. The last parts of a key will do where they are enough.
   std::optional<std::size_t> factor(const std::string& key) const;
+  /// Place of the first factor that changes between the same points: itself, if it is the first.
+  std::size_t first_like(std::size_t factor) const {
+    return factors[factor].same_as.value_or(factor);
+  }
   /// The factor as the label of an axis: "speed / m/s".
   std::string axis_label(std::size_t factor) const;
 
@@ -71,8 +79,8 @@ struct Experiment {
   void add_bins(std::size_t run, const std::vector<record::Bins>& all);
 };
 
-/// Of results. Factors: the settings that differ; of several that differ between the same runs
-/// (those that one profile sets) the first, profiles and names before others.
+/// Of results. Factors: the settings that differ, names and profiles before others, options of the
+/// command line last. A run whose point, seed and fingerprint are another's is a copy: left out.
 /// @param folders  as found by find_results().
 /// @throws std::runtime_error if one cannot be read.
 Experiment experiment_of(const std::vector<std::filesystem::path>& folders);

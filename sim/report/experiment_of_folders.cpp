@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 #include <set>
+#include <tuple>
 
 #include "sim/record/run_reader.h"
 #include "sim/report/experiment.h"
@@ -18,6 +19,7 @@ struct ReadRun {
   AllSettings settings;  ///< All, with the scenario's name.
   AllSettings compared;  ///< Of those, what makes runs different experiments.
   std::uint64_t seed = 0;
+  std::string fingerprint;  ///< "": of a version that had none.
   std::string ending;
   bool is_complete = false;
 };
@@ -35,6 +37,7 @@ ReadRun read_head(record::RunReader& reader) {
     return setting.first == "seed" || is_for_the_report_only(setting.first);
   });
   run.seed = std::strtoull(reader.value("seed").c_str(), nullptr, 10);
+  run.fingerprint = reader.value("fingerprint");
   run.ending = reader.value("result");
   static const std::set<std::string> kNoEnds = {"running", "failed", "interrupted", "not started"};
   run.is_complete = !kNoEnds.contains(run.ending);
@@ -46,7 +49,7 @@ std::string value_of(const AllSettings& settings, const std::string& key) {
   return found == settings.end() ? "-" : found->second;
 }
 
-/// Keys whose values differ, those that set others first.
+/// Keys whose values differ, those that set others first, the command line's last.
 std::vector<std::string> differing_keys(const std::vector<AllSettings>& points) {
   std::set<std::string> keys;
   for (const AllSettings& settings : points) {
@@ -60,6 +63,7 @@ std::vector<std::string> differing_keys(const std::vector<AllSettings>& points) 
   }
   const auto rank = [](const std::string& key) {
     if (key == "name" || key == "version of baraka") return 0;
+    if (key.starts_with("--")) return 3;
     return key.ends_with("profile") || key.ends_with("program") || key.ends_with("algorithm") ? 1
                                                                                               : 2;
   };
@@ -103,16 +107,12 @@ void add_factor(Experiment& experiment, const std::string& key,
 }
 
 void add_factors(Experiment& experiment, const std::vector<AllSettings>& points) {
-  std::set<std::string> asked;
-  for (const PlotRequest& request : experiment.requests) {
-    asked.insert(request.versus);
-    asked.insert(request.by);
-  }
-  std::set<std::vector<std::size_t>> seen;
+  std::map<std::vector<std::size_t>, std::size_t> seen;
   for (const std::string& key : differing_keys(points)) {
-    if (seen.insert(partition(points, key)).second || asked.contains(key)) {
-      add_factor(experiment, key, points);
-    }
+    const std::size_t place = experiment.factors.size();
+    const auto [first, is_new] = seen.emplace(partition(points, key), place);
+    add_factor(experiment, key, points);
+    if (!is_new) experiment.factors.back().same_as = first->second;
   }
 }
 
@@ -127,6 +127,7 @@ void read_measurements(Experiment& experiment, std::size_t run, record::RunReade
 Experiment experiment_of(const std::vector<std::filesystem::path>& folders) {
   Experiment experiment;
   std::vector<AllSettings> points;
+  std::map<std::tuple<std::size_t, std::uint64_t, std::string>, std::size_t> seen;
   for (const std::filesystem::path& folder : folders) {
     record::RunReader reader(folder);
     const ReadRun run = read_head(reader);
@@ -142,6 +143,13 @@ Experiment experiment_of(const std::vector<std::filesystem::path>& folders) {
       place = std::prev(points.end());
     }
     const auto point = static_cast<std::size_t>(place - points.begin());
+    const auto [first, is_new] =
+        seen.try_emplace({point, run.seed, run.fingerprint}, experiment.runs.size());
+    if (!is_new && !run.fingerprint.empty()) {
+      experiment.left_out.push_back(
+          fmt::format("{}: same run as {}", run.folder, experiment.runs[first->second].name));
+      continue;
+    }
     experiment.points[point].runs.push_back(experiment.runs.size());
     experiment.runs.push_back({run.folder, point, run.seed});
     read_measurements(experiment, experiment.runs.size() - 1, reader);

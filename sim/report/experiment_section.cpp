@@ -14,15 +14,27 @@
 namespace sim::report {
 namespace {
 
+/// Keys of the factors that change between the same points; "": none.
+std::string changing_with(const Experiment& experiment, std::size_t factor) {
+  std::string keys;
+  for (const Experiment::Factor& one : experiment.factors) {
+    if (one.same_as == factor) keys += (keys.empty() ? "" : ", ") + one.key;
+  }
+  return keys;
+}
+
 std::string head_text(const Experiment& experiment) {
   std::string text = fmt::format("Experiment: {} setting{}, {} complete run{}",
                                  experiment.points.size(), experiment.points.size() == 1 ? "" : "s",
                                  experiment.runs.size(), experiment.runs.size() == 1 ? "" : "s");
   for (const std::string& run : experiment.left_out) text += "\n  left out: " + run;
   for (std::size_t i = 0; i < experiment.factors.size(); ++i) {
+    if (experiment.factors[i].same_as) continue;
     std::set<std::string> levels;
     for (const Experiment::Point& point : experiment.points) levels.insert(point.levels[i].text);
-    text += fmt::format("\n  {}: {} values", experiment.factors[i].key, levels.size());
+    const std::string others = changing_with(experiment, i);
+    text += fmt::format("\n  {}: {} values{}", experiment.factors[i].key, levels.size(),
+                        others.empty() ? "" : " (changes together with " + others + ")");
   }
   return text + "\n";
 }
@@ -69,7 +81,10 @@ std::string quantities_text(const Experiment& experiment) {
          table.text();
 }
 
-std::vector<std::vector<std::string>> plot_rows(const Plot& plot) {
+std::vector<std::vector<std::string>> plot_rows(const Plot& plot, Digits digits) {
+  const auto text = [digits](double value) {
+    return digits == Digits::kExact ? fmt::format("{}", value) : significant(value);
+  };
   const bool is_histogram = plot.kind == PlotKind::kHistogram;
   const bool has_curves = plot.curves.size() > 1;
   std::vector<std::vector<std::string>> rows = {
@@ -82,17 +97,17 @@ std::vector<std::vector<std::string>> plot_rows(const Plot& plot) {
       auto& row = rows.emplace_back();
       if (has_curves) row.push_back(curve.label);
       if (is_histogram) {
-        row.insert(row.end(), {significant(mark.x - mark.width / 2),
-                               significant(mark.x + mark.width / 2), std::to_string(mark.count)});
+        row.insert(row.end(), {text(mark.x - mark.width / 2), text(mark.x + mark.width / 2),
+                               std::to_string(mark.count)});
         continue;
       }
       const bool is_category = !plot.categories.empty();
       row.push_back(is_category ? plot.categories.at(static_cast<std::size_t>(mark.x))
-                                : significant(mark.x));
-      row.insert(row.end(), {std::to_string(mark.count), significant(mark.y),
-                             mark.interval ? significant(mark.interval->low) : "-",
-                             mark.interval ? significant(mark.interval->high) : "-",
-                             mark.count > 1 ? significant(mark.sd) : "-"});
+                                : text(mark.x));
+      row.insert(
+          row.end(),
+          {std::to_string(mark.count), text(mark.y), mark.interval ? text(mark.interval->low) : "-",
+           mark.interval ? text(mark.interval->high) : "-", mark.count > 1 ? text(mark.sd) : "-"});
     }
   }
   return rows;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -13,11 +14,14 @@ namespace sim::report {
 /// @throws std::runtime_error  a request names what is not there.
 std::string experiment_section(const Experiment& experiment);
 
+/// How numbers are written: with six significant digits, or such that they are read back the same.
+enum class Digits : std::uint8_t { kSix, kExact };
+
 /// One plot as a table: a row per mark.
 std::string plot_text(const Plot& plot);
 
 /// Head and rows of that table, for people and as the data behind the plot.
-std::vector<std::vector<std::string>> plot_rows(const Plot& plot);
+std::vector<std::vector<std::string>> plot_rows(const Plot& plot, Digits digits = Digits::kSix);
 
 /// Differences of a quantity to the first setting, run by run with equal seeds: "" if there are no
 /// two settings with the same seeds, at least two of them.

@@ -18,7 +18,10 @@ struct RobotDrive {
   double straight = 0;  ///< m from its start to the goal, or to where it ended if there is none.
   std::optional<double> clearance;  ///< m, least distance of its centre to a wall's surface.
   std::optional<std::uint64_t> wall_steps, object_steps;
-  double ratio() const { return straight > 0 ? path / straight : 0; }
+  /// None: it ended where it started, to a micrometre.
+  std::optional<double> ratio() const {
+    return straight > 1e-6 ? std::optional(path / straight) : std::nullopt;
+  }
 };
 std::vector<RobotDrive> drives(const RunResult& run);
 
@@ -46,7 +49,7 @@ struct Group {
   std::string name;
   Settings settings;  ///< Of each run, with the version; without the seed, `report`, `compare`.
   std::vector<const RunResult*> runs;  ///< Complete ones.
-  std::size_t left_out = 0;            ///< Runs that were broken off, failed or did not start.
+  std::size_t left_out = 0;            ///< Broken off, failed, not started, or copies.
   bool asks_for_papers = false;        ///< Its scenario has `compare: labella2009`.
   /// Why the paper's figures are not to be compared with these though it asks; empty: they are.
   std::string not_the_papers;

@@ -127,7 +127,13 @@ std::vector<Group> group_runs(const std::vector<RunResult>& runs,
       group.asks_for_papers = compare != run.settings.end() && compare->second == "labella2009";
       if (group.asks_for_papers) group.not_the_papers = not_the_papers(settings, case_study);
     }
-    if (run.is_complete()) {
+    const std::string fingerprint = run.value("fingerprint");
+    const bool is_copy = !fingerprint.empty() &&
+                         std::ranges::any_of(place->second.runs, [&](const RunResult* other) {
+                           return other->value("seed") == run.value("seed") &&
+                                  other->value("fingerprint") == fingerprint;
+                         });
+    if (run.is_complete() && !is_copy) {
       place->second.runs.push_back(&run);
     } else {
       ++place->second.left_out;

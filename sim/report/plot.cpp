@@ -40,13 +40,39 @@ std::optional<std::size_t> optional_factor(const Experiment& experiment, const s
   return key.empty() ? std::nullopt : std::optional(factor_or_throw(experiment, key));
 }
 
+/// The first that does not change together with the one that has the curves, if there is any.
+std::optional<std::size_t> default_factor(const Experiment& experiment,
+                                          const std::optional<std::size_t>& by) {
+  if (experiment.factors.empty()) return std::nullopt;
+  for (std::size_t i = 0; by && i < experiment.factors.size(); ++i) {
+    if (experiment.first_like(i) != experiment.first_like(*by)) return i;
+  }
+  return 0;
+}
+
+/// "; did you mean 'paths.mean'?", else "; there is run.simulated" for "simulated_s"; "": nothing.
+std::string nearest_names(const Experiment& experiment, const std::string& name) {
+  const std::vector<std::string> names = names_of(experiment);
+  if (std::string near = hal::config::suggestion(name, names); !near.empty()) return near;
+  constexpr std::size_t kMost = 5;
+  constexpr std::size_t kShortest = 4;  // letters of a word that is looked for
+  const std::string stem = name.substr(0, name.rfind('_'));
+  std::string found;
+  std::size_t count = 0;
+  for (const std::string& one : names) {
+    if (stem.size() < kShortest || one.find(stem) == std::string::npos || count == kMost) continue;
+    found += (count++ == 0 ? "; there is " : ", ") + one;
+  }
+  return found;
+}
+
 void check_is_there(const Experiment& experiment, const PlotRequest& request) {
   const auto& name = request.plot;
   if (!experiment.units.contains(name)) {
     throw std::runtime_error(
         fmt::format("{}: none of these runs has such a quantity{}; baraka describe observables "
                     "lists those of every run",
-                    name, hal::config::suggestion(name, names_of(experiment))));
+                    name, nearest_names(experiment, name)));
   }
   if (request.agent.empty()) return;
   const Experiment::Quantity whose{name, request.agent};
@@ -61,8 +87,9 @@ void check_is_there(const Experiment& experiment, const PlotRequest& request) {
 PlotKind kind_of(const Experiment& experiment, const PlotRequest& request) {
   if (request.as != PlotKind::kAutomatic) return request.as;
   const bool is_value = select(experiment, request.plot, request.agent).has_value();
-  if (is_value && (!experiment.factors.empty() || !request.versus.empty()))
-    return PlotKind::kPoints;
+  // Of a course alone an axis or curves cannot be had: add_points_of() says so.
+  if (!request.versus.empty() || !request.by.empty()) return PlotKind::kPoints;
+  if (is_value && !experiment.factors.empty()) return PlotKind::kPoints;
   return courses_of(experiment, request).empty() ? PlotKind::kHistogram : PlotKind::kTime;
 }
 
@@ -108,13 +135,18 @@ double share_between(const Experiment& experiment, const std::map<std::size_t, d
 void add_points_of(Plot& plot, const Experiment& experiment, const PlotRequest& request,
                    const std::optional<Selected>& of) {
   if (!of) {
-    throw std::runtime_error(fmt::format(
-        "{}: has no single value per run; `as: time` or `as: histogram` shows it", request.plot));
+    std::string others;
+    for (const char* ending : {".mean", ".last"}) {
+      if (!experiment.units.contains(request.plot + ending)) continue;
+      others += (others.empty() ? "; these are of a run: " : ", ") + request.plot + ending;
+    }
+    throw std::runtime_error(
+        fmt::format("{}: has no single value per run; `as: time` or `as: histogram` shows it{}",
+                    request.plot, others));
   }
   const auto by = optional_factor(experiment, request.by);
   auto versus = optional_factor(experiment, request.versus);
-  const std::size_t count = experiment.factors.size();
-  if (!versus && count > 0) versus = by == std::size_t{0} && count > 1 ? 1 : 0;
+  if (!versus) versus = default_factor(experiment, by);
   add_points(plot, experiment, *of, versus, by);
 }
 

@@ -44,7 +44,9 @@ std::vector<std::size_t> others(const Experiment& experiment, std::size_t versus
   std::vector<std::size_t> factors;
   if (by && *by != versus) factors.push_back(*by);
   for (std::size_t i = 0; i < experiment.factors.size(); ++i) {
-    if (i != versus && i != by) factors.push_back(i);
+    const bool is_shown = experiment.first_like(i) == experiment.first_like(versus) ||
+                          (by && experiment.first_like(i) == experiment.first_like(*by));
+    if (!experiment.factors[i].same_as && !is_shown) factors.push_back(i);
   }
   return factors;
 }

@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "sim/report/plot_parts.h"
@@ -22,26 +24,57 @@ std::vector<double> times_of(const Course& course) {
   return times;
 }
 
-/// Of all courses if they are equal; else equidistant ones over the time that all of them cover.
-std::vector<double> common_times(const std::vector<const Course*>& courses) {
-  std::vector<double> times = times_of(*courses.front());
-  double from = times.front();
-  double to = times.back();
-  bool is_equal = true;
-  for (const Course* course : courses) {
-    is_equal = is_equal && times_of(*course) == times;
-    from = std::max(from, course->front().first);
-    to = std::min(to, course->back().first);
-  }
-  if (is_equal) return times;
-  times.clear();
+std::vector<double> equidistant(double from, double to) {
+  std::vector<double> times;
   for (std::size_t i = 0; i < kTimes && from <= to; ++i) {
     times.push_back(from + (to - from) * static_cast<double>(i) / (kTimes - 1));
   }
   return times;
 }
 
-/// The latest sample until then. @pre there is one.
+/// Whether these are samples of one period. A single time has none.
+bool is_periodic(const std::vector<double>& times) {
+  if (times.size() < 2) return false;
+  const double period = times[1] - times[0];
+  for (std::size_t i = 2; i < times.size(); ++i) {
+    if (std::abs(times[i] - times[i - 1] - period) > 1e-6 * period) return false;
+  }
+  return true;
+}
+
+/// Of all courses if they are equal, and the end if the last value held until then; else
+/// equidistant ones over the time that all of them cover.
+/// @param end  s, of the run that ended first; 0: not known.
+std::vector<double> common_times(const std::vector<const Course*>& courses, double end) {
+  std::vector<double> times = times_of(*courses.front());
+  double from = times.front();
+  double to = std::max(times.back(), end);
+  bool is_equal = true;
+  for (const Course* course : courses) {
+    is_equal = is_equal && times_of(*course) == times;
+    from = std::max(from, course->front().first);
+    to = std::min(to, std::max(course->back().first, end));
+  }
+  if (!is_equal) return equidistant(from, to);
+  const bool is_last_sample = is_periodic(times) && to - times.back() <= times[1] - times[0];
+  if (to > times.back() && !is_last_sample) times.push_back(to);
+  return times;
+}
+
+/// When the first of these runs ended [s]; 0: it is not known of all.
+double end_of(const Experiment& experiment, const std::vector<std::size_t>& runs) {
+  const auto ends = experiment.values.find({"run.simulated", ""});
+  if (ends == experiment.values.end()) return 0;
+  double end = std::numeric_limits<double>::infinity();
+  for (const std::size_t run : runs) {
+    const auto found = ends->second.find(run);
+    if (found == ends->second.end()) return 0;
+    end = std::min(end, found->second);
+  }
+  return std::isfinite(end) ? end : 0;
+}
+
+/// The latest sample until then: a value holds until the next. @pre there is one.
 double value_at(const Course& course, double time) {
   const auto after = std::ranges::upper_bound(course, time, {}, &Course::value_type::first);
   return std::prev(after)->second;
@@ -66,17 +99,24 @@ Plot::Curve curve_of(const std::string& label, const std::vector<double>& times,
   return curve;
 }
 
+/// MSER-5 takes values of equal weight: of a course that was recorded on change, those that held
+/// at equidistant times.
 void note_warm_up(Plot& plot, const Plot::Curve& curve) {
-  if (curve.marks.size() < kEnoughForWarmUp) return;
+  Course course;
+  for (const Plot::Mark& mark : curve.marks) course.emplace_back(mark.x, mark.y);
+  std::vector<double> times = times_of(course);
+  if (times.size() < 2) return;
+  if (!is_periodic(times)) times = equidistant(times.front(), times.back());
+  if (times.size() < kEnoughForWarmUp) return;
   std::vector<double> means;
-  for (const Plot::Mark& mark : curve.marks) means.push_back(mark.y);
+  means.reserve(times.size());
+  for (const double time : times) means.push_back(value_at(course, time));
   const auto warm_up = statistics::mser(means);
   if (!warm_up) return;
   plot.notes.push_back(
       warm_up->is_too_short
           ? fmt::format("{}: has not settled by MSER-5; run it for longer", curve.label)
-          : fmt::format("{}: warm-up by MSER-5 until {:g} s", curve.label,
-                        curve.marks[warm_up->values].x));
+          : fmt::format("{}: warm-up by MSER-5 until {:g} s", curve.label, times[warm_up->values]));
 }
 
 }  // namespace
@@ -110,14 +150,17 @@ void add_time(Plot& plot, const Experiment& experiment, const PlotRequest& reque
   for (std::size_t i = 0; i < experiment.points.size(); ++i) {
     std::vector<const std::vector<Course>*> runs;
     std::vector<const Course*> all;
+    std::vector<std::size_t> places;
     for (const std::size_t run : experiment.points[i].runs) {
       const auto found = courses.find(run);
       if (found == courses.end()) continue;
       runs.push_back(&found->second);
+      places.push_back(run);
       for (const Course& course : found->second) all.push_back(&course);
     }
     if (runs.empty()) continue;
-    plot.curves.push_back(curve_of(experiment.label(i), common_times(all), runs, plot.interval));
+    plot.curves.push_back(curve_of(
+        experiment.label(i), common_times(all, end_of(experiment, places)), runs, plot.interval));
     note_warm_up(plot, plot.curves.back());
   }
 }

@@ -104,7 +104,8 @@ std::vector<Figure> run_figures() {
   return {
       {"runs", std::to_string(paper::kRuns),
        [](const Group& g) { return std::to_string(g.runs.size()); }, paper::Basis::kStated},
-      {"runs left out (broken off)", "", [](const Group& g) { return std::to_string(g.left_out); }},
+      {"runs left out (broken off, copies)", "",
+       [](const Group& g) { return std::to_string(g.left_out); }},
       {"results", "", results_of},
       {"run time, mean s", "", [time](const Group& g) { return number(mean(time(g)), 1); }},
       {"run time, range s", "", [time](const Group& g) { return range_of(time(g), 1); }},
@@ -119,7 +120,7 @@ std::vector<Figure> drive_figures() {
     return of_drives(g, [](const RobotDrive& d) { return std::optional(d.path); });
   };
   const auto ratio = [](const Group& g) {
-    return of_drives(g, [](const RobotDrive& d) { return std::optional(d.ratio()); });
+    return of_drives(g, [](const RobotDrive& d) { return d.ratio(); });
   };
   const auto clearance = [](const Group& g) {
     return of_drives(g, [](const RobotDrive& d) { return d.clearance; });

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <set>
 #include <stdexcept>
 
 #include "sim/record/run_reader.h"
@@ -297,6 +298,7 @@ RunResult read_run(const fs::path& folder) {
 
 std::vector<fs::path> find_results(const std::vector<fs::path>& folders) {
   std::vector<fs::path> results;
+  std::set<fs::path> seen;
   for (const fs::path& folder : folders) {
     const std::vector<fs::path> found =
         fs::exists(folder / kResultsFile) ? std::vector{folder} : results_inside(folder);
@@ -304,7 +306,9 @@ std::vector<fs::path> find_results(const std::vector<fs::path>& folders) {
       throw std::runtime_error(
           fmt::format("{}: holds no result (no {})", folder.string(), kResultsFile));
     }
-    results.insert(results.end(), found.begin(), found.end());
+    for (const fs::path& one : found) {
+      if (seen.insert(fs::canonical(one)).second) results.push_back(one);
+    }
   }
   return results;
 }

@@ -56,7 +56,8 @@ struct Extent {
   Extent padded(double share) const {
     if (!(low <= high)) return {0, 1};
     const double span = high > low ? high - low : std::max(1e-12, std::abs(high) * 0.2);
-    return {low - share * span, high + share * span};
+    const double room = high > low ? share : std::max(share, 0.05);
+    return {low - room * span, high + room * span};
   }
 };
 
@@ -288,15 +289,15 @@ class Drawing {
 }  // namespace
 
 std::vector<double> ticks(double low, double high, int count) {
+  if (!(high > low)) return {low};
   const double rough = (high - low) / count;
   const double power = hal::math::pow(10, std::floor(hal::math::log10(rough)));
   const double share = rough / power;
   const double step = power * (share < 1.5 ? 1 : share < 3.5 ? 2 : share < 7.5 ? 5 : 10);
   std::vector<double> values;
-  const auto last = static_cast<int>(std::floor(high / step + 1e-9));
-  for (auto i = static_cast<int>(std::ceil(low / step - 1e-9)); i <= last; ++i) {
-    values.push_back(i * step);
-  }
+  const double first = std::ceil(low / step - 1e-9);
+  const auto steps = static_cast<int>(std::floor(high / step + 1e-9) - first);
+  for (int i = 0; i <= steps; ++i) values.push_back((first + i) * step);
   return values;
 }
 

@@ -1,5 +1,6 @@
 #include "sim/statistics/paired.h"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -12,6 +13,21 @@ std::vector<double> differences_of(std::span<const double> first, std::span<cons
   std::vector<double> differences;
   for (std::size_t i = 0; i < first.size(); ++i) differences.push_back(second[i] - first[i]);
   return differences;
+}
+
+/// Share of the values below which a spread is rounding.
+constexpr double kRounding = 1e-12;
+
+double largest_of(std::span<const double> values) {
+  double largest = 0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
+/// Whether squares of deviations, summed, are more than rounding leaves of equal values.
+bool varies(double squares, std::span<const double> values) {
+  const double rounding = kRounding * largest_of(values);
+  return squares > rounding * rounding * static_cast<double>(values.size());
 }
 
 std::optional<double> correlation_of(std::span<const double> first,
@@ -28,7 +44,7 @@ std::optional<double> correlation_of(std::span<const double> first,
     squares_2 += off_2 * off_2;
     products += off_1 * off_2;
   }
-  if (squares_1 <= 0 || squares_2 <= 0) return std::nullopt;
+  if (!varies(squares_1, first) || !varies(squares_2, second)) return std::nullopt;
   return products / std::sqrt(squares_1 * squares_2);
 }
 
@@ -44,7 +60,7 @@ std::optional<PairedComparison> compare_pairs(std::span<const double> first,
   comparison.interval = *interval;
   comparison.correlation = correlation_of(first, second);
   const Moments& of = comparison.difference;
-  if (of.sd > 0) {
+  if (of.sd > kRounding * std::max(largest_of(first), largest_of(second))) {
     const auto count = static_cast<double>(of.count);
     comparison.t = of.mean / (of.sd / std::sqrt(count));
     comparison.p = 2 * student_t_cdf(-std::abs(*comparison.t), count - 1);

@@ -77,10 +77,47 @@ TEST_F(ExperimentTest, OfSettingsThatDifferTogetherTheProfileNamesThem) {
   add("c",
       experiment_sql(", ('radio.bits','2'), ('radio.profile','ideal'), ('speed','2 m/s')", 1, 10));
   const Experiment experiment = read();
-  ASSERT_EQ(experiment.factors.size(), 2u);
+  ASSERT_EQ(experiment.factors.size(), 3u);
   EXPECT_EQ(experiment.factors[0].key, "radio.profile");
-  EXPECT_EQ(experiment.factors[1].key, "speed");
+  EXPECT_EQ(experiment.factors[1].key, "radio.bits");
+  EXPECT_EQ(experiment.factors[1].same_as, 0u);
+  EXPECT_EQ(experiment.factors[2].key, "speed");
+  EXPECT_EQ(experiment.label(2), "profile ideal, speed 2 m/s");
   EXPECT_FALSE(experiment.points[0].levels[0].number);
+}
+
+// Three settings that change together: no effect of one, and each can be the axis.
+TEST_F(ExperimentTest, SettingsThatDifferTogetherAreAllNamedAndCanAllBeTheAxis) {
+  add("a",
+      experiment_sql(", ('--until','60 s'), ('radio.tx_power','1 mW'), ('speed','1 m/s')", 1, 10));
+  add("b",
+      experiment_sql(", ('--until','90 s'), ('radio.tx_power','2 mW'), ('speed','2 m/s')", 1, 20));
+  const Experiment experiment = read();
+  const std::string text = experiment_section(experiment);
+  EXPECT_NE(text.find("\n  radio.tx_power: 2 values (changes together with speed, --until)\n"),
+            std::string::npos)
+      << text;
+  const Plot plot = make_plot(experiment, {.plot = "run.simulated", .versus = "speed"});
+  EXPECT_EQ(plot.x_label, "speed / m/s");
+  EXPECT_EQ(plot.curves.size(), 1u);
+  EXPECT_EQ(make_plot(experiment, {.plot = "run.simulated", .by = "speed"}).curves.size(), 2u);
+}
+
+std::string with_fingerprint(const std::string& sql) {
+  return sql + "INSERT INTO run VALUES ('fingerprint','39f33e64d3cc8d56');";
+}
+
+TEST_F(ExperimentTest, CopiesOfARunAreNoReplications) {
+  add("a", with_fingerprint(experiment_sql("", 1, 10)));
+  add("b", with_fingerprint(experiment_sql("", 1, 10)));
+  add("c", with_fingerprint(experiment_sql("", 2, 10)));
+  std::filesystem::create_directory_symlink(folder.path() / "a", folder.path() / "d");
+  const auto found = find_results({folder.path(), folder.path() / "d", folder.path() / "c"});
+  EXPECT_EQ(found.size(), 3u);
+  const Experiment experiment = experiment_of(found);
+  EXPECT_EQ(experiment.runs.size(), 2u);
+  ASSERT_EQ(experiment.left_out.size(), 1u);
+  EXPECT_NE(experiment.left_out[0].find("b: same run as "), std::string::npos);
 }
 
 TEST_F(ExperimentTest, BrokenRunsAreNamedAndLeftOut) {

@@ -178,6 +178,20 @@ TEST(PlotTest, ACourseIsTheMeanOverRunsAndAgentsAndItsWarmUpIsNamed) {
   EXPECT_NE(plot.notes[0].find("warm-up by MSER-5 until 10 s"), std::string::npos) << plot.notes[0];
 }
 
+// Recorded on change: 5 from 1 s, in one run 7 from 3 s; both last 1000 s. Nothing changes after.
+TEST(PlotTest, TheLastValueHoldsUntilTheRunsEnd) {
+  Experiment experiment = over_time();
+  experiment.courses.clear();
+  experiment.courses[{"z", "r0"}] = {{0, {{1, 5}}}, {1, {{1, 5}, {3, 7}}}};
+  experiment.units["run.simulated"] = "s";
+  experiment.values[{"run.simulated", ""}] = {{0, 1000}, {1, 1000}};
+  const Plot plot = make_plot(experiment, {.plot = "z"});
+  EXPECT_EQ(plot.curves[0].marks.back().x, 1000);
+  EXPECT_EQ(plot.curves[0].marks.back().y, 6);
+  EXPECT_EQ(plot.curves[0].marks.front().x, 1);
+  EXPECT_NE(plot.notes[0].find("warm-up by MSER-5"), std::string::npos) << plot.notes[0];
+}
+
 TEST(PlotTest, CoursesSampledAtOtherTimesMeetOnCommonOnes) {
   Experiment experiment = over_time();
   for (auto& [at, value] : experiment.courses[{"z", "r0"}][1]) at += 0.5;
@@ -223,11 +237,54 @@ TEST(PlotTest, EqualValuesCanBeDrawn) {
   EXPECT_EQ(drawing.find("inf"), std::string::npos);
 }
 
+TEST(PlotTest, OneSampleCanBeDrawn) {
+  Experiment experiment = over_time();
+  for (auto& [quantity, by_run] : experiment.courses) {
+    for (auto& [run, course] : by_run) course.resize(1);
+  }
+  const Plot plot = make_plot(experiment, {.plot = "z"});
+  EXPECT_EQ(plot.curves[0].marks.size(), 1u);
+  const std::string drawing = svg(plot);
+  EXPECT_EQ(drawing.find("nan"), std::string::npos) << drawing;
+  EXPECT_EQ(drawing.find("inf"), std::string::npos) << drawing;
+}
+
+TEST(PlotTest, TicksOfASmallSpanFarFromZeroAreWithinIt) {
+  const auto values = ticks(1.7e9 - 1e-4, 1.7e9 + 1e-4, 6);
+  EXPECT_GT(values.size(), 3u);
+  EXPECT_LT(values.size(), 13u);
+  for (const double value : values) EXPECT_NEAR(value, 1.7e9, 2e-4);
+}
+
 TEST(PlotTest, TicksAreRoundAndWithinTheAxis) {
   EXPECT_EQ(ticks(0, 10, 5), (std::vector<double>{0, 2, 4, 6, 8, 10}));
   ASSERT_EQ(ticks(-0.4, 0.9, 3).size(), 2u);
   EXPECT_EQ(ticks(-0.4, 0.9, 3)[0], 0);
   EXPECT_DOUBLE_EQ(ticks(-0.4, 0.9, 3)[1], 0.5);
+}
+
+TEST(PlotTest, TheDataOfAFigureAreExactInAFile) {
+  Experiment experiment = two_by_two();
+  for (auto& [run, value] : experiment.values[{"x", ""}]) value = 1234567.25;
+  const Plot plot = make_plot(experiment, {.plot = "x", .versus = "speed"});
+  EXPECT_EQ(plot_rows(plot, Digits::kExact)[1][3], "1234567.25");
+  EXPECT_EQ(plot_rows(plot)[1][3], "1.23457e+06");
+}
+
+TEST(PlotTest, AnAxisIsNotIgnoredForACourse) {
+  Experiment experiment = over_time();
+  experiment.factors = {{"speed", ""}};
+  experiment.points[0].levels = {{"1", 1.0}};
+  experiment.units["z.mean"] = "m";
+  EXPECT_NE(message_of(experiment, {.plot = "z", .versus = "speed"}).find("z.mean"),
+            std::string::npos);
+}
+
+TEST(PlotTest, AnUnknownNameIsAnsweredWithThoseThatHoldIt) {
+  Experiment experiment = two_by_two();
+  experiment.units["run.simulated"] = "s";
+  EXPECT_NE(message_of(experiment, {.plot = "simulated_s"}).find("run.simulated"),
+            std::string::npos);
 }
 
 // Each partner is 100 s later with radio b, whatever the seed: nothing varies in the differences.
@@ -238,6 +295,16 @@ TEST(PlotTest, PairsAreOfEqualSeeds) {
   EXPECT_NE(text.find("speed 1 m/s, profile b      5         100       100   100  -"),
             std::string::npos)
       << text;
+}
+
+// 0.1 + 0.2 is not 0.3: a difference of the last digit says nothing.
+TEST(PlotTest, RoundingHasNoPValue) {
+  Experiment experiment = two_by_two();
+  for (auto& [run, value] : experiment.values[{"x", ""}]) {
+    value = run < 5 ? 0.3 : run % 2 == 0 ? 0.1 + 0.2 : 0.3;
+  }
+  const std::string text = pairs_text(experiment, {.plot = "x"});
+  EXPECT_NE(text.find("  -            -\n"), std::string::npos) << text;
 }
 
 TEST(PlotTest, WithoutARequestTheRunsQuantitiesThatDifferAreShown) {

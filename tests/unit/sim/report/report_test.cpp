@@ -242,7 +242,7 @@ TEST_F(ReportTest, LeavesBrokenRunsOutOfTheFigures) {
   add("c", run_sql("mobility_framework", 3, "failed"));
   const std::string printed = text();
   EXPECT_EQ(line(printed, "runs"), "10|stated|1");
-  EXPECT_EQ(line(printed, "runs left out (broken off)"), "2");
+  EXPECT_EQ(line(printed, "runs left out (broken off, copies)"), "2");
   EXPECT_NE(line(printed, (folder.path() / "b").string()).find("unfinished"), std::string::npos);
 }
 
