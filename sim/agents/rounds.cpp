@@ -162,10 +162,12 @@ void Simulation::State::take_effect(Controllers::Answer answer) {
     apply(answer.action);
     return;
   }
-  events.schedule(answer.event_time + config.controller_latency, Rank::kAction, answer.action.agent,
-                  [this, given = std::make_shared<Controllers::Answer>(std::move(answer))] {
-                    if (!is_of_dead(given->action.agent, given->event_time)) apply(given->action);
-                  });
+  const hal::Time at = answer.event_time + config.controller_latency;
+  const hal::AgentId agent = answer.action.agent;
+  const auto given = std::make_shared<Controllers::Answer>(std::move(answer));
+  events.schedule(at, Rank::kAction, agent, [this, given] {
+    if (!is_of_dead(given->action.agent, given->event_time)) apply(given->action);
+  });
 }
 
 void Simulation::State::on_error(const Action& action, hal::Time event_time) {
