@@ -101,7 +101,7 @@ std::optional<TimeLeft> CampaignProgress::left(Clock::time_point now) const {
 
 std::string CampaignProgress::bar() const {
   constexpr std::size_t kWidth = 24;
-  const std::size_t full = total_ == 0 ? kWidth : ended_ * kWidth / total_;
+  const std::size_t full = total_ == 0 ? kWidth : std::min(kWidth, ended_ * kWidth / total_);
   return fmt::format("[{}{}]", std::string(full, '#'), std::string(kWidth - full, '.'));
 }
 

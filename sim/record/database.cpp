@@ -28,7 +28,9 @@ Database::Database(const std::filesystem::path& file, Mode mode) : name_(file.st
     sqlite3_close(handle_);
     throw std::runtime_error(fmt::format("{}: cannot be opened: {}", name_, reason));
   }
-  sqlite3_busy_timeout(handle_, 5000);
+  // Readers hold up the end of a transaction: who writes what others read meanwhile waits for them.
+  constexpr int kForReaders = 3'600'000, kElse = 5000;  // ms
+  sqlite3_busy_timeout(handle_, mode == Mode::kUpdate ? kForReaders : kElse);
 }
 
 Database::~Database() { sqlite3_close(handle_); }
