@@ -39,8 +39,8 @@ ReadRun read_head(record::RunReader& reader) {
   run.seed = std::strtoull(reader.value("seed").c_str(), nullptr, 10);
   run.fingerprint = reader.value("fingerprint");
   run.ending = reader.value("result");
-  static const std::set<std::string> kNoEnds = {"running", "failed", "interrupted", "not started"};
-  run.is_complete = !kNoEnds.contains(run.ending);
+  static const std::set<std::string> no_ends = {"running", "failed", "interrupted", "not started"};
+  run.is_complete = !no_ends.contains(run.ending);
   return run;
 }
 
@@ -75,6 +75,7 @@ std::vector<std::string> differing_keys(const std::vector<AllSettings>& points) 
 std::vector<std::size_t> partition(const std::vector<AllSettings>& points, const std::string& key) {
   std::map<std::string, std::size_t> numbers;
   std::vector<std::size_t> parts;
+  parts.reserve(points.size());
   for (const AllSettings& settings : points) {
     parts.push_back(numbers.emplace(value_of(settings, key), numbers.size()).first->second);
   }

@@ -212,6 +212,15 @@ struct WriteAction {
   }
 };
 
+/// An action that says no kind; all of them are known here.
+void refuse_nothing(Mapping& in) {
+  in.mistake("",
+             "must say what happens: kill, restart, switch_off, switch_on, add, remove, "
+             "move, set, drain or jam");
+  for (const FortuneKey& key : kFortunes) in.has(std::string(name(key.fortune)));
+  for (const char* key : {"move", "set", "drain", "jam"}) in.has(key);
+}
+
 }  // namespace
 
 ScriptedAction read_action(Mapping in, const Scenario& scenario) {
@@ -234,13 +243,7 @@ ScriptedAction read_action(Mapping in, const Scenario& scenario) {
     read_jam(in.mapping({"jam", "An interferer: energy that nobody can receive, in bursts."}),
              scenario, action);
   }
-  if (!is_said) {
-    in.mistake("",
-               "must say what happens: kill, restart, switch_off, switch_on, add, remove, "
-               "move, set, drain or jam");
-    for (const FortuneKey& key : kFortunes) in.has(std::string(name(key.fortune)));
-    for (const char* key : {"move", "set", "drain", "jam"}) in.has(key);
-  }
+  if (!is_said) refuse_nothing(in);
   in.finish();
   return action;
 }
