@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "sim/report/plot_parts.h"
 #include "sim/report/report_format.h"
@@ -61,6 +62,26 @@ std::string optional_text(const std::optional<double>& value) {
   return value ? significant(*value) : "-";
 }
 
+std::string number_text(double value, Digits digits) {
+  return digits == Digits::kExact ? fmt::format("{}", value) : significant(value);
+}
+
+/// What a plot says of one mark, without its curve.
+std::vector<std::string> cells_of(const Plot::Mark& mark, const Plot& plot, Digits digits) {
+  const auto text = [digits](double value) { return number_text(value, digits); };
+  if (plot.kind == PlotKind::kHistogram) {
+    return {text(mark.x - mark.width / 2), text(mark.x + mark.width / 2),
+            std::to_string(mark.count)};
+  }
+  const bool is_category = !plot.categories.empty();
+  return {is_category ? plot.categories.at(static_cast<std::size_t>(mark.x)) : text(mark.x),
+          std::to_string(mark.count),
+          text(mark.y),
+          mark.interval ? text(mark.interval->low) : "-",
+          mark.interval ? text(mark.interval->high) : "-",
+          mark.count > 1 ? text(mark.sd) : "-"};
+}
+
 }  // namespace
 
 std::string quantities_text(const Experiment& experiment) {
@@ -82,32 +103,18 @@ std::string quantities_text(const Experiment& experiment) {
 }
 
 std::vector<std::vector<std::string>> plot_rows(const Plot& plot, Digits digits) {
-  const auto text = [digits](double value) {
-    return digits == Digits::kExact ? fmt::format("{}", value) : significant(value);
-  };
-  const bool is_histogram = plot.kind == PlotKind::kHistogram;
   const bool has_curves = plot.curves.size() > 1;
   std::vector<std::vector<std::string>> rows = {
-      is_histogram ? std::vector<std::string>{"from", "to", "count"}
-                   : std::vector<std::string>{plot.x_label.empty() ? "setting" : plot.x_label,
-                                              "runs", "mean", "95 % low", "high", "sd"}};
+      plot.kind == PlotKind::kHistogram
+          ? std::vector<std::string>{"from", "to", "count"}
+          : std::vector<std::string>{plot.x_label.empty() ? "setting" : plot.x_label, "runs",
+                                     "mean", "95 % low", "high", "sd"}};
   if (has_curves) rows.front().insert(rows.front().begin(), "curve");
   for (const Plot::Curve& curve : plot.curves) {
     for (const Plot::Mark& mark : curve.marks) {
-      auto& row = rows.emplace_back();
-      if (has_curves) row.push_back(curve.label);
-      if (is_histogram) {
-        row.insert(row.end(), {text(mark.x - mark.width / 2), text(mark.x + mark.width / 2),
-                               std::to_string(mark.count)});
-        continue;
-      }
-      const bool is_category = !plot.categories.empty();
-      row.push_back(is_category ? plot.categories.at(static_cast<std::size_t>(mark.x))
-                                : text(mark.x));
-      row.insert(
-          row.end(),
-          {std::to_string(mark.count), text(mark.y), mark.interval ? text(mark.interval->low) : "-",
-           mark.interval ? text(mark.interval->high) : "-", mark.count > 1 ? text(mark.sd) : "-"});
+      std::vector<std::string> row = cells_of(mark, plot, digits);
+      if (has_curves) row.insert(row.begin(), curve.label);
+      rows.push_back(std::move(row));
     }
   }
   return rows;
