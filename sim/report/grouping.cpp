@@ -107,6 +107,15 @@ bool has_the_papers(const std::vector<Group>& groups) {
   return std::ranges::any_of(groups, [](const Group& g) { return g.is_the_papers(); });
 }
 
+/// Whether the group has a run like this one, which so tells nothing new.
+static bool is_copy(const RunResult& run, const Group& group) {
+  const std::string fingerprint = run.value("fingerprint");
+  if (fingerprint.empty()) return false;
+  return std::ranges::any_of(group.runs, [&](const RunResult* other) {
+    return other->value("seed") == run.value("seed") && other->value("fingerprint") == fingerprint;
+  });
+}
+
 std::vector<Group> group_runs(const std::vector<RunResult>& runs,
                               const std::optional<Settings>& case_study) {
   using Key = std::tuple<std::string, std::string, Settings>;
@@ -127,13 +136,7 @@ std::vector<Group> group_runs(const std::vector<RunResult>& runs,
       group.asks_for_papers = compare != run.settings.end() && compare->second == "labella2009";
       if (group.asks_for_papers) group.not_the_papers = not_the_papers(settings, case_study);
     }
-    const std::string fingerprint = run.value("fingerprint");
-    const bool is_copy = !fingerprint.empty() &&
-                         std::ranges::any_of(place->second.runs, [&](const RunResult* other) {
-                           return other->value("seed") == run.value("seed") &&
-                                  other->value("fingerprint") == fingerprint;
-                         });
-    if (run.is_complete() && !is_copy) {
+    if (run.is_complete() && !is_copy(run, place->second)) {
       place->second.runs.push_back(&run);
     } else {
       ++place->second.left_out;

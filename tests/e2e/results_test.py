@@ -408,8 +408,9 @@ class Reports(Folders):
         for speed, out in speeds.items():
             self.run_to("--until", "2", "--set", f"agents.robots.controller.parameters.speed={speed}",
                         scenario=CASE_STUDY, out=out)
-        self.run_to("--until", "2", "--seed", "2", scenario=CASE_STUDY)
-        report = self.report(*speeds.values(), self.out)
+        again = self.folder / "again"
+        self.run_to("--until", "2", "--seed", "2", scenario=CASE_STUDY, out=again)
+        report = self.report(*speeds.values(), again)
         self.assertEqual(self.head(report), ["figure", "paper", "basis", "mobility_framework, speed 0.5 m/s",
                                              "mobility_framework, speed 0.94 m/s"])
         self.assertRegex(report, r"\nruns +10 +stated +1 +2\n")
