@@ -116,6 +116,14 @@ static bool is_copy(const RunResult& run, const Group& group) {
   });
 }
 
+/// Whether the group is to be compared with the paper's figures, as its first run says.
+static void compare_with_papers(const RunResult& run, const std::optional<Settings>& case_study,
+                                Group& group) {
+  const auto compare = run.settings.find("compare");
+  group.asks_for_papers = compare != run.settings.end() && compare->second == "labella2009";
+  if (group.asks_for_papers) group.not_the_papers = not_the_papers(group.settings, case_study);
+}
+
 std::vector<Group> group_runs(const std::vector<RunResult>& runs,
                               const std::optional<Settings>& case_study) {
   using Key = std::tuple<std::string, std::string, Settings>;
@@ -131,10 +139,7 @@ std::vector<Group> group_runs(const std::vector<RunResult>& runs,
           scenarios.size() > 1 ? fmt::format("{}/{}", scenario, profile) : profile;
       keyed.push_back({key, {name, settings, {}, 0, false, ""}});
       place = std::prev(keyed.end());
-      Group& group = place->second;
-      const auto compare = run.settings.find("compare");
-      group.asks_for_papers = compare != run.settings.end() && compare->second == "labella2009";
-      if (group.asks_for_papers) group.not_the_papers = not_the_papers(settings, case_study);
+      compare_with_papers(run, case_study, place->second);
     }
     if (run.is_complete() && !is_copy(run, place->second)) {
       place->second.runs.push_back(&run);
