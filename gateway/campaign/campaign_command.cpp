@@ -19,6 +19,8 @@
 #include "gateway/run/wall_pace.h"
 #include "hal/config/errors.h"
 #include "hal/config/shared_folders.h"
+#include "sim/campaign/schema.h"
+#include "sim/report/plot_request.h"
 
 namespace gateway {
 namespace {
@@ -59,7 +61,8 @@ WantedRuns wanted_by(const JudgedCampaign& campaign, const CampaignOptions& opti
       .points = campaign.table.points,
       .replications = file.replications,
       .seeds = file.seeds,
-      .base_seed = campaign.seed};
+      .base_seed = campaign.seed,
+      .essence = sim::report::without_report_only};
   if (file.samples > 0) wanted.values.emplace_back("sampled", std::to_string(file.samples));
   return wanted;
 }
@@ -94,6 +97,28 @@ void print_counts(const CampaignStatus& status, const CampaignFolder& folder, st
   fmt::print("results: {}\n", folder.path().string());
 }
 
+/// Programs that read the database keep a run from being written as long as they have it open for
+/// that: the campaign waits for them, and says so once each time.
+class WaitForReaders {
+ public:
+  explicit WaitForReaders(fs::path folder) : folder_(std::move(folder)) {}
+
+  bool operator()(double waited_s) {
+    if (waited_s == 0) said_ = false;
+    if (waited_s >= kPatience && !std::exchange(said_, true)) {
+      fmt::print(stderr, "{}waiting: another program reads {}; runs go on meanwhile\n",
+                 ::isatty(STDERR_FILENO) != 0 ? "\r\033[K" : "",
+                 (folder_ / sim::campaign::kCampaignDatabase).string());
+    }
+    return waited_s < kPatience || !interrupted();
+  }
+
+ private:
+  static constexpr double kPatience = 5;  // s
+  fs::path folder_;
+  bool said_ = false;
+};
+
 constexpr const char* kGoOn = "the same command goes on from here";
 
 /// Writes what there is to do, and where each point's scenario is.
@@ -124,7 +149,7 @@ int do_campaign(const CampaignFolder& folder, const EngineMaker& make_engine, Ca
   const int replications = work.wanted.replications;
   std::size_t kept = 0;
   try {
-    CampaignDatabase database(folder.path());
+    CampaignDatabase database(folder.path(), WaitForReaders(folder.path()));
     const std::unique_ptr<Engine> engine = make_engine(database);
     work.wanted.values.emplace_back("engine", engine->name());
     plan(folder, database, work.wanted);

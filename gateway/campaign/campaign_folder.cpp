@@ -15,6 +15,7 @@
 #include "hal/config/errors.h"
 #include "sim/campaign/campaign_reader.h"
 #include "sim/campaign/extension.h"
+#include "sim/report/plot_request.h"
 
 namespace gateway {
 namespace {
@@ -92,10 +93,14 @@ void CampaignFolder::claim(int point, const std::string& scenario) const {
   if (fs::exists(file)) {
     const std::string old = content_of(file);
     if (old == scenario) return;
-    throw hal::config::ConfigErrors(
-        {fmt::format("{}: holds replications of another scenario: {}; give another --out, or "
-                     "remove the folder",
-                     path_.string(), sim::campaign::first_difference(old, scenario))});
+    const std::string before = sim::report::without_report_only(old);
+    const std::string now = sim::report::without_report_only(scenario);
+    if (before != now) {
+      throw hal::config::ConfigErrors(
+          {fmt::format("{}: holds replications of another scenario: {}; give another --out, or "
+                       "remove the folder",
+                       path_.string(), sim::campaign::first_difference(before, now))});
+    }
   }
   make_folder(file.parent_path());
   const fs::path half = file.string() + kUnfinished;

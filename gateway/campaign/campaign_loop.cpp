@@ -86,7 +86,13 @@ void CampaignLoop::resume() {
   }
   if (!again.empty()) parts_.database.reset(again);
   adopt(started);
-  progress_.set_waiting({waiting_.begin(), waiting_.end()});
+  std::vector<RunPlan> to_do;
+  for (const auto& [number, run] : running_) to_do.push_back(run);
+  to_do.insert(to_do.end(), waiting_.begin(), waiting_.end());
+  progress_.set_waiting(to_do);
+  for (const auto& [number, run] : running_) {
+    progress_.on_start(run, CampaignProgress::Clock::now());
+  }
 }
 
 void CampaignLoop::adopt(const std::vector<RunRow>& started) {
@@ -110,7 +116,7 @@ void CampaignLoop::run() {
   try {
     while (!(waiting_.empty() && running_.empty()) && !interrupted()) {
       start_some();
-      progress_.show(CampaignProgress::Clock::now());
+      progress_.show(CampaignProgress::Clock::now(), parts_.engine.running());
       for (const TaskEnd& end : parts_.engine.poll(250ms)) finish(end);
     }
   } catch (...) {

@@ -49,18 +49,30 @@ void CampaignProgress::set_waiting(const std::vector<RunPlan>& runs) {
 }
 
 void CampaignProgress::on_start(const RunPlan& run, Clock::time_point now) {
-  running_[run.run] = {run.point, now};
+  queued_[run.run] = run.point;
   if (!waiting_.empty()) waiting_.pop_back();
+  fill_slots(now);
+}
+
+void CampaignProgress::fill_slots(Clock::time_point now) {
+  while (!queued_.empty() && running_.size() < settings_.slots) {
+    const auto [run, point] = *queued_.begin();
+    running_[run] = {point, now};
+    queued_.erase(queued_.begin());
+  }
 }
 
 void CampaignProgress::on_end(const RunRow& row, const std::string& name, Clock::time_point now) {
   const auto found = running_.find(row.plan.run);
-  const double took = found == running_.end() ? 0 : seconds_of(now - found->second.second);
+  const double took =
+      row.wall_s.value_or(found == running_.end() ? 0 : seconds_of(now - found->second.second));
   if (found != running_.end()) running_.erase(found);
+  queued_.erase(row.plan.run);
+  fill_slots(now);
   ++ended_;
   const bool failed = row.state == RunState::kFailed;
   if (failed) ++failed_;
-  if (!failed) estimate_.add(row.plan.point, row.wall_s.value_or(took));
+  if (!failed) estimate_.add(row.plan.point, took);
   if (!failed && !settings_.every_run) return;
   clear_line();
   const std::string what = failed ? "failed: " + row.error : row.result;
@@ -68,13 +80,15 @@ void CampaignProgress::on_end(const RunRow& row, const std::string& name, Clock:
              took, summary(now));
 }
 
-void CampaignProgress::show(Clock::time_point now) {
+void CampaignProgress::show(Clock::time_point now, std::size_t running) {
   const auto period = settings_.terminal ? Clock::duration(500ms) : Clock::duration(10s);
   if (!settings_.terminal && settings_.every_run) return;
   if (shown_ == Clock::time_point{} && !settings_.terminal) shown_ = now;
   if (now - shown_ < period && (line_open_ || !settings_.terminal)) return;
   shown_ = now;
-  const std::string line = fmt::format("{}, {} running", summary(now), running_.size());
+  const std::size_t given = running_.size() + queued_.size();
+  std::string line = fmt::format("{}, {} running", summary(now), running);
+  if (running < given) line += fmt::format(", {} queued", given - running);
   if (!settings_.terminal) {
     fmt::print(stderr, "{}\n", line);
     return;
@@ -97,7 +111,10 @@ std::optional<TimeLeft> CampaignProgress::left(Clock::time_point now) const {
   for (const auto& [run, since] : running_) {
     running.push_back({since.first, seconds_of(now - since.second)});
   }
-  return estimate_.left(running, {waiting_.rbegin(), waiting_.rend()}, settings_.slots);
+  std::vector<int> coming;
+  for (const auto& [run, point] : queued_) coming.push_back(point);
+  coming.insert(coming.end(), waiting_.rbegin(), waiting_.rend());
+  return estimate_.left(running, coming, settings_.slots);
 }
 
 std::string CampaignProgress::bar() const {

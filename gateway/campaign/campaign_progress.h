@@ -32,13 +32,16 @@ class CampaignProgress {
 
   /// A run that had ended before: for the estimate only.
   void on_earlier(const sim::campaign::RunRow& row);
-  /// What is to be run now, in order.
+  /// All that is to be run from now on, in the order in which it is started; what is under way
+  /// already, too, first: on_start() is told of it as of the others.
   void set_waiting(const std::vector<sim::campaign::RunPlan>& runs);
+  /// Given to what runs it. More than there are slots wait there, in the order given.
   void on_start(const sim::campaign::RunPlan& run, Clock::time_point now);
   /// @param name  of the run, for people.
   void on_end(const sim::campaign::RunRow& row, const std::string& name, Clock::time_point now);
 
-  void show(Clock::time_point now);
+  /// @param running  of those given to what runs them, how many are under way.
+  void show(Clock::time_point now, std::size_t running);
   /// Leaves the line of the terminal.
   void end();
 
@@ -48,11 +51,13 @@ class CampaignProgress {
   std::string summary(Clock::time_point now) const;
   std::string bar() const;
   void clear_line();
+  void fill_slots(Clock::time_point now);
 
   Settings settings_;
   TimeLeftEstimate estimate_;
   std::vector<int> waiting_;  ///< Points, the next run's last.
   std::map<std::int64_t, std::pair<int, Clock::time_point>> running_;  ///< Point and start, by run.
+  std::map<std::int64_t, int> queued_;  ///< Point, by run: for which there is no slot yet.
   std::size_t total_ = 0, ended_ = 0, failed_ = 0;
   Clock::time_point shown_{};
   bool line_open_ = false;

@@ -11,6 +11,7 @@
 #include "gateway/run/judge_controllers.h"
 #include "gateway/run/wall_pace.h"
 #include "hal/config/errors.h"
+#include "sim/report/plot_request.h"
 #include "sim/scenario/resolved.h"
 
 namespace gateway {
@@ -46,10 +47,6 @@ std::vector<std::string> arguments_of(const RunOptions& options) {
   return arguments;
 }
 
-std::string until_of(const RunOptions& options) {
-  return options.until ? fmt::format("{} s", *options.until) : "its end";
-}
-
 sim::campaign::WantedRuns wanted_of(const RunOptions& options,
                                     const sim::scenario::Scenario& scenario) {
   const std::uint64_t seed = scenario.simulation.seed;
@@ -62,13 +59,14 @@ sim::campaign::WantedRuns wanted_of(const RunOptions& options,
                      {"base_seed", std::to_string(seed)},
                      {"replications", std::to_string(*options.replications)},
                      {"seeds", std::string(name_of(sim::campaign::Seeds::kCommon))},
-                     {"until", until_of(options)},
+                     {"until", until_words(options)},
                      {"controllers", kFrom[static_cast<int>(options.controllers)]}},
           .factors = {},
           .points = {std::move(point)},
           .replications = *options.replications,
           .seeds = sim::campaign::Seeds::kCommon,
           .base_seed = seed,
+          .essence = sim::report::without_report_only,
           .may_be_fewer = true};
 }
 
@@ -84,8 +82,8 @@ int run_replications(const RunOptions& options) {
       results_path(options, scenario.name),
       {.layout = CampaignFolder::Layout::kReplications, .overwrite = options.overwrite});
   CampaignWork work{.wanted = wanted_of(options, scenario), .loop = {}};
-  folder.claim(1, fmt::format("# version: {}\n# until: {}\n{}", BARAKA_VERSION, until_of(options),
-                              work.wanted.points.front().scenario));
+  folder.claim(1, fmt::format("# version: {}\n# until: {}\n{}", BARAKA_VERSION,
+                              until_words(options), work.wanted.points.front().scenario));
   work.loop.keep = sim::campaign::Keep::kAll;
   work.loop.retry_failed = true;
   work.loop.results_are_folders = true;

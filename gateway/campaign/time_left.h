@@ -26,6 +26,7 @@ class TimeLeftEstimate {
     double for_s = 0;
   };
 
+  /// @param running  at most as many as there are slots.
   /// @param waiting  runs not started yet, by point, in the order in which they will be.
   /// @param slots  how many run at the same time, at least 1.
   /// @return none before the first run has ended. The limits are Student's t on the scatter within

@@ -4,14 +4,19 @@
 
 #include <chrono>
 #include <exception>
+#include <fstream>
+#include <iterator>
 #include <map>
 #include <thread>
 
 #include "gateway/exit_status.h"
 #include "gateway/run/results_folder.h"
 #include "gateway/run/wall_pace.h"
+#include "sim/campaign/extension.h"
+#include "sim/record/course_log.h"
 #include "sim/record/database.h"
 #include "sim/record/schema.h"
+#include "sim/report/plot_request.h"
 
 namespace gateway {
 namespace {
@@ -53,6 +58,21 @@ std::optional<FinishedResult> finished_result(const std::filesystem::path& folde
   } catch (const std::exception&) {
     return std::nullopt;  // cut short before its tables were complete
   }
+}
+
+void require_result_of(const std::filesystem::path& folder, const std::string& resolved,
+                       const std::string& until) {
+  std::ifstream in(folder / "scenario.resolved.yaml");
+  const std::string there{std::istreambuf_iterator<char>(in), {}};
+  const std::string before = sim::report::without_report_only(there);
+  const std::string now = sim::report::without_report_only(resolved);
+  const std::string until_there = sim::record::read_settings(folder)["--until"];
+  if (before == now && until_there == until) return;
+  throw UsageError(fmt::format(
+      "{}: holds the result of another run: {}; give another --out, or remove the folder",
+      folder.string(),
+      before != now ? sim::campaign::first_difference(before, now)
+                    : fmt::format("--until: there '{}', now '{}'", until_there, until)));
 }
 
 std::unique_ptr<FolderLock> hold_when_free(const std::filesystem::path& out) {

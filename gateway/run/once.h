@@ -22,6 +22,13 @@ struct FinishedResult {
 std::optional<FinishedResult> finished_result(const std::filesystem::path& folder,
                                               std::optional<std::uint64_t> seed = {});
 
+/// @param resolved  scenario that is asked for, as of sim::scenario::resolved_yaml().
+/// @param until  as in the table settings.
+/// @throws UsageError  the finished result in the folder is of another one, with the first
+///   difference; what only a report depends on may differ.
+void require_result_of(const std::filesystem::path& folder, const std::string& resolved,
+                       const std::string& until);
+
 /// Holds the folder of a result as soon as nobody else does: waits for a run that is writing there,
 /// here or, on a file system of several computers, elsewhere. What was killed in the middle of
 /// setting an earlier result aside is ended.

@@ -71,7 +71,7 @@ std::vector<std::pair<std::string, std::string>> settings_of(const Scenario& sce
                                                              const std::string& pace) {
   auto settings = sim::scenario::resolved_values(scenario);
   settings.emplace_back("--pace", pace);
-  settings.emplace_back("--until", options.until ? fmt::format("{} s", *options.until) : "its end");
+  settings.emplace_back("--until", until_words(options));
   return settings;
 }
 

@@ -24,6 +24,7 @@
 #include "hal/types/printable.h"
 #include "sim/agents/simulation.h"
 #include "sim/scenario/judge.h"
+#include "sim/scenario/resolved.h"
 #include "sim/scenario/scenario.h"
 
 namespace gateway {
@@ -262,6 +263,10 @@ std::filesystem::path results_path(const RunOptions& options, const std::string&
   return std::filesystem::path("results") / scenario;
 }
 
+std::string until_words(const RunOptions& options) {
+  return options.until ? fmt::format("{} s", *options.until) : "its end";
+}
+
 int run(const RunOptions& options) {
   const Scenario scenario = load_judged(options.scenario, options.overrides);
   if (options.repeat.empty()) require_programs(scenario);
@@ -277,7 +282,10 @@ int run(const RunOptions& options) {
     const std::filesystem::path folder = results_path(options, scenario.name);
     held = hold_when_free(folder);
     const auto finished = finished_result(folder, scenario.simulation.seed);
-    if (finished) return say_finished(*finished, folder);
+    if (finished) {
+      require_result_of(folder, sim::scenario::resolved_yaml(scenario), until_words(options));
+      return say_finished(*finished, folder);
+    }
   }
   Results results(scenario, options, course.pace(), std::move(held));
   try {

@@ -34,6 +34,9 @@ struct RunOptions {
 /// Where the results go. @param scenario  its name.
 std::filesystem::path results_path(const RunOptions& options, const std::string& scenario);
 
+/// When it ends, as in the table settings: "60 s" or "its end".
+std::string until_words(const RunOptions& options);
+
 /// Runs a scenario and prints how it ended, as "key: value" lines on standard output.
 /// @return exit status. @throws hal::config::ConfigErrors, std::runtime_error
 int run(const RunOptions& options);

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "sim/campaign/schema.h"
 
@@ -46,8 +47,9 @@ std::optional<double> defined(std::optional<double> value) {
 
 }  // namespace
 
-CampaignDatabase::CampaignDatabase(const std::filesystem::path& folder)
-    : database_(folder / kCampaignDatabase, Database::Mode::kUpdate) {
+CampaignDatabase::CampaignDatabase(const std::filesystem::path& folder,
+                                   Database::WhileBusy while_busy)
+    : database_(folder / kCampaignDatabase, Database::Mode::kUpdate, std::move(while_busy)) {
   // Rolled back from a journal beside it: works wherever files can be locked. On the disk when a
   // transaction has ended.
   database_.execute("PRAGMA journal_mode = DELETE; PRAGMA synchronous = FULL");
@@ -103,6 +105,8 @@ void CampaignDatabase::add(const Plan& plan) {
         levels.run(point.point, ++factor, level.text, level.number);
       }
     }
+    Statement rewrite(database_, "UPDATE points SET scenario = ?2 WHERE point = ?1");
+    for (const PointRow& point : plan.rewritten) rewrite.run(point.point, point.scenario);
     Statement runs(database_,
                    "INSERT INTO runs (run, point, replication, seed, state, attempts) VALUES "
                    "(?, ?, ?, ?, 'waiting', 0)");
@@ -120,8 +124,11 @@ void CampaignDatabase::start(std::span<const std::int64_t> runs, const std::stri
 }
 
 void CampaignDatabase::forget(std::int64_t run) {
+  // All three are indexed by observable and run: found one by one, without a look at other runs.
+  constexpr const char* kOfRun =
+      "DELETE FROM {} WHERE observable IN (SELECT observable FROM observables) AND run = ?";
   for (const char* table : {"measurements", "series", "bins"}) {
-    Statement(database_, fmt::format("DELETE FROM {} WHERE run = ?", table)).run(run);
+    Statement(database_, fmt::format(kOfRun, table)).run(run);
   }
 }
 

@@ -23,8 +23,11 @@ namespace sim::campaign {
 /// then nothing of the call is in the file.
 class CampaignDatabase {
  public:
-  /// @param folder  exists. @throws std::runtime_error  the file is damaged or of another version.
-  explicit CampaignDatabase(const std::filesystem::path& folder);
+  /// @param folder  exists. @param while_busy  of record::Database: others may read the file at any
+  ///   time, and as long as one does nothing can be written.
+  /// @throws std::runtime_error  the file is damaged or of another version.
+  explicit CampaignDatabase(const std::filesystem::path& folder,
+                            record::Database::WhileBusy while_busy = {});
 
   /// Whether nothing has been planned in it.
   bool is_empty();
@@ -39,6 +42,8 @@ class CampaignDatabase {
     std::vector<Factor> factors;
     std::vector<PointRow> points;  ///< Those not there yet.
     std::vector<RunPlan> runs;     ///< Those not there yet; they wait.
+    /// There already, by their numbers: their scenarios are replaced.
+    std::vector<PointRow> rewritten{};
   };
   void add(const Plan& plan);
 

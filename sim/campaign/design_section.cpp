@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <utility>
@@ -37,19 +38,20 @@ FactorValue value_of(const std::string& key, const WrittenValue& value) {
   return {key, value.text, value.yaml, value.place};
 }
 
-/// The same values without their places.
+/// The same values without their places. By their texts, as in the table of levels: "5" in quotes
+/// is 5.
 std::string identity_of(const DesignPoint& point) {
   std::map<std::string, std::string> values;
-  for (const FactorValue& value : point) values[value.key] = value.yaml;
+  for (const FactorValue& value : point) values[value.key] = value.text;
   std::string identity;
-  for (const auto& [key, yaml] : values) identity.append(key).append("=").append(yaml).append("\n");
+  for (const auto& [key, text] : values) identity.append(key).append("=").append(text).append("\n");
   return identity;
 }
 
 void refuse_repeated(Mapping& in, const WrittenEntry& list) {
   std::set<std::string> seen;
   for (const WrittenValue& item : list.items) {
-    if (!seen.insert(item.yaml).second) {
+    if (!seen.insert(item.text).second) {
       in.mistake(list.key, fmt::format("has {} twice", item.text));
     }
   }
@@ -151,7 +153,11 @@ void read_limits(Mapping& in, SampledRange& range) {
   range.unit = from->unit;
   range.from = from->number;
   range.to = hal::config::converted(to->number, given, wanted);
-  if (range.from >= range.to) in.mistake("to", "must be greater than `from`");
+  if (range.from >= range.to) {
+    in.mistake("to", "must be greater than `from`");
+  } else if (range.whole && std::ceil(range.from) > std::floor(range.to)) {
+    in.mistake("whole", "there is no whole number between `from` and `to`");
+  }
   if (range.logarithmic && range.from <= 0) {
     in.mistake("from", "must be greater than 0 with `scale: log`");
   }

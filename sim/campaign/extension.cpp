@@ -65,7 +65,9 @@ Texts texts_of(const PointRow& point) {
 }
 
 /// Every point that is there is wanted, with the same scenario. @return their numbers.
-std::map<Texts, int> require_same_points(const WantedRuns& wanted, CampaignReader& reader) {
+/// @param rewritten  gets those whose text has changed in what no run depends on.
+std::map<Texts, int> require_same_points(const WantedRuns& wanted, CampaignReader& reader,
+                                         std::vector<PointRow>& rewritten) {
   std::map<Texts, const PointRow*> by_texts;
   for (const PointRow& point : wanted.points) by_texts[texts_of(point)] = &point;
   std::map<Texts, int> numbers;
@@ -78,9 +80,15 @@ std::map<Texts, int> require_same_points(const WantedRuns& wanted, CampaignReade
                                  before.label.empty() ? "of one scenario" : before.label));
     }
     if (now->second->scenario == before.scenario) continue;
-    refuse(reader, fmt::format("another scenario{}: {}",
-                               before.label.empty() ? "" : fmt::format(" ({})", before.label),
-                               first_difference(before.scenario, now->second->scenario)));
+    const std::string old_essence = wanted.essence(before.scenario);
+    const std::string new_essence = wanted.essence(now->second->scenario);
+    if (old_essence != new_essence) {
+      refuse(reader, fmt::format("another scenario{}: {}",
+                                 before.label.empty() ? "" : fmt::format(" ({})", before.label),
+                                 first_difference(old_essence, new_essence)));
+    }
+    rewritten.push_back(before);
+    rewritten.back().scenario = now->second->scenario;
   }
   return numbers;
 }
@@ -137,7 +145,7 @@ Extension extension(const WantedRuns& wanted, CampaignReader& reader) {
     result.plan.factors = wanted.factors;
   } else {
     require_same_values(wanted, reader);
-    numbers = require_same_points(wanted, reader);
+    numbers = require_same_points(wanted, reader, result.plan.rewritten);
   }
   result.plan.points = numbered(wanted.points, numbers);
   add_runs(wanted, reader, result.plan);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -19,6 +20,10 @@ struct WantedRuns {
   int replications = 1;
   Seeds seeds = Seeds::kCommon;
   std::uint64_t base_seed = 0;
+  /// Of a scenario's text what runs depend on, for the comparison with what is there.
+  std::function<std::string(const std::string&)> essence = [](const std::string& text) {
+    return text;
+  };
   bool may_be_fewer = false;  ///< Fewer replications than there are leave the others as they are.
 };
 

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numeric>
 #include <utility>
 
+#include "hal/config/errors.h"
 #include "hal/config/value.h"
 #include "hal/types/math.h"
 #include "hal/types/random.h"
@@ -37,14 +39,31 @@ double number_at(const SampledRange& range, double share) {
 
 FactorValue value_at(const SampledRange& range, double share) {
   if (!range.choices.empty()) {
-    const auto count = static_cast<double>(range.choices.size());
-    const auto& chosen = range.choices[static_cast<std::size_t>(share * count)];
+    const std::size_t count = range.choices.size();
+    // A share just below 1 may be rounded up to it.
+    const auto part = static_cast<std::size_t>(share * static_cast<double>(count));
+    const auto& chosen = range.choices[std::min(part, count - 1)];
     return {range.key, chosen.text, chosen.yaml, chosen.place};
   }
   const double number = number_at(range, share);
   std::string text = range.whole ? fmt::format("{:.0f}", number) : fmt::format("{:.6g}", number);
   if (range.unit != "1") text += " " + range.unit;
   return {range.key, text, text, range.place};
+}
+
+/// Whose runs could not be told apart. @throws hal::config::ConfigErrors
+void refuse_equal(const std::vector<DesignPoint>& points) {
+  std::map<std::vector<std::string>, std::size_t> numbers;
+  for (const DesignPoint& point : points) {
+    std::vector<std::string> texts;
+    for (const FactorValue& value : point) texts.push_back(value.text);
+    const std::size_t number = numbers.size() + 1;
+    const auto [first, is_new] = numbers.emplace(std::move(texts), number);
+    if (is_new) continue;
+    throw hal::config::ConfigErrors(
+        {fmt::format("{}: sample: point {} is the same as point {}: fewer points, or finer ranges",
+                     point.front().place, number, first->second)});
+  }
 }
 
 }  // namespace
@@ -64,7 +83,9 @@ std::vector<DesignPoint> latin_hypercube(const std::vector<SampledRange>& ranges
 
 std::vector<DesignPoint> points_of(const CampaignFile& campaign, std::uint64_t seed) {
   if (campaign.design != Design::kLatinHypercube) return campaign.points;
-  return latin_hypercube(campaign.ranges, campaign.samples, seed);
+  std::vector<DesignPoint> points = latin_hypercube(campaign.ranges, campaign.samples, seed);
+  refuse_equal(points);
+  return points;
 }
 
 }  // namespace sim::campaign

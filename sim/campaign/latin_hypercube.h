@@ -18,6 +18,7 @@ std::vector<DesignPoint> latin_hypercube(const std::vector<SampledRange>& ranges
                                          std::uint64_t seed);
 
 /// The points of a campaign of any design. @param seed  of the campaign.
+/// @throws hal::config::ConfigErrors  two that were drawn are the same.
 std::vector<DesignPoint> points_of(const CampaignFile& campaign, std::uint64_t seed);
 
 }  // namespace sim::campaign

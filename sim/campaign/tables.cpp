@@ -110,7 +110,10 @@ const std::vector<record::RunKey>& campaign_keys() {
       {"file", "", "text of the campaign file; not there for `baraka run --replications`"},
       {"sampled", "", "with a Latin hypercube: how many points it has"},
       {"engine", "", "'local' or 'slurm': what started its runs last"},
-      {"slurm_jobs", "", "with slurm: the jobs that were submitted"},
+      {"slurm.campaign", "", "with slurm: what the names of its jobs have in common"},
+      {"slurm.1", "",
+       "with slurm: of its first submission (then slurm.2, ...) the job's name, the run of index 0 "
+       "of its array, and the job's number if Slurm gave one"},
   };
   return keys;
 }

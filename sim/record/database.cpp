@@ -4,10 +4,17 @@
 #include <sqlite3.h>
 
 #include <stdexcept>
+#include <utility>
 
 namespace sim::record {
+namespace {
 
-Database::Database(const std::filesystem::path& file, Mode mode) : name_(file.string()) {
+constexpr int kBetweenTriesMs = 100, kShortWaitMs = 5000;
+
+}  // namespace
+
+Database::Database(const std::filesystem::path& file, Mode mode, WhileBusy while_busy)
+    : name_(file.string()), while_busy_(std::move(while_busy)) {
   if (mode == Mode::kCreate) {
     for (const char* part : {"", "-journal", "-wal", "-shm"}) {
       std::filesystem::remove(name_ + part);
@@ -28,9 +35,21 @@ Database::Database(const std::filesystem::path& file, Mode mode) : name_(file.st
     sqlite3_close(handle_);
     throw std::runtime_error(fmt::format("{}: cannot be opened: {}", name_, reason));
   }
-  // Readers hold up the end of a transaction: who writes what others read meanwhile waits for them.
-  constexpr int kForReaders = 3'600'000, kElse = 5000;  // ms
-  sqlite3_busy_timeout(handle_, mode == Mode::kUpdate ? kForReaders : kElse);
+  set_waiting();
+}
+
+void Database::set_waiting() {
+  if (!while_busy_) {
+    sqlite3_busy_timeout(handle_, kShortWaitMs);
+    return;
+  }
+  // A member of an object that is not moved: it outlives the handle.
+  const auto ask = [](void* while_busy, int tries) -> int {
+    if (!(*static_cast<WhileBusy*>(while_busy))(tries * kBetweenTriesMs / 1e3)) return 0;
+    sqlite3_sleep(kBetweenTriesMs);
+    return 1;
+  };
+  sqlite3_busy_handler(handle_, ask, &while_busy_);
 }
 
 Database::~Database() { sqlite3_close(handle_); }

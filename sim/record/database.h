@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -17,9 +18,14 @@ class Database {
  public:
   enum class Mode : std::uint8_t { kCreate, kRead, kUpdate };
 
+  /// Asked every tenth of a second while other processes have the file, with how long that has been
+  /// [s]: whether to wait on. It must not throw.
+  using WhileBusy = std::function<bool(double waited_s)>;
+
   /// kCreate replaces the file; kRead needs it; kUpdate keeps what is in it and makes it if it is
   /// not there.
-  Database(const std::filesystem::path& file, Mode mode);
+  /// @param while_busy  none: it is waited for 5 s.
+  Database(const std::filesystem::path& file, Mode mode, WhileBusy while_busy = {});
   ~Database();
   Database(const Database&) = delete;
   Database& operator=(const Database&) = delete;
@@ -32,8 +38,10 @@ class Database {
  private:
   friend class Statement;
   [[noreturn]] void fail(std::string_view doing) const;
+  void set_waiting();
 
   std::string name_;
+  WhileBusy while_busy_;
   sqlite3* handle_ = nullptr;
 };
 

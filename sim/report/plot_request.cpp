@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <sstream>
 #include <stdexcept>
 
 namespace sim::report {
@@ -60,6 +61,22 @@ std::vector<PlotRequest> requests_in(const std::map<std::string, std::string>& s
 
 bool is_for_the_report_only(std::string_view key) {
   return key == "compare" || key.starts_with("report.");
+}
+
+std::string without_report_only(const std::string& resolved) {
+  std::istringstream lines(resolved);
+  std::string kept, line;
+  bool is_left_out = false;
+  while (std::getline(lines, line)) {
+    // What belongs to a key of the top level is indented, or an item of its list.
+    const bool begins = !line.empty() && line.find_first_of(" -#") != 0;
+    if (begins) {
+      const std::string key = line.substr(0, line.find(':'));
+      is_left_out = is_for_the_report_only(key) || is_for_the_report_only(key + ".");
+    }
+    if (!is_left_out) kept.append(line).append("\n");
+  }
+  return kept;
 }
 
 }  // namespace sim::report

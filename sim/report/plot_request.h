@@ -43,4 +43,7 @@ std::vector<PlotRequest> requests_in(const std::map<std::string, std::string>& s
 /// only are of the same settings.
 bool is_for_the_report_only(std::string_view key);
 
+/// A resolved scenario (sim::scenario::resolved_yaml()) without such keys: what its runs depend on.
+std::string without_report_only(const std::string& resolved);
+
 }  // namespace sim::report

@@ -1,5 +1,6 @@
 #include "sim/campaign/campaign_file.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -92,6 +93,9 @@ TEST(CampaignFile, MistakesStandWhereTheyAreMade) {
   EXPECT_THAT(mistakes("vary: {a.b: []}\n"),
               ElementsAre(testing::StartsWith("3:13: vary.a.b: must be a list of values")));
   EXPECT_THAT(mistakes("vary: {a.b: [1, 1]}\n"), ElementsAre("3:13: vary.a.b: has 1 twice"));
+  EXPECT_THAT(mistakes("vary: {a.b: [5, \"5\"]}\n"), ElementsAre("3:13: vary.a.b: has 5 twice"));
+  EXPECT_THAT(mistakes("points: [{a: 1}, {a: \"1\"}]\n"),
+              ElementsAre(testing::HasSubstr("is the same as point 1")));
   EXPECT_THAT(mistakes("vary: {seed: [1, 2]}\n"),
               ElementsAre(testing::StartsWith("3:14: vary.seed: is not varied")));
   EXPECT_THAT(mistakes("vary: {a..b: [1]}\n"),
@@ -122,6 +126,9 @@ TEST(CampaignFile, MistakesOfRangesStandThere) {
   EXPECT_THAT(range("from: x, to: 1"), ElementsAre(testing::HasSubstr("must be a number")));
   EXPECT_THAT(range("from: 1, to: 2, whole: true, scale: log"),
               ElementsAre(testing::HasSubstr("is not for `scale: log`")));
+  EXPECT_THAT(range("from: 1.2 s, to: 1.8 s, whole: true"),
+              ElementsAre(testing::HasSubstr("no whole number between `from` and `to`")));
+  EXPECT_THAT(range("from: 1.2 s, to: 2.8 s, whole: true"), ElementsAre());
   EXPECT_THAT(mistakes("sample: {latin_hypercube: 1, ranges: {a: [x]}}\n"),
               ElementsAre(testing::HasSubstr("below the limit of 2")));
   EXPECT_THAT(mistakes("sample: {latin_hypercube: 2}\n"),
@@ -156,6 +163,23 @@ TEST(LatinHypercube, TakesEachPartOfEachRangeOnce) {
   EXPECT_EQ(kinds, (std::map<std::string, int>{{"x", 4}, {"y", 4}, {"z", 4}}));
   EXPECT_EQ(table.factors[0].unit, "m");
   EXPECT_EQ(table.factors[2].unit, "");
+}
+
+TEST(LatinHypercube, RefusesPointsThatAreTheSame) {
+  const auto count = [](int samples, const std::string& kinds) -> std::string {
+    const CampaignFile campaign = read(
+        fmt::format("sample: {{latin_hypercube: {}, ranges: {{a.kind: [{}]}}}}\n", samples, kinds));
+    try {
+      return std::to_string(points_of(campaign, 1).size());
+    } catch (const hal::config::ConfigErrors& errors) {
+      return errors.what();
+    }
+  };
+  EXPECT_EQ(count(2, "x, y"), "2");
+  EXPECT_THAT(count(4, "x, y"), testing::ContainsRegex("3:[0-9]+: sample: point [2-4] is the same "
+                                                       "as point [12]: fewer points, or finer "
+                                                       "ranges"));
+  EXPECT_THAT(count(2, "5, \"5\""), testing::HasSubstr("point 2 is the same as point 1"));
 }
 
 TEST(LatinHypercube, FollowsFromTheSeedAndARangeFromItsKeyAlone) {

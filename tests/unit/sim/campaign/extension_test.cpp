@@ -87,5 +87,20 @@ TEST_F(Extensions, AnyOtherChangeIsRefusedByName) {
   EXPECT_EQ(refused(other), "accepted");
 }
 
+TEST_F(Extensions, WhatNoRunDependsOnMayChangeAndIsKept) {
+  WantedRuns runs = wanted({"1", "2"}, 2);
+  runs.essence = [](const std::string& text) { return text.substr(0, text.find("report")); };
+  extend(runs);
+  runs.points[1].scenario += "report: []\n";
+  runs.replications = 3;
+  const Extension more = extend(runs);
+  EXPECT_EQ(more.said, "2 more runs");
+  ASSERT_EQ(more.plan.rewritten.size(), 1U);
+  EXPECT_EQ(more.plan.rewritten[0].point, 2);
+  EXPECT_TRUE(extend(runs).plan.rewritten.empty());  // it is the database's now
+  runs.points[1].scenario = "speed: 3\nreport: []\n";
+  EXPECT_THAT(refused(runs), testing::HasSubstr("there 'speed: 2', now 'speed: 3'"));
+}
+
 }  // namespace
 }  // namespace sim::campaign

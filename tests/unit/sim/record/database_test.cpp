@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <stdexcept>
+#include <vector>
 
 #include "tests/unit/sim/record/test_run.h"
 
@@ -45,6 +46,27 @@ TEST(Database, ErrorsNameTheFileAndTheReason) {
 TEST(Database, AMissingFileIsAnErrorWhenReading) {
   const Folder folder("missing");
   EXPECT_THROW(Database(folder.file(), Database::Mode::kRead), std::runtime_error);
+}
+
+TEST(Database, AWriterWaitsForAReaderAsLongAsItIsTold) {
+  const Folder folder("busy");
+  { Database(folder.file(), Database::Mode::kCreate).execute("CREATE TABLE t (a)"); }
+  Database reader(folder.file(), Database::Mode::kRead);
+  reader.execute("BEGIN; SELECT COUNT(*) FROM t");
+  std::vector<double> asked;
+  bool patient = false;
+  Database writer(folder.file(), Database::Mode::kUpdate, [&](double waited_s) {
+    asked.push_back(waited_s);
+    if (patient && asked.size() == 3) reader.execute("COMMIT");
+    return patient;
+  });
+  EXPECT_THROW(writer.execute("INSERT INTO t VALUES (1)"), std::runtime_error);
+  EXPECT_EQ(asked, std::vector{0.0});
+  asked.clear();
+  patient = true;
+  EXPECT_NO_THROW(writer.execute("INSERT INTO t VALUES (1)"));
+  EXPECT_EQ(asked, (std::vector{0.0, 0.1, 0.2}));
+  EXPECT_EQ(ask(folder.file(), "SELECT COUNT(*) FROM t"), "1");
 }
 
 TEST(Database, CreatingReplacesAnOlderFile) {
