@@ -6,6 +6,7 @@ import json
 import os
 import pathlib
 import random
+import re
 import signal
 import sqlite3
 import subprocess
@@ -36,6 +37,12 @@ PROGRAMS = [
 ]
 
 
+def is_first_of_its_namespace(pid):
+    """Not so for a program that init has forked and that bears init's name until it is executed."""
+    status = pathlib.Path(f"/proc/{pid}/status").read_text()
+    return re.search(r"^NSpid:.*\s1$", status, re.MULTILINE) is not None
+
+
 class Victims:
     """Of one run: what can be killed."""
 
@@ -47,11 +54,12 @@ class Victims:
         for pid in self.mark.processes():
             try:
                 comm = pathlib.Path(f"/proc/{pid}/comm").read_text().strip()
+                is_init = comm == "baraka-init" and is_first_of_its_namespace(pid)
             except OSError:
                 continue
             if comm == "baraka-holder":
                 found["holder"] = pid
-            elif comm == "baraka-init":
+            elif is_init:
                 found["init"] = pid
             elif pid != self.first:
                 found["program"] = pid

@@ -25,6 +25,23 @@ std::string network_of(std::int64_t pid) {
   return std::filesystem::read_symlink("/proc/" + std::to_string(pid) + "/ns/net").string();
 }
 
+bool is_halted(pid_t process) {
+  std::ifstream status("/proc/" + std::to_string(process) + "/status");
+  for (std::string line; std::getline(status, line);) {
+    if (line.starts_with("State:")) return line.find('T') != std::string::npos;
+  }
+  return false;
+}
+
+/// It does nothing more when this returns: a signal takes effect some time after kill().
+void halt(std::int64_t number) {
+  const auto process = static_cast<pid_t>(number);
+  kill(process, SIGSTOP);
+  for (const Deadline deadline(kPatience); !is_halted(process) && !deadline.has_passed();) {
+    wait_readable({}, std::chrono::milliseconds{1});
+  }
+}
+
 /// A controller in namespaces of its own, and the server that it was invited by.
 class Guests : public testing::Test {
  protected:
@@ -75,7 +92,7 @@ TEST_F(Guests, TakeStepsOfManyDatagrams) {
 
 TEST_F(Guests, DeathEndsAnExchangeAtOnce) {
   ASSERT_TRUE(exchange_step(*link_, step_with(Cause::kStart, 1)));
-  kill(static_cast<pid_t>(hello_.pid), SIGSTOP);
+  halt(hello_.pid);
   ASSERT_TRUE(link_->begin(step_with(Cause::kControl, 2)));
   EXPECT_FALSE(wait_readable(std::vector{link_->death_descriptor()}, Duration::zero()))
       << "one that is halted is not dead";
@@ -91,7 +108,7 @@ TEST_F(Guests, DeathEndsAnExchangeAtOnce) {
 TEST_F(Guests, WhoIsSilentForTheReplyTimeoutIsNamed) {
   link_.reset();
   link_ = server_->link(hello_, 1, std::chrono::milliseconds{300});
-  kill(static_cast<pid_t>(hello_.pid), SIGSTOP);
+  halt(hello_.pid);
   const auto reply = exchange_step(*link_, step_with(Cause::kStart, 1));
   ASSERT_FALSE(reply);
   EXPECT_EQ(reply.error().code, Errc::kTimeout);
