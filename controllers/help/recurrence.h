@@ -16,12 +16,14 @@ class Recurrence {
     if (std::isfinite(every)) every_ = hal::from_seconds(every);
   }
 
-  /// Whether it falls due by `now`; then the next one is due a period after this one was.
+  /// Whether it falls due by `now`; then the next one is due whole periods after this one was, at
+  /// the first such time that lies ahead. Of several that were missed, as by a controller that is
+  /// restarted, one falls due.
   bool falls_due(hal::Time now) {
     if (!next_ || now < *next_) return false;
     const hal::Time due = *next_;
     next_.reset();
-    if (every_) next_ = due + *every_;
+    if (every_) next_ = due + *every_ * ((now - due) / *every_ + 1);
     return true;
   }
 

@@ -32,6 +32,11 @@ Burst burst_of(const hal::Parameters& parameters, const std::string& prefix,
           .within = hal::from_seconds(parameters[prefix + "within"])};
 }
 
+void Delivery::start() {
+  number_ =
+      static_cast<std::uint32_t>(self_.now().time_since_epoch() / std::chrono::milliseconds{1});
+}
+
 void Delivery::begin(const Burst& burst, hal::AgentId sink) {
   burst_ = burst;
   sink_ = sink;

@@ -34,6 +34,10 @@ class Delivery {
   /// @param timer  the one of the agent's timers that it uses.
   Delivery(hal::RealWorldObject& self, hal::TimerId timer) : self_(self), timer_(timer) {}
 
+  /// Once, when the agent starts: its bursts are numbered from the milliseconds of that time on, so
+  /// that those of an agent that is restarted are none of the sink's past.
+  void start();
+
   /// Sends the first message. What the sink has itself is there at once.
   /// @pre !is_on()
   void begin(const Burst& burst, hal::AgentId sink);
@@ -53,7 +57,7 @@ class Delivery {
   const hal::TimerId timer_;
   Burst burst_;
   hal::AgentId sink_;
-  std::uint32_t number_ = 0;  ///< Of the burst.
+  std::uint32_t number_ = 0;  ///< Of the last burst.
   int sent_ = 0;              ///< Of its messages.
   bool is_on_ = false;
   bool succeeded_ = false;

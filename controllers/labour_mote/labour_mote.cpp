@@ -68,6 +68,7 @@ void LabourMote::start() {
     if (sink_ || task == kHelpTask) continue;
     throw std::invalid_argument("sink: is not given; the task '" + task + "' needs one");
   }
+  delivery_.start();
   weights_.record(mote_);
   call_.idle();
   choose_in(rest_ * mote_.random().uniform());

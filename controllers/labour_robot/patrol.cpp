@@ -1,5 +1,6 @@
 #include "controllers/labour_robot/patrol.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -35,11 +36,16 @@ Patrol::Patrol(hal::Robot& robot, Travel& travel, const hal::Parameters& paramet
 
 void Patrol::start(hal::AgentId sink) {
   sink_ = sink;
+  report_.start();
   if (post_names_.empty()) {
     throw std::invalid_argument("patrol.posts: is empty; the task 'patrol' needs one at least");
   }
   for (const std::string& name : post_names_) {
-    posts_.push_back(agent_called(robot_, name, "patrol.posts"));
+    const hal::AgentId post = agent_called(robot_, name, "patrol.posts");
+    if (std::ranges::find(posts_, post) != posts_.end()) {
+      throw std::invalid_argument("patrol.posts: '" + name + "' is there twice");
+    }
+    posts_.push_back(post);
   }
 }
 

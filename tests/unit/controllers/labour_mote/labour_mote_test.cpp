@@ -164,6 +164,28 @@ TEST_F(LabourMote, SendsABurstAtItsIntervalAndRests) {
   EXPECT_NEAR(recorded_["p_video"], kDown, 1e-15) << "no receipt";
 }
 
+TEST_F(LabourMote, NumbersItsBurstsOnAfterARestart) {
+  make(one_task("temperature", "1 s"));
+  run_until_sent();
+  run_until(30s);
+  const auto before = samples(run_until_sent(), "temperature", 16).at(0).burst;
+  timers_.clear();
+  take(mote_->start());
+  EXPECT_GT(samples(run_until_sent(), "temperature", 16).at(0).burst, before);
+}
+
+TEST_F(LabourMote, HasOneNeedForAllThatARestartMadeItMiss) {
+  auto parameters = one_task("temperature");
+  parameters.push_back(value("help.at", "10 s"));
+  parameters.push_back(value("help.every", "20 s"));
+  make(parameters);
+  mote_->now = hal::Time{95s};
+  timers_.clear();
+  take(mote_->start());
+  run_until(105s);
+  EXPECT_EQ(recorded_["needs"], 1) << "of 10, 30, 50, 70 and 90 s";
+}
+
 TEST_F(LabourMote, AsTheSinkAnswersEveryBurstOnceAndHasItsOwnAtOnce) {
   make({list("tasks", {"temperature", "help"}), value("sink", "m17"), value("rest", "1 h")});
   const auto say = [&](std::uint16_t index, std::uint32_t burst) {

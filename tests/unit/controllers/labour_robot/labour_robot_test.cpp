@@ -206,6 +206,9 @@ TEST_F(LabourRobot, SaysWhatAPatrolLacks) {
   EXPECT_NE(mistake({value("sink", "m9"), list("patrol.posts", {"m6", "m99"})})
                 .find("patrol.posts: there is no agent 'm99'"),
             std::string::npos);
+  EXPECT_NE(mistake({value("sink", "m9"), list("patrol.posts", {"m6", "m6"})})
+                .find("patrol.posts: 'm6' is there twice"),
+            std::string::npos);
 }
 
 }  // namespace
