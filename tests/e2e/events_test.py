@@ -39,6 +39,15 @@ class Events(Case):
         self.assertEqual(inside["fingerprint"], shared["fingerprint"])
         self.assertNotIn("warning", over_dds.err)
 
+    def test_in_real_time_and_repeated_from_its_record_they_are_equal(self):
+        live = self.run_baraka(SCENARIO, "--pace", "realtime:10")
+        rows = self.query("SELECT * FROM events")
+        self.assertEqual(live["result"], "done")
+        self.assertGreaterEqual(len(rows), 15)
+        repeated = self.run_baraka(SCENARIO, "--repeat", self.out, "--controllers", "in-process")
+        self.assertEqual(live["fingerprint"], repeated["fingerprint"])
+        self.assertEqual(rows, self.query("SELECT * FROM events"))
+
     def test_they_are_part_of_the_identity_and_do_what_they_say(self):
         finished = self.play()
         done = self.query("SELECT at_ns, action, name FROM events LEFT JOIN agents USING (agent)")
