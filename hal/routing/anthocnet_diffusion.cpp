@@ -13,11 +13,11 @@ Duration share_of(Duration whole, double share) {
 }
 
 std::optional<Scent> scent_of(const PheromoneTable& table, const Target& target) {
-  const auto regular = table.best_regular(target);
-  const auto bootstrapped = table.best_virtual(target);
-  const double real = regular ? regular->regular : 0;
-  const bool is_virtual = bootstrapped && bootstrapped->bootstrapped > real;
-  if (!regular && !is_virtual) return std::nullopt;
+  const Trail* const regular = table.best_regular(target);
+  const Trail* const bootstrapped = table.best_virtual(target);
+  const double real = regular != nullptr ? regular->regular : 0;
+  const bool is_virtual = bootstrapped != nullptr && bootstrapped->bootstrapped > real;
+  if (regular == nullptr && !is_virtual) return std::nullopt;
   const Trail& best = is_virtual ? *bootstrapped : *regular;
   const int hops = std::min<int>(best.path.hops, 255);
   return Scent{.target = target,
@@ -82,9 +82,9 @@ void Diffusion::bootstrap(const Scent& scent, AgentId from) {
   if (scent.target.destination == from) return;  // a direct trail needs no hearsay
   const double pheromone = 1 / (1 / scent.pheromone + ants_.hop_cost());
   ants_.node.count(ProtocolEvent::kPheromoneBootstrapped);
-  for (const Trail& trail : ants_.table.trails(scent.target)) {
-    if (trail.next_hop != from || trail.regular == 0 || scent.is_virtual) continue;
-    ants_.table.lay({scent.target.topic, scent.target.destination, from, trail.path}, pheromone,
+  const Trail* const trail = scent.is_virtual ? nullptr : ants_.table.find(scent.target, from);
+  if (trail != nullptr && trail->regular > 0) {
+    ants_.table.lay({scent.target.topic, scent.target.destination, from, trail->path}, pheromone,
                     ants_.config().pheromone_weight);
     return;
   }
@@ -94,11 +94,8 @@ void Diffusion::bootstrap(const Scent& scent, AgentId from) {
 void Diffusion::know(const Target& target) {
   const auto neighbour = neighbours_.find(target.destination);
   if (neighbour == neighbours_.end()) return;
-  const auto trails = ants_.table.trails(target);
-  const bool is_known = std::ranges::any_of(trails, [&target](const Trail& trail) {
-    return trail.next_hop == target.destination && trail.regular > 0;
-  });
-  if (is_known) return;
+  const Trail* const direct = ants_.table.find(target, target.destination);
+  if (direct != nullptr && direct->regular > 0) return;
   ants_.table.lay({target.topic, target.destination, target.destination, neighbour->second},
                   ants_.pheromone_of(neighbour->second), 0);
 }

@@ -48,8 +48,8 @@ void Losses::send(std::span<const LostPath> lost) {
 }
 
 LostPath Losses::what_is_left(const Target& target) const {
-  const auto best = ants_.table.best_regular(target);
-  if (!best) return {.target = target, .hops = 0, .next_hop = {}, .delay = {}};
+  const Trail* const best = ants_.table.best_regular(target);
+  if (best == nullptr) return {.target = target, .hops = 0, .next_hop = {}, .delay = {}};
   return {.target = target,
           .hops = static_cast<std::uint8_t>(std::min<int>(best->path.hops, 255)),
           .next_hop = best->next_hop,
@@ -75,7 +75,7 @@ void Losses::on_notice(const LossNotice& notice, const Arrival& arrival) {
 /// The neighbour's new best, a hop longer, replaces what was over it.
 void Losses::take_worse(const LostPath& lost, const Arrival& arrival) {
   const AgentId from = arrival.reception.from;
-  const auto old_best = ants_.table.best_regular(lost.target);
+  const Trail* const old_best = ants_.table.best_regular(lost.target);
   for (const Trail& trail : ants_.table.trails(lost.target)) {
     if (trail.next_hop != from || trail.regular == 0) continue;
     PathStatistics path = trail.path;

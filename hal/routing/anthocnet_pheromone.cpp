@@ -12,15 +12,25 @@ Route route_of(const Target& target, const Trail& trail) {
   return {target.topic, target.destination, trail.next_hop, trail.path};
 }
 
-/// The first of those with the greatest weight; none if all weigh nothing.
-template <class Pheromone>
-std::optional<Trail> best_of(const std::vector<Trail>& trails, Pheromone pheromone) {
-  std::optional<Trail> best;
-  for (const Trail& trail : trails) {
-    if (pheromone(trail) > (best ? pheromone(*best) : 0)) best = trail;
+/// The first with the greatest weight; nullptr if all weigh nothing.
+class Best {
+ public:
+  explicit Best(Weight weight) : weight_(weight) {}
+  void consider(const Trail& trail) {
+    const double weight = weight_(trail);
+    if (weight <= most_) return;
+    most_ = weight;
+    found_ = &trail;
   }
-  return best;
-}
+  const Trail* found() const { return found_; }
+
+ private:
+  Weight weight_;
+  double most_ = 0;
+  const Trail* found_ = nullptr;
+};
+
+double virtual_weight(const Trail& trail) { return trail.bootstrapped; }
 
 }  // namespace
 
@@ -80,22 +90,40 @@ void PheromoneTable::remove(const Target& target) {
   for (const Trail& trail : trails(target)) remove(target, trail.next_hop);
 }
 
-std::vector<Trail> PheromoneTable::trails(const Target& target) const {
-  std::vector<Trail> found;
+const PheromoneTable::Trails& PheromoneTable::trails_to(const Target& target) const {
+  static const Trails kNone;
   const auto destinations = classes_.find(target.topic);
-  if (destinations == classes_.end()) return found;
+  if (destinations == classes_.end()) return kNone;
   const auto trails = destinations->second.find(target.destination);
-  if (trails == destinations->second.end()) return found;
-  for (const auto& [next_hop, trail] : trails->second) found.push_back(trail);
+  return trails == destinations->second.end() ? kNone : trails->second;
+}
+
+std::vector<Trail> PheromoneTable::trails(const Target& target) const {
+  const Trails& known = trails_to(target);
+  std::vector<Trail> found;
+  found.reserve(known.size());
+  for (const auto& [next_hop, trail] : known) found.push_back(trail);
   return found;
 }
 
-std::optional<Trail> PheromoneTable::best_regular(const Target& target) const {
-  return best_of(trails(target), regular_weight);
+const Trail* PheromoneTable::find(const Target& target, AgentId next_hop) const {
+  const Trails& known = trails_to(target);
+  const auto found = known.find(next_hop);
+  return found == known.end() ? nullptr : &found->second;
 }
 
-std::optional<Trail> PheromoneTable::best_virtual(const Target& target) const {
-  return best_of(trails(target), [](const Trail& trail) { return trail.bootstrapped; });
+const Trail* PheromoneTable::best(const Target& target, Weight weight) const {
+  Best best(weight);
+  for (const auto& [next_hop, trail] : trails_to(target)) best.consider(trail);
+  return best.found();
+}
+
+const Trail* PheromoneTable::best_regular(const Target& target) const {
+  return best(target, regular_weight);
+}
+
+const Trail* PheromoneTable::best_virtual(const Target& target) const {
+  return best(target, virtual_weight);
 }
 
 std::vector<Target> PheromoneTable::targets() const {
@@ -143,7 +171,9 @@ std::optional<AgentId> pick(const std::vector<Trail>& trails, Weight weight, dou
   if (choices.size() == 1) return choices.front().next_hop;
 
   // Relative to the best, so that no power overflows.
-  const double best = weight(*best_of(choices, weight));
+  Best most(weight);
+  for (const Trail& trail : choices) most.consider(trail);
+  const double best = weight(*most.found());
   std::vector<double> share;
   double total = 0;
   for (const Trail& trail : choices) {

@@ -21,6 +21,9 @@ struct Trail {
   PathStatistics path;  ///< Of the last ant; void without regular pheromone.
 };
 
+/// Weight of a trail in a choice, >= 0; 0: not to be chosen.
+using Weight = double (*)(const Trail&);
+
 /// A regular trail that was removed.
 struct Loss {
   Target target;
@@ -51,10 +54,12 @@ class PheromoneTable {
 
   /// By next hop; empty if there are none.
   std::vector<Trail> trails(const Target& target) const;
-  bool has_regular(const Target& target) const { return best_regular(target).has_value(); }
-  /// The first of those with most; none if nobody laid any.
-  std::optional<Trail> best_regular(const Target& target) const;
-  std::optional<Trail> best_virtual(const Target& target) const;
+  /// Until the table changes; nullptr: there is none.
+  const Trail* find(const Target& target, AgentId next_hop) const;
+  bool has_regular(const Target& target) const { return best_regular(target) != nullptr; }
+  /// The first of those with most, until the table changes; nullptr if nobody laid any.
+  const Trail* best_regular(const Target& target) const;
+  const Trail* best_virtual(const Target& target) const;
   /// All with any pheromone, in order.
   std::vector<Target> targets() const;
 
@@ -64,6 +69,8 @@ class PheromoneTable {
  private:
   using Trails = std::map<AgentId, Trail>;
 
+  const Trails& trails_to(const Target& target) const;
+  const Trail* best(const Target& target, Weight weight) const;
   Trail* trail_at(const Target& target, AgentId next_hop);
   Loss loss_of(const Target& target, const Trails& trails, const Trail& lost) const;
   void report_removed(const Target& target, AgentId next_hop) const;
@@ -72,8 +79,6 @@ class PheromoneTable {
   std::map<std::string, std::map<AgentId, Trails>, std::less<>> classes_;  ///< None is empty.
 };
 
-/// Weight of a trail in a choice, >= 0; 0: not to be chosen.
-using Weight = double (*)(const Trail&);
 double regular_weight(const Trail& trail);
 double any_weight(const Trail& trail);  ///< The greater of regular and virtual.
 

@@ -28,12 +28,12 @@ void Sessions::on_period(const Target& target) {
 }
 
 bool Sessions::is_promising(const Target& target) const {
-  const auto regular = ants_.table.best_regular(target);
-  if (!regular) return false;  // path setup is at it
+  const Trail* const regular = ants_.table.best_regular(target);
+  if (regular == nullptr) return false;  // path setup is at it
   const double margin = ants_.config().proactive_margin;
   if (margin == 0) return true;
-  const auto bootstrapped = ants_.table.best_virtual(target);
-  return bootstrapped && bootstrapped->bootstrapped >= margin * regular->regular;
+  const Trail* const bootstrapped = ants_.table.best_virtual(target);
+  return bootstrapped != nullptr && bootstrapped->bootstrapped >= margin * regular->regular;
 }
 
 }  // namespace hal::routing::anthocnet

@@ -290,10 +290,9 @@ bool AodvRouting::starts_repair(AgentId destination, const AodvEntry& before) {
   const AodvConfig& config = node_.config.aodv;
   const bool is_worth = config.local_repair && !before.precursors.empty() &&
                         before.hops <= config.max_repair_ttl() && !search_.is_held();
-  if (!is_worth) return false;
+  if (!is_worth || !search_.repair(destination, before.hops + config.local_add_ttl)) return false;
   node_.count(ProtocolEvent::kLocalRepairStarted);
   table_.set_in_repair(destination, true);
-  search_.repair(destination, before.hops + config.local_add_ttl);
   return true;
 }
 

@@ -35,11 +35,12 @@ void AodvSearch::begin(AgentId destination, const std::string& topic) {
   try_once(destination);
 }
 
-void AodvSearch::repair(AgentId destination, int ttl) {
-  if (searches_.contains(destination)) return;
+bool AodvSearch::repair(AgentId destination, int ttl) {
+  if (searches_.contains(destination)) return false;
   searches_[destination] = {
       .topic = {}, .started = node_.now(), .ttl = std::clamp(ttl, 1, 255), .is_repair = true};
   try_once(destination);
+  return true;
 }
 
 /// Section 6.4: a destination is looked for near where it was last known to be.

@@ -38,7 +38,8 @@ class AodvSearch {
   /// destination if no search is on. Abandons it at once (kQueueFull) if buffer_limit wait already.
   void wait(Transit transit);
   /// Looks once, so many hops around.
-  void repair(AgentId destination, int ttl);
+  /// @return false: a search is on, and goes on as it is.
+  bool repair(AgentId destination, int ttl);
 
   /// There is a route: ends the search, and takes out what waited for it, in order of arrival.
   std::vector<Transit> on_route(AgentId destination);

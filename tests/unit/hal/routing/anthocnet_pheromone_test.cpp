@@ -54,7 +54,7 @@ TEST(Pheromone, GoesWithTheNeighbourAndSaysWhatWasBest) {
   ASSERT_EQ(losses.size(), 1u);
   EXPECT_FALSE(losses[0].was_best);
   EXPECT_EQ(losses[0].path.hops, 4);
-  EXPECT_FALSE(table.best_virtual({"audio", id(8)}).has_value());
+  EXPECT_EQ(table.best_virtual({"audio", id(8)}), nullptr);
   EXPECT_TRUE(table.remove(kTarget, id(2))->was_best);
   EXPECT_EQ(changes.all.size(), 4u) << "two laid, two removed";
   EXPECT_TRUE(table.targets().empty());
