@@ -12,6 +12,7 @@ import pathlib
 import re
 import sys
 
+import aodv
 import beacons
 import errors
 import hidden
@@ -27,7 +28,7 @@ from document import save, table
 
 PAGE = runs.ROOT / "docs/validation.md"
 FIGURES = runs.ROOT / "docs/validation"
-SECTIONS = (saturation, hidden, more, ranges, errors, propagation, line, beacons)
+SECTIONS = (saturation, hidden, more, ranges, errors, propagation, line, beacons, aodv)
 HEAD = """# Validation
 
 <!-- Written by `.ci/validate`; the words stand in tests/validation. -->
