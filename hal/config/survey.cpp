@@ -11,6 +11,7 @@ namespace hal::config {
 Mapping Survey::root() { return {problems_.empty_mapping({}), "", problems_, this}; }
 
 void Survey::note(const std::string& path, const Key& key, Form form, std::string otherwise) {
+  if (known_ != nullptr && known_->contains(path)) return;
   if (!paths_.insert(path).second) return;  // a value that two calls read
   if (!key.otherwise.empty()) otherwise = key.otherwise;
   read_.push_back({path, std::string(key.meaning), std::string(key.example), std::move(form),
@@ -234,7 +235,7 @@ void Explorer::add_new(const Taken& pair, std::vector<KeyDescription>& keys) {
   // A survey that is new is not kept: there are thousands.
   const auto kept = surveys_.find(pair);
   std::optional<Survey> passing;
-  if (kept == surveys_.end()) survey_with(passing.emplace(pair));
+  if (kept == surveys_.end()) survey_with(passing.emplace(pair, &paths_));
   const Survey& survey = passing ? *passing : kept->second;
   for (const Survey::Read& read : survey.read()) {
     if (paths_.insert(read.path).second) keys.push_back(described(read, pair));

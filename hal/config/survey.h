@@ -40,7 +40,9 @@ class Survey {
     std::string otherwise;  ///< Value when absent; empty: it must be given.
   };
 
-  explicit Survey(Taken taken) : taken_(std::move(taken)) {}
+  /// @param known  paths that are not to be noted again; must outlive the reading; nullptr: none.
+  explicit Survey(Taken taken, const std::set<std::string>* known = nullptr)
+      : taken_(std::move(taken)), known_(known) {}
 
   Mapping root();
 
@@ -58,6 +60,7 @@ class Survey {
   std::size_t decide(Decision decision);
 
   Taken taken_;
+  const std::set<std::string>* known_;
   Problems problems_;
   std::vector<Read> read_;
   std::set<std::string> paths_, mentioned_;
