@@ -1,11 +1,12 @@
 """Figures of the pages of docs/scenarios, from runs of the scenarios as they are shipped."""
+import csv
 import math
 
 import air_scenarios
 import labour
 from document import pyplot
 from gap import bridge_the_gap
-from runs import SCENARIOS
+from runs import OWN, SCENARIOS
 from teleop import teleop_behind_a_wall
 
 RTS = {"radio.rts_threshold": 0}
@@ -149,9 +150,27 @@ def handover(runs):
     return figure
 
 
+def anthocnet_base_field(runs):
+    """From the rows that tests/bench/routing/base_field.py left: the runs take an hour."""
+    with (OWN / "anthocnet_base_field.csv").open(newline="") as file:
+        rows = list(csv.DictReader(line for line in file if not line.startswith("#")))
+    names = list(dict.fromkeys(row["algorithm"] for row in rows))
+    plt = pyplot()
+    figure, axes = plt.subplots(1, 3, figsize=(8, 3), layout="constrained")
+    for axis, measure, label in zip(axes, ("delivery", "delay_mean", "frames"),
+                                    ("delivered, %", "mean delay, ms", "frames per message delivered")):
+        for place, name in enumerate(names):
+            values = [float(row[measure]) for row in rows if row["algorithm"] == name]
+            axis.plot([place] * len(values), values, "o", markersize=3, alpha=0.5, color=f"C{place}")
+            axis.plot(place, sum(values) / len(values), "_", markersize=18, color=f"C{place}")
+        axis.set_xticks(range(len(names)), names, fontsize=7)
+        axis.set(ylabel=label, xlim=(-0.5, len(names) - 0.5))
+    return figure
+
+
 PAGES = {"saturation": saturation, "hidden_terminal": hidden_terminal, "range": range_, "near_far": near_far,
          "behind_a_wall": behind_a_wall, "bridge_the_gap": bridge_the_gap,
-         "handover": handover, "teleop_behind_a_wall": teleop_behind_a_wall,
+         "handover": handover, "anthocnet_base_field": anthocnet_base_field, "teleop_behind_a_wall": teleop_behind_a_wall,
          "division_of_labour": labour.division_of_labour}
 
 
