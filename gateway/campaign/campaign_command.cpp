@@ -13,6 +13,7 @@
 
 #include "gateway/campaign/campaign_status.h"
 #include "gateway/campaign/judge_points.h"
+#include "gateway/campaign/program_digests.h"
 #include "gateway/campaign/slurm_campaign.h"
 #include "gateway/exit_status.h"
 #include "gateway/run/results_folder.h"
@@ -56,6 +57,7 @@ WantedRuns wanted_by(const JudgedCampaign& campaign, const CampaignOptions& opti
                  {"seeds", std::string(name_of(file.seeds))},
                  {"until", until_words(file)},
                  {"controllers", in_process ? "in-process" : "spawn"},
+                 {"programs", program_digests(campaign.controllers)},
                  {"file", text_of(hal::config::named_file(options.file, {"campaigns"}))}},
       .factors = campaign.table.factors,
       .points = campaign.table.points,

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "gateway/campaign/program_digests.h"
 #include "gateway/run/judge_controllers.h"
 #include "hal/config/document.h"
 #include "hal/config/errors.h"
@@ -137,8 +138,9 @@ JudgedCampaign judge_campaign(const std::string& path, const std::vector<std::st
   for (std::size_t i = 0; i < points.size(); ++i) {
     PointRow& row = campaign.table.points[i];
     try {
-      row.scenario = sim::scenario::resolved_yaml(
-          judged(scenario, overrides_of(points[i], campaign.seed), warnings));
+      const Scenario one = judged(scenario, overrides_of(points[i], campaign.seed), warnings);
+      row.scenario = sim::scenario::resolved_yaml(one);
+      campaign.controllers.merge(controllers_of(one));
     } catch (const ConfigErrors& errors) {
       mistakes.add(points[i], row, errors.messages());
     }

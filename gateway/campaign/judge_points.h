@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -15,6 +16,7 @@ struct JudgedCampaign {
   sim::campaign::CampaignFile file;
   std::uint64_t seed = 0;             ///< Of replication 1.
   sim::campaign::FactorTable table;   ///< Its points have their scenarios, resolved.
+  std::set<std::string> controllers;  ///< Of all points.
   std::vector<std::string> warnings;  ///< Of the points' scenarios, each once.
 };
 

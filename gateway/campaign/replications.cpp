@@ -7,6 +7,7 @@
 
 #include "gateway/campaign/campaign_command.h"
 #include "gateway/campaign/local_engine.h"
+#include "gateway/campaign/program_digests.h"
 #include "gateway/run/domain_range.h"
 #include "gateway/run/judge_controllers.h"
 #include "gateway/run/wall_pace.h"
@@ -60,6 +61,7 @@ sim::campaign::WantedRuns wanted_of(const RunOptions& options,
                      {"replications", std::to_string(*options.replications)},
                      {"seeds", std::string(name_of(sim::campaign::Seeds::kCommon))},
                      {"until", until_words(options)},
+                     {"programs", program_digests(controllers_of(scenario))},
                      {"controllers", kFrom[static_cast<int>(options.controllers)]}},
           .factors = {},
           .points = {std::move(point)},

@@ -31,11 +31,23 @@ std::string value_of(const WantedRuns& wanted, std::string_view key) {
   return found == wanted.values.end() ? "" : found->second;
 }
 
+/// Runs of a controller before and after it was mended are no sample of one thing. Without any run
+/// that counts it may change.
+void require_same_programs(const WantedRuns& wanted, CampaignReader& reader) {
+  const std::string before = reader.value("programs"), now = value_of(wanted, "programs");
+  if (before.empty() || before == now) return;  // empty: of an earlier version
+  const auto is_done = [](const RunRow& row) { return row.state == RunState::kDone; };
+  if (std::ranges::none_of(reader.runs(), is_done)) return;
+  refuse(reader, fmt::format("its runs were played by other files: programs: there '{}', now '{}'",
+                             before, now));
+}
+
 void require_same_values(const WantedRuns& wanted, CampaignReader& reader) {
   for (const std::string_view key : kFixed) {
     const std::string before = reader.value(key), now = value_of(wanted, key);
     if (before != now) refuse(reader, fmt::format("{}: there '{}', now '{}'", key, before, now));
   }
+  require_same_programs(wanted, reader);
   const std::string replications = reader.value("replications");
   if (!wanted.may_be_fewer && std::stoll(replications) > wanted.replications) {
     refuse(reader,

@@ -107,6 +107,9 @@ const std::vector<record::RunKey>& campaign_keys() {
       {"seeds", "", "'common': replication k has the same seed at every point; 'independent'"},
       {"until", "", "simulated time at which each run ends, or 'its end'"},
       {"controllers", "", "'in-process' or 'spawn'"},
+      {"programs", "",
+       "hashes of the files that play the runs, 64 bits in hexadecimal: of baraka, and of each "
+       "controller's program and plug-in"},
       {"file", "", "text of the campaign file; not there for `baraka run --replications`"},
       {"sampled", "", "with a Latin hypercube: how many points it has"},
       {"engine", "", "'local' or 'slurm': what started its runs last"},

@@ -5,7 +5,9 @@ import csv
 import io
 import json
 import os
+import pathlib
 import random
+import shutil
 import sqlite3
 import subprocess
 import time
@@ -76,6 +78,28 @@ class WhatIsRun(Campaigns):
         values = self.ask("SELECT run, COUNT(*) FROM measurements GROUP BY run")
         self.assertEqual(len(values), 4)
         self.assertGreater(values[0][1], 10)
+
+    def test_runs_of_a_rebuilt_controller_are_not_mixed_with_those_before(self):
+        own = self.folder / "own/mine.so"
+        own.parent.mkdir()
+        shutil.copy(pathlib.Path(os.environ["BARAKA_CONTROLLER_PATH"]) / "gossip.so", own)
+        scenario = self.folder / "mine.yaml"
+        mine = "{controller: {program: mine}}"
+        scenario.write_text(f"version: 1\ninclude: {ROOT}/tests/e2e/gossip.yaml\nagents: {{motes: {mine}, robots: {mine}}}\n")
+        file = self.write({"scenario": str(scenario), "replications": 1})
+
+        def play(*command):
+            return Program("baraka", *command, env={"BARAKA_CONTROLLER_PATH": str(own.parent)}).finish()
+        campaign = ("campaign", file, "--out", self.out)
+        replications = ("run", scenario, "--controllers", "in-process", "--out", self.folder / "more", "--replications")
+        self.assertEqual(play(*campaign).status, 0)
+        self.assertEqual(play(*replications, 1).status, 0)
+        own.write_bytes(own.read_bytes() + b"rebuilt")
+        for again in (campaign, (*replications, 2)):
+            finished = play(*again)
+            self.assertEqual(finished.status, 2, finished)
+            self.assertRegex(finished.err, "played by other files: programs: there '(baraka [0-9a-f]{16}), mine ([0-9a-f]{16})', "
+                                           "now '\\1, mine (?!\\2)[0-9a-f]{16}'; .*give another --out")
 
     def test_a_campaign_that_has_ended_is_told_again_and_more_replications_extend_it(self):
         self.campaign(SPEEDS)

@@ -33,6 +33,12 @@ class Extensions : public testing::Test {
     database_.add(result.plan);
     return result;
   }
+  void end_run(std::int64_t number) {
+    RunRow row;
+    row.plan = {.run = number};
+    row.state = RunState::kDone;
+    database_.finish(row, {});
+  }
   std::string refused(const WantedRuns& runs) {
     CampaignReader reader(folder_.path());
     try {
@@ -54,6 +60,21 @@ TEST_F(Extensions, TheSameAgainAddsNothing) {
   EXPECT_TRUE(again.plan.runs.empty());
   EXPECT_TRUE(again.plan.points.empty());
   EXPECT_EQ(again.said, "");
+}
+
+TEST_F(Extensions, RunsOfOtherProgramsAreNotMixed) {
+  const auto with = [](const char* programs) {
+    WantedRuns runs = wanted({"1"}, 2);
+    runs.values.emplace_back("programs", programs);
+    return runs;
+  };
+  extend(wanted({"1"}, 2));  // of a version that did not say
+  extend(with("baraka 1, mine 2"));
+  EXPECT_EQ(refused(with("baraka 1, mine 3")), "accepted") << "none of its runs counts yet";
+  end_run(1);
+  EXPECT_THAT(refused(with("baraka 1, mine 3")),
+              testing::HasSubstr("programs: there 'baraka 1, mine 2', now 'baraka 1, mine 3'"));
+  EXPECT_EQ(refused(with("baraka 1, mine 2")), "accepted");
 }
 
 TEST_F(Extensions, MoreReplicationsAndPointsAreAddedAndWhatWasThereKeepsItsNumber) {
