@@ -91,11 +91,11 @@ void PheromoneTable::remove(const Target& target) {
 }
 
 const PheromoneTable::Trails& PheromoneTable::trails_to(const Target& target) const {
-  static const Trails kNone;
+  static const Trails none;
   const auto destinations = classes_.find(target.topic);
-  if (destinations == classes_.end()) return kNone;
+  if (destinations == classes_.end()) return none;
   const auto trails = destinations->second.find(target.destination);
-  return trails == destinations->second.end() ? kNone : trails->second;
+  return trails == destinations->second.end() ? none : trails->second;
 }
 
 std::vector<Trail> PheromoneTable::trails(const Target& target) const {

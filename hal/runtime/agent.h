@@ -27,6 +27,8 @@ class Agent {
 
   /// Takes in what the event brings and makes the callback it stands for.
   void handle(const exchange::Event& event);
+  /// Is handed nothing more, and tells the run why.
+  void die(const char* message);
 
  private:
   Agent(const ControllerKind& kind, const exchange::AgentSession& session,
@@ -34,7 +36,6 @@ class Agent {
   void make_controller(const ControllerKind& kind);
   void call_back(const exchange::Event& event);
   void receive(const exchange::Event& event);
-  void die(const char* message);
 
   AgentContext context_;
   const std::string who_;  ///< For people.

@@ -40,14 +40,14 @@ void cut_at_zero(std::string& text) {
 
 }  // namespace
 
-/// If that fails, the constructor threw, the old one stays and is handed nothing more.
+/// If that fails, the constructor threw; the old one stays and is handed nothing more.
 void ControllerHost::make_anew(std::unique_ptr<Agent>& agent) {
   const exchange::AgentSession session = agent->session();
   auto made = Agent::create(kind_, session, directory_, *outbox_);
   if (made) {
     agent = std::move(*made);
   } else {
-    outbox_->add(exchange::ActionKind::kError).text = made.error().message;
+    agent->die(made.error().message.c_str());
   }
 }
 

@@ -43,6 +43,20 @@ TEST(ControllerHost, MakesTheCallbackThatAnEventStandsFor) {
   EXPECT_EQ(calls, "start receive:help notice:7! step stop ") << "nothing follows stop";
 }
 
+TEST(ControllerHost, HandsNothingMoreToAnAgentWhoseControllerCannotBeMadeAnew) {
+  std::string calls;
+  Scripted::next() = {.start = [&](hal::Robot&) { calls += "start "; },
+                      .step = [&](hal::Robot&) { calls += "step "; }};
+  tests::OneAgent agent(Scripted::kind(), tests::robot_session());
+  agent.start();
+  Scripted::next() = {.construct = [](hal::Robot&) { throw std::runtime_error("no camera"); }};
+  const Actions actions = agent.start();
+  Scripted::next() = {};
+  agent.control();
+  EXPECT_EQ(tests::texts(actions, ActionKind::kError), std::vector<std::string>{"r0: no camera"});
+  EXPECT_EQ(calls, "start ");
+}
+
 hal::exchange::Session two_robots() {
   hal::exchange::Session session;
   session.agents = {tests::robot_session(), tests::robot_session()};
