@@ -49,17 +49,17 @@ Result<const ControllerKind*> load(const fs::path& file) {
 
 std::vector<fs::path> controller_folders() {
   std::vector<fs::path> folders;
+  const char* const variable = std::getenv("BARAKA_CONTROLLER_PATH");
+  std::istringstream list(variable == nullptr ? "" : variable);
+  for (std::string folder; std::getline(list, folder, ':');) {
+    if (!folder.empty()) folders.emplace_back(folder);
+  }
   std::error_code unreadable;
   const fs::path self = fs::read_symlink("/proc/self/exe", unreadable);
   if (!unreadable) {
     folders.push_back(self.parent_path());
     const fs::path installed = self.parent_path().parent_path() / "lib/baraka";
     if (fs::is_directory(installed, unreadable)) folders.push_back(installed);
-  }
-  const char* const variable = std::getenv("BARAKA_CONTROLLER_PATH");
-  std::istringstream list(variable == nullptr ? "" : variable);
-  for (std::string folder; std::getline(list, folder, ':');) {
-    if (!folder.empty()) folders.emplace_back(folder);
   }
   return folders;
 }

@@ -10,9 +10,9 @@
 
 namespace hal::runtime {
 
-/// Where controllers are looked for: beside this executable, where it is installed also in
-/// ../lib/baraka, then in the folders of the environment variable BARAKA_CONTROLLER_PATH (separated
-/// by colons).
+/// Where controllers are looked for: in the folders of the environment variable
+/// BARAKA_CONTROLLER_PATH (separated by colons), so that one's own goes before ours of the same
+/// name; then beside this executable, where it is installed also in ../lib/baraka.
 std::vector<std::filesystem::path> controller_folders();
 
 /// Loads `<name>.so` from the first of the folders that has it, and asks it for its controller. It

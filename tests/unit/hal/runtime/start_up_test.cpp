@@ -249,14 +249,14 @@ TEST(LoadPlugin, RefusesOtherHeadersAndLibrariesThatAreNoController) {
   EXPECT_NE(mute.error().message.find("mute.so is no controller"), std::string::npos);
 }
 
-TEST(ControllerFolders, AreTheExecutablesThenThoseOfTheEnvironment) {
+TEST(ControllerFolders, AreThoseOfTheEnvironmentThenTheExecutables) {
   ASSERT_EQ(setenv("BARAKA_CONTROLLER_PATH", "/a::/b", 1), 0);
   const auto folders = hal::runtime::controller_folders();
   unsetenv("BARAKA_CONTROLLER_PATH");
   ASSERT_EQ(folders.size(), 3U);
-  EXPECT_TRUE(std::filesystem::exists(folders[0] / "unit_hal_runtime_test"));
-  EXPECT_EQ(folders[1], "/a");
-  EXPECT_EQ(folders[2], "/b");
+  EXPECT_EQ(folders[0], "/a");
+  EXPECT_EQ(folders[1], "/b");
+  EXPECT_TRUE(std::filesystem::exists(folders[2] / "unit_hal_runtime_test"));
 }
 
 }  // namespace
