@@ -167,6 +167,7 @@ void read_jam(Mapping in, const Scenario& scenario, ScriptedAction& action) {
         {"channel", "Number of the channel that it fills.", "6", "that of the scenario's radio"}, 1,
         14));
   }
+  GivenKeys(in).offer(in, {"channel"});
   jam.duration =
       in.duration({"duration", "How long.", "5 s"}, {1e-5, hal::config::kLongestDuration});
   jam.duty_cycle =

@@ -38,6 +38,7 @@ Periodically read_period(Mapping& in) {
     often.count = in.integer({"count", "With `every`: at most so often.", "5", "no limit"}, 1,
                              1'000'000'000, 1);
   }
+  GivenKeys(in).offer(in, {"until", "count"});
   return often;
 }
 
@@ -61,6 +62,7 @@ void read_when(Mapping& in, Scenario& scenario, ScriptedEvent& event) {
   if (keys.has("when") && (!keys.has("every") || keys.is_survey()))
     event.when = read_whenever(in, scenario);
   const bool is_otherwise = keys.has("every") || keys.has("when");
+  if (!is_otherwise) keys.offer(in, {"every", "when"});
   if (!is_otherwise || keys.is_survey()) {
     event.when =
         AtTime{in.duration({"at", "When it happens; or `every`, or `when`.", "60 s"}, kEventTime)};

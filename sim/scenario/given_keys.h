@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <initializer_list>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -19,6 +20,12 @@ class GivenKeys {
 
   bool has(std::string_view key) const {
     return is_survey_ || std::ranges::find(keys_, key) != keys_.end();
+  }
+  /// Those that are not there count as known, so that one that is misspelt is told which it may be.
+  void offer(Mapping& in, std::initializer_list<const char*> keys) const {
+    for (const char* key : keys) {
+      if (!has(key)) (void)in.has(key);
+    }
   }
   /// Nobody asks what a file says, but what it may say.
   bool is_survey() const { return is_survey_; }
