@@ -116,11 +116,12 @@ class Run:
         return said
 
     def broken_results(self, has_begun):
-        """What of the results cannot be read; there may be none before it has begun."""
+        """What of the results cannot be read; there may be none before it has begun. As baraka's own tools it may
+        write: a transaction that was cut short has to be taken back first."""
         files = list(self.folder.glob("run*/run.sqlite"))
         broken = [] if files or not has_begun else [f"none in {sorted(self.folder.rglob('*'))}"]
         for file in files:
-            with contextlib.closing(sqlite3.connect(f"file:{file}?mode=ro", uri=True)) as database:
+            with contextlib.closing(sqlite3.connect(f"file:{file}?mode=rw", uri=True)) as database:
                 said = database.execute("PRAGMA integrity_check").fetchall()
             if said != [("ok",)]:
                 broken.append(f"{file}: {said}")
