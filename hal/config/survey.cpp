@@ -12,10 +12,15 @@ Mapping Survey::root() { return {problems_.empty_mapping({}), "", problems_, thi
 
 void Survey::note(const std::string& path, const Key& key, Form form, std::string otherwise) {
   if (known_ != nullptr && known_->contains(path)) return;
-  if (!paths_.insert(path).second) return;  // a value that two calls read
+  if (!places_.try_emplace(path, read_.size()).second) return;  // a value that two calls read
   if (!key.otherwise.empty()) otherwise = key.otherwise;
   read_.push_back({path, std::string(key.meaning), std::string(key.example), std::move(form),
                    std::move(otherwise)});
+}
+
+const Survey::Read* Survey::at(const std::string& path) const {
+  const auto place = places_.find(path);
+  return place == places_.end() ? nullptr : &read_[place->second];
 }
 
 std::size_t Survey::decide(Decision decision) {
@@ -76,13 +81,6 @@ const Survey& Explorer::survey_of(const Taken& taken) {
   return found->second;
 }
 
-const Survey::Read* read_at(const Survey& survey, const std::string& path) {
-  for (const Survey::Read& read : survey.read()) {
-    if (read.path == path) return &read;
-  }
-  return nullptr;
-}
-
 Taken taking(Taken taken, const Decision& decision, std::size_t option) {
   taken[decision.id()] = option;
   return taken;
@@ -138,7 +136,7 @@ std::optional<Condition> Explorer::condition(const std::string& path, const Take
   Condition condition{decision.path, decision.presence, {}};
   std::vector<KeyDescription::Variant> variants;
   for (std::size_t option = 0; option < decision.options.size(); ++option) {
-    const Survey::Read* read = read_at(survey_of(taking(taken, decision, option)), path);
+    const Survey::Read* read = survey_of(taking(taken, decision, option)).at(path);
     if (read == nullptr) continue;
     condition.values.push_back(decision.options[option]);
     variants.push_back({decision.options[option], read->otherwise, limits(read->form)});
@@ -161,8 +159,7 @@ KeyDescription Explorer::described(const Survey::Read& read, const Taken& taken)
                      .optional = false,
                      .variants = {{"", read.otherwise, limits(read.form)}},
                      .conditions = {}};
-  const std::vector<Decision> decisions = survey_of(taken).decisions();
-  for (const Decision& decision : decisions) {
+  for (const Decision& decision : survey_of(taken).decisions()) {
     if (auto one = condition(read.path, taken, decision, key)) {
       key.conditions.push_back(std::move(*one));
     }

@@ -47,6 +47,7 @@ class Survey {
   Mapping root();
 
   const std::vector<Read>& read() const { return read_; }
+  const Read* at(const std::string& path) const;  ///< nullptr: it was not read.
   const std::vector<Decision>& decisions() const { return decisions_; }
   const std::set<std::string>& mentioned() const { return mentioned_; }
 
@@ -63,7 +64,8 @@ class Survey {
   const std::set<std::string>* known_;
   Problems problems_;
   std::vector<Read> read_;
-  std::set<std::string> paths_, mentioned_;
+  std::map<std::string, std::size_t> places_;  ///< In read_, by path.
+  std::set<std::string> mentioned_;
   std::vector<Decision> decisions_;
   std::map<std::string, std::size_t> met_;  ///< Places in decisions_, by Decision::id().
 };
