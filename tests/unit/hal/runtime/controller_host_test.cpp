@@ -47,7 +47,8 @@ TEST(ControllerHost, HandsNothingMoreToAnAgentWhoseControllerCannotBeMadeAnew) {
   std::string calls;
   Scripted::next() = {.start = [&](hal::Robot&) { calls += "start "; },
                       .step = [&](hal::Robot&) { calls += "step "; }};
-  tests::OneAgent agent(Scripted::kind(), tests::robot_session());
+  const hal::ControllerKind kind = Scripted::kind();  // used once more
+  tests::OneAgent agent(kind, tests::robot_session());
   agent.start();
   Scripted::next() = {.construct = [](hal::Robot&) { throw std::runtime_error("no camera"); }};
   const Actions actions = agent.start();
