@@ -152,6 +152,8 @@ int do_campaign(const CampaignFolder& folder, const EngineMaker& make_engine, Ca
   std::size_t kept = 0;
   try {
     CampaignDatabase database(folder.path(), WaitForReaders(folder.path()));
+    // Not before: by the database the folder is known again after a kill.
+    if (!fs::exists(folder.path() / kReplicationsFile)) make_folder(folder.path() / "runs");
     const std::unique_ptr<Engine> engine = make_engine(database);
     work.wanted.values.emplace_back("engine", engine->name());
     plan(folder, database, work.wanted);
@@ -190,7 +192,6 @@ int run_campaign(const CampaignOptions& options) {
       options.out.empty() ? fs::path("results") / campaign.file.name : fs::path(options.out);
   const CampaignFolder folder(
       out, {.layout = CampaignFolder::Layout::kCampaign, .overwrite = options.overwrite});
-  make_folder(folder.path() / "runs");
   CampaignWork work{.wanted = wanted_by(campaign, options), .loop = {}};
   work.loop.keep = campaign.file.keep;
   work.loop.retry_failed = options.retry_failed;
