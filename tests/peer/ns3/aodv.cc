@@ -88,39 +88,48 @@ double quantile(double share) {
   return delays[below] + (place - static_cast<double>(below)) * (delays[above] - delays[below]);
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+struct Options {
   peer::Radio radio;
   unsigned size = 64, seed = 1, side = 5, hello_loss = 2;
   double spacing = 40, rate = 4, stop = 100, my_route = 6;
   bool hello = true, per_flow = false;
-  CommandLine line;
-  radio.add_to(line);
-  line.AddValue("size", "payload of UDP, bytes, a multiple of 4", size);
-  line.AddValue("side", "stations of a row, and rows", side);
-  line.AddValue("spacing", "m", spacing);
-  line.AddValue("rate", "packets per second of a flow", rate);
-  line.AddValue("stop", "end of the flows, s", stop);
-  line.AddValue("hello", "AODV's EnableHello", hello);
-  line.AddValue("my_route", "AODV's MyRouteTimeout, s: RFC 3561 has 6, stock ns-3 11.2", my_route);
-  line.AddValue("hello_loss", "AODV's AllowedHelloLoss", hello_loss);
-  line.AddValue("per_flow", "print what each flow delivered, too", per_flow);
-  line.AddValue("seed", "run number", seed);
-  line.Parse(argc, argv);
-  RngSeedManager::SetRun(seed);
+};
 
+Options options_of(int argc, char** argv) {
+  Options options;
+  CommandLine line;
+  options.radio.add_to(line);
+  line.AddValue("size", "payload of UDP, bytes, a multiple of 4", options.size);
+  line.AddValue("side", "stations of a row, and rows", options.side);
+  line.AddValue("spacing", "m", options.spacing);
+  line.AddValue("rate", "packets per second of a flow", options.rate);
+  line.AddValue("stop", "end of the flows, s", options.stop);
+  line.AddValue("hello", "AODV's EnableHello", options.hello);
+  line.AddValue("my_route", "AODV's MyRouteTimeout, s: RFC 3561 has 6, stock ns-3 11.2",
+                options.my_route);
+  line.AddValue("hello_loss", "AODV's AllowedHelloLoss", options.hello_loss);
+  line.AddValue("per_flow", "print what each flow delivered, too", options.per_flow);
+  line.AddValue("seed", "run number", options.seed);
+  line.Parse(argc, argv);
+  return options;
+}
+
+NetDeviceContainer grid(const Options& options) {
   std::vector<Vector> places;
-  for (unsigned i = 0; i < side * side; ++i) {
-    places.emplace_back(spacing * (i % side), spacing * (i / side), 1.5);
+  for (unsigned i = 0; i < options.side * options.side; ++i) {
+    places.emplace_back(options.spacing * (i % options.side), options.spacing * (i / options.side),
+                        1.5);
   }
-  const auto devices = peer::stations(radio, places, peer::log_distance());
+  return peer::stations(options.radio, places, peer::log_distance());
+}
+
+Ipv4InterfaceContainer install(const Options& options, const NetDeviceContainer& devices) {
   NodeContainer nodes;
   for (uint32_t i = 0; i < devices.GetN(); ++i) nodes.Add(devices.Get(i)->GetNode());
   AodvHelper aodv;
-  aodv.Set("EnableHello", BooleanValue(hello));
-  aodv.Set("AllowedHelloLoss", UintegerValue(hello_loss));
-  aodv.Set("MyRouteTimeout", TimeValue(Seconds(my_route)));
+  aodv.Set("EnableHello", BooleanValue(options.hello));
+  aodv.Set("AllowedHelloLoss", UintegerValue(options.hello_loss));
+  aodv.Set("MyRouteTimeout", TimeValue(Seconds(options.my_route)));
   InternetStackHelper internet;
   internet.SetRoutingHelper(aodv);
   internet.Install(nodes);
@@ -129,42 +138,71 @@ int main(int argc, char** argv) {
   const auto interfaces = addresses.Assign(devices);
   NeighborCacheHelper().PopulateNeighborCache();  // ours has no ARP
   aodv.AssignStreams(nodes, 2000);
+  return interfaces;
+}
 
-  std::vector<Flow> flows;
-  for (Flow flow; std::cin >> flow.source >> flow.destination >> flow.start;) flows.push_back(flow);
-  sent.resize(flows.size());
-  taken.resize(flows.size());
-  for (uint32_t i = 0; i < nodes.GetN(); ++i) {
-    const auto sink = Socket::CreateSocket(nodes.Get(i), UdpSocketFactory::GetTypeId());
+/// Packets that arrive and those that are given up are counted.
+void listen(const NetDeviceContainer& devices) {
+  for (uint32_t i = 0; i < devices.GetN(); ++i) {
+    const auto sink =
+        Socket::CreateSocket(devices.Get(i)->GetNode(), UdpSocketFactory::GetTypeId());
     sink->Bind(InetSocketAddress(Ipv4Address::GetAny(), kPort));
     sink->SetRecvCallback(MakeCallback(&receive));
-    nodes.Get(i)->GetObject<Ipv4L3Protocol>()->TraceConnectWithoutContext("Tx",
-                                                                          MakeCallback(&count));
+    devices.Get(i)->GetNode()->GetObject<Ipv4L3Protocol>()->TraceConnectWithoutContext(
+        "Tx", MakeCallback(&count));
     DynamicCast<WifiNetDevice>(devices.Get(i))
         ->GetMac()
         ->TraceConnectWithoutContext("DroppedMpdu", MakeCallback(&give_up));
   }
+}
+
+std::vector<Flow> read_flows() {
+  std::vector<Flow> flows;
+  for (Flow flow; std::cin >> flow.source >> flow.destination >> flow.start;) flows.push_back(flow);
+  sent.resize(flows.size());
+  taken.resize(flows.size());
+  return flows;
+}
+
+void start(const Options& options, const std::vector<Flow>& flows,
+           const NetDeviceContainer& devices, const Ipv4InterfaceContainer& interfaces) {
   for (uint32_t i = 0; i < flows.size(); ++i) {
-    const auto socket =
-        Socket::CreateSocket(nodes.Get(flows[i].source), UdpSocketFactory::GetTypeId());
+    const auto socket = Socket::CreateSocket(devices.Get(flows[i].source)->GetNode(),
+                                             UdpSocketFactory::GetTypeId());
     socket->Connect(InetSocketAddress(interfaces.GetAddress(flows[i].destination), kPort));
-    Simulator::Schedule(Seconds(flows[i].start), &send, socket, i, size, Seconds(1 / rate),
-                        Seconds(stop));
+    Simulator::Schedule(Seconds(flows[i].start), &send, socket, i, options.size,
+                        Seconds(1 / options.rate), Seconds(options.stop));
   }
-  Simulator::Stop(Seconds(stop + 15));
-  Simulator::Run();
+}
+
+void print(const Options& options, const std::vector<Flow>& flows) {
   std::sort(delays.begin(), delays.end());
   std::size_t total = 0;
   for (const auto& flow : sent) total += flow.size();
-  std::cout << seed << ',' << total << ',' << delays.size() << ','
+  std::cout << options.seed << ',' << total << ',' << delays.size() << ','
             << static_cast<double>(delays.size()) / static_cast<double>(total) << ','
             << quantile(0.5) << ',' << quantile(0.95) << ',' << counts.hellos << ',' << counts.rreq
             << ',' << counts.rreq_relayed << ',' << counts.rrep << ',' << counts.rerr << ','
             << counts.data << ',' << counts.given_up << std::endl;
-  for (std::size_t i = 0; per_flow && i < flows.size(); ++i) {
+  for (std::size_t i = 0; options.per_flow && i < flows.size(); ++i) {
     std::cout << "# " << flows[i].source << " to " << flows[i].destination << ": "
               << std::count(taken[i].begin(), taken[i].end(), true) << " of " << sent[i].size()
               << std::endl;
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const Options options = options_of(argc, argv);
+  RngSeedManager::SetRun(options.seed);
+  const auto devices = grid(options);
+  const auto interfaces = install(options, devices);
+  const auto flows = read_flows();
+  listen(devices);
+  start(options, flows, devices, interfaces);
+  Simulator::Stop(Seconds(options.stop + 15));
+  Simulator::Run();
+  print(options, flows);
   Simulator::Destroy();
 }
