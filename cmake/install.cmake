@@ -3,7 +3,7 @@
 #     bin             baraka, the controllers
 #     lib/baraka      plug-ins of the controllers, what slows programs and what holds their networks
 #     share/baraka    robots, radios, scenarios, campaigns, hardware; templates of `baraka new-controller`; IDL;
-#                     the report page, if it was built
+#                     the pages of the report and of the view, if they were built
 #     share/doc       README, docs, licence
 #   dev (libbaraka-dev)
 #     lib/baraka      the libraries a controller is linked with
@@ -36,8 +36,8 @@ install(DIRECTORY config/ DESTINATION ${baraka_share} COMPONENT program PATTERN 
   PATTERN systemd EXCLUDE PATTERN doubtful EXCLUDE)
 install(DIRECTORY templates DESTINATION ${baraka_share} USE_SOURCE_PERMISSIONS COMPONENT program)
 install(DIRECTORY idl DESTINATION ${baraka_share} COMPONENT program FILES_MATCHING PATTERN *.idl)
-install(FILES ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/report_page.html DESTINATION ${baraka_share}
-  COMPONENT program OPTIONAL)
+install(FILES ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/report_page.html
+  ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/view_page.html DESTINATION ${baraka_share} COMPONENT program OPTIONAL)
 install(FILES README.md CHANGELOG.md LICENSE DESTINATION share/doc/baraka COMPONENT program)
 install(DIRECTORY docs DESTINATION share/doc/baraka COMPONENT program OPTIONAL)
 

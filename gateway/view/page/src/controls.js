@@ -1,0 +1,2 @@
+// Play, speed, steps.
+export const controls = (element, store, source) => ({ draw() {} });

@@ -1,0 +1,2 @@
+// The panel of what is chosen.
+export const inspector = (element, store, source) => ({ draw() {} });

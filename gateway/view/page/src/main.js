@@ -1,0 +1,112 @@
+// Wires the parts, and draws them when something changed.
+import { forgetColours } from "./colours.js";
+import { controls } from "./controls.js";
+import { inspector } from "./inspector/inspector.js";
+import { keys } from "./keys.js";
+import { live } from "./live.js";
+import { openSource } from "./source.js";
+import { bookmark, createStore, startOf } from "./store.js";
+import { lanes } from "./time/lanes.js";
+import { world } from "./world/world.js";
+
+const element = (id) => document.getElementById(id);
+const say = (text) => { const notice = element("notice"); notice.textContent = text; notice.hidden = !text; };
+
+// The token of live control stands in the fragment of the printed address: kept for this tab, shown no more.
+function takeToken() {
+  const match = /(?:^#|&)token=([^&]*)/.exec(location.hash);
+  if (!match) return;
+  sessionStorage.setItem("baraka-token", match[1]);
+  history.replaceState(null, "", `#${location.hash.slice(1).replace(/&?token=[^&]*/, "").replace(/^&/, "")}`);
+}
+
+async function main() {
+  if (location.protocol !== "file:") takeToken();
+  const store = createStore(startOf(location.hash));
+  let dirty = true;
+  const source = await openSource(() => { dirty = true; }, (error) => say(error.message));
+  document.title = `${source.runs.map((run) => run.name).join(", ")} - BARAKA view`;
+
+  const parts = [
+    world(element("world"), store, source),
+    lanes(element("lanes"), store, source),
+    inspector(element("inspector"), store, source),
+    controls(element("controls"), store, source),
+    keys(store, source),
+    live(store, source),
+  ].filter(Boolean);
+
+  const theme = () => {
+    const chosen = store.state.theme;
+    if (chosen) document.documentElement.dataset.theme = chosen; else delete document.documentElement.dataset.theme;
+    forgetColours();
+    for (const part of parts) part.recolour?.();
+    dirty = true;
+  };
+  store.subscribe((state, patch) => { dirty = true; if ("theme" in patch) theme(); });
+  matchMedia("(prefers-color-scheme: dark)").addEventListener("change", theme);
+  addEventListener("resize", () => { dirty = true; });
+  new ResizeObserver(() => { dirty = true; }).observe(document.body);
+  theme();
+
+  // The address follows the state, but not sixty times a second: browsers refuse that.
+  let written = location.hash;
+  let writtenAt = 0;
+  const write = (now) => {
+    const next = `#${bookmark(store.state)}`;
+    if (next === written || now - writtenAt < 400 || store.state.playing) return;
+    written = next;
+    writtenAt = now;
+    history.replaceState(null, "", next);
+  };
+  addEventListener("hashchange", () => {
+    if (location.hash === written) return;
+    takeToken();
+    written = location.hash;
+    store.set(startOf(location.hash));
+  });
+
+  let last = performance.now();
+  let drawn = 0;
+  const recent = []; //  when the last frames were drawn
+  const afterDraw = [];
+  const frame = (now) => {
+    requestAnimationFrame(frame);
+    const { playing, speed, t } = store.state;
+    if (playing) {
+      // A tab that was hidden goes on where it was. What is live never runs ahead of its record.
+      const next = Math.min(source.end, t + Math.min(now - last, 250) * 1e6 * speed);
+      store.set({ t: next, playing: next < source.end || Boolean(store.state.live && !store.state.live.ended) });
+    }
+    last = now;
+    write(now);
+    const busy = parts.some((part) => part.animates?.(now));
+    if (!dirty && !busy && !playing) return;
+    dirty = false;
+    for (const part of parts) part.draw?.(now);
+    recent.push(now);
+    if (recent.length > 120) recent.shift();
+    drawn++;
+    if (source.asking === 0) {
+      document.documentElement.dataset.drawn = String(drawn);
+      if (!dirty) for (const resolve of afterDraw.splice(0)) resolve();
+    }
+  };
+  requestAnimationFrame(frame);
+
+  const [view] = parts;
+  globalThis.baraka = {
+    store, source,
+    project: (x, y, run = 0) => view.project(x, y, run),
+    arrows: (run = store.state.run) => view.arrows(run),
+    hops: () => view.hops(),
+    idle: async () => {
+      await source.idle();
+      dirty = true;
+      await new Promise((resolve) => afterDraw.push(resolve));
+    },
+    fps: () => (recent.length < 2 ? 0 : (recent.length - 1) * 1000 / (recent[recent.length - 1] - recent[0])),
+  };
+}
+
+main().catch((error) => { say(`${error.message ?? error}`); throw error; });

@@ -1,0 +1,236 @@
+// The record of the runs, in tiles: what the server answers at /api/runs/R/KIND/LEVEL/INDEX, or what an
+// exported page has in it (window.BARAKA_TILES, URL to answer).
+//   const source = await openSource(onArrival);
+//   source.runs[0].world.agents                       what does not change
+//   for (const piece of source.runs[0].rows("states", from, to)) …     what is there now
+// A piece is {from, to, tile}: the part of the span for which this tile is the best there is. Pieces do not
+// overlap and are in order; a span that nothing has come for yet has none. `rows(...).complete` tells
+// whether everything has come; what has not is asked for, and onArrival() is called when it comes.
+// tile.columns are the rows (numbers as Float64Array); of a summary (tile.complete false) see the server.
+// Times are ns.
+const least = 4;
+const most = 17;
+const size = (level) => 8 ** level;
+const limit = 150e6; //   bytes of answers that are kept
+const again = 250; //     ms between two questions for the same tile of a live run
+const few = 600; //       rows: below this the next larger tile is asked for next time
+
+/** The level at which `count` tiles or fewer, and one more for the edges, cover a span. */
+export function levelFor(span, count = 8) {
+  let level = least;
+  while (level < most && size(level) * count < span) level++;
+  return level;
+}
+
+// Rows as numbers side by side: a tenth of the memory of boxed ones, and quick to walk.
+function packed(columns) {
+  for (const [name, column] of Object.entries(columns)) {
+    if (column.length && column.every((value) => typeof value === "number")) columns[name] = Float64Array.from(column);
+  }
+  return columns;
+}
+
+/** Where answers come from: the page itself, or the server that served it. */
+function answers() {
+  const inlined = globalThis.BARAKA_TILES;
+  if (inlined) {
+    // Which tiles have a tile of the export below them, so that nobody looks where there is nothing.
+    const above = new Set();
+    for (const url of Object.keys(inlined)) {
+      const match = /^(.*)\/(\d+)\/(\d+)$/.exec(url);
+      if (!match || /\/(routes|totals)$/.test(match[1].replace(/\/\d+$/, ""))) continue;
+      let index = Number(match[3]);
+      for (let level = Number(match[2]) + 1; level <= most; level++) {
+        index = Math.floor(index / 8);
+        above.add(`${match[1]}/${level}/${index}`);
+      }
+    }
+    return {
+      inlined,
+      hasBelow: (url) => above.has(url),
+      get: async (url) => ({ answer: inlined[url] ?? null, bytes: 0 }),
+    };
+  }
+  return {
+    hasBelow: () => true,
+    async get(url) {
+      const response = await fetch(url, { cache: "no-store" });
+      const text = await response.text();
+      if (!response.ok) throw new Error(`${url}: ${response.status} ${text.slice(0, 200)}`);
+      return { answer: JSON.parse(text), bytes: text.length };
+    },
+  };
+}
+
+/** One run's record. `live()`: up to when the record of a live run is written; null of a finished one. */
+function openRun(index, name, world, from, { onArrival, cache, live, onError }) {
+  const base = `/api/runs/${index}`;
+  const hint = new Map(); //  kind → level whose tiles were complete lately
+
+  const ask = (url) => cache.ask(url, () => from.get(url).then(({ answer, bytes }) => {
+    if (answer?.columns) packed(answer.columns);
+    return { answer, bytes };
+  }), onArrival, onError);
+
+  // Rows that are written behind the `until` of a tile are in its next answer only.
+  const isOld = (entry, to) => {
+    const tile = entry.answer;
+    const written = live();
+    return tile && written !== null && tile.until < Math.min(tile.to, to) && written > tile.until &&
+      performance.now() - entry.asked > again;
+  };
+
+  function tileNow(kind, level, tileIndex, to) {
+    const url = `${base}/${kind}/${level}/${tileIndex}`;
+    const entry = cache.look(url);
+    if (!entry || (!entry.asking && isOld(entry, to))) ask(url);
+    return entry ?? cache.look(url);
+  }
+
+  function rows(kind, start, end, { summary = false } = {}) {
+    const from_ = Math.max(0, start);
+    const to = Math.max(from_ + 1, end);
+    const pieces = [];
+    pieces.complete = true;
+    const finest = summary ? levelFor(to - from_) : levelFor(to - from_, 64);
+    const first = Math.max(finest, from.inlined ? most : hint.get(kind) ?? 11);
+    // A larger tile that is complete already spares all smaller ones.
+    let level = first;
+    for (let up = first + 1; up <= most; up++) {
+      if (cache.look(`${base}/${kind}/${up}/${Math.floor(from_ / size(up))}`)?.answer?.complete) level = up;
+    }
+    const visit = (at, tileIndex) => {
+      const tileFrom = tileIndex * size(at);
+      const tileTo = tileFrom + size(at);
+      const entry = tileNow(kind, at, tileIndex, to);
+      const tile = entry?.answer;
+      const piece = tile && { from: Math.max(from_, tileFrom), to: Math.min(to, tileTo), tile };
+      if (tile?.complete) {
+        note(kind, at, tile);
+        if (tile.until < piece.to) piece.to = Math.max(piece.from, tile.until);
+        pieces.push(piece);
+      } else if (at <= finest || !(tile ?? from.hasBelow(`${base}/${kind}/${at}/${tileIndex}`))) {
+        if (piece) pieces.push(piece);
+        if (!tile && !entry?.answered) pieces.complete = false;
+        if (tile && !summary) pieces.complete = false;
+      } else if (!tile && !entry?.answered) {
+        pieces.complete = false; // asked for; whether there is anything finer is not known yet
+      } else {
+        hint.set(kind, Math.max(finest, at - 1));
+        const length = pieces.length;
+        const below = size(at - 1);
+        for (let k = Math.floor(Math.max(from_, tileFrom) / below); k * below < Math.min(to, tileTo); k++) visit(at - 1, k);
+        if (pieces.length === length && piece) pieces.push(piece); // nothing finer yet: the summary
+      }
+    };
+    for (let k = Math.floor(from_ / size(level)); k * size(level) < to && k * size(level) <= world.endsAt(); k++) visit(level, k);
+    return pieces;
+  }
+
+  // The level at which to ask next time: one up where tiles are nearly empty.
+  function note(kind, level, tile) {
+    const count = Object.values(tile.columns ?? {})[0]?.length ?? 0;
+    if (count < few && tile.until >= tile.to && level < most && level >= (hint.get(kind) ?? 11)) hint.set(kind, level + 1);
+  }
+
+  const whole = (url) => {
+    const entry = cache.look(url);
+    if (!entry || (!entry.asking && live() !== null && live() > (entry.answer?.until ?? entry.live ?? 0) &&
+        performance.now() - entry.asked > 4 * again)) {
+      ask(url);
+      if (cache.look(url)) cache.look(url).live = live();
+    }
+    return cache.look(url)?.answer ?? null;
+  };
+
+  return {
+    index, name, world, rows,
+    /** The tile itself: a promise. */
+    tile: (kind, level, tileIndex) => ask(`${base}/${kind}/${level}/${tileIndex}`),
+    /** All changes of an agent's routes; null until they have come. */
+    routes: (agent) => whole(`${base}/routes/${agent}`),
+    /** An agent's counters; null until they have come. */
+    totals: (agent) => whole(`${base}/totals/${agent}`),
+    get end() { return world.endsAt(); },
+  };
+}
+
+/** Answers by URL, least lately used ones dropped beyond the limit. */
+export function createCache(bytesLimit = limit) {
+  const entries = new Map(); //  in order of use
+  let bytes = 0;
+  let asking = 0;
+  const cache = {
+    look(url) {
+      const entry = entries.get(url);
+      if (entry) { entries.delete(url); entries.set(url, entry); }
+      return entry;
+    },
+    ask(url, get, onArrival, onError) {
+      const known = entries.get(url);
+      if (known?.asking) return known.asking;
+      const entry = known ?? { answer: null, bytes: 0, answered: false };
+      entries.set(url, entry);
+      entry.asked = performance.now();
+      asking++;
+      const done = () => { entry.asking = null; asking--; };
+      entry.asking = get().then(({ answer, bytes: length }) => {
+        done();
+        bytes += length - entry.bytes;
+        Object.assign(entry, { answer, bytes: length, answered: true });
+        if (entries.get(url) !== entry) bytes -= length;
+        cache.trim();
+        onArrival();
+        return answer;
+      }, (error) => {
+        done();
+        entry.answered = true; //  asked again only after a seek: entries without answer go first
+        onError(error);
+        onArrival();
+        return null;
+      });
+      return entry.asking;
+    },
+    trim() {
+      for (const [url, entry] of entries) {
+        if (bytes <= bytesLimit) break;
+        if (entry.asking) continue;
+        entries.delete(url);
+        bytes -= entry.bytes;
+      }
+    },
+    get bytes() { return bytes; },
+    get asking() { return asking; },
+    get size() { return entries.size; },
+  };
+  return cache;
+}
+
+/** Opens all runs. onArrival() after each answer; onError(error) for what could not be had. */
+export async function openSource(onArrival = () => {}, onError = () => {}) {
+  const from = answers();
+  const cache = createCache();
+  const waiting = [];
+  const arrived = () => {
+    onArrival();
+    if (cache.asking === 0) for (const resolve of waiting.splice(0)) resolve();
+  };
+  const view = (await from.get("/api/view")).answer;
+  let until = null; //  of a live run, as the server tells it
+  const runs = await Promise.all(view.runs.map(async ({ index, name }) => {
+    const world = (await from.get(`/api/runs/${index}/world`)).answer;
+    world.endsAt = () => Math.max(world.until ?? world.end ?? 0, until ?? 0);
+    return openRun(index, name, world, from, { onArrival: arrived, cache, live: () => until, onError });
+  }));
+  return {
+    view, runs,
+    exported: Boolean(from.inlined),
+    /** A live run has been recorded up to here. */
+    advance(to) { if (to !== until) { until = to; onArrival(); } },
+    get end() { return Math.max(1, ...runs.map((run) => run.end)); },
+    get bytes() { return cache.bytes; },
+    get asking() { return cache.asking; },
+    /** Resolves when everything that was asked for has come. */
+    idle: () => (cache.asking === 0 ? Promise.resolve() : new Promise((resolve) => waiting.push(resolve))),
+  };
+}
