@@ -8,7 +8,7 @@ const fresh = () => ({
   speed: 1, //                simulated seconds per second; 1e-6 … 100
   view: null, //              [t0, t1] of the axis; null: the whole run
   run: 0, //                  index of the run that the inspector and the lanes are about
-  chosen: null, //            {kind: "agent", run, agent} | {kind: "frame", run, number, at} |
+  chosen: null, //            {kind: "agent", run, agent} | {kind: "frame", run, transmitter, number, at} |
   //                          {kind: "message", run, sender, id, at} | {kind: "link", run, a, b}
   route: null, //             {topic, destination}: arrows of the chosen agent's table
   follow: null, //            agent that the camera stays on
@@ -61,7 +61,7 @@ export function bookmark(state) {
   if (state.run) add("run", state.run);
   const chosen = state.chosen;
   if (chosen?.kind === "agent") add("agent", chosen.agent);
-  if (chosen?.kind === "frame") add("frame", [chosen.number, chosen.at].join(","));
+  if (chosen?.kind === "frame") add("frame", [chosen.transmitter, chosen.number, chosen.at].join(","));
   if (chosen?.kind === "message") add("message", [chosen.sender, chosen.id, chosen.at].join(","));
   if (chosen?.kind === "link") add("link", [chosen.a, chosen.b].join(","));
   if (state.route) add("route", `${state.route.destination},${state.route.topic}`);
@@ -99,7 +99,7 @@ export function startOf(hash) {
   const run = state.run ?? 0;
   const pick = (key, count, make) => { const list = listed(key, count); if (list) state.chosen = { kind: key, run, ...make(...list) }; };
   pick("agent", 1, (agent) => ({ agent }));
-  pick("frame", 2, (number, at) => ({ number, at }));
+  pick("frame", 3, (transmitter, number, at) => ({ transmitter, number, at }));
   pick("message", 3, (sender, id, at) => ({ sender, id, at }));
   pick("link", 2, (a, b) => ({ a, b }));
   const route = /^(\d+),(.*)$/.exec(given.get("route") ?? "");
