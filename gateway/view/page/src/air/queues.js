@@ -2,6 +2,8 @@
 import { lastRow } from "../at.js";
 import { colour } from "../colours.js";
 
+const most = 5; //  squares of a pile; beyond that the number stands over it
+
 export function createQueues(run) {
   const agents = run.world.agents;
   return {
@@ -20,12 +22,14 @@ export function createQueues(run) {
 
   function pile(context, marks, slot, waiting) {
     const x = marks.spots[slot * 2] - marks.radiusOf(slot) - 9;
-    const y = marks.spots[slot * 2 + 1] + marks.radiusOf(slot);
-    context.fillStyle = colour("ink");
-    for (let k = 0; k < Math.min(waiting, 8); k++) context.fillRect(x, y - 3 * k - 2, 6, 2);
-    if (waiting <= 8) return;
+    const y = marks.spots[slot * 2 + 1] + 4;
+    context.fillStyle = colour("ground");
+    context.fillRect(x - 1, y - 6 * Math.min(waiting, most) - 1, 7, 6 * Math.min(waiting, most) + 2);
+    context.fillStyle = colour("accent");
+    for (let k = 1; k <= Math.min(waiting, most); k++) context.fillRect(x, y - 6 * k, 5, 5);
+    if (waiting <= most) return;
     context.font = "10px system-ui, 'Liberation Sans', sans-serif";
     context.textBaseline = "alphabetic";
-    context.fillText(String(waiting), x, y - 26);
+    context.fillText(String(waiting), x, y - 6 * most - 2);
   }
 }

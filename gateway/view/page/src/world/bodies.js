@@ -36,7 +36,7 @@ function drum() {
   geometry.setAttribute("color", new Float32BufferAttribute(colours, 3));
   return geometry;
 }
-const geometries = { cylinder: cylinder(20), box: new BoxGeometry(1, 1, 1), wheel: drum() };
+const geometries = { cylinder: cylinder(28), box: new BoxGeometry(1, 1, 1), wheel: drum() };
 
 // On the map a body is one flat colour, with its wheels drawn over it as on a plan; in the free view it has
 // light and shade, and near by it is glass, because many robots' wheels are inside.

@@ -91,8 +91,9 @@ export function createCamera() {
   function aimFree({ x, y, distance, yaw, pitch }) {
     camera.eye = free;
     Object.assign(free, { aspect: camera.width / camera.height, near: Math.max(0.01, distance / 200), far: distance * 60 + 100 });
-    free.position.set(x - distance * Math.cos(pitch) * Math.cos(-yaw), y + distance * Math.cos(pitch) * Math.sin(yaw),
-      distance * Math.sin(pitch));
+    // yaw: the direction in which the eye is, seen from what it looks at; -pi/2 is south.
+    const away = distance * Math.cos(pitch);
+    free.position.set(x + away * Math.cos(yaw), y + away * Math.sin(yaw), distance * Math.sin(pitch));
     free.lookAt(target.set(x, y, 0));
   }
 

@@ -1,5 +1,5 @@
 // The ground: a grid in metres, walls, and links between those that hear each other.
-import { BoxGeometry, BufferAttribute, BufferGeometry, Color, DynamicDrawUsage, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial } from "three";
+import { BoxGeometry, BufferAttribute, BufferGeometry, Color, DynamicDrawUsage, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial } from "three";
 import { colour } from "../colours.js";
 
 /** The round step [m] of which `px` pixels or more are one. */
@@ -57,6 +57,8 @@ export function createSegments(scene, { opacity = 1, depth = true } = {}) {
   };
 }
 
+const along = (from, to, share) => from + share * (to - from);
+
 /** The grid of what the camera sees; its step for the labels. */
 export function createGrid(scene) {
   const segments = createSegments(scene);
@@ -74,12 +76,18 @@ export function createGrid(scene) {
       const [w, h] = mode2d ? [map.span / 2, (map.span * height) / width / 2] : [orbit.distance * 3, orbit.distance * 3];
       const part = (low) => Math.floor(low / step) * step;
       Object.assign(grid, { step, x0: part(centre.x - w), x1: centre.x + w + step, y0: part(centre.y - h), y1: centre.y + h + step });
-      const key = [step, grid.x0, grid.x1, grid.y0, grid.y1].join();
+      const key = [step, grid.x0, grid.x1, grid.y0, grid.y1, mode2d].join();
       if (key === drawn) return;
       drawn = key;
       segments.begin();
-      for (let k = Math.round(grid.x0 / step); k * step <= grid.x1; k++) segments.add(k * step, grid.y0, 0, k * step, grid.y1, 0, shade);
-      for (let k = Math.round(grid.y0 / step); k * step <= grid.y1; k++) segments.add(grid.x0, k * step, 0, grid.x1, k * step, 0, shade);
+      // In the free view in parts: what is behind the eye is then left out as a whole.
+      const parts = mode2d ? 1 : 12;
+      for (let k = Math.round(grid.x0 / step); k * step <= grid.x1; k++) {
+        for (let j = 0; j < parts; j++) segments.add(k * step, along(grid.y0, grid.y1, j / parts), 0, k * step, along(grid.y0, grid.y1, (j + 1) / parts), 0, shade);
+      }
+      for (let k = Math.round(grid.y0 / step); k * step <= grid.y1; k++) {
+        for (let j = 0; j < parts; j++) segments.add(along(grid.x0, grid.x1, j / parts), k * step, 0, along(grid.x0, grid.x1, (j + 1) / parts), k * step, 0, shade);
+      }
       segments.end();
     },
   };
@@ -88,14 +96,19 @@ export function createGrid(scene) {
 
 export function createWalls(scene, walls) {
   const geometry = new BoxGeometry(1, 1, 1);
-  const material = new MeshBasicMaterial();
+  const looks = { map: new MeshBasicMaterial(), free: new MeshLambertMaterial() };
+  const meshes = [];
   for (const wall of walls) {
-    const mesh = new Mesh(geometry, material);
+    const mesh = new Mesh(geometry, looks.map);
+    meshes.push(mesh);
     const high = wall.height || 1;
     mesh.position.set(wall.x, wall.y, high / 2);
     mesh.rotation.z = wall.yaw;
     mesh.scale.set(wall.length_x, wall.length_y, high);
     scene.add(mesh);
   }
-  return { recolour() { material.color.set(colour("wall")); } };
+  return {
+    recolour() { for (const look of Object.values(looks)) look.color.set(colour("wall")); },
+    draw({ mode2d }) { for (const mesh of meshes) mesh.material = mode2d ? looks.map : looks.free; },
+  };
 }

@@ -217,7 +217,8 @@ export function createMarks(run) {
         if (isInside(camera, slot, 0)) labels.keep(spots[slot * 2] - r, spots[slot * 2 + 1] - r, spots[slot * 2] + r, spots[slot * 2 + 1] + r);
       }
       const order = chosenSlot === undefined ? byImportance : [chosenSlot, ...byImportance.filter((slot) => slot !== chosenSlot)];
-      labels.draw(context, camera, agents, order, spots, radiusOf, colour("ink"), colour("ground"));
+      const clear = (slot) => radiusOf(slot) + (agents[slot].kind === "robot" ? 5 : 0); //  of the heading
+      labels.draw(context, camera, agents, order, spots, clear, colour("ink"), colour("ground"));
     },
   };
 }

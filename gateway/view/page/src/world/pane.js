@@ -116,6 +116,7 @@ export function createPane(parent, run, store) {
     const followed = state.follow === null ? undefined : slots.get(state.follow);
     camera.aim(state, width, height, run.world.bounds, followed === undefined ? null : { x: poses.x[followed], y: poses.y[followed] });
     parts.grid.draw(camera);
+    parts.walls.draw(camera);
     parts.links.draw(state, poses);
     parts.trails.draw(state, poses);
     parts.bodies.draw(poses, camera);
