@@ -16,6 +16,7 @@ const fresh = () => ({
   layers: { labels: true, links: true, frames: true, beams: true, trails: true, ranges: false, queues: true },
   mode2d: true, //            map (north up) or free 3-D
   map: null, //               {x, y, span}: middle and width of the map [m]; null: all
+  orbit: null, //             {x, y, distance [m], yaw, pitch [rad]}: the free view; null: about what the map shows
   theme: null, //             "light" | "dark"; null: as the system has it
   charts: [], //              indices of world.series that have a lane
   help: false, //             the sheet of keys
@@ -67,8 +68,12 @@ export function bookmark(state) {
   if (state.route) add("route", `${state.route.destination},${state.route.topic}`);
   if (state.follow !== null) add("follow", state.follow);
   if (state.followed) add("followed", [state.followed.sender, state.followed.id, state.followed.at].join(","));
-  if (!state.mode2d) add("3d", 1);
-  if (state.map) add("map", [state.map.x, state.map.y, state.map.span].map((v) => Number(v.toPrecision(9))).join(","));
+  const digits = (values) => values.map((v) => Number(v.toPrecision(9))).join(",");
+  if (!state.mode2d) {
+    const { x, y, distance, yaw, pitch } = state.orbit ?? {};
+    add("3d", state.orbit ? digits([x, y, distance, yaw, pitch]) : 1);
+  }
+  if (state.map) add("map", digits([state.map.x, state.map.y, state.map.span]));
   const { layers: usual } = fresh();
   const switched = Object.keys(usual).filter((name) => usual[name] !== state.layers[name]);
   if (switched.length) add("layers", switched.map((name) => (state.layers[name] ? "+" : "-") + name).join(","));
@@ -107,7 +112,9 @@ export function startOf(hash) {
   take("follow", "follow", one("follow"));
   const followed = listed("followed", 3);
   if (followed) state.followed = { run, sender: followed[0], id: followed[1], at: followed[2] };
-  if (given.get("3d") === "1") state.mode2d = false;
+  if (given.has("3d")) state.mode2d = false;
+  const orbit = listed("3d", 5);
+  if (orbit && orbit[2] > 0) state.orbit = { x: orbit[0], y: orbit[1], distance: orbit[2], yaw: orbit[3], pitch: orbit[4] };
   const map = listed("map", 3);
   if (map && map[2] > 0) state.map = { x: map[0], y: map[1], span: map[2] };
   if (given.has("layers")) {

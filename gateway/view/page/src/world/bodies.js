@@ -1,0 +1,138 @@
+// Bodies as instances: one mesh per solid of a shape and per kind of wheel, however many agents have it.
+// world.shapes[NAME] is {radius, height, solids?, wheels?}; solids (upright, body frame, m, rad):
+//   {kind: "cylinder", x, y, radius, bottom, top} | {kind: "box", x, y, yaw, length_x, length_y, bottom, top}
+import { BoxGeometry, Color, CylinderGeometry, Float32BufferAttribute, InstancedMesh, Matrix4, MeshBasicMaterial, MeshLambertMaterial } from "three";
+import { wheelAngle } from "../at.js";
+import { colour, robotColour } from "../colours.js";
+
+const smallest = 1.2; //  px of radius: below this a body is not drawn at all
+const withWheels = 7; //  px of radius from which wheels are seen to turn
+
+// What a shape is made of, each with the matrix that brings the unit solid into the body's frame.
+function solidsOf(shape) {
+  const given = shape.solids?.length ? shape.solids
+    : [{ kind: "cylinder", x: 0, y: 0, radius: shape.radius, bottom: 0, top: shape.height }];
+  return given.map((solid) => {
+    const matrix = new Matrix4().makeTranslation(solid.x ?? 0, solid.y ?? 0, (solid.bottom + solid.top) / 2);
+    matrix.multiply(new Matrix4().makeRotationZ(solid.yaw ?? 0));
+    const high = solid.top - solid.bottom;
+    matrix.multiply(solid.kind === "box" ? new Matrix4().makeScale(solid.length_x, solid.length_y, high)
+      : new Matrix4().makeScale(solid.radius, solid.radius, high));
+    return { kind: solid.kind, matrix };
+  });
+}
+
+const cylinder = (sides) => new CylinderGeometry(1, 1, 1, sides).rotateX(Math.PI / 2); //  axis up
+
+// A drum of dark and light sectors, so that its turning is seen.
+function drum() {
+  const geometry = cylinder(12).toNonIndexed();
+  const place = geometry.getAttribute("position");
+  const colours = [];
+  for (let face = 0; face < place.count; face += 3) {
+    let x = 0;
+    let y = 0;
+    for (let k = face; k < face + 3; k++) { x += place.getX(k); y += place.getY(k); }
+    const sector = Math.floor(((Math.atan2(y, x) + Math.PI) * 12) / (2 * Math.PI)) % 4 < 2;
+    for (let k = 0; k < 9; k++) colours.push(sector ? 0.12 : 0.9);
+  }
+  geometry.setAttribute("color", new Float32BufferAttribute(colours, 3));
+  return geometry;
+}
+const geometries = { cylinder: cylinder(20), box: new BoxGeometry(1, 1, 1), wheel: drum() };
+
+// On the map a body is one flat colour, with its wheels drawn over it as on a plan; in the free view it has
+// light and shade, and near by it is glass, because many robots' wheels are inside.
+const materials = {
+  map: { body: new MeshBasicMaterial(), wheel: new MeshBasicMaterial({ vertexColors: true, depthTest: false }) },
+  far: { body: new MeshLambertMaterial(), wheel: new MeshLambertMaterial({ vertexColors: true }) },
+  near: { body: new MeshLambertMaterial({ transparent: true, opacity: 0.55, depthWrite: false }),
+    wheel: new MeshLambertMaterial({ vertexColors: true }) },
+};
+
+export function createBodies(scene, world) {
+  const groups = [];
+  const robots = world.agents.filter((agent) => agent.kind === "robot").map((agent) => agent.agent);
+  for (const [name, shape] of Object.entries(world.shapes ?? {})) {
+    const slots = world.agents.flatMap((agent, slot) => (agent.shape === name ? [slot] : []));
+    if (!slots.length) continue;
+    const add = (kind, count) => {
+      const mesh = new InstancedMesh(geometries[kind], materials.map.body, count);
+      mesh.frustumCulled = false; //  its instances are all over the place
+      mesh.count = 0;
+      scene.add(mesh);
+      return mesh;
+    };
+    const wheels = (shape.wheels ?? []).filter((wheel) => wheel.radius > 0);
+    const solids = solidsOf(shape).map((solid) => ({ ...solid, mesh: add(solid.kind, slots.length) }));
+    groups.push({ shape, slots, solids, wheels, rims: wheels.length ? add("wheel", slots.length * wheels.length) : null });
+  }
+  const colours = world.agents.map(() => new Color());
+
+  const pose = new Matrix4();
+  const made = new Matrix4();
+  const part = new Matrix4();
+  const spot = [0, 0, 0];
+
+  function setPose(poses, slot) {
+    const c = Math.cos(poses.theta[slot]);
+    const s = Math.sin(poses.theta[slot]);
+    pose.set(c, -s, 0, poses.x[slot], s, c, 0, poses.y[slot], 0, 0, 1, 0, 0, 0, 0, 1);
+  }
+
+  // A wheel's axle lies across its heading; it turns about it.
+  function setWheel(wheel, angle) {
+    const c = Math.cos(wheel.heading);
+    const s = Math.sin(wheel.heading);
+    const a = Math.cos(angle);
+    const b = Math.sin(angle);
+    const r = wheel.radius;
+    const w = wheel.width || 0.4 * r;
+    // Columns: two spokes (in the plane of heading and z) and the axle.
+    part.set(r * a * c, -r * b * c, w * -s, wheel.x, r * a * s, -r * b * s, w * c, wheel.y, -r * b, -r * a, 0, r, 0, 0, 0, 1);
+  }
+
+  function drawGroup(group, poses, camera) {
+    let bodies = 0;
+    let rims = 0;
+    for (const slot of group.slots) {
+      camera.project(poses.x[slot], poses.y[slot], 0, spot);
+      const radius = spot[2] * group.shape.radius;
+      if (radius < smallest) continue;
+      if (spot[0] < -radius * 4 || spot[1] < -radius * 4 || spot[0] > camera.width + radius * 4 || spot[1] > camera.height + radius * 4) continue;
+      setPose(poses, slot);
+      for (const { mesh, matrix } of group.solids) {
+        mesh.setMatrixAt(bodies, made.multiplyMatrices(pose, matrix));
+        mesh.setColorAt(bodies, colours[slot]);
+      }
+      bodies++;
+      if (radius < withWheels) continue;
+      for (const wheel of group.wheels) {
+        setWheel(wheel, wheelAngle(wheel, poses.ahead[slot], poses.aside[slot], poses.turned[slot]));
+        group.rims.setMatrixAt(rims++, made.multiplyMatrices(pose, part));
+      }
+    }
+    const look = materials[camera.mode2d ? "map" : rims > 0 && bodies <= 12 ? "near" : "far"];
+    for (const { mesh } of group.solids) update(mesh, bodies, look.body, 0);
+    if (group.rims) update(group.rims, rims, look.wheel, camera.mode2d ? 1 : -1);
+  }
+
+  function update(mesh, count, material, order) {
+    mesh.material = material;
+    mesh.renderOrder = order;
+    mesh.count = count;
+    mesh.visible = count > 0;
+    if (!count) return;
+    mesh.instanceMatrix.needsUpdate = true;
+    if (mesh.instanceColor) mesh.instanceColor.needsUpdate = true;
+  }
+
+  return {
+    recolour() {
+      world.agents.forEach((agent, slot) => {
+        colours[slot].set(agent.kind === "robot" ? robotColour(robots.indexOf(agent.agent)) : colour("mote"));
+      });
+    },
+    draw(poses, camera) { for (const group of groups) drawGroup(group, poses, camera); },
+  };
+}

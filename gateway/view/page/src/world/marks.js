@@ -1,0 +1,223 @@
+// What is drawn over the scene at a size of its own: markers of agents too small to be seen, beams, ranges,
+// the scale, names.
+import { readingAt } from "../at.js";
+import { colour, robotColour } from "../colours.js";
+import { createLabels } from "./labels.js";
+
+const radii = { robot: 7, mote: 4, station: 4 }; // px of a marker
+const many = 200; //     agents from which markers are smaller
+
+/** A circle on the ground as a path: round on the map, as it lies in the free view. */
+export function circle(context, camera, x, y, radius) {
+  const spot = camera.project(x, y, 0, [0, 0, 0]);
+  if (camera.mode2d) {
+    context.moveTo(spot[0] + radius * spot[2], spot[1]);
+    context.arc(spot[0], spot[1], radius * spot[2], 0, 2 * Math.PI);
+    return;
+  }
+  const corners = 48;
+  for (let k = 0; k <= corners; k++) {
+    const angle = (k * 2 * Math.PI) / corners;
+    camera.project(x + radius * Math.cos(angle), y + radius * Math.sin(angle), 0, spot);
+    if (!spot[2]) return;
+    if (k) context.lineTo(spot[0], spot[1]); else context.moveTo(spot[0], spot[1]);
+  }
+}
+
+export function createMarks(run) {
+  const agents = run.world.agents;
+  const labels = createLabels();
+  const robots = agents.filter((agent) => agent.kind === "robot").map((agent) => agent.agent);
+  const robotIndex = new Map(robots.map((agent, k) => [agent, k]));
+  const shrink = agents.length > many ? 0.6 : 1;
+  const spots = new Float64Array(agents.length * 2); // px, of the last draw
+  const sizes = new Float64Array(agents.length); //     px per metre there
+  const stamps = new Map(); //                          markers, drawn once
+  const spot = [0, 0, 0];
+  const bodyRadius = agents.map((agent) => run.world.shapes?.[agent.shape]?.radius ?? 0);
+  const bodyHeight = agents.map((agent) => run.world.shapes?.[agent.shape]?.height ?? 0);
+  const markRadius = agents.map((agent) => (radii[agent.kind] ?? 4) * shrink);
+
+  /** px from an agent's middle to the rim of what is seen of it. */
+  const radiusOf = (slot) => Math.max(markRadius[slot], bodyRadius[slot] * sizes[slot]);
+  const isMarked = (slot) => bodyRadius[slot] * sizes[slot] < markRadius[slot];
+
+  function place(poses, camera) {
+    for (let slot = 0; slot < agents.length; slot++) {
+      camera.project(poses.x[slot], poses.y[slot], camera.mode2d ? 0 : bodyHeight[slot] / 2, spot);
+      spots[slot * 2] = spot[0];
+      spots[slot * 2 + 1] = spot[1];
+      sizes[slot] = spot[2];
+    }
+  }
+
+  // Antialiased discs are dear by the thousand: each colour is drawn once and copied.
+  function stamp(fill, radius, ratio) {
+    const key = `${fill} ${radius} ${ratio}`;
+    let made = stamps.get(key);
+    if (!made) {
+      const side = Math.ceil(radius + 2) * 2;
+      made = document.createElement("canvas");
+      made.width = made.height = side * ratio;
+      made.side = side;
+      const context = made.getContext("2d");
+      context.scale(ratio, ratio);
+      context.beginPath();
+      context.arc(side / 2, side / 2, radius + 1.25, 0, 2 * Math.PI);
+      context.fillStyle = colour("ground");
+      context.fill();
+      context.beginPath();
+      context.arc(side / 2, side / 2, radius, 0, 2 * Math.PI);
+      context.fillStyle = fill;
+      context.fill();
+      stamps.set(key, made);
+    }
+    return made;
+  }
+
+  function drawMarkers(context, camera, poses, ratio) {
+    for (const wanted of ["mote", "robot"]) {
+      for (let slot = 0; slot < agents.length; slot++) {
+        const isRobot = agents[slot].kind === "robot";
+        if (isRobot !== (wanted === "robot") || !isMarked(slot) || !sizes[slot]) continue;
+        const x = spots[slot * 2];
+        const y = spots[slot * 2 + 1];
+        if (!(x > -9 && y > -9 && x < camera.width + 9 && y < camera.height + 9)) continue;
+        const disc = stamp(isRobot ? robotColour(robotIndex.get(agents[slot].agent)) : colour("mote"), markRadius[slot], ratio);
+        context.drawImage(disc, x - disc.side / 2, y - disc.side / 2, disc.side, disc.side);
+      }
+    }
+  }
+
+  // Which way robots look: a tick that begins outside the body, so that it hides nothing of it.
+  function drawHeadings(context, camera, poses) {
+    context.beginPath();
+    for (let slot = 0; slot < agents.length; slot++) {
+      if (agents[slot].kind !== "robot" || !sizes[slot]) continue;
+      const r = radiusOf(slot);
+      const ahead = r / sizes[slot];
+      camera.project(poses.x[slot] + ahead * Math.cos(poses.theta[slot]), poses.y[slot] + ahead * Math.sin(poses.theta[slot]), 0, spot);
+      const dx = spot[0] - spots[slot * 2];
+      const dy = spot[1] - spots[slot * 2 + 1];
+      const f = camera.mode2d ? 1 / (Math.hypot(dx, dy) || 1) : 1 / r;
+      context.moveTo(spots[slot * 2] + dx * f * (r + 2), spots[slot * 2 + 1] + dy * f * (r + 2));
+      context.lineTo(spots[slot * 2] + dx * f * (r + 7), spots[slot * 2 + 1] + dy * f * (r + 7));
+    }
+    context.strokeStyle = colour("ink");
+    context.lineWidth = 2;
+    context.stroke();
+  }
+
+  // Infrared: as far as something is seen, with a mark where; as far as it reaches, thin, where nothing is.
+  function drawBeams(context, camera, poses, t) {
+    const near = agents.map((agent, slot) => slot).filter((slot) => agents[slot].infrared?.length &&
+      agents[slot].infrared[0].reach * sizes[slot] > 6 && isInside(camera, slot, 200));
+    if (!near.length) return;
+    const pieces = run.rows("readings", t, t + 1);
+    const from = [0, 0, 0];
+    for (const slot of near) {
+      const values = readingAt(pieces, agents[slot].agent, "infrared", t);
+      if (!values) continue;
+      const c = Math.cos(poses.theta[slot]);
+      const s = Math.sin(poses.theta[slot]);
+      agents[slot].infrared.forEach((mount, k) => {
+        const seen = values[k] !== null && values[k] !== undefined;
+        const length = seen ? values[k] : mount.reach;
+        const x = poses.x[slot] + mount.x * c - mount.y * s;
+        const y = poses.y[slot] + mount.x * s + mount.y * c;
+        const heading = poses.theta[slot] + mount.heading;
+        camera.project(x, y, 0.04, from);
+        camera.project(x + length * Math.cos(heading), y + length * Math.sin(heading), 0.04, spot);
+        context.beginPath();
+        context.moveTo(from[0], from[1]);
+        context.lineTo(spot[0], spot[1]);
+        context.strokeStyle = colour(seen ? "beam" : "muted");
+        context.lineWidth = seen ? 2 : 0.75;
+        context.globalAlpha = seen ? 1 : 0.5;
+        context.stroke();
+        context.globalAlpha = 1;
+        if (!seen) return;
+        context.beginPath();
+        context.arc(spot[0], spot[1], 3.5, 0, 2 * Math.PI);
+        context.fillStyle = colour("beam");
+        context.fill();
+      });
+    }
+  }
+
+  const isInside = (camera, slot, margin) => spots[slot * 2] > -margin && spots[slot * 2 + 1] > -margin &&
+    spots[slot * 2] < camera.width + margin && spots[slot * 2 + 1] < camera.height + margin;
+
+  function drawRanges(context, camera, poses, state, chosen) {
+    const shown = agents.map((agent, slot) => slot).filter((slot) => agents[slot].range_m &&
+      (state.layers.ranges || agents[slot].agent === chosen)).slice(0, many);
+    context.beginPath();
+    for (const slot of shown) circle(context, camera, poses.x[slot], poses.y[slot], agents[slot].range_m);
+    context.strokeStyle = colour("muted");
+    context.lineWidth = 1;
+    context.setLineDash([4, 4]);
+    context.stroke();
+    context.setLineDash([]);
+  }
+
+  function drawChosen(context, slot) {
+    if (slot === undefined || !sizes[slot]) return;
+    context.beginPath();
+    context.arc(spots[slot * 2], spots[slot * 2 + 1], radiusOf(slot) + 4.5, 0, 2 * Math.PI);
+    context.strokeStyle = colour("ink");
+    context.lineWidth = 1.75;
+    context.stroke();
+  }
+
+  // Metres along the edges of the map, and a scale; in the free view the scale is the grid's step.
+  function drawMetres(context, camera, grid) {
+    context.font = "11px system-ui, 'Liberation Sans', 'DejaVu Sans', sans-serif";
+    context.fillStyle = colour("muted");
+    context.textBaseline = "alphabetic";
+    const digits = Math.max(0, -Math.floor(Math.log10(grid.step) + 1e-9));
+    if (!camera.mode2d) {
+      context.fillText(`grid ${grid.step.toFixed(digits)} m`, 8, camera.height - 7);
+      labels.keep(0, camera.height - 22, 90, camera.height);
+      return;
+    }
+    context.textAlign = "center";
+    for (let k = Math.round(grid.x0 / grid.step); k * grid.step <= grid.x1; k++) {
+      const x = camera.project(k * grid.step, 0, 0, spot)[0];
+      if (x > 50 && x < camera.width - 30) context.fillText((k * grid.step).toFixed(digits), x, camera.height - 5);
+    }
+    context.textAlign = "left";
+    for (let k = Math.round(grid.y0 / grid.step); k * grid.step <= grid.y1; k++) {
+      const y = camera.project(0, k * grid.step, 0, spot)[1];
+      if (y > 40 && y < camera.height - 20) context.fillText((k * grid.step).toFixed(digits), 4, y - 2);
+    }
+    context.fillText("m", 6, camera.height - 5);
+    labels.keep(0, camera.height - 18, camera.width, camera.height);
+  }
+
+  const byImportance = agents.map((agent, slot) => slot).sort((a, b) =>
+    (agents[a].kind === "robot" ? 0 : 1) - (agents[b].kind === "robot" ? 0 : 1) || a - b);
+
+  return {
+    spots, sizes, radiusOf, labels,
+    place,
+    forget() { stamps.clear(); },
+    below(context, camera, poses, state, chosen) {
+      drawRanges(context, camera, poses, state, chosen);
+      if (state.layers.beams) drawBeams(context, camera, poses, state.t);
+    },
+    above(context, camera, poses, state, grid, chosenSlot, ratio) {
+      labels.begin();
+      drawMetres(context, camera, grid);
+      drawMarkers(context, camera, poses, ratio);
+      drawHeadings(context, camera, poses);
+      drawChosen(context, chosenSlot);
+      if (!state.layers.labels) return;
+      for (let slot = 0; slot < agents.length && agents.length <= many; slot++) {
+        const r = radiusOf(slot);
+        if (isInside(camera, slot, 0)) labels.keep(spots[slot * 2] - r, spots[slot * 2 + 1] - r, spots[slot * 2] + r, spots[slot * 2 + 1] + r);
+      }
+      const order = chosenSlot === undefined ? byImportance : [chosenSlot, ...byImportance.filter((slot) => slot !== chosenSlot)];
+      labels.draw(context, camera, agents, order, spots, radiusOf, colour("ink"), colour("ground"));
+    },
+  };
+}

@@ -1,0 +1,180 @@
+// One run's world: what has a size in metres is a three.js scene; marks, names and the network are drawn
+// over it.
+import { AmbientLight, Color, DirectionalLight, Scene, WebGLRenderer } from "three";
+import { createFollowed } from "../air/followed.js";
+import { createFrames } from "../air/frames.js";
+import { createQueues } from "../air/queues.js";
+import { createRoutes } from "../air/routes.js";
+import { createPoses, posesAt } from "../at.js";
+import { colour } from "../colours.js";
+import { createBodies } from "./bodies.js";
+import { createCamera } from "./camera.js";
+import { createGrid, createWalls } from "./ground.js";
+import { createLinks } from "./links.js";
+import { createMarks } from "./marks.js";
+import { pointer } from "./pointer.js";
+import { createTrails } from "./trails.js";
+
+const many = 200; //  agents from which smoothness costs more than it shows
+
+const make = (parent, tag, name) => {
+  const element = document.createElement(tag);
+  if (name) element.className = name;
+  parent.append(element);
+  return element;
+};
+
+// The graphics card's view of the world, or none: then the network is still drawn.
+function renderer(canvas, smooth) {
+  try {
+    const made = new WebGLRenderer({ canvas, antialias: smooth, powerPreference: "high-performance", stencil: false });
+    made.info.autoReset = true;
+    return made;
+  } catch {
+    return null;
+  }
+}
+
+function createScene(run, slots) {
+  const scene = new Scene();
+  scene.background = new Color();
+  const sun = new DirectionalLight(0xffffff, 1.6);
+  sun.position.set(-0.4, -0.7, 1);
+  scene.add(new AmbientLight(0xffffff, 1.7), sun);
+  const grid = createGrid(scene);
+  const walls = createWalls(scene, run.world.walls ?? []);
+  const links = createLinks(scene, run, slots);
+  const trails = createTrails(scene, run, slots);
+  const bodies = createBodies(scene, run.world);
+  return { scene, grid, walls, links, trails, bodies,
+    recolour() {
+      scene.background.set(colour("ground"));
+      for (const part of [grid, walls, links, trails, bodies]) part.recolour();
+    } };
+}
+
+function titleOf(pane, run) {
+  const title = make(pane, "h2");
+  const { result, profile } = run.world;
+  title.append(run.name);
+  make(title, "small").textContent = [profile && ` · ${profile}`, result && ` · ${result}`].filter(Boolean).join("");
+}
+
+function tellMissing(pane, run) {
+  const missing = run.world.missing ?? [];
+  const warnings = run.world.warnings ?? [];
+  if (!missing.length && !warnings.length) return;
+  make(pane, "p", "missing").textContent = [...warnings,
+    ...missing.map(({ what, line }) => `not recorded: ${what} (record it with ${line})`)].slice(0, 6).join("\n");
+}
+
+export function createPane(parent, run, store) {
+  const agents = run.world.agents;
+  const slots = new Map(agents.map((agent, slot) => [agent.agent, slot]));
+  const element = make(parent, "div", "pane");
+  const canvas = make(element, "canvas", "scene");
+  const overlay = make(element, "canvas", "overlay");
+  titleOf(element, run);
+  tellMissing(element, run);
+  const isMany = agents.length > many;
+  const graphics = renderer(canvas, !isMany);
+  const context = overlay.getContext("2d");
+  const camera = createCamera();
+  const poses = createPoses(agents);
+  const parts = createScene(run, slots);
+  const marks = createMarks(run);
+  const air = { frames: createFrames(run, slots), routes: createRoutes(run, slots), queues: createQueues(run), followed: createFollowed(run, slots) };
+  const period = run.world.recorded?.poses_period_ns ?? 0;
+  let size = "";
+
+  function fit() {
+    const { clientWidth: width, clientHeight: height } = element;
+    const ratio = isMany ? 1 : Math.min(2, devicePixelRatio || 1);
+    const now = `${width} ${height} ${ratio}`;
+    if (now !== size && width && height) {
+      size = now;
+      graphics?.setPixelRatio(ratio);
+      graphics?.setSize(width, height, false);
+      overlay.width = Math.round(width * ratio);
+      overlay.height = Math.round(height * ratio);
+    }
+    return { width, height, ratio };
+  }
+
+  function move(state) {
+    const ahead = state.playing ? state.speed * 1e9 : 0;
+    posesAt(run.rows("poses", state.t, state.t + period + 1), state.t, period, slots, poses);
+    if (ahead) run.rows("poses", state.t, state.t + ahead + period); //  asked for before they are needed
+  }
+
+  const chosenSlot = ({ chosen }) => (chosen?.kind === "agent" && chosen.run === run.index ? slots.get(chosen.agent) : undefined);
+
+  function draw(state) {
+    const { width, height, ratio } = fit();
+    if (!width || !height) return;
+    move(state);
+    const followed = state.follow === null ? undefined : slots.get(state.follow);
+    camera.aim(state, width, height, run.world.bounds, followed === undefined ? null : { x: poses.x[followed], y: poses.y[followed] });
+    parts.grid.draw(camera);
+    parts.links.draw(state, poses);
+    parts.trails.draw(state, poses);
+    parts.bodies.draw(poses, camera);
+    graphics?.render(parts.scene, camera.eye);
+    marks.place(poses, camera);
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.clearRect(0, 0, width, height);
+    const slot = chosenSlot(state);
+    marks.below(context, camera, poses, state, slot === undefined ? null : agents[slot].agent);
+    chosenLink(state);
+    air.frames.draw(context, camera, poses, state);
+    air.routes.draw(context, camera, poses, state);
+    air.followed.draw(context, camera, poses, state);
+    marks.above(context, camera, poses, state, parts.grid, slot, ratio);
+    air.queues.draw(context, camera, marks, state);
+    air.frames.prefetch(state);
+  }
+
+  function chosenLink({ chosen }) {
+    if (chosen?.kind !== "link" || chosen.run !== run.index) return;
+    const p = slots.get(chosen.a) * 2;
+    const q = slots.get(chosen.b) * 2;
+    context.beginPath();
+    context.moveTo(marks.spots[p], marks.spots[p + 1]);
+    context.lineTo(marks.spots[q], marks.spots[q + 1]);
+    context.strokeStyle = colour("ink");
+    context.lineWidth = 2.5;
+    context.stroke();
+  }
+
+  // The agent under a point; else the link beside it; else nothing.
+  function choose(x, y) {
+    let best = null;
+    let least = Infinity;
+    for (let slot = 0; slot < agents.length; slot++) {
+      const away = Math.hypot(marks.spots[slot * 2] - x, marks.spots[slot * 2 + 1] - y);
+      const reach = marks.radiusOf(slot) + 5;
+      if (away <= reach && away / reach < least) { least = away / reach; best = { kind: "agent", agent: agents[slot].agent }; }
+    }
+    if (!best && store.state.layers.links) {
+      const link = parts.links.near(poses, camera, x, y, 5);
+      if (link) best = { kind: "link", ...link };
+    }
+    store.set({ chosen: best && { ...best, run: run.index }, run: run.index });
+  }
+  pointer(canvas, store, camera, choose);
+  canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
+  canvas.addEventListener("webglcontextrestored", () => store.set({ layers: { ...store.state.layers } }));
+
+  return {
+    element, camera, draw,
+    quality: parts.links.quality,
+    recolour() { parts.recolour(); marks.forget(); },
+    project(x, y) {
+      const box = canvas.getBoundingClientRect();
+      const spot = camera.project(x, y, 0, [0, 0, 0]);
+      return [box.left + spot[0], box.top + spot[1]];
+    },
+    arrows: () => air.routes.arrows(store.state),
+    followed: () => air.followed.current(store.state),
+  };
+}

@@ -1,0 +1,34 @@
+// What is shown in the world: map or 3-D, all in sight, layers.
+const names = { labels: "names", links: "links", frames: "frames", beams: "beams", trails: "trails", ranges: "ranges", queues: "queues" };
+
+export function switches(element, store) {
+  const box = document.createElement("div");
+  box.className = "switches";
+  element.append(box);
+  const add = (text, title, onClick) => {
+    const button = document.createElement("button");
+    button.type = "button";
+    button.textContent = text;
+    button.title = title;
+    button.addEventListener("click", onClick);
+    box.append(button);
+    return button;
+  };
+  const free = add("3-D", "map or free view", () => store.set({ mode2d: !store.state.mode2d }));
+  add("all", "all in sight", () => store.set({ map: null, orbit: null, follow: null }));
+  const follow = add("follow", "the view stays on the chosen agent", () => {
+    const { chosen, follow: followed } = store.state;
+    store.set({ follow: followed === null && chosen?.kind === "agent" ? chosen.agent : null });
+  });
+  const layers = Object.entries(names).map(([key, text]) => [key, add(text, `show ${text}`, () => {
+    store.set({ layers: { ...store.state.layers, [key]: !store.state.layers[key] } });
+  })]);
+  return {
+    draw(state) {
+      free.setAttribute("aria-pressed", String(!state.mode2d));
+      follow.setAttribute("aria-pressed", String(state.follow !== null));
+      follow.disabled = state.follow === null && state.chosen?.kind !== "agent";
+      for (const [key, button] of layers) button.setAttribute("aria-pressed", String(state.layers[key]));
+    },
+  };
+}
