@@ -210,11 +210,14 @@ function between(poses, slot, a, k, b, next, f) {
   poses.turned[slot] = a.turned[k] + same * (b.turned[next] - a.turned[k]);
 }
 
-/** How far a wheel has turned [rad] by its robot's way: rolling without slip along its heading. */
+/**
+ * How far a wheel has turned about its axle [rad] by its robot's way: rolling without slip. `heading` is the
+ * axle's; turning right-handed about it rolls to its right.
+ */
 export const wheelAngle = (wheel, ahead, aside, turned) => {
   const c = Math.cos(wheel.heading);
   const s = Math.sin(wheel.heading);
-  return ((ahead - turned * wheel.y) * c + (aside + turned * wheel.x) * s) / wheel.radius;
+  return ((ahead - turned * wheel.y) * s - (aside + turned * wheel.x) * c) / wheel.radius;
 };
 
 /** Calls visit(columns, row, tile) for each row whose `at` is in [from, to]. */

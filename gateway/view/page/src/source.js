@@ -38,7 +38,7 @@ function answers() {
     const above = new Set();
     for (const url of Object.keys(inlined)) {
       const match = /^(.*)\/(\d+)\/(\d+)$/.exec(url);
-      if (!match || /\/(routes|totals)$/.test(match[1].replace(/\/\d+$/, ""))) continue;
+      if (!match) continue;
       let index = Number(match[3]);
       for (let level = Number(match[2]) + 1; level <= most; level++) {
         index = Math.floor(index / 8);
@@ -99,9 +99,27 @@ function openRun(index, name, world, from, { onArrival, cache, live, onError }) 
     for (let up = first + 1; up <= most; up++) {
       if (cache.look(`${base}/${kind}/${up}/${Math.floor(from_ / size(up))}`)?.answer?.complete) level = up;
     }
+    const children = (at, tileIndex, call) => {
+      const below = size(at - 1);
+      const end_ = Math.min(to, (tileIndex + 1) * size(at));
+      for (let k = Math.floor(Math.max(from_, tileIndex * size(at)) / below); k * below < end_; k++) call(at - 1, k);
+    };
+    // Smaller tiles that are there already spare a larger one.
+    const isCovered = (at, tileIndex, depth = 3) => {
+      if (at <= least || !depth) return false;
+      let covered = true;
+      children(at, tileIndex, (level_, k) => {
+        covered &&= cache.look(`${base}/${kind}/${level_}/${k}`)?.answer?.complete || isCovered(level_, k, depth - 1);
+      });
+      return covered;
+    };
     const visit = (at, tileIndex) => {
       const tileFrom = tileIndex * size(at);
       const tileTo = tileFrom + size(at);
+      if (!cache.look(`${base}/${kind}/${at}/${tileIndex}`) && isCovered(at, tileIndex)) {
+        children(at, tileIndex, visit);
+        return;
+      }
       const entry = tileNow(kind, at, tileIndex, to);
       const tile = entry?.answer;
       const piece = tile && { from: Math.max(from_, tileFrom), to: Math.min(to, tileTo), tile };
@@ -118,8 +136,7 @@ function openRun(index, name, world, from, { onArrival, cache, live, onError }) 
       } else {
         hint.set(kind, Math.max(finest, at - 1));
         const length = pieces.length;
-        const below = size(at - 1);
-        for (let k = Math.floor(Math.max(from_, tileFrom) / below); k * below < Math.min(to, tileTo); k++) visit(at - 1, k);
+        children(at, tileIndex, visit);
         if (pieces.length === length && piece) pieces.push(piece); // nothing finer yet: the summary
       }
     };

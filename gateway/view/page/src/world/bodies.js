@@ -1,6 +1,6 @@
 // Bodies as instances: one mesh per solid of a shape and per kind of wheel, however many agents have it.
-// world.shapes[NAME] is {radius, height, solids?, wheels?}; solids (upright, body frame, m, rad):
-//   {kind: "cylinder", x, y, radius, bottom, top} | {kind: "box", x, y, yaw, length_x, length_y, bottom, top}
+// world.shapes[NAME] is {radius, height, cylinders, boxes, wheels}, as the robot files describe them: upright,
+// body frame, m and rad, z of the middle.
 import { BoxGeometry, Color, CylinderGeometry, Float32BufferAttribute, InstancedMesh, Matrix4, MeshBasicMaterial, MeshLambertMaterial } from "three";
 import { wheelAngle } from "../at.js";
 import { colour, robotColour } from "../colours.js";
@@ -9,17 +9,14 @@ const smallest = 1.2; //  px of radius: below this a body is not drawn at all
 const withWheels = 7; //  px of radius from which wheels are seen to turn
 
 // What a shape is made of, each with the matrix that brings the unit solid into the body's frame.
-function solidsOf(shape) {
-  const given = shape.solids?.length ? shape.solids
-    : [{ kind: "cylinder", x: 0, y: 0, radius: shape.radius, bottom: 0, top: shape.height }];
-  return given.map((solid) => {
-    const matrix = new Matrix4().makeTranslation(solid.x ?? 0, solid.y ?? 0, (solid.bottom + solid.top) / 2);
-    matrix.multiply(new Matrix4().makeRotationZ(solid.yaw ?? 0));
-    const high = solid.top - solid.bottom;
-    matrix.multiply(solid.kind === "box" ? new Matrix4().makeScale(solid.length_x, solid.length_y, high)
-      : new Matrix4().makeScale(solid.radius, solid.radius, high));
-    return { kind: solid.kind, matrix };
+function solidsOf({ cylinders = [], boxes = [], radius, height }) {
+  const solid = (kind, { x, y, z, yaw = 0 }, scale) => ({
+    kind, matrix: new Matrix4().makeTranslation(x, y, z).multiply(new Matrix4().makeRotationZ(yaw)).multiply(scale),
   });
+  const round = (one) => solid("cylinder", one, new Matrix4().makeScale(one.radius, one.radius, one.height));
+  const made = [...cylinders.map(round),
+    ...boxes.map((one) => solid("box", one, new Matrix4().makeScale(one.length_x, one.length_y, one.length_z)))];
+  return made.length ? made : [round({ x: 0, y: 0, z: height / 2, radius, height })];
 }
 
 const cylinder = (sides) => new CylinderGeometry(1, 1, 1, sides).rotateX(Math.PI / 2); //  axis up
@@ -80,16 +77,12 @@ export function createBodies(scene, world) {
     pose.set(c, -s, 0, poses.x[slot], s, c, 0, poses.y[slot], 0, 0, 1, 0, 0, 0, 0, 1);
   }
 
-  // A wheel's axle lies across its heading; it turns about it.
-  function setWheel(wheel, angle) {
-    const c = Math.cos(wheel.heading);
-    const s = Math.sin(wheel.heading);
-    const a = Math.cos(angle);
-    const b = Math.sin(angle);
-    const r = wheel.radius;
-    const w = wheel.width || 0.4 * r;
-    // Columns: two spokes (in the plane of heading and z) and the axle.
-    part.set(r * a * c, -r * b * c, w * -s, wheel.x, r * a * s, -r * b * s, w * c, wheel.y, -r * b, -r * a, 0, r, 0, 0, 0, 1);
+  // Columns: two spokes and the axle. Turning by a positive angle about the axle, right-handed, the top of the
+  // wheel goes where it rolls: to the right of the axle.
+  function setWheel({ x, y, heading, radius: r, width }, angle) {
+    const [c, s] = [Math.cos(heading), Math.sin(heading)];
+    const [a, b] = [r * Math.cos(angle), r * Math.sin(angle)];
+    part.set(a * s, -b * s, width * c, x, -a * c, b * c, width * s, y, -b, -a, 0, r, 0, 0, 0, 1);
   }
 
   function drawGroup(group, poses, camera) {

@@ -6,12 +6,19 @@ import { OrthographicCamera, PerspectiveCamera, Vector3 } from "three";
 const fieldOfView = 45; //  degrees, from top to bottom
 const up = new Vector3(0, 0, 1);
 
-/** The map that shows all. */
+const frame = { left: 34, right: 44, top: 46, bottom: 32 }; //  px that buttons, names and metres take
+
+/** The map that shows all, clear of what lies over it. */
 export function wholeMap(bounds, width, height) {
-  const margin = 1.16;
   const w = Math.max(bounds.x1 - bounds.x0, 4);
   const h = Math.max(bounds.y1 - bounds.y0, 4);
-  return { x: (bounds.x0 + bounds.x1) / 2, y: (bounds.y0 + bounds.y1) / 2, span: margin * Math.max(w, h * (width / height)) };
+  const free = { x: Math.max(50, width - frame.left - frame.right), y: Math.max(50, height - frame.top - frame.bottom) };
+  const metres = Math.max(w / free.x, h / free.y); //  per px
+  return {
+    x: (bounds.x0 + bounds.x1) / 2 + ((frame.right - frame.left) / 2) * metres,
+    y: (bounds.y0 + bounds.y1) / 2 + ((frame.top - frame.bottom) / 2) * metres,
+    span: metres * width,
+  };
 }
 
 /** The orbit that shows about what a map does. */

@@ -6,16 +6,30 @@ import { createSegments } from "./ground.js";
 
 const lately = 10e9; //  ns before t that are counted
 const most = 20000; //   links that are drawn
+const pair = (a, b) => Math.min(a, b) * 65536 + Math.max(a, b);
 
 export function createLinks(scene, run, slots) {
   const segments = createSegments(scene);
   segments.lines.renderOrder = -5;
-  const links = run.world.links.slice(0, most).map(([a, b]) => [slots.get(a), slots.get(b)]);
-  const known = new Map(links.map(([a, b], k) => [a * 65536 + b, k]));
-  const came = new Int32Array(links.length);
-  const lost = new Int32Array(links.length);
+  // Those of the start, then those over which something was heard: [slot, slot] and by pair their places.
+  const links = [];
+  const known = new Map();
+  const came = [];
+  const lost = [];
+  const mixed = [];
+  const add = (a, b) => {
+    const k = links.length;
+    known.set(pair(a, b), k);
+    links.push([a, b]);
+    came.push(0);
+    lost.push(0);
+    mixed.push(new Color());
+    return k;
+  };
+  for (const [a, b] of run.world.links.slice(0, most)) add(slots.get(a), slots.get(b));
+  const atStart = links.length;
+  const agents = run.world.agents;
   const shades = { quiet: new Color(), good: new Color(), bad: new Color() };
-  const mixed = links.map(() => new Color());
   let counted = "";
 
   // Frames are counted anew each second of simulated time, not each picture.
@@ -31,11 +45,21 @@ export function createLinks(scene, run, slots) {
       const from = slots.get(columns.transmitter[row]);
       for (const [agent, , verdict] of columns.ends[row]) {
         const hearer = slots.get(agent);
-        const k = known.get(Math.min(from, hearer) * 65536 + Math.max(from, hearer));
+        let k = known.get(pair(from, hearer));
+        if (k === undefined && links.length < most) k = add(from, hearer);
         if (k !== undefined) (tile.verdicts[verdict] === "delivered" ? came : lost)[k]++;
       }
     });
     shade();
+  }
+
+  // A link of the start that nothing was heard over is shown while its ends are within range.
+  function isShown(k, poses) {
+    if (came[k] + lost[k] > 0) return true;
+    if (k >= atStart) return false;
+    const [a, b] = links[k];
+    const range = Math.max(agents[a].range_m ?? Infinity, agents[b].range_m ?? Infinity);
+    return Math.hypot(poses.x[a] - poses.x[b], poses.y[a] - poses.y[b]) <= range;
   }
 
   function shade() {
@@ -49,8 +73,7 @@ export function createLinks(scene, run, slots) {
   return {
     /** Frames that came and that were lost over a link lately: [came, lost]. */
     quality(a, b) {
-      const [p, q] = [slots.get(a), slots.get(b)];
-      const k = known.get(Math.min(p, q) * 65536 + Math.max(p, q));
+      const k = known.get(pair(slots.get(a), slots.get(b)));
       return k === undefined ? null : [came[k], lost[k]];
     },
     /** The link whose line comes nearest to a point of the pane, within `reach` px: {a, b}, or null. */
@@ -59,13 +82,14 @@ export function createLinks(scene, run, slots) {
       let least = reach;
       const p = [0, 0, 0];
       const q = [0, 0, 0];
-      for (const [a, b] of links) {
+      for (const [k, [a, b]] of links.entries()) {
+        if (!isShown(k, poses)) continue;
         camera.project(poses.x[a], poses.y[a], 0, p);
         camera.project(poses.x[b], poses.y[b], 0, q);
         const [dx, dy] = [q[0] - p[0], q[1] - p[1]];
         const f = Math.min(1, Math.max(0, ((px - p[0]) * dx + (py - p[1]) * dy) / (dx * dx + dy * dy || 1)));
         const away = Math.hypot(px - p[0] - f * dx, py - p[1] - f * dy);
-        if (away < least) { least = away; best = { a: run.world.agents[a].agent, b: run.world.agents[b].agent }; }
+        if (away < least) { least = away; best = { a: agents[a].agent, b: agents[b].agent }; }
       }
       return best;
     },
@@ -81,6 +105,7 @@ export function createLinks(scene, run, slots) {
       if (state.layers.links) {
         count(state.t);
         for (let k = 0; k < links.length; k++) {
+          if (!isShown(k, poses)) continue;
           const [a, b] = links[k];
           segments.add(poses.x[a], poses.y[a], 0.01, poses.x[b], poses.y[b], 0.01, mixed[k]);
         }

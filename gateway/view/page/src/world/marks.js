@@ -126,8 +126,8 @@ export function createMarks(run) {
         const x = poses.x[slot] + mount.x * c - mount.y * s;
         const y = poses.y[slot] + mount.x * s + mount.y * c;
         const heading = poses.theta[slot] + mount.heading;
-        camera.project(x, y, 0.04, from);
-        camera.project(x + length * Math.cos(heading), y + length * Math.sin(heading), 0.04, spot);
+        camera.project(x, y, mount.z ?? 0.04, from);
+        camera.project(x + length * Math.cos(heading), y + length * Math.sin(heading), mount.z ?? 0.04, spot);
         context.beginPath();
         context.moveTo(from[0], from[1]);
         context.lineTo(spot[0], spot[1]);
