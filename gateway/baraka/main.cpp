@@ -15,6 +15,7 @@
 #include "gateway/commands/observables_page.h"
 #include "gateway/commands/report_command.h"
 #include "gateway/commands/topic_command.h"
+#include "gateway/commands/view_command.h"
 #include "gateway/exit_status.h"
 #include "gateway/run/domain_range.h"
 #include "gateway/run/run_command.h"
@@ -36,6 +37,7 @@ constexpr std::int64_t kMostReplications = 1'000'000, kMostJobs = 1000,
                        kMostSamples = 1'000'000'000;
 constexpr double kLeastSpeed = 1e-6, kMostSpeed = 1e9;
 constexpr double kLeastTimeout = 1e-3;  // s
+constexpr std::int64_t kMostPort = 65535;
 
 /// For an option that takes a DDS domain, "7", or a range of them, "7-9".
 CLI::Validator domains() {
@@ -227,6 +229,19 @@ void add_exec(CLI::App& app, gateway::ExecOptions& options) {
   exec->add_option("COMMAND", options.command, "Behind --; default: a shell");
 }
 
+void add_view(CLI::App& app, gateway::ViewOptions& options) {
+  CLI::App* add = app.add_subcommand(
+      "view", "See results, or a scenario, in a browser: world, network and time");
+  add->add_option("DIR|SCENARIO", options.what,
+                  "Folders of results, shown side by side; or one scenario file")
+      ->required();
+  add->add_option("--port", options.port, "Port of 127.0.0.1; default: a free one")
+      ->transform(whole_number(1, kMostPort));
+  add->add_flag("!--no-open", options.open, "Do not open a browser");
+  add->add_option("--export", options.file,
+                  "Write a page that needs nothing else to this file, do not serve");
+}
+
 struct TopicCommand {
   CLI::App* app;
   int (*act)(const gateway::TopicOptions&);
@@ -273,6 +288,8 @@ int command(int argc, char** argv) {
   const CLI::App* describe = add_describe(app, describe_options);
   gateway::ReportOptions report_options;
   const CLI::App* report = add_report(app, report_options);
+  gateway::ViewOptions view_options;
+  add_view(app, view_options);
   gateway::ExportOptions export_options;
   add_export(app, export_options);
   gateway::ExecOptions exec_options;
@@ -297,6 +314,7 @@ int command(int argc, char** argv) {
   if (app.got_subcommand("exec")) gateway::exec_inside(exec_options);
   if (app.got_subcommand("export")) return gateway::export_results(export_options);
   if (*report) return gateway::report(report_options);
+  if (app.got_subcommand("view")) return gateway::show_view(view_options);
   if (app.got_subcommand("new-controller")) return gateway::new_controller(controller);
   if (run_options.replications) return gateway::run_replications(run_options);
   return gateway::run(run_options);
