@@ -9,7 +9,12 @@
 #include <string_view>
 #include <vector>
 
+#include "gateway/view/frame_density.h"
+#include "gateway/view/last_rows.h"
+#include "gateway/view/log_lines.h"
+#include "gateway/view/message_index.h"
 #include "gateway/view/record.h"
+#include "gateway/view/series.h"
 #include "sim/scenario/scenario.h"
 
 namespace gateway::view {
@@ -34,7 +39,21 @@ class Run {
   std::optional<std::string> answer(std::string_view path);
 
  private:
+  /// What is known of a record that was read, so that it need not be read again.
+  struct Known {
+    FrameDensity frames;
+    MessageIndex messages;
+    LastRows readings{"readings", "channel"};
+    LastRows queues{"queues", "''"};
+    SeriesStore series;
+    LogLines log;
+    std::string world;  ///< Of a run that has ended; empty: not asked for yet.
+  };
+
   std::optional<std::string> answer_open(std::string_view path);
+  std::string world();
+  std::optional<std::string> of_agent(std::string_view kind, std::int64_t agent);
+  std::optional<std::string> tile(std::string_view kind, const Span& span);
 
   std::filesystem::path folder_;
   std::string name_;
@@ -42,6 +61,7 @@ class Run {
   std::optional<Record> record_;
   std::optional<sim::scenario::Scenario> scenario_;  ///< None: it cannot be read any more.
   std::vector<std::string> said_;
+  Known known_;
 };
 
 }  // namespace gateway::view

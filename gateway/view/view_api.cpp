@@ -1,10 +1,10 @@
 #include "gateway/view/view_api.h"
 
 #include <array>
-#include <charconv>
 #include <utility>
 
 #include "gateway/view/json_text.h"
+#include "gateway/view/plain_integer.h"
 #include "sim/report/run_result.h"
 
 namespace gateway::view {
@@ -23,14 +23,6 @@ bool take(std::string_view& text, std::string_view prefix) {
 }
 
 }  // namespace
-
-std::optional<std::int64_t> plain_integer(std::string_view text) {
-  if (text.empty() || (text.size() > 1 && text.front() == '0') || text.front() == '-') return {};
-  std::int64_t number = 0;
-  const auto end = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (end.ec != std::errc{} || end.ptr != text.data() + text.size()) return {};
-  return number;
-}
 
 ViewApi::ViewApi(std::vector<std::unique_ptr<Run>> runs, Mode mode, bool can_command)
     : runs_(std::move(runs)), mode_(mode), can_command_(can_command) {}

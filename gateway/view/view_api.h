@@ -39,8 +39,4 @@ class ViewApi {
 /// @throws std::runtime_error  one holds none, or one of another version.
 std::vector<std::unique_ptr<Run>> open_results(const std::vector<std::filesystem::path>& folders);
 
-/// A whole number without a sign, as addresses have it: none of "", "01", "1x" and what does not
-/// fit.
-std::optional<std::int64_t> plain_integer(std::string_view text);
-
 }  // namespace gateway::view

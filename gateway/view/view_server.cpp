@@ -105,14 +105,14 @@ void send_error(httplib::Response& response, int status, std::string_view why) {
 /// waits for it.
 std::string event_of(const Clock::Now& clock) {
   const Json event = JsonObject()
-                        .add("now", clock.now)
-                        .add("until", clock.until)
-                        .add("paused", clock.paused)
-                        .add("speed", clock.speed)
-                        .add("stopped_by", clock.stopped_by)
-                        .add("ended", clock.ended)
-                        .add("result", clock.result)
-                        .json();
+                         .add("now", clock.now)
+                         .add("until", clock.until)
+                         .add("paused", clock.paused)
+                         .add("speed", clock.speed)
+                         .add("stopped_by", clock.stopped_by)
+                         .add("ended", clock.ended)
+                         .add("result", clock.result)
+                         .json();
   return fmt::format("retry: 200\ndata: {}\n\n", event.text);
 }
 
