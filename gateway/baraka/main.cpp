@@ -37,7 +37,7 @@ constexpr std::int64_t kMostReplications = 1'000'000, kMostJobs = 1000,
                        kMostSamples = 1'000'000'000;
 constexpr double kLeastSpeed = 1e-6, kMostSpeed = 1e9;
 constexpr double kLeastTimeout = 1e-3;  // s
-constexpr std::int64_t kMostPort = 65535;
+constexpr std::int64_t kMostPort = 65535, kMostPageSize = 2000;
 
 /// For an option that takes a DDS domain, "7", or a range of them, "7-9".
 CLI::Validator domains() {
@@ -238,8 +238,12 @@ void add_view(CLI::App& app, gateway::ViewOptions& options) {
   add->add_option("--port", options.port, "Port of 127.0.0.1; default: a free one")
       ->transform(whole_number(1, kMostPort));
   add->add_flag("!--no-open", options.open, "Do not open a browser");
-  add->add_option("--export", options.file,
-                  "Write a page that needs nothing else to this file, do not serve");
+  CLI::Option* to_file = add->add_option(
+      "--export", options.file, "Write a page that needs nothing else to this file, do not serve");
+  add->add_option("--most-mb", options.most_mb,
+                  "So many megabytes of data in it; what is finest is left out. Default: 64")
+      ->transform(whole_number(1, kMostPageSize))
+      ->needs(to_file);
 }
 
 struct TopicCommand {

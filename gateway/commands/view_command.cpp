@@ -5,6 +5,8 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
+#include <stdexcept>
 #include <thread>
 #include <utility>
 
@@ -12,6 +14,7 @@
 #include "gateway/run/judge_controllers.h"
 #include "gateway/run/wall_pace.h"
 #include "gateway/view/bundled_page.h"
+#include "gateway/view/export.h"
 #include "gateway/view/view_server.h"
 #include "hal/config/errors.h"
 #include "hal/config/shared_folders.h"
@@ -64,8 +67,32 @@ int serve(const ViewOptions& options) {
   return kDone;
 }
 
+int write_page(const ViewOptions& options) {
+  const std::string page = view::bundled_page(
+      kPage,
+      "the page of the view is bundled with npm: ./setup pages installs it and builds the page");
+  auto settings = settings_of(options);
+  const view::ViewApi api(std::move(settings.runs), settings.mode, false);
+  const auto most = static_cast<std::size_t>(options.most_mb * 1'000'000);
+  const view::ExportedPage exported = view::export_page(api, page, most);
+  std::ofstream file(options.file, std::ios::binary);
+  file << exported.html;
+  file.close();
+  if (!file) throw std::runtime_error(options.file + ": cannot be written");
+  if (exported.finest != 0) {
+    fmt::print(stderr,
+               "warning: {} MB hold no details below spans of {:.3g} s where there are many; "
+               "--most-mb allows more\n",
+               options.most_mb, static_cast<double>(exported.finest) / 1e9);
+  }
+  fmt::print("page: {}\n", options.file);
+  return kDone;
+}
+
 }  // namespace
 
-int show_view(const ViewOptions& options) { return serve(options); }
+int show_view(const ViewOptions& options) {
+  return options.file.empty() ? serve(options) : write_page(options);
+}
 
 }  // namespace gateway

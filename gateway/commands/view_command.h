@@ -12,6 +12,7 @@ struct ViewOptions {
   int port = 0;                   ///< 0: a free one.
   bool open = true;               ///< A browser, if there is a desktop.
   std::string file;               ///< Page to write; empty: serve.
+  int most_mb = 64;               ///< Of data in that page.
 };
 
 /// Serves the view until interrupted, or writes it to a file.

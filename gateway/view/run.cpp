@@ -63,6 +63,20 @@ std::optional<std::string> Run::answer(std::string_view path) {
   return answer_open(path);
 }
 
+Run::Contents Run::contents() {
+  const std::lock_guard lock(mutex_);
+  Contents contents;
+  if (!record_) return contents;
+  const Opened opened(*record_);
+  contents.kinds.assign(kKinds.begin(), kKinds.end());
+  for (const std::int64_t index : SeriesStore::indices(*record_)) {
+    contents.kinds.push_back("series:" + std::to_string(index));
+  }
+  contents.agents = record_->agents();
+  contents.until = record_->until();
+  return contents;
+}
+
 std::optional<std::string> Run::answer_open(std::string_view path) {
   if (path == "world") return world();
   const std::size_t first = path.find('/');

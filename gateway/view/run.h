@@ -38,6 +38,14 @@ class Run {
   /// What is at world, KIND/LEVEL/INDEX, routes/AGENT or totals/AGENT; none: nothing.
   std::optional<std::string> answer(std::string_view path);
 
+  /// What there is to ask for.
+  struct Contents {
+    std::vector<std::string> kinds;    ///< Of tiles; empty: there is no record.
+    std::vector<std::int64_t> agents;  ///< Whose routes and totals there are.
+    std::int64_t until = 0;            ///< ns: there is nothing later.
+  };
+  Contents contents();
+
  private:
   /// What is known of a record that was read, so that it need not be read again.
   struct Known {

@@ -48,25 +48,34 @@ Json series_bins(const auto& samples, const Span& span) {
       .json();
 }
 
+/// @param with  an index and the row of what it is: its number, name, agent and unit.
+void each_series(Record& record, const auto& with) {
+  Statement observable = record.query(
+      "SELECT observable, name, agent, unit FROM observables WHERE keeps = 'samples' ORDER BY 1");
+  while (observable.next()) with(observable.integer(0), observable);
+  Statement recorded = record.query(
+      "SELECT MIN(rowid), name, agent, '' FROM recorded GROUP BY agent, name ORDER BY 1");
+  while (recorded.next()) with(recorded.integer(0) + kOfControllers, recorded);
+}
+
 }  // namespace
+
+std::vector<std::int64_t> SeriesStore::indices(Record& record) {
+  std::vector<std::int64_t> indices;
+  each_series(record, [&](std::int64_t index, const Statement&) { indices.push_back(index); });
+  return indices;
+}
 
 Json SeriesStore::list(Record& record) {
   JsonArray all;
-  const auto add = [&](const char* sql, std::int64_t offset) {
-    Statement row = record.query(sql);
-    while (row.next()) {
-      all.add(JsonObject()
-                  .add("index", row.integer(0) + offset)
-                  .add("name", row.text(1))
-                  .add("agent", row.integer(2))
-                  .add("unit", row.text(3))
-                  .json());
-    }
-  };
-  add("SELECT observable, name, agent, unit FROM observables WHERE keeps = 'samples' ORDER BY 1",
-      0);
-  add("SELECT MIN(rowid), name, agent, '' FROM recorded GROUP BY agent, name ORDER BY 1",
-      kOfControllers);
+  each_series(record, [&](std::int64_t index, const Statement& row) {
+    all.add(JsonObject()
+                .add("index", index)
+                .add("name", row.text(1))
+                .add("agent", row.integer(2))
+                .add("unit", row.text(3))
+                .json());
+  });
   return all.json();
 }
 

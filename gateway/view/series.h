@@ -17,6 +17,7 @@ class SeriesStore {
  public:
   /// [{index, name, agent, unit}]; an index stays as it is while a run goes on.
   static Json list(Record& record);
+  static std::vector<std::int64_t> indices(Record& record);
 
   /// The tile of one. @return "" if there is none of that index.
   std::string tile(Record& record, std::int64_t index, const Span& span);

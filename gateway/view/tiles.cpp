@@ -19,6 +19,12 @@ std::string tile_text(const Record& record, const Span& span, bool is_complete,
   return tile.json().text;
 }
 
+// It comes before everything that a run could have a say in.
+bool is_complete(std::string_view tile) {
+  return tile.substr(0, tile.find("\"columns\"")).find("\"complete\":true") !=
+         std::string_view::npos;
+}
+
 std::int64_t count_rows(Record& record, const std::string& table, const Span& span,
                         std::int64_t most) {
   Statement count = record.query(fmt::format(

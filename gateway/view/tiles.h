@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <initializer_list>
 #include <string>
@@ -20,6 +21,13 @@ class LastRows;
 std::string tile_text(const Record& record, const Span& span, bool is_complete,
                       const Columns& columns,
                       std::initializer_list<std::pair<std::string_view, Json>> more = {});
+
+/// Whether such an answer has every row.
+bool is_complete(std::string_view tile);
+
+/// Kinds of tiles, beside the series of a run.
+inline constexpr std::array<std::string_view, 8> kKinds = {
+    "poses", "frames", "messages", "states", "events", "readings", "queues", "log"};
 
 /// What each kind of tile has is said in docs/view.md. A record that has not the tables, because
 /// nobody asked for them, has no rows.
