@@ -73,6 +73,17 @@ void add_surroundings(CLI::App* run, RunOptions& options) {
       ->transform(hal::runtime::one_of({"debug", "info", "warning", "error"}));
 }
 
+/// @return --view.
+CLI::Option* add_live_view(CLI::App* run, gateway::LiveViewOptions& view) {
+  CLI::Option* shown = run->add_flag("--view", view.shown, "Show the run in a browser");
+  run->add_flag("--paused", view.paused, "With --view: begin when the page says so")->needs(shown);
+  run->add_option("--view-port", view.port, "With --view: on this port; default: a free one")
+      ->transform(whole_number(1, kMostPort))
+      ->needs(shown);
+  run->add_flag("!--no-open", view.open, "With --view: do not open a browser")->needs(shown);
+  return shown;
+}
+
 void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
   CLI::App* run = app.add_subcommand("run", "Run a scenario");
   run->add_option("SCENARIO", options.scenario, "Scenario file")->required();
@@ -101,13 +112,15 @@ void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
              "without a clock")
           ->excludes(pace);
   add_surroundings(run, options);
+  CLI::Option* view = add_live_view(run, options.view);
   CLI::Option* replications =
       run->add_option("--replications", options.replications,
                       "Run it so many times, with seeds from the scenario's upwards; those that "
                       "have ended are kept")
           ->transform(whole_number(1, kMostReplications))
           ->excludes(pace)
-          ->excludes(repeat);
+          ->excludes(repeat)
+          ->excludes(view);
   run->add_option("--jobs", options.jobs, "Replications at a time; default: 1")
       ->transform(whole_number(1, kMostJobs))
       ->needs(replications);

@@ -22,8 +22,6 @@
 namespace gateway {
 namespace {
 
-constexpr const char* kPage = "view_page.html";
-
 /// A scenario that has not been run, with what `baraka check` says of it.
 std::unique_ptr<view::Run> open_scenario(const std::string& given) {
   const auto file = hal::config::named_file(given, {"scenarios"});
@@ -37,7 +35,7 @@ std::unique_ptr<view::Run> open_scenario(const std::string& given) {
 
 view::ViewServer::Settings settings_of(const ViewOptions& options) {
   view::ViewServer::Settings settings{
-      .page = view::find_page(kPage), .runs = {}, .port = options.port};
+      .page = view::find_page(view::kPage), .runs = {}, .port = options.port};
   const auto is_folder = [](const std::string& what) {
     return std::filesystem::is_directory(what);
   };
@@ -53,8 +51,7 @@ view::ViewServer::Settings settings_of(const ViewOptions& options) {
 int serve(const ViewOptions& options) {
   auto settings = settings_of(options);
   if (!settings.page) {
-    fmt::print(stderr,
-               "warning: the page was not built, only its data are served: ./setup pages\n");
+    fmt::print(stderr, "warning: {}\n", view::kNoPage);
   }
   catch_interrupts();
   view::ViewServer server(std::move(settings));

@@ -5,6 +5,11 @@
 
 namespace gateway::view {
 
+/// The page of the view, and what to say where it is not.
+inline constexpr const char* kPage = "view_page.html";
+inline constexpr const char* kNoPage =
+    "the page was not built, only its data are served: ./setup pages";
+
 /// A page that npm has bundled, still without what it shows. It lies beside this program, if it was
 /// built, or where it was installed.
 /// @param name  "view_page.html". @return none: it is not there.
