@@ -15,6 +15,7 @@
 #include "gateway/commands/observables_page.h"
 #include "gateway/commands/report_command.h"
 #include "gateway/commands/topic_command.h"
+#include "gateway/commands/view_command.h"
 #include "gateway/exit_status.h"
 #include "gateway/run/domain_range.h"
 #include "gateway/run/run_command.h"
@@ -36,6 +37,7 @@ constexpr std::int64_t kMostReplications = 1'000'000, kMostJobs = 1000,
                        kMostSamples = 1'000'000'000;
 constexpr double kLeastSpeed = 1e-6, kMostSpeed = 1e9;
 constexpr double kLeastTimeout = 1e-3;  // s
+constexpr std::int64_t kMostPort = 65535, kMostPageSize = 2000;
 
 /// For an option that takes a DDS domain, "7", or a range of them, "7-9".
 CLI::Validator domains() {
@@ -71,6 +73,17 @@ void add_surroundings(CLI::App* run, RunOptions& options) {
       ->transform(hal::runtime::one_of({"debug", "info", "warning", "error"}));
 }
 
+/// @return --view.
+CLI::Option* add_live_view(CLI::App* run, gateway::LiveViewOptions& view) {
+  CLI::Option* shown = run->add_flag("--view", view.shown, "Show the run in a browser");
+  run->add_flag("--paused", view.paused, "With --view: begin when the page says so")->needs(shown);
+  run->add_option("--view-port", view.port, "With --view: on this port; default: a free one")
+      ->transform(whole_number(1, kMostPort))
+      ->needs(shown);
+  run->add_flag("!--no-open", view.open, "With --view: do not open a browser")->needs(shown);
+  return shown;
+}
+
 void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
   CLI::App* run = app.add_subcommand("run", "Run a scenario");
   run->add_option("SCENARIO", options.scenario, "Scenario file")->required();
@@ -99,13 +112,15 @@ void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
              "without a clock")
           ->excludes(pace);
   add_surroundings(run, options);
+  CLI::Option* view = add_live_view(run, options.view);
   CLI::Option* replications =
       run->add_option("--replications", options.replications,
                       "Run it so many times, with seeds from the scenario's upwards; those that "
                       "have ended are kept")
           ->transform(whole_number(1, kMostReplications))
           ->excludes(pace)
-          ->excludes(repeat);
+          ->excludes(repeat)
+          ->excludes(view);
   run->add_option("--jobs", options.jobs, "Replications at a time; default: 1")
       ->transform(whole_number(1, kMostJobs))
       ->needs(replications);
@@ -227,6 +242,23 @@ void add_exec(CLI::App& app, gateway::ExecOptions& options) {
   exec->add_option("COMMAND", options.command, "Behind --; default: a shell");
 }
 
+void add_view(CLI::App& app, gateway::ViewOptions& options) {
+  CLI::App* add = app.add_subcommand(
+      "view", "See results, or a scenario, in a browser: world, network and time");
+  add->add_option("DIR|SCENARIO", options.what,
+                  "Folders of results, shown side by side; or one scenario file")
+      ->required();
+  add->add_option("--port", options.port, "Port of 127.0.0.1; default: a free one")
+      ->transform(whole_number(1, kMostPort));
+  add->add_flag("!--no-open", options.open, "Do not open a browser");
+  CLI::Option* to_file = add->add_option(
+      "--export", options.file, "Write a page that needs nothing else to this file, do not serve");
+  add->add_option("--most-mb", options.most_mb,
+                  "So many megabytes of data in it; what is finest is left out. Default: 64")
+      ->transform(whole_number(1, kMostPageSize))
+      ->needs(to_file);
+}
+
 struct TopicCommand {
   CLI::App* app;
   int (*act)(const gateway::TopicOptions&);
@@ -273,6 +305,8 @@ int command(int argc, char** argv) {
   const CLI::App* describe = add_describe(app, describe_options);
   gateway::ReportOptions report_options;
   const CLI::App* report = add_report(app, report_options);
+  gateway::ViewOptions view_options;
+  add_view(app, view_options);
   gateway::ExportOptions export_options;
   add_export(app, export_options);
   gateway::ExecOptions exec_options;
@@ -297,6 +331,7 @@ int command(int argc, char** argv) {
   if (app.got_subcommand("exec")) gateway::exec_inside(exec_options);
   if (app.got_subcommand("export")) return gateway::export_results(export_options);
   if (*report) return gateway::report(report_options);
+  if (app.got_subcommand("view")) return gateway::show_view(view_options);
   if (app.got_subcommand("new-controller")) return gateway::new_controller(controller);
   if (run_options.replications) return gateway::run_replications(run_options);
   return gateway::run(run_options);

@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "gateway/exit_status.h"
+#include "gateway/view/bundled_page.h"
 #include "hal/config/document.h"
 #include "hal/config/shared_folders.h"
 #include "sim/report/experiment_section.h"
@@ -30,22 +31,12 @@ using sim::report::Experiment;
 using sim::report::PlotRequest;
 using sim::report::RunResult;
 
-/// The page without figures. It lies beside this program, if it was built, or where it was
-/// installed.
+/// The page without figures.
 std::string empty_page() {
-  const auto folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
-  const auto installed = hal::config::find_shared("report_page.html");
-  const std::filesystem::path path = installed.value_or(folder / "report_page.html");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) {
-    throw std::runtime_error(fmt::format(
-        "{} is missing, and no report_page.html is in {}: the report page is bundled with npm when "
-        "that is installed; "
-        "./setup report_page installs it and builds the page. Without -o, report prints "
-        "its tables",
-        path.string(), hal::config::listed_shared_folders()));
-  }
-  return {std::istreambuf_iterator<char>(file), {}};
+  return view::bundled_page(
+      "report_page.html",
+      "the report page is bundled with npm when that is installed; ./setup report_page installs it "
+      "and builds the page. Without -o, report prints its tables");
 }
 
 /// Settings of the paper's case study, as it is shipped; none if it is not there or no run asks for

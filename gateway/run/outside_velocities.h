@@ -12,6 +12,11 @@
 
 namespace gateway {
 
+/// As they pass the door: m/s, m/s, rad/s as binary64, little-endian.
+std::vector<std::uint8_t> to_bytes(const hal::Twist2& twist);
+/// @throws std::runtime_error  not 24 bytes, or a value that is not finite.
+hal::Twist2 twist_of(std::span<const std::uint8_t> bytes);
+
 /// Velocities by hand for one agent of a run. They enter it by its door "cmd_vel of <agent>", so
 /// that they are recorded and a repetition has them at the same times.
 class OutsideVelocities {
@@ -25,6 +30,9 @@ class OutsideVelocities {
   /// @throws std::runtime_error  if DDS makes no reader.
   void listen(hal::dds::InspectionParticipant& participant);
 
+  /// Puts in another one. From any thread.
+  void put(const hal::Twist2& twist) { input_.put(door_, to_bytes(twist)); }
+
   /// What the run has taken in last. The run's thread.
   std::optional<Command> last() const { return last_; }
 
@@ -34,10 +42,5 @@ class OutsideVelocities {
   std::optional<Command> last_;
   std::unique_ptr<hal::dds::TwistReader> reader_;
 };
-
-/// As they pass the door: m/s, m/s, rad/s as binary64, little-endian.
-std::vector<std::uint8_t> to_bytes(const hal::Twist2& twist);
-/// @throws std::runtime_error  not 24 bytes, or a value that is not finite.
-hal::Twist2 twist_of(std::span<const std::uint8_t> bytes);
 
 }  // namespace gateway

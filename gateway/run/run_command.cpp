@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <exception>
 #include <filesystem>
+#include <limits>
 #include <memory>
 
 #include "gateway/exit_status.h"
@@ -203,6 +205,25 @@ std::optional<StartInside> starter_in(NetworkOfRun* network) {
   return std::optional<StartInside>(std::in_place, *network);
 }
 
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+
+LiveView::Settings live_view_of(const RunOptions& options, const Course& course,
+                                RunInspection& inspection, Results& results) {
+  return {
+      .options = options.view,
+      .lockstep = !course.factor(),
+      .max_speed = std::isfinite(options.max_speed) ? options.max_speed : 0,
+      .commit = [&results] { results.commit(); },
+      .drive = [&inspection](hal::AgentId agent,
+                             const hal::Twist2& twist) { return inspection.drive(agent, twist); }};
+}
+
+/// Empty: nothing holds it.
+std::function<std::optional<hal::Duration>(hal::Time)> hold_of(std::optional<LiveView>& view) {
+  if (!view) return {};
+  return [&control = view->control()](hal::Time next) { return control.hold(next); };
+}
+
 int run(const RunOptions& options, const Scenario& scenario, const Course& course,
         RunInspection& inspection, Results& results) {
   const std::optional<int> domain = domain_of(options);
@@ -231,11 +252,16 @@ int run(const RunOptions& options, const Scenario& scenario, const Course& cours
                                 .inside = pointer_to(inside),
                                 .replies = course.replies()});
   inspection.start(first_of(controllers.domain(), domain), simulation);
-  pace.emplace(WallPace::Settings{.max_speed = options.max_speed,
+  std::optional<LiveView> view;
+  if (options.view.shown)
+    view.emplace(scenario, simulation, live_view_of(options, course, inspection, results));
+  pace.emplace(WallPace::Settings{.max_speed = view ? kNoLimit : options.max_speed,
                                   .terminal = ::isatty(STDERR_FILENO) != 0,
                                   .processes = controllers.processes(),
-                                  .once_a_second = [&results] { results.commit(); }});
+                                  .once_a_second = [&results] { results.commit(); },
+                                  .hold = hold_of(view)});
   results.begin(simulation);
+  if (view) view->start(results.folder().path());
   say_open_loop(course, results);
   inspection.set_ledger(results.ledger());
 
@@ -245,7 +271,9 @@ int run(const RunOptions& options, const Scenario& scenario, const Course& cours
                 .complaints = controllers.finish(outcome.kind != Outcome::Kind::kFailed),
                 .wall_seconds = pace->wall_seconds()};
   if (network) end_network(*network, ending, course, scenario, results);
-  return conclude(results, judge, simulation, std::move(ending));
+  const ExitStatus status = conclude(results, judge, simulation, std::move(ending));
+  if (view) view->end(outcome);
+  return status;
 }
 
 /// Of a run that was not needed.

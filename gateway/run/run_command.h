@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gateway/run/controllers_of_run.h"
+#include "gateway/run/live_view.h"
 
 namespace gateway {
 
@@ -29,6 +30,7 @@ struct RunOptions {
   std::optional<int> replications;
   int jobs = 1;              ///< Replications at a time.
   std::string log = "info";  ///< The least that run.log tells of.
+  LiveViewOptions view{};
 };
 
 /// Where the results go. @param scenario  its name.

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "gateway/run/outside_velocities.h"
 #include "gateway/teleop_port.h"
 
 namespace gateway {
@@ -60,12 +59,20 @@ void RunInspection::connect_teleop(sim::agents::Simulation& simulation) {
     if (offer.program != kTeleop) continue;
     const auto velocities =
         std::make_shared<OutsideVelocities>(simulation.outside(), offer.session.name);
+    if (!settings_.repeated) driven_[offer.session.agent] = velocities;
     if (!settings_.repeated) velocities->listen(*participant_);
     simulation.connect(std::make_shared<TeleopPort>(
                            offer.session.name, [velocities] { return velocities->last(); },
                            scenario_.simulation.command_timeout, offer.session.control_period),
                        {offer.session.agent}, all_channels(offer));
   }
+}
+
+bool RunInspection::drive(hal::AgentId agent, const hal::Twist2& twist) {
+  const auto velocities = driven_.find(agent);
+  if (velocities == driven_.end()) return false;
+  velocities->second->put(twist);
+  return true;
 }
 
 }  // namespace gateway

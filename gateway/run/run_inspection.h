@@ -1,9 +1,11 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 
 #include "gateway/run/inspection_observer.h"
+#include "gateway/run/outside_velocities.h"
 #include "hal/dds/inspection/inspection_participant.h"
 #include "sim/agents/simulation.h"
 #include "sim/scenario/scenario.h"
@@ -36,6 +38,10 @@ class RunInspection {
   ///   teleoperate asks for it; agents to teleoperate and no domain, but in a repetition.
   void start(std::optional<int> domain_of_run, sim::agents::Simulation& simulation);
 
+  /// Drives an agent whose controller is kTeleop, as a velocity on DDS does. From any thread, after
+  /// start(). @return false: it has another controller.
+  bool drive(hal::AgentId agent, const hal::Twist2& twist);
+
  private:
   void open(int domain);
   void connect_teleop(sim::agents::Simulation& simulation);
@@ -44,6 +50,7 @@ class RunInspection {
   Settings settings_;
   std::unique_ptr<hal::dds::InspectionParticipant> participant_;
   InspectionObserver observer_;
+  std::map<hal::AgentId, std::shared_ptr<OutsideVelocities>> driven_;  ///< Unchanged after start().
 };
 
 }  // namespace gateway

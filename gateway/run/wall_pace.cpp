@@ -49,7 +49,7 @@ WallPace::Verdict WallPace::may_go_on(hal::Time next, const sim::agents::Progres
     start_ = shown_ = saved_ = last_;
     started_ = true;
   }
-  const bool waited = throttle(next);
+  const bool waited = throttle(next) || hold(next);
   if (last_ - shown_ >= (settings_.terminal ? kShowOnTerminal : kShowAsLines)) show(progress);
   if (last_ - saved_ >= 1s) {
     settings_.once_a_second();
@@ -64,6 +64,15 @@ bool WallPace::throttle(hal::Time next) {
   const double left = hal::to_seconds(next) / settings_.max_speed - wall_seconds();
   if (left < kWorthSleeping) return false;
   clock_.wait({}, hal::from_seconds(std::min(left, kSlice)));
+  last_ = clock_.now();
+  return true;
+}
+
+bool WallPace::hold(hal::Time next) {
+  if (!settings_.hold) return false;
+  const auto wait = settings_.hold(next);
+  if (!wait) return false;
+  clock_.wait({}, *wait);
   last_ = clock_.now();
   return true;
 }

@@ -3,6 +3,7 @@
 #include <csignal>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <utility>
 
 #include "hal/dds/waiting.h"
@@ -20,6 +21,9 @@ class WallPace final : public sim::agents::Pace {
     bool terminal = false;      ///< Progress in place, twice a second; else a line every 10 s.
     std::size_t processes = 0;  ///< Of controllers, to show.
     std::function<void()> once_a_second;  ///< Of wall time, e.g. to save what there is.
+    /// Asked before each instant how long to wait before it is asked again; none: go on. May be
+    /// empty.
+    std::function<std::optional<hal::Duration>(hal::Time next)> hold = {};
   };
 
   /// @param clock  outlives the pace.
@@ -38,6 +42,7 @@ class WallPace final : public sim::agents::Pace {
 
  private:
   bool throttle(hal::Time next);
+  bool hold(hal::Time next);
   void show(const sim::agents::Progress& progress);
 
   Settings settings_;

@@ -48,9 +48,11 @@ MAY_INCLUDE = {
     "gateway/netns": ["hal/types"],
     "gateway/holder": ["gateway/netns"],
     "gateway/slurm": ["gateway", "sim/campaign", "hal/types"],
-    "gateway/run": ["gateway", "gateway/netns", "hal", "sim"],
+    "gateway/view": ["gateway", "hal", "sim"],
+    "gateway/run": ["gateway", "gateway/netns", "gateway/view", "hal", "sim"],
     "gateway/campaign": ["gateway", "gateway/run", "gateway/slurm", "hal", "sim"],
-    "gateway/commands": ["gateway", "gateway/netns", "gateway/run", "gateway/campaign", "hal", "sim"],
+    "gateway/commands": ["gateway", "gateway/netns", "gateway/run", "gateway/campaign", "gateway/view", "hal",
+                         "sim"],
     "gateway/baraka": ["gateway", "gateway/run", "gateway/campaign", "gateway/commands", "hal", "sim"],
     "gateway/agentd": ["gateway", "hal"],
     "gateway/dilate": ["gateway/netns"],
@@ -72,8 +74,8 @@ ONLY_IN = {
     "Eigen/": ["sim/physics", "sim/sensing", "sim/agents"],
     "boost/": ["sim/statistics"],
     "sqlite3": ["sim/record"],
-    "nlohmann/": ["sim/report"],
-    "httplib": ["hal/hardware/drivers"],
+    "nlohmann/": ["sim/report", "gateway/view"],
+    "httplib": ["hal/hardware/drivers", "gateway/view"],
 }
 GENERATED = re.compile(r"^\w+(PubSubTypes)?\.h$")  # of idl/: "exchange.h", "exchangePubSubTypes.h"
 

@@ -1,2 +1,78 @@
-// The panel of what is chosen.
-export const inspector = (element, store, source) => ({ draw() {} });
+// The panel of what is chosen, beside what the run is and what was not recorded of it.
+import { showAgent } from "./agent.js";
+import { showFrame, showMessage } from "./frame.js";
+import { showLink } from "./link.js";
+import { showLive } from "./live_panel.js";
+import { facts, link, list, made, part } from "./parts.js";
+import { exact } from "../time/scale.js";
+
+const shows = { agent: showAgent, frame: showFrame, message: showMessage, link: showLink };
+const least = 120; //  ms between two pictures of the panel
+
+function showRun(parent, run, store, source) {
+  const { world } = run;
+  const head = part(parent);
+  head.appendChild(made("h2", world.name ?? run.name));
+  facts(head, [["ended", world.result], ["radio", world.profile], ["seed", world.seed], ["fingerprint", world.fingerprint], ["simulated", `${exact(run.end)} s`]]);
+  for (const warning of world.warnings ?? []) head.appendChild(made("p", warning, { className: "refused" }));
+  if (world.series?.length) {
+    const select = part(parent, "chart lanes").appendChild(document.createElement("select"));
+    select.setAttribute("aria-label", "add a chart lane");
+    select.appendChild(made("option", "add …", { value: "" }));
+    for (const series of world.series) {
+      const agent = world.agents.find((one) => one.agent === series.agent);
+      select.appendChild(made("option", `${agent ? `${agent.name} ` : ""}${series.name}`, { value: series.index }));
+    }
+    select.addEventListener("change", () => { if (select.value !== "") store.set({ charts: [...new Set([...store.state.charts, Number(select.value)])] }); });
+    for (const index of store.state.charts) {
+      const series = world.series.find((one) => one.index === index);
+      if (series) facts(select.parentElement, [[series.name, link("no more", () => store.set({ charts: store.state.charts.filter((one) => one !== index) }))]]);
+    }
+  }
+  list(part(parent, "agents"), ["name", "kind", "controller"], world.agents.slice(0, 200).map((one) => [one.name, one.kind, one.program]),
+    (i) => store.set({ chosen: { kind: "agent", run: run.index, agent: world.agents[i].agent } }));
+  if (world.missing?.length) list(part(parent, "not recorded"), ["what", "the line that records it"], world.missing.map(({ what, line }) => [what, line]));
+  if (source.runs.length > 1) {
+    list(part(parent, "runs"), ["name"], source.runs.map(({ name }) => [name]), (i) => store.set({ run: source.runs[i].index }));
+  }
+}
+
+export function inspector(element, store, source) {
+  const livePart = element.appendChild(document.createElement("div"));
+  const body = element.appendChild(document.createElement("div"));
+  let shown = null;
+  let shownLive = null;
+  let at = -Infinity;
+  let stale = false;
+  return {
+    // What came too soon after the last picture is drawn a little later.
+    animates: (now) => stale && now - at >= least,
+    draw(now) {
+      const { state } = store;
+      const key = [state.t, state.chosen, state.run, state.charts, state.follow, state.followed, source.asking];
+      const same = shown && key.every((value, i) => value === shown[i]);
+      // Nothing is redrawn under a finger or a cursor that uses it.
+      const isUsed = element.contains(document.activeElement) && /^(INPUT|SELECT)$/.test(document.activeElement.tagName);
+      stale = !same && (now - at < least || isUsed);
+      const run = source.runs.find(({ index }) => index === (state.chosen?.run ?? state.run)) ?? source.runs[0];
+      const liveKey = state.live && JSON.stringify([state.live.paused, state.live.ended, state.live.stoppedBy, state.live.said, state.live.breaks, state.chosen]);
+      if (liveKey !== shownLive && !isUsed) {
+        shownLive = liveKey;
+        livePart.replaceChildren();
+        showLive(livePart, run, store);
+      }
+      if (same || stale) return;
+      shown = key;
+      at = now;
+      const next = document.createElement("div");
+      const open = body.querySelector("details")?.open;
+      if (state.chosen) {
+        next.appendChild(link("‹ the run", () => store.set({ chosen: null })));
+        shows[state.chosen.kind](next, run, store);
+      } else showRun(next, run, store, source);
+      const details = next.querySelector("details");
+      if (details && open) details.open = true;
+      body.replaceChildren(next);
+    },
+  };
+}

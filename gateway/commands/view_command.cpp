@@ -1,0 +1,95 @@
+#include "gateway/commands/view_command.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <thread>
+#include <utility>
+
+#include "gateway/exit_status.h"
+#include "gateway/run/judge_controllers.h"
+#include "gateway/run/wall_pace.h"
+#include "gateway/view/bundled_page.h"
+#include "gateway/view/export.h"
+#include "gateway/view/view_server.h"
+#include "hal/config/errors.h"
+#include "hal/config/shared_folders.h"
+
+namespace gateway {
+namespace {
+
+/// A scenario that has not been run, with what `baraka check` says of it.
+std::unique_ptr<view::Run> open_scenario(const std::string& given) {
+  const auto file = hal::config::named_file(given, {"scenarios"});
+  auto scenario = sim::scenario::load_scenario(file);
+  ControllerJudgement judgement = judge_controllers(scenario);
+  if (!judgement.mistakes.empty()) throw hal::config::ConfigErrors(std::move(judgement.mistakes));
+  std::vector<std::string> said = scenario.warnings;
+  said.insert(said.end(), judgement.not_checked.begin(), judgement.not_checked.end());
+  return std::make_unique<view::Run>(file, std::move(scenario), std::move(said));
+}
+
+view::ViewServer::Settings settings_of(const ViewOptions& options) {
+  view::ViewServer::Settings settings{
+      .page = view::find_page(view::kPage), .runs = {}, .port = options.port};
+  const auto is_folder = [](const std::string& what) {
+    return std::filesystem::is_directory(what);
+  };
+  if (options.what.size() == 1 && !is_folder(options.what.front())) {
+    settings.mode = view::ViewApi::Mode::kScenario;
+    settings.runs.push_back(open_scenario(options.what.front()));
+  } else {
+    settings.runs = view::open_results({options.what.begin(), options.what.end()});
+  }
+  return settings;
+}
+
+int serve(const ViewOptions& options) {
+  auto settings = settings_of(options);
+  if (!settings.page) {
+    fmt::print(stderr, "warning: {}\n", view::kNoPage);
+  }
+  catch_interrupts();
+  view::ViewServer server(std::move(settings));
+  server.start();
+  fmt::print("view: {}\n", server.address());
+  std::fflush(stdout);
+  if (options.open) view::open_browser(server.address());
+  while (!interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  server.stop();
+  return kDone;
+}
+
+int write_page(const ViewOptions& options) {
+  const std::string page = view::bundled_page(
+      kPage,
+      "the page of the view is bundled with npm: ./setup pages installs it and builds the page");
+  auto settings = settings_of(options);
+  const view::ViewApi api(std::move(settings.runs), settings.mode, false);
+  const auto most = static_cast<std::size_t>(options.most_mb * 1'000'000);
+  const view::ExportedPage exported = view::export_page(api, page, most);
+  std::ofstream file(options.file, std::ios::binary);
+  file << exported.html;
+  file.close();
+  if (!file) throw std::runtime_error(options.file + ": cannot be written");
+  if (exported.finest != 0) {
+    fmt::print(stderr,
+               "warning: {} MB hold no details below spans of {:.3g} s where there are many; "
+               "--most-mb allows more\n",
+               options.most_mb, static_cast<double>(exported.finest) / 1e9);
+  }
+  fmt::print("page: {}\n", options.file);
+  return kDone;
+}
+
+}  // namespace
+
+int show_view(const ViewOptions& options) {
+  return options.file.empty() ? serve(options) : write_page(options);
+}
+
+}  // namespace gateway

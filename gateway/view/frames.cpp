@@ -1,0 +1,123 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <unordered_map>
+#include <vector>
+
+#include "gateway/view/frame_density.h"
+#include "gateway/view/row_values.h"
+#include "gateway/view/tiles.h"
+#include "hal/types/verdict.h"
+
+namespace gateway::view {
+namespace {
+
+using sim::record::Statement;
+
+/// A frame's number is its transmitter times 2^48 and its own count.
+constexpr std::int64_t kCountOfFrame = (std::int64_t{1} << 48) - 1;
+/// Radio waves need less from one end of any field to the other.
+constexpr std::int64_t kLongestWay = 1'000'000;  // ns
+
+std::vector<std::string_view> verdict_names() {
+  std::vector<std::string_view> names;
+  for (int i = 0; i < hal::kVerdictCount; ++i) names.push_back(name(static_cast<hal::Verdict>(i)));
+  return names;
+}
+
+struct ListedFrame {
+  std::int64_t id, at, transmitter, receiver, sequence, retry, bits, airtime;
+  std::string kind;
+  std::optional<std::int64_t> nav, rate, sender, message;
+  std::optional<std::string> packet;
+  JsonArray ends;
+};
+
+std::vector<ListedFrame> frames_in(Record& record, const Span& span) {
+  std::string more;
+  for (const char* column : {"duration_ns", "rate_bps", "sender", "message", "packet"}) {
+    more += ", " + record.or_null("frames", column);
+  }
+  Statement row = record.query(
+      fmt::format("SELECT frame, at_ns, transmitter, receiver, sequence, retry, bits, airtime_ns, "
+                  "class{} FROM frames WHERE at_ns >= ? AND at_ns < ? ORDER BY at_ns, transmitter",
+                  more));
+  row.bind_all(span.from(), span.to());
+  std::vector<ListedFrame> frames;
+  while (row.next()) {
+    ListedFrame frame{row.integer(0),      row.integer(1),      row.integer(2),
+                      row.integer(3),      row.integer(4),      row.integer(5),
+                      row.integer(6),      row.integer(7),      row.text(8),
+                      integer_at(row, 9),  integer_at(row, 10), integer_at(row, 11),
+                      integer_at(row, 12), text_at(row, 13),    {}};
+    frames.push_back(std::move(frame));
+  }
+  return frames;
+}
+
+/// How they ended at the radios, in order of time.
+void add_ends(Record& record, std::vector<ListedFrame>& frames) {
+  if (frames.empty()) return;
+  std::unordered_map<std::int64_t, ListedFrame*> by_id;
+  std::int64_t last = 0;
+  for (ListedFrame& frame : frames) {
+    by_id[frame.id] = &frame;
+    last = std::max(last, frame.at + frame.airtime);
+  }
+  std::map<std::string, std::size_t, std::less<>> verdicts;
+  for (const std::string_view name : verdict_names()) verdicts.emplace(name, verdicts.size());
+  Statement end = record.query(
+      fmt::format("SELECT frame, agent, at_ns, verdict, rssi_dbm, {} FROM frame_ends WHERE at_ns "
+                  ">= ? AND at_ns <= ? ORDER BY at_ns, agent",
+                  record.or_null("frame_ends", "sinr_db")));
+  end.bind_all(frames.front().at, last + kLongestWay);
+  while (end.next()) {
+    const auto frame = by_id.find(end.integer(0));
+    if (frame == by_id.end()) continue;
+    frame->second->ends.add(JsonArray()
+                                .add(end.integer(1))
+                                .add(end.integer(2))
+                                .add(verdicts.at(end.text(3)))
+                                .add(real_at(end, 4))
+                                .add(real_at(end, 5))
+                                .json());
+  }
+}
+
+Json frame_bins_json(const FrameBins& bins) {
+  JsonArray classes, counts;
+  for (const auto& [name, of_class] : bins.counts) {
+    classes.add(name);
+    counts.add(json_array(of_class));
+  }
+  return JsonObject()
+      .add("n", kBins)
+      .add("classes", classes.json())
+      .add("counts", counts.json())
+      .add("lost", json_array(bins.lost))
+      .json();
+}
+
+}  // namespace
+
+std::string frames_tile(Record& record, FrameDensity& density, const Span& span) {
+  Columns columns({"transmitter", "number", "at", "class", "receiver", "sequence", "retry", "bits",
+                   "airtime", "nav", "rate", "sender", "message", "packet", "ends"});
+  const Json verdicts = json_array(verdict_names());
+  if (count_rows(record, "frames", span, kMostRows + 1) > kMostRows) {
+    return tile_text(
+        record, span, false, columns,
+        {{"verdicts", verdicts}, {"bins", frame_bins_json(density.bins(record, span))}});
+  }
+  std::vector<ListedFrame> frames = frames_in(record, span);
+  add_ends(record, frames);
+  for (const ListedFrame& frame : frames) {
+    columns.add(frame.transmitter, frame.id & kCountOfFrame, frame.at, frame.kind, frame.receiver,
+                frame.sequence, frame.retry, frame.bits, frame.airtime, frame.nav, frame.rate,
+                frame.sender, frame.message, frame.packet, frame.ends.json());
+  }
+  return tile_text(record, span, true, columns, {{"verdicts", verdicts}});
+}
+
+}  // namespace gateway::view

@@ -1,0 +1,79 @@
+#include "gateway/view/json_text.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace gateway::view {
+namespace {
+
+constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
+
+/// How many bytes the UTF-8 character at the begin of the text has (RFC 3629, clause 4); 0: it is
+/// none.
+std::size_t character_at(std::string_view text) {
+  const auto byte = [&](std::size_t i) {
+    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U;
+  };
+  const unsigned first = byte(0);
+  if (first < 0x80) return 1;
+  if (first < 0xC2 || first > 0xF4) return 0;
+  const std::size_t length = first < 0xE0 ? 2 : first < 0xF0 ? 3 : 4;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((byte(i) & 0xC0U) != 0x80U) return 0;
+  }
+  const unsigned second = byte(1);
+  // Overlong forms, surrogates, and what is beyond U+10FFFF.
+  const bool is_forbidden = (first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F) ||
+                            (first == 0xF0 && second < 0x90) || (first == 0xF4 && second > 0x8F);
+  return is_forbidden ? 0 : length;
+}
+
+void append_escaped(std::string& to, unsigned char c) {
+  constexpr std::string_view kDigits = "0123456789abcdef";
+  to += "\\u00";
+  to += kDigits[c >> 4U];
+  to += kDigits[c & 0xFU];
+}
+
+}  // namespace
+
+void append_json(std::string& to, std::string_view text) {
+  to += '"';
+  while (!text.empty()) {
+    const std::size_t length = character_at(text);
+    const auto first = static_cast<unsigned char>(text.front());
+    if (length == 0) {
+      to += kReplacement;
+    } else if (length > 1) {
+      to += text.substr(0, length);
+    } else if (first == '"' || first == '\\') {
+      to += '\\';
+      to += text.front();
+    } else if (first < 0x20 || first == '<' || first == 0x7F) {
+      append_escaped(to, first);
+    } else {
+      to += text.front();
+    }
+    text.remove_prefix(length == 0 ? 1 : length);
+  }
+  to += '"';
+}
+
+void append_json(std::string& to, double number) {
+  if (!std::isfinite(number)) {
+    to += "null";
+    return;
+  }
+  std::array<char, 32> digits{};  // of the shortest form that reads back equal
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number);
+  to.append(digits.data(), end.ptr);
+}
+
+void append_json(std::string& to, std::int64_t number) {
+  std::array<char, 24> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number);
+  to.append(digits.data(), end.ptr);
+}
+
+}  // namespace gateway::view

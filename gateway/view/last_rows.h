@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "gateway/view/record.h"
+
+namespace gateway::view {
+
+/// Finds the last row of each of many things before any time, in a table of changes: one that
+/// changes seldom may have changed long ago. The table is read once, as far as it goes, and what
+/// was the last is kept for once a second.
+class LastRows {
+ public:
+  /// @param table  its rows are in order of at_ns. @param thing  SQL of the text of what changes,
+  ///   beside the agent: "channel"; "''" if there is one of each agent.
+  LastRows(std::string table, std::string thing)
+      : table_(std::move(table)), thing_(std::move(thing)) {}
+
+  /// rowid of each thing's last row before a time [ns], in order of the rows.
+  std::vector<std::int64_t> before(Record& record, std::int64_t at);
+
+  /// Reads on for a short while, if the record has more. @return whether there is more to read
+  bool advance(Record& record);
+
+ private:
+  using Last = std::vector<std::int64_t>;  ///< rowid, by number of the thing; 0: none yet.
+
+  std::size_t number_of(std::int64_t agent, std::string thing);
+
+  std::string table_, thing_;
+  std::map<std::pair<std::int64_t, std::string>, std::size_t> numbers_;
+  std::vector<Last> kept_;  ///< At the begin of each second or so.
+  Last last_;
+  std::int64_t read_ = 0;  ///< rowid
+};
+
+}  // namespace gateway::view

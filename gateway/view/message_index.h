@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "gateway/view/record.h"
+
+namespace gateway::view {
+
+/// The listed messages by the time at which they were sent: the record has them by sender.
+class MessageIndex {
+ public:
+  struct Sent {
+    std::int64_t at, sender, id;
+    auto operator<=>(const Sent&) const = default;
+  };
+
+  /// All that are there now, by time. Reads what is new since the last time.
+  const std::vector<Sent>& all(Record& record);
+
+ private:
+  std::vector<Sent> sent_;
+  std::map<std::int64_t, std::int64_t> last_;  ///< Number of the latest one of each sender.
+  std::int64_t until_ = -1;                    ///< ns, of the record when it was read.
+};
+
+}  // namespace gateway::view

@@ -1,0 +1,138 @@
+// An agent as it is at t.
+import { lastRow, poseAt, readingAt, stateAt, tableAt } from "../at.js";
+import { exact, span } from "../time/scale.js";
+import { facts, link, list, nameOf, number, part } from "./parts.js";
+
+const aroundLog = 30e9; //  ns: log lines and messages of that long before t
+
+/** The share of each next hop by equation 1, of rows with weights; null where the protocol chooses otherwise. */
+export function shares(rows) {
+  const weights = rows.map((row) => row.probability ?? row.weight ?? null);
+  const sum = weights.reduce((total, weight) => total + (weight ?? 0), 0);
+  return weights.map((weight) => (weight === null || sum <= 0 ? null : weight / sum));
+}
+
+function pose(parent, run, agent, state) {
+  const t = state.t;
+  const at = poseAt(run.rows("poses", Math.max(0, t - 2e9), t + 2e9), agent.agent, t, run.world.recorded?.poses_period_ns ?? 1e9) ?? agent;
+  const readings = run.rows("readings", Math.max(0, t - 1), t);
+  const odometry = readingAt(readings, agent.agent, "odometry", t);
+  const degrees = (angle) => `${number((angle * 180) / Math.PI, 4)}°`;
+  facts(parent, [
+    ["true pose", `${at.x.toFixed(3)} m, ${at.y.toFixed(3)} m, ${degrees(at.theta)}`],
+    ["odometry", odometry && `${number(odometry[0], 5)} m, ${number(odometry[1], 5)} m, ${degrees(odometry[2])}`],
+    ["off by", odometry && agent.kind === "robot" ? offBy(agent, at, odometry) : null],
+  ]);
+  return readings;
+}
+
+// Odometry counts from where the robot started, in the frame that it had there.
+function offBy(agent, at, odometry) {
+  const [c, s] = [Math.cos(agent.theta), Math.sin(agent.theta)];
+  const x = agent.x + c * odometry[0] - s * odometry[1];
+  const y = agent.y + s * odometry[0] + c * odometry[1];
+  return `${number(Math.hypot(at.x - x, at.y - y), 3)} m`;
+}
+
+function sensors(parent, run, agent, readings, t) {
+  const channels = new Set();
+  for (const { tile } of readings) {
+    tile.columns?.agent?.forEach?.((one, row) => { if (one === agent.agent) channels.add(tile.columns.channel[row]); });
+  }
+  for (const channel of [...channels].filter((one) => one !== "odometry").sort()) {
+    const values = readingAt(readings, agent.agent, channel, t);
+    if (!values) continue;
+    const section = part(parent, channel);
+    const most = Math.max(1e-9, ...values.map((value) => Math.abs(value ?? 0)), ...(agent.infrared ?? []).map(({ reach }) => (channel === "infrared" ? reach : 0)));
+    const bars = section.appendChild(document.createElement("div"));
+    bars.className = "bars";
+    for (const value of values) {
+      const bar = bars.appendChild(document.createElement("i"));
+      bar.style.height = `${value === null ? 100 : Math.max(2, 100 * Math.abs(value) / most)}%`;
+      bar.className = value === null ? "none" : "";
+      bar.title = value === null ? "nothing within reach" : number(value, 5);
+    }
+  }
+}
+
+function routes(parent, run, agent, store) {
+  const changes = run.routes(agent.agent);
+  const section = part(parent, "routes");
+  if (!changes) { section.append("…"); return; }
+  const table = tableAt(changes, store.state.t);
+  if (!table.length) { section.append(run.world.recorded?.routes === "none" ? "not recorded" : "none now"); return; }
+  const rows = [];
+  const keys = [...new Set(table.map((row) => `${row.topic}\n${row.destination}`))];
+  for (const key of keys) {
+    const same = table.filter((row) => `${row.topic}\n${row.destination}` === key);
+    shares(same).forEach((share, i) => rows.push({ ...same[i], share }));
+  }
+  list(section, ["to", "via", "hops", "delay", "share", "class"], rows.map((row) => [nameOf(run, row.destination), nameOf(run, row.next_hop),
+    row.hops, span(row.delay, 3), row.share === null ? "" : row.share.toFixed(3), row.topic]),
+  (i) => store.set({ route: { topic: rows[i].topic, destination: rows[i].destination } }));
+}
+
+function messages(parent, run, agent, store) {
+  const { t } = store.state;
+  const rows = [];
+  for (const { tile } of run.rows("messages", Math.max(0, t - aroundLog), t + 1)) {
+    const columns = tile.columns;
+    for (let row = 0; row < (columns?.sent?.length ?? 0); row++) {
+      const got = columns.deliveries[row].some(([receiver]) => receiver === agent.agent);
+      if (columns.sent[row] > t || (columns.sender[row] !== agent.agent && !got)) continue;
+      rows.push({ sender: columns.sender[row], id: columns.id[row], at: columns.sent[row], to: columns.destination[row], topic: columns.topic[row], verdict: columns.verdict[row] });
+    }
+  }
+  if (!rows.length) return;
+  const latest = rows.sort((a, b) => b.at - a.at).slice(0, 12);
+  list(part(parent, "messages, the last 30 s"), ["sent", "from", "to", "class", "end"],
+    latest.map((row) => [exact(row.at).slice(0, -6), nameOf(run, row.sender), nameOf(run, row.to), row.topic, row.verdict ?? "on its way"]),
+    (i) => {
+      const { sender, id, at } = latest[i];
+      store.set({ chosen: { kind: "message", run: run.index, sender, id, at }, followed: { run: run.index, sender, id, at } });
+    });
+}
+
+function log(parent, run, agent, t) {
+  const lines = [];
+  for (const { tile } of run.rows("log", Math.max(0, t - aroundLog), t + 1)) {
+    const columns = tile.columns;
+    columns?.at?.forEach?.((at, row) => { if (at <= t && columns.source[row] === agent.name) lines.push([exact(at).slice(0, -6), columns.text[row]]); });
+  }
+  if (lines.length) list(part(parent, "log, the last 30 s"), ["s", ""], lines.slice(-15));
+}
+
+function totals(parent, run, agent) {
+  const answer = run.totals(agent.agent);
+  if (!answer) return;
+  const details = parent.appendChild(document.createElement("details"));
+  details.appendChild(document.createElement("summary")).textContent = "counters of the whole run";
+  for (const [name, value] of Object.entries(answer)) {
+    if (value === null || ["from", "to", "until"].includes(name)) continue;
+    if (typeof value !== "object") { facts(details, [[name, value]]); continue; }
+    facts(part(details, name), Object.entries(value).map(([key, count]) => [key, typeof count === "object" ? JSON.stringify(count) : count]));
+  }
+}
+
+export function showAgent(parent, run, store) {
+  const { t, chosen } = store.state;
+  const agent = run.world.agents.find((one) => one.agent === chosen.agent);
+  if (!agent) return;
+  const head = part(parent);
+  head.appendChild(document.createElement("h2")).textContent = agent.name;
+  const states = run.rows("states", Math.max(0, t - 1), t + 1);
+  const queue = lastRow(run.rows("queues", Math.max(0, t - 1), t + 1), agent.agent, t);
+  facts(head, [
+    ["kind", `${agent.kind}, address ${agent.agent}`], ["controller", agent.program], ["state", stateAt(states, agent.agent, t)],
+    ["queue", queue ? `${queue.tile.columns.frames[queue.row]} frames` : run.world.recorded?.queues === "none" ? null : "0 frames"],
+    ["camera", link(store.state.follow === agent.agent ? "goes along" : "follow", () => store.set({ follow: store.state.follow === agent.agent ? null : agent.agent }))],
+  ]);
+  const readings = pose(head, run, agent, store.state);
+  sensors(parent, run, agent, readings, t);
+  routes(parent, run, agent, store);
+  messages(parent, run, agent, store);
+  log(parent, run, agent, t);
+  const parameters = Object.entries(agent.parameters ?? {});
+  if (parameters.length) facts(part(parent, "parameters"), parameters);
+  totals(parent, run, agent);
+}

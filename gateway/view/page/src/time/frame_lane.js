@@ -1,0 +1,79 @@
+// The frames of a span: how many, or, where each is wide enough, one by one with how they ended.
+import { colour, verdictColour } from "../colours.js";
+
+const classColours = { rts: "sensed", cts: "sensed", ack: "muted", broadcast: "accent", unicast: "followed", beacon: "muted", management: "muted" };
+export const frameColour = (name) => colour(classColours[name] ?? "muted");
+
+/** The verdict that counts for a frame as a whole: at the radio that it was for; of a broadcast the worst. */
+export function verdictOf(columns, row, tile) {
+  const meant = columns.ends[row].filter(([agent]) => agent === columns.receiver[row] || columns.receiver[row] >= 65534);
+  const verdicts = meant.map(([, , verdict]) => tile.verdicts[verdict]);
+  return verdicts.find((verdict) => verdict !== "delivered") ?? verdicts[0] ?? "below sensitivity";
+}
+
+function density(ctx, box, scale, counts, lost) {
+  let most = 1;
+  for (const count of counts) most = Math.max(most, count);
+  const height = (count) => (count > 0 ? Math.max(1, (box.height - 4) * Math.sqrt(count / most)) : 0);
+  for (let x = 0; x < counts.length; x++) {
+    if (!counts[x]) continue;
+    ctx.fillStyle = colour("accent");
+    ctx.fillRect(box.x + x, box.y + box.height - height(counts[x]), 1, height(counts[x]));
+    if (!lost[x]) continue;
+    ctx.fillStyle = colour("collision");
+    ctx.fillRect(box.x + x, box.y + box.height - height(Math.min(counts[x], lost[x])), 1, height(Math.min(counts[x], lost[x])));
+  }
+}
+
+/** @param hits  is told what can be clicked */
+export function drawFrames(ctx, box, scale, pieces, hits, agentNames) {
+  const wide = scale.perPixel < 2e5; //  ns: a frame of 1 ms has 5 px
+  const counts = new Float64Array(box.width);
+  const lost = new Float64Array(box.width);
+  const put = (t, into, count) => {
+    const x = Math.floor(scale.x(t) - box.x);
+    if (x >= 0 && x < box.width) into[x] += count;
+  };
+  for (const { from, to, tile } of pieces) {
+    if (!tile.complete) {
+      const length = (tile.to - tile.from) / tile.bins.n;
+      for (let bin = 0; bin < tile.bins.n; bin++) {
+        const t = tile.from + (bin + 0.5) * length;
+        if (t < from || t >= to) continue;
+        put(t, counts, tile.bins.counts.reduce((sum, of) => sum + of[bin], 0));
+        put(t, lost, tile.bins.lost[bin]);
+      }
+      continue;
+    }
+    const { at, airtime } = tile.columns;
+    for (let row = 0; row < at.length; row++) {
+      if (at[row] + airtime[row] < from || at[row] >= to) continue;
+      if (wide) drawOne(ctx, box, scale, tile, row, hits, agentNames);
+      else {
+        put(at[row], counts, 1);
+        if (verdictOf(tile.columns, row, tile) !== "delivered") put(at[row], lost, 1);
+      }
+    }
+  }
+  if (!wide) density(ctx, box, scale, counts, lost);
+}
+
+function drawOne(ctx, box, scale, tile, row, hits, agentNames) {
+  const { columns } = tile;
+  const x0 = scale.x(columns.at[row]);
+  const x1 = Math.max(x0 + 1.5, scale.x(columns.at[row] + columns.airtime[row]));
+  if (x1 < box.x || x0 > box.x + box.width) return;
+  const verdict = verdictOf(columns, row, tile);
+  const height = box.height - 8;
+  ctx.fillStyle = frameColour(columns.class[row]);
+  ctx.fillRect(x0, box.y + 3, x1 - x0, height);
+  ctx.fillStyle = verdictColour(verdict);
+  ctx.fillRect(x0, box.y + 3 + height, x1 - x0, 3);
+  if (x1 - x0 > 46) {
+    ctx.fillStyle = colour("back");
+    const name = agentNames.get(columns.transmitter[row]) ?? columns.transmitter[row];
+    ctx.fillText(`${columns.packet?.[row] ?? columns.class[row]} ${name}`, Math.max(x0, box.x) + 3, box.y + 3 + height / 2, x1 - x0 - 6);
+  }
+  hits.push({ x0: x0 - 2, x1: x1 + 2, y0: box.y, y1: box.y + box.height,
+    chosen: { kind: "frame", transmitter: columns.transmitter[row], number: columns.number[row], at: columns.at[row] } });
+}

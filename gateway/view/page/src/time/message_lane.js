@@ -1,0 +1,109 @@
+// Messages from send() to receive(), and what happened in the world.
+import { colour } from "../colours.js";
+
+const rowsOf = (sender, id, rows) => (sender * 7 + id) % rows;
+
+/** A message is a line from when it was sent to each delivery; lost: a cross where its fate was told. */
+export function drawMessages(ctx, box, scale, pieces, hits) {
+  const rows = Math.max(1, Math.floor((box.height - 6) / 5));
+  const drawn = new Set();
+  for (const { tile } of pieces) {
+    if (!tile.complete) { drawBins(ctx, box, scale, tile, tile.bins.counts.reduce((sum, of) => sum.map((n, i) => n + of[i]), Array(tile.bins.n).fill(0))); continue; }
+    const columns = tile.columns;
+    for (let row = 0; row < (columns?.sent?.length ?? 0); row++) {
+      const key = columns.sender[row] * 2 ** 32 + columns.id[row];
+      if (drawn.has(key)) continue;
+      drawn.add(key);
+      drawOne(ctx, box, scale, columns, row, box.y + 4 + 5 * rowsOf(columns.sender[row], columns.id[row], rows), hits);
+    }
+  }
+}
+
+function drawOne(ctx, box, scale, columns, row, y, hits) {
+  const sent = columns.sent[row];
+  const lost = columns.verdict[row] !== null && columns.verdict[row] !== "delivered";
+  const arrivals = columns.deliveries[row].map(([, at]) => at);
+  const last = Math.max(sent, ...arrivals, lost && columns.fate_at[row] !== null ? columns.fate_at[row] : sent);
+  const x0 = scale.x(sent);
+  const x1 = scale.x(last);
+  if (x1 < box.x - 4 || x0 > box.x + box.width + 4) return;
+  ctx.strokeStyle = ctx.fillStyle = colour(lost ? "lost" : "delivered");
+  ctx.lineWidth = 1.5;
+  ctx.beginPath();
+  ctx.moveTo(x0, y);
+  ctx.lineTo(Math.max(x1, x0 + 1), y);
+  ctx.stroke();
+  ctx.fillRect(x0 - 1, y - 2.5, 2, 5);
+  for (const at of arrivals) {
+    ctx.beginPath();
+    ctx.arc(scale.x(at), y, 2, 0, 2 * Math.PI);
+    ctx.fill();
+  }
+  if (lost) {
+    ctx.beginPath();
+    ctx.moveTo(x1 - 3, y - 3); ctx.lineTo(x1 + 3, y + 3); ctx.moveTo(x1 - 3, y + 3); ctx.lineTo(x1 + 3, y - 3);
+    ctx.stroke();
+  }
+  ctx.lineWidth = 1;
+  hits.push({ x0: x0 - 4, x1: Math.max(x1, x0) + 4, y0: y - 4, y1: y + 4,
+    chosen: { kind: "message", sender: columns.sender[row], id: columns.id[row], at: sent } });
+}
+
+function drawBins(ctx, box, scale, tile, counts) {
+  const most = Math.max(1, ...counts);
+  const length = (tile.to - tile.from) / counts.length;
+  ctx.fillStyle = colour("delivered");
+  counts.forEach((count, i) => {
+    if (!count) return;
+    const x = scale.x(tile.from + i * length);
+    const height = Math.max(1, (box.height - 4) * Math.sqrt(count / most));
+    ctx.fillRect(x, box.y + box.height - height, Math.max(1, length / scale.perPixel - 0.5), height);
+  });
+}
+
+const marks = { discovery: "accent", scripted: "followed", "lost body": "lost", contact: "collision", association: "delivered", arrival: "muted" };
+
+/** A mark for each event, with what it was to be read when it is pointed at. */
+export function drawEvents(ctx, box, scale, pieces, hits) {
+  for (const { tile } of pieces) {
+    if (!tile.complete) { drawBins(ctx, box, scale, tile, tile.bins.counts.flat()); continue; }
+    const columns = tile.columns;
+    for (let row = 0; row < (columns?.at?.length ?? 0); row++) {
+      const x = scale.x(columns.at[row]);
+      if (x < box.x || x > box.x + box.width) continue;
+      ctx.fillStyle = colour(marks[columns.kind[row]] ?? "muted");
+      ctx.beginPath();
+      ctx.moveTo(x, box.y + 3); ctx.lineTo(x + 3.5, box.y + box.height - 4); ctx.lineTo(x - 3.5, box.y + box.height - 4);
+      ctx.fill();
+      hits.push({ x0: x - 4, x1: x + 4, y0: box.y, y1: box.y + box.height, t: columns.at[row],
+        text: `${columns.kind[row]}: ${columns.text[row]}`,
+        chosen: columns.agent[row] === null ? null : { kind: "agent", agent: columns.agent[row] } });
+    }
+  }
+}
+
+/** A recorded series as a line, or, where there is more than fits, its least and greatest values. */
+export function drawSeries(ctx, box, scale, pieces) {
+  let [low, high] = [Infinity, -Infinity];
+  const each = (visit) => {
+    for (const { tile } of pieces) {
+      if (tile.complete) tile.columns.at.forEach((at, i) => visit(at, tile.columns.value[i], tile.columns.value[i]));
+      else tile.bins.min.forEach((min, i) => { if (min !== null) visit(tile.from + (i + 0.5) * (tile.to - tile.from) / tile.bins.n, min, tile.bins.max[i]); });
+    }
+  };
+  each((at, min, max) => { if (at >= scale.from && at <= scale.to) { low = Math.min(low, min); high = Math.max(high, max); } });
+  if (low > high) return null;
+  const reach = high > low ? high - low : 1;
+  const y = (value) => box.y + box.height - 3 - (box.height - 8) * ((value - low) / reach);
+  ctx.strokeStyle = colour("accent");
+  ctx.beginPath();
+  let begun = false;
+  each((at, min, max) => {
+    const x = Math.min(Math.max(scale.x(at), box.x), box.x + box.width);
+    if (begun) ctx.lineTo(x, y(min)); else ctx.moveTo(x, y(min));
+    if (max !== min) ctx.lineTo(x, y(max));
+    begun = true;
+  });
+  ctx.stroke();
+  return [low, high];
+}

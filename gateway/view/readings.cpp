@@ -1,0 +1,74 @@
+#include <charconv>
+#include <string_view>
+
+#include "gateway/view/last_rows.h"
+#include "gateway/view/tiles.h"
+
+namespace gateway::view {
+namespace {
+
+using sim::record::Statement;
+
+/// "0.5 - 1e-3" as [0.5,null,0.001].
+Json values_of(std::string_view reading) {
+  JsonArray values;
+  while (!reading.empty()) {
+    const std::size_t end = std::min(reading.find(' '), reading.size());
+    const std::string_view one = reading.substr(0, end);
+    reading.remove_prefix(std::min(end + 1, reading.size()));
+    double value = 0;
+    const auto read = std::from_chars(one.data(), one.data() + one.size(), value);
+    if (read.ec == std::errc{} && read.ptr == one.data() + one.size()) {
+      values.add(value);
+    } else {
+      values.add(std::nullopt);
+    }
+  }
+  return values.json();
+}
+
+/// A tile of a table of changes: what was the last before, and all in the span.
+/// @param add  the current row, whose columns are those of `select`, to the columns.
+template <class Add>
+std::string tile_of_changes(Record& record, LastRows& last, const Span& span,
+                            const std::string& table, const std::string& select, Columns columns,
+                            Add add) {
+  Statement row = record.query("SELECT " + select + " FROM " + table + " WHERE rowid = ?");
+  for (const std::int64_t before : last.before(record, span.from())) {
+    row.bind_all(before);
+    while (row.next()) add(columns, row);
+  }
+  if (count_rows(record, table, span, kMostRows + 1) > kMostRows) {
+    const Json bins =
+        counts_of(record, "SELECT at_ns FROM " + table + " WHERE at_ns >= ? AND at_ns < ?", span);
+    return tile_text(record, span, false, columns, {{"bins", bins}});
+  }
+  Statement rows = record.query("SELECT " + select + " FROM " + table +
+                                " WHERE at_ns >= ? AND at_ns < ? ORDER BY at_ns, agent, rowid");
+  rows.bind_all(span.from(), span.to());
+  while (rows.next()) add(columns, rows);
+  return tile_text(record, span, true, columns);
+}
+
+}  // namespace
+
+std::string readings_tile(Record& record, LastRows& last, const Span& span) {
+  Columns columns({"agent", "at", "channel", "values"});
+  if (!record.has("readings")) return tile_text(record, span, true, columns);
+  return tile_of_changes(record, last, span, "readings", "agent, at_ns, channel, reading", columns,
+                         [](Columns& to, const Statement& row) {
+                           to.add(row.integer(0), row.integer(1), row.text(2),
+                                  values_of(row.text(3)));
+                         });
+}
+
+std::string queues_tile(Record& record, LastRows& last, const Span& span) {
+  Columns columns({"agent", "at", "frames"});
+  if (!record.has("queues")) return tile_text(record, span, true, columns);
+  return tile_of_changes(record, last, span, "queues", "agent, at_ns, frames", columns,
+                         [](Columns& to, const Statement& row) {
+                           to.add(row.integer(0), row.integer(1), row.integer(2));
+                         });
+}
+
+}  // namespace gateway::view

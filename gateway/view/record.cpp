@@ -1,0 +1,72 @@
+#include "gateway/view/record.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <exception>
+
+namespace gateway::view {
+
+using sim::record::Statement;
+
+bool Record::open() {
+  if (reader_) return true;
+  reader_.emplace(folder_);
+  std::string run_id = value("run_id");
+  const bool is_same = run_id == run_id_ && !columns_.empty();
+  if (!is_same) learn();
+  run_id_ = std::move(run_id);
+  is_growing_ = reader_->is_unfinished();
+  const std::string ended = value("ended_ns");
+  until_ = ended.empty() ? latest_row() : std::stoll(ended);
+  return is_same;
+}
+
+void Record::close_if_growing() {
+  if (is_growing_) reader_.reset();
+}
+
+bool Record::has(const std::string& table, const std::string& column) const {
+  const auto found = columns_.find(table);
+  return found != columns_.end() && found->second.contains(column);
+}
+
+std::string Record::or_null(const std::string& table, const std::string& column) const {
+  return has(table, column) ? column : "NULL";
+}
+
+void Record::learn() {
+  columns_.clear();
+  agents_.clear();
+  Statement columns = query(
+      "SELECT m.name, c.name FROM sqlite_master m, pragma_table_info(m.name) c"
+      " WHERE m.type IN ('table', 'view')");
+  while (columns.next()) columns_[columns.text(0)].insert(columns.text(1));
+  Statement agents = query("SELECT agent FROM agents ORDER BY agent");
+  while (agents.next()) agents_.push_back(agents.integer(0));
+}
+
+// Rows are written in order of time and committed together: what is before the latest one that can
+// be read is there.
+std::int64_t Record::latest_row() {
+  std::int64_t latest = 0;
+  const auto look = [&](const std::string& sql) {
+    Statement found = query(sql);
+    if (found.next()) latest = std::max(latest, found.integer(0));
+  };
+  for (const char* table : {"frames", "frame_ends", "queues", "readings"}) {
+    if (has(table)) look(fmt::format("SELECT MAX(at_ns) FROM {}", table));
+  }
+  for (const char* table : {"states", "routes", "contacts", "recorded", "events"}) {
+    if (has(table)) look(fmt::format("SELECT at_ns FROM {} ORDER BY rowid DESC LIMIT 1", table));
+  }
+  // By each one's end of the primary key: a look at the whole table would grow with the run.
+  Statement pose = query("SELECT MAX(at_ns) FROM poses WHERE agent = ?");
+  for (const std::int64_t agent : agents_) {
+    pose.bind_all(agent);
+    while (pose.next()) latest = std::max(latest, pose.integer(0));
+  }
+  return latest;
+}
+
+}  // namespace gateway::view

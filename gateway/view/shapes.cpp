@@ -1,0 +1,135 @@
+#include "gateway/view/shapes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string_view>
+#include <variant>
+
+namespace gateway::view {
+namespace {
+
+using hal::devices::BodyBox;
+using hal::devices::BodyCylinder;
+using hal::devices::MoteDescription;
+using hal::devices::RobotDescription;
+using hal::devices::Wheel;
+
+/// Files do not say how thick a wheel is; it is drawn so, in radii.
+constexpr double kDrawnWheelWidth = 0.5;
+
+constexpr std::array<std::string_view, 4> kWheelKinds = {"omni", "mecanum", "fixed", "caster"};
+
+Json box_json(const BodyBox& box) {
+  return JsonObject()
+      .add("x", box.centre.x)
+      .add("y", box.centre.y)
+      .add("z", box.centre.z)
+      .add("length_x", box.size.x)
+      .add("length_y", box.size.y)
+      .add("length_z", box.size.z)
+      .add("yaw", box.yaw)
+      .json();
+}
+
+Json cylinder_json(const BodyCylinder& cylinder) {
+  return JsonObject()
+      .add("x", cylinder.centre.x)
+      .add("y", cylinder.centre.y)
+      .add("z", (cylinder.z_bottom + cylinder.z_top) / 2)
+      .add("radius", cylinder.radius)
+      .add("height", cylinder.z_top - cylinder.z_bottom)
+      .json();
+}
+
+Json wheel_json(const Wheel& wheel) {
+  return JsonObject()
+      .add("x", wheel.position.x)
+      .add("y", wheel.position.y)
+      .add("heading", wheel.axle_heading)
+      .add("radius", wheel.radius)
+      .add("width", kDrawnWheelWidth * wheel.radius)
+      .add("kind", kWheelKinds.at(static_cast<std::size_t>(wheel.type)))
+      .json();
+}
+
+template <class Range, class ToJson>
+Json all_of(const Range& range, ToJson to_json) {
+  JsonArray all;
+  for (const auto& one : range) all.add(to_json(one));
+  return all.json();
+}
+
+/// Of the circle round the origin that the body, without its wheels, is in; and its height.
+struct Hull {
+  double radius = 0, height = 0;
+
+  void add(double far, double top) {
+    radius = std::max(radius, far);
+    height = std::max(height, top);
+  }
+};
+
+Hull hull_of(const RobotDescription& robot) {
+  Hull hull;
+  for (const BodyCylinder& one : robot.cylinders) {
+    hull.add(std::hypot(one.centre.x, one.centre.y) + one.radius, one.z_top);
+  }
+  for (const BodyBox& one : robot.boxes) {
+    hull.add(std::hypot(one.centre.x, one.centre.y) + std::hypot(one.size.x, one.size.y) / 2,
+             one.centre.z + one.size.z / 2);
+  }
+  return hull;
+}
+
+Json to_json(const std::string& model, const Hull& hull, const Json& cylinders, const Json& boxes,
+             const Json& wheels) {
+  return JsonObject()
+      .add("model", model)
+      .add("radius", hull.radius)
+      .add("height", hull.height)
+      .add("cylinders", cylinders)
+      .add("boxes", boxes)
+      .add("wheels", wheels)
+      .json();
+}
+
+Json shape_of(const RobotDescription& robot) {
+  return to_json(robot.model, hull_of(robot), all_of(robot.cylinders, cylinder_json),
+                 all_of(robot.boxes, box_json), all_of(robot.wheels, wheel_json));
+}
+
+Json shape_of(const MoteDescription& mote) {
+  const BodyBox box{.size = mote.size, .centre = {0, 0, mote.size.z / 2}};
+  Hull hull;
+  hull.add(std::hypot(mote.size.x, mote.size.y) / 2, mote.size.z);
+  return to_json(mote.model, hull, JsonArray().json(), JsonArray().add(box_json(box)).json(),
+                 JsonArray().json());
+}
+
+Json shape_of(const sim::agents::Station&) { return {"null"}; }
+
+}  // namespace
+
+Json shape_json(const sim::agents::AgentConfig& agent) {
+  return std::visit([](const auto& body) { return shape_of(body); }, agent.body);
+}
+
+Json infrared_json(const sim::agents::AgentConfig& agent) {
+  JsonArray sensors;
+  if (const auto* robot = std::get_if<RobotDescription>(&agent.body)) {
+    for (const auto& one : robot->infrared) {
+      sensors.add(JsonObject()
+                      .add("x", one.position.x)
+                      .add("y", one.position.y)
+                      .add("z", one.position.z)
+                      .add("heading", one.heading)
+                      .add("half_angle", one.half_angle)
+                      .add("reach", one.curve.max_range())
+                      .json());
+    }
+  }
+  return sensors.json();
+}
+
+}  // namespace gateway::view

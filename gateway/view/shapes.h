@@ -1,0 +1,15 @@
+#pragma once
+
+#include "gateway/view/json_text.h"
+#include "sim/agents/simulation_config.h"
+
+namespace gateway::view {
+
+/// What a body looks like, from the file that describes it: {radius, height, cylinders, boxes,
+/// wheels}. Metres and radians, body frame. null: a station has none.
+Json shape_json(const sim::agents::AgentConfig& agent);
+
+/// Its infrared sensors: [{x, y, z, heading, half_angle, reach}].
+Json infrared_json(const sim::agents::AgentConfig& agent);
+
+}  // namespace gateway::view

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "gateway/view/control.h"
+#include "gateway/view/view_api.h"
+
+namespace gateway::view {
+
+/// Serves the page and what it shows on 127.0.0.1, on threads of its own; whoever looks, and how
+/// many, changes nothing of a run.
+///
+///   ViewServer server({.page = find_page("view_page.html"), .runs = open_results(folders)});
+///   server.start();
+///   fmt::print("view: {}\n", server.address());
+class ViewServer {
+ public:
+  struct Settings {
+    std::optional<std::string> page;  ///< None: it was not built; only the API is there.
+    std::vector<std::unique_ptr<Run>> runs;
+    ViewApi::Mode mode = ViewApi::Mode::kReplay;
+    int port = 0;                  ///< 0: a free one.
+    Control* control = nullptr;    ///< Null: nothing can be commanded. Outlives the server.
+    const Clock* clock = nullptr;  ///< Null: nothing goes on. Outlives the server.
+  };
+
+  explicit ViewServer(Settings settings);
+  ~ViewServer();  ///< Stops it.
+  ViewServer(const ViewServer&) = delete;
+  ViewServer& operator=(const ViewServer&) = delete;
+
+  /// Once. @throws UsageError  the port is taken.
+  void start();
+
+  /// Ends what is being answered, at most in a few seconds. Nothing if it does not run.
+  void stop();
+
+  int port() const;
+
+  /// For the browser of whoever started it: with what a page needs to command, if it can.
+  std::string address() const;
+
+ private:
+  class Http;
+  std::unique_ptr<Http> http_;
+};
+
+/// Opens an address in the desktop's browser if there is one and somebody sits at a terminal.
+void open_browser(const std::string& address);
+
+}  // namespace gateway::view

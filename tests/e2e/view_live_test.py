@@ -1,0 +1,163 @@
+#!/usr/bin/env python3
+"""A run that is shown in a browser while it goes on: equal to one that nobody looks at, whatever the page asks for."""
+import json
+import os
+import re
+import time
+import unittest
+import urllib.error
+import urllib.request
+
+from baraka import CASE_STUDY, Case, send
+
+UNTIL = 130  # s
+
+
+class Page:
+    """What a page knows: the address with the token that the run printed."""
+
+    def __init__(self, address):
+        self.address, _, self.token = address.partition("#token=")
+        self.address = self.address.rstrip("/")
+
+    def get(self, path, **headers):
+        request = urllib.request.Request(self.address + path, headers=headers)
+        with urllib.request.urlopen(request, timeout=10) as answer:
+            return answer.read().decode()
+
+    def now(self):
+        return json.loads(re.search(r"^data: ?(.*)$", self.get("/api/events"), re.M).group(1))
+
+    def post(self, command, headers=None, **what):
+        headers = {"X-Baraka-Token": self.token, "Content-Type": "application/json"} if headers is None else headers
+        request = urllib.request.Request(self.address + "/api/control", method="POST", headers=headers,
+                                         data=json.dumps({"command": command, **what}).encode())
+        with urllib.request.urlopen(request, timeout=10) as answer:
+            return json.loads(answer.read() or b"{}")
+
+    def rows(self, kind, level=13, index=0):
+        return json.loads(self.get(f"/api/runs/0/{kind}/{level}/{index}"))["columns"]
+
+    def until(self, condition, seconds=60):
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            now = self.now()
+            if condition(now):
+                return now
+            time.sleep(0.02)
+        raise AssertionError(f"still {now}")
+
+
+ALONE = []  # the fingerprint of a run that is not shown
+
+
+class LiveView(Case):
+    COMMON = "--controllers", "in-process", "--until", UNTIL, "--no-inspect"
+
+    def shown(self, *arguments):
+        run = self.start(CASE_STUDY, *self.COMMON, "--view", "--no-open", *arguments)
+        for line in run.process.stderr:
+            found = re.match(r"view: (\S+)", line)
+            if found:
+                return run, Page(found.group(1))
+        raise AssertionError("no address")
+
+    def ends_as_alone(self, run):
+        if not ALONE:
+            ALONE.append(self.run_baraka(CASE_STUDY, *self.COMMON)["fingerprint"])
+        done = run.finish()
+        self.assertEqual(done.status, 0, str(done))
+        self.assertEqual(done["fingerprint"], ALONE[0])
+
+    def test_nobody_looks(self):
+        run, _ = self.shown()
+        self.ends_as_alone(run)
+
+    def test_steps_breaks_and_a_pause_change_nothing(self):
+        run, page = self.shown("--paused")
+        self.assertTrue(page.now()["paused"])
+        self.assertTrue(json.loads(page.get("/api/view"))["can_command"])
+        page.post("break", on="time", at=100_000_000_000)
+        page.post("resume")
+        now = page.until(lambda now: now["paused"])
+        self.assertRegex(now["stopped_by"], r"^time 100\.0+ s$")
+        self.assertEqual(now["now"], 100_000_000_000 - 1)
+        # Ten cycles of all agents, which the case study has aligned: ten control periods.
+        period = 100_000_000
+        page.post("step", count=10, of="cycle")
+        now = page.until(lambda now: now["paused"] and now["now"] > 100_000_000_000)
+        self.assertGreaterEqual(now["now"], 100_000_000_000 + 9 * period)
+        self.assertLess(now["now"], 100_000_000_000 + 10 * period)
+        time.sleep(self.PAUSE)
+        self.assertEqual(page.now()["now"], now["now"])
+        # What has happened can be read, to the last instant.
+        poses = page.rows("poses", 11, 100_900_000_000 // 8 ** 11)
+        self.assertEqual(max(poses["at"]), 100_900_000_000)
+        page.post("break", on="message", topic="help")
+        page.post("resume")
+        now = page.until(lambda now: now["paused"] or now["ended"])
+        self.assertRegex(now["stopped_by"], r"sent message \d+ of help")
+        page.post("clear", id=2)
+        page.post("resume")
+        self.ends_as_alone(run)
+
+    PAUSE = float(os.environ.get("BARAKA_PAUSE", "2"))  # s
+
+    def test_a_state_stops_it_and_speed_slows_it(self):
+        run, page = self.shown("--paused")
+        identity = page.post("break", on="state", agent=26)["id"]
+        page.post("resume")
+        now = page.until(lambda now: now["paused"])
+        self.assertRegex(now["stopped_by"], r"^r0 entered \w+$")
+        page.post("clear", id=identity)
+        page.post("speed", factor=5)
+        page.post("resume")
+        began, first = time.monotonic(), now["now"]
+        time.sleep(1)
+        simulated = 1e-9 * (page.now()["now"] - first)
+        self.assertLess(simulated, 5 * (time.monotonic() - began) + 0.5)
+        self.assertGreater(simulated, 1)
+        page.post("speed", factor=0)
+        self.ends_as_alone(run)
+
+    def test_who_may_not_command(self):
+        run, page = self.shown("--paused")
+        host = page.address.removeprefix("http://")
+        token = {"X-Baraka-Token": page.token}
+        for headers in ({}, {"X-Baraka-Token": "0" * len(page.token)}, {**token, "Host": "evil.example"},
+                        {**token, "Origin": "http://evil.example"}, {**token, "Origin": "null"}):
+            with self.assertRaises(urllib.error.HTTPError, msg=headers) as refused:
+                page.post("resume", headers=headers)
+            self.assertIn(refused.exception.code, (400, 401, 403, 421), headers)
+            self.assertTrue(page.now()["paused"])
+        page.post("resume", headers={**token, "Origin": f"http://{host}"})
+        run.finish()
+
+    def test_mistakes_are_named(self):
+        run, page = self.shown("--paused")
+        for command, what, words in (("step", {"count": 0, "of": "cycle"}, "count"), ("break", {"on": "full moon"}, "full moon"),
+                                     ("dance", {}, "dance"), ("speed", {"factor": -1}, "factor|speed"),
+                                     ("clear", {"id": 7}, "7"), ("drive", {"agent": 1, "vx": 1, "vy": 0, "omega": 0},
+                                                                 "driven by hand")):
+            with self.assertRaises(urllib.error.HTTPError) as refused:
+                page.post(command, **what)
+            self.assertRegex(json.loads(refused.exception.read())["error"], words)
+        page.post("resume")
+        run.finish()
+
+    def test_interrupted_while_it_is_paused(self):
+        run, page = self.shown("--paused")
+        page.now()
+        send(run.process.pid, "SIGINT")
+        self.assertEqual(run.finish().status, 130)
+
+    def test_follows_the_clock_and_is_only_watched(self):
+        run, page = self.shown("--pace", "realtime:100")
+        with self.assertRaises(urllib.error.HTTPError) as refused:
+            page.post("pause")
+        self.assertIn("watched only", json.loads(refused.exception.read())["error"])
+        run.finish()
+
+
+if __name__ == "__main__":
+    unittest.main()
