@@ -60,12 +60,11 @@ function titleOf(pane, run) {
   make(title, "small").textContent = [profile && ` · ${profile}`, result && ` · ${result}`].filter(Boolean).join("");
 }
 
+// What was not recorded is told beside the run, in the inspector; over the map only what misleads there.
 function tellMissing(pane, run) {
-  const missing = run.world.missing ?? [];
-  const warnings = run.world.warnings ?? [];
-  if (!missing.length && !warnings.length) return;
-  make(pane, "p", "missing").textContent = [...warnings,
-    ...missing.map(({ what, line }) => `not recorded: ${what} (record it with ${line})`)].slice(0, 6).join("\n");
+  const misses = (run.world.missing ?? []).filter(({ what }) => /^(poses|frames$|frames one)/.test(what));
+  const lines = [...(run.world.warnings ?? []), ...misses.map(({ what, line }) => `not recorded: ${what} (record it with ${line})`)];
+  if (lines.length) make(pane, "p", "missing").textContent = lines.slice(0, 6).join("\n");
 }
 
 export function createPane(parent, run, store) {
