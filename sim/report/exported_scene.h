@@ -15,7 +15,7 @@ namespace sim::report {
 struct ExportedRange {
   double field_of_view = 0;  ///< rad, whole angle
   double low = 0, high = 0;  ///< m, what it can measure
-  hal::Vec3 position;        ///< m, in the frame of the body
+  hal::Vec3 position{};      ///< m, in the frame of the body
   double heading = 0;        ///< rad, likewise
 };
 

@@ -33,7 +33,7 @@ struct RosMarker {
   std::int32_t id = 0;
   hal::Solid solid;
   hal::Pose2 pose;  ///< Of the frame of `solid` in the world.
-  hal::Colour colour;
+  hal::Colour colour{};
 };
 
 /// One beam, or one of several of a sensor.
