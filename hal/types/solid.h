@@ -20,6 +20,9 @@ struct Solid {
   bool operator==(const Solid&) const = default;
 };
 
+/// Middle of a solid in the world [m]. @param frame  pose of the frame that it is fixed in
+Vec3 centre_in_world(const Solid& solid, const Pose2& frame);
+
 /// What a group of solids is, for its colour.
 enum class DrawnAs : std::uint8_t { kWall, kMote, kRobot, kStation };
 

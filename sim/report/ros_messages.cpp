@@ -66,9 +66,7 @@ void put_marker(Cdr& out, const RosMarker& marker) {
   out.put(marker.id);
   out.put(static_cast<std::int32_t>(solid.shape));
   out.put(std::int32_t{0});  // ADD, and MODIFY if it is there
-  const double c = hal::math::cos(marker.pose.theta), s = hal::math::sin(marker.pose.theta);
-  put_vector(out, {marker.pose.x + c * solid.centre.x - s * solid.centre.y,
-                   marker.pose.y + s * solid.centre.x + c * solid.centre.y, solid.centre.z});
+  put_vector(out, hal::centre_in_world(solid, marker.pose));
   put_rotation(out, marker.pose.theta + solid.yaw);
   put_vector(out, solid.size);
   put_colour(out, marker.colour);
