@@ -3,7 +3,7 @@
 #     bin             baraka, the controllers
 #     lib/baraka      plug-ins of the controllers, what slows programs and what holds their networks
 #     share/baraka    robots, radios, scenarios, campaigns, hardware; templates of `baraka new-controller`; IDL;
-#                     the report page, if it was built
+#                     settings of other people's viewers; the report page, if it was built
 #     share/doc       README, docs, licence
 #   dev (libbaraka-dev)
 #     lib/baraka      the libraries a controller is linked with
@@ -19,7 +19,7 @@ set(package lib/cmake/baraka)
 
 # A program that was just built finds what an installed one does.
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/${baraka_share})
-foreach(folder config/robots config/radios config/scenarios config/campaigns config/hardware templates idl)
+foreach(folder config/robots config/radios config/scenarios config/campaigns config/hardware config/viewers templates idl)
   get_filename_component(name ${folder} NAME)
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${PROJECT_BINARY_DIR}/${baraka_share}/${name}
     SYMBOLIC)

@@ -6,15 +6,18 @@ import csv
 import json
 import math
 import pathlib
+import re
 import subprocess
 import sys
 import unittest
 
 from baraka import BIN, CASE_STUDY, ROOT, Case, Program
+from topic_test import TOPICS as LIVE
 
 SKIPPED = 77
 MODULES = BIN.parent / "mcap_reader"
 DECODE = ROOT / "tests/e2e/mcap/decode.mjs"
+VIEWERS = ROOT / "config/viewers"
 READINGS = "[{name: sensors.r0.odometry.*, every: 100 ms}, {name: sensors.r0.infrared.*, every: 100 ms}]"
 PUBLISHED = {  # by schema: how many definitions of published packages are in it
     "tf2_msgs/msg/TFMessage": 7, "visualization_msgs/msg/MarkerArray": 13,
@@ -44,7 +47,9 @@ class Decoded:
         return [(line["at"], line["message"]) for line in self.messages if line["topic"] == topic]
 
 
-class Mcap(Case):
+class Exported(Case):
+    """With the case study's beginning as a file."""
+
     @classmethod
     def setUpClass(cls):
         case = cls("run")
@@ -57,6 +62,8 @@ class Mcap(Case):
         case.assertEqual(finished.status, 0, str(finished))
         cls.decoded = Decoded(cls.file)
 
+
+class Mcap(Exported):
     def number(self, sql):
         return self.query(sql, self.result)[0][0]
 
@@ -157,6 +164,77 @@ class Mcap(Case):
         told = self.decoded.metadata["baraka"]
         for key in ("scenario", "seed", "version", "fingerprint"):
             self.assertEqual(told[key], str(self.number(f"SELECT value FROM run WHERE key = '{key}'")))
+
+
+class Viewers(Exported):
+    """What the files of config/viewers name is there: in an exported file and in a run under way
+    (topic_test.py compares its list with what `baraka topic list` shows)."""
+
+    FILE_ONLY = {"/r0/pose"}
+    DISPLAYS = {"MarkerArray": "visualization_msgs", "Odometry": "nav_msgs", "Range": "sensor_msgs"}
+
+    @staticmethod
+    def rviz():
+        """Topic by kind of display."""
+        text = (VIEWERS / "baraka.rviz").read_text()
+        return {kind: topic for kind, topic in re.findall(
+            r"- Class: rviz_default_plugins/(\w+)\n(?:(?!    - Class).*\n)*?      Topic:\n(?:        .*\n)*?"
+            r"        Value: (\S+)\n", text)}
+
+    @staticmethod
+    def foxglove():
+        """Paths of messages, and topics."""
+        panels = json.loads((VIEWERS / "foxglove_layout.json").read_text())["configById"].values()
+        for panel in panels:
+            yield from panel.get("topics", {})
+            yield from (path["value"] for path in panel.get("paths", []))
+            yield from filter(None, [panel.get("topicPath")])
+
+    def check(self, topic):
+        if topic not in self.FILE_ONLY:
+            self.assertIn("rt" + topic, LIVE)
+        self.assertIn(topic, self.decoded.channels)
+
+    def test_rviz(self):
+        self.assertEqual(set(self.rviz()), set(self.DISPLAYS))
+        for kind, topic in self.rviz().items():
+            self.check(topic)
+            name = f"{self.DISPLAYS[kind]}::msg::dds_::{kind}_"
+            self.assertEqual(LIVE["rt" + topic], name)
+            self.assertEqual(self.decoded.channels[topic]["schema"], f"{self.DISPLAYS[kind]}/msg/{kind}")
+        frames = set(re.findall(r"(?:Fixed|Target|Reference) Frame: (\S+)", (VIEWERS / "baraka.rviz").read_text()))
+        known = {name for _, message in self.decoded.on("/tf") for one in message["transforms"]
+                 for name in (one["header"]["frame_id"], one["child_frame_id"])}
+        self.assertLessEqual(frames, known)
+
+    def test_foxglove(self):
+        paths = list(self.foxglove())
+        mounts = {one["child_frame_id"] for _, message in self.decoded.on("/tf_static")
+                  for one in message["transforms"]}
+        self.assertGreater(len(paths), 8)
+        for path in paths:
+            topic, wanted, members = re.fullmatch(r'([\w/]+)(?:\{([\w.]+=="[^"]+")\})?((?:\.\w+)*)', path).groups()
+            self.check(topic)
+            messages = [message for _, message in self.decoded.on(topic)]
+            if wanted:
+                field, value = wanted.split('"')[0].removesuffix("=="), wanted.split('"')[1]
+                seen = {member(message, field) for message in messages}
+                self.assertIn(value, seen | mounts, path)  # a sensor may have seen nothing
+            if members:
+                self.assertNotIsInstance(member(messages[0], members[1:]), dict, path)
+
+    def test_panels_of_the_layout_are_described(self):
+        layout = json.loads((VIEWERS / "foxglove_layout.json").read_text())
+
+        def leaves(part):
+            return [part] if isinstance(part, str) else leaves(part["first"]) + leaves(part["second"])
+        self.assertEqual(sorted(leaves(layout["layout"])), sorted(layout["configById"]))
+
+
+def member(message, path):
+    for name in path.split("."):
+        message = message[name]
+    return message
 
 
 class Csv(Case):
