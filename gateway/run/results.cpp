@@ -109,7 +109,9 @@ void Results::record(const fs::path& folder) {
                     sim::record::RecorderOptions{.pose_period = scenario_.record.pose_period,
                                                  .frames = scenario_.record.frames,
                                                  .messages = scenario_.record.messages,
-                                                 .samples = scenario_.record.samples});
+                                                 .samples = scenario_.record.samples,
+                                                 .routes = scenario_.record.routes,
+                                                 .readings = scenario_.record.readings});
   recorder_->add_settings(settings_);
   // Half a kilobyte per agent, not needed any more.
   std::vector<std::pair<std::string, std::string>>().swap(settings_);
@@ -127,6 +129,7 @@ void Results::begin(sim::agents::Simulation& simulation) {
   }
   record(folder_.path());
   simulation.add_observer(*recorder_);
+  recorder_->look_at(simulation);
   simulation.add_observer(fingerprint_);
   if (!scenario_.record.air.empty()) capture(simulation);
   if (!scenario_.record.observables.empty()) observe(simulation);

@@ -26,6 +26,9 @@ class ObserverList final : public Observer {
   void on_frame_cut(hal::Time at, const radio::Frame& frame) override {
     for (Observer* o : observers_) o->on_frame_cut(at, frame);
   }
+  void on_sinr(double sinr_db) override {
+    for (Observer* o : observers_) o->on_sinr(sinr_db);
+  }
   void on_reception(hal::Time at, const radio::Frame& frame, hal::AgentId receiver,
                     hal::Verdict verdict, double rssi_dbm) override {
     for (Observer* o : observers_) o->on_reception(at, frame, receiver, verdict, rssi_dbm);

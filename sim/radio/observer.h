@@ -23,6 +23,8 @@ class RadioObserver {
   virtual void on_faint(const Frame& frame, std::uint32_t radios) { (void)frame, (void)radios; }
   /// The transmitter breaks off a frame that it began before: its radio is switched off.
   virtual void on_frame_cut(hal::Time at, const Frame& frame) { (void)at, (void)frame; }
+  /// Right before on_reception(), if the radio was synchronised to the frame: lowest SINR over it.
+  virtual void on_sinr(double sinr_db) { (void)sinr_db; }
   /// How a frame ended at one radio that could receive or sense it by itself, or could but for
   /// walls. Addressed to it or not.
   virtual void on_reception(hal::Time at, const Frame& frame, hal::AgentId receiver,

@@ -230,6 +230,7 @@ void Radio::end_signal(const Frame& frame, bool cut) {
   }
   if (cut && !signal.verdict) outcome = {hal::Verdict::kRadioOff};
   sense();
+  if (was_held) observer_.on_sinr(snr.value);
   observer_.on_reception(events_.now(), frame, agent_, outcome.verdict, signal.arrival.level.value);
   if (was_held && outcome.verdict == hal::Verdict::kDelivered) {
     listener_->on_receive(frame, signal.arrival.level, snr);

@@ -8,6 +8,7 @@ namespace sim::record {
 enum class Detail : std::uint8_t {
   kNone,    ///< Nothing.
   kCounts,  ///< Counts per agent, peer, class and verdict.
+  kSample,  ///< Of frames: counts, and rows for the first ones of each simulated second.
   kAll,  ///< A row for each, about 1 us: of frames beside the counts, of messages in their place.
 };
 

@@ -7,7 +7,9 @@
 #include <string>
 #include <variant>
 
+#include "hal/types/check.h"
 #include "hal/types/log.h"
+#include "sim/agents/quantities.h"
 #include "sim/radio/mac_sap.h"
 #include "sim/record/frame_class.h"
 #include "sim/record/hexadecimal.h"
@@ -50,6 +52,9 @@ Recorder::Recorder(const std::filesystem::path& file, const agents::SimulationCo
       options_(options),
       frames_(database_),
       in_the_air_(database_, tail_of(config.radio)),
+      looks_(database_, {.period = options.pose_period,
+                         .readings = options.readings,
+                         .queues = options.routes == Detail::kAll}),
       broadcasts_([this](auto... end) { on_message_end(hal::Time{}, hal::AgentId{}, end...); }),
       bodies_(database_, options.pose_period),
       interfaces_(database_),
@@ -63,9 +68,10 @@ Recorder::Recorder(const std::filesystem::path& file, const agents::SimulationCo
       insert_turn_(database_, "INSERT INTO turns VALUES (?, ?, ?, ?)"),
       insert_arrival_(database_, "INSERT INTO arrivals VALUES (?, ?, ?)"),
       insert_association_(database_, "INSERT INTO associations VALUES (?, ?, ?)"),
-      insert_frame_(database_, "INSERT INTO frames VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"),
-      insert_frame_end_(database_, "INSERT INTO frame_ends VALUES (?, ?, ?, ?, ?)"),
       insert_fingerprint_(database_, "INSERT INTO fingerprints VALUES (?, ?, ?, ?)") {
+  const bool lists_frames = options_.frames == Detail::kSample || options_.frames == Detail::kAll;
+  if (lists_frames) frame_log_.emplace(database_, options_.frames);
+  if (options_.routes == Detail::kAll) route_log_.emplace(database_, config);
   if (options_.messages == Detail::kAll) message_log_.emplace(database_);
   if (options_.messages == Detail::kCounts) message_counts_.emplace(database_);
   const bool has_network = std::ranges::any_of(
@@ -319,11 +325,8 @@ void Recorder::on_frame_start(hal::Time at, const radio::Frame& frame) {
   if (air_) air_->ledger().on_frame_start(at, frame);
   if (counts_frames()) count_start(at, frame);
   if (options_.messages != Detail::kNone) broadcasts_.on_frame_start(at, frame);
-  if (!lists_frames()) return;
-  insert_frame_.run(frame.id, hal::to_ns(at), class_of(frame), frame.transmitter.value,
-                    frame.receiver.value, frame.sequence, frame.retry,
-                    std::uint64_t{frame.air_length}, frame.airtime.count());
-  on_rows(at, 1);
+  if (frame_log_) on_rows(at, frame_log_->on_start(at, frame));
+  on_rows(at, looks_.on_queue(at, frame.transmitter));
 }
 
 void Recorder::count_start(hal::Time at, const radio::Frame& frame) {
@@ -346,9 +349,7 @@ void Recorder::on_reception(hal::Time at, const radio::Frame& frame, hal::AgentI
   if (air_) air_->ledger().on_reception(at, frame, receiver, verdict, rssi_dbm);
   if (counts_frames()) count_end(at, frame, receiver, verdict);
   if (options_.messages != Detail::kNone) broadcasts_.on_reception(frame, verdict);
-  if (!lists_frames()) return;
-  insert_frame_end_.run(frame.id, receiver.value, hal::to_ns(at), hal::name(verdict), rssi_dbm);
-  on_rows(at, 1);
+  if (frame_log_) on_rows(at, frame_log_->on_reception(at, frame, receiver, verdict, rssi_dbm));
 }
 
 void Recorder::count_end(hal::Time at, const radio::Frame& frame, hal::AgentId receiver,
@@ -366,6 +367,7 @@ void Recorder::on_request_end(hal::Time at, hal::AgentId sender, hal::AgentId de
                               hal::Verdict verdict) {
   if (air_) air_->ledger().on_request_end(at, sender, destination, verdict);
   if (counts_frames()) frames_.on_request_end(sender, destination, verdict);
+  on_rows(at, looks_.on_queue(at, sender));
 }
 
 void Recorder::on_relay_lost(hal::Time at, hal::AgentId source, const radio::MacRequest& request,
@@ -383,8 +385,34 @@ void Recorder::on_association(hal::Time at, hal::AgentId station,
   on_rows(at, 1);
 }
 
+void Recorder::look_at(const agents::Simulation& simulation) {
+  const auto& all = agents::quantities();
+  const auto queue = std::ranges::find_if(
+      all, [](const auto& one) { return one.domain == "radio" && one.name == "queue"; });
+  BARAKA_CHECK(queue != all.end());
+  looks_.open(
+      {.queue =
+           [&simulation, &queue = *queue](hal::AgentId agent) {
+             return static_cast<std::uint64_t>(simulation.read(queue, agent).value_or(0));
+           },
+       .contacts = [&simulation](hal::AgentId agent) { return simulation.contacts(agent); }});
+}
+
+void Recorder::on_reading(hal::Time at, hal::AgentId agent, const hal::Channel& channel,
+                          std::span<const double> values) {
+  on_rows(at, looks_.on_reading(at, agent, channel, values));
+}
+
+void Recorder::on_route_change(hal::Time at, hal::AgentId agent, const hal::RouteChange& change) {
+  if (!route_log_) return;
+  route_log_->on_route_change(at, agent, change);
+  on_rows(at, 1);
+}
+
 void Recorder::on_body(hal::Time at, hal::AgentId agent, const agents::BodyState& body) {
-  on_rows(at, bodies_.on_body(at, agent, body) ? 1 : 0);
+  // Who has not moved since the last row was not pushed either: who did it is.
+  if (!bodies_.on_body(at, agent, body)) return;
+  on_rows(at, 1 + looks_.on_body(at, agent));
 }
 
 void Recorder::on_displaced(hal::Time, hal::AgentId agent) { bodies_.on_displaced(agent); }

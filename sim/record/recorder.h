@@ -5,6 +5,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -20,11 +21,14 @@
 #include "sim/record/database.h"
 #include "sim/record/detail.h"
 #include "sim/record/frame_counts.h"
+#include "sim/record/frame_log.h"
 #include "sim/record/frames_in_the_air.h"
 #include "sim/record/interface_counts.h"
+#include "sim/record/look_log.h"
 #include "sim/record/message_counts.h"
 #include "sim/record/message_log.h"
 #include "sim/record/observable.h"
+#include "sim/record/route_log.h"
 #include "sim/record/routing_counts.h"
 #include "sim/record/unheard_topics.h"
 
@@ -37,6 +41,8 @@ struct RecorderOptions {
   Detail frames = Detail::kCounts;
   Detail messages = Detail::kAll;
   Detail samples = Detail::kCounts;  ///< Of DDS, if an agent has a network.
+  Detail routes = Detail::kNone;     ///< kAll: each change; and with it the lengths of queues.
+  Detail readings = Detail::kNone;   ///< As LookLog::Settings.
 };
 
 /// A file with empty tables, ready for statements.
@@ -107,6 +113,10 @@ class Recorder final : public agents::Observer {
                        const agents::SimulationConfig& config, const agents::Simulation& simulation,
                        std::function<std::string(hal::AgentId, const std::string&)> unit_of);
 
+  /// Has it look at queues and contacts, which nobody tells of. Before the run.
+  /// @param simulation  of that run, outlives it.
+  void look_at(const agents::Simulation& simulation);
+
   /// Writes how a run ended that did not begin, or that could not be written to its end: what came
   /// after the last commit is lost, its end is not if there is room for a few thousand bytes.
   void give_up(const agents::Outcome& outcome);
@@ -127,6 +137,9 @@ class Recorder final : public agents::Observer {
   void on_frame_start(hal::Time at, const radio::Frame& frame) override;
   void on_faint(const radio::Frame& frame, std::uint32_t radios) override;
   void on_frame_cut(hal::Time at, const radio::Frame& frame) override;
+  void on_sinr(double sinr_db) override {
+    if (frame_log_) frame_log_->on_sinr(sinr_db);
+  }
   void on_reception(hal::Time at, const radio::Frame& frame, hal::AgentId receiver,
                     hal::Verdict verdict, double rssi_dbm) override;
   void on_delivered(hal::Time at, const radio::Frame& frame, hal::AgentId receiver) override;
@@ -136,6 +149,13 @@ class Recorder final : public agents::Observer {
                      hal::Verdict verdict) override;
   void on_association(hal::Time at, hal::AgentId station,
                       std::optional<hal::AgentId> access_point) override;
+  bool observes_readings() const override { return looks_.observes_readings(); }
+  bool observes(hal::AgentId, const hal::Channel& channel) const override {
+    return looks_.observes(channel);
+  }
+  void on_reading(hal::Time at, hal::AgentId agent, const hal::Channel& channel,
+                  std::span<const double> values) override;
+  void on_route_change(hal::Time at, hal::AgentId agent, const hal::RouteChange& change) override;
   void on_body(hal::Time at, hal::AgentId agent, const agents::BodyState& body) override;
   void on_displaced(hal::Time at, hal::AgentId agent) override;
   void on_body_lost(const physics::LostBody& lost) override;
@@ -175,12 +195,14 @@ class Recorder final : public agents::Observer {
   void update_totals();
   void commit_rows();
   bool counts_frames() const { return options_.frames != Detail::kNone; }
-  bool lists_frames() const { return options_.frames == Detail::kAll; }
 
   NewDatabase database_;
   RecorderOptions options_;
   FrameCounts frames_;
   FramesInTheAir in_the_air_;
+  std::optional<FrameLog> frame_log_;
+  std::optional<RouteLog> route_log_;
+  LookLog looks_;
   std::optional<MessageLog> message_log_;
   std::optional<MessageCounts> message_counts_;
   std::optional<AirLog> air_;
@@ -190,8 +212,7 @@ class Recorder final : public agents::Observer {
   std::unique_ptr<Observables> observables_;
   RoutingCounts routing_;
   Statement set_, insert_discovery_, insert_lost_body_, insert_state_, insert_value_,
-      insert_scripted_, insert_turn_, insert_arrival_, insert_association_, insert_frame_,
-      insert_frame_end_, insert_fingerprint_;
+      insert_scripted_, insert_turn_, insert_arrival_, insert_association_, insert_fingerprint_;
   int rows_ = 0;     ///< Since the last commit.
   hal::Time now_{};  ///< Of the latest row, or of the end.
   hal::Time next_commit_{kCommitPeriod};

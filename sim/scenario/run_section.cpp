@@ -73,11 +73,23 @@ void run_keys(Io& io, Scenario& scenario) {
             kLinks, c.link);
 }
 
+constexpr std::array kFrameDetails = {Option<record::Detail>{"none", record::Detail::kNone},
+                                      Option<record::Detail>{"counts", record::Detail::kCounts},
+                                      Option<record::Detail>{"sample", record::Detail::kSample},
+                                      Option<record::Detail>{"all", record::Detail::kAll}};
+constexpr std::array kRouteDetails = {Option<record::Detail>{"none", record::Detail::kNone},
+                                      Option<record::Detail>{"all", record::Detail::kAll}};
+constexpr std::array kReadingDetails = {Option<record::Detail>{"none", record::Detail::kNone},
+                                        Option<record::Detail>{"ranges", record::Detail::kSample},
+                                        Option<record::Detail>{"all", record::Detail::kAll}};
+
 template <class Io>
 void record_keys(Io& io, RecordOptions& c) {
-  io.choice({"frames", "Frames in the results: not at all, counted, or a row for each as well.",
-             "counts"},
-            kDetails, c.frames);
+  io.choice({"frames",
+             "Frames in the results: not at all, counted, or rows as well: for the first ones of "
+             "each simulated second, up to 5000 rows with those of how they ended, or for each.",
+             "all", "sample; counts above 100 agents"},
+            kFrameDetails, c.frames);
   io.choice({"messages",
              "Messages and deliveries in the results: not at all, counted, or a row for each, as "
              "quartiles of their delays need.",
@@ -89,10 +101,20 @@ void record_keys(Io& io, RecordOptions& c) {
        "counted by writer and receiver with a histogram of latencies, or also a row for each.",
        "all"},
       kDetails, c.samples);
+  io.choice({"routes",
+             "Changes of agents' routing tables and of the lengths of their queues in the results: "
+             "not at all, or each, for `baraka view`.",
+             "none", "all; none above 100 agents"},
+            kRouteDetails, c.routes);
+  io.choice({"readings",
+             "What sensors say in the results, where it changes, at most once per pose_period: not "
+             "at all, ranges and bumpers of up to 32 values, or all channels.",
+             "all", "ranges; none above 100 agents"},
+            kReadingDetails, c.readings);
   io.duration(
       {"pose_period",
        "Between two rows of an agent's pose in the results; at most one row per control cycle.",
-       "1 s"},
+       "1 s", "100 ms; 1 s above 100 agents"},
       {1e-3, 3600}, c.pose_period);
 }
 
@@ -169,6 +191,10 @@ void read_run(Mapping& in, Scenario& scenario) {
 void read_record(Mapping in, Scenario& scenario) {
   const bool many = scenario.simulation.agents.size() > kAgentsOfListedMessages;
   scenario.record.messages = many ? record::Detail::kCounts : record::Detail::kAll;
+  scenario.record.frames = many ? record::Detail::kCounts : record::Detail::kSample;
+  scenario.record.routes = many ? record::Detail::kNone : record::Detail::kAll;
+  scenario.record.readings = many ? record::Detail::kNone : record::Detail::kSample;
+  scenario.record.pose_period = many ? 1s : 100ms;
   FieldReader reader(in);
   record_keys(reader, scenario.record);
   read_air(in, scenario);

@@ -76,6 +76,8 @@ struct RecordOptions {
   record::Detail frames = record::Detail::kCounts;
   record::Detail messages = record::Detail::kAll;
   record::Detail samples = record::Detail::kCounts;
+  record::Detail routes = record::Detail::kNone;
+  record::Detail readings = record::Detail::kNone;
   hal::Duration pose_period = 1s;
   std::string air{};                           ///< File of the captured frames; empty: none.
   std::optional<hal::AgentId> air_heard_by{};  ///< None: by an ear that hears all.
@@ -88,7 +90,8 @@ struct RecordOptions {
 /// Whose figures a report shows beside those of the runs.
 enum class Published : std::uint8_t { kNothing, kLabella2009 };
 
-/// Above so many agents messages are counted and not listed, unless the file asks for it.
+/// Above so many agents messages are counted and not listed, and what only a view needs is not
+/// recorded, unless the file asks for it.
 inline constexpr std::size_t kAgentsOfListedMessages = 100;
 
 /// A scenario file with everything that it includes and the overrides of the command line: checked,
