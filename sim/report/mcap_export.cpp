@@ -50,6 +50,7 @@ std::uint64_t write_mcap(const std::filesystem::path& folder, const ExportedScen
   add_pose_streams(parts, streams);
   add_reading_streams(parts, streams);
   add_network_streams(parts, streams);
+  add_route_stream(parts, streams);
   add_controller_streams(parts, streams);
   while (McapStream* const next = earliest(streams)) next->take_instant();
   file.finish();

@@ -18,14 +18,15 @@ namespace sim::report {
 /// /markers                    visualization_msgs/MarkerArray  walls once; poses, one per instant
 /// /<agent>/odom               nav_msgs/Odometry               readings, else observables
 /// /<agent>/range              sensor_msgs/Range               likewise, one per infrared sensor
-/// /<agent>/<sensor>           LaserScan, Range, PoseStamped,  readings: scan, sonar, pose, bumper
-///                             std_msgs/Bool
+/// /<agent>/<sensor>           by its kind: sensor_message.h   readings of `sensors:`
 /// /baraka/frames              baraka_msgs/Frame               frames
+/// /baraka/routes              baraka_msgs/Route               routes
 /// /baraka/message_fates       baraka_msgs/MessageFate         messages with a fate, and deliveries
 /// /baraka/controller_states   baraka_msgs/ControllerState     states
 /// /baraka/values              baraka_msgs/Value               recorded
 ///
-/// A topic without a message is left out. The metadata record `baraka` has the table `run`.
+/// A topic without a message is left out. Where a sensor is named pose, /<agent>/pose is its, and
+/// the poses are on /<agent>/true_pose. The metadata record `baraka` has the table `run`.
 /// @param write  gets the file piece by piece.
 /// @return messages written.
 /// @throws std::runtime_error  the folder has no result of this version.

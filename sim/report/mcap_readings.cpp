@@ -12,6 +12,7 @@
 
 #include "sim/report/mcap_streams.h"
 #include "sim/report/ros_messages.h"
+#include "sim/report/sensor_message.h"
 
 namespace sim::report {
 namespace {
@@ -61,53 +62,10 @@ void publish_infrared(const McapParts& parts, std::int64_t at, std::int64_t agen
                                       .range = metres}));
 }
 
-std::string sonar_message(const RosHeader& header, const hal::Channel& channel, double metres) {
-  const bool has_edges = channel.headings.size() == 2;
-  return range_message({.header = header,
-                        .is_infrared = false,
-                        .field_of_view = has_edges ? channel.headings[1] - channel.headings[0] : 0,
-                        .low = channel.low,
-                        .high = channel.high,
-                        .range = metres});
-}
-
-std::string scan_message(const RosHeader& header, const hal::Channel& channel,
-                         std::vector<double> ranges) {
-  const std::vector<double>& headings = channel.headings;
-  return laser_scan({.header = header,
-                     .first = headings.empty() ? 0 : headings.front(),
-                     .last = headings.empty() ? 0 : headings.back(),
-                     .step = headings.size() > 1 ? headings[1] - headings[0] : 0,
-                     .period = hal::to_seconds(channel.period),
-                     .low = channel.low,
-                     .high = channel.high,
-                     .ranges = std::move(ranges)});
-}
-
-/// A reading of a sensor of `sensors:`, on a topic with its name.
-void publish_sensor(const McapParts& parts, std::int64_t at, const std::string& name,
-                    const hal::Channel& channel, std::vector<double> values) {
-  if (channel.length != 0 && values.size() != channel.length) return;
-  const std::string topic = "/" + name + "/" + channel.name;
-  const RosHeader header{at, name + "/" + channel.frame};
-  if (channel.kind == "scan") {
-    parts.topics.publish(at, topic, "sensor_msgs/msg/LaserScan",
-                         scan_message(header, channel, std::move(values)));
-  } else if (channel.kind == "sonar") {
-    parts.topics.publish(at, topic, "sensor_msgs/msg/Range",
-                         sonar_message(header, channel, values[0]));
-  } else if (channel.kind == "bumper") {
-    parts.topics.publish(at, topic, "std_msgs/msg/Bool", bool_message(values[0] != 0));
-  } else if (channel.kind == "pose") {
-    parts.topics.publish(at, topic, "geometry_msgs/msg/PoseStamped",
-                         pose_stamped({at, "world"}, {values[0], values[1], values[2]}));
-  }
-}
-
 void on_reading(const McapParts& parts, std::int64_t at, const record::Statement& row) {
   const std::int64_t agent = row.integer(1);
   const std::string channel = row.text(2), name = parts.name(agent);
-  std::vector<double> values = values_of(row.text(3));
+  const std::vector<double> values = values_of(row.text(3));
   if (channel == "odometry") return publish_odometry(parts, at, name, values);
   if (channel == "infrared") {
     for (std::size_t i = 0; i < values.size(); ++i)
@@ -117,7 +75,10 @@ void on_reading(const McapParts& parts, std::int64_t at, const record::Statement
   const auto of = parts.scene.agents.find(agent);
   if (of == parts.scene.agents.end()) return;
   for (const hal::Channel& known : of->second.channels) {
-    if (known.name == channel) publish_sensor(parts, at, name, known, std::move(values));
+    if (known.name != channel) continue;
+    if (const auto told = sensor_message(at, name, known, values)) {
+      parts.topics.publish(at, "/" + name + "/" + channel, told->type, told->bytes);
+    }
   }
 }
 
@@ -157,16 +118,18 @@ std::optional<std::size_t> number_of(std::string_view text) {
   return number;
 }
 
-/// @param but_not  agents and channels that have readings, as SQL after WHERE
-void add_observable_stream(const McapParts& parts, McapStreams& streams,
-                           const std::string& but_not) {
+/// Of agents and channels without readings.
+void add_observable_stream(const McapParts& parts, McapStreams& streams) {
   const auto odometry = std::make_shared<HeldOdometry>();
   streams.push_back(std::make_unique<McapStream>(
       parts.reader,
-      "SELECT s.at_ns, o.agent, o.name, s.value FROM observable_samples s"
-      " JOIN observables o USING (observable) WHERE (o.name GLOB 'sensors.odometry.*'"
-      " OR o.name GLOB 'sensors.infrared.*')" +
-          but_not + " ORDER BY s.at_ns, o.observable",
+      "WITH read AS MATERIALIZED (SELECT DISTINCT agent, channel FROM readings),"
+      " wanted AS MATERIALIZED (SELECT observable, agent, name FROM observables o"
+      " WHERE (name GLOB 'sensors.odometry.*' OR name GLOB 'sensors.infrared.*')"
+      " AND NOT EXISTS (SELECT 1 FROM read r WHERE r.agent = o.agent"
+      " AND o.name GLOB 'sensors.' || r.channel || '.*'))"
+      " SELECT s.at_ns, w.agent, w.name, s.value FROM observable_samples s"
+      " JOIN wanted w USING (observable) ORDER BY s.at_ns, w.observable",
       [parts, odometry](std::int64_t at, const record::Statement& row) {
         const std::string name = row.text(2);
         if (name.starts_with(kOdometry)) {
@@ -182,19 +145,10 @@ void add_observable_stream(const McapParts& parts, McapStreams& streams,
 }  // namespace
 
 void add_reading_streams(const McapParts& parts, McapStreams& streams) {
-  bool has_readings = false;
-  {
-    record::Statement table = parts.reader.query(
-        "SELECT 1 FROM sqlite_master WHERE type = 'table' AND name = 'readings'");
-    has_readings = table.next();
-  }
-  if (!has_readings) return add_observable_stream(parts, streams, "");
   streams.push_back(std::make_unique<McapStream>(
       parts.reader, "SELECT at_ns, agent, channel, reading FROM readings ORDER BY at_ns, agent",
       [parts](std::int64_t at, const record::Statement& row) { on_reading(parts, at, row); }));
-  add_observable_stream(parts, streams,
-                        " AND NOT EXISTS (SELECT 1 FROM readings r WHERE r.agent = o.agent"
-                        " AND o.name GLOB 'sensors.' || r.channel || '.*')");
+  add_observable_stream(parts, streams);
 }
 
 }  // namespace sim::report

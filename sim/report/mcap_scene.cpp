@@ -1,4 +1,5 @@
 // What stands and moves, for an MCAP file: poses, transforms, bodies and walls.
+#include <algorithm>
 #include <utility>
 
 #include "sim/report/mcap_streams.h"
@@ -28,19 +29,26 @@ void add_markers(std::vector<RosMarker>& markers, std::int64_t at, const std::st
   }
 }
 
+/// A sensor named "pose" has that topic, in a run under way, too.
+std::string topic_of_pose(const std::string& name, const ExportedAgent* agent) {
+  const bool is_taken =
+      agent != nullptr &&
+      std::ranges::find(agent->channels, "pose", &hal::Channel::name) != agent->channels.end();
+  return "/" + name + (is_taken ? "/true_pose" : "/pose");
+}
+
 void on_pose(const McapParts& parts, Moved& moved, std::int64_t at, const record::Statement& row) {
   const std::int64_t agent = row.integer(1);
   const std::string name = parts.name(agent);
   const hal::Pose2 pose{row.real(2), row.real(3), row.real(4)};
+  const auto found = parts.scene.agents.find(agent);
+  const ExportedAgent* const known = found == parts.scene.agents.end() ? nullptr : &found->second;
   if (row.text(5) != "mote") {
-    parts.topics.publish(at, "/" + name + "/pose", "geometry_msgs/msg/PoseStamped",
+    parts.topics.publish(at, topic_of_pose(name, known), "geometry_msgs/msg/PoseStamped",
                          pose_stamped({at, "world"}, pose));
   }
   moved.transforms.push_back({{at, "world"}, name + "/base_link", {pose.x, pose.y, 0}, pose.theta});
-  const auto drawn = parts.scene.agents.find(agent);
-  if (drawn != parts.scene.agents.end()) {
-    add_markers(moved.markers, at, name, drawn->second.body, pose);
-  }
+  if (known != nullptr) add_markers(moved.markers, at, name, known->body, pose);
 }
 
 void add_mounts(std::vector<RosTransform>& all, const std::string& name,

@@ -61,6 +61,26 @@ void add_network_streams(const McapParts& parts, McapStreams& streams) {
       }));
 }
 
+void add_route_stream(const McapParts& parts, McapStreams& streams) {
+  streams.push_back(std::make_unique<McapStream>(
+      parts.reader,
+      "SELECT at_ns, agent, topic, destination, next_hop, hops, delay_ns, min_snr_db, energy_j"
+      " FROM routes ORDER BY at_ns, rowid",
+      [parts](std::int64_t at, const record::Statement& row) {
+        parts.topics.publish(at, "/baraka/routes", "baraka_msgs/msg/Route",
+                             route_message({.at_ns = at,
+                                            .agent = parts.name(row.integer(1)),
+                                            .topic = row.text(2),
+                                            .destination = parts.name(row.integer(3)),
+                                            .next_hop = parts.name(row.integer(4)),
+                                            .removed = row.is_null(5),
+                                            .hops = static_cast<std::uint16_t>(row.integer(5)),
+                                            .delay_ns = row.integer(6),
+                                            .min_snr_db = row.real(7),
+                                            .energy = row.real(8)}));
+      }));
+}
+
 void add_controller_streams(const McapParts& parts, McapStreams& streams) {
   streams.push_back(std::make_unique<McapStream>(
       parts.reader, "SELECT at_ns, agent, state FROM states ORDER BY at_ns, rowid",

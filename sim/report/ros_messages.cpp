@@ -10,7 +10,7 @@ namespace sim::report {
 namespace {
 
 constexpr std::int64_t kNsPerSecond = 1'000'000'000;
-constexpr int kCovariances = 36;
+constexpr int kCovariances = 36, kCovariancesOfVector = 9;
 
 /// A time or a duration.
 void put_time(Cdr& out, std::int64_t ns) {
@@ -41,8 +41,8 @@ void put_pose(Cdr& out, const hal::Pose2& pose) {
 }
 
 /// Not said.
-void put_covariances(Cdr& out) {
-  for (int i = 0; i < kCovariances; ++i) out.put(0.0);
+void put_zeros(Cdr& out, int count) {
+  for (int i = 0; i < count; ++i) out.put(0.0);
 }
 
 /// ROS REP 117: +infinity for nothing within reach, -infinity for too near.
@@ -113,10 +113,10 @@ std::string odometry(const RosHeader& header, std::string_view child, const hal:
   put_header(out, header);
   out.put(child);
   put_pose(out, pose);
-  put_covariances(out);
+  put_zeros(out, kCovariances);
   put_vector(out, {twist.vx, twist.vy, 0});
   put_vector(out, {0, 0, twist.omega});
-  put_covariances(out);
+  put_zeros(out, kCovariances);
   return out.bytes();
 }
 
@@ -150,6 +150,55 @@ std::string laser_scan(const RosScan& scan) {
 std::string bool_message(bool value) {
   Cdr out;
   out.put(value);
+  return out.bytes();
+}
+
+std::string imu_message(const RosHeader& header, const hal::Vec3& turn, const hal::Vec3& force) {
+  Cdr out;
+  put_header(out, header);
+  put_zeros(out, 4);
+  out.put(-1.0);  // It tells no orientation.
+  put_zeros(out, kCovariancesOfVector - 1);
+  put_vector(out, turn);
+  put_zeros(out, kCovariancesOfVector);
+  put_vector(out, force);
+  put_zeros(out, kCovariancesOfVector);
+  return out.bytes();
+}
+
+std::string battery_state(const RosHeader& header, const RosBattery& battery) {
+  constexpr double kNotMeasured = std::numeric_limits<double>::quiet_NaN();
+  constexpr std::uint8_t kDischarging = 2, kUnknown = 0;
+  Cdr out;
+  put_header(out, header);
+  put_single(out, battery.volts);
+  put_single(out, kNotMeasured);  // temperature
+  put_single(out, -battery.drawn_amperes);
+  for (int i = 0; i < 3; ++i) put_single(out, kNotMeasured);  // charge, capacity, design_capacity
+  put_single(out, battery.charge);
+  out.put(kDischarging);
+  out.put(kUnknown);  // health
+  out.put(kUnknown);  // technology
+  out.put(true);      // present
+  out.put_count(0);   // cell_voltage
+  out.put_count(0);   // cell_temperature
+  out.put("");        // location
+  out.put("");        // serial_number
+  return out.bytes();
+}
+
+std::string route_message(const RosRoute& route) {
+  Cdr out;
+  put_time(out, route.at_ns);
+  out.put(route.agent);
+  out.put(route.topic);
+  out.put(route.destination);
+  out.put(route.next_hop);
+  out.put(route.removed);
+  out.put(route.hops);
+  put_time(out, route.delay_ns);
+  out.put(route.min_snr_db);
+  out.put(route.energy);
   return out.bytes();
 }
 

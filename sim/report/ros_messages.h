@@ -52,6 +52,21 @@ struct RosScan {
   std::vector<double> ranges;            ///< m; NaN for nothing within reach.
 };
 
+struct RosBattery {
+  double charge = 0;         ///< 0 .. 1
+  double volts = 0;          ///< V
+  double drawn_amperes = 0;  ///< A
+};
+
+struct RosRoute {
+  std::int64_t at_ns = 0;
+  std::string agent, topic, destination, next_hop;
+  bool removed = false;
+  std::uint16_t hops = 0;
+  std::int64_t delay_ns = 0;
+  double min_snr_db = 0, energy = 0;
+};
+
 struct RosFrame {
   std::int64_t at_ns = 0;
   std::string transmitter, receiver, type;
@@ -76,6 +91,10 @@ std::string odometry(const RosHeader& header, std::string_view child, const hal:
 std::string range_message(const RosRange& range);
 std::string laser_scan(const RosScan& scan);
 std::string bool_message(bool value);
+/// @param turn  rad/s.  @param force  specific, m/s^2
+std::string imu_message(const RosHeader& header, const hal::Vec3& turn, const hal::Vec3& force);
+std::string battery_state(const RosHeader& header, const RosBattery& battery);
+std::string route_message(const RosRoute& route);
 std::string marker_array(std::span<const RosMarker> markers);
 std::string frame_message(const RosFrame& frame);
 std::string message_fate(const RosFate& fate);

@@ -41,6 +41,29 @@ constexpr std::pair<std::string_view, std::string_view> kDefinitions[] = {
      "std_msgs/Header header\nfloat32 angle_min\nfloat32 angle_max\nfloat32 angle_increment\n"
      "float32 time_increment\nfloat32 scan_time\nfloat32 range_min\nfloat32 range_max\n"
      "float32[] ranges\nfloat32[] intensities\n"},
+    {"sensor_msgs/Imu",
+     "std_msgs/Header header\ngeometry_msgs/Quaternion orientation\n"
+     "float64[9] orientation_covariance\ngeometry_msgs/Vector3 angular_velocity\n"
+     "float64[9] angular_velocity_covariance\ngeometry_msgs/Vector3 linear_acceleration\n"
+     "float64[9] linear_acceleration_covariance\n"},
+    {"sensor_msgs/BatteryState",
+     "uint8 POWER_SUPPLY_STATUS_UNKNOWN=0\nuint8 POWER_SUPPLY_STATUS_CHARGING=1\n"
+     "uint8 POWER_SUPPLY_STATUS_DISCHARGING=2\nuint8 POWER_SUPPLY_STATUS_NOT_CHARGING=3\n"
+     "uint8 POWER_SUPPLY_STATUS_FULL=4\nuint8 POWER_SUPPLY_HEALTH_UNKNOWN=0\n"
+     "uint8 POWER_SUPPLY_HEALTH_GOOD=1\nuint8 POWER_SUPPLY_HEALTH_OVERHEAT=2\n"
+     "uint8 POWER_SUPPLY_HEALTH_DEAD=3\nuint8 POWER_SUPPLY_HEALTH_OVERVOLTAGE=4\n"
+     "uint8 POWER_SUPPLY_HEALTH_UNSPEC_FAILURE=5\nuint8 POWER_SUPPLY_HEALTH_COLD=6\n"
+     "uint8 POWER_SUPPLY_HEALTH_WATCHDOG_TIMER_EXPIRE=7\n"
+     "uint8 POWER_SUPPLY_HEALTH_SAFETY_TIMER_EXPIRE=8\n"
+     "uint8 POWER_SUPPLY_TECHNOLOGY_UNKNOWN=0\nuint8 POWER_SUPPLY_TECHNOLOGY_NIMH=1\n"
+     "uint8 POWER_SUPPLY_TECHNOLOGY_LION=2\nuint8 POWER_SUPPLY_TECHNOLOGY_LIPO=3\n"
+     "uint8 POWER_SUPPLY_TECHNOLOGY_LIFE=4\nuint8 POWER_SUPPLY_TECHNOLOGY_NICD=5\n"
+     "uint8 POWER_SUPPLY_TECHNOLOGY_LIMN=6\nstd_msgs/Header header\nfloat32 voltage\n"
+     "float32 temperature\nfloat32 current\nfloat32 charge\nfloat32 capacity\n"
+     "float32 design_capacity\nfloat32 percentage\nuint8 power_supply_status\n"
+     "uint8 power_supply_health\nuint8 power_supply_technology\nbool present\n"
+     "float32[] cell_voltage\nfloat32[] cell_temperature\nstring location\n"
+     "string serial_number\n"},
     {"sensor_msgs/CompressedImage", "std_msgs/Header header\nstring format\nuint8[] data\n"},
     {"visualization_msgs/UVCoordinate", "float32 u\nfloat32 v\n"},
     {"visualization_msgs/MeshFile", "string filename\nuint8[] data\n"},
@@ -63,6 +86,10 @@ constexpr std::pair<std::string_view, std::string_view> kDefinitions[] = {
     {"baraka_msgs/MessageFate",
      "builtin_interfaces/Time stamp\nstring sender\nuint32 id\nstring node\nstring fate\n"
      "string verdict\n"},
+    {"baraka_msgs/Route",
+     "builtin_interfaces/Time stamp\nstring agent\nstring message_class\nstring destination\n"
+     "string next_hop\nbool removed\nuint16 hops\nbuiltin_interfaces/Duration delay\n"
+     "float64 min_snr_db\nfloat64 energy\n"},
     {"baraka_msgs/ControllerState", "builtin_interfaces/Time stamp\nstring agent\nstring state\n"},
     {"baraka_msgs/Value",
      "builtin_interfaces/Time stamp\nstring agent\nstring name\nfloat64 value\n"},

@@ -18,11 +18,11 @@ SKIPPED = 77
 MODULES = BIN.parent / "mcap_reader"
 DECODE = ROOT / "tests/e2e/mcap/decode.mjs"
 VIEWERS = ROOT / "config/viewers"
-READINGS = "[{name: sensors.r0.odometry.*, every: 100 ms}, {name: sensors.r0.infrared.*, every: 100 ms}]"
 PUBLISHED = {  # by schema: how many definitions of published packages are in it
     "tf2_msgs/msg/TFMessage": 7, "visualization_msgs/msg/MarkerArray": 13,
     "geometry_msgs/msg/PoseStamped": 6, "nav_msgs/msg/Odometry": 10, "sensor_msgs/msg/Range": 3,
     "baraka_msgs/msg/Frame": 2, "baraka_msgs/msg/MessageFate": 1, "baraka_msgs/msg/ControllerState": 1,
+    "baraka_msgs/msg/Route": 2,
 }
 
 
@@ -50,13 +50,15 @@ class Decoded:
 class Exported(Case):
     """With the case study's beginning as a file."""
 
+    SCENARIO = CASE_STUDY
+    ARGUMENTS = ["--until", 60, "--set", "record={frames: all, readings: all}"]
+
     @classmethod
     def setUpClass(cls):
         case = cls("run")
         case.setUp()
         cls.addClassCleanup(case.doCleanups)
-        case.run_baraka(CASE_STUDY, "--controllers", "in-process", "--until", 60, "--set",
-                        "record={frames: all, observables: %s}" % READINGS)
+        case.run_baraka(cls.SCENARIO, "--controllers", "in-process", *cls.ARGUMENTS)
         cls.result, cls.file = case.out, case.folder / "run.mcap"
         finished = Program("baraka", "export", cls.result, "--format", "mcap", "-o", cls.file).finish()
         case.assertEqual(finished.status, 0, str(finished))
@@ -68,24 +70,20 @@ class Mcap(Exported):
         return self.query(sql, self.result)[0][0]
 
     def test_every_channel_has_as_many_messages_as_the_record_has_rows(self):
-        readings = bool(self.query("SELECT 1 FROM sqlite_master WHERE name = 'readings'", self.result))
         instants = "SELECT COUNT(DISTINCT at_ns) FROM "
-        samples = "observable_samples JOIN observables USING (observable) WHERE name GLOB "
         expected = {
             "/tf_static": 1,
             "/tf": self.number(instants + "poses"),
             "/markers": 1 + self.number(instants + "poses"),
             "/r0/pose": self.number("SELECT COUNT(*) FROM poses JOIN agents USING (agent) WHERE name = 'r0'"),
-            "/r0/odom": self.number(f"{instants} {samples} 'sensors.odometry.*'"),
-            "/r0/range": self.number(f"SELECT COUNT(*) FROM {samples} 'sensors.infrared.*'"),
+            "/r0/odom": self.number("SELECT COUNT(*) FROM readings WHERE channel = 'odometry'"),
+            "/r0/range": 6 * self.number("SELECT COUNT(*) FROM readings WHERE channel = 'infrared'"),
+            "/baraka/routes": self.number("SELECT COUNT(*) FROM routes"),
             "/baraka/frames": self.number("SELECT COUNT(*) FROM frames"),
             "/baraka/message_fates": self.number(
                 "SELECT (SELECT COUNT(*) FROM messages WHERE fate IS NOT NULL) + COUNT(*) FROM deliveries"),
             "/baraka/controller_states": self.number("SELECT COUNT(*) FROM states"),
         }
-        if readings and self.number("SELECT COUNT(*) FROM readings"):
-            expected["/r0/odom"] = self.number("SELECT COUNT(*) FROM readings WHERE channel = 'odometry'")
-            expected["/r0/range"] = 6 * self.number("SELECT COUNT(*) FROM readings WHERE channel = 'infrared'")
         self.assertTrue(all(expected.values()), expected)
         self.assertEqual({topic: len(self.decoded.on(topic)) for topic in self.decoded.channels}, expected)
         self.assertEqual({topic: of["counted"] for topic, of in self.decoded.channels.items()}, expected)
@@ -104,7 +102,7 @@ class Mcap(Exported):
                  "unsigned long": "uint32", "builtin_interfaces::msg::dds_::Time_": "builtin_interfaces/Time",
                  "builtin_interfaces::msg::dds_::Duration_": "builtin_interfaces/Duration"}
         shown = pathlib.Path(ROOT / "sim/report/ros_schemas.cpp").read_text()
-        for name in ("Frame", "MessageFate", "ControllerState", "Value"):
+        for name in ("Frame", "MessageFate", "ControllerState", "Route", "Value"):
             members = idl.split(f"@final struct {name}_ {{", 1)[1].split("};", 1)[0].splitlines()
             declared = [line.split(";")[0].strip().rpartition(" ") for line in members if ";" in line]
             lines = "".join(f"{known.get(kind, kind)} {member}\\n" for kind, _, member in declared)
@@ -164,6 +162,46 @@ class Mcap(Exported):
         told = self.decoded.metadata["baraka"]
         for key in ("scenario", "seed", "version", "fingerprint"):
             self.assertEqual(told[key], str(self.number(f"SELECT value FROM run WHERE key = '{key}'")))
+
+
+class Sensors(Exported):
+    """Every kind of sensor."""
+
+    SCENARIO = ROOT / "tests/e2e/sensors.yaml"
+    ARGUMENTS = ["--until", 3, "--set", "record={readings: all, pose_period: 100 ms}"]
+    KINDS = {"scan": "sensor_msgs/msg/LaserScan", "imu": "sensor_msgs/msg/Imu", "sonar": "sensor_msgs/msg/Range",
+             "pose": "geometry_msgs/msg/PoseStamped", "bumper": "std_msgs/msg/Bool"}
+
+    def readings(self, channel):
+        return [(at, [math.nan if value == "-" else float(value) for value in reading.split()])
+                for at, reading in self.query("SELECT at_ns, reading FROM readings WHERE "
+                                              f"channel = '{channel}' ORDER BY at_ns", self.result)]
+
+    def test_every_kind_has_its_type_and_all_its_readings(self):
+        for name, kind in self.KINDS.items():
+            self.assertEqual(self.decoded.channels[f"/b0/{name}"]["schema"], kind)
+            self.assertEqual([at for at, _ in self.decoded.on(f"/b0/{name}")],
+                             [at for at, _ in self.readings(name)], name)
+            self.assertGreater(len(self.readings(name)), 0)
+        self.assertEqual([at for at, _ in self.decoded.on("/b0/true_pose")],
+                         [at for at, in self.query("SELECT at_ns FROM poses ORDER BY 1", self.result)])
+        for name, of in self.decoded.schemas.items():
+            self.assertEqual(of["compared"], of["definitions"] - name.startswith("baraka_msgs/"), name)
+
+    def test_values_are_those_of_the_record(self):
+        def shown(value):
+            return math.inf if math.isnan(value) else value
+        for (_, message), (_, values) in zip(self.decoded.on("/b0/scan"), self.readings("scan")):
+            self.assertEqual(len(message["ranges"]), len(values))
+            for seen, value in zip(message["ranges"], values):
+                self.assertAlmostEqual(float(seen), shown(value), delta=1e-6)  # single precision
+        for (_, message), (_, values) in zip(self.decoded.on("/b0/imu"), self.readings("imu")):
+            seen = [message[key][axis] for key in ("angular_velocity", "linear_acceleration") for axis in "xyz"]
+            self.assertEqual(seen, values)
+            self.assertEqual(message["orientation_covariance"][0], -1)
+        for (_, message), (_, values) in zip(self.decoded.on("/b0/sonar"), self.readings("sonar")):
+            self.assertAlmostEqual(float(message["range"]), shown(values[0]), delta=1e-6)
+            self.assertEqual(message["radiation_type"], 0)
 
 
 class Viewers(Exported):

@@ -15,10 +15,6 @@ using record::test::make_result;
 
 constexpr const char* kAgents =
     "INSERT INTO agents VALUES (1, 'm0', 'mote', 'p', 0, 0, 0), (2, 'r0', 'robot', 'p', 1, 2, 0);";
-/// As the version of the tables that has it.
-constexpr const char* kReadings =
-    "CREATE TABLE IF NOT EXISTS readings (agent INTEGER NOT NULL, at_ns INTEGER NOT NULL,"
-    " channel TEXT NOT NULL, reading TEXT NOT NULL);";
 
 ExportedScene scene() {
   ExportedScene made;
@@ -121,7 +117,7 @@ TEST(McapExport, RangesComeFromObservablesWithoutReadings) {
 
 TEST(McapExport, ReadingsWinOverObservables) {
   const Exported made =
-      write(std::string(kReadings) + kInfraredObservable +
+      write(std::string(kInfraredObservable) +
             "INSERT INTO readings (agent, at_ns, channel, reading) VALUES"
             " (2, 20, 'infrared', '0.31 -'), (2, 30, 'odometry', '1 2 3 4 5 -6e-1'),"
             " (2, 40, 'front', '- -inf'), (2, 50, 'front', '1'), (2, 60, 'unknown', '1');");
@@ -138,6 +134,28 @@ TEST(McapExport, ReadingsWinOverObservables) {
                            .low = 0.125,
                            .high = 4,
                            .ranges = {nothing, -std::numeric_limits<double>::infinity()}})));
+}
+
+TEST(McapExport, AnEntryWithoutHopsIsARouteThatIsGone) {
+  const Exported made = write(
+      "INSERT INTO routes VALUES (1, 10, 'help', 2, 2, 3, 500, 7.5, 0.25, NULL),"
+      " (1, 20, 'help', 2, 2, NULL, NULL, NULL, NULL, NULL);");
+  EXPECT_EQ(made.messages, kAlways + 2);
+  EXPECT_TRUE(made.has(route_message({.at_ns = 10,
+                                      .agent = "m0",
+                                      .topic = "help",
+                                      .destination = "r0",
+                                      .next_hop = "r0",
+                                      .hops = 3,
+                                      .delay_ns = 500,
+                                      .min_snr_db = 7.5,
+                                      .energy = 0.25})));
+  EXPECT_TRUE(made.has(route_message({.at_ns = 20,
+                                      .agent = "m0",
+                                      .topic = "help",
+                                      .destination = "r0",
+                                      .next_hop = "r0",
+                                      .removed = true})));
 }
 
 }  // namespace
