@@ -3,7 +3,8 @@
 #     bin             baraka, the controllers
 #     lib/baraka      plug-ins of the controllers, what slows programs and what holds their networks
 #     share/baraka    robots, radios, scenarios, campaigns, hardware; templates of `baraka new-controller`; IDL;
-#                     the pages of the report and of the view, if they were built
+#     share/baraka    robots, radios, scenarios, campaigns, hardware, viewers; templates of `baraka new-controller`;
+#                     IDL; the pages of the report and of the view, if they were built
 #     share/doc       README, docs, licence
 #   dev (libbaraka-dev)
 #     lib/baraka      the libraries a controller is linked with
@@ -19,7 +20,7 @@ set(package lib/cmake/baraka)
 
 # A program that was just built finds what an installed one does.
 file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/${baraka_share})
-foreach(folder config/robots config/radios config/scenarios config/campaigns config/hardware templates idl)
+foreach(folder config/robots config/radios config/scenarios config/campaigns config/hardware config/viewers templates idl)
   get_filename_component(name ${folder} NAME)
   file(CREATE_LINK ${PROJECT_SOURCE_DIR}/${folder} ${PROJECT_BINARY_DIR}/${baraka_share}/${name}
     SYMBOLIC)

@@ -226,10 +226,14 @@ const CLI::App* add_report(CLI::App& app, gateway::ReportOptions& options) {
 }
 
 void add_export(CLI::App& app, gateway::ExportOptions& options) {
-  CLI::App* add = app.add_subcommand("export", "Tables of a result as CSV");
+  CLI::App* add =
+      app.add_subcommand("export", "Tables of a result as CSV, or all of it for other viewers");
   add->add_option("DIR", options.folder, "Folder of a result or of a campaign");
   add->add_option("TABLE", options.table, "Table to print; default: list them");
-  add->add_option("-o", options.file, "Write to this file");
+  add->add_option("-o", options.file, "Write to this file; with --format csv into this folder");
+  add->add_option("--format", options.format,
+                  "csv: every table; mcap: messages of ROS 2 for Foxglove, PlotJuggler and RViz")
+      ->transform(hal::runtime::one_of({"csv", "mcap"}));
   add->add_flag("--describe", options.describe,
                 "What is in a result, or in this campaign: every table and column");
 }

@@ -5,17 +5,20 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <filesystem>
 #include <map>
 #include <memory>
 #include <stdexcept>
 #include <vector>
 
+#include "gateway/commands/exported_scene_of.h"
 #include "gateway/exit_status.h"
 #include "sim/campaign/description.h"
 #include "sim/campaign/schema.h"
 #include "sim/record/description.h"
 #include "sim/record/run_reader.h"
 #include "sim/report/csv.h"
+#include "sim/report/mcap_export.h"
 
 namespace gateway {
 namespace {
@@ -60,6 +63,53 @@ std::string list_of_tables(const std::vector<sim::record::Table>& tables,
   return list;
 }
 
+/// Every table as a file of a folder.
+/// @param reader  of the folder: its path or, of a campaign, its reader.
+template <class Reader>
+int export_tables(const ExportOptions& options, const std::vector<sim::record::Table>& tables,
+                  Reader& reader) {
+  const std::filesystem::path folder(options.file);
+  std::filesystem::create_directories(folder);
+  for (const sim::record::Table& table : tables) {
+    Output output((folder / fmt::format("{}.csv", table.name)).string());
+    sim::report::write_csv(reader, table.name,
+                           [&output](std::string_view text) { output.write(text); });
+    output.finish();
+  }
+  return kDone;
+}
+
+int export_mcap(const ExportOptions& options) {
+  // Everything that can be wrong with the result shows before a file is replaced.
+  const sim::report::ExportedScene scene = exported_scene_of(options.folder);
+  Output output(options.file);
+  sim::report::write_mcap(options.folder, scene,
+                          [&output](std::string_view bytes) { output.write(bytes); });
+  output.finish();
+  return kDone;
+}
+
+/// With --format, but for a single table.
+bool is_whole(const ExportOptions& options) {
+  return options.format == "mcap" || (options.format == "csv" && options.table.empty());
+}
+
+void check_format(const ExportOptions& options, bool is_campaign) {
+  if (options.format.empty()) return;
+  if (options.describe) throw UsageError("export: --describe has no --format");
+  if (options.format == "mcap" && !options.table.empty()) {
+    throw UsageError("export: an MCAP file has the whole run, so no TABLE");
+  }
+  if (options.format == "mcap" && is_campaign) {
+    throw UsageError(
+        "export: an MCAP file is of one run, and this is a campaign; its runs lie below");
+  }
+  if (is_whole(options) && options.file.empty()) {
+    throw UsageError(options.format == "csv" ? "export: -o is missing, the folder for the tables"
+                                             : "export: -o is missing, the file");
+  }
+}
+
 /// Of the folder of a campaign.
 int export_campaign(const ExportOptions& options) {
   const auto& tables = sim::campaign::tables();
@@ -68,6 +118,7 @@ int export_campaign(const ExportOptions& options) {
                                  options.table, sim::record::table_names(tables)));
   }
   sim::campaign::CampaignReader reader(options.folder);
+  if (is_whole(options)) return export_tables(options, tables, reader);
   const std::string list = list_of_tables(tables, reader.count_rows());
   Output output(options.file);
   const auto write = [&output](std::string_view text) { output.write(text); };
@@ -85,9 +136,10 @@ int export_campaign(const ExportOptions& options) {
 }  // namespace
 
 int export_results(const ExportOptions& options) {
-  if (!options.folder.empty() && sim::campaign::CampaignReader::has_database(options.folder)) {
-    return export_campaign(options);
-  }
+  const bool is_campaign =
+      !options.folder.empty() && sim::campaign::CampaignReader::has_database(options.folder);
+  check_format(options, is_campaign);
+  if (is_campaign) return export_campaign(options);
   if (!options.describe && options.folder.empty()) {
     throw UsageError("export: DIR is missing, the folder of a result");
   }
@@ -102,6 +154,8 @@ int export_results(const ExportOptions& options) {
     fmt::print(stderr, "warning: {}: this run is unfinished: broken off, or still under way\n",
                options.folder);
   }
+  if (options.format == "mcap") return export_mcap(options);
+  if (is_whole(options)) return export_tables(options, sim::record::tables(), options.folder);
   // Everything that can be wrong with the result shows before a file is replaced.
   const std::string list = !options.describe && options.table.empty()
                                ? list_of_tables(sim::record::tables(),

@@ -41,7 +41,7 @@ hal::dds::InspectedRobot describe(const sim::agents::AgentConfig& agent) {
 }  // namespace
 
 InspectionObserver::InspectionObserver(const sim::agents::SimulationConfig& config)
-    : config_(config) {
+    : config_(config), bodies_(config) {
   for (const auto& agent : config.agents) agents_[agent.id].name = agent.name;
 }
 
@@ -54,6 +54,7 @@ void InspectionObserver::start(hal::dds::InspectionParticipant& participant) {
     robots.push_back(std::move(described));
   }
   inspector_ = std::make_unique<hal::dds::Inspector>(participant, robots);
+  bodies_.start(participant);
   const bool has_network = std::ranges::any_of(
       config_.agents, [](const auto& agent) { return agent.network.has_value(); });
   if (has_network) air_ = std::make_unique<hal::dds::AirInspector>(participant);
@@ -75,9 +76,10 @@ void InspectionObserver::show_clock(hal::Time at) {
 void InspectionObserver::on_body(hal::Time at, hal::AgentId id,
                                  const sim::agents::BodyState& body) {
   show_clock(at);
+  const hal::Pose2 pose{body.x, body.y, body.theta};
+  bodies_.on_body(at, id, pose);
   if (!is_read(Topic::kTransforms)) return;
   Agent& agent = agents_.at(id);
-  const hal::Pose2 pose{body.x, body.y, body.theta};
   if (pose == agent.shown && at < agent.shown_at + kStandingPosePeriod) return;
   agent.shown = pose;
   agent.shown_at = at;

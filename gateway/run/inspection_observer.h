@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "gateway/run/shown_bodies.h"
 #include "hal/dds/inspection/air_inspector.h"
 #include "hal/dds/inspection/inspector.h"
 #include "sim/agents/observer.h"
@@ -15,7 +16,8 @@
 
 namespace gateway {
 
-/// Shows a run while it goes on, to whoever reads the topics of hal::dds::Inspector. It looks only:
+/// Shows a run while it goes on, to whoever reads the topics of hal::dds::Inspector and its
+/// like. It looks only:
 /// the run is the same with and without readers.
 ///
 ///   InspectionObserver inspection(config);
@@ -74,6 +76,7 @@ class InspectionObserver final : public sim::agents::Observer {
   std::map<hal::AgentId, Agent> agents_;
   std::unique_ptr<hal::dds::Inspector> inspector_;  ///< Null until start().
   std::unique_ptr<hal::dds::AirInspector> air_;     ///< Null if no agent has a network.
+  ShownBodies bodies_;
   const sim::air::Ledger* ledger_ = nullptr;
   hal::Time clock_shown_{kNever}, frame_shown_{kNever}, air_shown_{kNever};
   std::uint32_t frames_skipped_ = 0;

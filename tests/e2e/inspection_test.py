@@ -4,15 +4,16 @@ readers nor their absence change the run."""
 import math
 import unittest
 
-from baraka import CASE_STUDY, Case, some_domain
+from baraka import CASE_STUDY, Case, some_domain, wait_for
 from rays import ray_to_box, turned
 from ros import Peer, needs_peer
 
 READ = ["Clock", "rt/clock", "TFMessage", "rt/tf", "TFMessage", "rt/tf_static",
-        "Odometry", "rt/r0/odom", "Range", "rt/r0/range"]
+        "Odometry", "rt/r0/odom", "Range", "rt/r0/range", "MarkerArray", "rt/markers"]
 UNTIL = 40  # s; the robot meets the wall within
 AT_THE_WALL = 9_000_000_000  # ns
 CONTROL_PERIOD = 100_000_000  # ns
+MARKER_PERIOD = 100_000_000  # ns, the least
 
 
 def quaternion(theta):
@@ -62,6 +63,48 @@ class Inspection(Case):
         static = peer.samples("rt/tf_static")[-1]["transforms"]
         self.check_odometry(peer.samples("rt/r0/odom"), static, track)
         self.check_ranges(peer.samples("rt/r0/range"), static, track)
+        self.check_markers(peer.samples("rt/markers"))
+
+    def check_markers(self, samples):
+        """Of the Robertino: a wide and a narrow cylinder, and an arrow."""
+        sizes = {0: (3, [0.37, 0.37, 0.19]), 1: (3, [0.2, 0.2, 0.21])}
+        drawn, times, compared = {}, [], 0
+        for sample in samples:
+            times.append(max(marker["t"] for marker in sample["markers"]))
+            for marker in sample["markers"]:
+                self.assertEqual((marker["frame"], marker["action"], marker["rest"]), ("world", 0, 0))
+                drawn[marker["ns"], marker["id"]] = marker
+                if marker["ns"] != "r0" or marker["id"] not in sizes:
+                    continue
+                kind, size = sizes[marker["id"]]
+                self.assertEqual(marker["type"], kind)
+                for seen, expected in zip(marker["scale"], size):
+                    self.assertAlmostEqual(seen, expected, delta=1e-12)
+                if marker["t"] in self.poses:
+                    compared += 1
+                    self.assertEqual(marker["position"][:2], list(self.poses[marker["t"]][:2]))
+        self.assertGreater(compared, 20)
+        periods = [later - earlier for earlier, later in zip(times, times[1:])]
+        self.assertGreaterEqual(min(periods), MARKER_PERIOD)
+        walls = {("walls/" + name, x, y, dx, dy) for name, x, y, dx, dy in self.query(
+            "SELECT name, x_m, y_m, size_x_m, size_y_m FROM walls")}
+        self.assertEqual({(ns, *m["position"][:2], *m["scale"][:2]) for (ns, _), m in drawn.items()
+                          if ns.startswith("walls/")}, walls)
+        agents = {name for name, in self.query("SELECT name FROM agents")}
+        self.assertEqual({ns for ns, _ in drawn if not ns.startswith("walls/")}, agents)
+
+    @needs_peer
+    def test_who_comes_late_is_shown_the_walls_and_all_bodies(self):
+        run = self.start(CASE_STUDY, "--max-speed", 2, "--domain", self.domain)
+        first = Peer(self, "read", self.domain, "MarkerArray", "rt/markers")
+        wait_for(lambda: first.samples("rt/markers"), timeout=40)
+        late = Peer(self, "read", self.domain, "MarkerArray", "rt/markers")
+        agents = 26
+        def names():
+            return {m["ns"] for sample in late.samples("rt/markers") for m in sample["markers"]}
+        wait_for(lambda: len({n for n in names() if not n.startswith("walls/")}) == agents
+                 and any(n.startswith("walls/") for n in names()), timeout=40)
+        run.clean_up()
 
     def check_clock(self, samples):
         times = [sample["t"] for sample in samples]

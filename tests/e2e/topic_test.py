@@ -11,6 +11,7 @@ TOPICS = {
     "rt/clock": "rosgraph_msgs::msg::dds_::Clock_",
     "rt/tf": "tf2_msgs::msg::dds_::TFMessage_",
     "rt/tf_static": "tf2_msgs::msg::dds_::TFMessage_",
+    "rt/markers": "visualization_msgs::msg::dds_::MarkerArray_",
     "rt/r0/odom": "nav_msgs::msg::dds_::Odometry_",
     "rt/r0/range": "sensor_msgs::msg::dds_::Range_",
     "rt/baraka/message_fates": "baraka_msgs::msg::dds_::MessageFate_",
@@ -63,6 +64,7 @@ class Topics(Case):
             r"readers:\n  - {participant: [0-9a-f]{24}, reliability: reliable, durability: volatile}\n")
         kept = self.topic("info", "rt/tf_static")
         self.assertIn("durability: transient_local", kept.out)
+        self.assertIn("durability: transient_local", self.topic("info", "/markers").out)
 
     def test_echo_prints_a_document_per_sample(self):
         self.start_run(5)
@@ -74,7 +76,7 @@ class Topics(Case):
         for earlier, later in zip(times, times[1:]):
             self.assertGreater(later, earlier)
             self.assertAlmostEqual((later - earlier) / PERIOD, round((later - earlier) / PERIOD))
-        for name in ("tf", "tf_static", "/r0/odom", "r0/range"):
+        for name in ("tf", "tf_static", "/r0/odom", "r0/range", "/markers"):
             document = self.topic("echo", name, "--count", 1).out
             self.assertIn('frame_id: "', document)
             self.assertNotIn("hexadecimal", document)

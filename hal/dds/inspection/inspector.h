@@ -56,7 +56,7 @@ struct InspectedRobot {
 /// rt/baraka/controller_states  baraka_msgs/ControllerState
 /// rt/baraka/values             baraka_msgs/Value                that controllers record
 /// rt/baraka/link_quality       baraka_msgs/LinkQuality
-/// and those of AirInspector.
+/// and those of AirInspector and MarkerInspector.
 ///
 /// Nothing is written while no reader of that topic is matched; publishing then costs one load.
 /// Otherwise it costs the time of a write; it never waits for a reader: samples that a slow reader

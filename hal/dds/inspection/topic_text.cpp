@@ -13,6 +13,7 @@ namespace {
 
 namespace ros_time = builtin_interfaces::msg::dds_;
 namespace geometry = geometry_msgs::msg::dds_;
+namespace visualization = visualization_msgs::msg::dds_;
 namespace own = baraka_msgs::msg::dds_;
 
 /// Lines of a YAML document.
@@ -47,6 +48,9 @@ class Lines {
     put_list(key, values);
   }
   void put(std::string_view key, const std::vector<float>& values) { put_list(key, values); }
+  void put(std::string_view key, const std::vector<std::uint8_t>& bytes) {
+    line(fmt::format("{}: [{}]", key, fmt::join(bytes, ", ")));
+  }
 
   std::string take() { return std::move(text_); }
 
@@ -78,6 +82,8 @@ class Lines {
 
 template <class Message>
 void put(Lines& out, std::string_view key, const Message& message);
+template <class Message>
+void put_sequence(Lines& out, std::string_view key, const std::vector<Message>& messages);
 
 void put_members(Lines& out, const ros_time::Time_& m) {
   out.put("sec", m.sec());
@@ -138,13 +144,50 @@ void put_members(Lines& out, const geometry::TwistWithCovariance_& m) {
   out.put("covariance", m.covariance());
 }
 void put_members(Lines& out, const tf2_msgs::msg::dds_::TFMessage_& m) {
-  out.open("transforms");
-  for (const geometry::TransformStamped_& one : m.transforms()) {
-    out.begin_item();
-    put_members(out, one);
-    out.end_item();
-  }
-  out.close();
+  put_sequence(out, "transforms", m.transforms());
+}
+void put_members(Lines& out, const std_msgs::msg::dds_::ColorRGBA_& m) {
+  out.put("r", m.r());
+  out.put("g", m.g());
+  out.put("b", m.b());
+  out.put("a", m.a());
+}
+void put_members(Lines& out, const sensor_msgs::msg::dds_::CompressedImage_& m) {
+  put(out, "header", m.header());
+  out.put("format", m.format());
+  out.put("data", m.data());
+}
+void put_members(Lines& out, const visualization::UVCoordinate_& m) {
+  out.put("u", m.u());
+  out.put("v", m.v());
+}
+void put_members(Lines& out, const visualization::MeshFile_& m) {
+  out.put("filename", m.filename());
+  out.put("data", m.data());
+}
+void put_members(Lines& out, const visualization::Marker_& m) {
+  put(out, "header", m.header());
+  out.put("ns", m.ns());
+  out.put("id", m.id());
+  out.put("type", m.type());
+  out.put("action", m.action());
+  put(out, "pose", m.pose());
+  put(out, "scale", m.scale());
+  put(out, "color", m.color());
+  put(out, "lifetime", m.lifetime());
+  out.put("frame_locked", m.frame_locked());
+  put_sequence(out, "points", m.points());
+  put_sequence(out, "colors", m.colors());
+  out.put("texture_resource", m.texture_resource());
+  put(out, "texture", m.texture());
+  put_sequence(out, "uv_coordinates", m.uv_coordinates());
+  out.put("text", m.text());
+  out.put("mesh_resource", m.mesh_resource());
+  put(out, "mesh_file", m.mesh_file());
+  out.put("mesh_use_embedded_materials", m.mesh_use_embedded_materials());
+}
+void put_members(Lines& out, const visualization::MarkerArray_& m) {
+  put_sequence(out, "markers", m.markers());
 }
 void put_members(Lines& out, const nav_msgs::msg::dds_::Odometry_& m) {
   put(out, "header", m.header());
@@ -281,6 +324,17 @@ void put(Lines& out, std::string_view key, const Message& message) {
   out.close();
 }
 
+template <class Message>
+void put_sequence(Lines& out, std::string_view key, const std::vector<Message>& messages) {
+  out.open(key);
+  for (const Message& one : messages) {
+    out.begin_item();
+    put_members(out, one);
+    out.end_item();
+  }
+  out.close();
+}
+
 template <class PubSub>
 std::optional<std::string> decode(const Bytes& sample) {
   PubSub type;
@@ -311,7 +365,7 @@ std::optional<std::string> to_yaml(const std::string& type, const Bytes& sample)
   static const std::map<std::string, Decoder> all =
       decoders<rosgraph_msgs::msg::dds_::Clock_PubSubType, std_msgs::msg::dds_::Bool_PubSubType,
                tf2_msgs::msg::dds_::TFMessage_PubSubType, nav_msgs::msg::dds_::Odometry_PubSubType,
-               sensor_msgs::msg::dds_::Range_PubSubType,
+               visualization::MarkerArray_PubSubType, sensor_msgs::msg::dds_::Range_PubSubType,
                sensor_msgs::msg::dds_::LaserScan_PubSubType, sensor_msgs::msg::dds_::Imu_PubSubType,
                sensor_msgs::msg::dds_::BatteryState_PubSubType, geometry::Twist_PubSubType,
                geometry::PoseStamped_PubSubType, own::MessageFate_PubSubType, own::Frame_PubSubType,

@@ -6,7 +6,7 @@
  *   ros_peer write DOMAIN TYPE TOPIC HZ VALUE ...      the same sample again and again, until killed
  *   ros_peer switch DOMAIN Bool TOPIC                  a sample per 0 or 1 on standard input
  *
- * TYPE: Clock, TFMessage, Odometry, Range, LaserScan, Imu, BatteryState; to write: Twist (vx vy omega),
+ * TYPE: Clock, TFMessage, Odometry, Range, LaserScan, Imu, BatteryState, MarkerArray; to write: Twist (vx vy omega),
  * PoseStamped (x y z, qx qy qz qw), Bool (0 or 1), String (the value is not looked at: "hello"). "ready"
  * goes to standard error when it looks for the others; `switch` has found one then.
  */
@@ -142,6 +142,28 @@ static void print_battery(const void* sample) {
   print_numbers("values", values, 3);
 }
 
+static void print_markers(const void* sample) {
+  const visualization_msgs_msg_dds__MarkerArray_* message = sample;
+  printf("\"markers\": [");
+  for (uint32_t i = 0; i < message->markers._length; ++i) {
+    const visualization_msgs_msg_dds__Marker_* one = &message->markers._buffer[i];
+    printf("%s{", i > 0 ? ", " : "");
+    print_stamp(&one->header.stamp);
+    printf(", \"frame\": \"%s\", \"ns\": \"%s\", \"id\": %d, \"type\": %d, \"action\": %d",
+           one->header.frame_id, one->ns, (int)one->id, (int)one->type, (int)one->action);
+    print_numbers("position", &one->pose.position.x, 3);
+    print_numbers("orientation", &one->pose.orientation.x, 4);
+    print_numbers("scale", &one->scale.x, 3);
+    const double colour[] = {one->color.r, one->color.g, one->color.b, one->color.a};
+    print_numbers("colour", colour, 4);
+    printf(", \"rest\": %u}", one->points._length + one->colors._length +
+                                  one->texture.data._length + one->uv_coordinates._length +
+                                  one->mesh_file.data._length +
+                                  (unsigned)one->mesh_use_embedded_materials);
+  }
+  printf("]");
+}
+
 /* ---- types ---------------------------------------------------------------------------------- */
 
 struct type {
@@ -157,6 +179,7 @@ static const struct type types[] = {
     {"Range", &sensor_msgs_msg_dds__Range__desc, print_range},
     {"Imu", &sensor_msgs_msg_dds__Imu__desc, print_imu},
     {"BatteryState", &sensor_msgs_msg_dds__BatteryState__desc, print_battery},
+    {"MarkerArray", &visualization_msgs_msg_dds__MarkerArray__desc, print_markers},
     {"LaserScan", &sensor_msgs_msg_dds__LaserScan__desc, print_scan},
     {"Twist", &geometry_msgs_msg_dds__Twist__desc, NULL},
     {"PoseStamped", &geometry_msgs_msg_dds__PoseStamped__desc, print_pose},
@@ -190,6 +213,11 @@ struct reading {
   dds_entity_t reader;
 };
 
+/* Whether late readers of the topic want what was written before. */
+static int is_kept(const char* topic) {
+  return strstr(topic, "static") != NULL || strstr(topic, "markers") != NULL;
+}
+
 static int make_readers(dds_entity_t participant, int argc, char** argv, int keep_all,
                         struct reading* readings) {
   int count = 0;
@@ -197,7 +225,7 @@ static int make_readers(dds_entity_t participant, int argc, char** argv, int kee
     struct reading* reading = &readings[count++];
     reading->type = find_type(argv[i]);
     reading->topic = argv[i + 1];
-    dds_qos_t* qos = reliable_qos(strstr(reading->topic, "static") != NULL, keep_all);
+    dds_qos_t* qos = reliable_qos(is_kept(reading->topic), keep_all);
     const dds_entity_t topic = checked(
         dds_create_topic(participant, reading->type->descriptor, reading->topic, NULL, NULL),
         "topic");

@@ -16,6 +16,7 @@
 #include "hal/dds/inspection/inspection_endpoints.h"
 #include "hal/dds/inspection/inspection_values.h"
 #include "hal/dds/inspection/inspector.h"
+#include "hal/dds/inspection/marker_inspector.h"
 #include "hal/dds/inspection/pose_reader.h"
 #include "hal/dds/inspection/topic_browser.h"
 #include "hal/dds/inspection/twist_reader.h"
@@ -295,6 +296,46 @@ TEST_F(Inspection, ARangeBeyondReachIsInfinite) {
     EXPECT_TRUE(text->ends_with(expected)) << *text;
   }
   EXPECT_FALSE(ranges->next(50ms)) << "there are two sensors";
+}
+
+TEST_F(Inspection, AMarkerStandsWhereItsBodyTurnedItAndIsKeptForLateReaders) {
+  MarkerInspector inspector(inside_);
+  inspector.publish();  // nothing was added
+  const DrawnBody robot{"r0", DrawnAs::kRobot, {{.size = {1, 2, 3}, .centre = {0.5, 0, 0.25}}}};
+  inspector.add(time_from_ns(1'500'000'000), robot, {1, 2, std::acos(0.0)});
+  inspector.publish();
+  TopicBrowser browser(hold_.domain());
+  const auto markers = subscribe(browser, "rt/markers");
+  EXPECT_TRUE(holds_soon([&] { return inspector.readers() == 1; }));
+  const auto sample = markers->next(10s);
+  ASSERT_TRUE(sample);
+  visualization_msgs::msg::dds_::MarkerArray_PubSubType type;
+  visualization_msgs::msg::dds_::MarkerArray_ value;
+  rtps::SerializedPayload_t payload(static_cast<std::uint32_t>(sample->bytes.size()));
+  std::ranges::copy(sample->bytes, payload.data);
+  payload.length = payload.max_size;
+  ASSERT_TRUE(type.deserialize(&payload, &value));
+  ASSERT_EQ(value.markers().size(), 1u);
+  const auto& marker = value.markers().front();
+  EXPECT_EQ(marker.ns(), "r0");
+  EXPECT_EQ(marker.type(), 1) << "a cube";
+  EXPECT_NEAR(marker.pose().position().x(), 1, 1e-15);
+  EXPECT_NEAR(marker.pose().position().y(), 2.5, 1e-15);
+  EXPECT_EQ(marker.pose().position().z(), 0.25);
+  EXPECT_NEAR(heading_of(marker.pose().orientation()), std::acos(0.0), 1e-15);
+  EXPECT_EQ(marker.scale().z(), 3);
+  EXPECT_EQ(marker.color().a(), 1);
+  const auto text = to_yaml("visualization_msgs::msg::dds_::MarkerArray_", sample->bytes);
+  ASSERT_TRUE(text);
+  EXPECT_TRUE(
+      text->starts_with("markers:\n  - header:\n      stamp:\n        sec: 1\n"
+                        "        nanosec: 500000000\n      frame_id: \"world\"\n"
+                        "    ns: \"r0\"\n    id: 0\n    type: 1\n    action: 0\n"))
+      << *text;
+  EXPECT_TRUE(
+      text->ends_with("    mesh_file:\n      filename: \"\"\n      data: []\n"
+                      "    mesh_use_embedded_materials: false\n"))
+      << *text;
 }
 
 TEST(TopicText, BytesThatAreNoValueOfTheTypeAreNotDecoded) {

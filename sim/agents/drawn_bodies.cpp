@@ -1,0 +1,77 @@
+#include "sim/agents/drawn_bodies.h"
+
+#include <algorithm>
+#include <variant>
+
+namespace sim::agents {
+namespace {
+
+using hal::Solid;
+using hal::devices::MoteDescription;
+using hal::devices::RobotDescription;
+
+constexpr double kStationRadius = 0.1;                     // m
+constexpr double kArrowWidth = 0.04, kArrowHeight = 0.02;  // m
+
+Solid solid_of(const hal::devices::BodyCylinder& part) {
+  return {.shape = Solid::Shape::kCylinder,
+          .size = {2 * part.radius, 2 * part.radius, part.z_top - part.z_bottom},
+          .centre = {part.centre.x, part.centre.y, (part.z_bottom + part.z_top) / 2}};
+}
+
+Solid solid_of(const hal::devices::BodyBox& part) {
+  return {.size = part.size, .centre = part.centre, .yaw = part.yaw};
+}
+
+/// From the middle of the body forward, above all of it.
+Solid arrow_of(const RobotDescription& robot) {
+  double top = 0, reach = 0;
+  for (const auto& part : robot.cylinders) {
+    top = std::max(top, part.z_top);
+    reach = std::max(reach, part.centre.x + part.radius);
+  }
+  for (const auto& part : robot.boxes) {
+    top = std::max(top, part.centre.z + part.size.z / 2);
+    reach = std::max(reach, part.centre.x + part.size.x / 2);
+  }
+  return {.shape = Solid::Shape::kArrow,
+          .size = {reach, kArrowWidth, kArrowHeight},
+          .centre = {0, 0, top + kArrowHeight}};
+}
+
+struct SolidsOf {
+  hal::DrawnBody operator()(const MoteDescription& mote) const {
+    return {"", hal::DrawnAs::kMote, {{.size = mote.size, .centre = {0, 0, mote.size.z / 2}}}};
+  }
+  hal::DrawnBody operator()(const RobotDescription& robot) const {
+    hal::DrawnBody drawn{"", hal::DrawnAs::kRobot, {}};
+    for (const auto& part : robot.cylinders) drawn.solids.push_back(solid_of(part));
+    for (const auto& part : robot.boxes) drawn.solids.push_back(solid_of(part));
+    drawn.solids.push_back(arrow_of(robot));
+    return drawn;
+  }
+  hal::DrawnBody operator()(const Station&) const {
+    constexpr double kDiameter = 2 * kStationRadius;
+    return {"",
+            hal::DrawnAs::kStation,
+            {{.shape = Solid::Shape::kSphere,
+              .size = {kDiameter, kDiameter, kDiameter},
+              .centre = {0, 0, kStationRadius}}}};
+  }
+};
+
+}  // namespace
+
+hal::DrawnBody drawn_body(const AgentConfig& agent) {
+  hal::DrawnBody drawn = std::visit(SolidsOf{}, agent.body);
+  drawn.name = agent.name;
+  return drawn;
+}
+
+hal::DrawnBody drawn_body(const physics::StaticBox& wall) {
+  return {wall.name,
+          hal::DrawnAs::kWall,
+          {{.size = wall.size, .centre = wall.centre, .yaw = wall.yaw}}};
+}
+
+}  // namespace sim::agents
