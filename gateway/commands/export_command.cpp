@@ -133,13 +133,7 @@ int export_campaign(const ExportOptions& options) {
   return kDone;
 }
 
-}  // namespace
-
-int export_results(const ExportOptions& options) {
-  const bool is_campaign =
-      !options.folder.empty() && sim::campaign::CampaignReader::has_database(options.folder);
-  check_format(options, is_campaign);
-  if (is_campaign) return export_campaign(options);
+void check_arguments_of_result(const ExportOptions& options) {
   if (!options.describe && options.folder.empty()) {
     throw UsageError("export: DIR is missing, the folder of a result");
   }
@@ -150,28 +144,49 @@ int export_results(const ExportOptions& options) {
   if (options.describe && !(options.folder.empty() && options.table.empty())) {
     throw UsageError("export: --describe is about every result, so no DIR but a campaign's");
   }
-  if (!options.describe && sim::record::RunReader(options.folder).is_unfinished()) {
-    fmt::print(stderr, "warning: {}: this run is unfinished: broken off, or still under way\n",
-               options.folder);
-  }
-  if (options.format == "mcap") return export_mcap(options);
-  if (is_whole(options)) return export_tables(options, sim::record::tables(), options.folder);
+}
+
+int describe_results(const ExportOptions& options) {
+  Output output(options.file);
+  output.write(sim::record::describe_results());
+  output.finish();
+  return kDone;
+}
+
+/// A table of a result, or the list of them.
+int export_table(const ExportOptions& options) {
   // Everything that can be wrong with the result shows before a file is replaced.
-  const std::string list = !options.describe && options.table.empty()
+  const std::string list = options.table.empty()
                                ? list_of_tables(sim::record::tables(),
                                                 sim::record::RunReader(options.folder).count_rows())
                                : "";
   Output output(options.file);
   const auto write = [&output](std::string_view text) { output.write(text); };
-  if (options.describe) {
-    write(sim::record::describe_results());
-  } else if (options.table.empty()) {
+  if (options.table.empty()) {
     write(list);
   } else {
     sim::report::write_csv(options.folder, options.table, write);
   }
   output.finish();
   return kDone;
+}
+
+}  // namespace
+
+int export_results(const ExportOptions& options) {
+  const bool is_campaign =
+      !options.folder.empty() && sim::campaign::CampaignReader::has_database(options.folder);
+  check_format(options, is_campaign);
+  if (is_campaign) return export_campaign(options);
+  check_arguments_of_result(options);
+  if (options.describe) return describe_results(options);
+  if (sim::record::RunReader(options.folder).is_unfinished()) {
+    fmt::print(stderr, "warning: {}: this run is unfinished: broken off, or still under way\n",
+               options.folder);
+  }
+  if (options.format == "mcap") return export_mcap(options);
+  if (is_whole(options)) return export_tables(options, sim::record::tables(), options.folder);
+  return export_table(options);
 }
 
 }  // namespace gateway

@@ -1,5 +1,6 @@
 // What agents sensed, for an MCAP file: from the readings that were recorded or, of those agents
 // that have none, from observables.
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -74,11 +75,10 @@ void on_reading(const McapParts& parts, std::int64_t at, const record::Statement
   }
   const auto of = parts.scene.agents.find(agent);
   if (of == parts.scene.agents.end()) return;
-  for (const hal::Channel& known : of->second.channels) {
-    if (known.name != channel) continue;
-    if (const auto told = sensor_message(at, name, known, values)) {
-      parts.topics.publish(at, "/" + name + "/" + channel, told->type, told->bytes);
-    }
+  const auto known = std::ranges::find(of->second.channels, channel, &hal::Channel::name);
+  if (known == of->second.channels.end()) return;
+  if (const auto told = sensor_message(at, name, *known, values)) {
+    parts.topics.publish(at, "/" + name + "/" + channel, told->type, told->bytes);
   }
 }
 
