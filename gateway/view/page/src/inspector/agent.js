@@ -1,5 +1,6 @@
 // An agent as it is at t.
 import { lastRow, poseAt, readingAt, stateAt, tableAt } from "../at.js";
+import { eachMessage } from "../at_messages.js";
 import { exact, span } from "../time/scale.js";
 import { facts, link, list, nameOf, number, part } from "./parts.js";
 
@@ -72,17 +73,21 @@ function routes(parent, run, agent, store) {
   (i) => store.set({ route: { topic: rows[i].topic, destination: rows[i].destination } }));
 }
 
+// What had become of a message by t; null: it was on its way.
+function endBy(columns, row, t) {
+  const ended = Math.max(columns.fate_at[row] ?? 0, ...columns.deliveries[row].map(([, at]) => at));
+  return ended <= t ? columns.verdict[row] : null;
+}
+
 function messages(parent, run, agent, store) {
   const { t } = store.state;
   const rows = [];
-  for (const { tile } of run.rows("messages", Math.max(0, t - aroundLog), t + 1)) {
-    const columns = tile.columns;
-    for (let row = 0; row < (columns?.sent?.length ?? 0); row++) {
-      const got = columns.deliveries[row].some(([receiver]) => receiver === agent.agent);
-      if (columns.sent[row] > t || (columns.sender[row] !== agent.agent && !got)) continue;
-      rows.push({ sender: columns.sender[row], id: columns.id[row], at: columns.sent[row], to: columns.destination[row], topic: columns.topic[row], verdict: columns.verdict[row] });
-    }
-  }
+  eachMessage(run.rows("messages", Math.max(0, t - aroundLog), t + 1), (columns, row) => {
+    const got = columns.deliveries[row].some(([receiver, at]) => receiver === agent.agent && at <= t);
+    if (columns.sent[row] > t || columns.sent[row] < t - aroundLog || (columns.sender[row] !== agent.agent && !got)) return;
+    rows.push({ sender: columns.sender[row], id: columns.id[row], at: columns.sent[row], to: columns.destination[row], topic: columns.topic[row],
+      verdict: endBy(columns, row, t) });
+  });
   if (!rows.length) return;
   const latest = rows.sort((a, b) => b.at - a.at).slice(0, 12);
   list(part(parent, "messages, the last 30 s"), ["sent", "from", "to", "class", "end"],

@@ -1,8 +1,9 @@
 // The panel of what is chosen, beside what the run is and what was not recorded of it.
 import { showAgent } from "./agent.js";
-import { showFrame, showMessage } from "./frame.js";
+import { showFrame } from "./frame.js";
 import { showLink } from "./link.js";
 import { showLive } from "./live_panel.js";
+import { showMessage } from "./message.js";
 import { facts, link, list, made, part } from "./parts.js";
 import { exact } from "../time/scale.js";
 
