@@ -228,7 +228,9 @@ export async function openSource(onArrival = () => {}, onError = () => {}) {
   const from = answers();
   const cache = createCache();
   const waiting = [];
+  let arrivals = 0;
   const arrived = () => {
+    arrivals++;
     onArrival();
     if (cache.asking === 0) for (const resolve of waiting.splice(0)) resolve();
   };
@@ -247,6 +249,8 @@ export async function openSource(onArrival = () => {}, onError = () => {}) {
     get end() { return Math.max(1, ...runs.map((run) => run.end)); },
     get bytes() { return cache.bytes; },
     get asking() { return cache.asking; },
+    /** How many answers have come: another number, perhaps other rows. */
+    get arrivals() { return arrivals; },
     /** Resolves when everything that was asked for has come. */
     idle: () => (cache.asking === 0 ? Promise.resolve() : new Promise((resolve) => waiting.push(resolve))),
   };

@@ -19,6 +19,7 @@ const fresh = () => ({
   orbit: null, //             {x, y, distance [m], yaw, pitch [rad]}: the free view; null: about what the map shows
   theme: null, //             "light" | "dark"; null: as the system has it
   charts: [], //              indices of world.series that have a lane
+  lanes: "", //              names of agents, or parts of them, that have a lane; empty: all
   help: false, //             the sheet of keys
   live: null, //              what the server last said of a live run, see live.js
 });
@@ -78,6 +79,7 @@ export function bookmark(state) {
   const switched = Object.keys(usual).filter((name) => usual[name] !== state.layers[name]);
   if (switched.length) add("layers", switched.map((name) => (state.layers[name] ? "+" : "-") + name).join(","));
   if (state.theme) add("theme", state.theme);
+  if (state.lanes) add("lanes", state.lanes);
   if (state.charts.length) add("charts", state.charts.join(","));
   return parts.map(([key, value]) => `${key}=${encodeURIComponent(value).replaceAll("%2C", ",").replaceAll("%2B", "+")}`).join("&");
 }
@@ -124,6 +126,7 @@ export function startOf(hash) {
     }
   }
   if (["light", "dark"].includes(given.get("theme"))) state.theme = given.get("theme");
+  take("lanes", "lanes", given.get("lanes"));
   if (given.has("charts")) state.charts = numbers(given.get("charts")).filter(Number.isInteger);
   return state;
 }

@@ -1,6 +1,10 @@
 // The frames of a span: how many, or, where each is wide enough, one by one with how they ended.
 import { colour, verdictColour } from "../colours.js";
+import { bar } from "./agent_lanes.js";
+import { span } from "./scale.js";
 
+// Told apart by height too, not by colour alone.
+const heights = { rts: 0.75, cts: 0.75, ack: 0.6 };
 const classColours = { rts: "sensed", cts: "sensed", ack: "muted", broadcast: "accent", unicast: "followed", beacon: "muted", management: "muted" };
 export const frameColour = (name) => colour(classColours[name] ?? "muted");
 
@@ -25,8 +29,8 @@ function density(ctx, box, scale, counts, lost) {
   }
 }
 
-/** @param hits  is told what can be clicked */
-export function drawFrames(ctx, box, scale, pieces, hits, agentNames) {
+/** @param hits  is told what can be clicked. @param chosen  of the store: if it is a frame, that one has a frame around it */
+export function drawFrames(ctx, box, scale, pieces, hits, names, chosen) {
   const wide = scale.perPixel < 2e5; //  ns: a frame of 1 ms has 5 px
   const counts = new Float64Array(box.width);
   const lost = new Float64Array(box.width);
@@ -48,7 +52,7 @@ export function drawFrames(ctx, box, scale, pieces, hits, agentNames) {
     const { at, airtime } = tile.columns;
     for (let row = 0; row < at.length; row++) {
       if (at[row] + airtime[row] < from || at[row] >= to) continue;
-      if (wide) drawOne(ctx, box, scale, tile, row, hits, agentNames);
+      if (wide) drawOne(ctx, box, scale, tile, row, { hits, names, chosen });
       else {
         put(at[row], counts, 1);
         if (verdictOf(tile.columns, row, tile) !== "delivered") put(at[row], lost, 1);
@@ -58,22 +62,26 @@ export function drawFrames(ctx, box, scale, pieces, hits, agentNames) {
   if (!wide) density(ctx, box, scale, counts, lost);
 }
 
-function drawOne(ctx, box, scale, tile, row, hits, agentNames) {
+function drawOne(ctx, box, scale, tile, row, { hits, names, chosen }) {
   const { columns } = tile;
   const x0 = scale.x(columns.at[row]);
   const x1 = Math.max(x0 + 1.5, scale.x(columns.at[row] + columns.airtime[row]));
   if (x1 < box.x || x0 > box.x + box.width) return;
   const verdict = verdictOf(columns, row, tile);
-  const height = box.height - 8;
-  ctx.fillStyle = frameColour(columns.class[row]);
-  ctx.fillRect(x0, box.y + 3, x1 - x0, height);
+  const of = columns.class[row];
+  const what = columns.packet?.[row] ?? of;
+  const name = names.get(columns.transmitter[row]) ?? columns.transmitter[row];
+  const bottom = box.y + box.height - 5;
+  const height = (box.height - 8) * (heights[of] ?? 1);
+  const left = Math.max(x0, box.x);
+  bar(ctx, [left, bottom - height, Math.max(1, Math.min(x1, box.x + box.width) - left), height], frameColour(of), `${what} ${name}`);
   ctx.fillStyle = verdictColour(verdict);
-  ctx.fillRect(x0, box.y + 3 + height, x1 - x0, 3);
-  if (x1 - x0 > 46) {
-    ctx.fillStyle = colour("back");
-    const name = agentNames.get(columns.transmitter[row]) ?? columns.transmitter[row];
-    ctx.fillText(`${columns.packet?.[row] ?? columns.class[row]} ${name}`, Math.max(x0, box.x) + 3, box.y + 3 + height / 2, x1 - x0 - 6);
+  ctx.fillRect(x0, bottom, x1 - x0, 3);
+  const key = { kind: "frame", transmitter: columns.transmitter[row], number: columns.number[row], at: columns.at[row] };
+  if (chosen?.kind === "frame" && chosen.transmitter === key.transmitter && chosen.number === key.number) {
+    ctx.strokeStyle = colour("ink");
+    ctx.strokeRect(x0 - 1.5, box.y + 1.5, x1 - x0 + 3, box.height - 4);
   }
-  hits.push({ x0: x0 - 2, x1: x1 + 2, y0: box.y, y1: box.y + box.height,
-    chosen: { kind: "frame", transmitter: columns.transmitter[row], number: columns.number[row], at: columns.at[row] } });
+  hits.push({ x0: x0 - 2, x1: x1 + 2, y0: box.y, y1: box.y + box.height, chosen: key,
+    text: `${what} of ${name}, ${span(columns.airtime[row])}: ${verdict}` });
 }

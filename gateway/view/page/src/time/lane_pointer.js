@@ -66,7 +66,8 @@ export function pointer(canvas, tip, here, store, source, axisHeight) {
 
   function choose(x, y) {
     const hit = hitAt(x, y);
-    if (hit?.chosen) {
+    if (hit?.action) hit.action();
+    else if (hit?.chosen) {
       const chosen = { ...hit.chosen, run: store.state.run };
       const patch = { chosen };
       if (chosen.kind === "message") patch.followed = { run: chosen.run, sender: chosen.sender, id: chosen.id, at: chosen.at };
@@ -78,7 +79,7 @@ export function pointer(canvas, tip, here, store, source, axisHeight) {
   function point(x, y) {
     const hit = hitAt(x, y);
     const text = hit?.text ?? (x >= here.left && here.scale ? `${exact(within(here.scale.t(x)))} s` : "");
-    canvas.style.cursor = hit?.chosen ? "pointer" : "default";
+    canvas.style.cursor = hit?.chosen || hit?.action ? "pointer" : "default";
     tip.hidden = !text;
     tip.textContent = text;
     tip.style.transform = `translate(${Math.min(x + 12, canvas.clientWidth - 180)}px, ${Math.max(2, y - 26)}px)`;

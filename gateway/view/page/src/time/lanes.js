@@ -1,8 +1,10 @@
 // The time axis: one scale for all lanes, from microseconds to hours. Wheel zooms, drag pans, a click sets
-// the time or chooses what it hits; the strip of the axis is for scrubbing.
+// the time or chooses what it hits; the strip of the axis is for scrubbing. The lanes are drawn again only
+// when something else than the time has changed: the head is on a canvas of its own.
 import { colour } from "../colours.js";
-import { drawMedium, drawStates, drawSteps, stateSpans } from "./agent_lanes.js";
+import { drawHears, drawNav, drawSends, drawStates, drawSteps, drawTooMany, stateSpans } from "./agent_lanes.js";
 import { drawFrames } from "./frame_lane.js";
+import { lanesOf } from "./lane_list.js";
 import { pointer } from "./lane_pointer.js";
 import { drawEvents, drawMessages, drawSeries } from "./message_lane.js";
 import { createScale, exact, ticksOf } from "./scale.js";
@@ -10,80 +12,141 @@ import { createScale, exact, ticksOf } from "./scale.js";
 const gutter = 118;
 const axisHeight = 22;
 const narrow = 86; //  of the gutter, on a phone
+const again = 300; //  ms: rows of a live run that were not written yet are looked for so often
+const longestFrame = 2e7; //  ns: one that began so long before the axis still reaches into it
 
-/** What the lanes of a run are, from top to bottom: {name, height, draw}. */
-export function lanesOf(run, state) {
-  const list = [
-    { name: "frames", height: 30, kind: "frames" },
-    { name: "messages", height: 44, kind: "messages" },
-    { name: "events", height: 18, kind: "events" },
-  ];
-  const chosen = state.chosen?.kind === "agent" && state.chosen.run === run.index
-    ? run.world.agents.find(({ agent }) => agent === state.chosen.agent) : null;
-  if (chosen) {
-    list.push({ name: `${chosen.name} sends, hears, NAV`, height: 27, kind: "medium", agent: chosen.agent });
-    list.push({ name: `${chosen.name} queue`, height: 26, kind: "queue", agent: chosen.agent });
-  }
-  for (const index of state.charts) {
-    const series = run.world.series.find((one) => one.index === index);
-    const agent = run.world.agents.find((one) => one.agent === series?.agent);
-    if (series) list.push({ name: `${agent ? `${agent.name} ` : ""}${series.name}${series.unit ? ` [${series.unit}]` : ""}`, height: 46, kind: "series", index });
-  }
-  const said = (kind) => run.world.agents.filter((agent) => agent.program && (agent.kind === "robot") === kind);
-  for (const agent of [...said(true), ...said(false)]) list.push({ name: agent.name, height: 15, kind: "state", agent: agent.agent });
-  return list;
+/** How each kind of lane is drawn. @return what stands below its name, if anything */
+const draws = {
+  frames: ({ ctx, box, scale, frames, hits, names, chosen }) => drawFrames(ctx, box, scale, frames(), hits, names, chosen),
+  messages: ({ ctx, box, scale, rows, hits, chosen }) => drawMessages(ctx, box, scale, rows("messages"), hits, chosen),
+  events: ({ ctx, box, scale, rows, hits }) => drawEvents(ctx, box, scale, rows("events"), hits),
+  sends: ({ ctx, box, scale, frames, lane, hits }) => drawSends(ctx, box, scale, frames(), lane.agent, hits),
+  hears: ({ ctx, box, scale, frames, lane, hits, names }) => drawHears(ctx, box, scale, frames(), lane.agent, hits, names),
+  nav: ({ ctx, box, scale, frames, lane }) => drawNav(ctx, box, scale, frames(), lane.agent),
+  queue({ ctx, box, scale, rows, lane }) { return `0 … ${drawSteps(ctx, box, scale, rows("queues"), lane.agent, "frames")}`; },
+  state({ ctx, box, scale, rows, lane, run }) {
+    drawTooMany(ctx, box, scale, rows("states"));
+    drawStates(ctx, box, scale, stateSpans(rows("states"), lane.agent, Math.max(0, scale.from), Math.min(scale.to, run.end)), run.world.states);
+  },
+  series({ ctx, box, scale, rows, lane }) {
+    const reach = drawSeries(ctx, box, scale, rows(`series:${lane.index}`));
+    return reach ? `${Number(reach[0].toPrecision(4))} … ${Number(reach[1].toPrecision(4))}` : "no values here";
+  },
+};
+
+/** The text that agents' lanes are chosen by. */
+function filterField(element, store) {
+  const field = element.appendChild(Object.assign(document.createElement("input"),
+    { type: "search", placeholder: "agents …", title: "lanes of agents whose name holds this, or one of several with commas between" }));
+  field.setAttribute("aria-label", "names of the agents that have a lane");
+  field.addEventListener("input", () => store.set({ lanes: field.value }));
+  field.addEventListener("keydown", (event) => { if (event.key === "Escape" || event.key === "Enter") field.blur(); });
+  return field;
+}
+
+function layer(element, label) {
+  const canvas = element.appendChild(document.createElement("canvas"));
+  if (label) { canvas.tabIndex = 0; canvas.setAttribute("role", "img"); canvas.setAttribute("aria-label", label); }
+  return canvas;
+}
+
+/** Makes a canvas as large as its element; its context, emptied. */
+function cleared(canvas, width, height) {
+  const ratio = globalThis.devicePixelRatio ?? 1;
+  const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
+  if (canvas.width !== w || canvas.height !== h) [canvas.width, canvas.height] = [w, h];
+  const ctx = canvas.getContext("2d");
+  ctx.setTransform(ratio, 0, 0, ratio, 0, 0);
+  ctx.clearRect(0, 0, width, height);
+  return ctx;
 }
 
 export function lanes(element, store, source) {
-  const canvas = element.appendChild(document.createElement("canvas"));
-  canvas.tabIndex = 0;
-  canvas.setAttribute("role", "img");
-  canvas.setAttribute("aria-label", "time axis; arrow keys move, plus and minus zoom");
+  const canvas = layer(element, "time axis with lanes; arrow keys move the time, plus and minus zoom");
+  const head = layer(element);
+  head.className = "head";
+  const field = filterField(element, store);
   const tip = element.appendChild(document.createElement("div"));
   tip.className = "tip";
   tip.hidden = true;
   const here = { hits: [], scroll: 0, scale: null, height: 0, view: () => store.state.view ?? [0, source.end] };
   pointer(canvas, tip, here, store, source, axisHeight);
-
-  const ctx = canvas.getContext("2d");
   const runOf = () => source.runs.find(({ index }) => index === store.state.run) ?? source.runs[0];
+  let shown = null; //  what the lanes were drawn of
+  let shownAt = 0; //  ms
+  let isBehind = false; //  the run goes on, and what was drawn is older than its record
+  let theme = 0;
 
-  function drawLane(lane, box, run) {
-    const { scale, hits } = here;
-    const rows = (kind, summary = true) => run.rows(kind, Math.max(0, scale.from), scale.to, { summary });
-    const names = new Map(run.world.agents.map(({ agent, name }) => [agent, name]));
-    if (lane.kind === "frames") drawFrames(ctx, box, scale, run.rows("frames", Math.max(0, scale.from - 2e7), scale.to, { summary: true }), hits, names);
-    else if (lane.kind === "messages") drawMessages(ctx, box, scale, rows("messages"), hits);
-    else if (lane.kind === "events") drawEvents(ctx, box, scale, rows("events"), hits);
-    else if (lane.kind === "medium") drawMedium(ctx, box, scale, run.rows("frames", Math.max(0, scale.from - 2e7), scale.to, { summary: true }), lane.agent);
-    else if (lane.kind === "queue") drawSteps(ctx, box, scale, rows("queues"), lane.agent, "frames");
-    else if (lane.kind === "state") drawStates(ctx, box, scale, stateSpans(rows("states"), lane.agent, Math.max(0, scale.from), Math.min(scale.to, run.end)), run.world.states);
-    else if (lane.kind === "series") {
-      const reach = drawSeries(ctx, box, scale, rows(`series:${lane.index}`));
-      if (reach) lane.note = `${Number(reach[0].toPrecision(4))} … ${Number(reach[1].toPrecision(4))}`;
-    }
-  }
-
-  function drawAxis(width, left) {
-    const { scale } = here;
-    const { base, ticks } = ticksOf([scale.from, scale.to], Math.max(2, (width - left) / 110));
+  function drawAxis(ctx, width) {
     ctx.fillStyle = colour("soft");
     ctx.fillRect(0, 0, width, axisHeight);
-    ctx.fillStyle = colour("muted");
-    ctx.textAlign = "left";
-    ctx.fillText(base === null ? "time" : `from ${exact(base)} s`, 6, axisHeight / 2, left - 8);
+    const { scale, left } = here;
+    const { base, ticks } = ticksOf([Math.max(0, scale.from), Math.min(scale.to, source.end)], Math.max(2, (width - left) / 110));
+    const baseText = base === null ? "" : `+ ${exact(base)} s`;
+    const free = width - 12 - (baseText ? ctx.measureText(baseText).width + 8 : 0);
     ctx.strokeStyle = colour("line");
     for (const { t, label } of ticks) {
       const x = scale.x(t);
       if (x < left) continue;
       ctx.beginPath(); ctx.moveTo(x + 0.5, axisHeight - 5); ctx.lineTo(x + 0.5, here.height); ctx.stroke();
-      ctx.fillText(label, x + 4, axisHeight / 2);
+      ctx.fillStyle = colour("muted");
+      if (x + 4 + ctx.measureText(label).width < free) ctx.fillText(label, x + 4, axisHeight / 2);
     }
+    ctx.fillStyle = colour("ink");
+    if (baseText) ctx.fillText(baseText, free + 12, axisHeight / 2);
   }
 
-  function drawHead(left) {
+  function drawName(ctx, lane, y, note, width) {
+    const { left } = here;
+    const middle = y + lane.height / 2;
+    const room = left - (lane.kind === "series" ? 24 : 10);
+    ctx.fillStyle = colour(lane.kind === "state" ? "ink" : "muted");
+    ctx.fillText(lane.name, 6, middle - (note ? 6 : 0), room);
+    if (note) ctx.fillText(note, 6, middle + 7, room);
+    ctx.strokeStyle = colour("line");
+    ctx.beginPath(); ctx.moveTo(0, y + lane.height - 0.5); ctx.lineTo(width, y + lane.height - 0.5); ctx.stroke();
+    if (lane.agent !== undefined) here.hits.unshift({ x0: 0, x1: left, y0: y, y1: y + lane.height, chosen: { kind: "agent", agent: lane.agent } });
+    if (lane.kind !== "series") return;
+    ctx.fillText("✕", left - 16, middle);
+    const without = () => store.set({ charts: store.state.charts.filter((index) => index !== lane.index) });
+    here.hits.push({ x0: left - 22, x1: left, y0: y, y1: y + lane.height, text: "no more", action: without });
+  }
+
+  function drawLanes(ctx, width, run) {
+    const { scale, hits, left } = here;
+    const list = lanesOf(run, store.state);
+    const total = list.reduce((sum, { height }) => sum + height, 0);
+    here.scroll = Math.max(0, Math.min(here.scroll, total - (here.height - axisHeight)));
+    const kept = new Map(); //  rows of this picture, by kind
+    const rowsOf = (kind, from) => {
+      if (!kept.has(kind)) kept.set(kind, run.rows(kind, Math.max(0, from), scale.to, { summary: true }));
+      return kept.get(kind);
+    };
+    const what = { ctx, scale, hits, run, chosen: store.state.chosen, names: new Map(run.world.agents.map(({ agent, name }) => [agent, name])),
+      rows: (kind) => rowsOf(kind, scale.from), frames: () => rowsOf("frames", scale.from - longestFrame) };
+    let y = axisHeight - here.scroll;
+    ctx.save();
+    ctx.beginPath(); ctx.rect(0, axisHeight, width, here.height - axisHeight); ctx.clip();
+    for (const lane of list) {
+      const box = { x: left, y, width: Math.max(1, Math.floor(width - 8 - left)), height: lane.height };
+      if (y + lane.height > axisHeight && y < here.height) {
+        ctx.save();
+        ctx.beginPath(); ctx.rect(left, y, box.width, lane.height); ctx.clip();
+        const note = draws[lane.kind]({ ...what, lane, box });
+        ctx.restore();
+        drawName(ctx, lane, y, note, width);
+      }
+      y += lane.height;
+    }
+    ctx.restore();
+    const end = Math.min(scale.to, run.end);
+    isBehind = source.view.mode === "live" && [...kept.values()].some((pieces) => pieces.some(({ tile }) => tile.until < Math.min(tile.to, end)));
+  }
+
+  function drawHead(width) {
+    const ctx = cleared(head, width, here.height);
     const x = here.scale.x(store.state.t);
-    if (x < left - 1 || x > here.scale.x1 + 1) return;
+    if (x < here.left - 1 || x > here.scale.x1 + 1) return;
     ctx.strokeStyle = ctx.fillStyle = colour("collision");
     ctx.beginPath(); ctx.moveTo(x, 0); ctx.lineTo(x, here.height); ctx.stroke();
     ctx.beginPath(); ctx.moveTo(x - 5, 0); ctx.lineTo(x + 5, 0); ctx.lineTo(x, 8); ctx.fill();
@@ -98,49 +161,30 @@ export function lanes(element, store, source) {
   }
 
   return {
-    draw() {
+    recolour() { theme++; },
+    animates: (now) => isBehind && now - shownAt > again,
+    draw(now) {
       follow();
-      const ratio = globalThis.devicePixelRatio ?? 1;
-      const width = element.clientWidth;
-      here.height = element.clientHeight;
-      if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(here.height * ratio)) {
-        canvas.width = Math.round(width * ratio);
-        canvas.height = Math.round(here.height * ratio);
+      const { state } = store;
+      const [width, height] = [element.clientWidth, element.clientHeight];
+      const view = here.view();
+      const key = [...view, width, height, globalThis.devicePixelRatio, theme, source.arrivals, source.end, here.scroll, state.run, state.chosen, state.charts, state.lanes];
+      if (!shown || this.animates(now) || key.some((value, i) => value !== shown[i])) {
+        shown = key;
+        shownAt = now;
+        here.height = height;
+        here.left = width < 600 ? narrow : gutter;
+        here.scale = createScale(view, here.left, width - 8);
+        here.hits.length = 0;
+        const ctx = cleared(canvas, width, height);
+        ctx.font = "11px system-ui, 'Liberation Sans', 'DejaVu Sans', sans-serif";
+        ctx.textBaseline = "middle";
+        drawAxis(ctx, width);
+        drawLanes(ctx, width, runOf());
+        field.style.width = `${here.left - 6}px`;
+        if (field !== document.activeElement && field.value !== state.lanes) field.value = state.lanes;
       }
-      ctx.setTransform(ratio, 0, 0, ratio, 0, 0);
-      ctx.clearRect(0, 0, width, here.height);
-      ctx.font = "11px system-ui, 'Liberation Sans', 'DejaVu Sans', sans-serif";
-      ctx.textBaseline = "middle";
-      const left = width < 600 ? narrow : gutter;
-      here.left = left;
-      here.scale = createScale(here.view(), left, width - 8);
-      here.hits.length = 0;
-      const run = runOf();
-      drawAxis(width, left);
-      const list = lanesOf(run, store.state);
-      const total = list.reduce((sum, lane) => sum + lane.height, 0);
-      here.scroll = Math.max(0, Math.min(here.scroll, total - (here.height - axisHeight)));
-      let y = axisHeight - here.scroll;
-      ctx.save();
-      ctx.beginPath(); ctx.rect(0, axisHeight, width, here.height - axisHeight); ctx.clip();
-      for (const lane of list) {
-        const box = { x: left, y, width: Math.max(1, Math.floor(width - 8 - left)), height: lane.height };
-        if (y + lane.height > axisHeight && y < here.height) {
-          ctx.save();
-          ctx.beginPath(); ctx.rect(left, y, box.width, lane.height); ctx.clip();
-          drawLane(lane, box, run);
-          ctx.restore();
-          ctx.fillStyle = colour(lane.kind === "state" ? "ink" : "muted");
-          ctx.fillText(lane.name, 6, y + lane.height / 2 - (lane.note ? 6 : 0), left - 10);
-          if (lane.note) ctx.fillText(lane.note, 6, y + lane.height / 2 + 7, left - 10);
-          ctx.strokeStyle = colour("line");
-          ctx.beginPath(); ctx.moveTo(0, y + lane.height - 0.5); ctx.lineTo(width, y + lane.height - 0.5); ctx.stroke();
-          if (lane.agent !== undefined) here.hits.unshift({ x0: 0, x1: left, y0: y, y1: y + lane.height, chosen: { kind: "agent", agent: lane.agent } });
-        }
-        y += lane.height;
-      }
-      ctx.restore();
-      drawHead(left);
+      drawHead(width);
     },
   };
 }

@@ -1,25 +1,25 @@
 // Messages from send() to receive(), and what happened in the world.
+import { eachRow } from "../at.js";
+import { eachMessage } from "../at_messages.js";
 import { colour } from "../colours.js";
+import { span } from "./scale.js";
 
 const rowsOf = (sender, id, rows) => (sender * 7 + id) % rows;
 
 /** A message is a line from when it was sent to each delivery; lost: a cross where its fate was told. */
-export function drawMessages(ctx, box, scale, pieces, hits) {
+export function drawMessages(ctx, box, scale, pieces, hits, chosen) {
   const rows = Math.max(1, Math.floor((box.height - 6) / 5));
-  const drawn = new Set();
   for (const { tile } of pieces) {
-    if (!tile.complete) { drawBins(ctx, box, scale, tile, tile.bins.counts.reduce((sum, of) => sum.map((n, i) => n + of[i]), Array(tile.bins.n).fill(0))); continue; }
-    const columns = tile.columns;
-    for (let row = 0; row < (columns?.sent?.length ?? 0); row++) {
-      const key = columns.sender[row] * 2 ** 32 + columns.id[row];
-      if (drawn.has(key)) continue;
-      drawn.add(key);
-      drawOne(ctx, box, scale, columns, row, box.y + 4 + 5 * rowsOf(columns.sender[row], columns.id[row], rows), hits);
-    }
+    if (!tile.complete) drawBins(ctx, box, scale, tile, sumOf(tile.bins));
   }
+  eachMessage(pieces, (columns, row) => {
+    drawOne(ctx, box, scale, columns, row, box.y + 4 + 5 * rowsOf(columns.sender[row], columns.id[row], rows), { hits, chosen });
+  });
 }
 
-function drawOne(ctx, box, scale, columns, row, y, hits) {
+const sumOf = ({ n, counts }) => counts.flat().length === n ? counts.flat() : counts.reduce((sum, of) => sum.map((one, i) => one + of[i]), Array(n).fill(0));
+
+function drawOne(ctx, box, scale, columns, row, y, { hits, chosen }) {
   const sent = columns.sent[row];
   const lost = columns.verdict[row] !== null && columns.verdict[row] !== "delivered";
   const arrivals = columns.deliveries[row].map(([, at]) => at);
@@ -45,8 +45,13 @@ function drawOne(ctx, box, scale, columns, row, y, hits) {
     ctx.stroke();
   }
   ctx.lineWidth = 1;
-  hits.push({ x0: x0 - 4, x1: Math.max(x1, x0) + 4, y0: y - 4, y1: y + 4,
-    chosen: { kind: "message", sender: columns.sender[row], id: columns.id[row], at: sent } });
+  const [sender, id] = [columns.sender[row], columns.id[row]];
+  if (chosen?.kind === "message" && chosen.sender === sender && chosen.id === id) {
+    ctx.strokeStyle = colour("ink");
+    ctx.strokeRect(x0 - 4.5, y - 4.5, Math.max(x1, x0) - x0 + 9, 9);
+  }
+  hits.push({ x0: x0 - 4, x1: Math.max(x1, x0) + 4, y0: y - 4, y1: y + 4, chosen: { kind: "message", sender, id, at: sent },
+    text: `${columns.topic[row]} ${id}: ${columns.verdict[row] ?? "on its way"}${last > sent ? ` after ${span(last - sent)}` : ""}` });
 }
 
 function drawBins(ctx, box, scale, tile, counts) {
@@ -61,25 +66,32 @@ function drawBins(ctx, box, scale, tile, counts) {
   });
 }
 
-const marks = { discovery: "accent", scripted: "followed", "lost body": "lost", contact: "collision", association: "delivered", arrival: "muted" };
+// Told apart by shape too, not by colour alone.
+const marks = { discovery: ["accent", "up"], scripted: ["followed", "square"], "lost body": ["lost", "cross"], contact: ["collision", "diamond"],
+  association: ["delivered", "circle"], arrival: ["muted", "down"] };
+const shapes = { up: [[0, -1], [1, 1], [-1, 1]], down: [[0, 1], [1, -1], [-1, -1]], square: [[-1, -1], [1, -1], [1, 1], [-1, 1]],
+  diamond: [[0, -1.2], [1.2, 0], [0, 1.2], [-1.2, 0]],
+  cross: [[-1, -0.5], [-0.5, -1], [0, -0.5], [0.5, -1], [1, -0.5], [0.5, 0], [1, 0.5], [0.5, 1], [0, 0.5], [-0.5, 1], [-1, 0.5], [-0.5, 0]] };
+
+function drawMark(ctx, x, y, kind) {
+  const [name, shape] = marks[kind] ?? ["muted", "circle"];
+  ctx.fillStyle = colour(name);
+  ctx.beginPath();
+  if (shapes[shape]) for (const [dx, dy] of shapes[shape]) ctx.lineTo(x + 4 * dx, y + 5 * dy);
+  else ctx.arc(x, y, 4, 0, 2 * Math.PI);
+  ctx.fill();
+}
 
 /** A mark for each event, with what it was to be read when it is pointed at. */
 export function drawEvents(ctx, box, scale, pieces, hits) {
-  for (const { tile } of pieces) {
-    if (!tile.complete) { drawBins(ctx, box, scale, tile, tile.bins.counts.flat()); continue; }
-    const columns = tile.columns;
-    for (let row = 0; row < (columns?.at?.length ?? 0); row++) {
-      const x = scale.x(columns.at[row]);
-      if (x < box.x || x > box.x + box.width) continue;
-      ctx.fillStyle = colour(marks[columns.kind[row]] ?? "muted");
-      ctx.beginPath();
-      ctx.moveTo(x, box.y + 3); ctx.lineTo(x + 3.5, box.y + box.height - 4); ctx.lineTo(x - 3.5, box.y + box.height - 4);
-      ctx.fill();
-      hits.push({ x0: x - 4, x1: x + 4, y0: box.y, y1: box.y + box.height, t: columns.at[row],
-        text: `${columns.kind[row]}: ${columns.text[row]}`,
-        chosen: columns.agent[row] === null ? null : { kind: "agent", agent: columns.agent[row] } });
-    }
-  }
+  for (const { tile } of pieces) if (!tile.complete) drawBins(ctx, box, scale, tile, sumOf(tile.bins));
+  eachRow(pieces, scale.from, scale.to, (columns, row) => {
+    const x = scale.x(columns.at[row]);
+    drawMark(ctx, x, box.y + box.height / 2, columns.kind[row]);
+    hits.push({ x0: x - 4, x1: x + 4, y0: box.y, y1: box.y + box.height, t: columns.at[row],
+      text: `${columns.kind[row]}: ${columns.text[row]}`,
+      chosen: columns.agent[row] === null ? null : { kind: "agent", agent: columns.agent[row] } });
+  });
 }
 
 /** A recorded series as a line, or, where there is more than fits, its least and greatest values. */

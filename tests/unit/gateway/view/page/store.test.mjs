@@ -9,7 +9,7 @@ test("a bookmark reproduces the view, to the nanosecond", () => {
   const state = createStore({
     t: 755_400_695_454, speed: 1e-6, view: [755_400_000_001, 755_401_000_000], run: 1, route: { topic: "help, urgent", destination: 17 }, follow: 26,
     chosen: { kind: "agent", run: 1, agent: 26 }, followed: { run: 1, sender: 26, id: 4, at: 46_200_000_000 }, mode2d: false,
-    orbit: { x: 1.25, y: -3, distance: 200, yaw: 0.5, pitch: 1 }, theme: "dark", charts: [0, 4_294_967_297], layers: { labels: false, ranges: true },
+    orbit: { x: 1.25, y: -3, distance: 200, yaw: 0.5, pitch: 1 }, theme: "dark", lanes: "r, m1&2=#", charts: [0, 4_294_967_297], layers: { labels: false, ranges: true },
   }).state;
   assert.deepEqual(after(state), state);
 });
