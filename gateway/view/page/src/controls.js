@@ -1,10 +1,17 @@
 // Play, speed, steps, and what time it is. In a live run that waits for us, the same buttons command it.
 import { isLed, stepLive, togglePause, useSpeed } from "./live.js";
 import { stepTime } from "./steps.js";
-import { exact, span, zoomed } from "./time/scale.js";
+import { exact, span, timeOf, zoomed } from "./time/scale.js";
+import { bookmark } from "./store.js";
 
 export const speeds = [1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.5, 1, 2, 5, 10, 20, 50, 100];
 const nearest = (speed) => speeds.reduce((best, one, i) => (Math.abs(Math.log(one / speed)) < Math.abs(Math.log(speeds[best] / speed)) ? i : best), 0);
+// Drawn, not written: not every system's fonts have these signs.
+const icons = {
+  begin: "M3 3h2v10H3zM13 3v10L6 8z", play: "M4 2.5v11L13 8z", pause: "M4 3h3v10H4zM9 3h3v10H9z", end: "M11 3h2v10h-2zM3 3v10l7-5z",
+};
+const icon = (name) => `<svg viewBox="0 0 16 16" width="14" height="14" aria-hidden="true"><path fill="currentColor" d="${icons[name]}"/></svg>`;
+
 /** "5 ms/s" */
 export const speedText = (speed) => (speed >= 1 ? `${speed}×` : `${span(speed * 1e9)}/s`);
 
@@ -44,6 +51,11 @@ export function actions(store, source) {
       store.set({ speed: speeds[index] });
       if (isLed(store)) useSpeed(store, speeds[index]);
     },
+    /** An address that shows what is shown now. */
+    async link() {
+      const address = `${location.href.split("#")[0]}#${bookmark(store.state)}`;
+      await navigator.clipboard.writeText(address);
+    },
     zoom: (factor) => store.set({ view: zoomed(view(), store.state.t, factor, source.end) }),
     all: () => store.set({ view: null }),
     /** The axis so close that a frame of a millisecond is wide. */
@@ -61,20 +73,37 @@ export function actions(store, source) {
 
 const button = (label, title, action, parent) => {
   const one = parent.appendChild(document.createElement("button"));
-  one.textContent = label;
+  if (label.startsWith("<svg")) one.innerHTML = label; else one.textContent = label;
   one.title = title;
   one.setAttribute("aria-label", title);
-  one.addEventListener("click", () => { action(); one.blur(); });
+  // After a click the keys are the page's again; who came by the keyboard stays where they are.
+  one.addEventListener("click", (event) => { action(); if (event.detail) one.blur(); });
   return one;
 };
+
+/** The time to the nanosecond; written over, it is gone to. */
+function clockField(element, store, act) {
+  const field = element.appendChild(Object.assign(document.createElement("input"),
+    { className: "clock", spellcheck: false, autocomplete: "off", title: "go to a time (g): 12.5, 300 ms, +20 us" }));
+  field.setAttribute("aria-label", "time; write one to go there");
+  field.addEventListener("focus", () => field.select());
+  field.addEventListener("keydown", (event) => {
+    if (event.key !== "Enter" && event.key !== "Escape") return;
+    const t = event.key === "Enter" ? timeOf(field.value, store.state.t) : null;
+    field.blur();
+    if (t !== null) act.at(t);
+    else field.value = `${exact(store.state.t)} s`;
+  });
+  return field;
+}
 
 export function controls(element, store, source) {
   const act = actions(store, source);
   const group = () => element.appendChild(Object.assign(document.createElement("span"), { className: "group" }));
   const first = group();
-  button("⏮", "to the begin (Home)", () => act.at(0), first);
-  const play = button("▶", "play or pause (space)", act.play, first);
-  button("⏭", "to the end (End)", () => act.at(source.end), first);
+  button(icon("begin"), "to the begin (Home)", () => act.at(0), first);
+  const play = button(icon("play"), "play or pause (space)", act.play, first);
+  button(icon("end"), "to the end (End)", () => act.at(source.end), first);
   const steps = group();
   for (const [of, key] of [["event", "e"], ["cycle", "c"], ["frame", "f"]]) {
     button("‹", `the ${of} before (Shift+${key})`, () => act.step(of, -1), steps);
@@ -92,19 +121,24 @@ export function controls(element, store, source) {
   button("+", "zoom in (+)", () => act.zoom(0.5), zoom);
   button("all", "the whole run (a)", act.all, zoom);
   button("µs", "close to this instant (u)", act.close, zoom);
-  const clock = element.appendChild(document.createElement("output"));
-  clock.className = "clock";
+  const clock = clockField(element, store, act);
+  const copy = button("link", "copy a link to this view (l)", async () => {
+    try { await act.link(); copy.textContent = "copied"; } catch { copy.textContent = "see the address"; }
+    setTimeout(() => { copy.textContent = "link"; }, 1500);
+  }, element);
   const help = button("?", "keys (?)", () => store.set({ help: !store.state.help }), element);
 
   return {
     draw() {
       const { state } = store;
       const isOn = isLed(store) ? !state.live.paused : state.playing;
-      play.textContent = isOn ? "⏸" : "▶";
-      play.setAttribute("aria-pressed", String(isOn));
+      if (play.getAttribute("aria-pressed") !== String(isOn)) {
+        play.innerHTML = icon(isOn ? "pause" : "play");
+        play.setAttribute("aria-pressed", String(isOn));
+      }
       slider.value = nearest(state.speed);
       speed.textContent = speedText(state.speed);
-      clock.textContent = `${exact(state.t)} s`;
+      if (clock !== document.activeElement) clock.value = `${exact(state.t)} s`;
       help.setAttribute("aria-pressed", String(state.help));
     },
   };

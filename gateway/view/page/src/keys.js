@@ -5,7 +5,7 @@ const sheet = [
   ["space", "play, pause; a live run goes on, waits"], ["← →", "a hundredth of the axis"],
   ["f, Shift+f", "next frame, the one before"], ["c, Shift+c", "next control cycle, the one before"],
   ["e, Shift+e", "next event of the chosen agent, the one before"], ["[ ]", "slower, faster"],
-  ["+ −", "zoom the axis"], ["a", "the whole run"], ["u", "close to this instant"], ["Home, End", "begin, end"],
+  ["+ −", "zoom the axis"], ["a", "the whole run"], ["u", "close to this instant"], ["Home, End", "begin, end"], ["g", "write a time to go there: 12.5, 300 ms, +20 us"], ["l", "copy a link to this view"],
   ["Tab, n, Shift+n", "next agent, the one before"], ["o", "the camera goes along with the chosen agent"],
   ["d", "map or free 3-D"], ["t", "light or dark"], ["Esc", "choose nothing"], ["?", "this sheet"],
 ];
@@ -41,6 +41,7 @@ export function keys(store, source) {
     f: () => act.step("frame", 1), F: () => act.step("frame", -1), c: () => act.step("cycle", 1), C: () => act.step("cycle", -1),
     e: () => act.step("event", 1), E: () => act.step("event", -1), "[": () => act.faster(-1), "]": () => act.faster(1),
     "+": () => act.zoom(0.5), "=": () => act.zoom(0.5), "-": () => act.zoom(2), a: act.all, u: act.close,
+    g: () => document.querySelector("#controls .clock").focus(), l: () => act.link().catch(() => {}),
     Home: () => act.at(0), End: () => act.at(source.end), n: () => nextAgent(1), N: () => nextAgent(-1), o: act.follow,
     d: () => store.set({ mode2d: !store.state.mode2d }), t: act.theme,
     Escape: () => store.set({ chosen: null, route: null, followed: null, help: false }), "?": () => store.set({ help: !store.state.help }),

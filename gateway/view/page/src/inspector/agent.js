@@ -4,6 +4,7 @@ import { eachMessage } from "../at_messages.js";
 import { exact, span } from "../time/scale.js";
 import { facts, link, list, nameOf, number, part } from "./parts.js";
 
+const fewValues = 6; //  of a channel: they are written too
 const aroundLog = 30e9; //  ns: log lines and messages of that long before t
 
 /** The share of each next hop by equation 1, of rows with weights; null where the protocol chooses otherwise. */
@@ -53,6 +54,7 @@ function sensors(parent, run, agent, readings, t) {
       bar.className = value === null ? "none" : "";
       bar.title = value === null ? "nothing within reach" : number(value, 5);
     }
+    if (values.length <= fewValues) section.append(values.map((value) => (value === null ? "–" : number(value, 3))).join("  "));
   }
 }
 

@@ -1,6 +1,7 @@
 // One frame with how it ended at every radio.
 import { findFrame } from "../at.js";
-import { exact, span, spanExact } from "../time/scale.js";
+import { verdictColour } from "../colours.js";
+import { exact, spanExact } from "../time/scale.js";
 import { facts, link, list, nameOf, number, part } from "./parts.js";
 
 export function showFrame(parent, run, store) {
@@ -18,10 +19,16 @@ export function showFrame(parent, run, store) {
     ["from", link(nameOf(run, frame.transmitter), () => store.set({ chosen: { kind: "agent", run: run.index, agent: frame.transmitter } }))],
     ["to", nameOf(run, frame.receiver)], ["begins", `${exact(frame.at)} s`], ["on the air", spanExact(frame.airtime)],
     ["length", `${frame.bits} bit`], ["rate", frame.rate && `${number(frame.rate / 1e6)} Mb/s`],
-    ["Duration field", spanExact(frame.nav ?? 0)], ["sequence", `${frame.sequence}${frame.retry ? ", sent before" : ""}`],
+    ["Duration field", frame.nav === null ? null : spanExact(frame.nav)], ["sequence", `${frame.sequence}${frame.retry ? ", sent before" : ""}`],
     ["number", frame.number],
   ]);
-  list(part(parent, "at each radio"), ["radio", "verdict", "RSSI", "SINR", "ended"], frame.ends.map((end) => [
-    nameOf(run, end.agent), end.verdict, end.rssi === null ? "" : `${end.rssi.toFixed(1)} dBm`, end.sinr === null ? "" : `${end.sinr.toFixed(1)} dB`,
-    `+${span(end.at - frame.at, 6)}`]), (i) => store.set({ chosen: { kind: "agent", run: run.index, agent: frame.ends[i].agent } }));
+  // First the radio that it was for, then the loudest.
+  const ends = [...frame.ends].sort((a, b) => (b.agent === frame.receiver) - (a.agent === frame.receiver) || (b.rssi ?? -999) - (a.rssi ?? -999));
+  const section = part(parent, ends.length ? `at ${ends.length} ${ends.length === 1 ? "radio" : "radios"}` : "heard by nobody");
+  if (!ends.length) return;
+  const table = list(section, ["radio", "verdict", "RSSI dBm", "SINR dB", "way µs"], ends.map((end) => [
+    `${nameOf(run, end.agent)}${end.agent === frame.receiver ? " ←" : ""}`, end.verdict, end.rssi?.toFixed(1), end.sinr?.toFixed(1),
+    ((end.at - frame.at - frame.airtime) / 1e3).toFixed(3)]), (i) => store.set({ chosen: { kind: "agent", run: run.index, agent: ends[i].agent } }));
+  ends.forEach((end, i) => { table.tBodies[0].rows[i].cells[1].style.color = verdictColour(end.verdict); });
+  table.classList.add("numbers");
 }

@@ -30,9 +30,9 @@ function showRun(parent, run, store, source) {
       if (series) facts(select.parentElement, [[series.name, link("no more", () => store.set({ charts: store.state.charts.filter((one) => one !== index) }))]]);
     }
   }
+  if (world.missing?.length) list(part(parent, "not recorded"), ["what", "the line that records it"], world.missing.map(({ what, line }) => [what, line]));
   list(part(parent, "agents"), ["name", "kind", "controller"], world.agents.slice(0, 200).map((one) => [one.name, one.kind, one.program]),
     (i) => store.set({ chosen: { kind: "agent", run: run.index, agent: world.agents[i].agent } }));
-  if (world.missing?.length) list(part(parent, "not recorded"), ["what", "the line that records it"], world.missing.map(({ what, line }) => [what, line]));
   if (source.runs.length > 1) {
     list(part(parent, "runs"), ["name"], source.runs.map(({ name }) => [name]), (i) => store.set({ run: source.runs[i].index }));
   }
@@ -50,7 +50,7 @@ export function inspector(element, store, source) {
     animates: (now) => stale && now - at >= least,
     draw(now) {
       const { state } = store;
-      const key = [state.t, state.chosen, state.run, state.charts, state.follow, state.followed, source.asking];
+      const key = [state.t, state.chosen, state.run, state.charts, state.follow, state.followed, source.arrivals];
       const same = shown && key.every((value, i) => value === shown[i]);
       // Nothing is redrawn under a finger or a cursor that uses it.
       const isUsed = element.contains(document.activeElement) && /^(INPUT|SELECT)$/.test(document.activeElement.tagName);

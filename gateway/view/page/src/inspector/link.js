@@ -1,6 +1,7 @@
 // The air between two agents around t.
 import { eachRow } from "../at.js";
 import { colour, verdictColour } from "../colours.js";
+import { exact } from "../time/scale.js";
 import { facts, list, nameOf, part } from "./parts.js";
 
 const around = 30e9; //  ns
@@ -29,11 +30,14 @@ function chart(parent, rows, from, to, a) {
   ctx.fillStyle = colour("muted");
   ctx.fillText(`${high.toFixed(0)} dBm`, 2, 10);
   ctx.fillText(`${low.toFixed(0)} dBm`, 2, 88);
+  ctx.textAlign = "right";
+  ctx.fillText(`${exact(from).slice(0, -8)} … ${exact(to).slice(0, -8)} s`, 294, 88);
   for (const row of rows) {
     if (row.rssi === null) continue;
     ctx.fillStyle = verdictColour(row.verdict);
     const x = 296 * (row.at - from) / (to - from);
     const y = 88 - 84 * (row.rssi - low) / (high - low);
+    ctx.strokeStyle = ctx.fillStyle;
     if (row.from === a) ctx.fillRect(x - 1.5, y - 1.5, 3, 3); else ctx.strokeRect(x - 1.5, y - 1.5, 3, 3);
   }
 }

@@ -19,6 +19,19 @@ export function spanExact(ns) {
   return `${size === 1 ? ns : (ns / size).toFixed(Math.log10(size)).replace(/0+$/, "").replace(/\.$/, "")} ${unit}`;
 }
 
+/**
+ * The time that a text means [ns]: "12.5" or "12.5 s", "300 ms"; with a sign from `now` on: "+20 us". Null: none.
+ * The fraction is read digit by digit: 755.400695454 * 1e9 is not a whole number in binary64.
+ */
+export function timeOf(text, now) {
+  const match = /^\s*([+-]?)\s*(\d+)(?:\.(\d+))?\s*(s|ms|us|µs|μs|ns)?\s*$/.exec(text);
+  if (!match) return null;
+  const [, sign, whole, fraction = "", unit = "s"] = match;
+  const digits = { s: 9, ms: 6, ns: 0 }[unit] ?? 3;
+  const ns = Number(whole) * 10 ** digits + Number(fraction.padEnd(digits, "0").slice(0, digits) || 0);
+  return sign ? now + (sign === "-" ? -ns : ns) : ns;
+}
+
 /** A step of 1, 2 or 5 times a power of ten that leaves about `count` of them in a span [ns], 1 at least. */
 export function stepOf(length, count) {
   const raw = Math.max(1, length / count);

@@ -2,7 +2,7 @@ import assert from "node:assert/strict";
 import test from "node:test";
 import { page } from "./record.mjs";
 
-const { createScale, exact, kept, span, spanExact, stepOf, ticksOf, zoomed } = await import(new URL("time/scale.js", page));
+const { createScale, exact, kept, span, spanExact, stepOf, ticksOf, timeOf, zoomed } = await import(new URL("time/scale.js", page));
 
 test("times are written to the nanosecond, also late in a long run", () => {
   assert.equal(exact(0), "0.000000000");
@@ -52,4 +52,11 @@ test("zooming keeps what is under the cursor, from a microsecond to the whole ru
 test("panning stops at the ends of the run", () => {
   assert.deepEqual(kept([-5e9, -4e9], 1e11), [-1e7, 1e9 - 1e7]);
   assert.deepEqual(kept([2e11, 2.01e11], 1e11), [1e11 + 1e7 - 1e9, 1e11 + 1e7]);
+});
+
+test("a written time is read to the nanosecond, with a sign from now on", () => {
+  const now = 755_400_695_454;
+  assert.deepEqual(["755.400695454", "12.5 s", "300ms", "+20 us", "-1.5 µs", "+7 ns", " 0 "].map((text) => timeOf(text, now)),
+    [755_400_695_454, 12_500_000_000, 300_000_000, now + 20_000, now - 1500, now + 7, 0]);
+  assert.deepEqual(["", "s", "1 h", "1e9", "1.2.3", "0x10"].map((text) => timeOf(text, now)), [null, null, null, null, null, null]);
 });
