@@ -148,7 +148,7 @@ class ViewServer::Http {
   std::optional<std::string> page_;
   ViewApi api_;
   int wanted_port_, port_ = 0;
-  Control* control_;
+  RunControl* control_;
   const Clock* clock_;
   std::optional<std::string> token_;
   std::unique_ptr<httplib::Server> server_;
@@ -175,7 +175,7 @@ void ViewServer::Http::set_up() {
                                 {"Content-Security-Policy", kPolicy},
                                 {"Cross-Origin-Resource-Policy", "same-origin"},
                                 {"Referrer-Policy", "no-referrer"},
-                                {"Cache-Control", "no-store"}});
+                                {"Cache-RunControl", "no-store"}});
   server_->set_pre_routing_handler([this](const auto& request, auto& response) {
     return answer(request, response) ? Handled::Handled : Handled::Unhandled;
   });

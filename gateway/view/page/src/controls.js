@@ -72,9 +72,9 @@ export function controls(element, store, source) {
   const act = actions(store, source);
   const group = () => element.appendChild(Object.assign(document.createElement("span"), { className: "group" }));
   const first = group();
-  button("⏮", "to the begin (Home)", () => act.at(0), first);
+  button("|◀", "to the begin (Home)", () => act.at(0), first);
   const play = button("▶", "play or pause (space)", act.play, first);
-  button("⏭", "to the end (End)", () => act.at(source.end), first);
+  button("▶|", "to the end (End)", () => act.at(source.end), first);
   const steps = group();
   for (const [of, key] of [["event", "e"], ["cycle", "c"], ["frame", "f"]]) {
     button("‹", `the ${of} before (Shift+${key})`, () => act.step(of, -1), steps);
@@ -100,7 +100,7 @@ export function controls(element, store, source) {
     draw() {
       const { state } = store;
       const isOn = isLed(store) ? !state.live.paused : state.playing;
-      play.textContent = isOn ? "⏸" : "▶";
+      play.textContent = isOn ? "❚❚" : "▶";
       play.setAttribute("aria-pressed", String(isOn));
       slider.value = nearest(state.speed);
       speed.textContent = speedText(state.speed);

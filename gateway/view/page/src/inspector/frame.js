@@ -23,8 +23,8 @@ export function showFrame(parent, run, store) {
     ["Duration field", spanExact(frame.nav ?? 0)], ["sequence", `${frame.sequence}${frame.retry ? ", sent before" : ""}`],
     ["number", frame.number],
   ]);
-  list(part(parent, "at each radio"), ["radio", "verdict", "RSSI", "SINR", "ended"], frame.ends.map((end) => [
-    nameOf(run, end.agent), end.verdict, end.rssi === null ? "" : `${end.rssi.toFixed(1)} dBm`, end.sinr === null ? "" : `${end.sinr.toFixed(1)} dB`,
+  list(part(parent, "at each radio"), ["radio", "verdict", "RSSI/dBm", "SINR/dB", "ended"], frame.ends.map((end) => [
+    nameOf(run, end.agent), end.verdict, end.rssi === null ? "" : end.rssi.toFixed(1), end.sinr === null ? "" : (Math.abs(end.sinr) < 0.05 ? 0 : end.sinr).toFixed(1),
     `+${span(end.at - frame.at, 6)}`]), (i) => store.set({ chosen: { kind: "agent", run: run.index, agent: frame.ends[i].agent } }));
 }
 
