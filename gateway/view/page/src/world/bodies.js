@@ -62,7 +62,7 @@ export function createBodies(scene, world) {
     };
     const wheels = (shape.wheels ?? []).filter((wheel) => wheel.radius > 0);
     const solids = solidsOf(shape).map((solid) => ({ ...solid, mesh: add(solid.kind, slots.length) }));
-    groups.push({ shape, slots, solids, wheels, rims: wheels.length ? add("wheel", slots.length * wheels.length) : null });
+    groups.push({ drawn: 0, shape, slots, solids, wheels, rims: wheels.length ? add("wheel", slots.length * wheels.length) : null });
   }
   const colours = world.agents.map(() => new Color());
 
@@ -105,6 +105,9 @@ export function createBodies(scene, world) {
     const look = materials[camera.mode2d ? "map" : rims > 0 && bodies <= 12 ? "near" : "far"];
     for (const { mesh } of group.solids) update(mesh, bodies, look.body, 0);
     if (group.rims) update(group.rims, rims, look.wheel, camera.mode2d ? 1 : -1);
+    const changed = bodies + group.drawn > 0;
+    group.drawn = bodies;
+    return changed;
   }
 
   function update(mesh, count, material, order) {
@@ -124,6 +127,10 @@ export function createBodies(scene, world) {
       });
     },
     /** @param marks  tell where agents are in the pane, and which are so small that a marker stands for them. */
-    draw(poses, camera, marks) { for (const group of groups) drawGroup(group, poses, camera, marks); },
+    draw(poses, camera, marks) {
+      let changed = false;
+      for (const group of groups) changed = drawGroup(group, poses, camera, marks) || changed;
+      return changed;
+    },
   };
 }

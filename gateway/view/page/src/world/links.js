@@ -123,7 +123,7 @@ export function createLinks(scene, run, slots) {
           segments.add(poses.x[a], poses.y[a], 0.01, poses.x[b], poses.y[b], 0.01, mixed[k]);
         }
       }
-      segments.end();
+      return segments.end();
     },
   };
 }
