@@ -1,5 +1,6 @@
 // The time axis: one scale for all lanes, from microseconds to hours. Wheel zooms, drag pans, a click sets
 // the time or chooses what it hits; the strip of the axis is for scrubbing.
+import { paper } from "../paper.js";
 import { colour } from "../colours.js";
 import { drawMedium, drawStates, drawSteps, stateSpans } from "./agent_lanes.js";
 import { drawFrames } from "./frame_lane.js";
@@ -45,7 +46,7 @@ export function lanes(element, store, source) {
   const here = { hits: [], scroll: 0, scale: null, height: 0, view: () => store.state.view ?? [0, source.end] };
   pointer(canvas, tip, here, store, source, axisHeight);
 
-  const ctx = canvas.getContext("2d");
+  const ctx = paper(canvas);
   const runOf = () => source.runs.find(({ index }) => index === store.state.run) ?? source.runs[0];
 
   function drawLane(lane, box, run) {

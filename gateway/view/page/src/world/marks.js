@@ -2,6 +2,7 @@
 // the scale, names.
 import { readingAt } from "../at.js";
 import { colour, robotColour } from "../colours.js";
+import { paper } from "../paper.js";
 import { createLabels } from "./labels.js";
 
 const radii = { robot: 7, mote: 4, station: 4 }; // px of a marker
@@ -60,7 +61,7 @@ export function createMarks(run) {
       made = document.createElement("canvas");
       made.width = made.height = side * ratio;
       made.side = side;
-      const context = made.getContext("2d");
+      const context = paper(made);
       context.scale(ratio, ratio);
       context.beginPath();
       context.arc(side / 2, side / 2, radius + 1.25, 0, 2 * Math.PI);
@@ -198,8 +199,7 @@ export function createMarks(run) {
     (agents[a].kind === "robot" ? 0 : 1) - (agents[b].kind === "robot" ? 0 : 1) || a - b);
 
   return {
-    spots, sizes, radiusOf, labels,
-    place,
+    spots, sizes, radiusOf, isMarked, isInside, place,
     forget() { stamps.clear(); },
     below(context, camera, poses, state, chosen) {
       drawRanges(context, camera, poses, state, chosen);

@@ -7,6 +7,7 @@ import { createQueues } from "../air/queues.js";
 import { createRoutes } from "../air/routes.js";
 import { createPoses, posesAt } from "../at.js";
 import { colour } from "../colours.js";
+import { paper } from "../paper.js";
 import { createBodies } from "./bodies.js";
 import { createCamera } from "./camera.js";
 import { createGrid, createWalls } from "./ground.js";
@@ -77,7 +78,7 @@ export function createPane(parent, run, store) {
   tellMissing(element, run);
   const isMany = agents.length > many;
   const graphics = renderer(canvas, !isMany);
-  const context = overlay.getContext("2d");
+  const context = paper(overlay);
   const camera = createCamera();
   const poses = createPoses(agents);
   const parts = createScene(run, slots);
@@ -85,6 +86,7 @@ export function createPane(parent, run, store) {
   const air = { frames: createFrames(run, slots), routes: createRoutes(run, slots), queues: createQueues(run), followed: createFollowed(run, slots) };
   const period = run.world.recorded?.poses_period_ns ?? 0;
   let size = "";
+  let seen = ""; //  from where, and how large, the scene was drawn last
 
   function fit() {
     const { clientWidth: width, clientHeight: height } = element;
@@ -114,13 +116,8 @@ export function createPane(parent, run, store) {
     move(state);
     const followed = state.follow === null ? undefined : slots.get(state.follow);
     camera.aim(state, width, height, run.world.bounds, followed === undefined ? null : { x: poses.x[followed], y: poses.y[followed] });
-    parts.grid.draw(camera);
-    parts.walls.draw(camera);
-    parts.links.draw(state, poses);
-    parts.trails.draw(state, poses);
-    parts.bodies.draw(poses, camera);
-    graphics?.render(parts.scene, camera.eye);
     marks.place(poses, camera);
+    drawScene(state);
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.clearRect(0, 0, width, height);
     const slot = chosenSlot(state);
@@ -132,6 +129,19 @@ export function createPane(parent, run, store) {
     marks.above(context, camera, poses, state, parts.grid, slot, ratio);
     air.queues.draw(context, camera, marks, state);
     air.frames.prefetch(state);
+  }
+
+  // Not drawn again if it is what it was: most of the time only marks move, and they are drawn over it.
+  function drawScene(state) {
+    const slot = chosenSlot(state);
+    const changed = [parts.grid.draw(camera), parts.links.draw(state, poses, slot), parts.trails.draw(state, poses, slot),
+      parts.bodies.draw(poses, camera, marks)].includes(true);
+    parts.walls.draw(camera);
+    const { elements } = camera.eye.matrixWorldInverse;
+    const eye = `${size} ${elements.join()} ${camera.eye.projectionMatrix.elements.join()}`;
+    if (!changed && eye === seen) return;
+    seen = eye;
+    graphics?.render(parts.scene, camera.eye);
   }
 
   function chosenLink({ chosen }) {
@@ -163,12 +173,12 @@ export function createPane(parent, run, store) {
   }
   pointer(canvas, store, camera, choose);
   canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
-  canvas.addEventListener("webglcontextrestored", () => store.set({ layers: { ...store.state.layers } }));
+  canvas.addEventListener("webglcontextrestored", () => { seen = ""; store.set({ layers: { ...store.state.layers } }); });
 
   return {
     element, camera, draw,
     quality: parts.links.quality,
-    recolour() { parts.recolour(); marks.forget(); },
+    recolour() { parts.recolour(); marks.forget(); seen = ""; },
     project(x, y) {
       const box = canvas.getBoundingClientRect();
       const spot = camera.project(x, y, 0, [0, 0, 0]);
