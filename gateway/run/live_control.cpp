@@ -17,7 +17,7 @@ using view::Steps;
 /// A pause is noticed to be over, a death or Ctrl-C in it too, after so long.
 constexpr hal::Duration kSlice = 20ms;
 /// Somebody who looks sees no older things than these.
-constexpr hal::Duration kRefresh = 200ms;
+constexpr hal::Duration kRefresh = 500ms;
 /// Somebody who asked so long ago still looks.
 constexpr hal::Duration kLooking = 2s;
 constexpr std::size_t kMostBreaks = 100;

@@ -42,6 +42,8 @@ export function lanes(element, store, source) {
   canvas.setAttribute("aria-label", "time axis; arrow keys move, plus and minus zoom");
   const tip = element.appendChild(document.createElement("div"));
   tip.className = "tip";
+  const head = element.appendChild(document.createElement("div"));
+  head.className = "head";
   tip.hidden = true;
   const here = { hits: [], scroll: 0, scale: null, height: 0, view: () => store.state.view ?? [0, source.end] };
   pointer(canvas, tip, here, store, source, axisHeight);
@@ -82,12 +84,11 @@ export function lanes(element, store, source) {
     }
   }
 
-  function drawHead(left) {
+  // An element of its own: time goes on without the lanes being painted again.
+  function moveHead() {
     const x = here.scale.x(store.state.t);
-    if (x < left - 1 || x > here.scale.x1 + 1) return;
-    ctx.strokeStyle = ctx.fillStyle = colour("collision");
-    ctx.beginPath(); ctx.moveTo(x, 0); ctx.lineTo(x, here.height); ctx.stroke();
-    ctx.beginPath(); ctx.moveTo(x - 5, 0); ctx.lineTo(x + 5, 0); ctx.lineTo(x, 8); ctx.fill();
+    head.hidden = x < here.left - 1 || x > here.scale.x1 + 1;
+    head.style.transform = `translateX(${x}px)`;
   }
 
   // While it plays, the axis goes along.
@@ -98,50 +99,63 @@ export function lanes(element, store, source) {
     store.set({ view: [t - 0.1 * length, t + 0.9 * length] });
   }
 
+  function paint(width) {
+    const left = width < 600 ? narrow : gutter;
+    const ratio = globalThis.devicePixelRatio ?? 1;
+    if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(here.height * ratio)) {
+      canvas.width = Math.round(width * ratio);
+      canvas.height = Math.round(here.height * ratio);
+    }
+    ctx.setTransform(ratio, 0, 0, ratio, 0, 0);
+    ctx.clearRect(0, 0, width, here.height);
+    ctx.font = "11px system-ui, 'Liberation Sans', 'DejaVu Sans', sans-serif";
+    ctx.textBaseline = "middle";
+    here.left = left;
+    here.scale = createScale(here.view(), left, width - 8);
+    here.hits.length = 0;
+    drawAxis(width, left);
+    const run = runOf();
+    const list = lanesOf(run, store.state);
+    const total = list.reduce((sum, lane) => sum + lane.height, 0);
+    here.scroll = Math.max(0, Math.min(here.scroll, total - (here.height - axisHeight)));
+    let y = axisHeight - here.scroll;
+    ctx.save();
+    ctx.beginPath(); ctx.rect(0, axisHeight, width, here.height - axisHeight); ctx.clip();
+    for (const lane of list) {
+      if (y + lane.height > axisHeight && y < here.height) paintLane(lane, { x: left, y, width: Math.max(1, Math.floor(width - 8 - left)), height: lane.height }, run, width);
+      y += lane.height;
+    }
+    ctx.restore();
+  }
+
+  function paintLane(lane, box, run, width) {
+    const { x: left, y } = box;
+    ctx.save();
+    ctx.beginPath(); ctx.rect(left, y, box.width, lane.height); ctx.clip();
+    drawLane(lane, box, run);
+    ctx.restore();
+    ctx.fillStyle = colour(lane.kind === "state" ? "ink" : "muted");
+    ctx.fillText(lane.name, 6, y + lane.height / 2 - (lane.note ? 6 : 0), left - 10);
+    if (lane.note) ctx.fillText(lane.note, 6, y + lane.height / 2 + 7, left - 10);
+    ctx.strokeStyle = colour("line");
+    ctx.beginPath(); ctx.moveTo(0, y + lane.height - 0.5); ctx.lineTo(width, y + lane.height - 0.5); ctx.stroke();
+    if (lane.agent !== undefined) here.hits.unshift({ x0: 0, x1: left, y0: y, y1: y + lane.height, chosen: { kind: "agent", agent: lane.agent } });
+  }
+
+  let painted = null;
   return {
+    recolour() { painted = null; },
     draw() {
       follow();
-      const ratio = globalThis.devicePixelRatio ?? 1;
       const width = element.clientWidth;
       here.height = element.clientHeight;
-      if (canvas.width !== Math.round(width * ratio) || canvas.height !== Math.round(here.height * ratio)) {
-        canvas.width = Math.round(width * ratio);
-        canvas.height = Math.round(here.height * ratio);
+      const { view, run, chosen, charts } = store.state;
+      const key = [...here.view(), view, width, here.height, run, chosen, charts, here.scroll, source.bytes, source.asking];
+      if (!painted || key.some((value, i) => value !== painted[i])) {
+        paint(width);
+        painted = key;
       }
-      ctx.setTransform(ratio, 0, 0, ratio, 0, 0);
-      ctx.clearRect(0, 0, width, here.height);
-      ctx.font = "11px system-ui, 'Liberation Sans', 'DejaVu Sans', sans-serif";
-      ctx.textBaseline = "middle";
-      const left = width < 600 ? narrow : gutter;
-      here.left = left;
-      here.scale = createScale(here.view(), left, width - 8);
-      here.hits.length = 0;
-      const run = runOf();
-      drawAxis(width, left);
-      const list = lanesOf(run, store.state);
-      const total = list.reduce((sum, lane) => sum + lane.height, 0);
-      here.scroll = Math.max(0, Math.min(here.scroll, total - (here.height - axisHeight)));
-      let y = axisHeight - here.scroll;
-      ctx.save();
-      ctx.beginPath(); ctx.rect(0, axisHeight, width, here.height - axisHeight); ctx.clip();
-      for (const lane of list) {
-        const box = { x: left, y, width: Math.max(1, Math.floor(width - 8 - left)), height: lane.height };
-        if (y + lane.height > axisHeight && y < here.height) {
-          ctx.save();
-          ctx.beginPath(); ctx.rect(left, y, box.width, lane.height); ctx.clip();
-          drawLane(lane, box, run);
-          ctx.restore();
-          ctx.fillStyle = colour(lane.kind === "state" ? "ink" : "muted");
-          ctx.fillText(lane.name, 6, y + lane.height / 2 - (lane.note ? 6 : 0), left - 10);
-          if (lane.note) ctx.fillText(lane.note, 6, y + lane.height / 2 + 7, left - 10);
-          ctx.strokeStyle = colour("line");
-          ctx.beginPath(); ctx.moveTo(0, y + lane.height - 0.5); ctx.lineTo(width, y + lane.height - 0.5); ctx.stroke();
-          if (lane.agent !== undefined) here.hits.unshift({ x0: 0, x1: left, y0: y, y1: y + lane.height, chosen: { kind: "agent", agent: lane.agent } });
-        }
-        y += lane.height;
-      }
-      ctx.restore();
-      drawHead(left);
+      moveHead();
     },
   };
 }
