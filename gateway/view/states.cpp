@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 
-#include "gateway/view/row_times.h"
 #include "gateway/view/row_values.h"
 #include "gateway/view/tiles.h"
 
@@ -35,26 +34,6 @@ std::string events_sql(const Record& record) {
 }
 
 }  // namespace
-
-std::string states_tile(Record& record, const Span& span) {
-  Columns columns({"agent", "at", "state"});
-  Statement before = record.query(
-      "SELECT agent, at_ns, state, MAX(rowid) FROM states WHERE at_ns < ? GROUP BY agent"
-      " ORDER BY 2, 1");
-  before.bind_all(span.from());
-  while (before.next()) columns.add(before.integer(0), before.integer(1), before.text(2));
-  const Rows inside = rows_in(record, "states", span);
-  if (inside.count() > kMostRows) {
-    return tile_text(record, span, false, columns,
-                     {{"bins", counts_of(record, "states", inside, span)}});
-  }
-  Statement rows = record.query(
-      "SELECT agent, at_ns, state FROM states WHERE rowid >= ? AND rowid < ? ORDER BY at_ns, "
-      "agent, rowid");
-  rows.bind_all(inside.begin, inside.end);
-  while (rows.next()) columns.add(rows.integer(0), rows.integer(1), rows.text(2));
-  return tile_text(record, span, true, columns);
-}
 
 std::string events_tile(Record& record, const Span& span) {
   Columns columns({"at", "kind", "agent", "text"});

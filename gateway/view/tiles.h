@@ -35,7 +35,7 @@ inline constexpr std::array<std::string_view, 8> kKinds = {
 std::string poses_tile(Record& record, const Span& span);
 std::string frames_tile(Record& record, FrameDensity& density, const Span& span);
 std::string messages_tile(Record& record, MessageIndex& index, const Span& span);
-std::string states_tile(Record& record, const Span& span);
+std::string states_tile(Record& record, LastRows& last, const Span& span);
 std::string events_tile(Record& record, const Span& span);
 std::string readings_tile(Record& record, LastRows& last, const Span& span);
 std::string queues_tile(Record& record, LastRows& last, const Span& span);

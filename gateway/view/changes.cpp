@@ -63,6 +63,14 @@ std::string readings_tile(Record& record, LastRows& last, const Span& span) {
                          });
 }
 
+std::string states_tile(Record& record, LastRows& last, const Span& span) {
+  const Columns columns({"agent", "at", "state"});
+  return tile_of_changes(record, last, span, "states", "agent, at_ns, state", columns,
+                         [](Columns& to, const Statement& row) {
+                           to.add(row.integer(0), row.integer(1), row.text(2));
+                         });
+}
+
 std::string queues_tile(Record& record, LastRows& last, const Span& span) {
   Columns columns({"agent", "at", "frames"});
   if (!record.has("queues")) return tile_text(record, span, true, columns);
