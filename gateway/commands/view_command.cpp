@@ -66,7 +66,7 @@ int serve(const ViewOptions& options) {
 
 int write_page(const ViewOptions& options) {
   const std::string page = view::bundled_page(
-      kPage,
+      view::kPage,
       "the page of the view is bundled with npm: ./setup pages installs it and builds the page");
   auto settings = settings_of(options);
   const view::ViewApi api(std::move(settings.runs), settings.mode, false);

@@ -38,8 +38,8 @@ std::string events_sql(const Record& record) {
 std::string states_tile(Record& record, const Span& span) {
   Columns columns({"agent", "at", "state"});
   Statement before = record.query(
-      "SELECT agent, MAX(at_ns), state FROM (SELECT * FROM states WHERE at_ns < ? ORDER BY rowid "
-      "DESC) GROUP BY agent ORDER BY 2, 1");
+      "SELECT agent, at_ns, state, MAX(rowid) FROM states WHERE at_ns < ? GROUP BY agent"
+      " ORDER BY 2, 1");
   before.bind_all(span.from());
   while (before.next()) columns.add(before.integer(0), before.integer(1), before.text(2));
   if (count_rows(record, "states", span, kMostRows + 1) > kMostRows) {

@@ -64,7 +64,7 @@ function answers() {
 }
 
 /** One run's record. `live()`: up to when the record of a live run is written; null of a finished one. */
-function openRun(index, name, world, from, { onArrival, cache, live, onError }) {
+function openRun({ index, name, folder, title }, world, from, { onArrival, cache, live, onError }) {
   const base = `/api/runs/${index}`;
   const hint = new Map(); //  kind → level whose tiles were complete lately
 
@@ -164,7 +164,7 @@ function openRun(index, name, world, from, { onArrival, cache, live, onError }) 
   };
 
   return {
-    index, name, world, rows,
+    index, name, folder, title, world, rows,
     /** The tile itself: a promise. */
     tile: (kind, level, tileIndex) => ask(`${base}/${kind}/${level}/${tileIndex}`),
     /** All changes of an agent's routes; null until they have come. */
@@ -237,10 +237,13 @@ export async function openSource(onArrival = () => {}, onError = () => {}) {
   };
   const view = (await from.get("/api/view")).answer;
   let until = null; //  of a live run, as the server tells it
-  const runs = await Promise.all(view.runs.map(async ({ index, name }) => {
-    const world = (await from.get(`/api/runs/${index}/world`)).answer;
+  // Runs of one scenario are told apart by their folders.
+  const titleOf = ({ name, folder }) => (folder && view.runs.filter((other) => other.name === name).length > 1
+    ? folder.replace(/\/+$/, "").split("/").pop() : name);
+  const runs = await Promise.all(view.runs.map(async (told) => {
+    const world = (await from.get(`/api/runs/${told.index}/world`)).answer;
     world.endsAt = () => Math.max(world.until ?? world.end ?? 0, until ?? 0);
-    return openRun(index, name, world, from, { onArrival: arrived, cache, live: () => until, onError });
+    return openRun({ ...told, title: titleOf(told) }, world, from, { onArrival: arrived, cache, live: () => until, onError });
   }));
   return {
     view, runs,

@@ -57,10 +57,11 @@ function createScene(run, slots) {
 function titleOf(pane, run) {
   const title = make(pane, "h2");
   const { result, profile } = run.world;
-  title.append(run.name);
+  title.append(run.title);
   make(title, "small").textContent = [profile && ` · ${profile}`, result && ` · ${result}`].filter(Boolean).join("");
 }
 
+// What was not recorded is listed beside the run, in the inspector; here it is said that there is such.
 function tellMissing(pane, run) {
   const missing = run.world.missing ?? [];
   const warnings = run.world.warnings ?? [];
