@@ -61,9 +61,9 @@ function titleOf(pane, run) {
   make(title, "small").textContent = [profile && ` · ${profile}`, result && ` · ${result}`].filter(Boolean).join("");
 }
 
-// What was not recorded is listed beside the run, in the inspector; here it is said that there is such.
+// What was not recorded is listed beside the run, in the inspector; over the map only what misleads there.
 function tellMissing(pane, run) {
-  const missing = run.world.missing ?? [];
+  const missing = (run.world.missing ?? []).filter(({ what }) => /^(poses|frames)/.test(what));
   const warnings = run.world.warnings ?? [];
   if (!missing.length && !warnings.length) return;
   const box = make(pane, "details", "missing");
