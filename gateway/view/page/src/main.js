@@ -26,7 +26,7 @@ async function main() {
   const store = createStore(startOf(location.hash));
   let dirty = true;
   const source = await openSource(() => { dirty = true; }, (error) => say(error.message));
-  document.title = `${source.runs.map((run) => run.name).join(", ")} - BARAKA view`;
+  document.title = `${source.runs.map((run) => run.title).join(", ")} - BARAKA view`;
 
   const parts = [
     world(element("world"), store, source),

@@ -13,4 +13,5 @@ export function hasGraphicsCard() {
   return known;
 }
 
-export const paper = (canvas) => canvas.getContext("2d", { willReadFrequently: !hasGraphicsCard() });
+/** @param little  is drawn on it at a time: then what the card's program does is less than handing it the picture. */
+export const paper = (canvas, little = false) => canvas.getContext("2d", { willReadFrequently: !little && !hasGraphicsCard() });
