@@ -2,7 +2,6 @@
 #   program (baraka)
 #     bin             baraka, the controllers
 #     lib/baraka      plug-ins of the controllers, what slows programs and what holds their networks
-#     share/baraka    robots, radios, scenarios, campaigns, hardware; templates of `baraka new-controller`; IDL;
 #     share/baraka    robots, radios, scenarios, campaigns, hardware, viewers; templates of `baraka new-controller`;
 #                     IDL; the pages of the report and of the view, if they were built
 #     share/doc       README, docs, licence

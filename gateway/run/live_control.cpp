@@ -17,7 +17,7 @@ using view::Steps;
 /// A pause is noticed to be over, a death or Ctrl-C in it too, after so long.
 constexpr hal::Duration kSlice = 20ms;
 /// Somebody who looks sees no older things than these.
-constexpr hal::Duration kRefresh = 200ms;
+constexpr hal::Duration kRefresh = 500ms;
 /// Somebody who asked so long ago still looks.
 constexpr hal::Duration kLooking = 2s;
 constexpr std::size_t kMostBreaks = 100;
@@ -50,7 +50,7 @@ std::string LiveControl::name(hal::AgentId agent) const {
 }
 
 hal::Result<std::int64_t> LiveControl::act(const view::Command& command) {
-  if (const auto* drive = std::get_if<view::Drive>(&command)) {
+  if (const auto* drive = std::get_if<view::DriveByHand>(&command)) {
     const hal::AgentId agent{drive->agent};
     if (settings_.drive && settings_.drive(agent, {drive->vx, drive->vy, drive->omega})) return 0;
     return refusal(
@@ -88,7 +88,7 @@ hal::Result<std::int64_t> LiveControl::act(const view::Command& command) {
                           if (breaks_.erase(clear.id) > 0) return 0;
                           return refusal(fmt::format("no break {}", clear.id));
                         },
-                        [&](const view::Drive&) -> hal::Result<std::int64_t> { return 0; },
+                        [&](const view::DriveByHand&) -> hal::Result<std::int64_t> { return 0; },
                     },
                     command);
 }

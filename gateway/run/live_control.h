@@ -26,7 +26,9 @@ namespace gateway {
 ///            Pause                       Speed: running on, slower or faster
 ///
 /// act() and now() are of the server's threads; all else is of the run's.
-class LiveControl final : public view::Control, public view::Clock, public sim::agents::Observer {
+class LiveControl final : public view::RunControl,
+                          public view::Clock,
+                          public sim::agents::Observer {
  public:
   struct Settings {
     bool lockstep = true;

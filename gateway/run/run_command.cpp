@@ -205,8 +205,6 @@ std::optional<StartInside> starter_in(NetworkOfRun* network) {
   return std::optional<StartInside>(std::in_place, *network);
 }
 
-constexpr double kNoLimit = std::numeric_limits<double>::infinity();
-
 LiveView::Settings live_view_of(const RunOptions& options, const Course& course,
                                 RunInspection& inspection, Results& results) {
   return {
@@ -218,10 +216,17 @@ LiveView::Settings live_view_of(const RunOptions& options, const Course& course,
                              const hal::Twist2& twist) { return inspection.drive(agent, twist); }};
 }
 
-/// Empty: nothing holds it.
-std::function<std::optional<hal::Duration>(hal::Time)> hold_of(std::optional<LiveView>& view) {
-  if (!view) return {};
-  return [&control = view->control()](hal::Time next) { return control.hold(next); };
+/// @param view  holds the run; null: nothing does.
+WallPace::Settings pace_of(const RunOptions& options, std::size_t processes, Results& results,
+                           LiveView* view) {
+  WallPace::Settings settings{.max_speed = options.max_speed,
+                              .terminal = ::isatty(STDERR_FILENO) != 0,
+                              .processes = processes,
+                              .once_a_second = [&results] { results.commit(); }};
+  if (view == nullptr) return settings;
+  settings.max_speed = std::numeric_limits<double>::infinity();  // the view's own can be changed
+  settings.hold = [&control = view->control()](hal::Time next) { return control.hold(next); };
+  return settings;
 }
 
 int run(const RunOptions& options, const Scenario& scenario, const Course& course,
@@ -252,14 +257,12 @@ int run(const RunOptions& options, const Scenario& scenario, const Course& cours
                                 .inside = pointer_to(inside),
                                 .replies = course.replies()});
   inspection.start(first_of(controllers.domain(), domain), simulation);
-  std::optional<LiveView> view;
-  if (options.view.shown)
-    view.emplace(scenario, simulation, live_view_of(options, course, inspection, results));
-  pace.emplace(WallPace::Settings{.max_speed = view ? kNoLimit : options.max_speed,
-                                  .terminal = ::isatty(STDERR_FILENO) != 0,
-                                  .processes = controllers.processes(),
-                                  .once_a_second = [&results] { results.commit(); },
-                                  .hold = hold_of(view)});
+  std::unique_ptr<LiveView> view;
+  if (options.view.shown) {
+    view = std::make_unique<LiveView>(scenario, simulation,
+                                      live_view_of(options, course, inspection, results));
+  }
+  pace.emplace(pace_of(options, controllers.processes(), results, view.get()));
   results.begin(simulation);
   if (view) view->start(results.folder().path());
   say_open_loop(course, results);

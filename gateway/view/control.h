@@ -36,24 +36,24 @@ struct Break {
   std::int64_t at = 0;                 ///< Of kTime.
 };
 
-/// Forgets a break. @see Control::act()
+/// Forgets a break. @see RunControl::act()
 struct Clear {
   std::int64_t id = 0;
 };
 
 /// Drives a robot that nobody else does.
-struct Drive {
+struct DriveByHand {
   std::uint16_t agent = 0;
   double vx = 0, vy = 0;  ///< m/s, body frame
   double omega = 0;       ///< rad/s
 };
 
-using Command = std::variant<Pause, Resume, Steps, Speed, Break, Clear, Drive>;
+using Command = std::variant<Pause, Resume, Steps, Speed, Break, Clear, DriveByHand>;
 
 /// What commands a run. Called from the server's threads, several at a time.
-class Control {
+class RunControl {
  public:
-  virtual ~Control() = default;
+  virtual ~RunControl() = default;
   /// @return id of a break; else 0. An error is for people: what the run cannot do, and why.
   virtual hal::Result<std::int64_t> act(const Command& command) = 0;
 };

@@ -122,7 +122,7 @@ Command break_on(Members& in) {
 }
 
 Command drive(Members& in) {
-  Drive made;
+  DriveByHand made;
   made.agent = in.needed("agent", in.agent());
   made.vx = in.needed("vx", in.number("vx", -kMostDrive, kMostDrive));
   made.vy = in.number("vy", -kMostDrive, kMostDrive).value_or(0);

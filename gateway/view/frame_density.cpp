@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "gateway/view/row_times.h"
+
 namespace gateway::view {
 namespace {
 
@@ -27,9 +29,10 @@ FrameBins count_frames(Record& record, std::int64_t from, std::int64_t to, std::
   const auto bins = static_cast<std::size_t>((to - from + width - 1) / width);
   FrameBins found{{}, std::vector<std::int64_t>(bins)};
   std::unordered_map<std::int64_t, Begun> begun;
+  const Rows begin = rows_between(record, "frames", from, to);
   Statement frames = record.query(
-      "SELECT frame, at_ns, receiver, class FROM frames WHERE at_ns >= ? AND at_ns < ?");
-  frames.bind_all(from, to);
+      "SELECT frame, at_ns, receiver, class FROM frames WHERE rowid >= ? AND rowid < ?");
+  frames.bind_all(begin.begin, begin.end);
   while (frames.next()) {
     const auto bin = static_cast<std::size_t>((frames.integer(1) - from) / width);
     begun[frames.integer(0)] = {bin, frames.integer(2)};
@@ -38,10 +41,11 @@ FrameBins count_frames(Record& record, std::int64_t from, std::int64_t to, std::
     ++counts[bin];
   }
   if (begun.empty()) return found;
+  const Rows over = rows_between(record, "frame_ends", from, to + kLongestFrame);
   Statement ends = record.query(
-      "SELECT frame, agent FROM frame_ends WHERE at_ns >= ? AND at_ns < ? AND verdict <> "
+      "SELECT frame, agent FROM frame_ends WHERE rowid >= ? AND rowid < ? AND verdict <> "
       "'delivered'");
-  ends.bind_all(from, to + kLongestFrame);
+  ends.bind_all(over.begin, over.end);
   while (ends.next()) {
     const auto frame = begun.find(ends.integer(0));
     if (frame == begun.end()) continue;

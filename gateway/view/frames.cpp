@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "gateway/view/frame_density.h"
+#include "gateway/view/row_times.h"
 #include "gateway/view/row_values.h"
 #include "gateway/view/tiles.h"
 #include "hal/types/verdict.h"
@@ -19,6 +20,8 @@ using sim::record::Statement;
 constexpr std::int64_t kCountOfFrame = (std::int64_t{1} << 48) - 1;
 /// Radio waves need less from one end of any field to the other.
 constexpr std::int64_t kLongestWay = 1'000'000;  // ns
+/// A tile with so many ends is too full as well: where hundreds hear each frame.
+constexpr std::int64_t kMostEnds = 100'000;
 
 std::vector<std::string_view> verdict_names() {
   std::vector<std::string_view> names;
@@ -34,24 +37,34 @@ struct ListedFrame {
   JsonArray ends;
 };
 
-std::vector<ListedFrame> frames_in(Record& record, const Span& span) {
+std::vector<ListedFrame> frames_in(Record& record, const Rows& rows) {
   std::string more;
   for (const char* column : {"duration_ns", "rate_bps", "sender", "message", "packet"}) {
     more += ", " + record.or_null("frames", column);
   }
   Statement row = record.query(
       fmt::format("SELECT frame, at_ns, transmitter, receiver, sequence, retry, bits, airtime_ns, "
-                  "class{} FROM frames WHERE at_ns >= ? AND at_ns < ? ORDER BY at_ns, transmitter",
+                  "class{} FROM frames WHERE rowid >= ? AND rowid < ? ORDER BY at_ns, transmitter, "
+                  "rowid",
                   more));
-  row.bind_all(span.from(), span.to());
+  row.bind_all(rows.begin, rows.end);
   std::vector<ListedFrame> frames;
   while (row.next()) {
-    ListedFrame frame{row.integer(0),      row.integer(1),      row.integer(2),
-                      row.integer(3),      row.integer(4),      row.integer(5),
-                      row.integer(6),      row.integer(7),      row.text(8),
-                      integer_at(row, 9),  integer_at(row, 10), integer_at(row, 11),
-                      integer_at(row, 12), text_at(row, 13),    {}};
-    frames.push_back(std::move(frame));
+    frames.push_back({row.integer(0),
+                      row.integer(1),
+                      row.integer(2),
+                      row.integer(3),
+                      row.integer(4),
+                      row.integer(5),
+                      row.integer(6),
+                      row.integer(7),
+                      row.text(8),
+                      integer_at(row, 9),
+                      integer_at(row, 10),
+                      integer_at(row, 11),
+                      integer_at(row, 12),
+                      text_at(row, 13),
+                      {}});
   }
   return frames;
 }
@@ -67,11 +80,12 @@ void add_ends(Record& record, std::vector<ListedFrame>& frames) {
   }
   std::map<std::string, std::size_t, std::less<>> verdicts;
   for (const std::string_view name : verdict_names()) verdicts.emplace(name, verdicts.size());
+  const Rows over = rows_between(record, "frame_ends", frames.front().at, last + kLongestWay + 1);
   Statement end = record.query(
-      fmt::format("SELECT frame, agent, at_ns, verdict, rssi_dbm, {} FROM frame_ends WHERE at_ns "
-                  ">= ? AND at_ns <= ? ORDER BY at_ns, agent",
+      fmt::format("SELECT frame, agent, at_ns, verdict, rssi_dbm, {} FROM frame_ends WHERE rowid "
+                  ">= ? AND rowid < ? ORDER BY rowid",
                   record.or_null("frame_ends", "sinr_db")));
-  end.bind_all(frames.front().at, last + kLongestWay);
+  end.bind_all(over.begin, over.end);
   while (end.next()) {
     const auto frame = by_id.find(end.integer(0));
     if (frame == by_id.end()) continue;
@@ -105,12 +119,15 @@ std::string frames_tile(Record& record, FrameDensity& density, const Span& span)
   Columns columns({"transmitter", "number", "at", "class", "receiver", "sequence", "retry", "bits",
                    "airtime", "nav", "rate", "sender", "message", "packet", "ends"});
   const Json verdicts = json_array(verdict_names());
-  if (count_rows(record, "frames", span, kMostRows + 1) > kMostRows) {
+  const Rows rows = rows_in(record, "frames", span);
+  const bool is_full =
+      rows.count() > kMostRows || rows_in(record, "frame_ends", span).count() > kMostEnds;
+  if (is_full && span.level > Span::kFinest) {
     return tile_text(
         record, span, false, columns,
         {{"verdicts", verdicts}, {"bins", frame_bins_json(density.bins(record, span))}});
   }
-  std::vector<ListedFrame> frames = frames_in(record, span);
+  std::vector<ListedFrame> frames = frames_in(record, rows);
   add_ends(record, frames);
   for (const ListedFrame& frame : frames) {
     columns.add(frame.transmitter, frame.id & kCountOfFrame, frame.at, frame.kind, frame.receiver,

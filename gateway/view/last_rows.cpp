@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "gateway/view/row_times.h"
+
 namespace gateway::view {
 namespace {
 
@@ -46,10 +48,12 @@ std::vector<std::int64_t> LastRows::before(Record& record, std::int64_t at) {
   }
   Last last = part < kept_.size() ? kept_[part] : last_;
   if (part < kept_.size()) {
+    const std::int64_t begin = static_cast<std::int64_t>(part) << kBitsOfPart;
+    const Rows late = rows_between(record, table_, begin, at);
     Statement rows = record.query(
-        fmt::format("SELECT rowid, agent, {} FROM {} WHERE at_ns >= ? AND at_ns < ? ORDER BY rowid",
+        fmt::format("SELECT rowid, agent, {} FROM {} WHERE rowid >= ? AND rowid < ? ORDER BY rowid",
                     thing_, table_));
-    rows.bind_all(static_cast<std::int64_t>(part) << kBitsOfPart, at);
+    rows.bind_all(late.begin, late.end);
     while (rows.next()) set(last, number_of(rows.integer(1), rows.text(2)), rows.integer(0));
   }
   std::ranges::sort(last);

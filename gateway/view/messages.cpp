@@ -23,16 +23,14 @@ Range sent_between(const std::vector<Sent>& all, std::int64_t from, std::int64_t
   return {std::ranges::lower_bound(all, from, {}, at), std::ranges::lower_bound(all, to, {}, at)};
 }
 
-Json bins_by_topic(Record& record, const Range& range, const Span& span) {
-  std::map<std::string, Counts> by_topic;
-  Statement topic = record.query("SELECT topic FROM messages WHERE sender = ? AND id = ?");
+Json bins_by_topic(const MessageIndex& index, const Range& range, const Span& span) {
+  std::map<std::size_t, Counts> by_topic;
   for (auto sent = range.first; sent != range.second; ++sent) {
-    topic.bind_all(sent->sender, sent->id);
-    while (topic.next()) ++by_topic[topic.text(0)].at(bin_of(span, sent->at));
+    ++by_topic[sent->topic].at(bin_of(span, sent->at));
   }
   JsonArray topics, counts;
-  for (const auto& [name, of_topic] : by_topic) {
-    topics.add(name);
+  for (const auto& [topic, of_topic] : by_topic) {
+    topics.add(index.topics()[topic]);
     counts.add(json_array(of_topic));
   }
   return JsonObject()
@@ -88,7 +86,7 @@ std::string messages_tile(Record& record, MessageIndex& index, const Span& span)
   MessageRows rows(record);
   if (inside.second - inside.first > kMostRows) {
     return tile_text(record, span, false, rows.columns,
-                     {{"bins", bins_by_topic(record, inside, span)}});
+                     {{"bins", bins_by_topic(index, inside, span)}});
   }
   const Range before = sent_between(all, span.from() - kOnTheirWay, span.from());
   // The latest of them, if they are very many.

@@ -54,10 +54,8 @@ std::int64_t Record::latest_row() {
     Statement found = query(sql);
     if (found.next()) latest = std::max(latest, found.integer(0));
   };
-  for (const char* table : {"frames", "frame_ends", "queues", "readings"}) {
-    if (has(table)) look(fmt::format("SELECT MAX(at_ns) FROM {}", table));
-  }
-  for (const char* table : {"states", "routes", "contacts", "recorded", "events"}) {
+  for (const char* table :
+       {"frame_ends", "queues", "readings", "states", "routes", "contacts", "recorded", "events"}) {
     if (has(table)) look(fmt::format("SELECT at_ns FROM {} ORDER BY rowid DESC LIMIT 1", table));
   }
   // By each one's end of the primary key: a look at the whole table would grow with the run.

@@ -112,7 +112,7 @@ std::optional<std::string> Run::tile(std::string_view kind, const Span& span) {
   if (kind == "poses") return poses_tile(*record_, span);
   if (kind == "frames") return frames_tile(*record_, known_.frames, span);
   if (kind == "messages") return messages_tile(*record_, known_.messages, span);
-  if (kind == "states") return states_tile(*record_, span);
+  if (kind == "states") return states_tile(*record_, known_.states, span);
   if (kind == "events") return events_tile(*record_, span);
   if (kind == "readings") return readings_tile(*record_, known_.readings, span);
   if (kind == "queues") return queues_tile(*record_, known_.queues, span);

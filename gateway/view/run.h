@@ -51,6 +51,7 @@ class Run {
   struct Known {
     FrameDensity frames;
     MessageIndex messages;
+    LastRows states{"states", "''"};
     LastRows readings{"readings", "channel"};
     LastRows queues{"queues", "''"};
     SeriesStore series;

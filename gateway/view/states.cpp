@@ -35,41 +35,21 @@ std::string events_sql(const Record& record) {
 
 }  // namespace
 
-std::string states_tile(Record& record, const Span& span) {
-  Columns columns({"agent", "at", "state"});
-  Statement before = record.query(
-      "SELECT agent, at_ns, state, MAX(rowid) FROM states WHERE at_ns < ? GROUP BY agent"
-      " ORDER BY 2, 1");
-  before.bind_all(span.from());
-  while (before.next()) columns.add(before.integer(0), before.integer(1), before.text(2));
-  if (count_rows(record, "states", span, kMostRows + 1) > kMostRows) {
-    const Json bins =
-        counts_of(record, "SELECT at_ns FROM states WHERE at_ns >= ? AND at_ns < ?", span);
-    return tile_text(record, span, false, columns, {{"bins", bins}});
-  }
-  Statement rows = record.query(
-      "SELECT agent, at_ns, state FROM states WHERE at_ns >= ? AND at_ns < ? ORDER BY at_ns, "
-      "agent, rowid");
-  rows.bind_all(span.from(), span.to());
-  while (rows.next()) columns.add(rows.integer(0), rows.integer(1), rows.text(2));
-  return tile_text(record, span, true, columns);
-}
-
 std::string events_tile(Record& record, const Span& span) {
   Columns columns({"at", "kind", "agent", "text"});
-  const std::string all = events_sql(record);
-  if (count_rows(record, all, span, kMostRows + 1) > kMostRows) {
-    const Json bins =
-        counts_of(record, "SELECT at_ns FROM " + all + " WHERE at_ns >= ? AND at_ns < ?", span);
-    return tile_text(record, span, false, columns, {{"bins", bins}});
-  }
-  Statement rows = record.query("SELECT at_ns, kind, agent, text FROM " + all +
+  Statement rows = record.query("SELECT at_ns, kind, agent, text FROM " + events_sql(record) +
                                 " WHERE at_ns >= ? AND at_ns < ? ORDER BY at_ns, agent, kind");
   rows.bind_all(span.from(), span.to());
+  Counts counts{};
   while (rows.next()) {
+    ++counts.at(bin_of(span, rows.integer(0)));
     columns.add(rows.integer(0), rows.text(1), integer_at(rows, 2), rows.text(3));
   }
-  return tile_text(record, span, true, columns);
+  if (static_cast<std::int64_t>(columns.rows()) <= kMostRows) {
+    return tile_text(record, span, true, columns);
+  }
+  return tile_text(record, span, false, Columns({"at", "kind", "agent", "text"}),
+                   {{"bins", bins_json(counts)}});
 }
 
 }  // namespace gateway::view

@@ -1,7 +1,5 @@
 #include "gateway/view/tiles.h"
 
-#include <fmt/format.h>
-
 namespace gateway::view {
 
 using sim::record::Statement;
@@ -25,23 +23,15 @@ bool is_complete(std::string_view tile) {
          std::string_view::npos;
 }
 
-std::int64_t count_rows(Record& record, const std::string& table, const Span& span,
-                        std::int64_t most) {
-  Statement count = record.query(fmt::format(
-      "SELECT COUNT(*) FROM (SELECT 1 FROM {} WHERE at_ns >= ? AND at_ns < ? LIMIT ?)", table));
-  count.bind_all(span.from(), span.to(), most);
-  return count.next() ? count.integer(0) : 0;
-}
-
 Json bins_json(const Counts& counts) {
   return JsonObject().add("n", kBins).add("counts", json_array(counts)).json();
 }
 
-Json counts_of(Record& record, const std::string& times, const Span& span) {
+Json counts_of(Record& record, const std::string& table, const Rows& rows, const Span& span) {
   Counts counts{};
-  Statement rows = record.query(times);
-  rows.bind_all(span.from(), span.to());
-  while (rows.next()) ++counts.at(bin_of(span, rows.integer(0)));
+  Statement row = record.query("SELECT at_ns FROM " + table + " WHERE rowid >= ? AND rowid < ?");
+  row.bind_all(rows.begin, rows.end);
+  while (row.next()) ++counts.at(bin_of(span, row.integer(0)));
   return bins_json(counts);
 }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "gateway/view/record.h"
+#include "gateway/view/row_times.h"
 #include "gateway/view/tile.h"
 
 namespace gateway::view {
@@ -34,7 +35,7 @@ inline constexpr std::array<std::string_view, 8> kKinds = {
 std::string poses_tile(Record& record, const Span& span);
 std::string frames_tile(Record& record, FrameDensity& density, const Span& span);
 std::string messages_tile(Record& record, MessageIndex& index, const Span& span);
-std::string states_tile(Record& record, const Span& span);
+std::string states_tile(Record& record, LastRows& last, const Span& span);
 std::string events_tile(Record& record, const Span& span);
 std::string readings_tile(Record& record, LastRows& last, const Span& span);
 std::string queues_tile(Record& record, LastRows& last, const Span& span);
@@ -45,14 +46,8 @@ std::string routes_json(Record& record, std::int64_t agent);
 /// Counters of one agent over the run.
 std::string totals_json(Record& record, std::int64_t agent);
 
-/// How many rows of a table begin in a span, at most so many.
-/// @param from  table, and what else must hold: "states", "recorded WHERE name = 'x' AND".
-std::int64_t count_rows(Record& record, const std::string& table, const Span& span,
-                        std::int64_t most);
-
-/// The bins of a summary that has one curve. @param times  a query of times [ns] with the span's
-/// begin and end as ?1 and ?2.
-Json counts_of(Record& record, const std::string& times, const Span& span);
+/// The bins of a summary that has one curve, of rows of a table.
+Json counts_of(Record& record, const std::string& table, const Rows& rows, const Span& span);
 
 /// {"n":64,"counts":[…]}
 Json bins_json(const Counts& counts);

@@ -22,7 +22,8 @@ namespace {
 constexpr const char* kHost = "127.0.0.1";
 constexpr std::size_t kThreads = 16;
 constexpr std::ptrdiff_t kMostConnections = 64;  ///< Being answered or waiting for it.
-constexpr std::size_t kLongestCommand = 4096;    ///< Bytes
+constexpr int kMostWaiting = 128;
+constexpr std::size_t kLongestCommand = 4096;                         ///< Bytes
 constexpr int kReadTimeout = 2, kWriteTimeout = 5, kIdleTimeout = 1;  // s
 
 /// The page is one file: its scripts and styles are in it, its workers are made of it.
@@ -148,9 +149,10 @@ class ViewServer::Http {
   std::optional<std::string> page_;
   ViewApi api_;
   int wanted_port_, port_ = 0;
-  Control* control_;
+  RunControl* control_;
   const Clock* clock_;
   std::optional<std::string> token_;
+  int socket_ = -1;  ///< That listens; the server's.
   std::unique_ptr<httplib::Server> server_;
   std::thread listener_;
 };
@@ -159,7 +161,8 @@ void ViewServer::Http::set_up() {
   using Handled = httplib::Server::HandlerResponse;
   server_->new_task_queue = [] { return new BoundedPool; };
   // Not the library's, with which several servers could share a port.
-  server_->set_socket_options([](int socket) {
+  server_->set_socket_options([this](int socket) {
+    socket_ = socket;
     const int yes = 1;
     ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
   });
@@ -175,7 +178,7 @@ void ViewServer::Http::set_up() {
                                 {"Content-Security-Policy", kPolicy},
                                 {"Cross-Origin-Resource-Policy", "same-origin"},
                                 {"Referrer-Policy", "no-referrer"},
-                                {"Cache-Control", "no-store"}});
+                                {"Cache-RunControl", "no-store"}});
   server_->set_pre_routing_handler([this](const auto& request, auto& response) {
     return answer(request, response) ? Handled::Handled : Handled::Unhandled;
   });
@@ -238,6 +241,9 @@ void ViewServer::Http::start() {
                                        wanted_port_, kHost));
   }
   if (wanted_port_ != 0) port_ = wanted_port_;
+  // The library lets five wait; a browser with some tabs opens more at once, and each that finds no
+  // place tries again after a second only.
+  ::listen(socket_, kMostWaiting);
   const SignalsBlocked blocked;  // in the new thread and those that it starts
   listener_ = std::thread([this] { server_->listen_after_bind(); });
 }

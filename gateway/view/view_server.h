@@ -21,9 +21,9 @@ class ViewServer {
     std::optional<std::string> page;  ///< None: it was not built; only the API is there.
     std::vector<std::unique_ptr<Run>> runs;
     ViewApi::Mode mode = ViewApi::Mode::kReplay;
-    int port = 0;                  ///< 0: a free one.
-    Control* control = nullptr;    ///< Null: nothing can be commanded. Outlives the server.
-    const Clock* clock = nullptr;  ///< Null: nothing goes on. Outlives the server.
+    int port = 0;                   ///< 0: a free one.
+    RunControl* control = nullptr;  ///< Null: nothing can be commanded. Outlives the server.
+    const Clock* clock = nullptr;   ///< Null: nothing goes on. Outlives the server.
   };
 
   explicit ViewServer(Settings settings);

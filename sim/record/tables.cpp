@@ -490,33 +490,8 @@ std::vector<Table> look_tables() {
   };
 }
 
-std::vector<Table> trace_tables() {
+std::vector<Table> frame_tables() {
   return {
-      {"turns",
-       "in real time: when a controller process had an influence",
-       {{"at_ns", "INTEGER NOT NULL", "ns", "all events up to this time had run"},
-        {"process", "INTEGER NOT NULL", "",
-         "controller processes in order of their lowest agent, from 0"},
-        {"replied", "INTEGER NOT NULL", "", "1: its answer took effect ..."},
-        {"began", "INTEGER NOT NULL", "", "1: ... and then it was given what waited"}}},
-      {"arrivals",
-       "what came into the run from outside and does not follow from scenario and seed",
-       {{"at_ns", "INTEGER NOT NULL", "ns",
-         "when it was taken in: in real time after the events of that time, in lock-step before"},
-        {"door", "TEXT NOT NULL", "", "what it is for: 'cmd_vel of r0', 'air of r0', 'programs'"},
-        {"bytes", "TEXT NOT NULL", "",
-         "hexadecimal; cmd_vel: m/s forward, m/s left, rad/s as binary64, little-endian; air: the "
-         "Ethernet frame; programs: how one ended the run"}}},
-      {"fingerprints",
-       "hashes of what was observed, per part, agent and second, where they change from one second "
-       "to the next: two runs differ first where these rows do",
-       {{"second", "INTEGER NOT NULL", "", "number of the simulated second, from 0"},
-        {"part", "TEXT NOT NULL", "", "'air', 'bodies', 'exchange' or 'routing'"},
-        {"agent", "INTEGER NOT NULL", "", "who"},
-        {"hash", "INTEGER", "",
-         "64 bits, of this second and those that follow until the next row of the part and agent; "
-         "times are counted within the second; null: nothing was observed"}},
-       "second, part, agent"},
       {"frames",
        "frames one by one: each with record: {frames: all}, with `sample` the first of each "
        "simulated "
@@ -549,6 +524,36 @@ std::vector<Table> trace_tables() {
   };
 }
 
+std::vector<Table> trace_tables() {
+  return {
+      {"turns",
+       "in real time: when a controller process had an influence",
+       {{"at_ns", "INTEGER NOT NULL", "ns", "all events up to this time had run"},
+        {"process", "INTEGER NOT NULL", "",
+         "controller processes in order of their lowest agent, from 0"},
+        {"replied", "INTEGER NOT NULL", "", "1: its answer took effect ..."},
+        {"began", "INTEGER NOT NULL", "", "1: ... and then it was given what waited"}}},
+      {"arrivals",
+       "what came into the run from outside and does not follow from scenario and seed",
+       {{"at_ns", "INTEGER NOT NULL", "ns",
+         "when it was taken in: in real time after the events of that time, in lock-step before"},
+        {"door", "TEXT NOT NULL", "", "what it is for: 'cmd_vel of r0', 'air of r0', 'programs'"},
+        {"bytes", "TEXT NOT NULL", "",
+         "hexadecimal; cmd_vel: m/s forward, m/s left, rad/s as binary64, little-endian; air: the "
+         "Ethernet frame; programs: how one ended the run"}}},
+      {"fingerprints",
+       "hashes of what was observed, per part, agent and second, where they change from one second "
+       "to the next: two runs differ first where these rows do",
+       {{"second", "INTEGER NOT NULL", "", "number of the simulated second, from 0"},
+        {"part", "TEXT NOT NULL", "", "'air', 'bodies', 'exchange' or 'routing'"},
+        {"agent", "INTEGER NOT NULL", "", "who"},
+        {"hash", "INTEGER", "",
+         "64 bits, of this second and those that follow until the next row of the part and agent; "
+         "times are counted within the second; null: nothing was observed"}},
+       "second, part, agent"},
+  };
+}
+
 }  // namespace
 
 std::string_view conventions() {
@@ -569,7 +574,7 @@ const std::vector<Table>& tables() {
          {setup_tables(), count_tables(), air_tables(), link_verdict_tables(), verdict_sum_tables(),
           message_tables(), routing_tables(), counted_message_tables(), message_sum_tables(),
           delivery_sum_tables(), ledger_tables(), observable_tables(), body_tables(), use_tables(),
-          program_tables(), look_tables(), trace_tables()}) {
+          program_tables(), look_tables(), trace_tables(), frame_tables()}) {
       sum.insert(sum.end(), part.begin(), part.end());
     }
     return sum;

@@ -4,8 +4,9 @@ import { controls } from "./controls.js";
 import { inspector } from "./inspector/inspector.js";
 import { keys } from "./keys.js";
 import { live } from "./live.js";
+import { hasGraphicsCard } from "./paper.js";
 import { openSource } from "./source.js";
-import { bookmark, createStore, startOf } from "./store.js";
+import { bookmark, createStore, startOf, unmarked } from "./store.js";
 import { lanes } from "./time/lanes.js";
 import { world } from "./world/world.js";
 
@@ -25,7 +26,7 @@ async function main() {
   const store = createStore(startOf(location.hash));
   let dirty = true;
   const source = await openSource(() => { dirty = true; }, (error) => say(error.message));
-  document.title = `${source.runs.map((run) => run.name).join(", ")} - BARAKA view`;
+  document.title = `${source.runs.map((run) => run.title).join(", ")} - BARAKA view`;
 
   const parts = [
     world(element("world"), store, source),
@@ -43,7 +44,13 @@ async function main() {
     for (const part of parts) part.recolour?.();
     dirty = true;
   };
-  store.subscribe((state, patch) => { dirty = true; if ("theme" in patch) theme(); });
+  let eager = true; //    something else than the clock changed
+  let ticking = false; // the clock is being moved by the loop below
+  store.subscribe((state, patch) => {
+    dirty = true;
+    eager ||= !ticking;
+    if ("theme" in patch) theme();
+  });
   matchMedia("(prefers-color-scheme: dark)").addEventListener("change", theme);
   addEventListener("resize", () => { dirty = true; });
   new ResizeObserver(() => { dirty = true; }).observe(document.body);
@@ -53,8 +60,9 @@ async function main() {
   let written = location.hash;
   let writtenAt = 0;
   const write = (now) => {
+    if (now - writtenAt < 400 || store.state.playing) return;
     const next = `#${bookmark(store.state)}`;
-    if (next === written || now - writtenAt < 400 || store.state.playing) return;
+    if (next === written) return;
     written = next;
     writtenAt = now;
     history.replaceState(null, "", next);
@@ -63,27 +71,45 @@ async function main() {
     if (location.hash === written) return;
     takeToken();
     written = location.hash;
-    store.set(startOf(location.hash));
+    store.set({ ...unmarked(), ...startOf(location.hash) });
   });
 
   let last = performance.now();
   let drawn = 0;
   const recent = []; //  when the last frames were drawn
   const afterDraw = [];
+
+  // While time runs, what stands beside the world is drawn as often as it has time for, ten times a second at least.
+  let besideAt = 0;
+  let besideTakes = 0;
+  const drawBeside = (now, playing) => {
+    const pause = hasGraphicsCard() ? Math.min(100, 4 * besideTakes) : 100;
+    if (playing && !eager && now - besideAt < pause) return;
+    eager = false;
+    besideAt = now;
+    const began = performance.now();
+    for (const part of parts.slice(1)) part.draw?.(now);
+    besideTakes = performance.now() - began;
+  };
+
   const frame = (now) => {
     requestAnimationFrame(frame);
     const { playing, speed, t } = store.state;
     if (playing) {
       // A tab that was hidden goes on where it was. What is live never runs ahead of its record.
       const next = Math.min(source.end, t + Math.min(now - last, 250) * 1e6 * speed);
+      ticking = true;
       store.set({ t: next, playing: next < source.end || Boolean(store.state.live && !store.state.live.ended) });
+      ticking = false;
     }
     last = now;
     write(now);
     const busy = parts.some((part) => part.animates?.(now));
     if (!dirty && !busy && !playing) return;
     dirty = false;
-    for (const part of parts) part.draw?.(now);
+    parts[0].draw(now);
+    drawBeside(now, playing);
+    if (now - recent[recent.length - 1] > 1000) recent.length = 0; //  nothing was to be drawn
     recent.push(now);
     if (recent.length > 120) recent.shift();
     drawn++;

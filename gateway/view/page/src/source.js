@@ -13,6 +13,7 @@ const most = 17;
 const size = (level) => 8 ** level;
 const limit = 150e6; //   bytes of answers that are kept
 const again = 250; //     ms between two questions for the same tile of a live run
+const retry = 3000; //    ms before what could not be had is asked for again
 const few = 600; //       rows: below this the next larger tile is asked for next time
 
 /** The level at which `count` tiles or fewer, and one more for the edges, cover a span. */
@@ -63,7 +64,7 @@ function answers() {
 }
 
 /** One run's record. `live()`: up to when the record of a live run is written; null of a finished one. */
-function openRun(index, name, world, from, { onArrival, cache, live, onError }) {
+function openRun({ index, name, folder, title }, world, from, { onArrival, cache, live, onError }) {
   const base = `/api/runs/${index}`;
   const hint = new Map(); //  kind → level whose tiles were complete lately
 
@@ -83,7 +84,7 @@ function openRun(index, name, world, from, { onArrival, cache, live, onError }) 
   function tileNow(kind, level, tileIndex, to) {
     const url = `${base}/${kind}/${level}/${tileIndex}`;
     const entry = cache.look(url);
-    if (!entry || (!entry.asking && isOld(entry, to))) ask(url);
+    if (!entry || (!entry.asking && (isOld(entry, to) || (entry.failed && performance.now() - entry.asked > retry)))) ask(url);
     return entry ?? cache.look(url);
   }
 
@@ -127,6 +128,8 @@ function openRun(index, name, world, from, { onArrival, cache, live, onError }) 
         note(kind, at, tile);
         if (tile.until < piece.to) piece.to = Math.max(piece.from, tile.until);
         pieces.push(piece);
+      } else if (entry?.failed) {
+        pieces.complete = false;
       } else if (at <= finest || !(tile ?? from.hasBelow(`${base}/${kind}/${at}/${tileIndex}`))) {
         if (piece) pieces.push(piece);
         if (!tile && !entry?.answered) pieces.complete = false;
@@ -161,7 +164,7 @@ function openRun(index, name, world, from, { onArrival, cache, live, onError }) 
   };
 
   return {
-    index, name, world, rows,
+    index, name, folder, title, world, rows,
     /** The tile itself: a promise. */
     tile: (kind, level, tileIndex) => ask(`${base}/${kind}/${level}/${tileIndex}`),
     /** All changes of an agent's routes; null until they have come. */
@@ -194,14 +197,14 @@ export function createCache(bytesLimit = limit) {
       entry.asking = get().then(({ answer, bytes: length }) => {
         done();
         bytes += length - entry.bytes;
-        Object.assign(entry, { answer, bytes: length, answered: true });
+        Object.assign(entry, { answer, bytes: length, answered: true, failed: false });
         if (entries.get(url) !== entry) bytes -= length;
         cache.trim();
         onArrival();
         return answer;
       }, (error) => {
         done();
-        entry.answered = true; //  asked again only after a seek: entries without answer go first
+        Object.assign(entry, { answered: true, failed: true });
         onError(error);
         onArrival();
         return null;
@@ -236,10 +239,13 @@ export async function openSource(onArrival = () => {}, onError = () => {}) {
   };
   const view = (await from.get("/api/view")).answer;
   let until = null; //  of a live run, as the server tells it
-  const runs = await Promise.all(view.runs.map(async ({ index, name }) => {
-    const world = (await from.get(`/api/runs/${index}/world`)).answer;
+  // Runs of one scenario are told apart by their folders.
+  const titleOf = ({ name, folder }) => (folder && view.runs.filter((other) => other.name === name).length > 1
+    ? folder.replace(/\/+$/, "").split("/").pop() : name);
+  const runs = await Promise.all(view.runs.map(async (told) => {
+    const world = (await from.get(`/api/runs/${told.index}/world`)).answer;
     world.endsAt = () => Math.max(world.until ?? world.end ?? 0, until ?? 0);
-    return openRun(index, name, world, from, { onArrival: arrived, cache, live: () => until, onError });
+    return openRun({ ...told, title: titleOf(told) }, world, from, { onArrival: arrived, cache, live: () => until, onError });
   }));
   return {
     view, runs,

@@ -24,6 +24,12 @@ const fresh = () => ({
   live: null, //              what the server last said of a live run, see live.js
 });
 
+/** What a bookmark that tells nothing is of. */
+export const unmarked = () => {
+  const { playing, help, live, ...state } = fresh();
+  return state;
+};
+
 export function createStore(start = {}) {
   const listeners = new Set();
   const store = {
@@ -120,7 +126,7 @@ export function startOf(hash) {
   const map = listed("map", 3);
   if (map && map[2] > 0) state.map = { x: map[0], y: map[1], span: map[2] };
   if (given.has("layers")) {
-    state.layers = {};
+    state.layers = { ...fresh().layers };
     for (const part of given.get("layers").split(",")) {
       if (part.slice(1) in fresh().layers) state.layers[part.slice(1)] = part[0] === "+";
     }

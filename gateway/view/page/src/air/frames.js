@@ -169,12 +169,11 @@ export function createFrames(run, slots) {
   }
 
   return {
-    draw(context, camera, poses, state) {
-      if (!state.layers.frames) return 0;
-      const count = collect(state);
+    /** How many frames are seen now. */
+    collect: (state) => (state.layers.frames ? collect(state) : 0),
+    draw(context, camera, poses, state, count) {
       for (let k = 0; k < count; k++) drawOne(context, camera, poses, state, shown[k], count <= 6);
       context.globalAlpha = 1;
-      return count;
     },
     /** Rows to have before they are shown. */
     prefetch(state) {

@@ -54,7 +54,8 @@ function sensors(parent, run, agent, readings, t) {
       bar.className = value === null ? "none" : "";
       bar.title = value === null ? "nothing within reach" : number(value, 5);
     }
-    if (values.length <= fewValues) section.append(values.map((value) => (value === null ? "–" : number(value, 3))).join("  "));
+    if (values.every((value) => value === null)) section.append("nothing within reach");
+    else if (values.length <= fewValues) section.append(values.map((value) => (value === null ? "–" : number(value, 3))).join("  "));
   }
 }
 

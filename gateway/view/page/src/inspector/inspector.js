@@ -50,7 +50,8 @@ export function inspector(element, store, source) {
     animates: (now) => stale && now - at >= least,
     draw(now) {
       const { state } = store;
-      const key = [state.t, state.chosen, state.run, state.charts, state.follow, state.followed, source.arrivals];
+      // The run is the same at all times.
+      const key = [state.chosen ? state.t : null, state.chosen, state.run, state.charts, state.follow, state.followed, state.chosen ? source.arrivals : null, source.end];
       const same = shown && key.every((value, i) => value === shown[i]);
       // Nothing is redrawn under a finger or a cursor that uses it.
       const isUsed = element.contains(document.activeElement) && /^(INPUT|SELECT)$/.test(document.activeElement.tagName);

@@ -1,4 +1,5 @@
 // The air between two agents around t.
+import { paper } from "../paper.js";
 import { eachRow } from "../at.js";
 import { colour, verdictColour } from "../colours.js";
 import { exact } from "../time/scale.js";
@@ -23,7 +24,7 @@ export function heard(pieces, from, to, a, b) {
 function chart(parent, rows, from, to, a) {
   const canvas = parent.appendChild(document.createElement("canvas"));
   [canvas.width, canvas.height] = [296, 90];
-  const ctx = canvas.getContext("2d");
+  const ctx = paper(canvas);
   const levels = rows.map(({ rssi }) => rssi).filter((rssi) => rssi !== null);
   if (!levels.length) return;
   const [low, high] = [Math.min(...levels) - 1, Math.max(...levels) + 1];

@@ -15,6 +15,17 @@ export function verdictOf(columns, row, tile) {
   return verdicts.find((verdict) => verdict !== "delivered") ?? verdicts[0] ?? "below sensitivity";
 }
 
+// Of each row of a tile whether it was lost; kept as long as the tile is.
+const lostRows = new WeakMap();
+function lostOf(tile) {
+  let lost = lostRows.get(tile);
+  if (!lost) {
+    lost = Uint8Array.from(tile.columns.at, (_, row) => (verdictOf(tile.columns, row, tile) === "delivered" ? 0 : 1));
+    lostRows.set(tile, lost);
+  }
+  return lost;
+}
+
 function density(ctx, box, scale, counts, lost) {
   let most = 1;
   for (const count of counts) most = Math.max(most, count);
@@ -55,7 +66,7 @@ export function drawFrames(ctx, box, scale, pieces, hits, names, chosen) {
       if (wide) drawOne(ctx, box, scale, tile, row, { hits, names, chosen });
       else {
         put(at[row], counts, 1);
-        if (verdictOf(tile.columns, row, tile) !== "delivered") put(at[row], lost, 1);
+        if (lostOf(tile)[row]) put(at[row], lost, 1);
       }
     }
   }

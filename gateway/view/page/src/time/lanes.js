@@ -1,7 +1,8 @@
 // The time axis: one scale for all lanes, from microseconds to hours. Wheel zooms, drag pans, a click sets
 // the time or chooses what it hits; the strip of the axis is for scrubbing. The lanes are drawn again only
-// when something else than the time has changed: the head is on a canvas of its own.
+// when something else than the time has changed: the head is an element of its own.
 import { colour } from "../colours.js";
+import { paper } from "../paper.js";
 import { drawHears, drawNav, drawSends, drawStates, drawSteps, drawTooMany, stateSpans } from "./agent_lanes.js";
 import { drawFrames } from "./frame_lane.js";
 import { lanesOf } from "./lane_list.js";
@@ -44,27 +45,24 @@ function filterField(element, store) {
   return field;
 }
 
-function layer(element, label) {
-  const canvas = element.appendChild(document.createElement("canvas"));
-  if (label) { canvas.tabIndex = 0; canvas.setAttribute("role", "img"); canvas.setAttribute("aria-label", label); }
-  return canvas;
-}
-
-/** Makes a canvas as large as its element; its context, emptied. */
-function cleared(canvas, width, height) {
+/** Makes a canvas as large as its element, and empties it. */
+function clear(canvas, ctx, width, height) {
   const ratio = globalThis.devicePixelRatio ?? 1;
   const [w, h] = [Math.round(width * ratio), Math.round(height * ratio)];
   if (canvas.width !== w || canvas.height !== h) [canvas.width, canvas.height] = [w, h];
-  const ctx = canvas.getContext("2d");
   ctx.setTransform(ratio, 0, 0, ratio, 0, 0);
   ctx.clearRect(0, 0, width, height);
-  return ctx;
+  ctx.font = "11px system-ui, 'Liberation Sans', 'DejaVu Sans', sans-serif";
+  ctx.textBaseline = "middle";
 }
 
 export function lanes(element, store, source) {
-  const canvas = layer(element, "time axis with lanes; arrow keys move the time, plus and minus zoom");
-  const head = layer(element);
-  head.className = "head";
+  const canvas = element.appendChild(document.createElement("canvas"));
+  canvas.tabIndex = 0;
+  canvas.setAttribute("role", "img");
+  canvas.setAttribute("aria-label", "time axis with lanes; arrow keys move the time, plus and minus zoom");
+  const ctx = paper(canvas);
+  const head = element.appendChild(Object.assign(document.createElement("div"), { className: "head" }));
   const field = filterField(element, store);
   const tip = element.appendChild(document.createElement("div"));
   tip.className = "tip";
@@ -77,7 +75,7 @@ export function lanes(element, store, source) {
   let isBehind = false; //  the run goes on, and what was drawn is older than its record
   let theme = 0;
 
-  function drawAxis(ctx, width) {
+  function drawAxis(width) {
     ctx.fillStyle = colour("soft");
     ctx.fillRect(0, 0, width, axisHeight);
     const { scale, left } = here;
@@ -96,7 +94,7 @@ export function lanes(element, store, source) {
     if (baseText) ctx.fillText(baseText, free + 12, axisHeight / 2);
   }
 
-  function drawName(ctx, lane, y, note, width) {
+  function drawName(lane, y, note, width) {
     const { left } = here;
     const middle = y + lane.height / 2;
     const room = left - (lane.kind === "series" ? 24 : 10);
@@ -112,7 +110,7 @@ export function lanes(element, store, source) {
     here.hits.push({ x0: left - 22, x1: left, y0: y, y1: y + lane.height, text: "no more", action: without });
   }
 
-  function drawLanes(ctx, width, run) {
+  function drawLanes(width, run) {
     const { scale, hits, left } = here;
     const list = lanesOf(run, store.state);
     const total = list.reduce((sum, { height }) => sum + height, 0);
@@ -134,7 +132,7 @@ export function lanes(element, store, source) {
         ctx.beginPath(); ctx.rect(left, y, box.width, lane.height); ctx.clip();
         const note = draws[lane.kind]({ ...what, lane, box });
         ctx.restore();
-        drawName(ctx, lane, y, note, width);
+        drawName(lane, y, note, width);
       }
       y += lane.height;
     }
@@ -143,13 +141,10 @@ export function lanes(element, store, source) {
     isBehind = source.view.mode === "live" && [...kept.values()].some((pieces) => pieces.some(({ tile }) => tile.until < Math.min(tile.to, end)));
   }
 
-  function drawHead(width) {
-    const ctx = cleared(head, width, here.height);
+  function moveHead() {
     const x = here.scale.x(store.state.t);
-    if (x < here.left - 1 || x > here.scale.x1 + 1) return;
-    ctx.strokeStyle = ctx.fillStyle = colour("collision");
-    ctx.beginPath(); ctx.moveTo(x, 0); ctx.lineTo(x, here.height); ctx.stroke();
-    ctx.beginPath(); ctx.moveTo(x - 5, 0); ctx.lineTo(x + 5, 0); ctx.lineTo(x, 8); ctx.fill();
+    head.hidden = x < here.left - 1 || x > here.scale.x1 + 1;
+    head.style.transform = `translateX(${x}px)`;
   }
 
   // While it plays, the axis goes along.
@@ -176,15 +171,13 @@ export function lanes(element, store, source) {
         here.left = width < 600 ? narrow : gutter;
         here.scale = createScale(view, here.left, width - 8);
         here.hits.length = 0;
-        const ctx = cleared(canvas, width, height);
-        ctx.font = "11px system-ui, 'Liberation Sans', 'DejaVu Sans', sans-serif";
-        ctx.textBaseline = "middle";
-        drawAxis(ctx, width);
-        drawLanes(ctx, width, runOf());
+        clear(canvas, ctx, width, height);
+        drawAxis(width);
+        drawLanes(width, runOf());
         field.style.width = `${here.left - 6}px`;
         if (field !== document.activeElement && field.value !== state.lanes) field.value = state.lanes;
       }
-      drawHead(width);
+      moveHead();
     },
   };
 }

@@ -5,7 +5,7 @@ import { BoxGeometry, Color, CylinderGeometry, Float32BufferAttribute, Instanced
 import { wheelAngle } from "../at.js";
 import { colour, robotColour } from "../colours.js";
 
-const smallest = 1.2; //  px of radius: below this a body is not drawn at all
+const many = 200; //     agents from which bodies have fewer corners
 const withWheels = 7; //  px of radius from which wheels are seen to turn
 
 // What a shape is made of, each with the matrix that brings the unit solid into the body's frame.
@@ -36,7 +36,7 @@ function drum() {
   geometry.setAttribute("color", new Float32BufferAttribute(colours, 3));
   return geometry;
 }
-const geometries = { cylinder: cylinder(28), box: new BoxGeometry(1, 1, 1), wheel: drum() };
+const geometries = { cylinder: cylinder(28), plain: cylinder(10), box: new BoxGeometry(1, 1, 1), wheel: drum() };
 
 // On the map a body is one flat colour, with its wheels drawn over it as on a plan; in the free view it has
 // light and shade, and near by it is glass, because many robots' wheels are inside.
@@ -54,7 +54,7 @@ export function createBodies(scene, world) {
     const slots = world.agents.flatMap((agent, slot) => (agent.shape === name ? [slot] : []));
     if (!slots.length) continue;
     const add = (kind, count) => {
-      const mesh = new InstancedMesh(geometries[kind], materials.map.body, count);
+      const mesh = new InstancedMesh(geometries[kind === "cylinder" && world.agents.length > many ? "plain" : kind], materials.map.body, count);
       mesh.frustumCulled = false; //  its instances are all over the place
       mesh.count = 0;
       scene.add(mesh);
@@ -62,14 +62,13 @@ export function createBodies(scene, world) {
     };
     const wheels = (shape.wheels ?? []).filter((wheel) => wheel.radius > 0);
     const solids = solidsOf(shape).map((solid) => ({ ...solid, mesh: add(solid.kind, slots.length) }));
-    groups.push({ shape, slots, solids, wheels, rims: wheels.length ? add("wheel", slots.length * wheels.length) : null });
+    groups.push({ drawn: 0, shape, slots, solids, wheels, rims: wheels.length ? add("wheel", slots.length * wheels.length) : null });
   }
   const colours = world.agents.map(() => new Color());
 
   const pose = new Matrix4();
   const made = new Matrix4();
   const part = new Matrix4();
-  const spot = [0, 0, 0];
 
   function setPose(poses, slot) {
     const c = Math.cos(poses.theta[slot]);
@@ -85,14 +84,12 @@ export function createBodies(scene, world) {
     part.set(a * s, -b * s, width * c, x, -a * c, b * c, width * s, y, -b, -a, 0, r, 0, 0, 0, 1);
   }
 
-  function drawGroup(group, poses, camera) {
+  function drawGroup(group, poses, camera, marks) {
     let bodies = 0;
     let rims = 0;
     for (const slot of group.slots) {
-      camera.project(poses.x[slot], poses.y[slot], 0, spot);
-      const radius = spot[2] * group.shape.radius;
-      if (radius < smallest) continue;
-      if (spot[0] < -radius * 4 || spot[1] < -radius * 4 || spot[0] > camera.width + radius * 4 || spot[1] > camera.height + radius * 4) continue;
+      if (marks.isMarked(slot) || !marks.isInside(camera, slot, marks.radiusOf(slot) * 4)) continue;
+      const radius = marks.radiusOf(slot);
       setPose(poses, slot);
       for (const { mesh, matrix } of group.solids) {
         mesh.setMatrixAt(bodies, made.multiplyMatrices(pose, matrix));
@@ -108,6 +105,9 @@ export function createBodies(scene, world) {
     const look = materials[camera.mode2d ? "map" : rims > 0 && bodies <= 12 ? "near" : "far"];
     for (const { mesh } of group.solids) update(mesh, bodies, look.body, 0);
     if (group.rims) update(group.rims, rims, look.wheel, camera.mode2d ? 1 : -1);
+    const changed = bodies + group.drawn > 0;
+    group.drawn = bodies;
+    return changed;
   }
 
   function update(mesh, count, material, order) {
@@ -126,6 +126,11 @@ export function createBodies(scene, world) {
         colours[slot].set(agent.kind === "robot" ? robotColour(robots.indexOf(agent.agent)) : colour("mote"));
       });
     },
-    draw(poses, camera) { for (const group of groups) drawGroup(group, poses, camera); },
+    /** @param marks  tell where agents are in the pane, and which are so small that a marker stands for them. */
+    draw(poses, camera, marks) {
+      let changed = false;
+      for (const group of groups) changed = drawGroup(group, poses, camera, marks) || changed;
+      return changed;
+    },
   };
 }

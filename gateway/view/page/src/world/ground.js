@@ -9,6 +9,8 @@ export function stepOf(scale, px = 70) {
   return power * [1, 2, 5, 10].find((factor) => factor * power >= least * 0.999);
 }
 
+const f = Math.fround;
+
 /** Line segments whose number changes: begin(), add(...), end(). Nothing is made but when there is no room. */
 export function createSegments(scene, { opacity = 1, depth = true } = {}) {
   let room = 256;
@@ -24,6 +26,8 @@ export function createSegments(scene, { opacity = 1, depth = true } = {}) {
   lines.frustumCulled = false;
   scene.add(lines);
   let count = 0;
+  let before = 0;
+  let isNew = true;
   const grow = () => {
     const [places, shades] = [place.array, shade.array];
     room *= 2;
@@ -41,10 +45,17 @@ export function createSegments(scene, { opacity = 1, depth = true } = {}) {
       const k = count++ * 6;
       const p = place.array;
       const c = shade.array;
+      // Stored as 32 bit: compared as such.
+      isNew ||= p[k] !== f(x0) || p[k + 1] !== f(y0) || p[k + 3] !== f(x1) || p[k + 4] !== f(y1) || c[k] !== f(a.r) || c[k + 1] !== f(a.g) || c[k + 3] !== f(b.r);
       p[k] = x0; p[k + 1] = y0; p[k + 2] = z0; p[k + 3] = x1; p[k + 4] = y1; p[k + 5] = z1;
       c[k] = a.r; c[k + 1] = a.g; c[k + 2] = a.b; c[k + 3] = b.r; c[k + 4] = b.g; c[k + 5] = b.b;
     },
+    /** Whether anything is another than before: only then it is sent to the graphics card. */
     end() {
+      const changed = isNew || count !== before;
+      isNew = false;
+      before = count;
+      if (!changed) return false;
       geometry.setDrawRange(0, count * 2);
       lines.visible = count > 0;
       place.clearUpdateRanges();
@@ -53,6 +64,7 @@ export function createSegments(scene, { opacity = 1, depth = true } = {}) {
       shade.addUpdateRange(0, count * 6);
       place.needsUpdate = true;
       shade.needsUpdate = true;
+      return true;
     },
   };
 }
@@ -77,7 +89,7 @@ export function createGrid(scene) {
       const part = (low) => Math.floor(low / step) * step;
       Object.assign(grid, { step, x0: part(centre.x - w), x1: centre.x + w + step, y0: part(centre.y - h), y1: centre.y + h + step });
       const key = [step, grid.x0, grid.x1, grid.y0, grid.y1, mode2d].join();
-      if (key === drawn) return;
+      if (key === drawn) return false;
       drawn = key;
       segments.begin();
       // In the free view in parts: what is behind the eye is then left out as a whole.
@@ -88,7 +100,7 @@ export function createGrid(scene) {
       for (let k = Math.round(grid.y0 / step); k * step <= grid.y1; k++) {
         for (let j = 0; j < parts; j++) segments.add(along(grid.x0, grid.x1, j / parts), k * step, 0, along(grid.x0, grid.x1, (j + 1) / parts), k * step, 0, shade);
       }
-      segments.end();
+      return segments.end();
     },
   };
   return grid;

@@ -1,6 +1,5 @@
 // Names that do not overlap: the more important ones first, each where there is room beside its agent.
 const high = 15; //  px of a line
-const few = 60; //   labels at most when there are many agents
 
 export function createLabels() {
   const widths = new Map();
@@ -28,10 +27,7 @@ export function createLabels() {
       context.lineWidth = 3;
       context.strokeStyle = halo;
       context.fillStyle = ink;
-      const most = order.length > 200 ? few : order.length;
-      let drawn = 0;
       for (const slot of order) {
-        if (drawn >= most) break;
         const x = spots[slot * 2];
         const y = spots[slot * 2 + 1];
         if (!(x > -20 && y > -20 && x < width + 20 && y < height + 20)) continue;
@@ -46,7 +42,6 @@ export function createLabels() {
         take(at[0], at[1], at[0] + w, at[1] + high);
         context.strokeText(name, at[0] + 1, at[1] + high / 2);
         context.fillText(name, at[0] + 1, at[1] + high / 2);
-        drawn++;
       }
     },
   };

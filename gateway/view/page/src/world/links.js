@@ -5,7 +5,7 @@ import { colour } from "../colours.js";
 import { createSegments } from "./ground.js";
 
 const lately = 10e9; //  ns before t that are counted
-const most = 20000; //   links that are drawn
+const most = 2000; //    links that are known and drawn; where there are more, those of the chosen agent only
 const pair = (a, b) => Math.min(a, b) * 65536 + Math.max(a, b);
 
 export function createLinks(scene, run, slots) {
@@ -26,15 +26,19 @@ export function createLinks(scene, run, slots) {
     mixed.push(new Color());
     return k;
   };
-  for (const [a, b] of run.world.links.slice(0, most)) add(slots.get(a), slots.get(b));
+  const isMany = run.world.links.length > most;
+  if (!isMany) for (const [a, b] of run.world.links) add(slots.get(a), slots.get(b));
   const atStart = links.length;
   const agents = run.world.agents;
   const shades = { quiet: new Color(), good: new Color(), bad: new Color() };
   let counted = "";
+  let only; //  slot whose links are counted, if there are very many
 
   // Frames are counted anew each second of simulated time, not each picture.
-  function count(t) {
+  function count(t, chosen) {
     const to = Math.ceil(t / 1e9) * 1e9;
+    if (isMany && chosen !== only) forget(chosen);
+    if (isMany && only === undefined) return;
     const pieces = run.rows("frames", Math.max(0, to - lately), to);
     const key = `${to} ${pieces.length} ${pieces.complete}`;
     if (key === counted) return;
@@ -45,12 +49,21 @@ export function createLinks(scene, run, slots) {
       const from = slots.get(columns.transmitter[row]);
       for (const [agent, , verdict] of columns.ends[row]) {
         const hearer = slots.get(agent);
+        if (isMany && from !== only && hearer !== only) continue;
         let k = known.get(pair(from, hearer));
         if (k === undefined && links.length < most) k = add(from, hearer);
         if (k !== undefined) (tile.verdicts[verdict] === "delivered" ? came : lost)[k]++;
       }
     });
     shade();
+  }
+
+  // Of very many links only one agent's are counted.
+  function forget(chosen) {
+    only = chosen;
+    counted = "";
+    for (const list of [links, came, lost, mixed]) list.length = 0;
+    known.clear();
   }
 
   // A link of the start that nothing was heard over is shown while its ends are within range.
@@ -100,17 +113,17 @@ export function createLinks(scene, run, slots) {
       shades.bad.set(colour("collision"));
       shade();
     },
-    draw(state, poses) {
+    draw(state, poses, chosen) {
       segments.begin();
       if (state.layers.links) {
-        count(state.t);
+        count(state.t, chosen);
         for (let k = 0; k < links.length; k++) {
           if (!isShown(k, poses)) continue;
           const [a, b] = links[k];
           segments.add(poses.x[a], poses.y[a], 0.01, poses.x[b], poses.y[b], 0.01, mixed[k]);
         }
       }
-      segments.end();
+      return segments.end();
     },
   };
 }

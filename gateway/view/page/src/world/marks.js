@@ -2,10 +2,11 @@
 // the scale, names.
 import { readingAt } from "../at.js";
 import { colour, robotColour } from "../colours.js";
+import { paper } from "../paper.js";
 import { createLabels } from "./labels.js";
 
 const radii = { robot: 7, mote: 4, station: 4 }; // px of a marker
-const many = 200; //     agents from which markers are smaller
+export const many = 200; // agents from which markers are smaller, and drawn with the scene
 
 /** A circle on the ground as a path: round on the map, as it lies in the free view. */
 export function circle(context, camera, x, y, radius) {
@@ -29,7 +30,9 @@ export function createMarks(run) {
   const labels = createLabels();
   const robots = agents.filter((agent) => agent.kind === "robot").map((agent) => agent.agent);
   const robotIndex = new Map(robots.map((agent, k) => [agent, k]));
-  const shrink = agents.length > many ? 0.6 : 1;
+  const isMany = agents.length > many;
+  const shrink = isMany ? 0.6 : 1;
+  const mostNames = 150; //  agents in sight from which only the chosen one has a name
   const spots = new Float64Array(agents.length * 2); // px, of the last draw
   const sizes = new Float64Array(agents.length); //     px per metre there
   const stamps = new Map(); //                          markers, drawn once
@@ -60,7 +63,7 @@ export function createMarks(run) {
       made = document.createElement("canvas");
       made.width = made.height = side * ratio;
       made.side = side;
-      const context = made.getContext("2d");
+      const context = paper(made);
       context.scale(ratio, ratio);
       context.beginPath();
       context.arc(side / 2, side / 2, radius + 1.25, 0, 2 * Math.PI);
@@ -75,7 +78,7 @@ export function createMarks(run) {
     return made;
   }
 
-  function drawMarkers(context, camera, poses, ratio) {
+  function drawMarkers(context, camera, ratio) {
     for (const wanted of ["mote", "robot"]) {
       for (let slot = 0; slot < agents.length; slot++) {
         const isRobot = agents[slot].kind === "robot";
@@ -194,12 +197,22 @@ export function createMarks(run) {
     labels.keep(0, camera.height - 18, camera.width, camera.height);
   }
 
+  function isCrowded(camera) {
+    let inSight = 0;
+    for (let slot = 0; slot < agents.length && inSight <= mostNames; slot++) inSight += isInside(camera, slot, 0) ? 1 : 0;
+    return inSight > mostNames;
+  }
+
+  function name(context, camera, order) {
+    const clear = (slot) => radiusOf(slot) + (agents[slot].kind === "robot" ? 5 : 0); //  of the heading
+    labels.draw(context, camera, agents, order, spots, clear, colour("ink"), colour("ground"));
+  }
+
   const byImportance = agents.map((agent, slot) => slot).sort((a, b) =>
     (agents[a].kind === "robot" ? 0 : 1) - (agents[b].kind === "robot" ? 0 : 1) || a - b);
 
   return {
-    spots, sizes, radiusOf, labels,
-    place,
+    spots, sizes, radiusOf, isCrowded, isMarked, isInside, place,
     forget() { stamps.clear(); },
     below(context, camera, poses, state, chosen) {
       drawRanges(context, camera, poses, state, chosen);
@@ -208,17 +221,21 @@ export function createMarks(run) {
     above(context, camera, poses, state, grid, chosenSlot, ratio) {
       labels.begin();
       drawMetres(context, camera, grid);
-      drawMarkers(context, camera, poses, ratio);
-      drawHeadings(context, camera, poses);
+      if (!isMany) {
+        drawMarkers(context, camera, ratio);
+        drawHeadings(context, camera, poses);
+      }
       drawChosen(context, chosenSlot);
       if (!state.layers.labels) return;
-      for (let slot = 0; slot < agents.length && agents.length <= many; slot++) {
+      if (isCrowded(camera)) {
+        if (chosenSlot !== undefined) name(context, camera, [chosenSlot]);
+        return;
+      }
+      for (let slot = 0; slot < agents.length; slot++) {
         const r = radiusOf(slot);
         if (isInside(camera, slot, 0)) labels.keep(spots[slot * 2] - r, spots[slot * 2 + 1] - r, spots[slot * 2] + r, spots[slot * 2 + 1] + r);
       }
-      const order = chosenSlot === undefined ? byImportance : [chosenSlot, ...byImportance.filter((slot) => slot !== chosenSlot)];
-      const clear = (slot) => radiusOf(slot) + (agents[slot].kind === "robot" ? 5 : 0); //  of the heading
-      labels.draw(context, camera, agents, order, spots, clear, colour("ink"), colour("ground"));
+      name(context, camera, chosenSlot === undefined ? byImportance : [chosenSlot, ...byImportance.filter((slot) => slot !== chosenSlot)]);
     },
   };
 }

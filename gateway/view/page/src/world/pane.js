@@ -7,15 +7,15 @@ import { createQueues } from "../air/queues.js";
 import { createRoutes } from "../air/routes.js";
 import { createPoses, posesAt } from "../at.js";
 import { colour } from "../colours.js";
+import { paper } from "../paper.js";
 import { createBodies } from "./bodies.js";
 import { createCamera } from "./camera.js";
+import { createDots } from "./dots.js";
 import { createGrid, createWalls } from "./ground.js";
 import { createLinks } from "./links.js";
-import { createMarks } from "./marks.js";
+import { createMarks, many } from "./marks.js";
 import { pointer } from "./pointer.js";
 import { createTrails } from "./trails.js";
-
-const many = 200; //  agents from which smoothness costs more than it shows
 
 const make = (parent, tag, name) => {
   const element = document.createElement(tag);
@@ -46,25 +46,36 @@ function createScene(run, slots) {
   const links = createLinks(scene, run, slots);
   const trails = createTrails(scene, run, slots);
   const bodies = createBodies(scene, run.world);
-  return { scene, grid, walls, links, trails, bodies,
+  const dots = run.world.agents.length > many ? createDots(scene, run.world) : null;
+  return { scene, grid, walls, links, trails, bodies, dots,
     recolour() {
       scene.background.set(colour("ground"));
-      for (const part of [grid, walls, links, trails, bodies]) part.recolour();
+      for (const part of [grid, walls, links, trails, bodies, dots]) part?.recolour();
     } };
 }
 
 function titleOf(pane, run) {
   const title = make(pane, "h2");
   const { result, profile } = run.world;
-  title.append(run.name);
+  title.append(run.title);
   make(title, "small").textContent = [profile && ` · ${profile}`, result && ` · ${result}`].filter(Boolean).join("");
 }
 
-// What was not recorded is told beside the run, in the inspector; over the map only what misleads there.
+// What was not recorded is listed beside the run, in the inspector; over the map only what misleads there.
 function tellMissing(pane, run) {
-  const misses = (run.world.missing ?? []).filter(({ what }) => /^(poses|frames$|frames one)/.test(what));
-  const lines = [...(run.world.warnings ?? []), ...misses.map(({ what, line }) => `not recorded: ${what} (record it with ${line})`)];
-  if (lines.length) make(pane, "p", "missing").textContent = lines.slice(0, 6).join("\n");
+  const missing = (run.world.missing ?? []).filter(({ what }) => /^(poses|frames)/.test(what));
+  const warnings = run.world.warnings ?? [];
+  if (!missing.length && !warnings.length) return;
+  const box = make(pane, "details", "missing");
+  const count = [warnings.length && `${warnings.length} warning${warnings.length > 1 ? "s" : ""}`, missing.length && "not all was recorded"];
+  make(box, "summary").textContent = count.filter(Boolean).join(", ");
+  for (const text of warnings) make(box, "p").textContent = text;
+  for (const { what, line } of missing) {
+    const row = make(box, "p");
+    row.append(`${what}: `);
+    make(row, "code").textContent = line;
+  }
+  box.open = warnings.length > 0;
 }
 
 export function createPane(parent, run, store) {
@@ -77,7 +88,7 @@ export function createPane(parent, run, store) {
   tellMissing(element, run);
   const isMany = agents.length > many;
   const graphics = renderer(canvas, !isMany);
-  const context = overlay.getContext("2d");
+  const context = paper(overlay, isMany);
   const camera = createCamera();
   const poses = createPoses(agents);
   const parts = createScene(run, slots);
@@ -85,6 +96,9 @@ export function createPane(parent, run, store) {
   const air = { frames: createFrames(run, slots), routes: createRoutes(run, slots), queues: createQueues(run), followed: createFollowed(run, slots) };
   const period = run.world.recorded?.poses_period_ns ?? 0;
   let size = "";
+  let over = false; //  what stands over the scene, if it is the same until that changes
+  let shades = 0;
+  let seen = ""; //  from where, and how large, the scene was drawn last
 
   function fit() {
     const { clientWidth: width, clientHeight: height } = element;
@@ -114,24 +128,42 @@ export function createPane(parent, run, store) {
     move(state);
     const followed = state.follow === null ? undefined : slots.get(state.follow);
     camera.aim(state, width, height, run.world.bounds, followed === undefined ? null : { x: poses.x[followed], y: poses.y[followed] });
-    parts.grid.draw(camera);
-    parts.walls.draw(camera);
-    parts.links.draw(state, poses);
-    parts.trails.draw(state, poses);
-    parts.bodies.draw(poses, camera);
-    graphics?.render(parts.scene, camera.eye);
     marks.place(poses, camera);
+    drawScene(state, ratio);
+    drawOver(state, width, height, ratio);
+    air.frames.prefetch(state);
+  }
+
+  function drawOver(state, width, height, ratio) {
+    const slot = chosenSlot(state);
+    const frames = air.frames.collect(state);
+    // Of very many agents there is often nothing to be drawn over the scene but the metres.
+    const quiet = isMany && !state.chosen && !state.followed && !frames && !state.layers.ranges && run.world.recorded?.queues !== "all" &&
+      marks.isCrowded(camera) && `${size} ${JSON.stringify(camera.mode2d ? camera.map : camera.orbit)} ${shades}`;
+    if (quiet && quiet === over) return;
+    over = quiet;
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.clearRect(0, 0, width, height);
-    const slot = chosenSlot(state);
     marks.below(context, camera, poses, state, slot === undefined ? null : agents[slot].agent);
     chosenLink(state);
-    air.frames.draw(context, camera, poses, state);
+    air.frames.draw(context, camera, poses, state, frames);
     air.routes.draw(context, camera, poses, state);
     air.followed.draw(context, camera, poses, state);
     marks.above(context, camera, poses, state, parts.grid, slot, ratio);
     air.queues.draw(context, camera, marks, state);
-    air.frames.prefetch(state);
+  }
+
+  // Not drawn again if it is what it was: most of the time only marks move, and they are drawn over it.
+  function drawScene(state, ratio) {
+    const slot = chosenSlot(state);
+    const changed = [parts.grid.draw(camera), parts.links.draw(state, poses, slot), parts.trails.draw(state, poses, slot),
+      parts.bodies.draw(poses, camera, marks), parts.dots?.draw(poses, camera, marks, ratio)].includes(true);
+    parts.walls.draw(camera);
+    const { elements } = camera.eye.matrixWorldInverse;
+    const eye = `${size} ${elements.join()} ${camera.eye.projectionMatrix.elements.join()}`;
+    if (!changed && eye === seen) return;
+    seen = eye;
+    graphics?.render(parts.scene, camera.eye);
   }
 
   function chosenLink({ chosen }) {
@@ -163,12 +195,12 @@ export function createPane(parent, run, store) {
   }
   pointer(canvas, store, camera, choose);
   canvas.addEventListener("webglcontextlost", (event) => event.preventDefault());
-  canvas.addEventListener("webglcontextrestored", () => store.set({ layers: { ...store.state.layers } }));
+  canvas.addEventListener("webglcontextrestored", () => { seen = ""; store.set({ layers: { ...store.state.layers } }); });
 
   return {
     element, camera, draw,
     quality: parts.links.quality,
-    recolour() { parts.recolour(); marks.forget(); },
+    recolour() { parts.recolour(); marks.forget(); seen = ""; shades++; },
     project(x, y) {
       const box = canvas.getBoundingClientRect();
       const spot = camera.project(x, y, 0, [0, 0, 0]);

@@ -4,7 +4,7 @@ import { colour, robotColour } from "../colours.js";
 import { createSegments } from "./ground.js";
 
 const stretch = 60e9; //  ns at normal speed and below
-const many = 200; //      moving agents from which only what is in sight anyway is drawn
+const many = 200; //      moving agents from which only the chosen one has a trail
 
 export function createTrails(scene, run, slots) {
   const segments = createSegments(scene);
@@ -22,14 +22,16 @@ export function createTrails(scene, run, slots) {
         shades[slot].set(agent.kind === "robot" ? robotColour(robots.indexOf(agent.agent)) : colour("mote"));
       });
     },
-    draw(state, poses) {
+    /** @param chosen  slot whose trail is drawn where those of all would be too many. */
+    draw(state, poses, chosen) {
       segments.begin();
-      if (state.layers.trails && robots.length) {
-        const span = robots.length > many ? 2e9 : stretch * Math.max(1, Math.min(10, state.speed));
+      const isMany = robots.length > many;
+      if (state.layers.trails && robots.length && !(isMany && chosen === undefined)) {
+        const span = isMany ? stretch / 4 : stretch * Math.max(1, Math.min(10, state.speed));
         const from = Math.max(0, state.t - span);
-        trail(run.rows("poses", from, state.t + 1, { summary: robots.length <= many }), from, state.t, poses);
+        trail(run.rows("poses", from, state.t + 1, { summary: true }), from, state.t, poses, isMany ? chosen : null);
       }
-      segments.end();
+      return segments.end();
     },
   };
 
@@ -44,13 +46,13 @@ export function createTrails(scene, run, slots) {
     segments.add(last.x[slot], last.y[slot], 0.012, x, y, 0.012, older, fading);
   }
 
-  function trail(pieces, from, t, poses) {
+  function trail(pieces, from, t, poses, only) {
     last.at.fill(-1);
     for (const { tile } of pieces) {
       const { agent, at, x, y } = tile.columns;
       for (let row = 0; row < at.length && at[row] <= t; row++) {
         const slot = slots.get(agent[row]);
-        if (slot === undefined || at[row] <= last.at[slot]) continue;
+        if (slot === undefined || at[row] <= last.at[slot] || (only !== null && slot !== only)) continue;
         if (last.at[slot] >= 0 && at[row] >= from) addPart(slot, at[row], x[row], y[row], from, t);
         last.at[slot] = at[row];
         last.x[slot] = x[row];

@@ -1,43 +1,45 @@
+// A bookmark is of the state that it was made of.
 import assert from "node:assert/strict";
-import test from "node:test";
-import { page } from "./record.mjs";
+import { test } from "node:test";
+import { bookmark, createStore, startOf } from "../../../../../gateway/view/page/src/store.js";
 
-const { bookmark, createStore, startOf } = await import(new URL("store.js", page));
-const after = (state) => createStore(startOf(`#${bookmark(createStore(state).state)}`)).state;
+const kept = ["t", "speed", "view", "run", "chosen", "route", "follow", "followed", "layers", "mode2d", "map", "orbit", "theme", "charts", "lanes"];
+const given = {
+  t: 755400695454, speed: 1e-6, view: [1000000001, 2000000003], run: 1, chosen: { kind: "frame", run: 1, transmitter: 26, number: 7, at: 12345 },
+  route: { topic: "a,b=c&d +", destination: 18 }, follow: 26, followed: { run: 1, sender: 18, id: 1, at: 1000000000 },
+  layers: { labels: false, links: true, frames: true, beams: true, trails: true, ranges: true, queues: true }, mode2d: false,
+  map: { x: 1.5, y: -2.25, span: 30 }, orbit: { x: 1, y: 2, distance: 3, yaw: -1.5, pitch: 0.5 }, theme: "dark", charts: [0, 3], lanes: "r, m1&2=#",
+};
+const marked = (state) => Object.fromEntries(kept.map((key) => [key, state[key]]));
 
-test("a bookmark reproduces the view, to the nanosecond", () => {
-  const state = createStore({
-    t: 755_400_695_454, speed: 1e-6, view: [755_400_000_001, 755_401_000_000], run: 1, route: { topic: "help, urgent", destination: 17 }, follow: 26,
-    chosen: { kind: "agent", run: 1, agent: 26 }, followed: { run: 1, sender: 26, id: 4, at: 46_200_000_000 }, mode2d: false,
-    orbit: { x: 1.25, y: -3, distance: 200, yaw: 0.5, pitch: 1 }, theme: "dark", lanes: "r, m1&2=#", charts: [0, 4_294_967_297], layers: { labels: false, ranges: true },
-  }).state;
-  assert.deepEqual(after(state), state);
+test("What is in a bookmark comes out of it, to the nanosecond", () => {
+  const { state } = createStore(given);
+  assert.deepEqual(marked(createStore(startOf(`#${bookmark(state)}`)).state), marked(state));
 });
 
-test("what is chosen comes back whatever it is", () => {
-  for (const chosen of [{ kind: "frame", run: 0, transmitter: 26, number: 281_474_976_710_655, at: 106_234_125_001 },
-    { kind: "message", run: 0, sender: 26, id: 4, at: 46_200_000_000 }, { kind: "link", run: 0, a: 3, b: 9 }, { kind: "agent", run: 0, agent: 1 }]) {
-    assert.deepEqual(after({ chosen }).chosen, chosen);
+test("All kinds of what is chosen come out of it", () => {
+  for (const chosen of [{ kind: "agent", run: 0, agent: 3 }, { kind: "message", run: 0, sender: 1, id: 2, at: 3 }, { kind: "link", run: 0, a: 1, b: 2 }]) {
+    assert.deepEqual(startOf(bookmark(createStore({ chosen }).state)).chosen, chosen);
   }
 });
 
-test("the usual view has a short bookmark", () => assert.equal(bookmark(createStore({ t: 100e9 }).state), "t=100.0"));
-
-test("what a bookmark does not tell rightly is left out", () => {
-  const usual = createStore().state;
-  for (const hash of ["", "#", "#t=-1", "#t=1e400", "#view=5,3", "#view=x,1", "#frame=1,2", "#speed=0", "#speed=nan", "#3d&3d=1,2",
-    "#map=0,0,-1", "#layers=+nonsense", "#theme=blue", "#%E0%A4%A=1", "#charts=x", "#route=help"]) {
-    assert.deepEqual(createStore({ ...startOf(hash), mode2d: true }).state, usual, hash);
-  }
+test("An empty bookmark is of the usual state", () => {
+  assert.deepEqual(createStore(startOf("")).state, createStore().state);
 });
 
-test("listeners hear of changes only", () => {
-  const store = createStore({ t: 1 });
-  const heard = [];
-  const leave = store.subscribe((state, patch) => heard.push([state.t, patch]));
-  store.set({ t: 1 });
-  store.set({ t: 2 });
-  leave();
-  store.set({ t: 3 });
-  assert.deepEqual(heard, [[2, { t: 2 }]]);
+test("Nonsense is left out, not believed", () => {
+  const start = startOf("#t=-5&speed=x&view=3,1&agent=1,2&map=1,2,-3&3d=1,2&layers=+nothing&theme=pink&%zz=%zz&followed=1,2,y");
+  const { state } = createStore(start);
+  assert.deepEqual({ ...state, mode2d: true }, createStore().state);
+});
+
+test("Listeners hear of what changed only", () => {
+  const store = createStore();
+  let heard = 0;
+  const stop = store.subscribe(() => heard++);
+  store.set({ t: 0 });
+  store.set({ t: 5 });
+  stop();
+  store.set({ t: 6 });
+  assert.equal(heard, 1);
 });

@@ -2,6 +2,7 @@
 #include <string_view>
 
 #include "gateway/view/last_rows.h"
+#include "gateway/view/row_times.h"
 #include "gateway/view/tiles.h"
 
 namespace gateway::view {
@@ -38,14 +39,14 @@ std::string tile_of_changes(Record& record, LastRows& last, const Span& span,
     row.bind_all(before);
     while (row.next()) add(columns, row);
   }
-  if (count_rows(record, table, span, kMostRows + 1) > kMostRows) {
-    const Json bins =
-        counts_of(record, "SELECT at_ns FROM " + table + " WHERE at_ns >= ? AND at_ns < ?", span);
+  const Rows inside = rows_in(record, table, span);
+  if (inside.count() > kMostRows) {
+    const Json bins = counts_of(record, table, inside, span);
     return tile_text(record, span, false, columns, {{"bins", bins}});
   }
   Statement rows = record.query("SELECT " + select + " FROM " + table +
-                                " WHERE at_ns >= ? AND at_ns < ? ORDER BY at_ns, agent, rowid");
-  rows.bind_all(span.from(), span.to());
+                                " WHERE rowid >= ? AND rowid < ? ORDER BY at_ns, agent, rowid");
+  rows.bind_all(inside.begin, inside.end);
   while (rows.next()) add(columns, rows);
   return tile_text(record, span, true, columns);
 }
@@ -59,6 +60,14 @@ std::string readings_tile(Record& record, LastRows& last, const Span& span) {
                          [](Columns& to, const Statement& row) {
                            to.add(row.integer(0), row.integer(1), row.text(2),
                                   values_of(row.text(3)));
+                         });
+}
+
+std::string states_tile(Record& record, LastRows& last, const Span& span) {
+  const Columns columns({"agent", "at", "state"});
+  return tile_of_changes(record, last, span, "states", "agent, at_ns, state", columns,
+                         [](Columns& to, const Statement& row) {
+                           to.add(row.integer(0), row.integer(1), row.text(2));
                          });
 }
 
