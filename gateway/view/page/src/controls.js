@@ -1,5 +1,5 @@
 // Play, speed, steps, and what time it is. In a live run that waits for us, the same buttons command it.
-import { isLed, stepLive, togglePause, useSpeed } from "./live.js";
+import { leads, stepLive, togglePause, useSpeed } from "./live.js";
 import { stepTime } from "./steps.js";
 import { exact, span, timeOf, zoomed } from "./time/scale.js";
 import { bookmark } from "./store.js";
@@ -15,6 +15,13 @@ const icon = (name) => `<svg viewBox="0 0 16 16" width="14" height="14" aria-hid
 /** "5 ms/s" */
 export const speedText = (speed) => (speed >= 1 ? `${speed}×` : `${span(speed * 1e9)}/s`);
 
+/** The place of the speed among speeds; of a live run that goes as fast as it can, behind them. */
+function speedIndex(store, source) {
+  const { speed, live } = store.state;
+  if (!leads(store, source)) return nearest(speed);
+  return live.speed > 0 ? nearest(live.speed) : speeds.length;
+}
+
 /** What buttons and keys do. */
 export function actions(store, source) {
   const run = () => source.runs.find(({ index }) => index === store.state.run) ?? source.runs[0];
@@ -28,28 +35,24 @@ export function actions(store, source) {
     }
     store.set(patch);
   };
-  return {
+  const act = {
     at,
     async play() {
-      if (isLed(store)) { await togglePause(store); return; }
+      if (leads(store, source)) { await togglePause(store); return; }
       const { t, playing } = store.state;
       store.set({ playing: !playing, t: !playing && t >= source.end ? 0 : t });
     },
     async step(of, way) {
       const chosen = store.state.chosen?.kind === "agent" ? store.state.chosen.agent : null;
-      const isAtEnd = store.state.t >= run().end - 1;
-      if (isLed(store) && way > 0 && isAtEnd) { await stepLive(store, of, of === "event" ? chosen : null); return; }
+      if (leads(store, source) && way > 0) { await stepLive(store, of, of === "event" ? chosen : null); return; }
       const t = await stepTime(source, run(), of, store.state.t, way, of === "event" ? chosen : null);
       if (t !== null) at(t);
     },
-    faster(by) {
-      const speed = speeds[Math.min(speeds.length - 1, Math.max(0, nearest(store.state.speed) + by))];
-      store.set({ speed });
-      if (isLed(store)) useSpeed(store, speed);
-    },
+    faster(by) { act.speed(Math.max(0, speedIndex(store, source) + by)); },
+    /** @param index  into speeds; behind them, in a live run: as fast as it can */
     speed(index) {
-      store.set({ speed: speeds[index] });
-      if (isLed(store)) useSpeed(store, speeds[index]);
+      if (leads(store, source)) useSpeed(store, speeds[index] ?? 0);
+      else store.set({ speed: speeds[Math.min(index, speeds.length - 1)] });
     },
     /** An address that shows what is shown now. */
     async link() {
@@ -69,6 +72,7 @@ export function actions(store, source) {
       store.set({ follow: follow === null && chosen?.kind === "agent" ? chosen.agent : null });
     },
   };
+  return act;
 }
 
 const button = (label, title, action, parent) => {
@@ -112,7 +116,7 @@ export function controls(element, store, source) {
   }
   const pace = group();
   const slider = pace.appendChild(Object.assign(document.createElement("input"),
-    { type: "range", min: 0, max: speeds.length - 1, step: 1, title: "speed ([ and ])" }));
+    { type: "range", min: 0, max: speeds.length - (source.view.mode === "live" ? 0 : 1), step: 1, title: "speed ([ and ])" }));
   slider.setAttribute("aria-label", "speed");
   slider.addEventListener("input", () => act.speed(Number(slider.value)));
   const speed = pace.appendChild(document.createElement("small"));
@@ -131,13 +135,14 @@ export function controls(element, store, source) {
   return {
     draw() {
       const { state } = store;
-      const isOn = isLed(store) ? !state.live.paused : state.playing;
+      const isOn = leads(store, source) ? !state.live.paused : state.playing;
       if (play.getAttribute("aria-pressed") !== String(isOn)) {
         play.innerHTML = icon(isOn ? "pause" : "play");
         play.setAttribute("aria-pressed", String(isOn));
       }
-      slider.value = nearest(state.speed);
-      speed.textContent = speedText(state.speed);
+      const index = speedIndex(store, source);
+      slider.value = index;
+      speed.textContent = index < speeds.length ? speedText(leads(store, source) ? state.live.speed : state.speed) : "full";
       if (clock !== document.activeElement) clock.value = `${exact(state.t)} s`;
       help.setAttribute("aria-pressed", String(state.help));
     },

@@ -2,6 +2,8 @@
 const tokenKey = "baraka-token";
 const token = () => globalThis.sessionStorage?.getItem(tokenKey) ?? null;
 
+const often = 5000; //  ms between two looks at what a run has named
+
 /** Whether this page may hold and step the run. */
 export const isLed = (store) => Boolean(store.state.live?.canCommand && !store.state.live.ended);
 
@@ -27,21 +29,40 @@ export async function clearBreak(store, id) {
   store.set({ live: { ...store.state.live, breaks: store.state.live.breaks.filter((one) => one.id !== id) } });
 }
 
+/** Whether what is shown is the run's own present: then play, steps and speed are the run's. */
+export const leads = (store, source) => isLed(store) && store.state.t >= source.end - 1;
+
 export function live(store, source) {
   if (source.view.mode !== "live" || source.exported) return {};
   const canCommand = source.view.can_command && token() !== null;
-  store.set({ live: { canCommand, paused: false, ended: false, said: null, breaks: [] } });
+  store.set({ live: { canCommand, paused: false, ended: false, said: null, breaks: [], speed: 0, now: 0 } });
   let stream = null;
   let atEnd = true; //  the page goes along with the run until somebody looks back
+
+  // What a run has named so far: states, classes of messages and series come up while it goes on.
+  let namedAt = 0;
+  async function readNames(now) {
+    namedAt = now;
+    for (const run of source.runs) {
+      const response = await fetch(`/api/runs/${run.index}/world`).catch(() => null);
+      if (!response?.ok) continue;
+      const { states, topics, series, result, fingerprint } = await response.json();
+      Object.assign(run.world, { states, topics, series, result, fingerprint });
+      source.touch();
+    }
+  }
 
   const heard = (event) => {
     const said = JSON.parse(event.data);
     const before = source.end;
+    const wasPaused = store.state.live.paused;
     atEnd = store.state.t >= before - 1;
     source.advance(said.until);
     const breaks = store.state.live.breaks.filter((one) => one.on !== "time" || one.at > said.now);
     store.set({ live: { ...store.state.live, ...said, stoppedBy: said.stopped_by, breaks } });
     if (atEnd) store.set({ t: said.until, playing: false });
+    const stopped = said.paused && !wasPaused;
+    if (stopped || said.ended || performance.now() - namedAt > often) readNames(performance.now());
     if (said.ended) close();
   };
   const open = () => {

@@ -255,6 +255,8 @@ export async function openSource(onArrival = () => {}, onError = () => {}) {
     get end() { return Math.max(1, ...runs.map((run) => run.end)); },
     get bytes() { return cache.bytes; },
     get asking() { return cache.asking; },
+    /** What does not come in tiles has changed. */
+    touch() { arrivals++; onArrival(); },
     /** How many answers have come: another number, perhaps other rows. */
     get arrivals() { return arrivals; },
     /** Resolves when everything that was asked for has come. */

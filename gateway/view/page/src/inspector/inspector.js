@@ -2,7 +2,7 @@
 import { showAgent } from "./agent.js";
 import { showFrame } from "./frame.js";
 import { showLink } from "./link.js";
-import { showLive } from "./live_panel.js";
+import { livePanel } from "./live_panel.js";
 import { showMessage } from "./message.js";
 import { facts, link, list, made, part } from "./parts.js";
 import { exact } from "../time/scale.js";
@@ -39,7 +39,7 @@ function showRun(parent, run, store, source) {
 }
 
 export function inspector(element, store, source) {
-  const livePart = element.appendChild(document.createElement("div"));
+  const panel = livePanel(element.appendChild(document.createElement("div")), store);
   const body = element.appendChild(document.createElement("div"));
   let shown = null;
   let shownLive = null;
@@ -51,7 +51,7 @@ export function inspector(element, store, source) {
     draw(now) {
       const { state } = store;
       // The run is the same at all times.
-      const key = [state.chosen ? state.t : null, state.chosen, state.run, state.charts, state.follow, state.followed, state.chosen ? source.arrivals : null, source.end];
+      const key = [state.chosen ? state.t : null, state.chosen, state.run, state.charts, state.follow, state.followed, state.chosen || state.live ? source.arrivals : null, source.end];
       const same = shown && key.every((value, i) => value === shown[i]);
       // Nothing is redrawn under a finger or a cursor that uses it.
       const isUsed = element.contains(document.activeElement) && /^(INPUT|SELECT)$/.test(document.activeElement.tagName);
@@ -60,8 +60,7 @@ export function inspector(element, store, source) {
       const liveKey = state.live && JSON.stringify([state.live.paused, state.live.ended, state.live.stoppedBy, state.live.said, state.live.breaks, state.chosen]);
       if (liveKey !== shownLive && !isUsed) {
         shownLive = liveKey;
-        livePart.replaceChildren();
-        showLive(livePart, run, store);
+        panel.draw(run);
       }
       if (same || stale) return;
       shown = key;
