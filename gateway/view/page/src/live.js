@@ -29,15 +29,18 @@ export async function clearBreak(store, id) {
   store.set({ live: { ...store.state.live, breaks: store.state.live.breaks.filter((one) => one.id !== id) } });
 }
 
-/** Whether what is shown is the run's own present: then play, steps and speed are the run's. */
-export const leads = (store, source) => isLed(store) && store.state.t >= source.end - 1;
+/** Whether what is shown is the run's own present. */
+export const isPresent = (store, source) => store.state.t >= source.end - 1;
+/** Whether play, steps and speed are the run's: who looks back plays the record. */
+export const leads = (store, source) => isLed(store) && isPresent(store, source);
 
 export function live(store, source) {
   if (source.view.mode !== "live" || source.exported) return {};
   const canCommand = source.view.can_command && token() !== null;
   store.set({ live: { canCommand, paused: false, ended: false, said: null, breaks: [], speed: 0, now: 0 } });
+  // An address that tells no time is of the present.
+  if (!/[#&]t=/.test(location.hash)) store.set({ t: source.end });
   let stream = null;
-  let atEnd = true; //  the page goes along with the run until somebody looks back
 
   // What a run has named so far: states, classes of messages and series come up while it goes on.
   let namedAt = 0;
@@ -54,13 +57,13 @@ export function live(store, source) {
 
   const heard = (event) => {
     const said = JSON.parse(event.data);
-    const before = source.end;
     const wasPaused = store.state.live.paused;
-    atEnd = store.state.t >= before - 1;
+    const atEnd = isPresent(store, source);
     source.advance(said.until);
     const breaks = store.state.live.breaks.filter((one) => one.on !== "time" || one.at > said.now);
     store.set({ live: { ...store.state.live, ...said, stoppedBy: said.stopped_by, breaks } });
-    if (atEnd) store.set({ t: said.until, playing: false });
+    // The page goes along with the run until somebody looks back.
+    if (atEnd) store.set({ t: source.end, playing: false });
     const stopped = said.paused && !wasPaused;
     if (stopped || said.ended || performance.now() - namedAt > often) readNames(performance.now());
     if (said.ended) close();

@@ -2,7 +2,7 @@
 import { lastRow, poseAt, readingAt, stateAt, tableAt } from "../at.js";
 import { eachMessage } from "../at_messages.js";
 import { exact, span } from "../time/scale.js";
-import { facts, link, list, nameOf, number, part } from "./parts.js";
+import { facts, fixed, link, list, nameOf, number, part } from "./parts.js";
 
 const fewValues = 6; //  of a channel: they are written too
 const aroundLog = 30e9; //  ns: log lines and messages of that long before t
@@ -19,10 +19,11 @@ function pose(parent, run, agent, state) {
   const at = poseAt(run.rows("poses", Math.max(0, t - 2e9), t + 2e9), agent.agent, t, run.world.recorded?.poses_period_ns ?? 1e9) ?? agent;
   const readings = run.rows("readings", Math.max(0, t - 1), t);
   const odometry = readingAt(readings, agent.agent, "odometry", t);
-  const degrees = (angle) => `${number((angle * 180) / Math.PI, 4)}°`;
+  const degrees = (angle) => `${fixed((angle * 180) / Math.PI, 2)}°`;
+  const place = (x, y, theta) => `${fixed(x, 3)} m, ${fixed(y, 3)} m, ${degrees(theta)}`;
   facts(parent, [
-    ["true pose", `${at.x.toFixed(3)} m, ${at.y.toFixed(3)} m, ${degrees(at.theta)}`],
-    ["odometry", odometry && `${number(odometry[0], 5)} m, ${number(odometry[1], 5)} m, ${degrees(odometry[2])}`],
+    ["true pose", place(at.x, at.y, at.theta)],
+    ["odometry", odometry && place(...odometry)],
     ["off by", odometry && agent.kind === "robot" ? offBy(agent, at, odometry) : null],
   ]);
   return readings;

@@ -2,7 +2,7 @@
 import { findFrame } from "../at.js";
 import { verdictColour } from "../colours.js";
 import { exact, spanExact } from "../time/scale.js";
-import { facts, link, list, nameOf, number, part } from "./parts.js";
+import { facts, fixed, link, list, nameOf, number, part } from "./parts.js";
 
 export function showFrame(parent, run, store) {
   const { chosen } = store.state;
@@ -27,7 +27,7 @@ export function showFrame(parent, run, store) {
   const section = part(parent, ends.length ? `at ${ends.length} ${ends.length === 1 ? "radio" : "radios"}` : "heard by nobody");
   if (!ends.length) return;
   const table = list(section, ["radio", "verdict", "RSSI dBm", "SINR dB", "way µs"], ends.map((end) => [
-    `${nameOf(run, end.agent)}${end.agent === frame.receiver ? " ←" : ""}`, end.verdict, end.rssi?.toFixed(1), end.sinr?.toFixed(1).replace("-0.0", "0.0"),
+    `${nameOf(run, end.agent)}${end.agent === frame.receiver ? " ←" : ""}`, end.verdict, end.rssi === null ? "" : fixed(end.rssi, 1), end.sinr === null ? "" : fixed(end.sinr, 1),
     ((end.at - frame.at - frame.airtime) / 1e3).toFixed(3)]), (i) => store.set({ chosen: { kind: "agent", run: run.index, agent: ends[i].agent } }));
   ends.forEach((end, i) => { table.tBodies[0].rows[i].cells[1].style.color = verdictColour(end.verdict); });
   table.classList.add("numbers");

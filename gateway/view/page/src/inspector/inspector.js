@@ -2,6 +2,7 @@
 import { showAgent } from "./agent.js";
 import { showFrame } from "./frame.js";
 import { showLink } from "./link.js";
+import { isPresent } from "../live.js";
 import { livePanel } from "./live_panel.js";
 import { showMessage } from "./message.js";
 import { facts, link, list, made, part } from "./parts.js";
@@ -39,7 +40,7 @@ function showRun(parent, run, store, source) {
 }
 
 export function inspector(element, store, source) {
-  const panel = livePanel(element.appendChild(document.createElement("div")), store);
+  const panel = livePanel(element.appendChild(document.createElement("div")), store, source);
   const body = element.appendChild(document.createElement("div"));
   let shown = null;
   let shownLive = null;
@@ -57,7 +58,7 @@ export function inspector(element, store, source) {
       const isUsed = element.contains(document.activeElement) && /^(INPUT|SELECT)$/.test(document.activeElement.tagName);
       stale = !same && (now - at < least || isUsed);
       const run = source.runs.find(({ index }) => index === (state.chosen?.run ?? state.run)) ?? source.runs[0];
-      const liveKey = state.live && JSON.stringify([state.live.paused, state.live.ended, state.live.stoppedBy, state.live.said, state.live.breaks, state.chosen]);
+      const liveKey = state.live && JSON.stringify([state.live.paused, state.live.ended, state.live.stoppedBy, state.live.said, state.live.breaks, state.chosen, isPresent(store, source)]);
       if (liveKey !== shownLive && !isUsed) {
         shownLive = liveKey;
         panel.draw(run);

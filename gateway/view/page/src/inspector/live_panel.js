@@ -1,5 +1,5 @@
 // Commands to a run under way: where it shall stop, and robots that are driven by hand.
-import { addBreak, clearBreak } from "../live.js";
+import { addBreak, clearBreak, isPresent } from "../live.js";
 import { timeOf } from "../time/scale.js";
 import { facts, link, made, part } from "./parts.js";
 import { pad } from "./pad.js";
@@ -59,7 +59,7 @@ function breaks(parent, run, store) {
 const headline = (live) => (live.ended ? `the run has ended: ${live.result}` : live.paused ? "the run waits" : "the run goes on");
 
 /** The part of the panel that is about a run under way; draw() when its state or what is chosen changed. */
-export function livePanel(parent, store) {
+export function livePanel(parent, store, source) {
   const body = parent.appendChild(document.createElement("div"));
   const drive = pad(parent, store);
   return {
@@ -71,6 +71,9 @@ export function livePanel(parent, store) {
       if (live.stoppedBy) head.appendChild(made("p", `stopped: ${live.stoppedBy}`));
       if (live.said) head.appendChild(made("p", live.said, { className: "refused" }));
       if (!live.canCommand && !live.ended) head.appendChild(made("p", "watched only: the address that the run printed has the key to command it"));
+      if (!live.ended && !isPresent(store, source)) {
+        head.append("what is shown is earlier; ", link("go along with it", () => store.set({ t: source.end, playing: false })));
+      }
       const isLed = live.canCommand && !live.ended;
       if (isLed) breaks(body, run, store);
       const agent = chosen?.kind === "agent" ? run.world.agents.find((one) => one.agent === chosen.agent) : null;
