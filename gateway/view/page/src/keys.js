@@ -6,7 +6,7 @@ const sheet = [
   ["f, Shift+f", "next frame, the one before"], ["c, Shift+c", "next control cycle, the one before"],
   ["e, Shift+e", "next event of the chosen agent, the one before"], ["[ ]", "slower, faster"],
   ["+ −", "zoom the axis"], ["a", "the whole run"], ["u", "close to this instant"], ["Home, End", "begin, end"], ["g", "write a time to go there: 12.5, 300 ms, +20 us"], ["l", "copy a link to this view"],
-  ["Tab, n, Shift+n", "next agent, the one before"], ["o", "the camera goes along with the chosen agent"],
+  ["n, Shift+n", "next agent, the one before"], ["r", "the lanes and the panel of the next run"], ["o", "the camera goes along with the chosen agent"],
   ["d", "map or free 3-D"], ["t", "light or dark"], ["Esc", "choose nothing"], ["?", "this sheet"],
 ];
 
@@ -36,13 +36,21 @@ export function keys(store, source) {
     const { agent } = agents[(now + way + agents.length + (now < 0 && way < 0 ? 1 : 0)) % agents.length];
     store.set({ chosen: { kind: "agent", run: run.index, agent } });
   };
+  // The same agent in the next run: what they are side by side for.
+  const nextRun = () => {
+    const place = source.runs.findIndex(({ index }) => index === store.state.run);
+    const run = source.runs[(place + 1) % source.runs.length];
+    const { chosen } = store.state;
+    const isThere = chosen?.kind === "link" || (chosen?.kind === "agent" && run.world.agents.some(({ agent }) => agent === chosen.agent));
+    store.set({ run: run.index, chosen: isThere ? { ...chosen, run: run.index } : null });
+  };
   const handlers = {
     " ": act.play, ArrowLeft: () => shift(-0.01), ArrowRight: () => shift(0.01),
     f: () => act.step("frame", 1), F: () => act.step("frame", -1), c: () => act.step("cycle", 1), C: () => act.step("cycle", -1),
     e: () => act.step("event", 1), E: () => act.step("event", -1), "[": () => act.faster(-1), "]": () => act.faster(1),
     "+": () => act.zoom(0.5), "=": () => act.zoom(0.5), "-": () => act.zoom(2), a: act.all, u: act.close,
     g: () => document.querySelector("#controls .clock").focus(), l: () => act.link().catch(() => {}),
-    Home: () => act.at(0), End: () => act.at(source.end), n: () => nextAgent(1), N: () => nextAgent(-1), o: act.follow,
+    Home: () => act.at(0), End: () => act.at(source.end), r: () => nextRun(), n: () => nextAgent(1), N: () => nextAgent(-1), o: act.follow,
     d: () => store.set({ mode2d: !store.state.mode2d }), t: act.theme,
     Escape: () => store.set({ chosen: null, route: null, followed: null, help: false }), "?": () => store.set({ help: !store.state.help }),
   };

@@ -64,7 +64,7 @@ function answers() {
 }
 
 /** One run's record. `live()`: up to when the record of a live run is written; null of a finished one. */
-function openRun({ index, name, folder, title }, world, from, { onArrival, cache, live, onError }) {
+function openRun({ index, name, folder, title }, world, from, { onArrival, cache, live, onError, isRecorded }) {
   const base = `/api/runs/${index}`;
   const hint = new Map(); //  kind → level whose tiles were complete lately
 
@@ -93,6 +93,7 @@ function openRun({ index, name, folder, title }, world, from, { onArrival, cache
     const to = Math.max(from_ + 1, end);
     const pieces = [];
     pieces.complete = true;
+    if (!isRecorded) return pieces;
     const finest = summary ? levelFor(to - from_) : levelFor(to - from_, 64);
     const first = Math.max(finest, from.inlined ? most : hint.get(kind) ?? 11);
     // A larger tile that is complete already spares all smaller ones.
@@ -154,6 +155,7 @@ function openRun({ index, name, folder, title }, world, from, { onArrival, cache
   }
 
   const whole = (url) => {
+    if (!isRecorded) return null;
     const entry = cache.look(url);
     if (!entry || (!entry.asking && live() !== null && live() > (entry.answer?.until ?? entry.live ?? 0) &&
         performance.now() - entry.asked > 4 * again)) {
@@ -245,7 +247,8 @@ export async function openSource(onArrival = () => {}, onError = () => {}) {
   const runs = await Promise.all(view.runs.map(async (told) => {
     const world = (await from.get(`/api/runs/${told.index}/world`)).answer;
     world.endsAt = () => Math.max(world.until ?? world.end ?? 0, until ?? 0);
-    return openRun({ ...told, title: titleOf(told) }, world, from, { onArrival: arrived, cache, live: () => until, onError });
+    return openRun({ ...told, title: titleOf(told) }, world, from, { onArrival: arrived, cache, live: () => until, onError,
+      isRecorded: view.mode !== "scenario" });
   }));
   return {
     view, runs,

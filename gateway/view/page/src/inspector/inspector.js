@@ -15,7 +15,7 @@ function showRun(parent, run, store, source) {
   const { world } = run;
   const head = part(parent);
   head.appendChild(made("h2", world.name ?? run.name));
-  facts(head, [["ended", world.result], ["radio", world.profile], ["seed", world.seed], ["fingerprint", world.fingerprint], ["simulated", `${exact(run.end)} s`]]);
+  facts(head, [["ended", world.result], ["radio", world.profile], ["seed", world.seed], ["fingerprint", world.fingerprint], ["simulated", run.end > 0 ? `${exact(run.end)} s` : null]]);
   for (const warning of world.warnings ?? []) head.appendChild(made("p", warning, { className: "refused" }));
   if (world.series?.length) {
     const select = part(parent, "chart lanes").appendChild(document.createElement("select"));
@@ -31,7 +31,7 @@ function showRun(parent, run, store, source) {
       if (series) facts(select.parentElement, [[series.name, link("no more", () => store.set({ charts: store.state.charts.filter((one) => one !== index) }))]]);
     }
   }
-  if (world.missing?.length) list(part(parent, "not recorded"), ["what", "the line that records it"], world.missing.map(({ what, line }) => [what, line]));
+  if (world.missing?.length) list(part(parent, "not recorded"), ["what", "the line that records it"], world.missing.map(({ what, line }) => [what, line])).classList.add("words");
   list(part(parent, "agents"), ["name", "kind", "controller"], world.agents.slice(0, 200).map((one) => [one.name, one.kind, one.program]),
     (i) => store.set({ chosen: { kind: "agent", run: run.index, agent: world.agents[i].agent } }));
   if (source.runs.length > 1) {

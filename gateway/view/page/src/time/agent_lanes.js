@@ -44,8 +44,11 @@ export function bar(ctx, [x0, y, width, height], fill, text) {
   if (!named) return;
   ctx.fillRect(x0, y + height - 2, width, 2);
   ctx.fillRect(x0, y, 2, height);
+  ctx.save();
+  ctx.beginPath(); ctx.rect(x0, y, width - 2, height); ctx.clip();
   ctx.fillStyle = colour("ink");
-  ctx.fillText(text, x0 + 5, y + height / 2, width - 8);
+  ctx.fillText(text, x0 + 5, y + height / 2);
+  ctx.restore();
 }
 
 export function drawStates(ctx, box, scale, spans, states) {

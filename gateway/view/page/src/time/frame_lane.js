@@ -1,6 +1,7 @@
 // The frames of a span: how many, or, where each is wide enough, one by one with how they ended.
 import { colour, verdictColour } from "../colours.js";
 import { bar } from "./agent_lanes.js";
+import { createDensity, drawDensity } from "./density.js";
 import { span } from "./scale.js";
 
 // Told apart by height too, not by colour alone.
@@ -26,37 +27,17 @@ function lostOf(tile) {
   return lost;
 }
 
-function density(ctx, box, scale, counts, lost) {
-  let most = 1;
-  for (const count of counts) most = Math.max(most, count);
-  const height = (count) => (count > 0 ? Math.max(1, (box.height - 4) * Math.sqrt(count / most)) : 0);
-  for (let x = 0; x < counts.length; x++) {
-    if (!counts[x]) continue;
-    ctx.fillStyle = colour("accent");
-    ctx.fillRect(box.x + x, box.y + box.height - height(counts[x]), 1, height(counts[x]));
-    if (!lost[x]) continue;
-    ctx.fillStyle = colour("collision");
-    ctx.fillRect(box.x + x, box.y + box.height - height(Math.min(counts[x], lost[x])), 1, height(Math.min(counts[x], lost[x])));
-  }
-}
-
 /** @param hits  is told what can be clicked. @param chosen  of the store: if it is a frame, that one has a frame around it */
 export function drawFrames(ctx, box, scale, pieces, hits, names, chosen) {
   const wide = scale.perPixel < 2e5; //  ns: a frame of 1 ms has 5 px
-  const counts = new Float64Array(box.width);
-  const lost = new Float64Array(box.width);
-  const put = (t, into, count) => {
-    const x = Math.floor(scale.x(t) - box.x);
-    if (x >= 0 && x < box.width) into[x] += count;
-  };
+  const density = createDensity(box, scale);
   for (const { from, to, tile } of pieces) {
     if (!tile.complete) {
       const length = (tile.to - tile.from) / tile.bins.n;
       for (let bin = 0; bin < tile.bins.n; bin++) {
-        const t = tile.from + (bin + 0.5) * length;
-        if (t < from || t >= to) continue;
-        put(t, counts, tile.bins.counts.reduce((sum, of) => sum + of[bin], 0));
-        put(t, lost, tile.bins.lost[bin]);
+        const t = tile.from + bin * length;
+        if (t + length / 2 < from || t + length / 2 >= to) continue;
+        density.spread(t, t + length, tile.bins.counts.reduce((sum, of) => sum + of[bin], 0), tile.bins.lost[bin]);
       }
       continue;
     }
@@ -64,13 +45,10 @@ export function drawFrames(ctx, box, scale, pieces, hits, names, chosen) {
     for (let row = 0; row < at.length; row++) {
       if (at[row] + airtime[row] < from || at[row] >= to) continue;
       if (wide) drawOne(ctx, box, scale, tile, row, { hits, names, chosen });
-      else {
-        put(at[row], counts, 1);
-        if (lostOf(tile)[row]) put(at[row], lost, 1);
-      }
+      else density.put(at[row], 1, lostOf(tile)[row]);
     }
   }
-  if (!wide) density(ctx, box, scale, counts, lost);
+  drawDensity(ctx, box, density.counts, density.lost, "accent");
 }
 
 function drawOne(ctx, box, scale, tile, row, { hits, names, chosen }) {

@@ -9,10 +9,13 @@ export function isNamed(name, text) {
   return !parts.length || parts.some((part) => name.toLowerCase().includes(part));
 }
 
-/** The lanes: {kind, name, height}, of an agent `agent`, of a series `index`. */
-export function lanesOf(run, state) {
+/**
+ * The lanes: {kind, name, height}, of an agent `agent`, of a series `index`.
+ * @param title  of the run, where there are several
+ */
+export function lanesOf(run, state, title = "") {
   const { agents, series } = run.world;
-  const list = [lane("frames", "frames"), lane("messages", "messages"), lane("events", "events")];
+  const list = [lane("frames", title ? `${title}: frames` : "frames"), lane("messages", "messages"), lane("events", "events")];
   const chosen = state.chosen?.kind === "agent" && state.chosen.run === run.index ? agents.find(({ agent }) => agent === state.chosen.agent) : null;
   if (chosen) {
     for (const [kind, name] of [["sends", "sends"], ["hears", "hears"], ["nav", "NAV"], ["queue", "queue"]]) {

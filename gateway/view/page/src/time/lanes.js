@@ -112,7 +112,7 @@ export function lanes(element, store, source) {
 
   function drawLanes(width, run) {
     const { scale, hits, left } = here;
-    const list = lanesOf(run, store.state);
+    const list = lanesOf(run, store.state, source.runs.length > 1 ? run.title : "");
     const total = list.reduce((sum, { height }) => sum + height, 0);
     here.scroll = Math.max(0, Math.min(here.scroll, total - (here.height - axisHeight)));
     const kept = new Map(); //  rows of this picture, by kind

@@ -2,26 +2,40 @@
 import { eachRow } from "../at.js";
 import { eachMessage } from "../at_messages.js";
 import { colour } from "../colours.js";
+import { createDensity, drawDensity } from "./density.js";
 import { span } from "./scale.js";
 
 const rowsOf = (sender, id, rows) => (sender * 7 + id) % rows;
 
-/** A message is a line from when it was sent to each delivery; lost: a cross where its fate was told. */
+const isLost = (columns, row) => columns.verdict[row] !== null && columns.verdict[row] !== "delivered";
+
+/**
+ * A message is a line from when it was sent to each delivery; lost: a cross where its fate was told. Where
+ * there are more than there is room for, or they are only counted, how many were sent.
+ */
 export function drawMessages(ctx, box, scale, pieces, hits, chosen) {
   const rows = Math.max(1, Math.floor((box.height - 6) / 5));
+  let count = 0;
+  eachMessage(pieces, (columns, row) => { count += columns.sent[row] >= scale.from && columns.sent[row] <= scale.to; });
+  const dense = count > box.width;
+  const density = createDensity(box, scale);
   for (const { tile } of pieces) {
-    if (!tile.complete) drawBins(ctx, box, scale, tile, sumOf(tile.bins));
+    if (tile.complete) continue;
+    const length = (tile.to - tile.from) / tile.bins.n;
+    sumOf(tile.bins).forEach((sum, bin) => density.spread(tile.from + bin * length, tile.from + (bin + 1) * length, sum));
   }
   eachMessage(pieces, (columns, row) => {
-    drawOne(ctx, box, scale, columns, row, box.y + 4 + 5 * rowsOf(columns.sender[row], columns.id[row], rows), { hits, chosen });
+    if (dense) density.put(columns.sent[row], 1, isLost(columns, row) ? 1 : 0);
+    else drawOne(ctx, box, scale, columns, row, box.y + 4 + 5 * rowsOf(columns.sender[row], columns.id[row], rows), { hits, chosen });
   });
+  drawDensity(ctx, box, density.counts, density.lost, "delivered");
 }
 
 const sumOf = ({ n, counts }) => counts.flat().length === n ? counts.flat() : counts.reduce((sum, of) => sum.map((one, i) => one + of[i]), Array(n).fill(0));
 
 function drawOne(ctx, box, scale, columns, row, y, { hits, chosen }) {
   const sent = columns.sent[row];
-  const lost = columns.verdict[row] !== null && columns.verdict[row] !== "delivered";
+  const lost = isLost(columns, row);
   const arrivals = columns.deliveries[row].map(([, at]) => at);
   const last = Math.max(sent, ...arrivals, lost && columns.fate_at[row] !== null ? columns.fate_at[row] : sent);
   const x0 = scale.x(sent);
@@ -54,18 +68,6 @@ function drawOne(ctx, box, scale, columns, row, y, { hits, chosen }) {
     text: `${columns.topic[row]} ${id}: ${columns.verdict[row] ?? "on its way"}${last > sent ? ` after ${span(last - sent)}` : ""}` });
 }
 
-function drawBins(ctx, box, scale, tile, counts) {
-  const most = Math.max(1, ...counts);
-  const length = (tile.to - tile.from) / counts.length;
-  ctx.fillStyle = colour("delivered");
-  counts.forEach((count, i) => {
-    if (!count) return;
-    const x = scale.x(tile.from + i * length);
-    const height = Math.max(1, (box.height - 4) * Math.sqrt(count / most));
-    ctx.fillRect(x, box.y + box.height - height, Math.max(1, length / scale.perPixel - 0.5), height);
-  });
-}
-
 // Told apart by shape too, not by colour alone.
 const marks = { discovery: ["accent", "up"], scripted: ["followed", "square"], "lost body": ["lost", "cross"], contact: ["collision", "diamond"],
   association: ["delivered", "circle"], arrival: ["muted", "down"] };
@@ -82,16 +84,26 @@ function drawMark(ctx, x, y, kind) {
   ctx.fill();
 }
 
+const frequent = ["arrival", "discovery"]; //  drawn first, so that they cover nothing
+
 /** A mark for each event, with what it was to be read when it is pointed at. */
 export function drawEvents(ctx, box, scale, pieces, hits) {
-  for (const { tile } of pieces) if (!tile.complete) drawBins(ctx, box, scale, tile, sumOf(tile.bins));
-  eachRow(pieces, scale.from, scale.to, (columns, row) => {
+  const density = createDensity(box, scale);
+  for (const { tile } of pieces) {
+    if (tile.complete) continue;
+    const length = (tile.to - tile.from) / tile.bins.n;
+    sumOf(tile.bins).forEach((sum, bin) => density.spread(tile.from + bin * length, tile.from + (bin + 1) * length, sum));
+  }
+  drawDensity(ctx, box, density.counts, density.lost, "muted");
+  const marked = [[], []];
+  eachRow(pieces, scale.from, scale.to, (columns, row) => marked[frequent.includes(columns.kind[row]) ? 0 : 1].push([columns, row]));
+  for (const [columns, row] of marked.flat()) {
     const x = scale.x(columns.at[row]);
     drawMark(ctx, x, box.y + box.height / 2, columns.kind[row]);
     hits.push({ x0: x - 4, x1: x + 4, y0: box.y, y1: box.y + box.height, t: columns.at[row],
       text: `${columns.kind[row]}: ${columns.text[row]}`,
       chosen: columns.agent[row] === null ? null : { kind: "agent", agent: columns.agent[row] } });
-  });
+  }
 }
 
 /** A recorded series as a line, or, where there is more than fits, its least and greatest values. */

@@ -51,3 +51,18 @@ test("a frame ended as it did at the radio that it was for; a broadcast as it di
   assert.equal(verdict({ receiver: everyone, ends }), "collision");
   assert.equal(verdict({ receiver: 9, ends }), "below sensitivity");
 });
+
+const { createDensity } = await import(new URL("time/density.js", page));
+const { createScale } = await import(new URL("time/scale.js", page));
+
+test("a summary's count is spread over its bin's pixels, and nothing gets lost of it", () => {
+  const box = { x: 100, y: 0, width: 10, height: 30 };
+  const density = createDensity(box, createScale([0, 100], 100, 110));
+  density.spread(20, 50, 6, 3);
+  density.spread(90, 120, 3); //  reaches beyond the lane
+  density.put(25, 1, 1);
+  density.put(-5, 1);
+  density.put(100, 1);
+  assert.deepEqual([...density.counts], [0, 0, 3, 2, 2, 0, 0, 0, 0, 1]);
+  assert.deepEqual([...density.lost], [0, 0, 2, 1, 1, 0, 0, 0, 0, 0]);
+});
