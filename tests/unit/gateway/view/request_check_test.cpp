@@ -101,7 +101,7 @@ TEST(ControlRequest, ReadsEachCommand) {
   EXPECT_EQ(made.state, "DONE");
   EXPECT_EQ(read<Break>(R"({"command":"break","on":"time","at":5})").at, 5);
   EXPECT_EQ(read<Clear>(R"({"command":"clear","id":4})").id, 4);
-  EXPECT_EQ(read<Drive>(R"({"command":"drive","agent":3,"vx":0.5,"omega":-1})").omega, -1);
+  EXPECT_EQ(read<DriveByHand>(R"({"command":"drive","agent":3,"vx":0.5,"omega":-1})").omega, -1);
 }
 
 TEST(ControlRequest, NamesWhatIsWrong) {
