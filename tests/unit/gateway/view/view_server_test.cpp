@@ -141,7 +141,7 @@ TEST_F(ViewServerTest, SaysWhyACommandWasNotTaken) {
   start(&control);
   const std::string unknown = post(R"({"command":"halt"})", token_header());
   EXPECT_EQ(status_of(unknown), 400);
-  EXPECT_NE(unknown.find("must be one of"), std::string::npos);
+  EXPECT_NE(unknown.find("is not one of"), std::string::npos);
   const std::string drive =
       post(R"({"command":"drive","agent":3,"vx":1,"omega":0})", token_header());
   EXPECT_EQ(status_of(drive), 409);
