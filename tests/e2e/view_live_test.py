@@ -136,7 +136,7 @@ class LiveView(Case):
     def test_mistakes_are_named(self):
         run, page = self.shown("--paused")
         for command, what, words in (("step", {"count": 0, "of": "cycle"}, "count"), ("break", {"on": "full moon"}, "one of state"),
-                                     ("dance", {}, "dance"), ("speed", {"factor": -1}, "factor|speed"),
+                                     ("dance", {}, "one of pause"), ("speed", {"factor": -1}, "factor|speed"),
                                      ("clear", {"id": 7}, "7"), ("drive", {"agent": 1, "vx": 1, "vy": 0, "omega": 0},
                                                                  "driven by hand")):
             with self.assertRaises(urllib.error.HTTPError) as refused:

@@ -95,6 +95,7 @@ function openRun({ index, name, folder, title }, world, from, { onArrival, cache
     const to = Math.max(from_ + 1, end);
     const pieces = [];
     pieces.complete = true;
+    if (world.isPlan) return pieces; //  nobody has run it
     const finest = summary ? levelFor(to - from_, tiles) : levelFor(to - from_, 64);
     const first = Math.max(finest, from.inlined ? most : hint.get(kind) ?? 11);
     // A larger tile that is complete already spares all smaller ones.
@@ -157,6 +158,7 @@ function openRun({ index, name, folder, title }, world, from, { onArrival, cache
   }
 
   const whole = (url) => {
+    if (world.isPlan) return null;
     const entry = cache.look(url);
     if (!entry || (!entry.asking && live() !== null && live() > (entry.answer?.until ?? entry.live ?? 0) &&
         performance.now() - entry.asked > 4 * again)) {
@@ -245,6 +247,7 @@ export async function openSource(onArrival = () => {}, onError = () => {}) {
     ? folder.replace(/\/+$/, "").split("/").pop() : name);
   const runs = await Promise.all(view.runs.map(async (told) => {
     const world = (await from.get(`/api/runs/${told.index}/world`)).answer;
+    world.isPlan = view.mode === "scenario";
     world.endsAt = () => Math.max(world.until ?? world.end ?? 0, until ?? 0);
     return openRun({ ...told, title: titleOf(told) }, world, from, { onArrival: arrived, cache, live: () => until, onError });
   }));

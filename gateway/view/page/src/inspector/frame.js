@@ -23,9 +23,9 @@ export function showFrame(parent, run, store) {
     ["Duration field", spanExact(frame.nav ?? 0)], ["sequence", `${frame.sequence}${frame.retry ? ", sent before" : ""}`],
     ["number", frame.number],
   ]);
-  list(part(parent, "at each radio"), ["radio", "verdict", "RSSI/dBm", "SINR/dB", "ended"], frame.ends.map((end) => [
+  list(part(parent, "at each radio"), ["radio", "verdict", "RSSI/dBm", "SINR/dB", "ended/µs"], frame.ends.map((end) => [
     nameOf(run, end.agent), end.verdict, end.rssi === null ? "" : end.rssi.toFixed(1), end.sinr === null ? "" : (Math.abs(end.sinr) < 0.05 ? 0 : end.sinr).toFixed(1),
-    `+${span(end.at - frame.at, 6)}`]), (i) => store.set({ chosen: { kind: "agent", run: run.index, agent: frame.ends[i].agent } }));
+    ((end.at - frame.at) / 1e3).toFixed(3)]), (i) => store.set({ chosen: { kind: "agent", run: run.index, agent: frame.ends[i].agent } }));
 }
 
 /** The hops that took a message to where it came first, one per radio, with what each took [ns]. */
