@@ -34,14 +34,18 @@ export function live(store, source) {
   let stream = null;
   let atEnd = true; //  the page goes along with the run until somebody looks back
 
+  let isFirst = true;
   const heard = (event) => {
     const said = JSON.parse(event.data);
     const before = source.end;
-    atEnd = store.state.t >= before - 1;
+    // Who opens the page without a time wants to see what is going on now. Until somebody looked, the server
+    // has not told up to when the record is written.
+    atEnd = store.state.t >= before - 1 || (isFirst && store.state.t === 0);
+    isFirst &&= said.until === 0;
     source.advance(said.until);
     const breaks = store.state.live.breaks.filter((one) => one.on !== "time" || one.at > said.now);
     store.set({ live: { ...store.state.live, ...said, stoppedBy: said.stopped_by, breaks } });
-    if (atEnd) store.set({ t: said.until, playing: false });
+    if (atEnd && said.until > 0) store.set({ t: said.until, playing: false });
     if (said.ended) close();
   };
   const open = () => {
