@@ -70,7 +70,7 @@ int write_page(const ViewOptions& options) {
       "the page of the view is bundled with npm: ./setup pages installs it and builds the page");
   auto settings = settings_of(options);
   const view::ViewApi api(std::move(settings.runs), settings.mode, false);
-  const auto most = static_cast<std::size_t>(options.most_mb * 1'000'000);
+  const auto most = std::size_t{1'000'000} * static_cast<std::size_t>(options.most_mb);
   const view::ExportedPage exported = view::export_page(api, page, most);
   std::ofstream file(options.file, std::ios::binary);
   file << exported.html;

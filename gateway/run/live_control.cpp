@@ -7,6 +7,8 @@
 #include <utility>
 #include <variant>
 
+#include "sim/radio/frame.h"
+
 namespace gateway {
 namespace {
 
@@ -144,37 +146,48 @@ void LiveControl::refresh() {
   now_.until = now_.now;
 }
 
-std::optional<hal::Duration> LiveControl::hold(hal::Time next) {
-  const hal::Time wall = clock_.now();
-  bool is_paused = false, is_stale = false, is_watched = false;
-  double left = 0;  // s
-  {
-    const std::lock_guard lock(mutex_);
-    next_ = next;
-    for (auto it = breaks_.begin(); it != breaks_.end();) {
-      const bool is_over =
-          it->second.on == Break::On::kTime && hal::Time{hal::Duration{it->second.at}} <= next;
-      if (is_over) pause(fmt::format("time {:.9f} s", static_cast<double>(it->second.at) * 1e-9));
-      it = is_over ? breaks_.erase(it) : std::next(it);
-    }
-    is_paused = now_.paused;
-    is_watched = asked_at_ && wall - *asked_at_ < kLooking;
-    // All before `next` has happened.
-    const std::int64_t before = std::max<std::int64_t>(hal::to_ns(next) - 1, 0);
-    is_stale = now_.until < before;
-    now_.now = before;
-    if (settings_.lockstep && now_.speed > 0 && !is_paused) {
-      left =
-          hal::to_seconds(next - paced_from_) / now_.speed - hal::to_seconds(wall - paced_since_);
-    }
-  }
-  const bool is_time = wall - committed_at_ >= kRefresh;
-  if (is_stale && ((is_paused && settings_.lockstep) || (is_watched && is_time))) refresh();
+void LiveControl::reach(hal::Time next) {
+  next_ = next;
+  // All before `next` has happened.
+  now_.now = std::max<std::int64_t>(hal::to_ns(next) - 1, 0);
+  const auto is_over = [next](const auto& one) {
+    return one.second.on == Break::On::kTime && hal::Time{hal::Duration{one.second.at}} <= next;
+  };
+  const auto first = std::ranges::find_if(breaks_, is_over);
+  if (first == breaks_.end()) return;
+  pause(fmt::format("time {:.9f} s", static_cast<double>(first->second.at) * 1e-9));
+  std::erase_if(breaks_, is_over);
+}
+
+bool LiveControl::is_to_refresh(hal::Time wall) const {
+  if (now_.until >= now_.now) return false;
+  if (now_.paused && settings_.lockstep) return true;
+  return asked_at_ && wall - *asked_at_ < kLooking && wall - committed_at_ >= kRefresh;
+}
+
+std::optional<hal::Duration> LiveControl::wait_left(hal::Time wall) const {
   if (!settings_.lockstep) return std::nullopt;
-  if (is_paused) return kSlice;
+  if (now_.paused) return kSlice;
+  if (now_.speed <= 0) return std::nullopt;
   constexpr double kWorthSleeping = 1e-3;  // s
+  const double left =
+      hal::to_seconds(next_ - paced_from_) / now_.speed - hal::to_seconds(wall - paced_since_);
   if (left < kWorthSleeping) return std::nullopt;
   return std::min<hal::Duration>(hal::from_seconds(left), kSlice);
+}
+
+std::optional<hal::Duration> LiveControl::hold(hal::Time next) {
+  const hal::Time wall = clock_.now();
+  bool is_stale = false;
+  std::optional<hal::Duration> wait;
+  {
+    const std::lock_guard lock(mutex_);
+    reach(next);
+    is_stale = is_to_refresh(wall);
+    wait = wait_left(wall);
+  }
+  if (is_stale) refresh();
+  return wait;
 }
 
 void LiveControl::end(hal::Time at, const std::string& result) {

@@ -76,6 +76,11 @@ class LiveControl final : public view::RunControl,
   hal::Result<std::int64_t> start(const view::Steps& steps);
   hal::Result<std::int64_t> add(const view::Break& at);
   void refresh();
+  /// Of hold(), under the lock: the run has come to `next`; whether somebody waits for what is not
+  /// written yet; how long to wait.
+  void reach(hal::Time next);
+  bool is_to_refresh(hal::Time wall) const;
+  std::optional<hal::Duration> wait_left(hal::Time wall) const;
   void restart_pace();
   void count(view::Steps::Of what, hal::Time at, hal::AgentId agent);
   bool is_watched(view::Break::On on) const;

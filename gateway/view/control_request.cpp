@@ -70,6 +70,7 @@ class Members {
   template <std::size_t kCount>
   std::size_t one_of(const char* key, const std::array<std::string_view, kCount>& names) {
     const std::string name = needed(key, text(key));
+    if (!mistake_.empty()) return 0;
     for (std::size_t i = 0; i < kCount; ++i) {
       if (names.at(i) == name) return i;
     }
@@ -92,7 +93,9 @@ class Members {
     return value.is_number_unsigned() && value.get<std::uint64_t>() > INT64_MAX;
   }
   void wrong(const char* key, const std::string& allowed) {
-    if (mistake_.empty()) mistake_ = fmt::format("{}: must be {}", key, allowed);
+    if (!mistake_.empty()) return;
+    const std::string seen = body_.at(key).dump(-1, ' ', true, json::error_handler_t::replace);
+    mistake_ = fmt::format("{}: {} is not {}", key, seen.substr(0, kLongestName), allowed);
   }
 
   const json& body_;

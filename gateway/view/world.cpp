@@ -181,16 +181,22 @@ Json texts_of(Record& record, const char* sql) {
   return texts.json();
 }
 
+/// More than these nobody can tell apart: the page then draws those of the chosen agent only.
+constexpr std::size_t kMostLinks = 2000;
+
 Json links_of(Record& record) {
   JsonArray links;
-  Statement row = record.query("SELECT a, b FROM links ORDER BY 1, 2");
+  Statement row = record.query(
+      fmt::format("SELECT a, b FROM links ORDER BY 1, 2 LIMIT {}", kMostLinks + 1));
   while (row.next()) links.add(JsonArray().add(row.integer(0)).add(row.integer(1)).json());
   return links.json();
 }
 
 Json links_of(const Scenario& scenario) {
   JsonArray links;
+  std::size_t left = kMostLinks + 1;
   for (const auto& [a, b] : links_at_start(scenario.simulation)) {
+    if (left-- == 0) break;
     links.add(JsonArray().add(a).add(b).json());
   }
   return links.json();

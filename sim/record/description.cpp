@@ -56,7 +56,10 @@ constexpr const char* kReading = R"(## Reading them
 
     baraka report DIR...              tables for people; -o PAGE.html draws figures
     baraka export DIR                 lists the tables of a result
+    baraka view DIR...                world, network and time in a browser (view.md)
     baraka export DIR TABLE           one table as CSV (RFC 4180); -o FILE writes it to a file
+    baraka export DIR --format csv -o FOLDER      all of them
+    baraka export DIR --format mcap -o FILE       for Foxglove, PlotJuggler and RViz (viewers.md)
     baraka export --describe          this page
     sqlite3 DIR/run.sqlite .schema    the tables with these meanings as comments
 

@@ -2,6 +2,7 @@
 """A run that is shown in a browser while it goes on: equal to one that nobody looks at, whatever the page asks for."""
 import json
 import os
+import pathlib
 import re
 import time
 import unittest
@@ -48,6 +49,7 @@ class Page:
         raise AssertionError(f"still {now}")
 
 
+TELEOP = pathlib.Path(__file__).parent / "teleop.yaml"
 ALONE = []  # the fingerprint of a run that is not shown
 
 
@@ -55,7 +57,10 @@ class LiveView(Case):
     COMMON = "--controllers", "in-process", "--until", UNTIL, "--no-inspect"
 
     def shown(self, *arguments):
-        run = self.start(CASE_STUDY, *self.COMMON, "--view", "--no-open", *arguments)
+        return self.viewed(CASE_STUDY, *self.COMMON, *arguments)
+
+    def viewed(self, *arguments):
+        run = self.start(*arguments, "--view", "--no-open")
         for line in run.process.stderr:
             found = re.match(r"view: (\S+)", line)
             if found:
@@ -136,7 +141,7 @@ class LiveView(Case):
     def test_mistakes_are_named(self):
         run, page = self.shown("--paused")
         for command, what, words in (("step", {"count": 0, "of": "cycle"}, "count"), ("break", {"on": "full moon"}, "one of state"),
-                                     ("dance", {}, "dance"), ("speed", {"factor": -1}, "factor|speed"),
+                                     ("dance", {}, "one of pause"), ("speed", {"factor": -1}, "factor|speed"),
                                      ("clear", {"id": 7}, "7"), ("drive", {"agent": 1, "vx": 1, "vy": 0, "omega": 0},
                                                                  "driven by hand")):
             with self.assertRaises(urllib.error.HTTPError) as refused:
@@ -150,6 +155,22 @@ class LiveView(Case):
         page.now()
         send(run.process.pid, "SIGINT")
         self.assertEqual(run.finish().status, 130)
+
+    def test_a_robot_is_driven_from_the_page(self):
+        """10 s, of which it drives ahead for 2; what came in is recorded, so that the run can be repeated."""
+        run, page = self.viewed(TELEOP, "--until", "10", "--pace", "realtime")
+        for _ in range(20):
+            page.post("drive", agent=1, vx=0.2, vy=0, omega=0)
+            time.sleep(0.1)
+        page.post("drive", agent=1, vx=0, vy=0, omega=0)
+        done = run.finish()
+        self.assertEqual(done.status, 0, str(done))
+        [(x, y)] = self.query("SELECT x_m, y_m FROM bodies")
+        self.assertAlmostEqual(x, 0.4, delta=0.15)  # 0.2 m/s for 2 s, give or take what a busy machine does to either
+        self.assertAlmostEqual(y, 0, delta=0.05)
+        record = self.out
+        repeated = self.run_baraka(TELEOP, "--repeat", record)
+        self.assertEqual(repeated["fingerprint"], done["fingerprint"])
 
     def test_follows_the_clock_and_is_only_watched(self):
         run, page = self.shown("--pace", "realtime:100")

@@ -15,7 +15,7 @@ import sys
 import tempfile
 import unittest
 
-from baraka import BIN, CASE_STUDY, Case, Program
+from baraka import BIN, CASE_STUDY, Case, Program, wait_for
 from browser import CHROMIUM, Browser
 
 PAGE = BIN / "view_page.html"
@@ -170,6 +170,32 @@ class View(Case):
         # One more copy of the record's answers (some 2 MB) would show.
         self.assertLess(after - before, 1.5e6, (before, after))
 
+    def test_an_exported_page_needs_no_server(self):
+        page = self.folder / "page.html"
+        done = Program("baraka", "view", self.shown.result, "--export", page).finish()
+        self.assertEqual(done.status, 0, str(done))
+        [(sender, identity, sent)] = self.record(
+            "SELECT sender, id, sent_ns FROM messages WHERE destination < 65534 AND verdict = 'delivered' ORDER BY sent_ns, sender LIMIT 1")
+        bookmark = f"t={sent / 1e9:.9f}&message={sender},{identity},{sent}&followed={sender},{identity},{sent}"
+        self.opens(bookmark)
+        served = self.browser.run("baraka.hops()")
+        self.browser.open(f"{page.as_uri()}#theme=light&{bookmark}")
+        self.browser.go()
+        self.assertTrue(self.browser.run("baraka.source.exported"))
+        self.assertEqual(self.browser.run("baraka.hops()"), served)
+        self.assertGreater(len(served), 0)
+        self.assertEqual(self.browser.run("performance.getEntriesByType('resource').filter((one) => !one.name.startsWith('data:')).length"), 0)
+
+    def test_a_scenario_is_shown_as_it_will_start(self):
+        server = Program("baraka", "view", CASE_STUDY, "--no-open")
+        self.addCleanup(server.clean_up)
+        address = re.match(r"view: (\S+)", server.process.stdout.readline()).group(1)
+        self.browser.open(f"{address}#theme=light&agent={ROBOT}")
+        self.browser.go()
+        self.assertIn("help_robot", self.browser.run("document.getElementById('inspector').innerText"))
+        self.assertTrue(self.browser.run("document.getElementById('notice').hidden"))
+        self.assertEqual(self.browser.run("baraka.source.runs[0].world.agents.length"), 26)
+
     def test_the_keys_work(self):
         self.opens("t=100.0&agent=26")
 
@@ -179,8 +205,8 @@ class View(Case):
         self.assertEqual(press("c")["t"], 100_100_000_000)
         self.assertEqual(press("C")["t"], 100_000_000_000)
         [(following,)] = self.record("SELECT MIN(at_ns) FROM frames WHERE at_ns > ?", 100 * SECOND)
-        press("f")
-        self.assertEqual(self.browser.run("new Promise((done) => setTimeout(() => done(baraka.store.state.t), 500))"), following)
+        press("f")  # asks for frames, and goes there when they have come
+        self.assertEqual(wait_for(lambda: (t := self.browser.run("baraka.store.state.t")) != 100 * SECOND and t), following)
         self.assertTrue(press("?")["help"])
         self.assertIn("next control cycle", self.browser.run("document.getElementById('keys').innerText"))
         self.assertFalse(press("Escape")["help"])

@@ -6,6 +6,7 @@
 // A piece is {from, to, tile}: the part of the span for which this tile is the best there is. Pieces do not
 // overlap and are in order; a span that nothing has come for yet has none. `rows(...).complete` tells
 // whether everything has come; what has not is asked for, and onArrival() is called when it comes.
+// rows(kind, from, to, {summary: true, tiles}) is content with summaries, of so many tiles and one more.
 // tile.columns are the rows (numbers as Float64Array); of a summary (tile.complete false) see the server.
 // Times are ns.
 const least = 4;
@@ -64,9 +65,10 @@ function answers() {
 }
 
 /** One run's record. `live()`: up to when the record of a live run is written; null of a finished one. */
-function openRun({ index, name, folder, title }, world, from, { onArrival, cache, live, onError, isRecorded }) {
+function openRun({ index, name, folder, title }, world, from, { onArrival, cache, live, onError }) {
   const base = `/api/runs/${index}`;
-  const hint = new Map(); //  kind → level whose tiles were complete lately
+  const hint = new Map(); //     kind → level whose tiles were complete lately
+  const ceiling = new Map(); //  kind → level above which tiles were seen that were not
 
   const ask = (url) => cache.ask(url, () => from.get(url).then(({ answer, bytes }) => {
     if (answer?.columns) packed(answer.columns);
@@ -88,13 +90,13 @@ function openRun({ index, name, folder, title }, world, from, { onArrival, cache
     return entry ?? cache.look(url);
   }
 
-  function rows(kind, start, end, { summary = false } = {}) {
+  function rows(kind, start, end, { summary = false, tiles = 8 } = {}) {
     const from_ = Math.max(0, start);
     const to = Math.max(from_ + 1, end);
     const pieces = [];
     pieces.complete = true;
-    if (!isRecorded) return pieces;
-    const finest = summary ? levelFor(to - from_) : levelFor(to - from_, 64);
+    if (world.isPlan) return pieces; //  nobody has run it
+    const finest = summary ? levelFor(to - from_, tiles) : levelFor(to - from_, 64);
     const first = Math.max(finest, from.inlined ? most : hint.get(kind) ?? 11);
     // A larger tile that is complete already spares all smaller ones.
     let level = first;
@@ -139,6 +141,7 @@ function openRun({ index, name, folder, title }, world, from, { onArrival, cache
         pieces.complete = false; // asked for; whether there is anything finer is not known yet
       } else {
         hint.set(kind, Math.max(finest, at - 1));
+        if (tile) ceiling.set(kind, Math.min(at - 1, ceiling.get(kind) ?? most)); // somewhere this was too full: not tried again
         const length = pieces.length;
         children(at, tileIndex, visit);
         if (pieces.length === length && piece) pieces.push(piece); // nothing finer yet: the summary
@@ -151,11 +154,11 @@ function openRun({ index, name, folder, title }, world, from, { onArrival, cache
   // The level at which to ask next time: one up where tiles are nearly empty.
   function note(kind, level, tile) {
     const count = Object.values(tile.columns ?? {})[0]?.length ?? 0;
-    if (count < few && tile.until >= tile.to && level < most && level >= (hint.get(kind) ?? 11)) hint.set(kind, level + 1);
+    if (count < few && tile.until >= tile.to && level < (ceiling.get(kind) ?? most) && level >= (hint.get(kind) ?? 11)) hint.set(kind, level + 1);
   }
 
   const whole = (url) => {
-    if (!isRecorded) return null;
+    if (world.isPlan) return null;
     const entry = cache.look(url);
     if (!entry || (!entry.asking && live() !== null && live() > (entry.answer?.until ?? entry.live ?? 0) &&
         performance.now() - entry.asked > 4 * again)) {
@@ -246,9 +249,9 @@ export async function openSource(onArrival = () => {}, onError = () => {}) {
     ? folder.replace(/\/+$/, "").split("/").pop() : name);
   const runs = await Promise.all(view.runs.map(async (told) => {
     const world = (await from.get(`/api/runs/${told.index}/world`)).answer;
+    world.isPlan = view.mode === "scenario";
     world.endsAt = () => Math.max(world.until ?? world.end ?? 0, until ?? 0);
-    return openRun({ ...told, title: titleOf(told) }, world, from, { onArrival: arrived, cache, live: () => until, onError,
-      isRecorded: view.mode !== "scenario" });
+    return openRun({ ...told, title: titleOf(told) }, world, from, { onArrival: arrived, cache, live: () => until, onError });
   }));
   return {
     view, runs,

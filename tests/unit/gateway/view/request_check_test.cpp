@@ -101,7 +101,7 @@ TEST(ControlRequest, ReadsEachCommand) {
   EXPECT_EQ(made.state, "DONE");
   EXPECT_EQ(read<Break>(R"({"command":"break","on":"time","at":5})").at, 5);
   EXPECT_EQ(read<Clear>(R"({"command":"clear","id":4})").id, 4);
-  EXPECT_EQ(read<Drive>(R"({"command":"drive","agent":3,"vx":0.5,"omega":-1})").omega, -1);
+  EXPECT_EQ(read<DriveByHand>(R"({"command":"drive","agent":3,"vx":0.5,"omega":-1})").omega, -1);
 }
 
 TEST(ControlRequest, NamesWhatIsWrong) {
@@ -114,18 +114,18 @@ TEST(ControlRequest, NamesWhatIsWrong) {
   EXPECT_EQ(mistake(std::string(4000, '[')), "a command is a JSON object");
   EXPECT_EQ(mistake("{}"), "command: is missing");
   EXPECT_EQ(mistake(R"({"command":"halt"})"),
-            "command: must be one of pause, resume, step, speed, break, clear, drive");
+            "command: \"halt\" is not one of pause, resume, step, speed, break, clear, drive");
   EXPECT_EQ(mistake(R"({"command":"step","of":"cycle","count":0})"),
-            "count: must be a whole number from 1 to 1000000");
+            "count: 0 is not a whole number from 1 to 1000000");
   EXPECT_EQ(mistake(R"({"command":"step","of":"cycle","count":1e99})"),
-            "count: must be a whole number from 1 to 1000000");
+            "count: 1e+99 is not a whole number from 1 to 1000000");
   EXPECT_EQ(mistake(R"({"command":"clear","id":18446744073709551615})"),
-            "id: must be a whole number from 0 to 9223372036854775807");
+            "id: 18446744073709551615 is not a whole number from 0 to 9223372036854775807");
   EXPECT_EQ(mistake(R"({"command":"speed","factor":-1})"),
-            "factor: must be a number from 0 to 1000000000");
+            "factor: -1 is not a number from 0 to 1000000000");
   EXPECT_EQ(mistake(R"({"command":"break","on":"time"})"), "at: is missing");
   EXPECT_EQ(mistake(R"({"command":"drive","agent":0,"vx":1,"omega":0})"),
-            "agent: must be a whole number from 1 to 65533");
+            "agent: 0 is not a whole number from 1 to 65533");
 }
 
 }  // namespace

@@ -22,12 +22,12 @@ namespace {
 
 constexpr const char* kSecret = "the-secret-beside-the-folder";
 
-class RecordedCommands final : public Control {
+class RecordedCommands final : public RunControl {
  public:
   hal::Result<std::int64_t> act(const Command& command) override {
     const std::lock_guard lock(mutex_);
     commands.push_back(command);
-    if (std::holds_alternative<Drive>(command)) {
+    if (std::holds_alternative<DriveByHand>(command)) {
       return hal::fail(hal::Errc::kNotAvailable, "nobody drives it by hand");
     }
     return std::holds_alternative<Break>(command) ? 7 : 0;
@@ -51,7 +51,7 @@ class ViewServerTest : public testing::Test {
     std::ofstream(result.path() / "private.txt") << kSecret;
   }
 
-  ViewServer& start(Control* with = nullptr) {
+  ViewServer& start(RunControl* with = nullptr) {
     ViewServer::Settings settings;
     settings.page = "<html><script>the page</script></html>";
     settings.runs.push_back(std::make_unique<view::Run>(result.path()));
@@ -96,7 +96,7 @@ TEST_F(ViewServerTest, ServesThePageAndTheApi) {
   EXPECT_EQ(status_of(page), 200);
   EXPECT_TRUE(page.ends_with("<html><script>the page</script></html>"));
   for (const char* header : {"X-Content-Type-Options: nosniff", "Content-Security-Policy: default",
-                             "Cache-Control: no-store", "Connection: close"}) {
+                             "Cache-RunControl: no-store", "Connection: close"}) {
     EXPECT_NE(page.find(header), std::string::npos) << header;
   }
   EXPECT_NE(get("/api/view").find(R"("can_command":false)"), std::string::npos);
@@ -141,7 +141,7 @@ TEST_F(ViewServerTest, SaysWhyACommandWasNotTaken) {
   start(&control);
   const std::string unknown = post(R"({"command":"halt"})", token_header());
   EXPECT_EQ(status_of(unknown), 400);
-  EXPECT_NE(unknown.find("must be one of"), std::string::npos);
+  EXPECT_NE(unknown.find("is not one of"), std::string::npos);
   const std::string drive =
       post(R"({"command":"drive","agent":3,"vx":1,"omega":0})", token_header());
   EXPECT_EQ(status_of(drive), 409);

@@ -61,6 +61,7 @@ function sensors(parent, run, agent, readings, t) {
 }
 
 function routes(parent, run, agent, store) {
+  if (run.world.isPlan) return;
   const changes = run.routes(agent.agent);
   const section = part(parent, "routes");
   if (!changes) { section.append("…"); return; }

@@ -27,8 +27,12 @@ export function showFrame(parent, run, store) {
   const section = part(parent, ends.length ? `at ${ends.length} ${ends.length === 1 ? "radio" : "radios"}` : "heard by nobody");
   if (!ends.length) return;
   const table = list(section, ["radio", "verdict", "RSSI dBm", "SINR dB", "way µs"], ends.map((end) => [
-    `${nameOf(run, end.agent)}${end.agent === frame.receiver ? " ←" : ""}`, end.verdict, end.rssi === null ? "" : fixed(end.rssi, 1), end.sinr === null ? "" : fixed(end.sinr, 1),
+    nameOf(run, end.agent), end.verdict, end.rssi === null ? "" : fixed(end.rssi, 1), end.sinr === null ? "" : fixed(end.sinr, 1),
     ((end.at - frame.at - frame.airtime) / 1e3).toFixed(3)]), (i) => store.set({ chosen: { kind: "agent", run: run.index, agent: ends[i].agent } }));
-  ends.forEach((end, i) => { table.tBodies[0].rows[i].cells[1].style.color = verdictColour(end.verdict); });
+  ends.forEach((end, i) => {
+    const row = table.tBodies[0].rows[i];
+    row.classList.toggle("meant", end.agent === frame.receiver);
+    row.cells[1].style.color = verdictColour(end.verdict);
+  });
   table.classList.add("numbers");
 }

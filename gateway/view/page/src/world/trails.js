@@ -29,7 +29,7 @@ export function createTrails(scene, run, slots) {
       if (state.layers.trails && robots.length && !(isMany && chosen === undefined)) {
         const span = isMany ? stretch / 4 : stretch * Math.max(1, Math.min(10, state.speed));
         const from = Math.max(0, state.t - span);
-        trail(run.rows("poses", from, state.t + 1, { summary: true }), from, state.t, poses, isMany ? chosen : null);
+        trail(run.rows("poses", from, state.t + 1, { summary: true, tiles: 1 }), from, state.t, poses, isMany ? chosen : null);
       }
       return segments.end();
     },
