@@ -28,12 +28,19 @@ Json values_of(std::string_view reading) {
   return values.json();
 }
 
-/// A tile of a table of changes: what was the last before, and all in the span.
-/// @param add  the current row, whose columns are those of `select`, to the columns.
-template <class Add>
+/// A table of changes, and what a page is told of it.
+struct Changes {
+  std::string table;
+  std::string select;  ///< Its columns.
+  Columns columns;
+  void (*add)(Columns& to, const Statement& row);  ///< A row of these.
+};
+
+/// A tile of changes: what was the last before, and all in the span.
 std::string tile_of_changes(Record& record, LastRows& last, const Span& span,
-                            const std::string& table, const std::string& select, Columns columns,
-                            Add add) {
+                            const Changes& changes) {
+  const auto& [table, select, empty, add] = changes;
+  Columns columns = empty;
   Statement row = record.query("SELECT " + select + " FROM " + table + " WHERE rowid = ?");
   for (const std::int64_t before : last.before(record, span.from())) {
     row.bind_all(before);
@@ -56,28 +63,31 @@ std::string tile_of_changes(Record& record, LastRows& last, const Span& span,
 std::string readings_tile(Record& record, LastRows& last, const Span& span) {
   Columns columns({"agent", "at", "channel", "values"});
   if (!record.has("readings")) return tile_text(record, span, true, columns);
-  return tile_of_changes(record, last, span, "readings", "agent, at_ns, channel, reading", columns,
-                         [](Columns& to, const Statement& row) {
-                           to.add(row.integer(0), row.integer(1), row.text(2),
-                                  values_of(row.text(3)));
-                         });
+  return tile_of_changes(record, last, span,
+                         {"readings", "agent, at_ns, channel, reading", columns,
+                          [](Columns& to, const Statement& row) {
+                            to.add(row.integer(0), row.integer(1), row.text(2),
+                                   values_of(row.text(3)));
+                          }});
 }
 
 std::string states_tile(Record& record, LastRows& last, const Span& span) {
   const Columns columns({"agent", "at", "state"});
-  return tile_of_changes(record, last, span, "states", "agent, at_ns, state", columns,
-                         [](Columns& to, const Statement& row) {
-                           to.add(row.integer(0), row.integer(1), row.text(2));
-                         });
+  return tile_of_changes(
+      record, last, span,
+      {"states", "agent, at_ns, state", columns, [](Columns& to, const Statement& row) {
+         to.add(row.integer(0), row.integer(1), row.text(2));
+       }});
 }
 
 std::string queues_tile(Record& record, LastRows& last, const Span& span) {
   Columns columns({"agent", "at", "frames"});
   if (!record.has("queues")) return tile_text(record, span, true, columns);
-  return tile_of_changes(record, last, span, "queues", "agent, at_ns, frames", columns,
-                         [](Columns& to, const Statement& row) {
-                           to.add(row.integer(0), row.integer(1), row.integer(2));
-                         });
+  return tile_of_changes(
+      record, last, span,
+      {"queues", "agent, at_ns, frames", columns, [](Columns& to, const Statement& row) {
+         to.add(row.integer(0), row.integer(1), row.integer(2));
+       }});
 }
 
 }  // namespace gateway::view

@@ -25,6 +25,7 @@ constexpr std::int64_t kMostEnds = 100'000;
 
 std::vector<std::string_view> verdict_names() {
   std::vector<std::string_view> names;
+  names.reserve(hal::kVerdictCount);
   for (int i = 0; i < hal::kVerdictCount; ++i) names.push_back(name(static_cast<hal::Verdict>(i)));
   return names;
 }

@@ -9,6 +9,15 @@ namespace {
 
 constexpr std::string_view kReplacement = "\xEF\xBF\xBD";  // U+FFFD
 
+/// Whether a UTF-8 character may begin with these two bytes (RFC 3629, clause 4).
+bool may_follow(unsigned first, unsigned second) {
+  // Not: overlong forms, surrogates, and what is beyond U+10FFFF.
+  if (first == 0xE0) return second >= 0xA0;
+  if (first == 0xED) return second <= 0x9F;
+  if (first == 0xF0) return second >= 0x90;
+  return first != 0xF4 || second <= 0x8F;
+}
+
 /// How many bytes the UTF-8 character at the begin of the text has (RFC 3629, clause 4); 0: it is
 /// none.
 std::size_t character_at(std::string_view text) {
@@ -22,11 +31,7 @@ std::size_t character_at(std::string_view text) {
   for (std::size_t i = 1; i < length; ++i) {
     if ((byte(i) & 0xC0U) != 0x80U) return 0;
   }
-  const unsigned second = byte(1);
-  // Overlong forms, surrogates, and what is beyond U+10FFFF.
-  const bool is_forbidden = (first == 0xE0 && second < 0xA0) || (first == 0xED && second > 0x9F) ||
-                            (first == 0xF0 && second < 0x90) || (first == 0xF4 && second > 0x8F);
-  return is_forbidden ? 0 : length;
+  return may_follow(first, byte(1)) ? length : 0;
 }
 
 void append_escaped(std::string& to, unsigned char c) {

@@ -43,6 +43,7 @@ std::vector<std::pair<std::int64_t, std::int64_t>> links_at_start(
     return radio_range(config, agent).value_or(std::numeric_limits<double>::infinity());
   };
   std::vector<double> ranges;
+  ranges.reserve(config.agents.size());
   for (const auto& agent : config.agents) ranges.push_back(range_of(agent));
   std::vector<std::pair<std::int64_t, std::int64_t>> links;
   for (std::size_t b = 0; b < ranges.size(); ++b) {

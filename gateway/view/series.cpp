@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "gateway/view/tiles.h"
 
@@ -109,8 +110,8 @@ std::string SeriesStore::tile(Record& record, std::int64_t index, const Span& sp
   if (series == nullptr) return "";
   const auto at = [](const auto& sample) { return sample.first; };
   const auto& all = series->samples;
-  const std::ranges::subrange inside(std::ranges::lower_bound(all, span.from(), {}, at),
-                                     std::ranges::lower_bound(all, span.to(), {}, at));
+  const std::span inside(std::ranges::lower_bound(all, span.from(), {}, at),
+                         std::ranges::lower_bound(all, span.to(), {}, at));
   Columns columns({"at", "value"});
   if (static_cast<std::int64_t>(inside.size()) > kMostRows) {
     return tile_text(record, span, false, columns, {{"bins", series_bins(inside, span)}});

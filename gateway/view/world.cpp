@@ -186,8 +186,8 @@ constexpr std::size_t kMostLinks = 2000;
 
 Json links_of(Record& record) {
   JsonArray links;
-  Statement row = record.query(
-      fmt::format("SELECT a, b FROM links ORDER BY 1, 2 LIMIT {}", kMostLinks + 1));
+  Statement row =
+      record.query(fmt::format("SELECT a, b FROM links ORDER BY 1, 2 LIMIT {}", kMostLinks + 1));
   while (row.next()) links.add(JsonArray().add(row.integer(0)).add(row.integer(1)).json());
   return links.json();
 }
