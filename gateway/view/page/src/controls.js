@@ -130,6 +130,7 @@ export function controls(element, store, source) {
     try { await act.link(); copy.textContent = "copied"; } catch { copy.textContent = "see the address"; }
     setTimeout(() => { copy.textContent = "link"; }, 1500);
   }, element);
+  copy.className = "copy"; //  the key l presses it too
   const help = button("?", "keys (?)", () => store.set({ help: !store.state.help }), element);
 
   return {

@@ -49,7 +49,7 @@ export function keys(store, source) {
     f: () => act.step("frame", 1), F: () => act.step("frame", -1), c: () => act.step("cycle", 1), C: () => act.step("cycle", -1),
     e: () => act.step("event", 1), E: () => act.step("event", -1), "[": () => act.faster(-1), "]": () => act.faster(1),
     "+": () => act.zoom(0.5), "=": () => act.zoom(0.5), "-": () => act.zoom(2), a: act.all, u: act.close,
-    g: () => document.querySelector("#controls .clock").focus(), l: () => act.link().catch(() => {}),
+    g: () => document.querySelector("#controls .clock").focus(), l: () => document.querySelector("#controls .copy").click(),
     Home: () => act.at(0), End: () => act.at(source.end), r: () => nextRun(), n: () => nextAgent(1), N: () => nextAgent(-1), o: act.follow,
     d: () => store.set({ mode2d: !store.state.mode2d }), t: act.theme,
     Escape: () => store.set({ chosen: null, route: null, followed: null, help: false }), "?": () => store.set({ help: !store.state.help }),
