@@ -41,6 +41,7 @@ LiveControl::LiveControl(const sim::agents::SimulationConfig& config,
                          const sim::agents::Simulation& simulation, hal::Clock& clock,
                          Settings settings)
     : config_(config), simulation_(simulation), clock_(clock), settings_(std::move(settings)) {
+  now_.can_hold = settings_.lockstep;
   now_.paused = settings_.paused && settings_.lockstep;
   now_.speed = settings_.max_speed;
   paced_since_ = clock_.now();

@@ -64,6 +64,7 @@ class Clock {
   struct Now {
     std::int64_t now = 0;    ///< ns, simulated
     std::int64_t until = 0;  ///< ns: up to here the record can be read.
+    bool can_hold = true;    ///< In lock-step: it may be paused, stepped and slowed.
     bool paused = false;
     double speed = 0;  ///< Simulated seconds per second; 0: as fast as possible.
     std::optional<std::string> stopped_by{};  ///< Which break paused it, for people.

@@ -108,6 +108,7 @@ std::string event_of(const Clock::Now& clock) {
   const Json event = JsonObject()
                          .add("now", clock.now)
                          .add("until", clock.until)
+                         .add("can_hold", clock.can_hold)
                          .add("paused", clock.paused)
                          .add("speed", clock.speed)
                          .add("stopped_by", clock.stopped_by)

@@ -174,6 +174,7 @@ class LiveView(Case):
 
     def test_follows_the_clock_and_is_only_watched(self):
         run, page = self.shown("--pace", "realtime:100")
+        self.assertFalse(page.now()["can_hold"])
         with self.assertRaises(urllib.error.HTTPError) as refused:
             page.post("pause")
         self.assertIn("watched only", json.loads(refused.exception.read())["error"])

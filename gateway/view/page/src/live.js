@@ -5,7 +5,7 @@ const token = () => globalThis.sessionStorage?.getItem(tokenKey) ?? null;
 const often = 5000; //  ms between two looks at what a run has named
 
 /** Whether this page may hold and step the run. */
-export const isLed = (store) => Boolean(store.state.live?.canCommand && !store.state.live.ended);
+export const isLed = (store) => Boolean(store.state.live?.canCommand && store.state.live.can_hold !== false && !store.state.live.ended);
 
 async function command(store, body) {
   const response = await fetch("/api/control", {

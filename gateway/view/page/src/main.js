@@ -76,6 +76,9 @@ async function main() {
 
   let last = performance.now();
   let drawn = 0;
+  let drawnAt = 0;
+  let touched = false; //  by somebody, not by the run
+  for (const kind of ["pointerdown", "pointermove", "wheel", "keydown"]) addEventListener(kind, () => { touched = true; }, { passive: true });
   const recent = []; //  when the last frames were drawn
   const afterDraw = [];
 
@@ -106,6 +109,12 @@ async function main() {
     write(now);
     const busy = parts.some((part) => part.animates?.(now));
     if (!dirty && !busy && !playing) return;
+    // Where the processor draws, the run that is watched needs it more: twice a second will do.
+    const { live: run } = store.state;
+    const spares = run && !run.paused && !run.ended && !playing && !hasGraphicsCard();
+    if (spares && !touched && now - drawnAt < 500) return;
+    touched = false;
+    drawnAt = now;
     dirty = false;
     parts[0].draw(now);
     drawBeside(now, playing);

@@ -74,10 +74,10 @@ export function livePanel(parent, store, source) {
       if (!live.ended && !isPresent(store, source)) {
         head.append("what is shown is earlier; ", link("go along with it", () => store.set({ t: source.end, playing: false })));
       }
-      const isLed = live.canCommand && !live.ended;
-      if (isLed) breaks(body, run, store);
+      const mayCommand = live.canCommand && !live.ended;
+      if (mayCommand && live.can_hold !== false) breaks(body, run, store);
       const agent = chosen?.kind === "agent" ? run.world.agents.find((one) => one.agent === chosen.agent) : null;
-      drive.show(isLed && agent?.program === "teleop" ? agent : null);
+      drive.show(mayCommand && agent?.program === "teleop" ? agent : null);
     },
   };
 }
