@@ -160,7 +160,7 @@ TEST_F(ViewServerTest, EventsEndSoThatNoTabHoldsAThread) {
   start(&control);
   const std::string events = get("/api/events");
   EXPECT_NE(events.find("Content-Type: text/event-stream"), std::string::npos);
-  EXPECT_NE(events.find("retry: 200\ndata: {\"now\":5,\"until\":4,\"paused\":true"),
+  EXPECT_NE(events.find("retry: 200\ndata: {\"now\":5,\"until\":4,\"can_hold\":true,\"paused\":true"),
             std::string::npos);
 }
 

@@ -70,7 +70,8 @@ export function livePanel(parent, store, source) {
       const head = part(body, headline(live));
       if (live.stoppedBy) head.appendChild(made("p", `stopped: ${live.stoppedBy}`));
       if (live.said) head.appendChild(made("p", live.said, { className: "refused" }));
-      if (!live.canCommand && !live.ended) head.appendChild(made("p", "watched only: the address that the run printed has the key to command it"));
+      if (live.can_hold === false && !live.ended) head.appendChild(made("p", "it follows the clock: watched only"));
+      else if (!live.canCommand && !live.ended) head.appendChild(made("p", "watched only: the address that the run printed has the key to command it"));
       if (!live.ended && !isPresent(store, source)) {
         head.append("what is shown is earlier; ", link("go along with it", () => store.set({ t: source.end, playing: false })));
       }
