@@ -57,7 +57,7 @@ def live(folder):
         assert done.status == 0, done
         return float(done["simulated_s"]) / float(done["wall_s"]), done["fingerprint"]
 
-    browser = Browser(folder, 1280, 720)
+    browser = Browser(1280, 720)
     speeds = {case: [] for case in ((False, False), (True, False), (True, True))}
     fingerprints = set()
     for _ in range(3):
@@ -79,7 +79,7 @@ class Shown:
     def __init__(self, folder, result):
         self.server = Program("baraka", "view", result, "--no-open")
         self.address = said(self.server.process, "stdout")
-        self.browser = Browser(folder, 1280, 720)
+        self.browser = Browser(1280, 720)
 
     def opened(self, bookmark=""):
         begin = time.monotonic()

@@ -6,6 +6,7 @@ import os
 import shutil
 import struct
 import subprocess
+import tempfile
 import zlib
 
 CHROMIUM = shutil.which("chromium")
@@ -17,16 +18,18 @@ FLAGS = ["--headless", "--no-sandbox", "--no-first-run", "--hide-scrollbars", "-
 class Browser:
     """One tab.
 
-        browser = Browser(folder, 1280, 720); browser.open(address); browser.run("document.title")
+        browser = Browser(1280, 720); browser.open(address); browser.run("document.title")
     """
 
-    def __init__(self, folder, width, height):
+    def __init__(self, width, height):
         self.size = width, height
+        # Its processes write for a moment after the first of them has ended.
+        self.profile = tempfile.TemporaryDirectory(prefix="baraka-chromium-", ignore_cleanup_errors=True)
         to_child, from_us = self._pipe()
         from_child, to_us = self._pipe()
         # The protocol wants descriptors 3 and 4.
         command = ["bash", "-c", f'exec "$@" 3<&{to_child} 4>&{to_us}', "bash", CHROMIUM, *FLAGS, f"--window-size={width},{height}",
-                   f"--user-data-dir={folder / 'chromium'}", "about:blank"]
+                   f"--user-data-dir={self.profile.name}", "about:blank"]
         self.process = subprocess.Popen(command, pass_fds=(to_child, to_us), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         os.close(to_child)
         os.close(to_us)
@@ -118,6 +121,7 @@ class Browser:
         self.process.wait(10)
         self.read.close()
         self.write.close()
+        self.profile.cleanup()
 
 
 class Picture:

@@ -46,9 +46,7 @@ class Tab(Browser):
 class Controls(Case):
     def setUp(self):
         super().setUp()
-        folder = tempfile.TemporaryDirectory(prefix="baraka-view-")
-        self.addCleanup(folder.cleanup)
-        self.tab = Tab(pathlib.Path(folder.name), 1280, 720)
+        self.tab = Tab(1280, 720)
         self.addCleanup(self.tab.close)
 
     def tearDown(self):

@@ -36,7 +36,7 @@ class Shown:
         assert done.status == 0, str(done)
         self.server = Program("baraka", "view", self.result, "--no-open")
         self.address = re.match(r"view: (\S+)", self.server.process.stdout.readline()).group(1)
-        self.browser = Browser(root, 1280, 720)
+        self.browser = Browser(1280, 720)
 
     def close(self):
         self.browser.close()

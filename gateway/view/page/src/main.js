@@ -122,9 +122,10 @@ async function main() {
     recent.push(now);
     if (recent.length > 120) recent.shift();
     drawn++;
-    if (source.asking === 0) {
+    // What a run writes meanwhile is asked for again and again.
+    if (source.asking === 0 || spares) {
       document.documentElement.dataset.drawn = String(drawn);
-      if (!dirty) for (const resolve of afterDraw.splice(0)) resolve();
+      if (!dirty || spares) for (const resolve of afterDraw.splice(0)) resolve();
     }
   };
   requestAnimationFrame(frame);

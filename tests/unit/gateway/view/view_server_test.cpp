@@ -160,8 +160,9 @@ TEST_F(ViewServerTest, EventsEndSoThatNoTabHoldsAThread) {
   start(&control);
   const std::string events = get("/api/events");
   EXPECT_NE(events.find("Content-Type: text/event-stream"), std::string::npos);
-  EXPECT_NE(events.find("retry: 200\ndata: {\"now\":5,\"until\":4,\"can_hold\":true,\"paused\":true"),
-            std::string::npos);
+  EXPECT_NE(
+      events.find("retry: 200\ndata: {\"now\":5,\"until\":4,\"can_hold\":true,\"paused\":true"),
+      std::string::npos);
 }
 
 TEST_F(ViewServerTest, ManyTabsAtOnceAreAllAnsweredSoon) {

@@ -58,7 +58,7 @@ export function inspector(element, store, source) {
       const isUsed = element.contains(document.activeElement) && /^(INPUT|SELECT)$/.test(document.activeElement.tagName);
       stale = !same && (now - at < least || isUsed);
       const run = source.runs.find(({ index }) => index === (state.chosen?.run ?? state.run)) ?? source.runs[0];
-      const liveKey = state.live && JSON.stringify([state.live.paused, state.live.ended, state.live.stoppedBy, state.live.said, state.live.breaks, state.chosen, isPresent(store, source)]);
+      const liveKey = state.live && JSON.stringify([state.live.can_hold, state.live.paused, state.live.ended, state.live.stoppedBy, state.live.said, state.live.breaks, state.chosen, isPresent(store, source)]);
       if (liveKey !== shownLive && !isUsed) {
         shownLive = liveKey;
         panel.draw(run);
