@@ -9,7 +9,6 @@ import pathlib
 import re
 import sqlite3
 import sys
-import tempfile
 import unittest
 
 from baraka import BIN, CASE_STUDY, Case, Program, send, wait_for
