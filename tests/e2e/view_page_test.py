@@ -95,7 +95,7 @@ class View(Case):
             ways.pop(hop, None)
             if path[0] is not None:
                 ways[hop] = path
-            if len(ways) > most:
+            if len(ways) > most and destination_ not in ways:  # H would leave nothing to the others
                 most, (at, agent, topic, destination), table = len(ways), (at_, agent_, topic_, destination_), dict(ways)
         self.assertGreater(most, 1, "no choice")
         beta, weights = float(settings["routing.beta"]), metric(settings)
