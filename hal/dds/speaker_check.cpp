@@ -50,9 +50,8 @@ std::optional<uid_t> user_of(std::int64_t pid) {
 
 bool is_of_this_host(const ProcessIdentity& claimed) { return claimed.host == this_process().host; }
 
-}  // namespace
-
-std::optional<std::string> socket_at(const UdpSender& sender) {
+/// As socket_at(), in one look.
+std::optional<std::string> look_for_socket_at(const UdpSender& sender) {
   // The address is in the order of the network, read as a number of this machine; or any.
   const std::string one = fmt::format("{:08X}:{:04X}", htonl(sender.address), sender.port);
   const std::string any = fmt::format("{:08X}:{:04X}", 0, sender.port);
@@ -70,6 +69,20 @@ std::optional<std::string> socket_at(const UdpSender& sender) {
     return inode;
   }
   return std::string();
+}
+
+}  // namespace
+
+/// The kernel's table is not read at one instant: while other sockets come and go, one
+/// that is there all along may be passed over.
+std::optional<std::string> socket_at(const UdpSender& sender) {
+  constexpr int kLooks = 3;
+  std::optional<std::string> found;
+  for (int look = 0; look < kLooks; ++look) {
+    found = look_for_socket_at(sender);
+    if (!found || !found->empty()) break;
+  }
+  return found;
 }
 
 Result<void> check_speaker(const ProcessIdentity& claimed, const std::optional<UdpSender>& sender) {
