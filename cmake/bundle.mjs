@@ -1,5 +1,6 @@
-// Builds the page without figures: index.html with the style and the bundled script in it.
-//   node bundle.mjs OUTPUT
+// Builds a page, of the report or of the view: index.html with the style and the bundled script in it.
+// The script is a classic one (esbuild's iife): a page opened from disk may load no modules.
+//   node bundle.mjs OUTPUT     in a folder with index.html, style.css, src and node_modules
 import { readFileSync, writeFileSync } from "node:fs";
 import { build } from "esbuild";
 
