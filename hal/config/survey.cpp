@@ -4,6 +4,7 @@
 #include <deque>
 #include <iterator>
 #include <string_view>
+#include <unordered_set>
 #include <utility>
 
 namespace hal::config {
@@ -43,31 +44,40 @@ class Explorer {
   std::set<std::string> top_level_keys();
 
  private:
-  /// One way: the options that differ from those taken by itself, and the keys first found on it.
+  /// One way: the options that differ from those taken by itself, and the keys and decisions first
+  /// found on it.
   struct Way {
     Taken taken;
     std::vector<const Survey::Read*> found;
+    std::vector<const Decision*> met;
   };
 
   void survey_with(Survey& survey);
   const Survey& survey_of(const Taken& taken);
+  /// @pre `decision` is one of survey_of(taken).
+  const Survey& survey_where(const Taken& taken, const Decision& decision, std::size_t option);
   void follow(const Taken& taken);
   void follow_all() {
     for (; !ahead_.empty(); ahead_.pop_front()) follow(ahead_.front());
   }
+  void find_far();
   /// Ways that take one more decision otherwise.
   std::vector<Taken> pairs(const Taken& taken);
   void add_new(const Taken& pair, std::vector<KeyDescription>& keys);
   KeyDescription described(const Survey::Read& key, const Taken& taken);
   std::optional<Condition> condition(const std::string& path, const Taken& taken,
                                      const Decision& decision, KeyDescription& key);
+  bool reaches_out(const Taken& taken, const Decision& decision);
   std::vector<std::string> never_read() const;
 
   const std::function<void(Mapping)>& read_;
   std::map<Taken, Survey> surveys_;
   std::deque<Taken> ahead_{{}};
   std::vector<Way> ways_;
-  std::set<std::string> paths_, decisions_, mentioned_;
+  /// Decisions, by Decision::id(), and those of them that keys outside their mapping hang on.
+  std::set<std::string> decisions_, far_;
+  std::unordered_set<std::string> paths_;
+  std::set<std::string> mentioned_;
 };
 
 void Explorer::survey_with(Survey& survey) {
@@ -86,14 +96,21 @@ Taken taking(Taken taken, const Decision& decision, std::size_t option) {
   return taken;
 }
 
+/// What is taken anyway need not be wanted.
+const Survey& Explorer::survey_where(const Taken& taken, const Decision& decision,
+                                     std::size_t option) {
+  return survey_of(option == decision.taken ? taken : taking(taken, decision, option));
+}
+
 void Explorer::follow(const Taken& taken) {
   const Survey& survey = survey_of(taken);
-  Way way{taken, {}};
+  Way way{taken, {}, {}};
   for (const Survey::Read& read : survey.read()) {
     if (paths_.insert(read.path).second) way.found.push_back(&read);
   }
   for (const Decision& decision : survey.decisions()) {
     if (!decisions_.insert(decision.id()).second) continue;
+    way.met.push_back(&decision);
     for (std::size_t option = 0; option < decision.options.size(); ++option) {
       if (option != decision.taken) ahead_.push_back(taking(taken, decision, option));
     }
@@ -136,7 +153,7 @@ std::optional<Condition> Explorer::condition(const std::string& path, const Take
   Condition condition{decision.path, decision.presence, {}};
   std::vector<KeyDescription::Variant> variants;
   for (std::size_t option = 0; option < decision.options.size(); ++option) {
-    const Survey::Read* read = survey_of(taking(taken, decision, option)).at(path);
+    const Survey::Read* read = survey_where(taken, decision, option).at(path);
     if (read == nullptr) continue;
     condition.values.push_back(decision.options[option]);
     variants.push_back({decision.options[option], read->otherwise, limits(read->form)});
@@ -151,6 +168,35 @@ std::optional<Condition> Explorer::condition(const std::string& path, const Take
   return std::nullopt;
 }
 
+/// Whether a key outside the mapping of the decision is read otherwise, or not, when it is taken
+/// otherwise.
+bool Explorer::reaches_out(const Taken& taken, const Decision& decision) {
+  const Survey& survey = survey_of(taken);
+  const std::string_view mapping = mapping_of(decision.path);
+  const auto is_other = [&](const Survey::Read& read, const Survey& in) {
+    if (read.path.starts_with(mapping)) return false;
+    const Survey::Read* there = in.at(read.path);
+    return there == nullptr || there->otherwise != read.otherwise ||
+           limits(there->form) != limits(read.form);
+  };
+  for (std::size_t option = 0; option < decision.options.size(); ++option) {
+    const Survey& other = survey_where(taken, decision, option);
+    const auto differs = [&](const Survey& one, const Survey& in) {
+      return std::ranges::any_of(one.read(), [&](const auto& read) { return is_other(read, in); });
+    };
+    if (differs(survey, other) || differs(other, survey)) return true;
+  }
+  return false;
+}
+
+void Explorer::find_far() {
+  for (const Way& way : ways_) {
+    for (const Decision* decision : way.met) {
+      if (reaches_out(way.taken, *decision)) far_.insert(decision->id());
+    }
+  }
+}
+
 KeyDescription Explorer::described(const Survey::Read& read, const Taken& taken) {
   KeyDescription key{.path = read.path,
                      .meaning = read.meaning,
@@ -160,6 +206,7 @@ KeyDescription Explorer::described(const Survey::Read& read, const Taken& taken)
                      .variants = {{"", read.otherwise, limits(read.form)}},
                      .conditions = {}};
   for (const Decision& decision : survey_of(taken).decisions()) {
+    if (!may_meet(decision.path, read.path) && !far_.contains(decision.id())) continue;
     if (auto one = condition(read.path, taken, decision, key)) {
       key.conditions.push_back(std::move(*one));
     }
@@ -176,7 +223,8 @@ KeyDescription Explorer::described(const Survey::Read& read, const Taken& taken)
 
 std::vector<std::string> Explorer::never_read() const {
   std::vector<std::string> result;
-  std::ranges::set_difference(mentioned_, paths_, std::back_inserter(result));
+  std::ranges::copy_if(mentioned_, std::back_inserter(result),
+                       [&](const std::string& path) { return !paths_.contains(path); });
   return result;
 }
 
@@ -242,6 +290,7 @@ void Explorer::add_new(const Taken& pair, std::vector<KeyDescription>& keys) {
 KeyTable Explorer::table() {
   KeyTable table;
   follow_all();
+  find_far();
   for (const Way& way : ways_) {
     for (const Survey::Read* read : way.found) table.keys.push_back(described(*read, way.taken));
   }
@@ -259,7 +308,7 @@ KeyTable Explorer::table() {
 
 std::set<std::string> Explorer::top_level_keys() {
   follow_all();
-  std::set<std::string> keys = paths_;
+  std::set<std::string> keys(paths_.begin(), paths_.end());
   std::erase_if(
       keys, [](const std::string& path) { return path.find_first_of(".[") != std::string::npos; });
   return keys;

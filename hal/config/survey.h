@@ -5,6 +5,8 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "hal/config/key.h"
@@ -41,7 +43,7 @@ class Survey {
   };
 
   /// @param known  paths that are not to be noted again; must outlive the reading; nullptr: none.
-  explicit Survey(Taken taken, const std::set<std::string>* known = nullptr)
+  explicit Survey(Taken taken, const std::unordered_set<std::string>* known = nullptr)
       : taken_(std::move(taken)), known_(known) {}
 
   Mapping root();
@@ -61,13 +63,13 @@ class Survey {
   std::size_t decide(Decision decision);
 
   Taken taken_;
-  const std::set<std::string>* known_;
+  const std::unordered_set<std::string>* known_;
   Problems problems_;
   std::vector<Read> read_;
-  std::map<std::string, std::size_t> places_;  ///< In read_, by path.
+  std::unordered_map<std::string, std::size_t> places_;  ///< In read_, by path.
   std::set<std::string> mentioned_;
   std::vector<Decision> decisions_;
-  std::map<std::string, std::size_t> met_;  ///< Places in decisions_, by Decision::id().
+  std::unordered_map<std::string, std::size_t> met_;  ///< Places in decisions_, by Decision::id().
 };
 
 /// A key counts only with these values of another one, or only with or without another one.
