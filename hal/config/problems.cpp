@@ -37,16 +37,6 @@ std::string line(const Problem& problem, std::string_view mark) {
   return fmt::format("{}: {}{}: {}", place, mark, problem.key, problem.what);
 }
 
-std::vector<std::string> lines(std::vector<Problem> problems, std::string_view mark) {
-  std::sort(problems.begin(), problems.end(),
-            [](const Problem& a, const Problem& b) { return position(a) < position(b); });
-  std::vector<std::string> lines;
-  lines.reserve(problems.size());
-  for (const Problem& problem : problems) lines.push_back(line(problem, mark));
-  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
-  return lines;
-}
-
 }  // namespace
 
 void Problems::add(std::vector<Problem> problems, const std::string& path) {
@@ -54,6 +44,29 @@ void Problems::add(std::vector<Problem> problems, const std::string& path) {
     problem.key = joined(path, problem.key);
     found_.push_back(std::move(problem));
   }
+}
+
+std::vector<std::string> Problems::lines(std::vector<Problem> problems,
+                                         std::string_view mark) const {
+  std::sort(problems.begin(), problems.end(),
+            [](const Problem& a, const Problem& b) { return position(a) < position(b); });
+  std::vector<std::string> lines;
+  lines.reserve(problems.size());
+  for (const Problem& problem : problems) {
+    lines.push_back(line(problem, mark) + includers(problem.place));
+  }
+  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
+  return lines;
+}
+
+/// " (included by a.yaml:5:10, that by b.yaml:2:3)"; empty for what stands in the first file.
+std::string Problems::includers(const Place& place) const {
+  std::string text;
+  for (auto by = included_by_.find(place.order); by != included_by_.end();
+       by = included_by_.find(by->second.order)) {
+    text += (text.empty() ? " (included by " : ", that by ") + by->second.text();
+  }
+  return text.empty() ? text : text + ")";
 }
 
 std::vector<std::string> Problems::messages() const { return lines(found_, ""); }

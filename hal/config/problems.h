@@ -1,7 +1,9 @@
 #pragma once
 
 #include <deque>
+#include <map>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -18,6 +20,9 @@ class Problems {
   }
   void add(std::vector<Problem> problems, const std::string& path);
 
+  /// Where the file of this order (Place) is included: messages about what stands in it say so.
+  void note_include(int order, const Place& by) { included_by_.insert_or_assign(order, by); }
+
   /// Notes what is allowed and hardly meant: no mistake.
   void warn(const Place& place, std::string key, std::string what) {
     warnings_.push_back({place, std::move(key), std::move(what)});
@@ -25,7 +30,8 @@ class Problems {
 
   bool none() const { return found_.empty(); }
 
-  /// One line each, sorted by position; the same of warnings, "file:line:column: warning: …".
+  /// One line each, sorted by position: "file:line:column: key: what (included by
+  /// file:line:column)"; the same of warnings, "file:line:column: warning: …".
   std::vector<std::string> messages() const;
   std::vector<std::string> warnings() const;
 
@@ -33,8 +39,12 @@ class Problems {
   const Node& empty_mapping(const Place& place);
 
  private:
+  std::vector<std::string> lines(std::vector<Problem> problems, std::string_view mark) const;
+  std::string includers(const Place& place) const;
+
   std::vector<Problem> found_;
   std::vector<Problem> warnings_;
+  std::map<int, Place> included_by_;
   std::deque<Node> empty_;
 };
 

@@ -29,6 +29,8 @@ VALUES = ["0", "-1", "1", "2", "0.5", "1e9", "1e300", "-1e300", "nan", "inf", "n
           "{include: ../robots/mote.yaml}", "{include: ../scenarios}", "[[[[[[1]]]]]]", "0x10", "012", "1_000"]
 SCALAR = re.compile(r"(?<=[:\[,] )(?!\{|\[)[^,:#\[\]{}\n]+(?=[,\]}\n]| #)")
 NUMBER = re.compile(r"-?[0-9]+(\.[0-9]+)?")
+# In a message about what stands in an included file.
+INCLUDER = re.compile(r"(?:included|that) by (.*?\.yaml):\d+:\d+")
 KEY = re.compile(r"\b([a-z_]+[0-9]*)(?=:)")
 
 
@@ -148,7 +150,7 @@ class MutatedFiles(unittest.TestCase):
                 continue
             found = re.match(r"(.*?\.yaml)(:\d+:\d+)?: .+", line)
             self.assertTrue(found, f"a message without a place: {line!r}")
-            placed.add(found[1])
+            placed.update([found[1], *INCLUDER.findall(line)])
         for path in set(paths) - set(accepted):
             self.assertIn(str(path), placed, f"{path} is refused without a place:\n{path.read_text()}")
         self.assertEqual(finished.returncode, 0 if len(accepted) == len(paths) else 2)

@@ -81,7 +81,7 @@ TEST_F(DocumentTest, PlacesMistakesInTheIncludedFile) {
     root.mapping(key("x")).number(key("b"), "1", {0, 1});
     document.finish();
   });
-  EXPECT_EQ(found, (Lines{"base.yaml:3:4: x.b: 'far' is not a number"}));
+  EXPECT_EQ(found, (Lines{"base.yaml:3:4: x.b: 'far' is not a number (included by a.yaml:1:14)"}));
 }
 
 TEST_F(DocumentTest, FindsCirclesOfIncludes) {
@@ -89,7 +89,7 @@ TEST_F(DocumentTest, FindsCirclesOfIncludes) {
   write("c.yaml", "\ninclude: a.yaml\n");
   EXPECT_EQ(loading(write("a.yaml", "x: {include: b.yaml}\n")),
             (Lines{"c.yaml:2:10: x.y.include: goes in a circle: a.yaml -> b.yaml -> c.yaml -> "
-                   "a.yaml"}));
+                   "a.yaml (included by b.yaml:1:14, that by a.yaml:1:14)"}));
   EXPECT_EQ(loading(write("self.yaml", "include: self.yaml\n")),
             (Lines{"self.yaml:1:10: include: goes in a circle: self.yaml -> self.yaml"}));
 }
