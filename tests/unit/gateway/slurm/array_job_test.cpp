@@ -1,6 +1,7 @@
 #include "gateway/slurm/array_job.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -44,7 +45,8 @@ TEST(SlurmArrayJob, EachTaskBecomesItsProgramWithItsArgumentsAsTheyAre) {
 }
 
 TEST(SlurmArrayJob, WhatATaskPrintsIsAppendedToItsLogAndSoIsThatItCannotStart) {
-  const std::filesystem::path log = testing::TempDir() + "/it's a log";
+  const std::filesystem::path log =
+      testing::TempDir() + "/it's a log of " + std::to_string(::getpid());
   std::filesystem::remove(log);
   ArrayJob job{.name = "n", .program = "/bin/echo", .folder = "/", .log = "/l"};
   job.tasks = {{0, {"first"}, log}};

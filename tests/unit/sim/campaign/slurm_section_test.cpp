@@ -1,6 +1,7 @@
 #include "sim/campaign/slurm_section.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <string>
@@ -14,7 +15,7 @@ using namespace std::chrono_literals;
 
 /// What a file with this text says.
 SlurmSettings settings_in(const std::string& text) {
-  const std::string file = testing::TempDir() + "/slurm.yaml";
+  const std::string file = testing::TempDir() + "/slurm_" + std::to_string(::getpid()) + ".yaml";
   std::ofstream(file) << text;
   auto document = hal::config::Document::load(file);
   hal::config::Mapping root = document.root();
