@@ -106,8 +106,10 @@ struct KeyTable {
 
 /// Every key that `read` can read, found by calling it with nothing on every way there is: each
 /// choice with each value, each key there and absent, with what they lead to; and two of them at a
-/// time, where one stands in the mapping of the other or in one inside it. `read` must only depend
-/// on what it reads from the mapping.
+/// time, where one stands in the mapping of the other or in one inside it. What a key hangs on is
+/// looked for among the decisions in the mappings around it, and those that decide about keys
+/// outside their own mapping on the way on which they are first met. `read` must only depend on
+/// what it reads from the mapping.
 KeyTable survey(const std::function<void(Mapping)>& read);
 
 /// The keys of the top level that `read` can read, on every way with one choice or key other than

@@ -47,7 +47,6 @@ TEST(SlurmArrayJob, EachTaskBecomesItsProgramWithItsArgumentsAsTheyAre) {
 TEST(SlurmArrayJob, WhatATaskPrintsIsAppendedToItsLogAndSoIsThatItCannotStart) {
   const std::filesystem::path log =
       testing::TempDir() + "/it's a log of " + std::to_string(::getpid());
-  std::filesystem::remove(log);
   ArrayJob job{.name = "n", .program = "/bin/echo", .folder = "/", .log = "/l"};
   job.tasks = {{0, {"first"}, log}};
   (void)run_as(script_of(job), "0");
@@ -57,6 +56,7 @@ TEST(SlurmArrayJob, WhatATaskPrintsIsAppendedToItsLogAndSoIsThatItCannotStart) {
   std::string first, second;
   std::getline(in, first);
   std::getline(in, second);
+  std::filesystem::remove(log);
   EXPECT_EQ(first, "first");
   EXPECT_NE(second.find("/not/there: No such file"), std::string::npos) << second;
 }

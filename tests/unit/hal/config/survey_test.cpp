@@ -97,6 +97,26 @@ TEST(SurveyTest, FindsKeysThatTwoDecisionsTogetherAllow) {
   EXPECT_EQ(of(table, "both").conditions.size(), 2U);
 }
 
+TEST(SurveyTest, SeesWhatAChoiceInOneMappingDecidesInAnother) {
+  const KeyTable table = survey([](Mapping in) {
+    Mapping radio = in.mapping({"radio", "One mapping."});
+    const Shape shape = radio.choice({"shape", "Which.", "ball"}, kShapes, Shape::kBall);
+    Mapping agent = in.mapping({"agent", "Another one."});
+    agent.integer({"size", "Its default too.", "1"}, 0, 9, shape == Shape::kBall ? 1 : 2);
+    if (shape != Shape::kPoint) agent.flag({"round", "Or flat.", "true"}, false);
+    if (agent.has("label") && shape == Shape::kBox) agent.text({"label", "Of it.", "a"});
+  });
+  EXPECT_EQ(of(table, "agent.size").variants.size(), 3U);
+  const auto& round = of(table, "agent.round").conditions;
+  ASSERT_EQ(round.size(), 1U);
+  EXPECT_EQ(round[0].path, "radio.shape");
+  EXPECT_EQ(round[0].values, (std::vector<std::string>{"ball", "box"}));
+  const auto& label = of(table, "agent.label").conditions;
+  ASSERT_EQ(label.size(), 1U);
+  EXPECT_EQ(label[0].path, "radio.shape");
+  EXPECT_EQ(label[0].values, std::vector<std::string>{"box"});
+}
+
 TEST(FormTest, SaysWhatAKeyThatIsMissingWants) {
   EXPECT_EQ(missing({"size", "Of it.", "[1 m, 2 m, 3 m]"},
                     {.kind = Form::Kind::kVector, .unit = "m", .range = {0.5, 9}, .size = 3}),

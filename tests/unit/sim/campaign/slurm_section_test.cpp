@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
+#include <filesystem>
 #include <fstream>
 #include <string>
 
@@ -18,6 +19,7 @@ SlurmSettings settings_in(const std::string& text) {
   const std::string file = testing::TempDir() + "/slurm_" + std::to_string(::getpid()) + ".yaml";
   std::ofstream(file) << text;
   auto document = hal::config::Document::load(file);
+  std::filesystem::remove(file);
   hal::config::Mapping root = document.root();
   SlurmSettings settings = read_slurm(root);
   root.finish();
