@@ -22,8 +22,8 @@ from store import Store
 
 LEAST_SAMPLES = 1000
 QUANTILES = 0.5, 0.99
-COLUMNS = ["stations", "radio", "factor", "samples", "delivered", "p50, ms", "p99, ms", "late in, p99, us",
-           "late out, p99, us", "CPU of the radio", "CPU of programs"]
+COLUMNS = ["stations", "radio", "factor", "samples", "delivered", "p50, ms", "p99, ms", "late in, p50, us",
+           "late in, p99, us", "late out, p50, us", "late out, p99, us", "CPU of the radio", "CPU of programs"]
 
 
 def seconds_of(stations, options):
@@ -95,12 +95,13 @@ def shown(row):
         value = row.get(f"p{share}")
         return figures.with_interval(value[0], value[1:]) if value else "-"
 
-    def late(edge):
-        value = of_summary(row, f"{edge}_lateness_p99_s")
+    def late(edge, quantile):
+        value = of_summary(row, f"{edge}_lateness_{quantile}_s")
         return 1e6 * value if value is not None else None
     is_ours = row["radio"] == "ours"
     return [row["stations"], row["radio"], row["factor"], row["samples"], row["delivered"], of(0.5), of(0.99),
-            late("entering"), late("leaving") if is_ours else 1e3 * row["late_ms_99"],
+            late("entering", "median"), late("entering", "p99"), late("leaving", "median"),
+            late("leaving", "p99") if is_ours else 1e3 * row["late_ms_99"],
             of_summary(row, "cpu_load") if is_ours else row["cpu"], of_summary(row, "cpu_load_programs")]
 
 
