@@ -47,7 +47,8 @@ std::unique_ptr<SensorDriver> make_iio_imu(const IioImuSettings& settings) {
   return std::make_unique<PolledSensor<IioImu>>(IioImu(settings.folder), settings.times);
 }
 
-std::shared_ptr<const SensorChoice> read_iio_imu(config::Mapping& in) {
+std::shared_ptr<const SensorChoice> read_iio_imu(config::Mapping& in,
+                                                 const devices::SensorDescription*) {
   IioImuSettings settings;
   settings.folder = in.text({"folder", "Of the device in sysfs (Linux Industrial I/O).",
                              "'/sys/bus/iio/devices/iio:device1'"});

@@ -19,6 +19,7 @@ struct IioImuSettings {
 std::unique_ptr<SensorDriver> make_iio_imu(const IioImuSettings& settings);
 
 /// Its keys in a robot's file, of a sensor of the kind imu.
-std::shared_ptr<const SensorChoice> read_iio_imu(config::Mapping& in);
+std::shared_ptr<const SensorChoice> read_iio_imu(config::Mapping& in,
+                                                 const devices::SensorDescription* sensor);
 
 }  // namespace hal::hardware

@@ -2,6 +2,9 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
+#include <utility>
+#include <variant>
 
 #include "hal/hardware/drivers/attributes.h"
 #include "hal/hardware/drivers/polled_sensor.h"
@@ -13,9 +16,10 @@ using namespace std::chrono_literals;
 
 class PowerSupply {
  public:
-  explicit PowerSupply(std::filesystem::path folder) : folder_(std::move(folder)) {}
+  PowerSupply(std::filesystem::path folder, double capacity)
+      : folder_(std::move(folder)), capacity_(capacity) {}
 
-  /// Charge, volts, amperes.
+  /// Charge, volts, amperes, joules now and when full.
   Result<std::vector<double>> measure() const {
     const auto percent = read_attribute(folder_ / "capacity");
     if (!percent) return tl::unexpected<Error>(percent.error());
@@ -27,21 +31,42 @@ class PowerSupply {
       if (!microamperes) return tl::unexpected<Error>(microamperes.error());
       amperes = std::abs(*microamperes) * 1e-6;
     }
-    return std::vector{*percent / 100, *microvolts * 1e-6, amperes};
+    const double charge = *percent / 100;
+    const auto energy = energies();
+    if (!energy) return tl::unexpected<Error>(energy.error());
+    const auto [now, full] = energy->value_or(std::pair{charge * capacity_, capacity_});
+    return std::vector{charge, *microvolts * 1e-6, amperes, now, full};
   }
 
  private:
+  /// J now and when full; none: the gauge does not know.
+  Result<std::optional<std::pair<double, double>>> energies() const {
+    constexpr double kJoules = 3600e-6;  // in a uWh
+    if (!has_attribute(folder_ / "energy_now") || !has_attribute(folder_ / "energy_full"))
+      return std::nullopt;
+    const auto now = read_attribute(folder_ / "energy_now");
+    if (!now) return tl::unexpected<Error>(now.error());
+    const auto full = read_attribute(folder_ / "energy_full");
+    if (!full) return tl::unexpected<Error>(full.error());
+    return std::pair{*now * kJoules, *full * kJoules};
+  }
+
   std::filesystem::path folder_;
+  double capacity_;  ///< J
 };
 
 }  // namespace
 
 std::unique_ptr<SensorDriver> make_power_supply(const PowerSupplySettings& settings) {
-  return std::make_unique<PolledSensor<PowerSupply>>(PowerSupply(settings.folder), settings.times);
+  return std::make_unique<PolledSensor<PowerSupply>>(
+      PowerSupply(settings.folder, settings.capacity), settings.times);
 }
 
-std::shared_ptr<const SensorChoice> read_power_supply(config::Mapping& in) {
+std::shared_ptr<const SensorChoice> read_power_supply(config::Mapping& in,
+                                                      const devices::SensorDescription* sensor) {
   PowerSupplySettings settings;
+  const auto* const battery = sensor == nullptr ? nullptr : std::get_if<devices::Battery>(sensor);
+  if (battery != nullptr) settings.capacity = battery->capacity;
   settings.folder = in.text({"folder", "Of the device in sysfs.", "/sys/class/power_supply/BAT0"});
   settings.times = read_times(in, {1s, 150ms, 5s}, 60);
   return std::make_shared<ChosenSensor<PowerSupplySettings>>(std::move(settings),

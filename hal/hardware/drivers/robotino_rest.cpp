@@ -1,13 +1,12 @@
 #include "hal/hardware/drivers/robotino_rest.h"
 
 #include <fmt/format.h>
-#include <httplib.h>
-
 #include <algorithm>
 #include <chrono>
 #include <functional>
 #include <utility>
 
+#include "hal/hardware/drivers/bounded_client.h"
 #include "hal/hardware/drivers/json_numbers.h"
 #include "hal/types/math.h"
 
@@ -17,12 +16,15 @@ namespace {
 /// Longest body that is read: some ten times the longest there should be.
 constexpr std::size_t kLongestBody = 4096;
 
+/// Longest answer, head included.
+constexpr std::size_t kLongestAnswer = 16384;
+
 Errc code_of(httplib::Error error) {
   switch (error) {
     case httplib::Error::Read:
     case httplib::Error::ConnectionTimeout:
       return Errc::kTimeout;
-    case httplib::Error::Canceled:  // by us: the body was too long or too slow
+    case httplib::Error::Canceled:  // by us: the body was too long
     case httplib::Error::Compression:
     case httplib::Error::ExceedRedirectCount:
       return Errc::kProtocol;
@@ -37,11 +39,11 @@ Errc code_of(httplib::Error error) {
 class RobotinoRest::Client {
  public:
   explicit Client(const RobotinoSettings& settings)
-      : settings_(settings), http_(settings.host, settings.port) {
+      : settings_(settings),
+        http_(settings.host, settings.port,
+              {.time = settings.times.timeout, .bytes = kLongestAnswer}) {
     const std::chrono::nanoseconds timeout = settings.times.timeout;
     http_.set_connection_timeout(timeout);
-    http_.set_read_timeout(timeout);
-    http_.set_write_timeout(timeout);
     http_.set_keep_alive(true);
     http_.set_tcp_nodelay(true);
     http_.set_decompress(false);
@@ -70,13 +72,12 @@ class RobotinoRest::Client {
  private:
   Result<std::string> exchange(std::string_view name, httplib::Request& request) {
     request.path = fmt::format("/data/{}?sid={}", name, settings_.session);
-    const auto deadline = BootClock::now() + 3 * settings_.times.timeout;
     std::string answer;
     request.content_receiver = [&](const char* bytes, std::size_t size, std::uint64_t,
                                    std::uint64_t) {
       if (answer.size() + size > kLongestBody) return false;
       answer.append(bytes, size);
-      return BootClock::now() < deadline;
+      return true;
     };
     const httplib::Result result = http_.send(request);
     return judged(result, request, std::move(answer));
@@ -99,7 +100,7 @@ class RobotinoRest::Client {
   }
 
   RobotinoSettings settings_;
-  httplib::Client http_;
+  BoundedClient http_;
 };
 
 RobotinoRest::RobotinoRest(const RobotinoSettings& settings)

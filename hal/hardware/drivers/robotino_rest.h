@@ -19,9 +19,10 @@ namespace hal::hardware {
 ///   GET odometry              [x, y, rot, vx, vy, omega, sequence]   m, rad, m/s, rad/s
 ///   GET distancesensorarray   nine numbers, sensor i at i * 40 deg
 ///
-/// Every call waits for the answer, no longer than the settings' time-out for each of connecting,
-/// sending and receiving. Errors: kNotConnected, kTimeout, kProtocol (a status other than 200 …
-/// 299, or a body that is not what it should be). One thread.
+/// Every call waits for the answer, no longer than the settings' time-out for connecting and as
+/// long again for the whole exchange. Errors: kNotConnected; kTimeout (also an answer of more than
+/// 16 kB, which would not end in time); kProtocol (a status other than 200 … 299, or a body that is
+/// not what it should be). One thread.
 class RobotinoRest {
  public:
   static constexpr std::size_t kSensors = 9;

@@ -19,7 +19,8 @@ using devices::SensorDescription;
 struct SensorDriverKind {
   std::string_view name;  ///< In the file: `driver: <name>`.
   std::string_view kind;  ///< Of the sensors that it can feed.
-  std::shared_ptr<const SensorChoice> (*read)(Mapping& in);
+  /// @param sensor  that it feeds; null: not known.
+  std::shared_ptr<const SensorChoice> (*read)(Mapping& in, const SensorDescription* sensor);
 };
 
 /// The one table of drivers of sensors.
@@ -58,7 +59,7 @@ std::vector<DrivenSensor> read_driven_sensors(std::vector<Mapping> in,
         kNames);
     if (!driver) continue;
     const SensorDriverKind& kind = kSensorDrivers.at(*driver);
-    auto choice = kind.read(one);
+    auto choice = kind.read(one, sensor ? &sensors[*sensor] : nullptr);
     one.finish();
     if (!sensor) continue;
     const hal::Channel channel = devices::channel_of(sensors[*sensor]);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "hal/hardware/drivers/iio.h"
+#include "hal/hardware/drivers/power_supply.h"
 #include "hal/hardware/drivers/robotino.h"
 #include "hal/hardware/drivers/tmc200.h"
 #include "hal/types/math.h"
@@ -166,6 +167,11 @@ TEST_F(RobotFileTest, DriversFeedSensorsThatTheRobotHasEachOneOfItsKind) {
   EXPECT_EQ(channels[0].period, 10ms);
   EXPECT_EQ(channels[1].name, "battery");
   EXPECT_EQ(channels[1].id, 16);
+  // A gauge that knows a share only is told what the whole is.
+  const auto* const gauge =
+      dynamic_cast<const ChosenSensor<PowerSupplySettings>*>(file.sensors[1].driver.get());
+  ASSERT_NE(gauge, nullptr);
+  EXPECT_EQ(gauge->settings().capacity, 1000);
 
   EXPECT_EQ(mistakes(robot + "  - {name: sonar, driver: iio_imu, folder: /a}\n"
                              "  - {name: bumper, driver: power_supply, folder: /b}\n"

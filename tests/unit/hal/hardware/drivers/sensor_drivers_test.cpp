@@ -35,14 +35,16 @@ std::vector<double> measured(const SensorDriver& driver) {
   return latest ? latest->values : std::vector<double>{};
 }
 
-TEST(PowerSupply, GivesChargeVoltageAndCurrent) {
+TEST(PowerSupply, GivesChargeVoltageCurrentAndTheShareOfItsCapacity) {
   const SysfsFolder folder;
   folder.set("capacity", "73");
   folder.set("voltage_now", "11820000");
   folder.set("current_now", "-1250000");
-  const auto driver = make_power_supply({folder.path(), kTimes});
+  const auto driver = make_power_supply({folder.path(), kTimes, 1000});
   const auto values = measured(*driver);
-  ASSERT_EQ(values.size(), 3u);
+  ASSERT_EQ(values.size(), 5u);
+  EXPECT_NEAR(values[3], 730, 1e-9);
+  EXPECT_EQ(values[4], 1000);
   EXPECT_NEAR(values[0], 0.73, 1e-12);
   EXPECT_NEAR(values[1], 11.82, 1e-12);
   EXPECT_NEAR(values[2], 1.25, 1e-12);
@@ -56,9 +58,26 @@ TEST(PowerSupply, WithoutACurrentTheOthersAreThere) {
   folder.set("voltage_now", "12600000");
   const auto driver = make_power_supply({folder.path(), kTimes});
   const auto values = measured(*driver);
-  ASSERT_EQ(values.size(), 3u);
+  ASSERT_EQ(values.size(), 5u);
   EXPECT_EQ(values[0], 1);
   EXPECT_TRUE(std::isnan(values[2]));
+  EXPECT_TRUE(std::isnan(values[3])) << "no capacity is known";
+  EXPECT_TRUE(std::isnan(values[4]));
+}
+
+// A worn battery is full with less than it held when new.
+TEST(PowerSupply, ThatMeasuresItsEnergyGivesThat) {
+  const SysfsFolder folder;
+  folder.set("capacity", "50");
+  folder.set("voltage_now", "12600000");
+  folder.set("energy_now", "10000000");   // uWh
+  folder.set("energy_full", "20000000");  // uWh
+  const auto driver = make_power_supply({folder.path(), kTimes, 90 * 3600});
+  const auto values = measured(*driver);
+  EXPECT_NEAR(values.at(3), 10 * 3600, 1e-6);
+  EXPECT_NEAR(values.at(4), 20 * 3600, 1e-6);
+  folder.set("energy_now", "none");
+  EXPECT_TRUE(until([&] { return driver->trouble().find("energy_now") != std::string::npos; }));
 }
 
 TEST(PowerSupply, WhatIsNoNumberOrNotThereIsTroubleUntilItIsBack) {
