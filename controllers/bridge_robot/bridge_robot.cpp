@@ -84,10 +84,10 @@ std::vector<Seen> BridgeRobot::seen() const {
 void BridgeRobot::choose() {
   std::map<hal::AgentId, double> callers;
   for (const auto& [mote, call] : calls_) callers[mote] = call.need;
-  const double charge = robot_.battery().value_or(1);  // without a gauge: full
+  const double energy = robot_.battery_energy().value_or(parameters_["energy_without_gauge"]);
   bid_ = 0;
   for (const Gap& gap : find_gaps(seen(), callers, parameters_["reach"])) {
-    const double value = worth(gap, length(gap.place), charge, weights_);
+    const double value = worth(gap, length(gap.place), energy, weights_);
     if (claimed_.contains(gap.island) || value <= bid_) continue;
     gap_ = gap;
     bid_ = value;
@@ -175,10 +175,12 @@ BARAKA_CONTROLLER {
                {"reach", "m", 50, 0.1, 1e5, "How far a radio reaches, as far as the robot knows."},
                {"near", "m", 1.5, 0.1, 1000, "It is at its place below this distance from it."},
                {"need_weight", "1", 1, 0, 20, "Exponent of the need of those that are cut off."},
-               {"energy_weight", "1", 1, 0, 20, "Exponent of the charge that is left on arrival."},
+               {"energy_weight", "1", 1, 0, 20, "Exponent of the energy that is left on arrival."},
                {"distance_weight", "1", 1, 0, 20, "Exponent of 1 / (1 m + distance)."},
-               {"drive_cost", "1", 0.001, 0, 1, "Share of the battery that a metre costs."},
-               {"reserve", "1", 0.05, 0, 1, "Share of the battery that must be left on arrival."},
+               {"drive_cost", "J/m", 144, 0, 1e6, "Energy that a metre costs."},
+               {"reserve", "J", 7200, 0, 1e12, "Energy that must be left on arrival."},
+               {"energy_without_gauge", "J", 144e3, 0, 1e12,
+                "What it takes for its energy if no gauge tells it."},
                {"listen", "s", 6, 0, kHour, "From the first call to its choice."},
                {"bid_time", "s", 2, 0.1, kHour, "From its bid to its decision."},
                {"claim_every", "s", 5, 0.5, kHour, "Time between two claims."},

@@ -73,8 +73,8 @@ std::vector<Gap> find_gaps(const std::vector<Seen>& seen,
   return gaps;
 }
 
-double worth(const Gap& gap, double distance, double charge, const Weights& weights) {
-  const double left = charge - weights.drive_cost * distance;
+double worth(const Gap& gap, double distance, double energy, const Weights& weights) {
+  const double left = energy - weights.drive_cost * distance;
   if (left <= weights.reserve) return 0;
   return hal::math::pow(gap.need, weights.need) * hal::math::pow(left, weights.energy) /
          hal::math::pow(1 + distance, weights.distance);

@@ -35,13 +35,14 @@ std::vector<Gap> find_gaps(const std::vector<Seen>& seen,
 /// How distance, energy and need count against each other.
 struct Weights {
   double need = 1, energy = 1, distance = 1;  ///< Exponents, >= 0; 0: does not count.
-  double drive_cost = 0;                      ///< Share of the battery for a metre.
-  double reserve = 0;                         ///< Share that must be left on arrival.
+  double drive_cost = 0;                      ///< J for a metre.
+  double reserve = 0;                         ///< J that must be left on arrival.
 };
 
-/// need^a left^b / (1 m + distance)^c, `left` being the share of the battery that is left on
-/// arrival; 0: not to be reached with what there is.
-/// @param distance  m  @param charge  0 .. 1
-double worth(const Gap& gap, double distance, double charge, const Weights& weights);
+/// need^a left^b / (1 m + distance)^c, `left` being the energy that is left on arrival: joules, so
+/// that robots with batteries of different size can be compared. 0: not to be reached with what
+/// there is.
+/// @param distance  m  @param energy  J in the battery
+double worth(const Gap& gap, double distance, double energy, const Weights& weights);
 
 }  // namespace controllers

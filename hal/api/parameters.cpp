@@ -12,7 +12,17 @@ const T& only(const Variant& value) {
   return *held;
 }
 
+struct KindOf {
+  ParameterKind operator()(double) const { return ParameterKind::kNumber; }
+  ParameterKind operator()(bool) const { return ParameterKind::kFlag; }
+  ParameterKind operator()(const std::string&) const { return ParameterKind::kText; }
+  ParameterKind operator()(const std::vector<double>&) const { return ParameterKind::kNumbers; }
+  ParameterKind operator()(const std::vector<std::string>&) const { return ParameterKind::kTexts; }
+};
+
 }  // namespace
+
+ParameterKind ParameterValue::kind() const { return std::visit(KindOf{}, value_); }
 
 double ParameterValue::number() const { return only<double>(value_); }
 bool ParameterValue::flag() const { return only<bool>(value_); }

@@ -30,7 +30,7 @@ class ParameterValue {
   ParameterValue(std::vector<double> list) : value_(std::move(list)) {}       // NOLINT
   ParameterValue(std::vector<std::string> list) : value_(std::move(list)) {}  // NOLINT
 
-  ParameterKind kind() const { return static_cast<ParameterKind>(value_.index()); }
+  ParameterKind kind() const;
 
   // The value. @pre it is of that kind; aborts otherwise.
   double number() const;
@@ -42,7 +42,6 @@ class ParameterValue {
   bool operator==(const ParameterValue&) const = default;
 
  private:
-  /// In the order of ParameterKind.
   std::variant<double, bool, std::string, std::vector<double>, std::vector<std::string>> value_;
 };
 

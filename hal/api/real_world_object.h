@@ -83,7 +83,8 @@ class RealWorldObject {
 
   /// Latest values of a channel, held until the next sample. Valid until the callback returns.
   /// Errors: kNotAvailable (no such channel, not asked for, not sampled yet, or lost: on hardware
-  /// the last sample is older than the `stale_after` of the agent's file).
+  /// the last sample is older than the `stale_after` of the agent's file; in the simulator the
+  /// agent's battery was empty and has switched it off).
   virtual Result<std::span<const double>> reading(std::string_view channel) const = 0;
 
   /// Position of another agent relative to this one, in this body's frame [m].
@@ -91,8 +92,17 @@ class RealWorldObject {
   /// range).
   virtual Result<Vec2> relative_position(AgentId other) const = 0;
 
-  /// State of charge, 0..1. Errors: kNotAvailable (the agent has no battery gauge).
+  /// State of charge, 0..1: a share of this battery's own capacity. To compare agents, or a way
+  /// with what is left, take battery_energy(). Errors: kNotAvailable (the agent has no battery
+  /// gauge).
   virtual Result<double> battery() const = 0;
+
+  /// Energy in the battery now, J. Errors: kNotAvailable (no battery gauge, or one that does not
+  /// know it).
+  virtual Result<double> battery_energy() const = 0;
+
+  /// Energy in the battery when it is full, J. Errors: as of battery_energy().
+  virtual Result<double> battery_capacity() const = 0;
 
   /// Switches the radio. Off: frames in the air are cut, the queue is dropped.
   virtual void set_radio(bool on) = 0;

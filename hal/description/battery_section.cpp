@@ -34,7 +34,9 @@ void load_keys(Io& io, Battery& c) {
   io.number({"resistance", "Inside the battery.", "50 mohm"}, "ohm", {0, 1e6}, c.resistance);
   io.number({"idle_power", "Of the computer and all else that is always on.", "4 W"}, "W", kPower,
             c.idle_power);
-  io.choice({"when_empty", "stay_up: only the gauge tells; off: radio and motors go off, for good.",
+  io.choice({"when_empty",
+             "stay_up: only the gauge tells; off: radio, motors and all sensors but the gauge go "
+             "off at that instant, for good.",
              "off"},
             kWhenEmpty, c.when_empty);
 }

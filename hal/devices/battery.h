@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "hal/devices/mount.h"
@@ -21,7 +22,7 @@ struct RadioPower {
 /// What becomes of an agent whose battery is empty.
 enum class WhenEmpty : std::uint8_t {
   kStayUp,  ///< Nothing: only the gauge tells.
-  kOff,     ///< Its radio and its motors go off for good.
+  kOff,     ///< Its radio, its motors and its sensors but the gauge go off for good.
 };
 
 /// A battery with its gauge. It feeds the computer, the radio and the motors.
@@ -38,11 +39,23 @@ struct Battery {
   RadioPower radio;
   WhenEmpty when_empty = WhenEmpty::kStayUp;
 
-  /// Kind "battery": charge 0 .. 1, voltage at the terminals [V], current drawn [A], as a mean
-  /// since the reading before.
+  /// Kind "battery": charge 0 .. 1; voltage at the terminals [V]; current drawn [A], as a mean
+  /// since the reading before; energy in the battery now and when it is full [J].
   Channel describe() const;
 
   bool operator==(const Battery&) const = default;
+};
+
+/// A sum of many terms, exact but for its last bit (A. Neumaier, "Rundungsfehleranalyse einiger
+/// Verfahren zur Summation endlicher Summen", ZAMM, 1974).
+class ExactSum {
+ public:
+  void add(double term);
+  double value() const { return sum_ + lost_; }
+
+ private:
+  double sum_ = 0;
+  double lost_ = 0;  ///< What rounding took from sum_.
 };
 
 /// Empties a battery: a source of the voltage U(charge) = empty + charge (full - empty) behind the
@@ -50,28 +63,49 @@ struct Battery {
 ///   P = (U - R I) I,  I = (U - sqrt(U^2 - 4 R P)) / (2 R)
 /// and takes U I out of the charge, R I^2 of it as heat (M. Chen, G. A. Rincon-Mora, "Accurate
 /// Electrical Battery Model Capable of Predicting Runtime and I-V Performance", IEEE Transactions
-/// on Energy Conversion, 2006, without its RC elements). More than U^2 / (4 R) it cannot give.
+/// on Energy Conversion, 2006, without its RC elements). More than U^2 / (4 R) it cannot give: then
+/// I = U / (2 R). While the load is constant this has a solution in closed form (docs/models.md 6),
+/// so that the length of the steps changes nothing.
 class Discharge {
  public:
-  explicit Discharge(const Battery& battery) : battery_(battery), charge_(battery.charge) {}
+  explicit Discharge(const Battery& battery);
 
-  /// Loads drew so much energy, evenly. @param joules  >= 0. @param over  > 0.
-  void draw(double joules, Duration over);
+  /// A constant load. An empty battery gives no energy; the load is fed as if it had an empty
+  /// battery's voltage.
+  /// @param watts  >= 0  @param over  >= 0
+  void draw(double watts, Duration over);
 
   /// Charge is gone, or has come, by no load: at once, without heat. @param joules  may be
-  /// negative.
+  /// negative; it gets no fuller than full and no emptier than empty.
   void take(double joules);
 
-  double charge() const { return charge_; }    ///< 0 .. 1
-  double voltage() const;                      ///< V, at the terminals, under the last load
-  double current() const { return current_; }  ///< A, of the last load
+  /// s from now on until it is empty under a constant load; none: never. @param watts  >= 0
+  std::optional<double> lasts(double watts) const;
+
+  /// What rounding left is drawn.
+  void finish();
+
+  double charge() const { return energy() / capacity_; }  ///< 0 .. 1
+  double energy() const;                                  ///< J that are in it
+  double capacity() const { return capacity_; }           ///< J, when full
+  double drawn() const { return drawn_.value(); }         ///< J for loads so far, with the heat
+  double coulombs() const { return coulombs_.value(); }   ///< A s through the loads so far
+  double open_voltage() const;                            ///< V, without load
+  double resistance() const { return resistance_; }       ///< ohm
 
  private:
-  double open_voltage() const;
+  double spare(double watts) const;
+  double draw_fed(double watts, double seconds);
+  double draw_limited(double seconds);
+  void give(double joules);
 
-  Battery battery_;
-  double charge_;
-  double current_ = 0;
+  double capacity_;       ///< J
+  double empty_voltage_;  ///< V
+  double slope_;          ///< V per J that are in it
+  double resistance_;     ///< ohm
+  double stored_;         ///< J that were in it at the start, less those taken
+  ExactSum drawn_;        ///< J
+  ExactSum coulombs_;     ///< A s
 };
 
 }  // namespace hal::devices

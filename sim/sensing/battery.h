@@ -8,9 +8,7 @@
 
 namespace sim::sensing {
 
-/// A battery that the agent's motors, radio and computer empty from time 0 on. What they drew
-/// between two readings counts as drawn evenly: exact without internal resistance and with the same
-/// voltage full and empty.
+/// The gauge of the agent's battery, which SensorSite::battery shows. Reading it changes nothing.
 std::unique_ptr<hal::devices::Sensor> simulated(const hal::devices::Battery& battery,
                                                 const SensorSite& site);
 

@@ -18,11 +18,8 @@ struct SensorSite {
   std::string_view agent_name;
   std::uint64_t run_seed = 0;
   const physics::World& world;
-  std::function<const Proximity&()> proximity;  ///< As of the last physics step.
-  /// J since time 0 that the agent's radio drew, if it needs so much in each state.
-  std::function<double(const hal::devices::RadioPower&)> radio_energy{};
-  /// J since time 0 that were taken out of the agent's first battery by no load.
-  std::function<double()> taken_energy{};
+  std::function<const Proximity&()> proximity;         ///< As of the last physics step.
+  std::function<hal::devices::Discharge()> battery{};  ///< As of now, if the agent has one.
 };
 
 /// The instants phase + k * period at which a sensor measures; the phase is its own.

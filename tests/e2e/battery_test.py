@@ -25,12 +25,17 @@ class Battery(Case):
         self.assertEqual(states, self.states())
 
         self.assertEqual(states["o0"], "no battery")
-        charge, voltage, current = map(float, states["m0"].split())
+        charge, voltage, current, energy, capacity = map(float, states["m0"].split())
         self.assertAlmostEqual(charge, 1 - 1.5 * AFTER / MOTE, places=6)
+        self.assertAlmostEqual(energy, MOTE - 1.5 * AFTER, places=6)
+        self.assertEqual(capacity, MOTE)
         self.assertAlmostEqual(voltage, 3, places=6)
         self.assertAlmostEqual(current, 1.5 / 3, places=6)
 
-        charge, voltage, current = map(float, states["b0"].split())
+        charge, voltage, current, energy, capacity = map(float, states["b0"].split())
+        # A tenth of the robot's is 72 times what the mote's holds.
+        self.assertEqual(capacity, ROBOT)
+        self.assertAlmostEqual(energy, charge * ROBOT, delta=1e-4)
         drawn = (0.1 - charge) * ROBOT
         # Motors: 1 kg to 0.2 m/s, and the caster; no more than 1 W all the way. Heat of the battery: 1 %.
         self.assertGreater(drawn, QUIET * AFTER)
@@ -38,6 +43,23 @@ class Battery(Case):
         open_voltage = 9.6 + charge * 3
         self.assertAlmostEqual(voltage, open_voltage - 0.1 * current, places=4)
         self.assertGreater(voltage * current, QUIET)
+
+    def use(self):
+        """Energy drawn, load, and time off, by name."""
+        rows = self.query("SELECT name, energy_j, load_j, off_ns FROM agent_use JOIN agents USING (agent)")
+        return {name: values for name, *values in rows}
+
+    def test_it_gives_what_it_holds_and_no_more(self):
+        for when_empty, off, load in (("off", 9, 1), ("stay_up", 0, 10)):
+            battery = "[{kind: battery, capacity: 1 J, full_voltage: 3 V, idle_power: 0.5 W, " \
+                      f"radio: {{listen: 0.5 W}}, when_empty: {when_empty}}}]"
+            self.run_baraka(SCENARIO, "--controllers", "in-process", "--set", f"agents.motes.mote.sensors={battery}",
+                            "--until", 10)
+            energy, drawn, off_ns = self.use()["m0"]
+            self.assertAlmostEqual(energy, 1, delta=1e-12)
+            self.assertAlmostEqual(drawn, load, delta=1e-11)
+            self.assertEqual(off_ns, off * 10 ** 9)
+            self.assertEqual(self.use()["o0"], [None, None, 0])
 
     def test_what_moves_costs(self):
         drawn = []

@@ -45,6 +45,15 @@ class BridgeTheGap(Case):
                            "--set", "agents.rested.controller.parameters={energy_weight: 0}", status=3)
         self.assertEqual(list(bridged_at(run)), ["r1"])
 
+    def test_a_small_full_battery_has_less_than_a_large_one(self):
+        battery = "[{{kind: battery, capacity: {} Wh, charge: {}, full_voltage: 25.4 V, idle_power: 10 W, " \
+                  "radio: {{listen: 0.8 W}}}}]"
+        # The nearer one has 14 kJ, all it can hold; the other one has 43 kJ, less than a third.
+        finished, run = self.play("--set", f"agents.tired.robot.sensors={battery.format(4, 1)}",
+                                  "--set", f"agents.rested.robot.sensors={battery.format(40, 0.3)}")
+        self.assertEqual(finished["result"], "bridged")
+        self.assertEqual(list(bridged_at(run)), ["r0"])
+
     def test_if_the_better_one_dies_on_the_way_the_other_goes(self):
         _, run = self.play("--set", "events=[{at: 60 s, do: [{kill: m2}, {switch_off: m2}]}, "
                                     "{when: {agent: r0, state: GO_TO_GAP}, do: [{kill: r0}, {switch_off: r0}]}]", status=3)

@@ -20,8 +20,10 @@ class Gauge : public hal::Controller {
     is_told_ = true;
     const auto charge = thing_.battery();
     const auto reading = thing_.reading("battery");
-    if (!charge || !reading) return thing_.state("no battery");
-    thing_.state(fmt::format("{:.9f} {:.6f} {:.6f}", *charge, (*reading)[1], (*reading)[2]));
+    const auto energy = thing_.battery_energy(), capacity = thing_.battery_capacity();
+    if (!charge || !reading || !energy || !capacity) return thing_.state("no battery");
+    thing_.state(fmt::format("{:.9f} {:.6f} {:.6f} {:.6f} {:.6f}", *charge, (*reading)[1],
+                             (*reading)[2], *energy, *capacity));
   }
 
  private:

@@ -47,28 +47,28 @@ TEST(Gaps, OfSeveralIslandsAreOneEach) {
   EXPECT_EQ(gaps[1].place, (hal::Vec2{0, 40}));
 }
 
-/// What 20 m with half a battery are worth.
+/// What 20 m with 50 kJ are worth.
 double worth_of(const Weights& weights, double need = 30, double distance = 20,
-                double charge = 0.5) {
-  return worth({.island = AgentId{4}, .need = need}, distance, charge, weights);
+                double energy = 50e3) {
+  return worth({.island = AgentId{4}, .need = need}, distance, energy, weights);
 }
 
 TEST(Worth, GrowsWithNeedAndEnergyAndFallsWithDistance) {
-  const Weights weights{.drive_cost = 0.001};
-  EXPECT_DOUBLE_EQ(worth_of(weights), 30 * (0.5 - 0.02) / 21);
+  const Weights weights{.drive_cost = 100};
+  EXPECT_DOUBLE_EQ(worth_of(weights), 30 * (50e3 - 2e3) / 21);
   EXPECT_GT(worth_of(weights, 60), worth_of(weights, 30));
   EXPECT_GT(worth_of(weights, 30, 10), worth_of(weights, 30, 20));
-  EXPECT_GT(worth_of(weights, 30, 20, 0.6), worth_of(weights, 30, 20, 0.5));
+  EXPECT_GT(worth_of(weights, 30, 20, 60e3), worth_of(weights, 30, 20));
   // A greater need may be worth a longer way, unless distance counts more.
   EXPECT_GT(worth_of(weights, 90, 40), worth_of(weights, 30, 20));
   EXPECT_LT(worth_of({.distance = 3}, 90, 40), worth_of({.distance = 3}, 30, 20));
 }
 
 TEST(Worth, IsNothingIfTheBatteryDoesNotLast) {
-  const Weights weights{.drive_cost = 0.01, .reserve = 0.1};
-  EXPECT_GT(worth_of(weights, 30, 20, 0.31), 0);
-  EXPECT_EQ(worth_of(weights, 30, 20, 0.3), 0);
-  EXPECT_EQ(worth_of({.energy = 0, .drive_cost = 0.01}, 30, 60, 0.5), 0);
+  const Weights weights{.drive_cost = 1000, .reserve = 10e3};
+  EXPECT_GT(worth_of(weights, 30, 20, 31e3), 0);
+  EXPECT_EQ(worth_of(weights, 30, 20, 30e3), 0);
+  EXPECT_EQ(worth_of({.energy = 0, .drive_cost = 1000}, 30, 60, 50e3), 0);
 }
 
 TEST(GapMessages, AreReadAsTheyWereWritten) {
