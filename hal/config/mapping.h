@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -10,6 +11,7 @@
 #include <vector>
 
 #include "hal/config/key.h"
+#include "hal/types/check.h"
 #include "hal/types/geometry.h"
 #include "hal/types/time.h"
 
@@ -112,11 +114,10 @@ class Mapping {
   }
   template <class E, std::size_t kSize>
   E choice(const Key& key, const std::array<Option<E>, kSize>& options, E otherwise) {
-    std::size_t other = 0;
-    for (std::size_t i = 0; i < kSize; ++i) {
-      if (options[i].value == otherwise) other = i;
-    }
-    const auto index = chosen(key, names(options), other);
+    const auto other = std::ranges::find(options, otherwise, &Option<E>::value);
+    BARAKA_CHECK(other != options.end());  // files cannot say what they get when they say nothing
+    const auto index =
+        chosen(key, names(options), static_cast<std::size_t>(other - options.begin()));
     return index ? options[*index].value : otherwise;
   }
 

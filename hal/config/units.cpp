@@ -39,6 +39,7 @@ constexpr std::array kUnits = {
     Unit{"kg", kMass},
     Unit{"g", kMass, 1, 1e3},
     Unit{"N", kForce},
+    Unit{"J/m", kForce},
     Unit{"N m", kTorque},
     Unit{"Nm", kTorque},
     Unit{"V", kVoltage},

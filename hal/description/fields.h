@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -9,6 +10,7 @@
 
 #include "hal/config/mapping.h"
 #include "hal/config/writer.h"
+#include "hal/types/check.h"
 #include "hal/types/quantity.h"
 #include "hal/types/time.h"
 
@@ -106,9 +108,9 @@ class FieldWriter {
   void flag(const Key& key, bool value) { out_.flag(key.name, value); }
   template <class E, std::size_t kSize>
   void choice(const Key& key, const std::array<Option<E>, kSize>& options, E value) {
-    for (const Option<E>& option : options) {
-      if (option.value == value) out_.text(key.name, option.name);
-    }
+    const auto found = std::ranges::find(options, value, &Option<E>::value);
+    BARAKA_CHECK(found != options.end());  // what a file cannot say cannot be written to one
+    out_.text(key.name, found->name);
   }
   void unused(const std::string&, const std::string&) {}
 

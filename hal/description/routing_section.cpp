@@ -17,12 +17,10 @@ using routing::LinkCapabilities;
 using routing::RouteChoice;
 using routing::RoutingConfig;
 
-constexpr std::array<Option<Algorithm>, 1> kNoRouting{{{"none", Algorithm::kNone}}};
+const std::array kNoRouting{option_of(Algorithm::kNone)};
 /// Those that have keys.
-constexpr std::array<Option<Algorithm>, 4> kAlgorithms{{{"ants", Algorithm::kAnts},
-                                                        {"anthocnet", Algorithm::kAntHocNet},
-                                                        {"aodv", Algorithm::kAodv},
-                                                        {"flooding", Algorithm::kFlooding}}};
+const std::array kAlgorithms{option_of(Algorithm::kAnts), option_of(Algorithm::kAntHocNet),
+                             option_of(Algorithm::kAodv), option_of(Algorithm::kFlooding)};
 constexpr std::array<Option<PathStatistic>, kPathStatistics.size()> kStatistics{
     {{"hops", PathStatistic::kHops},
      {"delay", PathStatistic::kDelay},
@@ -129,6 +127,12 @@ void buffer_keys(Io& io, RoutingConfig& c) {
               c.buffer_age);
 }
 
+/// Whether messages wait there for routes.
+bool has_buffer(Algorithm algorithm) {
+  return algorithm == Algorithm::kAnts || algorithm == Algorithm::kAntHocNet ||
+         algorithm == Algorithm::kAodv;
+}
+
 /// All but those of a metric and of classes.
 template <class Io>
 void routing_keys(Io& io, RoutingConfig& c, const LinkCapabilities& link) {
@@ -139,16 +143,8 @@ void routing_keys(Io& io, RoutingConfig& c, const LinkCapabilities& link) {
   if (c.algorithm == Algorithm::kAntHocNet) anthocnet_keys(io, c.anthocnet);
   if (c.algorithm == Algorithm::kAodv) aodv_keys(io, c.aodv);
   hop_limit_key(io, c);
-  if (c.algorithm != Algorithm::kFlooding) buffer_keys(io, c);
+  if (has_buffer(c.algorithm)) buffer_keys(io, c);
   hop_keys(io, c, link);
-}
-
-std::string_view name_of(Algorithm algorithm) {
-  std::string_view name;
-  for (const auto& option : kRoutingAlgorithms) {
-    if (option.value == algorithm) name = option.name;
-  }
-  return name;
 }
 
 /// Keys that some algorithms have and others do not.
@@ -173,9 +169,8 @@ void refuse_others(Mapping& in, Algorithm algorithm) {
     if (std::ranges::find(algorithms, algorithm) != algorithms.end()) continue;
     for (const std::string_view key : keys) {
       in.refuse(std::string(key),
-                "is a key of 'algorithm: " + std::string(name_of(algorithms.front())) +
-                    "' and means nothing with 'algorithm: " + std::string(name_of(algorithm)) +
-                    "'");
+                "is a key of 'algorithm: " + std::string(algorithms.front().name()) +
+                    "' and means nothing with 'algorithm: " + std::string(algorithm.name()) + "'");
     }
   }
 }
@@ -295,7 +290,7 @@ void write_routing(Writer& out, const RoutingConfig& config, const LinkCapabilit
   RoutingConfig copy = config;
   FieldWriter writer(out);
   out.open("routing");
-  writer.choice(kAlgorithm, kAlgorithms, config.algorithm);
+  out.text(kAlgorithm.name, config.algorithm.name());
   const bool has_classes = config.algorithm == Algorithm::kAnts;
   if (has_classes) write_metric(out, config.choice.metric);
   routing_keys(writer, copy, link);

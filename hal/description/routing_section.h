@@ -9,13 +9,15 @@
 
 namespace hal::description {
 
-/// The algorithms by their names in files.
-inline constexpr std::array<config::Option<routing::Algorithm>, 5> kRoutingAlgorithms{
-    {{"ants", routing::Algorithm::kAnts},
-     {"anthocnet", routing::Algorithm::kAntHocNet},
-     {"aodv", routing::Algorithm::kAodv},
-     {"flooding", routing::Algorithm::kFlooding},
-     {"none", routing::Algorithm::kNone}}};
+inline config::Option<routing::Algorithm> option_of(routing::Algorithm algorithm) {
+  return {algorithm.name(), algorithm};
+}
+
+/// The algorithms that files can name.
+inline const std::array kRoutingAlgorithms{
+    option_of(routing::Algorithm::kAnts), option_of(routing::Algorithm::kAntHocNet),
+    option_of(routing::Algorithm::kAodv), option_of(routing::Algorithm::kFlooding),
+    option_of(routing::Algorithm::kNone)};
 
 /// `routing:` of a scenario, or of a real agent's file: a mapping, or `none`.
 /// @param link  what the link under the router tells of its frames. If it reports what becomes of

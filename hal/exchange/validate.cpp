@@ -100,17 +100,29 @@ Result<void> validate(const Action& action, const AgentSession& session) {
 }
 
 std::string_view name(ActionKind kind) {
-  constexpr std::string_view kNames[] = {"set_body_velocity",
-                                         "set_wheel_speeds",
-                                         "send",
-                                         "invalidate",
-                                         "set_timer",
-                                         "set_radio",
-                                         "state",
-                                         "log",
-                                         "error",
-                                         "record"};
-  return kNames[static_cast<int>(kind)];
+  switch (kind) {
+    case ActionKind::kDriveBody:
+      return "set_body_velocity";
+    case ActionKind::kDriveWheels:
+      return "set_wheel_speeds";
+    case ActionKind::kSend:
+      return "send";
+    case ActionKind::kInvalidate:
+      return "invalidate";
+    case ActionKind::kTimer:
+      return "set_timer";
+    case ActionKind::kRadio:
+      return "set_radio";
+    case ActionKind::kState:
+      return "state";
+    case ActionKind::kLog:
+      return "log";
+    case ActionKind::kError:
+      return "error";
+    case ActionKind::kRecord:
+      return "record";
+  }
+  return {};
 }
 
 }  // namespace hal::exchange

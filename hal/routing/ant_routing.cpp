@@ -1,10 +1,13 @@
 #include "hal/routing/ant_routing.h"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 #include <variant>
 
+#include "hal/routing/frame_name.h"
 #include "hal/types/check.h"
+#include "hal/types/math.h"
 
 namespace hal::routing {
 namespace {
@@ -91,5 +94,22 @@ bool AntRouting::take(Data data, const Arrival& arrival) {
 
 /// Of another protocol: not for this node.
 bool AntRouting::take(const Control&, const Arrival&) { return true; }
+
+constexpr std::array kAntEvents{
+    ProtocolEvent::kForwardAntSent,     ProtocolEvent::kForwardAntRelayed,
+    ProtocolEvent::kForwardAntAnswered, ProtocolEvent::kBackwardAntRelayed,
+    ProtocolEvent::kBackwardAntHome,    ProtocolEvent::kFloodRelayed,
+    ProtocolEvent::kFloodCopyDropped};
+
+constinit const ProtocolKind kAntRoutingKind{
+    .name = "ants",
+    .make = make_as<AntRouting>,
+    .name_frame = [](const SentFrame& frame) { return frame_name(frame.bytes, no_control); },
+    .weigh = [](const RoutingConfig& config, const Route& route) -> std::optional<double> {
+      const RouteChoice& choice = config.choice_of(route.topic);
+      const bool is_destination = route.next_hop == route.destination;
+      return math::pow(path_value(choice.metric, route.path, is_destination), choice.beta);
+    },
+    .events = kAntEvents};
 
 }  // namespace hal::routing

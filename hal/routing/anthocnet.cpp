@@ -1,8 +1,10 @@
 #include "hal/routing/anthocnet.h"
 
+#include <array>
 #include <utility>
 #include <variant>
 
+#include "hal/routing/frame_name.h"
 #include "hal/types/check.h"
 
 namespace hal::routing {
@@ -123,5 +125,40 @@ bool AntHocNet::take(const anthocnet::Warning& warning, const Arrival& arrival) 
   losses_.on_warning(warning, arrival.reception.from);
   return true;
 }
+
+constexpr std::array kAntHocNetEvents{ProtocolEvent::kHelloSent,
+                                      ProtocolEvent::kForwardAntSent,
+                                      ProtocolEvent::kForwardAntRelayed,
+                                      ProtocolEvent::kForwardAntAnswered,
+                                      ProtocolEvent::kBackwardAntRelayed,
+                                      ProtocolEvent::kBackwardAntHome,
+                                      ProtocolEvent::kFloodRelayed,
+                                      ProtocolEvent::kFloodCopyDropped,
+                                      ProtocolEvent::kProactiveAntSent,
+                                      ProtocolEvent::kRepairAntSent,
+                                      ProtocolEvent::kForwardAntPassedOn,
+                                      ProtocolEvent::kForwardAntDropped,
+                                      ProtocolEvent::kPheromoneBootstrapped,
+                                      ProtocolEvent::kLossNoticeSent,
+                                      ProtocolEvent::kLossNoticeReceived,
+                                      ProtocolEvent::kWarningSent,
+                                      ProtocolEvent::kWarningReceived,
+                                      ProtocolEvent::kRepairSucceeded,
+                                      ProtocolEvent::kRepairFailed,
+                                      ProtocolEvent::kMessageSalvaged};
+
+constinit const ProtocolKind kAntHocNetKind{
+    .name = "anthocnet",
+    .make = make_as<AntHocNet>,
+    .name_frame =
+        [](const SentFrame& frame) {
+          return frame_name(frame.bytes, [](const Control& control) -> std::string_view {
+            if (control.protocol != ControlOf::kAntHocNet) return {};
+            const auto packet = anthocnet::parse_control(control.body);
+            return packet ? anthocnet::name_of(*packet) : std::string_view();
+          });
+        },
+    .weigh = no_weight,  // by pheromone, which a route does not tell
+    .events = kAntHocNetEvents};
 
 }  // namespace hal::routing

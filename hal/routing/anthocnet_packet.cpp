@@ -249,7 +249,17 @@ std::optional<ControlPacket> take_warning(ByteReader& in) {
   return warning;
 }
 
+struct ControlName {
+  std::string_view operator()(const ForwardAnt&) const { return "forward ant"; }
+  std::string_view operator()(const BackwardAnt&) const { return "backward ant"; }
+  std::string_view operator()(const PheromoneHello&) const { return "hello"; }
+  std::string_view operator()(const LossNotice&) const { return "loss notice"; }
+  std::string_view operator()(const Warning&) const { return "warning"; }
+};
+
 }  // namespace
+
+std::string_view name_of(const ControlPacket& packet) { return std::visit(ControlName{}, packet); }
 
 Bytes encode_control(const ControlPacket& packet) {
   ByteWriter out;

@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -85,6 +86,9 @@ struct Warning {
 };
 
 using ControlPacket = std::variant<ForwardAnt, BackwardAnt, PheromoneHello, LossNotice, Warning>;
+
+/// "forward ant", "backward ant", "hello", …
+std::string_view name_of(const ControlPacket& packet);
 
 /// Most targets of one hello or loss notice, so that it fits into a control packet whatever the
 /// topics are.

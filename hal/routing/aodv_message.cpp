@@ -119,7 +119,15 @@ std::optional<AodvMessage> take_message(ByteReader& in) {
   }
 }
 
+struct AodvName {
+  std::string_view operator()(const Rreq&) const { return "RREQ"; }
+  std::string_view operator()(const Rrep&) const { return "RREP"; }
+  std::string_view operator()(const Rerr&) const { return "RERR"; }
+};
+
 }  // namespace
+
+std::string_view name_of(const AodvMessage& message) { return std::visit(AodvName{}, message); }
 
 Bytes encode(const AodvPacket& packet) {
   ByteWriter out;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -53,6 +54,9 @@ struct Rerr {
 };
 
 using AodvMessage = std::variant<Rreq, Rrep, Rerr>;
+
+/// As the RFC calls it: "RREQ".
+std::string_view name_of(const AodvMessage& message);
 
 /// The same as it travels: with the TTL, which has its place in the header of IP.
 struct AodvPacket {

@@ -2,11 +2,13 @@
 #include "hal/routing/aodv_routing.h"
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <tuple>
 #include <utility>
 #include <variant>
 
+#include "hal/routing/frame_name.h"
 #include "hal/routing/message_end.h"
 #include "hal/types/check.h"
 
@@ -389,5 +391,32 @@ void AodvRouting::on_route(AgentId destination) {
   if (table_.active(destination) == nullptr) return;
   for (Transit& transit : search_.on_route(destination)) forward(std::move(transit));
 }
+
+constexpr std::array kAodvEvents{
+    ProtocolEvent::kHelloSent,          ProtocolEvent::kFloodRelayed,
+    ProtocolEvent::kFloodCopyDropped,   ProtocolEvent::kRreqSent,
+    ProtocolEvent::kRreqForwarded,      ProtocolEvent::kRreqDelayed,
+    ProtocolEvent::kRrepSent,           ProtocolEvent::kRrepSentForOther,
+    ProtocolEvent::kRrepGratuitous,     ProtocolEvent::kRrepForwarded,
+    ProtocolEvent::kRrepReceived,       ProtocolEvent::kRrepLost,
+    ProtocolEvent::kRreqBlacklisted,    ProtocolEvent::kRerrSent,
+    ProtocolEvent::kRerrReceived,       ProtocolEvent::kRerrSuppressed,
+    ProtocolEvent::kLocalRepairStarted, ProtocolEvent::kLocalRepairDone,
+    ProtocolEvent::kLocalRepairFailed};
+
+constinit const ProtocolKind kAodvKind{
+    .name = "aodv",
+    .make = make_as<AodvRouting>,
+    .name_frame =
+        [](const SentFrame& frame) {
+          return frame_name(frame.bytes, [](const Control& control) -> std::string_view {
+            if (control.protocol != ControlOf::kAodv) return {};
+            const auto packet = parse_aodv(control.body);
+            return packet ? name_of(packet->message) : std::string_view();
+          });
+        },
+    // It has one next hop.
+    .weigh = [](const RoutingConfig&, const Route&) -> std::optional<double> { return 1; },
+    .events = kAodvEvents};
 
 }  // namespace hal::routing

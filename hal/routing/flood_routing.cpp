@@ -1,7 +1,10 @@
 #include "hal/routing/flood_routing.h"
 
+#include <array>
 #include <utility>
 #include <variant>
+
+#include "hal/routing/frame_name.h"
 
 namespace hal::routing {
 namespace {
@@ -44,5 +47,14 @@ Duration FloodRouting::longest_flood() {
   const RoutingConfig& config = hops_.node().config;
   return config.hop_limit * (config.jitter_max + kHopTime);
 }
+
+constexpr std::array kFloodEvents{ProtocolEvent::kFloodRelayed, ProtocolEvent::kFloodCopyDropped};
+
+constinit const ProtocolKind kFloodRoutingKind{
+    .name = "flooding",
+    .make = make_as<FloodRouting>,
+    .name_frame = [](const SentFrame& frame) { return frame_name(frame.bytes, no_control); },
+    .weigh = no_weight,
+    .events = kFloodEvents};
 
 }  // namespace hal::routing

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "hal/routing/byte_order.h"
+#include "hal/routing/frame_name.h"
 #include "hal/routing/message_end.h"
 #include "hal/types/check.h"
 
@@ -101,5 +102,16 @@ void OneHop::on_transmitted(const Transmission& transmission) {
   const bool was_too_old = transmission.verdict == Verdict::kExpired;
   ports_.application.on_fate(id, was_too_old ? Fate::kFailed : fate_of(transmission.verdict));
 }
+
+constinit const ProtocolKind kOneHopKind{
+    .name = "none",
+    .make = [](AgentId self, const RoutingConfig&, const RouterStreams&, const RouterPorts& ports)
+        -> std::unique_ptr<Protocol> { return std::make_unique<OneHop>(self, ports); },
+    .name_frame = [](const SentFrame& frame) -> FrameName {
+      const auto message = parse_one_hop(frame.bytes, frame.from, frame.to);
+      if (!message) return {};
+      return {"data", FrameName::MessageName{frame.from, message->id}};
+    },
+    .weigh = no_weight};
 
 }  // namespace hal::routing

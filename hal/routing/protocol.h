@@ -33,6 +33,13 @@ class Protocol {
   virtual void on_transmitted(const Transmission& transmission) = 0;
 };
 
+/// Of a ProtocolKind whose class is made of just that.
+template <class Made>
+std::unique_ptr<Protocol> make_as(AgentId self, const RoutingConfig& config,
+                                  const RouterStreams& streams, const RouterPorts& ports) {
+  return std::make_unique<Made>(self, config, streams, ports);
+}
+
 /// The protocol that `config.algorithm` names.
 /// @pre every value that it uses is in the range its comment gives; aborts otherwise.
 std::unique_ptr<Protocol> make_protocol(AgentId self, const RoutingConfig& config,

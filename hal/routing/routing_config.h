@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "hal/routing/algorithm.h"
 #include "hal/routing/anthocnet_config.h"
 #include "hal/routing/aodv_config.h"
 #include "hal/types/path_metric.h"
@@ -14,15 +15,6 @@
 namespace hal::routing {
 
 using namespace std::chrono_literals;
-
-/// How messages find their way.
-enum class Algorithm : std::uint8_t {
-  kAnts,
-  kNone,       ///< Not at all: one hop, straight to the link (one_hop.h).
-  kFlooding,   ///< Every message to everyone (flood_routing.h).
-  kAodv,       ///< RFC 3561 (aodv_routing.h).
-  kAntHocNet,  ///< AntHocNet in full (anthocnet.h).
-};
 
 /// How the messages of a class choose among routes: equation 1 of the paper.
 struct RouteChoice {

@@ -15,9 +15,23 @@ namespace {
 constexpr const char* kUnknownException = "threw something that is no std::exception";
 
 std::string_view name_of(exchange::Cause cause) {
-  constexpr std::string_view kNames[] = {"start()", "receive()", "timer()", "notice()",
-                                         "",        "step()",    "stop()"};
-  return kNames[static_cast<int>(cause)];
+  switch (cause) {
+    case exchange::Cause::kStart:
+      return "start()";
+    case exchange::Cause::kMessage:
+      return "receive()";
+    case exchange::Cause::kTimer:
+      return "timer()";
+    case exchange::Cause::kNotice:
+      return "notice()";
+    case exchange::Cause::kLink:
+      return "";
+    case exchange::Cause::kControl:
+      return "step()";
+    case exchange::Cause::kStop:
+      return "stop()";
+  }
+  return {};
 }
 
 std::string mistake_in(const ControllerKind& kind, const exchange::AgentSession& session) {

@@ -3,9 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace hal::runtime {
 namespace {
+
+/// Places in a reading of the channel battery (hal/types/channel.h).
+constexpr std::size_t kCharge = 0, kEnergy = 3, kCapacity = 4;
 
 /// Cuts between characters, so that what is left of UTF-8 text is UTF-8.
 std::string_view cut(std::string_view text, std::size_t limit) {
@@ -128,12 +132,30 @@ Result<Vec2> ObjectOf<Interface>::relative_position(AgentId other) const {
 }
 
 template <class Interface>
+Result<double> ObjectOf<Interface>::of_battery(std::size_t value) const {
+  const auto gauge = context_.readings.values("battery");
+  if (!gauge) return tl::unexpected<Error>(gauge.error());
+  if (value >= gauge->size() || std::isnan((*gauge)[value]))
+    return fail(Errc::kNotAvailable, "the battery gauge gives no such value");
+  return (*gauge)[value];
+}
+
+template <class Interface>
 Result<double> ObjectOf<Interface>::battery() const {
   context_.guard.check("battery");
-  const auto charge = context_.readings.values("battery");
-  if (!charge) return tl::unexpected<Error>(charge.error());
-  if (charge->empty()) return fail(Errc::kNotAvailable, "the battery gauge gives no value");
-  return charge->front();
+  return of_battery(kCharge);
+}
+
+template <class Interface>
+Result<double> ObjectOf<Interface>::battery_energy() const {
+  context_.guard.check("battery_energy");
+  return of_battery(kEnergy);
+}
+
+template <class Interface>
+Result<double> ObjectOf<Interface>::battery_capacity() const {
+  context_.guard.check("battery_capacity");
+  return of_battery(kCapacity);
 }
 
 template <class Interface>

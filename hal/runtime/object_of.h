@@ -29,6 +29,8 @@ class ObjectOf : public Interface {
   Result<std::span<const double>> reading(std::string_view channel) const override;
   Result<Vec2> relative_position(AgentId other) const override;
   Result<double> battery() const override;
+  Result<double> battery_energy() const override;
+  Result<double> battery_capacity() const override;
   void set_radio(bool on) override;
   RandomStream& random() override;
   void state(std::string_view name) override;
@@ -39,6 +41,8 @@ class ObjectOf : public Interface {
   AgentContext& context() const { return context_; }
 
  private:
+  Result<double> of_battery(std::size_t value) const;
+
   AgentContext& context_;
   NetworkObject network_;
 };

@@ -21,7 +21,8 @@ namespace hal {
 ///                                                   -infinity: nearer than `low`
 /// pose          pose                m, rad          x, y, heading in the world
 /// bumper        bumper              1               1: touched since the reading before, else 0
-/// battery       battery             1, V, A         charge 0..1; voltage; current drawn
+/// battery       battery             1, V, A, J, J   charge 0..1; voltage; current drawn; energy in
+///                                                   it now, and when it is full
 /// imu           imu                 rad/s, m/s^2    rate of turn x, y, z; specific force x, y, z
 /// sonar         sonar               m               as one of scan
 ///

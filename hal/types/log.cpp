@@ -33,8 +33,17 @@ std::optional<Level> level_called(std::string_view name) {
 }
 
 std::string_view name(Level level) {
-  constexpr std::string_view kNames[] = {"debug", "info", "warning", "error"};
-  return kNames[static_cast<int>(level)];
+  switch (level) {
+    case Level::kDebug:
+      return "debug";
+    case Level::kInfo:
+      return "info";
+    case Level::kWarning:
+      return "warning";
+    case Level::kError:
+      return "error";
+  }
+  return {};
 }
 
 }  // namespace hal::log

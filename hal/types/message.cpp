@@ -3,8 +3,17 @@
 namespace hal {
 
 std::string_view to_string(Fate fate) {
-  constexpr std::string_view kNames[] = {"handed over", "no route", "queue full", "failed"};
-  return kNames[static_cast<int>(fate)];
+  switch (fate) {
+    case Fate::kHandedOver:
+      return "handed over";
+    case Fate::kNoRoute:
+      return "no route";
+    case Fate::kQueueFull:
+      return "queue full";
+    case Fate::kFailed:
+      return "failed";
+  }
+  return {};
 }
 
 }  // namespace hal

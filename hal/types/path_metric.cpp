@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "hal/types/check.h"
+#include "hal/types/enum_names.h"
 #include "hal/types/math.h"
 
 namespace hal {
@@ -14,8 +15,36 @@ constexpr double kMostSnr = 100;        // dB, either way
 /// range of a double.
 constexpr double kMostFactor = 1e75;
 
-constexpr std::array<std::string_view, kPathStatistics.size()> kStatisticNames{"hops", "delay",
-                                                                               "min_snr", "energy"};
+constexpr std::string_view name_of(PathStatistic statistic) {
+  switch (statistic) {
+    case PathStatistic::kHops:
+      return "hops";
+    case PathStatistic::kDelay:
+      return "delay";
+    case PathStatistic::kMinSnr:
+      return "min_snr";
+    case PathStatistic::kEnergy:
+      return "energy";
+  }
+  return {};
+}
+static_assert(names_exactly<PathStatistic, int{kPathStatistics.size()}>([](PathStatistic s) {
+  return name_of(s);
+}));
+
+constexpr double PathMetric::*weight_of(PathStatistic statistic) {
+  switch (statistic) {
+    case PathStatistic::kHops:
+      return &PathMetric::hops;
+    case PathStatistic::kDelay:
+      return &PathMetric::delay;
+    case PathStatistic::kMinSnr:
+      return &PathMetric::min_snr;
+    case PathStatistic::kEnergy:
+      return &PathMetric::energy;
+  }
+  BARAKA_CHECK(false);
+}
 
 /// bit/s per Hz over a channel of that signal to noise ratio.
 double capacity(double snr_db) {
@@ -52,24 +81,18 @@ std::vector<double> relative_weights(std::span<const Route> routes, const PathMe
 
 }  // namespace
 
-std::string_view name(PathStatistic statistic) {
-  return kStatisticNames.at(static_cast<std::size_t>(statistic));
-}
+std::string_view name(PathStatistic statistic) { return name_of(statistic); }
 
 std::optional<PathStatistic> path_statistic(std::string_view name) {
-  const auto* const found = std::ranges::find(kStatisticNames, name);
-  if (found == kStatisticNames.end()) return std::nullopt;
-  return kPathStatistics.at(static_cast<std::size_t>(found - kStatisticNames.begin()));
+  const auto* const found =
+      std::ranges::find(kPathStatistics, name, [](PathStatistic s) { return name_of(s); });
+  return found == kPathStatistics.end() ? std::nullopt : std::optional(*found);
 }
 
-double PathMetric::weight(PathStatistic statistic) const {
-  const std::array<double, kPathStatistics.size()> weights{hops, delay, min_snr, energy};
-  return weights.at(static_cast<std::size_t>(statistic));
-}
+double PathMetric::weight(PathStatistic statistic) const { return this->*weight_of(statistic); }
 
 void PathMetric::set_weight(PathStatistic statistic, double weight) {
-  const std::array<double*, kPathStatistics.size()> weights{&hops, &delay, &min_snr, &energy};
-  *weights.at(static_cast<std::size_t>(statistic)) = weight;
+  this->*weight_of(statistic) = weight;
 }
 
 PathMetric path_metric(PathStatistic statistic, double direct_weight) {

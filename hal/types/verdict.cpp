@@ -1,13 +1,49 @@
 #include "hal/types/verdict.h"
 
-namespace hal {
+#include "hal/types/enum_names.h"
 
-std::string_view name(Verdict verdict) {
-  constexpr std::string_view kNames[kVerdictCount] = {
-      "delivered", "below sensitivity", "preamble missed", "collision",  "interference",
-      "noise",     "obstacle",          "retry limit",     "queue full", "receiver transmitting",
-      "radio off", "no route",          "expired",         "agent down", "random loss"};
-  return kNames[static_cast<int>(verdict)];
+namespace hal {
+namespace {
+
+constexpr std::string_view name_of(Verdict verdict) {
+  switch (verdict) {
+    case Verdict::kDelivered:
+      return "delivered";
+    case Verdict::kBelowSensitivity:
+      return "below sensitivity";
+    case Verdict::kPreambleMissed:
+      return "preamble missed";
+    case Verdict::kCollision:
+      return "collision";
+    case Verdict::kInterference:
+      return "interference";
+    case Verdict::kNoise:
+      return "noise";
+    case Verdict::kObstacle:
+      return "obstacle";
+    case Verdict::kRetryLimit:
+      return "retry limit";
+    case Verdict::kQueueFull:
+      return "queue full";
+    case Verdict::kReceiverTransmitting:
+      return "receiver transmitting";
+    case Verdict::kRadioOff:
+      return "radio off";
+    case Verdict::kNoRoute:
+      return "no route";
+    case Verdict::kExpired:
+      return "expired";
+    case Verdict::kAgentDown:
+      return "agent down";
+    case Verdict::kRandomLoss:
+      return "random loss";
+  }
+  return {};
 }
+static_assert(names_exactly<Verdict, kVerdictCount>([](Verdict v) { return name_of(v); }));
+
+}  // namespace
+
+std::string_view name(Verdict verdict) { return name_of(verdict); }
 
 }  // namespace hal

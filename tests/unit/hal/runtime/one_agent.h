@@ -47,7 +47,7 @@ inline hal::exchange::AgentSession robot_session() {
   add("infrared", "range", 6).headings = {0, pi / 3, 2 * pi / 3, pi, -2 * pi / 3, -pi / 3};
   add("localisation", "relative_position", 0);
   add("odometry", "odometry", 6);
-  add("battery", "state_of_charge", 1);
+  add("battery", "battery", 5);
   return session;
 }
 

@@ -144,9 +144,21 @@ TEST(RelativePosition, FindsTheAgentsTriple) {
   });
 }
 
-TEST(Battery, IsTheGaugesValue) {
-  with_readings({{.channel = 3, .values = {0.75}}},
-                [](hal::Robot& robot) { EXPECT_EQ(robot.battery().value_or(0), 0.75); });
+TEST(Battery, IsTheGaugesValues) {
+  with_readings({{.channel = 3, .values = {0.75, 12, 1, 150, 200}}}, [](hal::Robot& robot) {
+    EXPECT_EQ(robot.battery().value_or(0), 0.75);
+    EXPECT_EQ(robot.battery_energy().value_or(0), 150);
+    EXPECT_EQ(robot.battery_capacity().value_or(0), 200);
+  });
+}
+
+TEST(Battery, OfWhichTheGaugeDoesNotKnowTheEnergyHasNone) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  with_readings({{.channel = 3, .values = {0.75, 12, 1, nan, nan}}}, [](hal::Robot& robot) {
+    EXPECT_EQ(robot.battery().value_or(0), 0.75);
+    EXPECT_EQ(robot.battery_energy().error().code, Errc::kNotAvailable);
+    EXPECT_EQ(robot.battery_capacity().error().code, Errc::kNotAvailable);
+  });
 }
 
 TEST(Readings, AreNotAvailableBeforeTheFirstSample) {
@@ -154,6 +166,8 @@ TEST(Readings, AreNotAvailableBeforeTheFirstSample) {
     EXPECT_EQ(robot.infrared().error().code, Errc::kNotAvailable);
     EXPECT_EQ(robot.odometry().error().code, Errc::kNotAvailable);
     EXPECT_EQ(robot.battery().error().code, Errc::kNotAvailable);
+    EXPECT_EQ(robot.battery_energy().error().code, Errc::kNotAvailable);
+    EXPECT_EQ(robot.battery_capacity().error().code, Errc::kNotAvailable);
     EXPECT_EQ(robot.relative_position(hal::AgentId{1}).error().code, Errc::kNotAvailable);
     EXPECT_EQ(robot.reading("infrared").error().message,
               "channel 'infrared' has not been sampled yet");
@@ -169,7 +183,7 @@ TEST(Readings, AreHeldUntilTheNextSample) {
   tests::OneAgent agent(Scripted::kind(), tests::robot_session());
   for (const double charge : {0.9, 0.0, 0.8}) {
     auto event = agent.event(hal::exchange::Cause::kControl);
-    if (charge > 0) event.readings = {{.channel = 3, .values = {charge}}};
+    if (charge > 0) event.readings = {{.channel = 3, .values = {charge, 12, 1, 200 * charge, 200}}};
     agent.feed(event);
   }
   EXPECT_EQ(charges, (std::vector{0.9, 0.9, 0.8}));

@@ -1,0 +1,25 @@
+#pragma once
+
+namespace hal {
+
+/// Whether an enumeration has just the values 0 .. kCount - 1. Its `name`, a switch over all of
+/// them without a default, says "" of any other; the compiler refuses a switch that leaves one out,
+/// so a new value cannot be without a name, nor with one and not counted:
+///
+///   constexpr std::string_view name(Fruit fruit) {
+///     switch (fruit) {
+///       case Fruit::kApple:
+///         return "apple";
+///     }
+///     return {};
+///   }
+///   static_assert(hal::names_exactly<Fruit, kFruits>([](Fruit f) { return name(f); }));
+template <class Enum, int kCount, class Name>
+consteval bool names_exactly(Name name) {
+  for (int i = 0; i < kCount; ++i) {
+    if (name(static_cast<Enum>(i)).empty()) return false;
+  }
+  return name(static_cast<Enum>(kCount)).empty();
+}
+
+}  // namespace hal
