@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "hal/types/enum_names.h"
+
 namespace sim::air {
 
 /// Whose purposes a part of a frame serves.
@@ -23,12 +25,31 @@ enum class Purpose : std::uint8_t {
 inline constexpr int kPurposes = 10;
 
 constexpr std::string_view name(Purpose purpose) {
-  constexpr std::string_view kNames[kPurposes] = {"user",    "SPDP", "SEDP",    "liveliness",
-                                                  "builtin", "RTPS", "network", "routing",
-                                                  "802.11",  "other"};
-  return kNames[static_cast<int>(purpose)];
+  switch (purpose) {
+    case Purpose::kUser:
+      return "user";
+    case Purpose::kSpdp:
+      return "SPDP";
+    case Purpose::kSedp:
+      return "SEDP";
+    case Purpose::kLiveliness:
+      return "liveliness";
+    case Purpose::kBuiltin:
+      return "builtin";
+    case Purpose::kRtps:
+      return "RTPS";
+    case Purpose::kNetwork:
+      return "network";
+    case Purpose::kRouting:
+      return "routing";
+    case Purpose::kMac:
+      return "802.11";
+    case Purpose::kOther:
+      return "other";
+  }
+  return {};
 }
-static_assert(name(Purpose::kOther) == "other");
+static_assert(hal::names_exactly<Purpose, kPurposes>([](Purpose p) { return name(p); }));
 
 constexpr bool is_rtps(Purpose purpose) { return purpose <= Purpose::kRtps; }
 

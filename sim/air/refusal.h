@@ -3,6 +3,8 @@
 #include <cstdint>
 #include <string_view>
 
+#include "hal/types/enum_names.h"
+
 namespace sim::air {
 
 /// Why a frame from an interface does not go on the air.
@@ -16,10 +18,20 @@ enum class Refusal : std::uint8_t {
 inline constexpr int kRefusals = 5;
 
 constexpr std::string_view name(Refusal refusal) {
-  constexpr std::string_view kNames[kRefusals] = {"too short", "too long", "ethertype", "source",
-                                                  "destination"};
-  return kNames[static_cast<int>(refusal)];
+  switch (refusal) {
+    case Refusal::kTooShort:
+      return "too short";
+    case Refusal::kTooLong:
+      return "too long";
+    case Refusal::kEthertype:
+      return "ethertype";
+    case Refusal::kSource:
+      return "source";
+    case Refusal::kDestination:
+      return "destination";
+  }
+  return {};
 }
-static_assert(name(Refusal::kDestination) == "destination");
+static_assert(hal::names_exactly<Refusal, kRefusals>([](Refusal r) { return name(r); }));
 
 }  // namespace sim::air

@@ -6,12 +6,30 @@
 #include <cstring>
 #include <utility>
 
+#include "hal/types/enum_names.h"
+
 namespace sim {
 
-std::string_view name(Part part) {
-  constexpr std::string_view kNames[kPartCount] = {"air", "bodies", "exchange", "routing"};
-  return kNames[static_cast<int>(part)];
+namespace {
+
+constexpr std::string_view name_of(Part part) {
+  switch (part) {
+    case Part::kAir:
+      return "air";
+    case Part::kBodies:
+      return "bodies";
+    case Part::kExchange:
+      return "exchange";
+    case Part::kRouting:
+      return "routing";
+  }
+  return {};
 }
+static_assert(hal::names_exactly<Part, kPartCount>([](Part p) { return name_of(p); }));
+
+}  // namespace
+
+std::string_view name(Part part) { return name_of(part); }
 
 void Hash::add(std::string_view text) { add_bytes(text.data(), text.size()); }
 

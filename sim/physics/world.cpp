@@ -374,6 +374,12 @@ Energy World::energy(AgentId agent) const {
   return energy;
 }
 
+double World::motor_input(AgentId agent) const {
+  const Object& object = implementation_->at(agent);
+  BARAKA_CHECK(object.drivetrain != nullptr);
+  return object.drivetrain->wheels().motor_input();
+}
+
 int World::largest_exact_heap() const { return implementation_->largest_exact; }
 
 double World::deepest_overlap() const { return implementation_->pass.deepest_overlap(); }

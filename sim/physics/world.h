@@ -179,6 +179,8 @@ class World {
   /// Of body and wheels. Work, loss and input are 0 without `measure_energy` or a battery.
   Energy energy(AgentId agent) const;
 
+  double motor_input(AgentId agent) const;  ///< That of energy(). @pre the agent is a robot.
+
   bool has(AgentId agent) const;
 
   /// Bodies that tipped over or got lost, in the order in which it happened; each once.

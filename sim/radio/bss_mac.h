@@ -21,6 +21,7 @@ class BssMac : public MacBase, protected FrameListener {
   std::size_t room() const final;
   std::size_t waiting() const final { return queued(); }
   RadioUse use() const final { return dcf_->use(); }
+  void set_use_listener(RadioUseListener* listener) final { dcf_->set_use_listener(listener); }
 
  protected:
   /// A request of a client, or of another station for which an access point passes it on.

@@ -12,10 +12,6 @@
 namespace sim::radio {
 namespace {
 
-// Type and subtype with protocol version 0 (IEEE Std 802.11-2016, table 9-1): first byte of Frame
-// Control, indexed by FrameType.
-constexpr std::array<std::uint8_t, kFrameTypes> kFrameControl{0x08, 0xb4, 0xc4, 0xd4, 0x80, 0xb0,
-                                                              0xc0, 0x00, 0x10, 0x20, 0x30, 0xa0};
 constexpr std::uint8_t kToDsFlag = 0x01, kFromDsFlag = 0x02;
 constexpr std::uint8_t kRetryFlag = 0x08;
 constexpr std::array<std::uint8_t, 6> kSnap{0xaa, 0xaa, 0x03, 0, 0, 0};
@@ -27,6 +23,38 @@ constexpr std::size_t kLongHeader = 24;  // of data and management
 constexpr std::size_t kDataMinimum = kLongHeader + kSnap.size() + 2 + kFcs;
 
 using View = std::span<const std::uint8_t>;
+
+/// Type and subtype with protocol version 0 (IEEE Std 802.11-2016, table 9-1): first byte of Frame
+/// Control.
+std::uint8_t frame_control_of(FrameType type) {
+  switch (type) {
+    case FrameType::kData:
+      return 0x08;
+    case FrameType::kRts:
+      return 0xb4;
+    case FrameType::kCts:
+      return 0xc4;
+    case FrameType::kAck:
+      return 0xd4;
+    case FrameType::kBeacon:
+      return 0x80;
+    case FrameType::kAuthentication:
+      return 0xb0;
+    case FrameType::kDeauthentication:
+      return 0xc0;
+    case FrameType::kAssociationRequest:
+      return 0x00;
+    case FrameType::kAssociationResponse:
+      return 0x10;
+    case FrameType::kReassociationRequest:
+      return 0x20;
+    case FrameType::kReassociationResponse:
+      return 0x30;
+    case FrameType::kDisassociation:
+      return 0xa0;
+  }
+  BARAKA_CHECK(false);
+}
 
 std::uint8_t flags_of(const Frame& frame) {
   const int ds = frame.ds == Ds::kTo ? kToDsFlag : frame.ds == Ds::kFrom ? kFromDsFlag : 0;
@@ -79,9 +107,11 @@ bool has_length_of(FrameType type, std::size_t length) {
 }
 
 std::optional<FrameType> type_of(std::uint8_t frame_control) {
-  const auto found = std::find(kFrameControl.begin(), kFrameControl.end(), frame_control);
-  if (found == kFrameControl.end()) return std::nullopt;
-  return static_cast<FrameType>(found - kFrameControl.begin());
+  for (int i = 0; i < kFrameTypes; ++i) {
+    const auto type = static_cast<FrameType>(i);
+    if (frame_control_of(type) == frame_control) return type;
+  }
+  return std::nullopt;
 }
 
 tl::unexpected<hal::Error> wrong(std::string what) {
@@ -119,7 +149,7 @@ std::uint32_t frame_check_sequence(View bytes) {
 
 hal::Bytes encode(const Frame& frame) {
   BARAKA_CHECK(is_control(frame.type) || frame.payload != nullptr);
-  hal::Bytes out{kFrameControl[static_cast<std::size_t>(frame.type)], flags_of(frame)};
+  hal::Bytes out{frame_control_of(frame.type), flags_of(frame)};
   const auto duration = std::chrono::ceil<std::chrono::microseconds>(frame.duration);
   put_little_endian(out, static_cast<std::uint64_t>(duration.count()), 2);
   put_destination(out, frame.receiver, frame);

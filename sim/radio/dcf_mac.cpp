@@ -16,7 +16,7 @@ DcfMac::DcfMac(const Context& context, const DcfConfig& config, Radio& radio,
       window_(config.contention.cw_min, config.contention.cw_max),
       retries_(config.contention.short_retry_limit, config.long_retry_limit),
       queue_(config.contention.queue_limit),
-      ladders_(make_ladder(config, context.modes, context.cell), context.cell),
+      ladders_(make_ladder(config, context.modes), context.cell),
       rates_(make_rate_control(config.rate_control, ladders_, streams.rates)),
       protection_(config, context.modes, context.cell) {
   radio_.attach(*this);
@@ -254,9 +254,18 @@ void DcfMac::on_receive(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
 }
 
 void DcfMac::on_receive_error(ReceiveError error) {
-  last_was_wrong_ = true;
+  const bool had_start = error != ReceiveError::kHeader;  // PHY-RXSTART
+  if (had_start || config_.receiver.header_error == HeaderError::kEifs) begin_eifs();
   // Without PHY-RXSTART the timeout goes on.
-  if (error != ReceiveError::kHeader && awaiting_) fail();
+  if (had_start && awaiting_) fail();
+}
+
+void DcfMac::begin_eifs() {
+  if (config_.eifs_start == EifsStart::kFrameEnd) {
+    backoff_.hold_until(now() + timing_.eifs);
+  } else {
+    last_was_wrong_ = true;
+  }
 }
 
 void DcfMac::on_unicast(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {

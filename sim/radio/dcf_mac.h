@@ -48,6 +48,7 @@ class DcfMac final : public MacBase, public RadioListener, private AccessListene
   std::size_t room() const override { return queue_.room(); }
   std::size_t waiting() const override { return queue_.size(); }
   RadioUse use() const override { return radio_.use(); }
+  void set_use_listener(RadioUseListener* listener) override { radio_.set_use_listener(listener); }
 
  private:
   enum class State : std::uint8_t { kIdle, kReserving, kBroadcasting, kWaitCts, kWaitAck };
@@ -64,6 +65,7 @@ class DcfMac final : public MacBase, public RadioListener, private AccessListene
 
   // The medium.
   void update_medium();
+  void begin_eifs();
   void set_nav(const Frame& frame);
   void reset_nav_unless_used(hal::Time since);
 
@@ -108,7 +110,7 @@ class DcfMac final : public MacBase, public RadioListener, private AccessListene
   const PhyMode* data_mode_ = nullptr;  ///< This and the next: of the exchange that is going on.
   Opening opening_ = Opening::kNone;
   bool awaiting_ = false;        ///< Its RTS or DATA has gone out; what comes in now is the answer.
-  bool last_was_wrong_ = false;  ///< The last frame came in with an error: EIFS.
+  bool last_was_wrong_ = false;  ///< The last frame came in with an error: EIFS when idle.
   FramePtr answer_;              ///< Goes out at the end of the SIFS.
   EventQueue::EventId sifs_;
   EventQueue::EventId no_answer_;

@@ -39,9 +39,14 @@ class DiskMac final : public MacBase {
     return {
         state_.spent(State::kTransmit), {}, state_.spent(State::kIdle), state_.spent(State::kOff)};
   }
+  void set_use_listener(RadioUseListener* listener) override { state_.tell(listener); }
 
  private:
   enum class State : std::uint8_t { kOff, kIdle, kTransmit };
+  friend RadioActivity activity_of(State state) {
+    if (state == State::kOff) return RadioActivity::kOff;
+    return state == State::kIdle ? RadioActivity::kListening : RadioActivity::kTransmitting;
+  }
 
   std::size_t queued() const override { return queue_.size(); }
   void start_head();

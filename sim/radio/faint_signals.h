@@ -45,6 +45,16 @@ class alignas(64) FaintSignals {
   /// depends on the order of events.
   void add_lasting_to(Interference& sum, hal::Time at) const;
 
+  struct Span {
+    hal::Time start{};
+    hal::Time end{};
+  };
+  /// Of the frame that was added last; the epoch if there is none.
+  Span newest() const {
+    if (signals_.empty()) return {};
+    return {signals_.back().start, signals_.back().end()};
+  }
+
   /// No less than the sum of any time that may still be asked for, mW.
   double bound() const { return bound_; }
 

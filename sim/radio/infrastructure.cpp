@@ -18,11 +18,11 @@ constexpr double kRateUnit = 0.5;              // Mb/s, 9.4.2.3
 constexpr std::uint8_t kBasicRateFlag = 0x80;  // of the set of basic rates
 constexpr hal::Duration kShortSlotTime{9'000};
 
-std::vector<std::uint8_t> supported_rates(Profile profile, const DcfConfig& config) {
+std::vector<std::uint8_t> supported_rates(Standard standard, const DcfConfig& config) {
   std::vector<std::uint8_t> rates;
   for (const double rate : kAllRates) {
     const hal::BitsPerSecond in_bits{rate * 1e6};
-    if (!is_rate(profile, in_bits)) continue;
+    if (!is_rate(standard, in_bits)) continue;
     const bool basic = std::ranges::find(config.basic_rates, in_bits) != config.basic_rates.end();
     rates.push_back(static_cast<std::uint8_t>(static_cast<int>(rate / kRateUnit) |
                                               (basic ? kBasicRateFlag : 0)));
@@ -32,9 +32,9 @@ std::vector<std::uint8_t> supported_rates(Profile profile, const DcfConfig& conf
 
 BssParameters parameters(const Infrastructure::Member& member, const std::string& ssid) {
   const DcfConfig& config = member.config;
-  const bool erp = member.profile == Profile::kIeee80211g;
+  const bool erp = member.rates == Standard::kIeee80211g;
   return {.ssid = ssid,
-          .rates = supported_rates(member.profile, config),
+          .rates = supported_rates(member.rates, config),
           .channel = static_cast<std::uint8_t>(config.phy.channel),
           .short_preamble = config.phy.preamble == Preamble::kShort,
           .short_slot = config.contention.slot == kShortSlotTime,

@@ -20,7 +20,7 @@ class Infrastructure {
   struct Member {
     const MacBase::Context& context;
     const DcfConfig& config;  ///< Outlives the MAC.
-    Profile profile;
+    Standard rates;           ///< That it knows.
   };
 
   /// @param config  outlives it.

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "hal/types/agent_id.h"
+#include "hal/types/enum_names.h"
 #include "hal/types/time.h"
 
 namespace sim::radio {
@@ -28,21 +29,35 @@ inline constexpr int kFrameTypes = 12;
 
 /// "data", "rts", …
 constexpr std::string_view name(FrameType type) {
-  constexpr std::string_view kNames[kFrameTypes] = {"data",
-                                                    "rts",
-                                                    "cts",
-                                                    "ack",
-                                                    "beacon",
-                                                    "authentication",
-                                                    "deauthentication",
-                                                    "association request",
-                                                    "association response",
-                                                    "reassociation request",
-                                                    "reassociation response",
-                                                    "disassociation"};
-  return kNames[static_cast<int>(type)];
+  switch (type) {
+    case FrameType::kData:
+      return "data";
+    case FrameType::kRts:
+      return "rts";
+    case FrameType::kCts:
+      return "cts";
+    case FrameType::kAck:
+      return "ack";
+    case FrameType::kBeacon:
+      return "beacon";
+    case FrameType::kAuthentication:
+      return "authentication";
+    case FrameType::kDeauthentication:
+      return "deauthentication";
+    case FrameType::kAssociationRequest:
+      return "association request";
+    case FrameType::kAssociationResponse:
+      return "association response";
+    case FrameType::kReassociationRequest:
+      return "reassociation request";
+    case FrameType::kReassociationResponse:
+      return "reassociation response";
+    case FrameType::kDisassociation:
+      return "disassociation";
+  }
+  return {};
 }
-static_assert(name(FrameType::kDisassociation) == "disassociation");
+static_assert(hal::names_exactly<FrameType, kFrameTypes>([](FrameType t) { return name(t); }));
 
 constexpr bool is_management(FrameType type) { return type >= FrameType::kBeacon; }
 constexpr bool is_control(FrameType type) {

@@ -75,6 +75,9 @@ class MacSap {
   virtual void set_radio(bool on) = 0;
   virtual bool radio_on() const = 0;
   virtual RadioUse use() const = 0;
+  /// Tells a listener what the radio does now, and every change of it: what use() is the sum of.
+  /// @param listener  the only one; null: nobody. Outlives the station, or is taken back.
+  virtual void set_use_listener(RadioUseListener* listener) = 0;
   /// Expected time from request to the end of the exchange for a frame queued now.
   virtual hal::Duration expected_delay() const = 0;
   /// How many requests more would be taken now.

@@ -1,22 +1,29 @@
 #pragma once
 
+#include <array>
 #include <map>
+#include <optional>
 #include <vector>
 
 #include "sim/radio/rate_control.h"
 
 namespace sim::radio {
 
-/// Chooses by measured success, as Linux's minstrel does (D. Smithies, F. Fietkau, 2005-2008; the
-/// idea only): for each rate the share of attempts that were acknowledged, averaged over intervals
-/// with exponentially falling weight. The best rate is that with the most frames in time; a share
-/// of the frames begins with another one, drawn at random, so that better ones are found.
+/// Chooses by measured success, as Linux's minstrel does (D. Smithies, F. Fietkau; the algorithm of
+/// net/mac80211/rc80211_minstrel.c of 2013-2014, written anew). For each rate the share of attempts
+/// that were acknowledged, averaged over intervals with exponentially falling weight; the best is
+/// the rate with the most frames in time on the air. A share of the frames looks around: it tries
+/// another rate, each in its turn in an order drawn at random.
 ///
-///   attempt     0, 1      2, 3           4, 5            from 6 on
-///   mode        best      second best    most reliable   lowest
+///   stage of the frame       1          2             3               4
+///   a normal one             best       second best   most reliable   lowest
+///   looks at a faster rate   that one   best          most reliable   lowest
+///   looks at a slower rate   best       that one      most reliable   lowest
 ///
-/// A drawn rate that takes longer than the best one is tried second, when the best one has failed:
-/// it can hardly be better, and a link that is good pays nothing for asking.
+/// So a good link pays nothing for asking about slower rates; after 20 intervals without an attempt
+/// a slower one goes first all the same. In each of the first three stages a frame is tried as
+/// often as fits into 6 ms, at most twice if the rate nearly always (95 %) or hardly ever (10 %)
+/// succeeds: such a rate is looked at in 4 frames of an interval at most.
 class Minstrel final : public RateControl {
  public:
   Minstrel(const RateControlConfig& config, const RateLadders& ladders, hal::RandomStream random)
@@ -30,19 +37,29 @@ class Minstrel final : public RateControl {
     std::uint32_t attempts = 0, successes = 0;  ///< In this interval.
     double success = 0;                         ///< Of the intervals before.
     bool is_known = false;
+    std::uint32_t tries = 0;               ///< Of one frame in one stage.
+    std::optional<std::uint32_t> looks{};  ///< Left in this interval; none: as many as come.
+    std::uint32_t intervals_without = 0;   ///< Since it was tried last.
   };
   struct Link {
     std::vector<Rate> rates;  ///< As the rungs of the ladder.
     hal::Time interval_end{};
     std::size_t best = 0, second = 0, most_reliable = 0;
-    std::size_t drawn = 0;  ///< For this frame; `best`: none.
-    std::size_t used = 0;   ///< In the attempt that is on its way.
+    std::vector<std::size_t> order;        ///< In which rates are looked at; those to come.
+    std::uint32_t frames = 0, looked = 0;  ///< So many of them looked around.
+    std::array<std::size_t, 4> stages{};   ///< Of this frame.
+    bool is_begun = false;                 ///< No result of this frame has come yet.
+    std::size_t used = 0;                  ///< In the attempt that is on its way.
   };
 
   Link& link(hal::AgentId to, hal::Time now);
+  void begin(Link& link, const Ladder& ladder) const;
   void evaluate(Link& link, const Ladder& ladder) const;
-  void draw(Link& link);
-  std::size_t choose(const Link& link, const Ladder& ladder, std::uint32_t attempt) const;
+  static void rank(Link& link, const Ladder& ladder);
+  void start_frame(Link& link, const Ladder& ladder);
+  bool is_to_look(Link& link) const;
+  void look_around(Link& link, const Ladder& ladder);
+  std::size_t next_in_order(Link& link);
 
   RateControlConfig config_;
   hal::RandomStream random_;

@@ -42,6 +42,7 @@ class MobilityFrameworkMac final : public MacBase, public RadioListener {
   std::size_t room() const override { return queue_.room(); }
   std::size_t waiting() const override { return queue_.size(); }
   RadioUse use() const override { return radio_.use(); }
+  void set_use_listener(RadioUseListener* listener) override { radio_.set_use_listener(listener); }
 
  private:
   enum class State : std::uint8_t { kIdle, kContend, kWaitCts, kWaitData, kWaitAck, kBusy, kQuiet };

@@ -10,6 +10,8 @@ namespace {
 
 using Made = std::unique_ptr<const PathLoss>;
 
+Made made(const ForeignLawConfig& config, const PropagationConfig& air) { return config.make(air); }
+
 Made made(const PowerLawConfig&, const PropagationConfig& air) {
   return std::make_unique<PowerLaw>(air.wavelength, air.path_loss_exponent);
 }

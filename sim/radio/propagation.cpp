@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <utility>
+#include <variant>
 
 #include "hal/types/math.h"
 #include "sim/radio/path_losses.h"
@@ -27,13 +28,14 @@ hal::Milliwatts to_milliwatts(hal::Dbm level) {
 }
 
 Propagation::Propagation(const RadioConfig& config, const Obstacles& obstacles) {
-  if (const WavesConfig* const waves = waves_of(config)) {
-    add(*waves, obstacles);
-  } else if (const auto* disk = std::get_if<DiskConfig>(&config)) {
-    add(disk->range);
-  } else {
-    add(std::get<IdealConfig>(config).range);
-  }
+  std::visit(
+      [&](const auto& one) {
+        if constexpr (requires { one.range; })
+          add(one.range);
+        else
+          add(one, obstacles);
+      },
+      config);
 }
 
 void Propagation::add(const WavesConfig& config, const Obstacles& obstacles) {

@@ -34,6 +34,7 @@ Radio::Radio(Air air, StationIndex index, hal::AgentId agent, hal::RandomStream 
       energy_detection_(to_milliwatts(air.config.energy_detection).value),
       capture_window_(air.config.capture_window),
       preamble_window_(air.config.preamble_window),
+      forgets_overlap_(air.config.header_error == HeaderError::kForgotten),
       state_(air.events, State::kIdle) {
   if (air.config.capture_margin) {
     capture_margin_ = hal::math::pow(10, air.config.capture_margin->value / 10);
@@ -111,6 +112,7 @@ bool Radio::begin_signal(const Frame& frame, const Propagation::Arrival& arrival
                       .end = now + frame.airtime,
                       .verdict = std::nullopt});
   signals_.back().verdict = refuse(signals_.back());
+  if (forgets_overlap_) recall_for(signals_.back());
   const bool had_window = window_.has_value();
   const bool holds_it = !signals_.back().verdict && synchronise(signals_.back());
   sense();
@@ -192,7 +194,7 @@ void Radio::hold(const Signal& signal) {
   held_.emplace(*signal.frame, signal.arrival.power.value, signal.start, events_.now());
   faint().keep_from(events_.now());
   // Whoever is sensed by its power is so until its end; others only as long as they are held.
-  if (signal.arrival.power.value >= cca_threshold_) return;
+  if (signal.arrival.power.value >= cca_threshold_ && !forgets_overlap_) return;
   header_look_ = events_.schedule(held_->header_end(), Rank::kRadio, agent_, [this] { hear(); });
 }
 
@@ -223,6 +225,7 @@ void Radio::end_signal(const Frame& frame, bool cut) {
     outcome = held_->judge(rules_, errors_);
     snr = hal::Decibels{10 * hal::math::log10(held_->min_sinr())};
     release();
+    recall_all();
   }
   if (outcome.verdict == hal::Verdict::kDelivered && loss_ != nullptr &&
       loss_->strikes(frame, agent_)) {
@@ -280,6 +283,7 @@ void Radio::hear_until(hal::Time end) {
 /// The receiver is free for other frames from here on.
 void Radio::lose_header() {
   find(held_->frame())->verdict = held_->judge(rules_, errors_).verdict;
+  if (forgets_overlap_) forget_overlap();
   release();
   sense();
   listener_->on_receive_error(ReceiveError::kHeader);

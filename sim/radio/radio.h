@@ -56,6 +56,19 @@ class RadioListener {
 class Radio {
  public:
   enum class State : std::uint8_t { kOff, kIdle, kReceive, kTransmit };
+  friend RadioActivity activity_of(State state) {
+    switch (state) {
+      case State::kOff:
+        return RadioActivity::kOff;
+      case State::kIdle:
+        return RadioActivity::kListening;
+      case State::kReceive:
+        return RadioActivity::kReceiving;
+      case State::kTransmit:
+        break;
+    }
+    return RadioActivity::kTransmitting;
+  }
 
   struct Air {
     EventQueue& events;
@@ -79,6 +92,8 @@ class Radio {
     return {state_.spent(State::kTransmit), state_.spent(State::kReceive),
             state_.spent(State::kIdle), state_.spent(State::kOff)};
   }
+  /// As MacSap::set_use_listener().
+  void set_use_listener(RadioUseListener* listener) { state_.tell(listener); }
   /// The PHY header of a frame has come in, and the frame is still coming: between PHY-RXSTART and
   /// PHY-RXEND. May tell the listener what has ended by now.
   bool is_receiving();
@@ -117,6 +132,13 @@ class Radio {
     hal::Time end{};
     /// Fixed as soon as it cannot be received any more.
     std::optional<hal::Verdict> verdict;
+    bool is_forgotten = false;
+  };
+
+  /// What carrier sense does not count any more: HeaderError::kForgotten.
+  struct Forgotten {
+    hal::Time since{};
+    hal::Time until{};  ///< So long the medium would be busy.
   };
 
   void settle();
@@ -139,6 +161,10 @@ class Radio {
   void sense_energy(double sum);
   void ignore_energy();
   void announce();
+  void forget_overlap();
+  void recall_for(Signal& next);
+  void recall_for_faint();
+  void recall_all();
 
   EventQueue& events_;
   Channel& channel_;
@@ -156,6 +182,7 @@ class Radio {
   std::optional<double> capture_margin_;
   hal::Duration capture_window_;
   hal::Duration preamble_window_;
+  bool forgets_overlap_;
 
   TimedState<State, 4> state_;
   bool said_busy_ = false;  ///< What the listener was told last.
@@ -165,8 +192,9 @@ class Radio {
   std::optional<Reception> held_;
   std::optional<hal::Time> window_;           ///< Start of the open preamble window.
   hal::Time last_header_ = hal::Time::min();  ///< The end of the last one that came in.
-  EventQueue::EventId energy_look_;           ///< At the next change of faint signals.
-  EventQueue::EventId header_look_;           ///< At the end of a header that alone is sensed.
+  std::optional<Forgotten> forgotten_;
+  EventQueue::EventId energy_look_;  ///< At the next change of faint signals.
+  EventQueue::EventId header_look_;  ///< At the end of a header that alone is sensed.
 };
 
 }  // namespace sim::radio

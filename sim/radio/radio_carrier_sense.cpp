@@ -1,4 +1,5 @@
 // The part of Radio that senses the carrier: by the frames that can be received, and by energy.
+#include <algorithm>
 #include <limits>
 #include <utility>
 
@@ -17,6 +18,7 @@ void Radio::sense() {
   double sum = 0;
   bool is_busy = held_.has_value();
   for (const Signal& signal : signals_) {
+    if (signal.is_forgotten) continue;
     is_busy |= signal.arrival.power.value >= cca_threshold_ && !is_foreign(*signal.frame);
     sum += signal.arrival.power.value;
   }
@@ -31,7 +33,7 @@ void Radio::sense() {
 /// @param sum  mW, of the signals with events.
 void Radio::sense_energy(double sum) {
   events_.cancel(energy_look_);
-  faint().set_alarm(energy_detection_ - sum);
+  faint().set_alarm(forgotten_ ? 0 : energy_detection_ - sum);
   Interference all{.sum = sum};
   if (sum + faint().bound() >= energy_detection_) {
     hal::Time next = hal::Time::max();
@@ -45,6 +47,7 @@ void Radio::sense_energy(double sum) {
 
 void Radio::watch_energy() {
   settle();
+  recall_for_faint();
   sense();
   announce();
 }
@@ -63,6 +66,46 @@ void Radio::announce() {
   } else {
     listener_->on_medium_idle();
   }
+}
+
+/// HeaderError::kForgotten, after the header of the held frame. ns-3.37 tells its MAC at the start
+/// of a header that the medium is busy until the header's end, whatever it has told before. After a
+/// wrong one it looks at the energy again only if the frame goes on beyond what it has told.
+void Radio::forget_overlap() {
+  const hal::Time header = held_->start() + held_->frame().mode->preamble();
+  const hal::Time end = held_->start() + held_->frame().airtime;
+  hal::Time told{};
+  for (const Signal& signal : signals_) {
+    if (signal.frame == &held_->frame()) continue;
+    if (signal.start >= header && signal.end > told) return recall_all();
+    if (signal.start < held_->start()) told = std::max(told, signal.end);
+    // It has told nothing before the preamble was detected.
+    if (signal.start >= held_->locked()) told = std::max({told, signal.end, end});
+  }
+  if (told < end) return recall_all();
+  forgotten_ = {events_.now(), told};
+  for (Signal& signal : signals_) signal.is_forgotten = true;
+}
+
+/// A frame that goes on beyond what is forgotten, or beyond the own one, makes it look again.
+void Radio::recall_for(Signal& next) {
+  if (!forgotten_) return;
+  const bool is_sending = state_ == State::kTransmit;
+  if (next.end > (is_sending ? sending_until_ : forgotten_->until)) return recall_all();
+  next.is_forgotten = true;
+}
+
+/// So does a faint one.
+void Radio::recall_for_faint() {
+  if (!forgotten_) return;
+  const auto [start, end] = faint().newest();
+  if (start >= forgotten_->since && end > forgotten_->until) recall_all();
+}
+
+void Radio::recall_all() {
+  if (!forgotten_) return;
+  forgotten_.reset();
+  for (Signal& signal : signals_) signal.is_forgotten = false;
 }
 
 }  // namespace sim::radio

@@ -7,6 +7,8 @@
 #include <type_traits>
 #include <utility>
 
+#include "hal/types/check.h"
+
 namespace sim::radio {
 namespace {
 
@@ -24,9 +26,9 @@ bool is_contention_window(std::uint32_t window) {
   return window < (1u << 16) && (window & (window + 1)) == 0;
 }
 
-void check_rate(Profile profile, const char* key, hal::BitsPerSecond rate) {
-  const std::string what = std::string(key) + " must be " + rates_of(profile);
-  require(is_rate(profile, rate), what.c_str());
+void check_rate(Standard standard, const char* key, hal::BitsPerSecond rate) {
+  const std::string what = std::string(key) + " must be " + std::string(rates_of(standard));
+  require(is_rate(standard, rate), what.c_str());
 }
 
 void check_chain(const std::vector<PathLossConfig>& chain) {
@@ -57,7 +59,7 @@ void check_contention(const ContentionConfig& mac) {
           "slot and sifs must be positive");
 }
 
-void check_waves(Profile profile, const WavesConfig& config) {
+void check_waves(Standard rates, const WavesConfig& config) {
   require(config.tx_power.value > 0, "tx_power must be positive");
   require(config.propagation.wavelength.value > 0, "wavelength must be positive");
   require(config.propagation.path_loss_exponent >= 1, "path_loss_exponent must be 1 or more");
@@ -67,9 +69,9 @@ void check_waves(Profile profile, const WavesConfig& config) {
   check_loss(config.receiver.loss);
   require(config.propagation.interference_floor <= config.receiver.sensitivity,
           "interference_floor must not be above sensitivity");
-  check_rate(profile, "data_rate", config.phy.data_rate);
-  check_rate(profile, "control_rate", config.phy.control_rate);
-  check_rate(profile, "broadcast_rate", config.phy.broadcast_rate);
+  check_rate(rates, "data_rate", config.phy.data_rate);
+  check_rate(rates, "control_rate", config.phy.control_rate);
+  check_rate(rates, "broadcast_rate", config.phy.broadcast_rate);
   check_contention(config.contention);
 }
 
@@ -96,11 +98,11 @@ void check_rate_control(const RateControlConfig& rates) {
           "minstrel_interval must be positive, and its shares 0 .. 1, minstrel_past below 1");
 }
 
-void check_dcf(Profile profile, const DcfConfig& config) {
-  check_waves(profile, config);
+void check_dcf(Standard rates, const DcfConfig& config) {
+  check_waves(rates, config);
   require(config.long_retry_limit >= 1, "retry limits must be 1 or more");
   require(!config.basic_rates.empty(), "basic_rates must not be empty");
-  for (const auto rate : config.basic_rates) check_rate(profile, "basic_rates", rate);
+  for (const auto rate : config.basic_rates) check_rate(rates, "basic_rates", rate);
   require(config.cca_time >= hal::Duration{} && config.cca_time < config.contention.slot,
           "cca_time must not be negative, and shorter than the slot");
   check_bss(config.bss);
@@ -110,14 +112,17 @@ void check_dcf(Profile profile, const DcfConfig& config) {
   check_rate_control(config.rate_control);
 }
 
-void check_one(const MobilityFrameworkConfig& config) {
-  check_waves(Profile::kMobilityFramework, config);
+void check_one(const MobilityFrameworkConfig& config) { check_waves(config.kRates, config); }
+
+void check_one(const ForeignProfileConfig& config) {
+  check_waves(config.kRates, config);
+  require(config.make_mac != nullptr, "a foreign profile must have a MAC");
 }
 
-void check_one(const Ieee80211bConfig& config) { check_dcf(Profile::kIeee80211b, config); }
+void check_one(const Ieee80211bConfig& config) { check_dcf(config.kRates, config); }
 
 void check_one(const Ieee80211gConfig& config) {
-  check_dcf(Profile::kIeee80211g, config);
+  check_dcf(config.kRates, config);
   require(config.receiver.error_model == ErrorModel::kDsss, "error_model must be dsss");
 }
 
@@ -169,8 +174,6 @@ Ieee80211gConfig::Ieee80211gConfig() {
   cca_time = 4us;
 }
 
-Profile profile_of(const RadioConfig& config) { return static_cast<Profile>(config.index()); }
-
 RadioConfig profile_defaults(Profile profile) {
   switch (profile) {
     case Profile::kMobilityFramework:
@@ -182,9 +185,20 @@ RadioConfig profile_defaults(Profile profile) {
     case Profile::kDisk:
       return DiskConfig{};
     case Profile::kIdeal:
-      break;
+      return IdealConfig{};
   }
-  return IdealConfig{};
+  BARAKA_CHECK(false);
+}
+
+std::string_view profile_name(const RadioConfig& config) {
+  return std::visit(
+      [](const auto& one) {
+        if constexpr (requires { one.profile; })
+          return one.profile;
+        else
+          return one.kProfile;
+      },
+      config);
 }
 
 const WavesConfig* waves_of(const RadioConfig& config) {
@@ -213,19 +227,37 @@ DcfConfig* dcf_of(RadioConfig& config) {
   return const_cast<DcfConfig*>(dcf_of(std::as_const(config)));
 }
 
-std::string rates_of(Profile profile) {
-  if (profile != Profile::kIeee80211g) return "1, 2, 5.5 or 11 Mb/s";
-  return "1, 2, 5.5, 11, 6, 9, 12, 18, 24, 36, 48 or 54 Mb/s";
+std::optional<Standard> rates_of(const RadioConfig& config) {
+  return std::visit(
+      [](const auto& one) -> std::optional<Standard> {
+        if constexpr (kHasWaves<std::decay_t<decltype(one)>>) return one.kRates;
+        return std::nullopt;
+      },
+      config);
+}
+
+std::string_view rates_of(Standard standard) {
+  switch (standard) {
+    case Standard::kIeee80211b:
+      return "1, 2, 5.5 or 11 Mb/s";
+    case Standard::kIeee80211g:
+      return "1, 2, 5.5, 11, 6, 9, 12, 18, 24, 36, 48 or 54 Mb/s";
+  }
+  return {};
 }
 
 bool is_dsss_rate(hal::BitsPerSecond rate) {
   return std::ranges::find(kDsssRates, rate.value) != kDsssRates.end();
 }
 
-bool is_rate(Profile profile, hal::BitsPerSecond rate) {
-  if (is_dsss_rate(rate)) return true;
-  return profile == Profile::kIeee80211g &&
-         std::ranges::find(kOfdmRates, rate.value) != kOfdmRates.end();
+bool is_rate(Standard standard, hal::BitsPerSecond rate) {
+  switch (standard) {
+    case Standard::kIeee80211b:
+      return is_dsss_rate(rate);
+    case Standard::kIeee80211g:
+      return is_dsss_rate(rate) || std::ranges::find(kOfdmRates, rate.value) != kOfdmRates.end();
+  }
+  return false;
 }
 
 const LengthsConfig& lengths_of(const RadioConfig& config) {
@@ -236,18 +268,19 @@ void check(const RadioConfig& config) {
   std::visit([](const auto& one) { check_one(one); }, config);
 }
 
-void check(Profile profile, const StationConfig& station) {
-  const bool is_plain = profile == Profile::kDisk || profile == Profile::kIdeal;
+void check(const RadioConfig& config, const StationConfig& station) {
+  const std::optional<Standard> known = rates_of(config);
   require(!station.tx_power || station.tx_power->value > 0, "tx_power must be positive");
   require(!station.antenna_height || station.antenna_height->value >= 0,
           "antenna_height must be 0 or more");
-  require(!is_plain || (!station.channel && !station.antenna_gain && !station.data_rate &&
-                        !station.control_rate && !station.broadcast_rate),
+  require(known || (!station.channel && !station.antenna_gain && !station.data_rate &&
+                    !station.control_rate && !station.broadcast_rate),
           "stations without waves have neither channel nor gain nor rates of their own");
-  require(!station.standard || profile == Profile::kIeee80211g,
+  require(!station.standard || std::holds_alternative<Ieee80211gConfig>(config),
           "only in a network of ieee80211g may stations be of another standard");
+  if (!known) return;
   if (station.channel) check_channel(*station.channel);
-  const Profile rates = station.standard == Standard::kIeee80211b ? Profile::kIeee80211b : profile;
+  const Standard rates = station.standard.value_or(*known);
   if (station.data_rate) check_rate(rates, "data_rate", *station.data_rate);
   if (station.control_rate) check_rate(rates, "control_rate", *station.control_rate);
   if (station.broadcast_rate) check_rate(rates, "broadcast_rate", *station.broadcast_rate);

@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -37,6 +39,17 @@ enum class BitsAtRisk : std::uint8_t {
   kPayloadTime,  ///< As many as fit between header and end, pad and signal extension included:
                  ///< ns-3.
 };
+/// When the EIFS after a frame that came in wrong begins.
+enum class EifsStart : std::uint8_t {
+  kMediumIdle,  ///< As the medium becomes idle (IEEE Std 802.11-2016, 10.3.2.3.7).
+  kFrameEnd,    ///< At that frame's end, whatever else is still on the air: ns-3.
+};
+/// What follows a frame whose PHY header was wrong.
+enum class HeaderError : std::uint8_t {
+  kEifs,       ///< As after any frame that came in wrong.
+  kForgotten,  ///< No EIFS; and if another frame had begun in its preamble, none of the two is
+               ///< sensed any more: ns-3.
+};
 enum class ProtectionKind : std::uint8_t { kNone, kCtsToSelf, kRtsCts, kAuto };
 
 /// From antenna to antenna.
@@ -69,6 +82,7 @@ struct ReceiverConfig {
   /// to the held one. None: the held frame stays.
   std::optional<hal::Decibels> capture_margin;
   hal::Duration capture_window = 16us;
+  HeaderError header_error = HeaderError::kEifs;
   LossConfig loss{};
 };
 
@@ -101,7 +115,8 @@ struct ContentionConfig {
 };
 
 /// What the profiles have in common in which stations contend for one medium. The values: of
-/// mobility_framework.
+/// mobility_framework. A profile says its name in files in `kProfile`; with waves, in `kRates`,
+/// which standard's rates it knows.
 struct WavesConfig {
   hal::Milliwatts tx_power{2};  ///< > 0; of a station that has none of its own.
   PropagationConfig propagation;
@@ -114,6 +129,8 @@ struct WavesConfig {
 /// The paper's: replica of the Mobility Framework 1.0a5 NIC, values of its sample configuration.
 /// The short retry limit is its only one.
 struct MobilityFrameworkConfig : WavesConfig {
+  static constexpr std::string_view kProfile = "mobility_framework";
+  static constexpr Standard kRates = Standard::kIeee80211b;
   std::uint32_t cw_broadcast = 31;
 };
 
@@ -127,6 +144,7 @@ struct DcfConfig : WavesConfig {
   /// aCCATime and aRxTxTurnaroundTime: a station that is to send at a slot boundary does so
   /// whatever begins to arrive within this time before (10.3.7). < slot.
   hal::Duration cca_time = 15us;
+  EifsStart eifs_start = EifsStart::kMediumIdle;
   BssConfig bss;
   /// Since it was queued; a frame that is older is given up instead of being sent (again). > 0.
   std::optional<hal::Duration> msdu_lifetime{};
@@ -142,12 +160,16 @@ struct DcfConfig : WavesConfig {
 /// IEEE Std 802.11-2016, clauses 10 and 16, with a long preamble and the figures of ns-3.37's
 /// helper: 40 mW, 2.412 GHz, -82 dBm. Energy detection: 16.3.8.5, up to 50 mW.
 struct Ieee80211bConfig : DcfConfig {
+  static constexpr std::string_view kProfile = "ieee80211b";
+  static constexpr Standard kRates = Standard::kIeee80211b;
   Ieee80211bConfig();
 };
 
 /// The same, clauses 10, 16 and 18: ERP-OFDM, and DSSS for broadcasts at 1 to 11 Mb/s. 54 Mb/s, RTS
 /// at 24 Mb/s, broadcasts at 6 Mb/s; the long slot, as in an independent network (18.4.4).
 struct Ieee80211gConfig : DcfConfig {
+  static constexpr std::string_view kProfile = "ieee80211g";
+  static constexpr Standard kRates = Standard::kIeee80211g;
   Ieee80211gConfig();
   BitsAtRisk bits_at_risk = BitsAtRisk::kMpdu;
 };
@@ -157,12 +179,14 @@ inline constexpr hal::Metres kMobilityFrameworkRange{250.16};
 
 /// Instant and lossless within a range.
 struct IdealConfig {
+  static constexpr std::string_view kProfile = "ideal";
   hal::Metres range = kMobilityFrameworkRange;  ///< > 0; may be infinite.
   LengthsConfig lengths;
 };
 
 /// A range and a bit rate, no MAC.
 struct DiskConfig {
+  static constexpr std::string_view kProfile = "disk";
   hal::Milliwatts tx_power{2};                  ///< For the energy only.
   hal::Metres range = kMobilityFrameworkRange;  ///< > 0; may be infinite.
   hal::BitsPerSecond data_rate{11e6};
@@ -170,16 +194,28 @@ struct DiskConfig {
   std::uint32_t queue_limit = 14;  ///< Frames, >= 1.
 };
 
+class MacBase;
+struct MacParts;
+
+/// A profile from outside the simulator: of a program that links it, or of a test. It has waves,
+/// and a MAC of its own (mac_parts.h). Files cannot name it; records and messages do.
+struct ForeignProfileConfig : WavesConfig {
+  static constexpr Standard kRates = Standard::kIeee80211b;
+  std::string_view profile;  ///< Its name; outlives the config, as a literal does.
+  std::unique_ptr<MacBase> (*make_mac)(const MacParts& parts) = nullptr;  ///< Never null.
+};
+
 /// One radio profile with every key resolved; without more said, with its own values. A radio file
-/// may set any key of its profile.
+/// may set any key of its profile, and name all but the last.
 using RadioConfig = std::variant<MobilityFrameworkConfig, Ieee80211bConfig, Ieee80211gConfig,
-                                 DiskConfig, IdealConfig>;
+                                 DiskConfig, IdealConfig, ForeignProfileConfig>;
 
-/// In the order of RadioConfig.
+/// Those that files can name, for programs that do without a file.
 enum class Profile : std::uint8_t { kMobilityFramework, kIeee80211b, kIeee80211g, kDisk, kIdeal };
-
-Profile profile_of(const RadioConfig& config);
 RadioConfig profile_defaults(Profile profile);
+
+/// The profile's name, as in files.
+std::string_view profile_name(const RadioConfig& config);
 
 /// What profiles with a medium have in common; null: of disk and ideal.
 const WavesConfig* waves_of(const RadioConfig& config);
@@ -189,15 +225,17 @@ WavesConfig* waves_of(RadioConfig& config);
 const DcfConfig* dcf_of(const RadioConfig& config);
 DcfConfig* dcf_of(RadioConfig& config);
 
-/// The rates of a profile with a medium, Mb/s, for people; and whether this is one of them.
-std::string rates_of(Profile profile);
-bool is_rate(Profile profile, hal::BitsPerSecond rate);
+/// Whose rates stations know; none: the profile has no waves.
+std::optional<Standard> rates_of(const RadioConfig& config);
+/// The rates that a standard knows, Mb/s, for people; and whether this is one of them.
+std::string_view rates_of(Standard standard);
+bool is_rate(Standard standard, hal::BitsPerSecond rate);
 bool is_dsss_rate(hal::BitsPerSecond rate);
 
 const LengthsConfig& lengths_of(const RadioConfig& config);
 
 /// @throws std::invalid_argument  a value that its comment excludes.
 void check(const RadioConfig& config);
-void check(Profile profile, const StationConfig& station);
+void check(const RadioConfig& config, const StationConfig& station);
 
 }  // namespace sim::radio

@@ -12,6 +12,7 @@
 #include "sim/radio/dcf_mac.h"
 #include "sim/radio/disk_mac.h"
 #include "sim/radio/infrastructure.h"
+#include "sim/radio/mac_parts.h"
 #include "sim/radio/mobility_framework_mac.h"
 #include "sim/radio/radio.h"
 #include "sim/radio/random_loss.h"
@@ -43,7 +44,7 @@ std::vector<RadioNetwork::Station> by_address(std::vector<RadioNetwork::Station>
 
 void check_station(const RadioConfig& config, const RadioNetwork::Station& station) {
   try {
-    check(profile_of(config), station.radio);
+    check(config, station.radio);
   } catch (const std::invalid_argument& wrong) {
     throw std::invalid_argument(std::string(wrong.what()) + " (of '" + station.name + "')");
   }
@@ -215,8 +216,14 @@ struct RadioNetwork::State {
     auto dcf = std::make_unique<DcfMac>(
         context, one, radio,
         DcfMac::Streams{stream(station, "/backoff"), stream(station, "/rates")});
-    macs.push_back(infrastructure->completed({context, one, sim::radio::profile_of(profile.config)},
-                                             std::move(dcf)));
+    macs.push_back(
+        infrastructure->completed({context, one, *rates_of(profile.config)}, std::move(dcf)));
+  }
+
+  void add(const Station& station, Air& air, const StationProfile& profile,
+           const MacBase::Context& context, const ForeignProfileConfig& one) {
+    Radio& radio = add_radio(station, air, profile);
+    macs.push_back(one.make_mac({context, one, radio, stream(station, "/backoff")}));
   }
 
   Radio& add_radio(const Station& station, Air& air, const StationProfile& profile) {

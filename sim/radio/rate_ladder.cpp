@@ -1,34 +1,41 @@
 #include "sim/radio/rate_ladder.h"
 
-#include "sim/radio/dcf_timing.h"
+#include "sim/radio/backoff.h"
 #include "sim/radio/frame_lengths.h"
-#include "sim/radio/protection.h"
 
 namespace sim::radio {
 namespace {
 
-/// Of which the rungs tell the cost, as Linux's minstrel does.
+// As Linux's minstrel has them.
 constexpr std::size_t kAverageMsdu = 1200;  // bytes
+constexpr hal::Duration kSegment = 6ms;
+constexpr std::uint32_t kMostTries = 7;
+
+/// With the mean backoff before each but the first.
+std::uint32_t tries_of(hal::Duration exchange, const ContentionConfig& mac) {
+  ContentionWindow window(mac.cw_min, mac.cw_max);
+  hal::Duration spent = exchange;
+  std::uint32_t tries = 1;
+  while (tries < kMostTries) {
+    spent += exchange + mac.slot * window.value() / 2;
+    if (spent >= kSegment) break;
+    window.grow();
+    ++tries;
+  }
+  return tries;
+}
 
 }  // namespace
 
-Ladder make_ladder(const DcfConfig& config, const ModeSet& modes, const Cell& cell) {
-  const DcfTiming timing(config, modes);
-  const Protection protection(config, modes, cell);
+Ladder make_ladder(const DcfConfig& config, const ModeSet& modes) {
   const std::uint32_t bits = mpdu_bits(config.lengths, FrameType::kData, kAverageMsdu);
-  const auto airtime = [&](FrameType type, const PhyMode& mode) {
-    return mode.airtime(mpdu_bits(config.lengths, type)) + timing.sifs;
-  };
+  const std::uint32_t ack_bits = mpdu_bits(config.lengths, FrameType::kAck);
   Ladder all;
   for (const auto& mode : modes.all()) {
     if (mode->rate() > config.phy.data_rate) break;
-    hal::Duration cost =
-        timing.difs + mode->airtime(bits) + airtime(FrameType::kAck, modes.response_to(*mode));
-    const Opening opening = protection.opening(false, *mode, bits);
-    const PhyMode& first = protection.mode(hal::kEveryone, *mode);
-    if (opening != Opening::kNone) cost += airtime(FrameType::kCts, modes.response_to(first));
-    if (opening == Opening::kRts) cost += airtime(FrameType::kRts, first);
-    all.push_back({mode.get(), cost});
+    const hal::Duration airtime = mode->airtime(bits);
+    const hal::Duration ack = config.contention.sifs + modes.response_to(*mode).airtime(ack_bits);
+    all.push_back({mode.get(), airtime, tries_of(airtime + ack, config.contention)});
   }
   return all;
 }

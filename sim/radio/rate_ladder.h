@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "hal/types/agent_id.h"
@@ -13,12 +14,13 @@ namespace sim::radio {
 /// A mode in which a data frame may go out, and what that takes of the medium.
 struct Rung {
   const PhyMode* mode = nullptr;
-  hal::Duration cost{};  ///< Of the exchange of a frame of average length, from DIFS to ACK.
+  hal::Duration airtime{};  ///< Of a frame of average length.
+  std::uint32_t tries = 1;  ///< Exchanges of such a frame, backoffs included, that fit into 6 ms.
 };
 using Ladder = std::vector<Rung>;  ///< Ascending rates, not empty.
 
 /// Of a station with this config: all its modes up to DcfConfig's data rate.
-Ladder make_ladder(const DcfConfig& config, const ModeSet& modes, const Cell& cell);
+Ladder make_ladder(const DcfConfig& config, const ModeSet& modes);
 
 /// The modes of one station's data frames, by who is to receive them: a NonERP station knows no
 /// OFDM.

@@ -60,7 +60,8 @@ void apply(const StationConfig& own, WavesConfig& config) {
 }  // namespace
 
 bool knows_ofdm(const RadioConfig& network, const StationConfig& own) {
-  return std::holds_alternative<Ieee80211gConfig>(network) && own.standard != Standard::kIeee80211b;
+  const std::optional<Standard> known = rates_of(network);
+  return known && own.standard.value_or(*known) == Standard::kIeee80211g;
 }
 
 RadioConfig config_for(const RadioConfig& network, const StationConfig& own, bool is_mixed) {

@@ -5,16 +5,24 @@
 
 #include "hal/types/time.h"
 #include "sim/core/event_queue.h"
+#include "sim/radio/radio_use.h"
 
 namespace sim::radio {
 
-/// A state that remembers how long it has had each of its values since time 0. It is read and
-/// assigned like the plain value.
-/// @tparam State  an enumeration of kStates values from 0 on.
+/// A state that remembers how long it has had each of its values since time 0, and tells one
+/// listener of each change. It is read and assigned like the plain value.
+/// @tparam State  an enumeration of kStates values from 0 on, with
+/// `RadioActivity activity_of(State)`.
 template <class State, std::size_t kStates>
 class TimedState {
  public:
   TimedState(const EventQueue& events, State first) : events_(events), state_(first) {}
+
+  /// Tells it of the state there is, too. @param listener  null: nobody.
+  void tell(RadioUseListener* listener) {
+    listener_ = listener;
+    if (listener_ != nullptr) listener_->on_activity(activity_of(state_));
+  }
 
   TimedState& operator=(State next) {
     if (next == state_) return *this;
@@ -22,6 +30,7 @@ class TimedState {
     spent_[static_cast<std::size_t>(state_)] += now - since_;
     since_ = now;
     state_ = next;
+    if (listener_ != nullptr) listener_->on_activity(activity_of(next));
     return *this;
   }
   operator State() const { return state_; }  // NOLINT(google-explicit-constructor): as the value
@@ -36,6 +45,7 @@ class TimedState {
   const EventQueue& events_;
   State state_;
   hal::Time since_{};
+  RadioUseListener* listener_ = nullptr;
   std::array<hal::Duration, kStates> spent_{};
 };
 

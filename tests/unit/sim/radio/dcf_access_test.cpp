@@ -211,5 +211,67 @@ TEST_F(DcfAccess, FramesOfOneSlotCollideAndBringNoEifs) {
   expect_slots(start_of(2) - 480us - kDifs, 31);
 }
 
+/// Stations 1 and 3 do not hear each other. Their broadcasts at 11 Mb/s, 946 us long, overlap at
+/// station 2, equally strong: it follows that of station 1 and finds the FCS wrong.
+class DcfOverlap : public DcfAccess {
+ protected:
+  void overlap(hal::Duration second) {
+    waves_of(air.config)->phy.broadcast_rate = hal::BitsPerSecond{11e6};
+    build_line(3);
+    air.broadcast(1, 1000);
+    air.at(100us, [this] { air.broadcast(2); });
+    air.at(second, [this] { air.broadcast(3, 1000); });
+    air.run();
+    ASSERT_EQ(air.log.story(), "DATA1 DATA3 DATA2");
+    EXPECT_EQ(air.log.verdicts(0, 2), std::vector{Verdict::kCollision});
+  }
+};
+
+// IEEE Std 802.11-2016, 10.3.2.3.7.
+TEST_F(DcfOverlap, EifsBeginsAsTheMediumBecomesIdle) {
+  overlap(310us);
+  expect_slots(start_of(2) - 310us - 946us - kEifs, 31);
+}
+
+TEST_F(DcfOverlap, EifsBeginsAtTheEndOfTheWrongFrameIfToldSo) {
+  dcf_of(air.config)->eifs_start = EifsStart::kFrameEnd;
+  overlap(310us);
+  expect_slots(start_of(2) - 946us - kEifs, 31);  // 310 us is no whole number of slots
+}
+
+TEST_F(DcfOverlap, EnergyBeyondAnEifsFromTheFramesEndIsFollowedByDifs) {
+  dcf_of(air.config)->eifs_start = EifsStart::kFrameEnd;
+  overlap(600us);
+  expect_slots(start_of(2) - 600us - 946us - kDifs, 31);
+}
+
+/// Station 1 begins a broadcast of 1280 us at 1 Mb/s; the preamble is still coming when station 3
+/// begins one of 480 us, 17.5 dB stronger at station 2: the PHY header of the first is wrong.
+class DcfWrongHeader : public DcfAccess {
+ protected:
+  void lose_header() {
+    air.add({-750, 0, 0});
+    air.add({0, 0, 0});
+    air.add({100, 0, 0});
+    air.build();
+    air.broadcast(1, 100);
+    air.at(20us, [this] { air.broadcast(3); });
+    air.at(30us, [this] { air.broadcast(2); });
+    air.run();
+    ASSERT_EQ(air.log.story(), "DATA1 DATA3 DATA2");
+  }
+};
+
+TEST_F(DcfWrongHeader, BringsEifs) {
+  lose_header();
+  expect_slots(start_of(2) - 1280us - kEifs, 31);
+}
+
+TEST_F(DcfWrongHeader, IsForgottenIfToldSo) {
+  dcf_of(air.config)->receiver.header_error = HeaderError::kForgotten;
+  lose_header();
+  expect_slots(start_of(2) - 192us - kDifs, 31);
+}
+
 }  // namespace
 }  // namespace sim::radio::test

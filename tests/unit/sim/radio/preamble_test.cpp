@@ -85,6 +85,31 @@ TEST_F(PreambleTest, FrameWithAWrongHeaderDoesNotHoldTheReceiver) {
   EXPECT_EQ(bench.said(2), (Said{"busy", "start", "error", "start", "frame", "idle"}));
 }
 
+// As ns-3.37: what had begun during the preamble is not sensed any more after the wrong header,
+// until a frame comes in, and then again until frame 0 is over.
+TEST_F(PreambleTest, FrameWithAWrongHeaderIsForgottenIfToldSo) {
+  waves_of(bench.config)->receiver.header_error = HeaderError::kForgotten;
+  place(400, 100);
+  bench.send_at(0us, 1, 1500);
+  bench.send_at(20us, 3);  // until 500 us
+  bench.send_at(1ms, 3);
+  bench.run();
+  EXPECT_EQ(at_2(2), Verdict::kDelivered);
+  EXPECT_EQ(bench.said(2),
+            (Said{"busy", "start", "error", "idle", "start", "busy", "frame", "idle"}));
+}
+
+// A frame that begins during the header, and goes on beyond it, is told of anew.
+TEST_F(PreambleTest, FrameThatBeginsDuringAWrongHeaderIsSensed) {
+  waves_of(bench.config)->receiver.header_error = HeaderError::kForgotten;
+  place(400, 100);
+  bench.send_at(0us, 1, 1500);
+  bench.send_at(150us, 3);  // the header lasts from 144 us to 192 us
+  bench.run();
+  EXPECT_EQ(bench.said(2), (Said{"busy", "start", "error", "idle"}));
+  EXPECT_EQ(bench.events.now(), hal::Time{} + 192us + 12288us) << "idle only then";
+}
+
 // Too weak to be sensed by its power, and at -13 dB its header is lost in 9999 of 10000 cases: the
 // medium is busy as long as the frame is held, which is until the header's end.
 TEST_F(PreambleTest, MediumIsIdleAfterAWrongHeaderThatAloneWasSensed) {

@@ -59,6 +59,42 @@ TEST_F(RadioUseTest, AFrameThatIsCutCountsAsFarAsItCame) {
   expect_use(use[0], {50us, 0ms, 100ms, 800ms - 50us});
 }
 
+/// What a radio does from when on.
+class Activities final : public RadioUseListener {
+ public:
+  explicit Activities(const EventQueue& events) : events_(events) {}
+  void on_activity(RadioActivity activity) override { seen.emplace_back(events_.now(), activity); }
+
+  std::vector<std::pair<hal::Time, RadioActivity>> seen;
+
+ private:
+  const EventQueue& events_;
+};
+
+TEST_F(RadioUseTest, IsToldToAListenerAtEachChange) {
+  build_line(2);
+  Activities sender(air.events), receiver(air.events);
+  air.sap(1).set_use_listener(&sender);
+  air.sap(2).set_use_listener(&receiver);
+  air.at(5ms, [this] { air.send(1, 2, kPayload); });
+  air.at(100ms, [this] { air.sap(2).set_radio(false); });
+  air.at(200ms, [this] { air.sap(1).set_use_listener(nullptr); });
+  air.at(300ms, [this] { air.sap(1).set_radio(false); });
+  const auto use = use_at(900ms);
+  air.sap(2).set_use_listener(nullptr);
+  using enum RadioActivity;
+  ASSERT_EQ(sender.seen.size(), 5u);
+  EXPECT_EQ(sender.seen[0], std::pair(hal::Time{}, kListening));
+  EXPECT_EQ(sender.seen[1].second, kTransmitting);
+  EXPECT_EQ(sender.seen[2], std::pair(sender.seen[1].first + test::kData, kListening));
+  EXPECT_EQ(sender.seen[3].second, kReceiving);
+  EXPECT_EQ(sender.seen[4], std::pair(sender.seen[3].first + test::kAck, kListening));
+  ASSERT_EQ(receiver.seen.size(), 6u);
+  EXPECT_EQ(receiver.seen[1].second, kReceiving);
+  EXPECT_EQ(receiver.seen[3].second, kTransmitting);
+  EXPECT_EQ(receiver.seen[5], std::pair(hal::Time{100ms}, kOff));
+}
+
 // 64 bytes of payload + 36 of headers at 1 Mb/s: 800 us.
 TEST(RadioUseOfADisk, IsTheAirtimeOfItsOwnFrames) {
   Air air(Profile::kDisk);

@@ -23,7 +23,7 @@ class RateControlTest : public testing::Test {
   RateControlTest() : config_(Ieee80211gConfig{}), modes_(config_) {
     cell_.add(kPeer, true);
     cell_.add(kOld, false);
-    ladders_.emplace(make_ladder(std::get<Ieee80211gConfig>(config_), modes_, cell_), cell_);
+    ladders_.emplace(make_ladder(std::get<Ieee80211gConfig>(config_), modes_), cell_);
   }
   double mbps(RateControl& control, hal::AgentId to = kPeer, std::uint32_t attempt = 0) {
     return control.mode(to, attempt, now).rate().value / 1e6;
@@ -165,6 +165,77 @@ TEST_F(RateControlTest, MinstrelFindsTheRateWithTheMostFramesInTime) {
     const auto firsts = play(minstrel, c.success, 5000, now);
     // A tenth of the frames sample another rate; slow ones only in their second attempt.
     EXPECT_GT(firsts.at(c.best), 4400) << c.best << " Mb/s";
+  }
+}
+
+// 1200 octets of payload, 1236 with the MAC's, and by hand: at 54 Mb/s 210 us and an ACK at 24 Mb/s
+// after SIFS 44 us: 254 us each, with mean backoffs of 150, 310, 630, 1270 us (slot 20 us, CW 15):
+// five tries take 3630 us, six 6434 us. At 1 Mb/s one takes 10 ms.
+TEST_F(RateControlTest, LadderTellsHowManyTriesFitInto6Ms) {
+  const Ladder& ladder = ladders_->to(kPeer);
+  EXPECT_EQ(ladder.front().airtime, 192us + 9888us);
+  EXPECT_EQ(ladder.front().tries, 1u);
+  EXPECT_EQ(ladder.back().airtime, 210us);
+  EXPECT_EQ(ladder.back().tries, 5u);
+}
+
+// 54 Mb/s at 0.73 gives 0.73 / 210 us of frames on the air, 36 Mb/s 1 / 302 us. With DIFS, SIFS and
+// ACK, which the algorithm leaves out, 36 Mb/s would be better.
+TEST_F(RateControlTest, MinstrelComparesTimesOnTheAir) {
+  Minstrel minstrel(rates, *ladders_, hal::RandomStream(1, "rates"));
+  const auto success = [](double rate) { return rate <= 36 ? 1.0 : rate == 54 ? 0.73 : 0.0; };
+  play(minstrel, success, 5000, now);
+  const auto firsts = play(minstrel, success, 5000, now);
+  EXPECT_GT(firsts.at(54), 4000);
+}
+
+// A rate that sometimes fails is tried until 6 ms are over, one that nearly never does twice.
+TEST_F(RateControlTest, MinstrelTriesDoubtfulRatesMoreOften) {
+  const auto best_of_7 = [this](double success_of_54) {
+    Minstrel minstrel(rates, *ladders_, hal::RandomStream(1, "rates"));
+    const auto success = [success_of_54](double rate) {
+      return rate == 54 ? success_of_54 : rate == 1 ? 1.0 : 0.0;
+    };
+    play(minstrel, success, 5000, now);
+    int tries = 0;
+    // The first frame that does not look around.
+    while (mbps(minstrel) != 54 || mbps(minstrel, kPeer, 1) != 54) tell(minstrel, true);
+    for (std::uint32_t attempt = 0; attempt < 7; ++attempt) {
+      tries += mbps(minstrel, kPeer, attempt) == 54 ? 1 : 0;
+    }
+    return tries;
+  };
+  EXPECT_EQ(best_of_7(0.7), 5);
+  // It is the most reliable one, too: two tries in the first stage, two in the third.
+  EXPECT_EQ(best_of_7(1), 4);
+}
+
+// Slower rates are looked at when the best one has failed; after 20 intervals of 100 ms, first.
+TEST_F(RateControlTest, MinstrelLooksAtSlowRatesOnceIn20Intervals) {
+  Minstrel minstrel(rates, *ladders_, hal::RandomStream(1, "rates"));
+  const auto success = [](double) { return 1.0; };
+  play(minstrel, success, 1000, now);
+  const auto before = play(minstrel, success, 1000, now);  // the second second
+  EXPECT_FALSE(before.contains(1));
+  const auto firsts = play(minstrel, success, 10'000, now);
+  for (const double rate : {1.0, 2.0, 5.5, 11.0}) {
+    EXPECT_NEAR(firsts.at(rate), 9, 6) << rate << " Mb/s";
+  }
+}
+
+// Whatever share of the frames looks around: four an interval at a rate that never succeeds.
+TEST_F(RateControlTest, MinstrelLooksSeldomAtHopelessRates) {
+  rates.minstrel_sampling = 1;
+  Minstrel minstrel(rates, *ladders_, hal::RandomStream(1, "rates"));
+  const auto success = [](double rate) { return rate <= 36 ? 1.0 : 0.0; };
+  play(minstrel, success, 1000, now);
+  const hal::Time start = now;
+  const auto firsts = play(minstrel, success, 5000, now);
+  const auto intervals = (now - start) / 100ms;
+  for (const double rate : {48.0, 54.0}) {
+    EXPECT_NEAR(firsts.at(rate), 4.0 * static_cast<double>(intervals),
+                0.2 * static_cast<double>(intervals))
+        << rate << " Mb/s";
   }
 }
 
