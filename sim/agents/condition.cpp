@@ -17,9 +17,21 @@ std::string text_of(const Subjects& who) {
     case Subjects::Quantifier::kAny:
       return fmt::format("any of '{}'", who.whose);
     case Subjects::Quantifier::kAll:
-      break;
+      return fmt::format("all of '{}'", who.whose);
   }
-  return fmt::format("all of '{}'", who.whose);
+  return {};
+}
+
+std::string_view word_of(Combination::Kind kind) {
+  switch (kind) {
+    case Combination::Kind::kAll:
+      return "all of";
+    case Combination::Kind::kAny:
+      return "any of";
+    case Combination::Kind::kNone:
+      return "not";
+  }
+  return {};
 }
 
 std::string limits_text(double above, double below, std::string_view unit) {
@@ -64,8 +76,7 @@ struct ToText {
     return text;
   }
   std::string operator()(const Combination& c) const {
-    constexpr std::string_view kWords[] = {"all of", "any of", "not"};  // in the order of Kind
-    std::string text = fmt::format("{} (", kWords[static_cast<int>(c.kind)]);
+    std::string text = fmt::format("{} (", word_of(c.kind));
     for (std::size_t i = 0; i < c.parts.size(); ++i) {
       text += (i == 0 ? "" : "; ") + to_text(c.parts[i], names);
     }

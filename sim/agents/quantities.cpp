@@ -100,8 +100,15 @@ std::vector<Quantity> body_quantities() {
        "of a driven wheel, in the order of the robot's file; mean since the look before", true,
        has_wheel, of_present<wheel_angle>, true},
       {"agents", "energy", "J",
-       "drawn so far from its battery by computer, radio and motors; none without a battery", false,
-       has_battery, [](View view, std::size_t) { return drawn_energy(view); }},
+       "drawn so far from its battery by computer, radio and motors, with the heat in the battery: "
+       "never more than it held; none without a battery",
+       false, has_battery,
+       [](View view, std::size_t) -> Value { return view.agent.supply()->battery().drawn(); }},
+      {"agents", "load", "J",
+       "asked for so far by computer, radio and motors, also of a battery that was empty; none "
+       "without a battery",
+       false, has_battery,
+       [](View view, std::size_t) -> Value { return view.agent.supply()->load(); }},
   };
 }
 
@@ -154,17 +161,6 @@ std::vector<Quantity> routing_quantities() {
 }
 
 }  // namespace
-
-std::optional<double> drawn_energy(const AgentView& view) {
-  const AgentConfig& config = view.agent.config();
-  const hal::devices::Battery* battery = hal::devices::battery_of(sensors_of(config));
-  if (battery == nullptr) return std::nullopt;
-  const double motors = is_robot(config) ? view.scene.world().energy(config.id).motor_input : 0.0;
-  // What is not present draws nothing, though its radio counts as off then.
-  const hal::Duration absent = view.agent.absence(view.now);
-  return battery->idle_power * hal::to_seconds(view.now - hal::Time{} - absent) + motors +
-         energy(view.mac.use(), battery->radio) - battery->radio.off * hal::to_seconds(absent);
-}
 
 const std::vector<Quantity>& quantities() {
   static const std::vector<Quantity> all = [] {

@@ -44,10 +44,6 @@ struct Quantity {
   bool is_family = false;  ///< Each agent has it with the numbers from 0.
 };
 
-/// What an agent's computer, radio and motors drew from its battery since time 0, J, without what
-/// is lost inside the battery and the time in which it was not present; none: it has no battery.
-std::optional<double> drawn_energy(const AgentView& view);
-
 /// All of them, domain by domain.
 const std::vector<Quantity>& quantities();
 

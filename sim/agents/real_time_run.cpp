@@ -21,10 +21,24 @@ constexpr hal::Duration kLongestTurn = std::chrono::milliseconds{20};
 /// … and programs, whose frames wait meanwhile.
 constexpr hal::Duration kLongestTurnWithPrograms = std::chrono::microseconds{500};
 
-const char* plural(Cause cause) {
-  constexpr const char* kNames[] = {"starts",       "messages",       "timers", "notices",
-                                    "link changes", "control cycles", "stops"};
-  return kNames[static_cast<int>(cause)];
+std::string_view plural(Cause cause) {
+  switch (cause) {
+    case Cause::kStart:
+      return "starts";
+    case Cause::kMessage:
+      return "messages";
+    case Cause::kTimer:
+      return "timers";
+    case Cause::kNotice:
+      return "notices";
+    case Cause::kLink:
+      return "link changes";
+    case Cause::kControl:
+      return "control cycles";
+    case Cause::kStop:
+      return "stops";
+  }
+  return {};
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "hal/types/log.h"
+#include "sim/agents/simulated_robot.h"
 #include "sim/agents/simulation_state.h"
 
 namespace sim::agents {
@@ -72,6 +73,7 @@ void Simulation::State::on_end(const EndCondition& condition) {
 
 void Simulation::State::step_bodies() {
   world->step();
+  for (SimulatedRobot* const robot : fed_robots) robot->feed_motors();
   for (const hal::AgentId agent : std::exchange(displaced, {})) {
     air.displace(agent);
     observers.on_displaced(events.now(), agent);

@@ -6,9 +6,21 @@
 namespace sim::agents {
 
 std::string_view name(Fortune fortune) {
-  constexpr std::string_view kNames[] = {"kill",      "restart", "switch_off",
-                                         "switch_on", "add",     "remove"};
-  return kNames[static_cast<int>(fortune)];
+  switch (fortune) {
+    case Fortune::kKill:
+      return "kill";
+    case Fortune::kRestart:
+      return "restart";
+    case Fortune::kSwitchOff:
+      return "switch_off";
+    case Fortune::kSwitchOn:
+      return "switch_on";
+    case Fortune::kAdd:
+      return "add";
+    case Fortune::kRemove:
+      return "remove";
+  }
+  return {};
 }
 
 std::string_view name(const ScriptedAction& action) {

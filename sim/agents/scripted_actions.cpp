@@ -111,10 +111,11 @@ void Simulation::State::retune(hal::AgentId agent, const Retune& values) {
 }
 
 void Simulation::State::drain(hal::AgentId id, const Drain& drain) {
-  SimulatedMote& agent = *agents.at(id);
-  const double charge = agent.charge().value_or(0);
-  const double to_level = drain.level ? (charge - *drain.level) * agent.capacity() : 0;
-  agent.drain(drain.energy ? *drain.energy : std::max(0.0, to_level));
+  Supply* const supply = agents.at(id)->supply();
+  BARAKA_CHECK(supply != nullptr);  // the scenario was checked
+  const hal::devices::Discharge battery = supply->battery();
+  const double to_level = drain.level ? (battery.charge() - *drain.level) * battery.capacity() : 0;
+  supply->take(drain.energy ? *drain.energy : std::max(0.0, to_level));
 }
 
 /// One burst, and so on until then.

@@ -1,9 +1,9 @@
 #include "sim/agents/simulated_mote.h"
 
 #include <utility>
-#include <variant>
 
 #include "hal/devices/channels.h"
+#include "hal/types/log.h"
 #include "hal/types/random.h"
 #include "sim/agents/agent_offer.h"
 #include "sim/sensing/sensors.h"
@@ -21,12 +21,6 @@ hal::routing::RoutingConfig routing_of(const AgentConfig& agent, const Simulatio
 
 }  // namespace
 
-double energy(const radio::RadioUse& use, const devices::RadioPower& power) {
-  return power.transmit * hal::to_seconds(use.transmitting) +
-         power.receive * hal::to_seconds(use.receiving) +
-         power.listen * hal::to_seconds(use.listening) + power.off * hal::to_seconds(use.off);
-}
-
 SimulatedMote::SimulatedMote(const AgentConfig& config, radio::MacSap& mac,
                              Surroundings surroundings, hal::agent::AgentListener& listener,
                              hal::agent::Drive* drive)
@@ -41,29 +35,33 @@ SimulatedMote::SimulatedMote(const AgentConfig& config, radio::MacSap& mac,
              .drive = drive,
              .sensors = *this,
              .observer = surroundings.observer,
-             .listener = listener}) {
+             .listener = listener}),
+      mac_(mac) {
   link_.attach(core_.router());
-  if (!sensors_of(config).empty()) add_sensors(mac);
+  if (devices::battery_of(sensors_of(config)) != nullptr) add_supply();
+  if (!sensors_of(config).empty()) add_sensors();
 }
 
-void SimulatedMote::add_sensors(radio::MacSap& mac) {
+SimulatedMote::~SimulatedMote() {
+  if (supply_ != nullptr) mac_.set_use_listener(nullptr);
+}
+
+void SimulatedMote::add_supply() {
+  supply_ = std::make_unique<Supply>(*devices::battery_of(sensors_of(config_)),
+                                     surroundings_.events, id_, [this] { on_empty(); });
+  mac_.set_use_listener(supply_.get());
+}
+
+void SimulatedMote::add_sensors() {
   const sensing::SensorSite site{
       id(),
       name(),
       surroundings_.config.seed,
       surroundings_.world,
       [&scene = surroundings_.scene]() -> const sensing::Proximity& { return scene.proximity(); },
-      [&mac](const devices::RadioPower& power) { return energy(mac.use(), power); }};
-  sensing::SensorSite of_first_battery = site;
-  of_first_battery.taken_energy = [this] { return taken_energy_; };
-  for (const devices::SensorDescription& sensor : sensors_of(config_)) {
-    const auto* battery = std::get_if<devices::Battery>(&sensor);
-    if (battery != nullptr && battery->when_empty == devices::WhenEmpty::kOff)
-      cutting_ = sensors_.size();
-    const bool is_first = battery != nullptr && !battery_;
-    if (is_first) battery_ = sensors_.size();
-    sensors_.push_back({sensing::make_sensor(sensor, is_first ? of_first_battery : site), {}});
-  }
+      [this] { return supply_->battery(); }};
+  for (const devices::SensorDescription& sensor : sensors_of(config_))
+    sensors_.push_back({sensing::make_sensor(sensor, site), {}});
 }
 
 void SimulatedMote::start() {
@@ -86,7 +84,6 @@ void SimulatedMote::on_control() {
   if (is_present_) {
     surroundings_.observer.on_body(now, id(), surroundings_.scene.body(id(), now));
     core_.control();
-    if (cutting_ && read(sensors_[*cutting_], now).front() <= 0) cut_power();
   }
   surroundings_.events.schedule(now + surroundings_.config.control_period, Rank::kControl, id(),
                                 [this] { on_control(); });
@@ -106,9 +103,8 @@ void SimulatedMote::begin_anew(const hal::Wants& wants) {
   core_.start();
 }
 
-void SimulatedMote::cut_power() {
-  cutting_.reset();
-  is_empty_ = true;
+void SimulatedMote::on_empty() {
+  hal::log::info(surroundings_.events.now(), name(), "its battery is empty: it is off");
   link_.cut_power();
   power_motors();
 }
@@ -119,31 +115,23 @@ void SimulatedMote::set_power(bool on) {
   power_motors();
 }
 
-void SimulatedMote::power_motors() { set_motors(is_on_ && is_present_ && !is_empty_); }
+void SimulatedMote::power_motors() {
+  set_motors(is_on_ && is_present_ && (supply_ == nullptr || !supply_->is_spent()));
+}
 
 void SimulatedMote::set_present(bool present) {
   if (present == is_present_) return;
-  if (!present) kept_charge_ = charge();
-  const hal::Time now = surroundings_.events.now();
-  absence_ = absence(now);
-  absent_since_ = now;
   is_present_ = present;
-  if (present && kept_charge_) drain((charge().value_or(0) - *kept_charge_) * capacity());
+  if (supply_ != nullptr) supply_->set_present(present);
   set_power(present || is_on_);
 }
 
-std::optional<double> SimulatedMote::charge() {
-  if (!battery_) return std::nullopt;
-  return read(sensors_[*battery_], surroundings_.events.now()).front();
-}
-
-void SimulatedMote::drain(double joules) { taken_energy_ += joules; }
-
-double SimulatedMote::capacity() const {
-  return std::get<devices::Battery>(sensors_of(config_)[*battery_]).capacity;
+bool SimulatedMote::is_fed(const hal::Channel& channel) const {
+  return supply_ == nullptr || !supply_->is_spent() || channel.kind == devices::Battery::kKind;
 }
 
 bool SimulatedMote::sample(std::size_t channel, hal::Time at, std::vector<double>& values) {
+  if (!is_fed(core_.session().channels[channel])) return false;
   const std::uint16_t id = core_.session().channels[channel].id;
   if (id == devices::kLocalisation) localise(at, values);
   if (id >= devices::kFirstSensor) values = read(sensors_.at(id - devices::kFirstSensor), at);

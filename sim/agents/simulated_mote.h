@@ -11,14 +11,12 @@
 #include "sim/agents/queue_timers.h"
 #include "sim/agents/radio_link.h"
 #include "sim/agents/simulation_config.h"
+#include "sim/agents/supply.h"
 #include "sim/agents/surroundings.h"
 #include "sim/core/event_queue.h"
 #include "sim/radio/mac_sap.h"
 
 namespace sim::agents {
-
-/// What a radio drew, J.
-double energy(const radio::RadioUse& use, const hal::devices::RadioPower& power);
 
 /// What all agents of a run share; outlives them.
 struct Surroundings {
@@ -36,7 +34,7 @@ class SimulatedMote : public hal::agent::Sensors {
   SimulatedMote(const AgentConfig& config, radio::MacSap& mac, Surroundings surroundings,
                 hal::agent::AgentListener& listener)
       : SimulatedMote(config, mac, surroundings, listener, nullptr) {}
-  ~SimulatedMote() override = default;
+  ~SimulatedMote() override;
   SimulatedMote(const SimulatedMote&) = delete;
   SimulatedMote& operator=(const SimulatedMote&) = delete;
 
@@ -62,17 +60,9 @@ class SimulatedMote : public hal::agent::Sensors {
   void set_present(bool present);
   bool is_present() const { return is_present_; }
 
-  /// How long it has not been present in all.
-  hal::Duration absence(hal::Time now) const {
-    return is_present_ ? absence_ : absence_ + (now - absent_since_);
-  }
-
-  /// Of the first battery now, 0 .. 1; none: it has none.
-  std::optional<double> charge();
-  /// Takes charge out of the first battery. @param joules  may be negative. @pre it has one.
-  void drain(double joules);
-  /// J, of the first battery, full. @pre it has one.
-  double capacity() const;
+  /// Its battery; null: it has none, and never runs out of energy.
+  Supply* supply() { return supply_.get(); }
+  const Supply* supply() const { return supply_.get(); }
 
   bool sample(std::size_t channel, hal::Time at, std::vector<double>& values) override;
 
@@ -84,6 +74,9 @@ class SimulatedMote : public hal::agent::Sensors {
   hal::AgentId id() const { return id_; }
   Surroundings& surroundings() { return surroundings_; }
   const Surroundings& surroundings() const { return surroundings_; }
+  /// Whether there is power to measure with: nothing but the gauge of an empty battery tells
+  /// anything if that has switched the agent off.
+  bool is_fed(const hal::Channel& channel) const;
 
  private:
   /// One of `sensors:`, and its last values.
@@ -92,10 +85,11 @@ class SimulatedMote : public hal::agent::Sensors {
     std::vector<double> held;
   };
 
-  void add_sensors(radio::MacSap& mac);
+  void add_supply();
+  void add_sensors();
   const std::vector<double>& read(Part& part, hal::Time at);
   void on_control();
-  void cut_power();
+  void on_empty();
   void power_motors();
   virtual void set_motors(bool on) { (void)on; }
   void localise(hal::Time at, std::vector<double>& values);
@@ -107,15 +101,10 @@ class SimulatedMote : public hal::agent::Sensors {
   QueueTimers timers_;
   hal::agent::AgentCore core_;
   std::vector<Part> sensors_;  ///< As in the description.
-  /// Of the battery that, empty, switches the agent off; none: there is no such, or it is empty.
-  std::optional<std::size_t> cutting_;
-  bool is_empty_ = false, is_on_ = true, is_present_ = true;
-  std::optional<std::size_t> battery_;  ///< The first one.
-  double taken_energy_ = 0;             ///< J, out of that, by no load.
-  std::optional<double> kept_charge_;   ///< While it is not present.
-  hal::Time absent_since_{};            ///< If it is not present.
-  hal::Duration absence_{};             ///< Before that.
-  EventQueue::EventId stop_;            ///< Of the wheels, after the end of a controller.
+  radio::MacSap& mac_;
+  std::unique_ptr<Supply> supply_;
+  bool is_on_ = true, is_present_ = true;
+  EventQueue::EventId stop_;  ///< Of the wheels, after the end of a controller.
 };
 
 }  // namespace sim::agents

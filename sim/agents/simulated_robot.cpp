@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <utility>
 #include <variant>
 
 #include "hal/devices/channels.h"
@@ -47,6 +48,7 @@ hal::Pose2 SimulatedRobot::reckoned(hal::Time now) const {
 }
 
 bool SimulatedRobot::sample(std::size_t channel, hal::Time at, std::vector<double>& values) {
+  if (!is_fed(core().session().channels[channel])) return false;
   const std::uint16_t id = core().session().channels[channel].id;
   switch (id) {
     case devices::kOdometry:
@@ -99,6 +101,14 @@ hal::Result<void> SimulatedRobot::drive_wheels(std::span<const double> speeds, h
 void SimulatedRobot::halt() {
   // Zero is within every limit.
   BARAKA_CHECK(surroundings().world.set_body_velocity(id(), {}).has_value());
+}
+
+void SimulatedRobot::feed_motors() {
+  const double input = surroundings().world.motor_input(id());
+  const double joules = input - std::exchange(motor_input_, input);
+  // Of a body that blew up nothing can be told.
+  const double watts = joules / hal::to_seconds(surroundings().config.world.step);
+  supply()->set_motors(std::isfinite(watts) ? watts : 0);
 }
 
 void SimulatedRobot::set_motors(bool on) {

@@ -24,6 +24,10 @@ class SimulatedRobot final : public SimulatedMote, public hal::agent::Drive {
   hal::Result<void> drive_wheels(std::span<const double> speeds, hal::Time as_of) override;
   void halt() override;
 
+  /// After each step of the physics, if it has a battery: until the next one the motors take from
+  /// it what they took in this one.
+  void feed_motors();
+
   /// Where it would be by its odometry if that were read now, in the frame at the start.
   hal::Pose2 reckoned(hal::Time now) const;
   /// No wheel turns faster than this any more: commands beyond it are scaled down, direction kept.
@@ -38,6 +42,7 @@ class SimulatedRobot final : public SimulatedMote, public hal::agent::Drive {
   hal::devices::WheelOdometry odometry_;
   hal::Time odometry_at_{};
   sensing::InfraredArray infrared_;
+  double motor_input_ = 0;  ///< J until the last step of the physics.
   double wheel_limit_ = std::numeric_limits<double>::infinity();  ///< rad/s
 };
 

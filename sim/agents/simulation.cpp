@@ -77,8 +77,9 @@ Simulation::State::State(const SimulationConfig& the_config, std::vector<Observe
                return hal::Vec2{body.x, body.y};
              },
              .charge = [this](hal::AgentId agent) -> std::optional<double> {
-               if (!agents.at(agent)->is_present()) return std::nullopt;
-               return agents.at(agent)->charge();
+               const SimulatedMote& one = *agents.at(agent);
+               if (!one.is_present() || one.supply() == nullptr) return std::nullopt;
+               return one.supply()->battery().charge();
              },
              .look_every = config.world.step}),
       script(config.script, events, watch,
@@ -87,7 +88,9 @@ Simulation::State::State(const SimulationConfig& the_config, std::vector<Observe
   for (const AgentConfig& agent : config.agents) {
     auto& made = agents[agent.id];
     if (is_robot(agent)) {
-      made = std::make_unique<SimulatedRobot>(agent, air.sap(agent.id), surroundings, *this);
+      auto robot = std::make_unique<SimulatedRobot>(agent, air.sap(agent.id), surroundings, *this);
+      if (robot->supply() != nullptr) fed_robots.push_back(robot.get());
+      made = std::move(robot);
     } else {
       made = std::make_unique<SimulatedMote>(agent, air.sap(agent.id), surroundings, *this);
     }
@@ -223,7 +226,9 @@ std::optional<double> Simulation::read(const Quantity& quantity, hal::AgentId ag
 
 AgentUse Simulation::use(hal::AgentId agent) const {
   const AgentView view = state_->view(agent);
-  return {.radio = view.mac.use(), .energy = drawn_energy(view)};
+  const Supply* const supply = view.agent.supply();
+  if (supply == nullptr) return {.radio = view.mac.use()};
+  return {.radio = view.mac.use(), .energy = supply->battery().drawn(), .load = supply->load()};
 }
 
 bool Simulation::holds(std::size_t asked) const {

@@ -31,7 +31,8 @@ struct Progress {
 /// What an agent used since the start of the run.
 struct AgentUse {
   radio::RadioUse radio;
-  std::optional<double> energy;  ///< J; none: it has no battery. See drawn_energy().
+  std::optional<double> energy{};  ///< J drawn from its battery; none: it has none.
+  std::optional<double> load{};    ///< J that computer, radio and motors asked for, likewise.
 };
 
 /// Decides how fast a run goes and when it is broken off. It may wait; it changes nothing else.

@@ -21,6 +21,8 @@
 
 namespace sim::agents {
 
+class SimulatedRobot;
+
 /// The parts of a run and its loop. An instant (or, with a controller latency, a window of time) is
 /// worked off in rounds: its events run, what they have for controllers is handed over all at once,
 /// and the answers take effect; what they cause at the same instant starts the next round.
@@ -99,6 +101,7 @@ struct Simulation::State final : hal::agent::AgentListener {
   radio::RadioNetwork air;
   Interfaces interfaces;
   hal::exchange::AgentTable<std::unique_ptr<SimulatedMote>> agents;
+  std::vector<SimulatedRobot*> fed_robots;  ///< Those with batteries, by address.
   Controllers controllers;
   std::vector<hal::AgentId> waiting;  ///< Agents with something in the inbox; repeats allowed.
   /// Of take_events(), kept for their memory: of thousands of events a round, it is megabytes.

@@ -238,9 +238,7 @@ void write_group(Writer& out, const Group& group, std::span<const AgentConfig> a
   write_programs(out, group);
   write_station_radios(out, agents);
   if (!agents.front().is_present) out.flag(kPresent.name, false);
-  if (agents.front().routing)
-    FieldWriter(out).choice(kRouting, hal::description::kRoutingAlgorithms,
-                            *agents.front().routing);
+  if (agents.front().routing) out.text(kRouting.name, agents.front().routing->name());
   out.close();
 }
 

@@ -11,6 +11,12 @@ inline constexpr std::array kRateControls = {
     Option<radio::RateControlKind>{"fixed", radio::RateControlKind::kFixed},
     Option<radio::RateControlKind>{"aarf", radio::RateControlKind::kAarf},
     Option<radio::RateControlKind>{"minstrel", radio::RateControlKind::kMinstrel}};
+inline constexpr std::array kEifsStarts = {
+    Option<radio::EifsStart>{"medium_idle", radio::EifsStart::kMediumIdle},
+    Option<radio::EifsStart>{"frame_end", radio::EifsStart::kFrameEnd}};
+inline constexpr std::array kHeaderErrors = {
+    Option<radio::HeaderError>{"eifs", radio::HeaderError::kEifs},
+    Option<radio::HeaderError>{"forgotten", radio::HeaderError::kForgotten}};
 inline constexpr std::array kProtections = {
     Option<radio::ProtectionKind>{"none", radio::ProtectionKind::kNone},
     Option<radio::ProtectionKind>{"cts_to_self", radio::ProtectionKind::kCtsToSelf},
@@ -58,6 +64,19 @@ void keys_of(Io& io, radio::DcfConfig& c) {
        "begins to arrive within this time before. Shorter than the slot.",
        "15 us"},
       {0, 1e-2}, c.cca_time);
+  io.choice({"eifs_start",
+             "When the extended interframe space after a frame that came in wrong begins: as the "
+             "medium becomes idle, as in the standard; or, as in ns-3, at the end of that frame, "
+             "whatever else is still on the air.",
+             "medium_idle"},
+            kEifsStarts, c.eifs_start);
+  io.choice(
+      {"header_error",
+       "What follows a frame whose PHY header was wrong: the extended interframe space as "
+       "after other wrong frames; or, as in ns-3, none, and if another frame had begun during "
+       "its preamble, carrier sense takes the medium for idle until the next one begins.",
+       "eifs"},
+      kHeaderErrors, c.receiver.header_error);
   io.optional_duration(
       {"msdu_lifetime",
        "Since it was queued: an older frame is given up (`expired`) instead of being sent, or sent "

@@ -1,10 +1,15 @@
 #include "sim/scenario/propagation_section.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <string>
+#include <string_view>
+#include <type_traits>
 #include <utility>
 #include <variant>
+#include <vector>
 
 #include "sim/scenario/fields.h"
 
@@ -13,14 +18,28 @@ namespace {
 
 using radio::PathLossConfig;
 
-constexpr std::size_t kModels = std::variant_size_v<PathLossConfig>;
+/// Of those that files can name: all but the last.
+constexpr std::size_t kModels = std::variant_size_v<PathLossConfig> - 1;
+static_assert(
+    std::is_same_v<std::variant_alternative_t<kModels, PathLossConfig>, radio::ForeignLawConfig>);
+constexpr auto kAllModels = std::make_index_sequence<kModels>{};
 
-/// In the order of PathLossConfig.
-constexpr std::array<Option<std::size_t>, kModels> kModelNames = {
-    Option<std::size_t>{"power_law", 0},    Option<std::size_t>{"friis", 1},
-    Option<std::size_t>{"log_distance", 2}, Option<std::size_t>{"two_ray_ground", 3},
-    Option<std::size_t>{"shadowing", 4},    Option<std::size_t>{"nakagami", 5},
-    Option<std::size_t>{"rician", 6},       Option<std::size_t>{"rayleigh", 7}};
+template <std::size_t... kIndex>
+constexpr auto model_options(std::index_sequence<kIndex...>) {
+  return std::array{
+      Option<std::size_t>{std::variant_alternative_t<kIndex, PathLossConfig>::kModel, kIndex}...};
+}
+
+/// "friis, rician and rayleigh", of those of a kind.
+template <std::size_t... kIndex>
+std::string models_of(radio::PathLossKind kind, std::index_sequence<kIndex...>) {
+  std::vector<std::string_view> names;
+  const auto add = [&](const auto& law) {
+    if (law.kKind == kind) names.push_back(law.kModel);
+  };
+  (add(std::variant_alternative_t<kIndex, PathLossConfig>{}), ...);
+  return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
+}
 
 constexpr Range kLoss{0, 300};             // dB
 constexpr Range kSomeDistance{1e-3, 1e6};  // m
@@ -34,6 +53,9 @@ PathLossConfig of_model(std::size_t model, std::index_sequence<kIndex...>) {
   return kMake.at(model)();
 }
 
+/// Its settings are in itself.
+template <class Io>
+void model_keys(Io&, radio::ForeignLawConfig&) {}
 template <class Io>
 void model_keys(Io&, radio::PowerLawConfig&) {}
 template <class Io>
@@ -97,11 +119,12 @@ void model_keys(Io& io, radio::RayleighConfig& c) {
 
 void check_chain(Mapping& in, const std::vector<PathLossConfig>& chain) {
   if (std::ranges::count_if(chain, radio::is_law_of_distance) != 1) {
-    in.mistake("propagation",
-               "must have exactly one of power_law, friis, log_distance and two_ray_ground");
+    in.mistake("propagation", "must have exactly one of " +
+                                  models_of(radio::PathLossKind::kLawOfDistance, kAllModels));
   }
   if (std::ranges::count_if(chain, radio::is_fading) > 1) {
-    in.mistake("propagation", "must not have more than one of nakagami, rician and rayleigh");
+    in.mistake("propagation", "must not have more than one of " +
+                                  models_of(radio::PathLossKind::kFading, kAllModels));
   }
 }
 
@@ -121,10 +144,10 @@ std::vector<PathLossConfig> read_propagation(Mapping& in, std::vector<PathLossCo
          "two_ray_ground. Of each link: shadowing (log-normal), and in time nakagami, rician, "
          "rayleigh.",
          "two_ray_ground"},
-        kModelNames);
+        model_options(kAllModels));
     is_whole &= model.has_value();
     if (!model) continue;
-    PathLossConfig config = of_model(*model, std::make_index_sequence<kModels>{});
+    PathLossConfig config = of_model(*model, kAllModels);
     FieldReader reader(one);
     std::visit([&reader](auto& c) { model_keys(reader, c); }, config);
     if (const auto* m = std::get_if<radio::NakagamiConfig>(&config);
@@ -143,7 +166,7 @@ void write_propagation(Writer& out, const std::vector<PathLossConfig>& chain) {
   out.open_list("propagation");
   for (PathLossConfig one : chain) {
     out.open_item();
-    out.text("model", kModelNames.at(one.index()).name);
+    out.text("model", model_of(one));
     FieldWriter writer(out);
     std::visit([&writer](auto& c) { model_keys(writer, c); }, one);
     out.close();

@@ -217,6 +217,13 @@ void keys_of(Io& io, radio::MobilityFrameworkConfig& c) {
 }
 
 template <class Io>
+void keys_of(Io& io, radio::ForeignProfileConfig& c) {
+  common_keys_of(io, c);
+  error_model(io, c.receiver.error_model);
+  rounding(io, c.phy.rounding);
+}
+
+template <class Io>
 void keys_of(Io& io, radio::DiskConfig& c) {
   tx_power(io, c.tx_power);
   range(io, c.range);

@@ -3,8 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -18,14 +22,27 @@
 namespace sim::scenario {
 namespace {
 
-using radio::Profile;
 using radio::RadioConfig;
 
-constexpr std::array kProfiles = {
-    Option<Profile>{"mobility_framework", Profile::kMobilityFramework},
-    Option<Profile>{"ieee80211b", Profile::kIeee80211b},
-    Option<Profile>{"ieee80211g", Profile::kIeee80211g}, Option<Profile>{"disk", Profile::kDisk},
-    Option<Profile>{"ideal", Profile::kIdeal}};
+using radio::Standard;
+
+/// Of those that files can name: all but the last.
+constexpr std::size_t kProfiles = std::variant_size_v<RadioConfig> - 1;
+static_assert(std::is_same_v<std::variant_alternative_t<kProfiles, RadioConfig>,
+                             radio::ForeignProfileConfig>);
+constexpr auto kAllProfiles = std::make_index_sequence<kProfiles>{};
+
+template <std::size_t... kIndex>
+constexpr auto profile_options(std::index_sequence<kIndex...>) {
+  return std::array{
+      Option<std::size_t>{std::variant_alternative_t<kIndex, RadioConfig>::kProfile, kIndex}...};
+}
+
+/// Each of them with its own values.
+template <std::size_t... kIndex>
+std::array<RadioConfig, kProfiles> profiles(std::index_sequence<kIndex...>) {
+  return {RadioConfig(std::in_place_index<kIndex>)...};
+}
 
 /// Takes the names of keys only.
 class Names {
@@ -59,34 +76,36 @@ class Names {
   std::vector<std::string> names_;
 };
 
-void take_names(Names& names, Profile profile) {
-  RadioConfig any = radio::profile_defaults(profile);
-  std::visit([&names](auto& one) { keys_of(names, one); }, any);
+void take_names(Names& names, RadioConfig profile) {
+  std::visit([&names](auto& one) { keys_of(names, one); }, profile);
 }
 
 /// The keys of other profiles mean nothing in this one.
-void refuse_others(Mapping& in, FieldReader& reader, Profile profile) {
+void refuse_others(Mapping& in, FieldReader& reader, const RadioConfig& config) {
+  const std::string_view profile = profile_name(config);
   Names mine, all;
-  take_names(mine, profile);
-  for (const auto& other : kProfiles) take_names(all, other.value);
+  take_names(mine, config);
+  for (const RadioConfig& other : profiles(kAllProfiles)) take_names(all, other);
   const bool is_set = in.place("profile").starts_with("--set");
   bool is_any_there = false;
   for (const std::string& key : all.all()) {
     if (mine.has(key)) continue;
     is_any_there = is_any_there || (is_set && in.has(key));
-    reader.unused(key, fmt::format("is not used by the profile '{}'", name_of(profile)));
+    reader.unused(key, fmt::format("is not used by the profile '{}'", profile));
   }
   if (is_any_there) {
     in.mistake("profile",
                fmt::format("the other keys of the section are for another profile; this replaces "
                            "it as a whole: --set 'radio={{profile: {}}}'",
-                           name_of(profile)));
+                           profile));
   }
 }
 
-void check_rates(Mapping& in, Profile profile, const radio::PhyConfig& c) {
+void check_rates(Mapping& in, Standard standard, const radio::PhyConfig& c) {
   const auto check = [&](const char* key, hal::BitsPerSecond rate) {
-    if (!is_rate(profile, rate)) in.mistake(key, "must be " + rates_of(profile));
+    if (!is_rate(standard, rate)) {
+      in.mistake(key, fmt::format("must be {}", rates_of(standard)));
+    }
   };
   check("data_rate", c.data_rate);
   check("control_rate", c.control_rate);
@@ -134,14 +153,15 @@ const Key kBasicRates{"basic_rates",
                       "[1 Mb/s] (ieee80211b), [6 Mb/s, 12 Mb/s, 24 Mb/s] "
                       "(ieee80211g)"};
 
-void read_basic_rates(Mapping& in, Profile profile, radio::DcfConfig& c) {
+void read_basic_rates(Mapping& in, Standard standard, radio::DcfConfig& c) {
   const auto texts = in.texts(kBasicRates);
   if (!in.has(kBasicRates.name)) return;
   c.basic_rates.clear();
   for (const hal::config::Scalar& text : texts) {
     const auto rate = hal::config::parse_value(text.text, "b/s", kBitRate.low, kBitRate.high);
-    if (!rate || !is_rate(profile, hal::BitsPerSecond{rate.value()})) {
-      return in.mistake(kBasicRates.name, "'" + text.text + "' must be " + rates_of(profile));
+    if (!rate || !is_rate(standard, hal::BitsPerSecond{rate.value()})) {
+      return in.mistake(kBasicRates.name,
+                        fmt::format("'{}' must be {}", text.text, rates_of(standard)));
     }
     c.basic_rates.emplace_back(rate.value());
   }
@@ -158,8 +178,8 @@ void check_dcf(Mapping& in, const radio::DcfConfig& c) {
   if (c.cca_time >= c.contention.slot) in.mistake("cca_time", "must be shorter than the slot");
 }
 
-void check_waves(Mapping& in, Profile profile, const radio::WavesConfig& c) {
-  check_rates(in, profile, c.phy);
+void check_waves(Mapping& in, Standard standard, const radio::WavesConfig& c) {
+  check_rates(in, standard, c.phy);
   check_windows(in, c.contention);
   check_levels(in, c);
 }
@@ -168,7 +188,7 @@ void check_waves(Mapping& in, Profile profile, const radio::WavesConfig& c) {
 void read_chain(Mapping& in, RadioConfig& config) {
   radio::WavesConfig* const waves = waves_of(config);
   if (waves == nullptr) {
-    const std::string profile(name_of(profile_of(config)));
+    const std::string profile(profile_name(config));
     return in.refuse("propagation", "is not used by the profile '" + profile + "'");
   }
   waves->propagation.chain = read_propagation(in, waves->propagation.chain);
@@ -183,8 +203,7 @@ void read_losses(Mapping& in, RadioConfig& config) {
     waves->receiver.loss = read_loss(in.mapping(kRandomLoss));
     return;
   }
-  in.refuse(kRandomLoss.name,
-            fmt::format("is not used by the profile '{}'", name_of(profile_of(config))));
+  in.refuse(kRandomLoss.name, fmt::format("is not used by the profile '{}'", profile_name(config)));
 }
 
 /// Without a wavelength of its own the carrier follows the number of the channel.
@@ -197,38 +216,34 @@ void follow_channel(Mapping& in, RadioConfig& config) {
 
 }  // namespace
 
-std::string_view name_of(Profile profile) {
-  return std::find_if(kProfiles.begin(), kProfiles.end(),
-                      [profile](const auto& option) { return option.value == profile; })
-      ->name;
-}
-
 RadioConfig read_radio(Mapping in) {
   in.integer({"version", "Of the format of this file.", "1"}, 1, 1, 1);
-  const std::optional<Profile> profile = in.choice(
+  const std::optional<std::size_t> profile = in.choice(
       {"profile",
        "The model: the paper's network card, the 802.11b or 802.11g standard, a range and a bit "
        "rate, or instant and lossless. It sets the defaults.",
        "ieee80211b"},
-      kProfiles);
+      profile_options(kAllProfiles));
   if (!profile) return {};  // which of the other keys are right depends on it
-  RadioConfig config = radio::profile_defaults(*profile);
+  RadioConfig config = profiles(kAllProfiles).at(*profile);
   FieldReader reader(in);
   std::visit([&reader](auto& one) { keys_of(reader, one); }, config);
   follow_channel(in, config);
   read_chain(in, config);
   read_losses(in, config);
-  refuse_others(in, reader, *profile);
+  refuse_others(in, reader, config);
   if (radio::DcfConfig* const dcf = dcf_of(config)) {
-    read_basic_rates(in, *profile, *dcf);
+    read_basic_rates(in, *rates_of(config), *dcf);
     check_dcf(in, *dcf);
     read_bss(in.mapping(kBssKey), dcf->bss);
   } else {
-    const std::string why = fmt::format("is not used by the profile '{}'", name_of(*profile));
+    const std::string why = fmt::format("is not used by the profile '{}'", profile_name(config));
     reader.unused(kBasicRates.name, why);
     reader.unused(kBssKey.name, why);
   }
-  if (const radio::WavesConfig* const waves = waves_of(config)) check_waves(in, *profile, *waves);
+  if (const radio::WavesConfig* const waves = waves_of(config)) {
+    check_waves(in, *rates_of(config), *waves);
+  }
   in.finish();
   return config;
 }
@@ -236,7 +251,7 @@ RadioConfig read_radio(Mapping in) {
 void write_radio(Writer& out, const RadioConfig& config) {
   RadioConfig copy = config;
   out.open("radio");
-  out.text("profile", name_of(profile_of(config)));
+  out.text("profile", profile_name(config));
   FieldWriter writer(out);
   std::visit([&writer](auto& one) { keys_of(writer, one); }, copy);
   if (const auto* const waves = waves_of(config)) {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string_view>
-
 #include "hal/config/mapping.h"
 #include "hal/config/writer.h"
 #include "sim/radio/radio_config.h"
@@ -12,8 +10,5 @@ namespace sim::scenario {
 /// of another profile is a mistake that names the profile.
 radio::RadioConfig read_radio(hal::config::Mapping in);
 void write_radio(hal::config::Writer& out, const radio::RadioConfig& config);
-
-/// As in a file.
-std::string_view name_of(radio::Profile profile);
 
 }  // namespace sim::scenario

@@ -37,10 +37,13 @@ void run_keys(Io& io, Scenario& scenario) {
   io.duration({"controller_latency", "An action takes effect this long after the event it answers.",
                "10 ms"},
               {0, 10}, c.controller_latency);
-  io.choice({"control_phase",
-             "Whether all control cycles start together, or each agent's at a phase drawn for it.",
-             "uniform"},
-            kPhases, c.control_phase);
+  io.choice(
+      {"control_phase",
+       "Whether all control cycles start together, or each agent's at a phase drawn for it. If "
+       "they start together, robots that hear a call answer it at the same instant and their "
+       "frames collide: those of many_robots drive half as far again (docs/sensitivity.md).",
+       "uniform"},
+      kPhases, c.control_phase);
   io.duration({"control_period", "Between two calls of a controller's step().", "100 ms"},
               {1e-3, 10}, c.control_period);
   io.duration({"command_timeout",

@@ -14,6 +14,7 @@
 #include "hal/types/quantity.h"
 #include "hal/types/time.h"
 #include "sim/agents/simulation_config.h"
+#include "sim/record/countable.h"
 #include "sim/record/detail.h"
 #include "sim/record/observable.h"
 #include "sim/report/plot_request.h"
@@ -85,6 +86,7 @@ struct RecordOptions {
   std::vector<std::string> observable_places{};  ///< "file:line:column" of each one's name.
   /// Units of what controllers record, by controller and name, as far as they declare it.
   std::map<std::pair<std::string, std::string>, std::string> recorded_units{};
+  std::vector<record::Countable> declared{};  ///< States and records that controllers declare.
 };
 
 /// Whose figures a report shows beside those of the runs.

@@ -4,6 +4,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <variant>
 
 #include "sim/scenario/bss_section.h"
 #include "sim/scenario/override_agents.h"
@@ -14,7 +15,6 @@ namespace sim::scenario {
 namespace {
 
 using agents::AgentConfig;
-using radio::Profile;
 using radio::RadioConfig;
 using radio::Standard;
 using radio::StationConfig;
@@ -42,15 +42,23 @@ const Key kStationBss{"bss", "Of these agents, where they are not as `radio.bss`
 const Key kStationBroadcastRate{"broadcast_rate", "Of broadcast frames of these agents.", "2 Mb/s",
                                 kOfRadio};
 
+bool has_power(const RadioConfig& config) {
+  return std::visit(
+      [](const auto& one) {
+        return requires { one.tx_power; };
+      },
+      config);
+}
+
 /// Of a group, or of one entry of its `overrides`.
 class StationReader {
  public:
-  StationReader(Mapping& in, const RadioConfig& config) : in_(in), profile_(profile_of(config)) {}
+  StationReader(Mapping& in, const RadioConfig& config) : in_(in), config_(config) {}
 
   /// What is not there keeps its value.
   void read(StationConfig& station) {
-    quantity(kStationPower, "mW", kTxPower, profile_ != Profile::kIdeal, station.tx_power);
-    const bool has_waves = profile_ != Profile::kIdeal && profile_ != Profile::kDisk;
+    quantity(kStationPower, "mW", kTxPower, has_power(config_), station.tx_power);
+    const bool has_waves = waves_of(config_) != nullptr;
     quantity(kStationHeight, "m", kAntennaHeight, has_waves, station.antenna_height);
     quantity(kStationGain, "dB", kAntennaGain, has_waves, station.antenna_gain);
     channel(has_waves, station.channel);
@@ -58,12 +66,12 @@ class StationReader {
     rate(kStationDataRate, has_waves, station);
     rate(kStationControlRate, has_waves, station);
     rate(kStationBroadcastRate, has_waves, station);
-    access_points(profile_ == Profile::kIeee80211b || profile_ == Profile::kIeee80211g, station);
+    access_points(dcf_of(config_) != nullptr, station);
   }
 
  private:
   void refuse(const Key& key) {
-    in_.refuse(key.name, "is not used by the profile '" + std::string(name_of(profile_)) + "'");
+    in_.refuse(key.name, "is not used by the profile '" + std::string(profile_name(config_)) + "'");
   }
 
   template <class Q>
@@ -87,7 +95,7 @@ class StationReader {
   }
 
   void standard(std::optional<Standard>& value) {
-    if (profile_ != Profile::kIeee80211g) return refuse(kStandard);
+    if (!std::holds_alternative<radio::Ieee80211gConfig>(config_)) return refuse(kStandard);
     const Standard given = in_.choice(kStandard, kStandards, Standard::kIeee80211g);
     if (in_.has(kStandard.name)) value = given;
   }
@@ -96,16 +104,17 @@ class StationReader {
     std::optional<hal::BitsPerSecond> given;
     quantity(key, "b/s", kBitRate, is_used, given);
     if (!given) return;
-    const Profile rates =
-        station.standard == Standard::kIeee80211b ? Profile::kIeee80211b : profile_;
-    if (!is_rate(rates, *given)) return in_.mistake(key.name, "must be " + rates_of(rates));
+    const Standard rates = station.standard.value_or(*rates_of(config_));
+    if (!is_rate(rates, *given)) {
+      return in_.mistake(key.name, "must be " + std::string(rates_of(rates)));
+    }
     if (key.name == kStationDataRate.name) station.data_rate = given;
     if (key.name == kStationControlRate.name) station.control_rate = given;
     if (key.name == kStationBroadcastRate.name) station.broadcast_rate = given;
   }
 
   Mapping& in_;
-  Profile profile_;
+  const RadioConfig& config_;
 };
 
 void write_fields(Writer& out, const StationConfig& station) {

@@ -24,9 +24,20 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::int64_t kMostWritten = 1'000'000'000'000;
 constexpr auto kNoLimit = std::numeric_limits<std::int64_t>::max();
 
+std::string_view key_of(Subjects::Quantifier quantifier) {
+  switch (quantifier) {
+    case Subjects::Quantifier::kOne:
+      return "agent";
+    case Subjects::Quantifier::kAny:
+      return "any";
+    case Subjects::Quantifier::kAll:
+      return "all";
+  }
+  return {};
+}
+
 void write_subjects(Writer& out, const Subjects& who) {
-  constexpr std::string_view kKeys[] = {"agent", "any", "all"};  // in the order of Quantifier
-  out.text(kKeys[static_cast<int>(who.quantifier)], who.whose);
+  out.text(key_of(who.quantifier), who.whose);
 }
 
 template <class Limited>

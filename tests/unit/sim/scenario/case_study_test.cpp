@@ -66,7 +66,7 @@ TEST(CaseStudy, RunsOnAlignedControlWithoutLatency) {
   EXPECT_EQ(simulation.control_period, 100ms);
   EXPECT_EQ(simulation.world.step, 10ms);
   EXPECT_EQ(simulation.localisation.range.value, 300);
-  EXPECT_EQ(profile_of(simulation.radio), radio::Profile::kMobilityFramework);
+  EXPECT_EQ(profile_name(simulation.radio), "mobility_framework");
 }
 
 TEST(CaseStudy, EndsWithArrivalOrAfterAnHour) {
@@ -151,8 +151,7 @@ TEST(Overrides, ReachWhatUsersVary) {
 }
 
 TEST(Overrides, ExchangeTheRadioByNameOrByFile) {
-  EXPECT_EQ(profile_of(case_study({"radio.profile=ideal"}).simulation.radio),
-            radio::Profile::kIdeal);
+  EXPECT_EQ(profile_name(case_study({"radio.profile=ideal"}).simulation.radio), "ideal");
   const auto by_file = case_study({"radio.include=../radios/disk.yaml", "radio.range=200 m"});
   EXPECT_EQ(std::get<radio::DiskConfig>(by_file.simulation.radio).range.value, 200);
 }
