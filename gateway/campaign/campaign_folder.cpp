@@ -112,11 +112,15 @@ void CampaignFolder::claim(int point, const std::string& scenario) const {
 }
 
 void CampaignFolder::remove(const sim::campaign::RunPlan& run) const {
+  remove_result_of(run);
+  fs::remove(log_of(run));
+}
+
+void CampaignFolder::remove_result_of(const sim::campaign::RunPlan& run) const {
   const fs::path result = result_of(run);
   for (const fs::path& folder : {result, fs::path(result.string() + kNotBegun)}) {
     if (fs::exists(folder)) remove_result(folder);
   }
-  fs::remove(log_of(run));
   remove_lock_of_the_dead(result);
 }
 

@@ -48,6 +48,8 @@ class CampaignFolder {
 
   /// Removes what a run left: its result, what it had not begun, and its log.
   void remove(const sim::campaign::RunPlan& run) const;
+  /// The same, but for its log.
+  void remove_result_of(const sim::campaign::RunPlan& run) const;
 
  private:
   std::filesystem::path path_;

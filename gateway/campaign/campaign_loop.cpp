@@ -62,7 +62,7 @@ bool CampaignLoop::is_settled(const RunRow& row) {
   if (is_to_do(row)) return collect_whole(row);
   keep(row);
   // One that was killed between the transaction and this.
-  if (row.folder.empty()) parts_.folder.remove(row.plan);
+  if (row.folder.empty() && row.state != RunState::kFailed) parts_.folder.remove(row.plan);
   return true;
 }
 
@@ -182,7 +182,13 @@ void CampaignLoop::commit(CollectedRun& collected) {
     keeps = keeps_folder(collected);
     parts_.database.finish(collected.row, collected.measured);
   }
-  if (!keeps) parts_.folder.remove(collected.row.plan);
+  if (keeps) return;
+  // The error in the database is the last of its words; what came before stands in the log only.
+  if (collected.row.state == RunState::kFailed) {
+    parts_.folder.remove_result_of(collected.row.plan);
+  } else {
+    parts_.folder.remove(collected.row.plan);
+  }
 }
 
 /// Some may have ended in the moment they were stopped.

@@ -7,6 +7,7 @@
 #include <set>
 #include <utility>
 
+#include "gateway/campaign/default_levels.h"
 #include "gateway/campaign/program_digests.h"
 #include "gateway/run/judge_controllers.h"
 #include "hal/config/document.h"
@@ -135,18 +136,22 @@ JudgedCampaign judge_campaign(const std::string& path, const std::vector<std::st
   campaign.table = sim::campaign::factor_table(campaign.file.keys, points);
   PointMistakes mistakes(points.size());
   std::set<std::string> warnings;
+  std::vector<std::vector<std::string>> defaults(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     PointRow& row = campaign.table.points[i];
     try {
       const Scenario one = judged(scenario, overrides_of(points[i], campaign.seed), warnings);
       row.scenario = sim::scenario::resolved_yaml(one);
       campaign.controllers.merge(controllers_of(one));
+      const bool sets_all = points[i].size() == campaign.file.keys.size();
+      if (!sets_all) defaults[i] = values_in(one, campaign.file.keys);
     } catch (const ConfigErrors& errors) {
       mistakes.add(points[i], row, errors.messages());
     }
   }
   std::vector<std::string> lines = mistakes.lines();
   if (!lines.empty()) throw ConfigErrors(std::move(lines));
+  sim::campaign::set_defaults(campaign.table, defaults);
   campaign.warnings.assign(warnings.begin(), warnings.end());
   return campaign;
 }

@@ -32,11 +32,22 @@ void check_options(const RunOptions& options, std::uint64_t seed) {
   if (!mistakes.empty()) throw hal::config::ConfigErrors(std::move(mistakes));
 }
 
-constexpr const char* kFrom[] = {"spawn", "external", "in-process"};
+/// As `--controllers` has it.
+std::string_view name_of(ControllersFrom from) {
+  switch (from) {
+    case ControllersFrom::kSpawn:
+      return "spawn";
+    case ControllersFrom::kExternal:
+      return "external";
+    case ControllersFrom::kInProcess:
+      return "in-process";
+  }
+  return {};
+}
 
 /// What `baraka` is started with for each replication, behind scenario, seed and folder.
 std::vector<std::string> arguments_of(const RunOptions& options) {
-  std::vector<std::string> arguments{"--controllers", kFrom[static_cast<int>(options.controllers)]};
+  std::vector<std::string> arguments{"--controllers", std::string(name_of(options.controllers))};
   const auto add = [&](const char* option, const std::string& value) {
     arguments.insert(arguments.end(), {option, value});
   };
@@ -62,7 +73,7 @@ sim::campaign::WantedRuns wanted_of(const RunOptions& options,
                      {"seeds", std::string(name_of(sim::campaign::Seeds::kCommon))},
                      {"until", until_words(options)},
                      {"programs", program_digests(controllers_of(scenario))},
-                     {"controllers", kFrom[static_cast<int>(options.controllers)]}},
+                     {"controllers", std::string(name_of(options.controllers))}},
           .factors = {},
           .points = {std::move(point)},
           .replications = *options.replications,

@@ -97,12 +97,12 @@ void CampaignDatabase::add(const Plan& plan) {
     Statement factors(database_, "INSERT INTO factors VALUES (NULL, ?, ?)");
     for (const Factor& factor : plan.factors) factors.run(factor.key, factor.unit);
     Statement points(database_, "INSERT INTO points VALUES (?, ?, ?)");
-    Statement levels(database_, "INSERT INTO levels VALUES (?, ?, ?, ?)");
+    Statement levels(database_, "INSERT INTO levels VALUES (?, ?, ?, ?, ?)");
     for (const PointRow& point : plan.points) {
       points.run(point.point, point.label, point.scenario);
       int factor = 0;
       for (const Level& level : point.levels) {
-        levels.run(point.point, ++factor, level.text, level.number);
+        levels.run(point.point, ++factor, level.text, level.number, level.is_default);
       }
     }
     Statement rewrite(database_, "UPDATE points SET scenario = ?2 WHERE point = ?1");

@@ -92,9 +92,17 @@ void read_how(Mapping& in, CampaignFile& c) {
 }  // namespace
 
 std::string_view name_of(Design design) {
-  constexpr std::array<std::string_view, 4> kNames = {"one point", "grid", "list",
-                                                      "latin hypercube"};
-  return kNames.at(static_cast<std::size_t>(design));
+  switch (design) {
+    case Design::kOnePoint:
+      return "one point";
+    case Design::kGrid:
+      return "grid";
+    case Design::kList:
+      return "list";
+    case Design::kLatinHypercube:
+      return "latin hypercube";
+  }
+  return {};
 }
 
 std::string_view name_of(Seeds seeds) { return seeds == Seeds::kCommon ? "common" : "independent"; }

@@ -50,8 +50,17 @@ RunRow row_of(const Statement& query) {
 }  // namespace
 
 std::string_view name_of(RunState state) {
-  constexpr std::array<std::string_view, 4> kNames = {"waiting", "running", "done", "failed"};
-  return kNames.at(static_cast<std::size_t>(state));
+  switch (state) {
+    case RunState::kWaiting:
+      return "waiting";
+    case RunState::kRunning:
+      return "running";
+    case RunState::kDone:
+      return "done";
+    case RunState::kFailed:
+      return "failed";
+  }
+  return {};
 }
 
 CampaignReader::CampaignReader(const std::filesystem::path& folder)
@@ -89,14 +98,17 @@ std::vector<Factor> CampaignReader::factors() {
 std::vector<PointRow> CampaignReader::points() {
   std::vector<PointRow> all;
   Statement rows = query("SELECT point, label, scenario FROM points ORDER BY point");
-  Statement levels = query("SELECT text, number FROM levels WHERE point = ? ORDER BY factor");
+  Statement levels =
+      query("SELECT text, number, is_default FROM levels WHERE point = ? ORDER BY factor");
   while (rows.next()) {
     PointRow& point = all.emplace_back();
     point.point = static_cast<int>(rows.integer(0));
     point.label = rows.text(1);
     point.scenario = rows.text(2);
     levels.bind_all(point.point);
-    while (levels.next()) point.levels.push_back({levels.text(0), number_in(levels, 1)});
+    while (levels.next()) {
+      point.levels.push_back({levels.text(0), number_in(levels, 1), levels.integer(2) != 0});
+    }
   }
   return all;
 }

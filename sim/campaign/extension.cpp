@@ -70,9 +70,10 @@ void require_same_values(const WantedRuns& wanted, CampaignReader& reader) {
 
 using Texts = std::vector<std::string>;
 
+/// As the campaign file sets them.
 Texts texts_of(const PointRow& point) {
   Texts texts;
-  for (const Level& level : point.levels) texts.push_back(level.text);
+  for (const Level& level : point.levels) texts.push_back(level.is_default ? "" : level.text);
   return texts;
 }
 

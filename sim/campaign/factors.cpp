@@ -58,15 +58,24 @@ std::vector<std::string> short_names(const std::vector<std::string>& keys) {
   return names;
 }
 
+std::string label_of(const std::vector<Level>& levels, const std::vector<std::string>& names) {
+  std::string label;
+  for (std::size_t i = 0; i < levels.size(); ++i) {
+    if (levels[i].is_default && levels[i].text.empty()) continue;
+    label += fmt::format("{}{}={}", label.empty() ? "" : ", ", names[i], levels[i].text);
+  }
+  return label;
+}
+
 PointRow row_of(const DesignPoint& point, const std::vector<std::string>& keys,
                 const std::vector<std::string>& names) {
   PointRow row;
   for (std::size_t i = 0; i < keys.size(); ++i) {
     const auto value = std::ranges::find(point, keys[i], &FactorValue::key);
-    row.levels.push_back({value == point.end() ? "" : value->text, std::nullopt});
-    if (value == point.end()) continue;
-    row.label += fmt::format("{}{}={}", row.label.empty() ? "" : ", ", names[i], value->text);
+    const bool is_set = value != point.end();
+    row.levels.push_back({is_set ? value->text : "", std::nullopt, !is_set});
   }
+  row.label = label_of(row.levels, names);
   return row;
 }
 
@@ -86,10 +95,28 @@ FactorTable factor_table(const std::vector<std::string>& keys,
   return table;
 }
 
+void set_defaults(FactorTable& table, const std::vector<std::vector<std::string>>& defaults) {
+  std::vector<std::string> keys;
+  for (const Factor& factor : table.factors) keys.push_back(factor.key);
+  const std::vector<std::string> names = short_names(keys);
+  for (std::size_t i = 0; i < table.points.size(); ++i) {
+    PointRow& point = table.points[i];
+    for (std::size_t k = 0; k < point.levels.size(); ++k) {
+      point.levels[k].number.reset();
+      if (point.levels[k].is_default) point.levels[k].text = defaults[i][k];
+    }
+    point.label = label_of(point.levels, names);
+  }
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    table.factors[k].unit.clear();
+    add_numbers(table.factors[k], k, table.points);
+  }
+}
+
 std::uint64_t seed_of(Seeds seeds, std::uint64_t base, const PointRow& point, int replication) {
   if (seeds == Seeds::kCommon) return base + static_cast<std::uint64_t>(replication) - 1;
   std::string name = "campaign/seed";
-  for (const Level& level : point.levels) name += "/" + level.text;
+  for (const Level& level : point.levels) name += "/" + (level.is_default ? "" : level.text);
   hal::RandomStream stream(base, fmt::format("{}/{}", name, replication));
   return stream.next() & static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max());
 }

@@ -19,6 +19,8 @@ struct Factor {
 struct Level {
   std::string text;              ///< As in a scenario file, with its unit.
   std::optional<double> number;  ///< In the factor's unit; none: it is no number.
+  /// The point does not set the key: `text` is what its scenario has; "": it has no such key.
+  bool is_default = false;
   bool operator==(const Level&) const = default;
 };
 

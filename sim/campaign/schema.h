@@ -9,7 +9,7 @@ namespace sim::campaign {
 
 /// Version of the tables below, as `PRAGMA user_version` of the file. Any change of a table, of a
 /// column or of what one means is a new version; readers accept this one only.
-inline constexpr int kSchemaVersion = 1;
+inline constexpr int kSchemaVersion = 2;
 
 /// The file with the tables, in the folder of a campaign.
 inline constexpr const char* kCampaignDatabase = "campaign.sqlite";

@@ -30,7 +30,10 @@ std::vector<Table> plan_tables() {
        {{"point", "INTEGER NOT NULL", "", "in points"},
         {"factor", "INTEGER NOT NULL", "", "in factors"},
         {"text", "TEXT NOT NULL", "", "as in a scenario file, with its unit"},
-        {"number", "REAL", "", "the same in the factor's unit; null: it is no number"}},
+        {"number", "REAL", "", "the same in the factor's unit; null: it is no number"},
+        {"is_default", "INTEGER NOT NULL", "",
+         "1: the point does not set the key, text is what its scenario has, '' if it has no such "
+         "key"}},
        "point, factor"},
   };
 }
@@ -66,7 +69,9 @@ std::vector<Table> run_tables() {
        "one number of one run",
        {{"run", "INTEGER NOT NULL", "", "in runs"},
         {"observable", "INTEGER NOT NULL", "", "in observables"},
-        {"value", "REAL", "", "in the observable's unit; null: it is not defined in this run"}},
+        {"value", "REAL", "",
+         "in the observable's unit; 0 also if the run could have had some; null: not defined in "
+         "it"}},
        "observable, run"},
       {"series",
        "values over time, of observables that were asked for so",

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <string_view>
 
+#include "hal/types/enum_names.h"
 #include "sim/radio/frame.h"
 
 namespace sim::record {
@@ -36,11 +37,26 @@ inline FrameClass frame_class(const radio::Frame& frame) {
   return frame.is_broadcast() ? FrameClass::kBroadcast : FrameClass::kUnicast;
 }
 
-inline std::string_view name(FrameClass kind) {
-  constexpr std::string_view kNames[kFrameClasses] = {"rts",     "cts",    "ack",       "broadcast",
-                                                      "unicast", "beacon", "management"};
-  return kNames[static_cast<int>(kind)];
+constexpr std::string_view name(FrameClass kind) {
+  switch (kind) {
+    case FrameClass::kRts:
+      return "rts";
+    case FrameClass::kCts:
+      return "cts";
+    case FrameClass::kAck:
+      return "ack";
+    case FrameClass::kBroadcast:
+      return "broadcast";
+    case FrameClass::kUnicast:
+      return "unicast";
+    case FrameClass::kBeacon:
+      return "beacon";
+    case FrameClass::kManagement:
+      return "management";
+  }
+  return {};
 }
+static_assert(hal::names_exactly<FrameClass, kFrameClasses>([](FrameClass c) { return name(c); }));
 
 inline std::string_view class_of(const radio::Frame& frame) { return name(frame_class(frame)); }
 

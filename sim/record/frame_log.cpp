@@ -10,10 +10,11 @@
 
 namespace sim::record {
 
-FrameLog::FrameLog(Database& database, Detail detail)
+FrameLog::FrameLog(Database& database, Detail detail, const Protocols& protocols)
     : insert_(database, "INSERT INTO frames VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
       insert_end_(database, "INSERT INTO frame_ends VALUES (?, ?, ?, ?, ?, ?)"),
-      detail_(detail) {}
+      detail_(detail),
+      protocols_(protocols) {}
 
 bool FrameLog::takes(hal::Time at, const radio::Frame& frame) {
   if (detail_ == Detail::kAll) return true;
@@ -29,7 +30,7 @@ bool FrameLog::takes(hal::Time at, const radio::Frame& frame) {
 
 int FrameLog::on_start(hal::Time at, const radio::Frame& frame) {
   if (!takes(at, frame)) return 0;
-  const PacketName packet = packet_name(frame);
+  const hal::routing::FrameName packet = packet_name(frame, protocols_);
   std::optional<int> sender;
   std::optional<std::uint64_t> message;
   if (packet.message) {

@@ -8,6 +8,7 @@
 #include "sim/radio/frame.h"
 #include "sim/record/database.h"
 #include "sim/record/detail.h"
+#include "sim/record/protocols.h"
 
 namespace sim::record {
 
@@ -21,7 +22,8 @@ class FrameLog {
   static constexpr std::uint64_t kRowsOfSecond = 5000;
 
   /// @param detail  kSample or kAll
-  FrameLog(Database& database, Detail detail);
+  /// @param protocols  outlives it.
+  FrameLog(Database& database, Detail detail, const Protocols& protocols);
 
   /// @return rows written, as of the next one.
   int on_start(hal::Time at, const radio::Frame& frame);
@@ -35,6 +37,7 @@ class FrameLog {
 
   Statement insert_, insert_end_;
   Detail detail_;
+  const Protocols& protocols_;
   std::int64_t second_ = -1;
   std::uint64_t rows_ = 0;  ///< Of that second.
   /// By transmitter its latest frame, if it was left out: its ends are, too. It can have one in the

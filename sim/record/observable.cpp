@@ -23,7 +23,8 @@ const std::map<std::string, Names, std::less<>>& names_by_kind() {
        {{"x", "m"}, {"y", "m"}, {"yaw", "rad"}, {"vx", "m/s"}, {"vy", "m/s"}, {"omega", "rad/s"}}},
       {"pose", {{"x", "m"}, {"y", "m"}, {"yaw", "rad"}}},
       {"bumper", {{"touched", "1"}}},
-      {"battery", {{"charge", "1"}, {"voltage", "V"}, {"current", "A"}}},
+      {"battery",
+       {{"charge", "1"}, {"voltage", "V"}, {"current", "A"}, {"energy", "J"}, {"capacity", "J"}}},
       {"imu",
        {{"rate_x", "rad/s"},
         {"rate_y", "rad/s"},
@@ -66,8 +67,17 @@ void add_quantities(const agents::AgentConfig& agent, std::vector<Observable>& t
 }  // namespace
 
 std::string_view name(Keeps keeps) {
-  constexpr std::string_view kNames[] = {"samples", "histogram", "quantiles", "counter"};
-  return kNames[static_cast<int>(keeps)];
+  switch (keeps) {
+    case Keeps::kSamples:
+      return "samples";
+    case Keeps::kHistogram:
+      return "histogram";
+    case Keeps::kQuantiles:
+      return "quantiles";
+    case Keeps::kCounter:
+      return "counter";
+  }
+  return {};
 }
 
 std::optional<ObservablePattern> ObservablePattern::of(std::string_view name) {
@@ -144,8 +154,8 @@ std::vector<ObservableKind> observable_kinds() {
       {"sensors.AGENT.CHANNEL.VALUE", "",
        "a value of a reading, as of the agent's control instants, in the channel's "
        "unit; VALUE is a number from 0 or, of odometry: x, y, yaw, vx, vy, omega; pose: "
-       "x, y, yaw; battery: charge, voltage, current; imu: rate_x to rate_z, force_x to "
-       "force_z; bumper: touched"});
+       "x, y, yaw; battery: charge, voltage, current, energy, capacity; imu: rate_x to rate_z, "
+       "force_x to force_z; bumper: touched"});
   kinds.push_back({"controllers.AGENT.NAME", "",
                    "what the agent's controller records under that name, in its unit: `baraka "
                    "describe CONTROLLER` lists those that it declares"});

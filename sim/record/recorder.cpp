@@ -13,18 +13,12 @@
 #include "sim/radio/mac_sap.h"
 #include "sim/record/frame_class.h"
 #include "sim/record/hexadecimal.h"
-#include "sim/record/message_in.h"
 #include "sim/record/observables.h"
+#include "sim/record/packet_name.h"
 #include "sim/record/schema.h"
 
 namespace sim::record {
 namespace {
-
-std::string_view name(radio::Profile profile) {
-  constexpr std::string_view kNames[] = {"mobility_framework", "ieee80211b", "ieee80211g", "disk",
-                                         "ideal"};
-  return kNames[static_cast<int>(profile)];
-}
 
 std::string_view kind_of(const agents::AgentConfig& agent) {
   if (!has_body(agent)) return "station";
@@ -52,6 +46,7 @@ Recorder::Recorder(const std::filesystem::path& file, const agents::SimulationCo
       options_(options),
       frames_(database_),
       in_the_air_(database_, tail_of(config.radio)),
+      protocols_(config),
       looks_(database_, {.period = options.pose_period,
                          .readings = options.readings,
                          .queues = options.routes == Detail::kAll}),
@@ -70,8 +65,8 @@ Recorder::Recorder(const std::filesystem::path& file, const agents::SimulationCo
       insert_association_(database_, "INSERT INTO associations VALUES (?, ?, ?)"),
       insert_fingerprint_(database_, "INSERT INTO fingerprints VALUES (?, ?, ?, ?)") {
   const bool lists_frames = options_.frames == Detail::kSample || options_.frames == Detail::kAll;
-  if (lists_frames) frame_log_.emplace(database_, options_.frames);
-  if (options_.routes == Detail::kAll) route_log_.emplace(database_, config);
+  if (lists_frames) frame_log_.emplace(database_, options_.frames, protocols_);
+  if (options_.routes == Detail::kAll) route_log_.emplace(database_, protocols_);
   if (options_.messages == Detail::kAll) message_log_.emplace(database_);
   if (options_.messages == Detail::kCounts) message_counts_.emplace(database_);
   const bool has_network = std::ranges::any_of(
@@ -79,6 +74,7 @@ Recorder::Recorder(const std::filesystem::path& file, const agents::SimulationCo
   if (has_network) air_.emplace(database_, options_.samples);
   database_.execute("BEGIN");
   describe(config);
+  add_countable(countable_of(config, counts_frames(), options_.messages != Detail::kNone));
   commit();
 }
 
@@ -114,7 +110,7 @@ void Recorder::set(std::string_view key, std::uint64_t value) { set_value(key, v
 void Recorder::describe(const agents::SimulationConfig& config) {
   set("result", std::string_view("running"));
   set("seed", config.seed);
-  set("profile", name(profile_of(config.radio)));
+  set("profile", profile_name(config.radio));
   set("controller_latency_s", hal::to_seconds(config.controller_latency));
   set("control_phase",
       std::string_view(config.control_phase == agents::ControlPhase::kAligned ? "aligned"
@@ -145,6 +141,16 @@ void Recorder::describe(const agents::SimulationConfig& config) {
 void Recorder::add_settings(const std::vector<std::pair<std::string, std::string>>& settings) {
   Statement insert(database_, "REPLACE INTO settings VALUES (?, ?)");
   for (const auto& [key, value] : settings) insert.run(key, value);
+}
+
+void Recorder::add_units(const std::map<std::pair<std::string, std::string>, std::string>& units) {
+  Statement insert(database_, "REPLACE INTO recorded_units VALUES (?, ?, ?)");
+  for (const auto& [of, unit] : units) insert.run(of.first, of.second, unit);
+}
+
+void Recorder::add_countable(const std::vector<Countable>& words) {
+  Statement insert(database_, "REPLACE INTO countable VALUES (?, ?, ?)");
+  for (const Countable& one : words) insert.run(one.family, one.program, one.word);
 }
 
 void Recorder::on_arrival(const OutsideArrival& arrival) {
@@ -227,11 +233,11 @@ void Recorder::on_rows(hal::Time at, int rows) {
 }
 
 void Recorder::add_use(hal::AgentId agent, const agents::AgentUse& use) {
-  Statement insert(database_, "INSERT INTO agent_use VALUES (?, ?, ?, ?, ?, ?, ?)");
+  Statement insert(database_, "INSERT INTO agent_use VALUES (?, ?, ?, ?, ?, ?, ?, ?)");
   std::optional<std::uint64_t> retries;
   if (counts_frames()) retries = frames_.retries(agent);
   insert.run(agent.value, use.radio.transmitting.count(), use.radio.receiving.count(),
-             use.radio.listening.count(), use.radio.off.count(), retries, use.energy);
+             use.radio.listening.count(), use.radio.off.count(), retries, use.energy, use.load);
 }
 
 void Recorder::add(const Fingerprint::Row& row) {
@@ -372,7 +378,7 @@ void Recorder::on_request_end(hal::Time at, hal::AgentId sender, hal::AgentId de
 
 void Recorder::on_relay_lost(hal::Time at, hal::AgentId source, const radio::MacRequest& request,
                              hal::Verdict verdict) {
-  if (const auto message = message_in(request, source)) {
+  if (const auto message = packet_name(request, source, protocols_).message) {
     on_message_end(at, source, message->sender, message->id, verdict);
   }
 }

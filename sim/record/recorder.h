@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <span>
@@ -18,6 +19,7 @@
 #include "sim/record/air_log.h"
 #include "sim/record/body_log.h"
 #include "sim/record/broadcast_watch.h"
+#include "sim/record/countable.h"
 #include "sim/record/database.h"
 #include "sim/record/detail.h"
 #include "sim/record/frame_counts.h"
@@ -28,6 +30,7 @@
 #include "sim/record/message_counts.h"
 #include "sim/record/message_log.h"
 #include "sim/record/observable.h"
+#include "sim/record/protocols.h"
 #include "sim/record/route_log.h"
 #include "sim/record/routing_counts.h"
 #include "sim/record/unheard_topics.h"
@@ -95,6 +98,13 @@ class Recorder final : public agents::Observer {
 
   /// Rows of the table settings.
   void add_settings(const std::vector<std::pair<std::string, std::string>>& settings);
+
+  /// Rows of the table recorded_units. @param units  by controller and name.
+  void add_units(const std::map<std::pair<std::string, std::string>, std::string>& units);
+
+  /// Words of which the run can have counts, besides those of countable_of(): what its controllers
+  /// declare. Some may be there.
+  void add_countable(const std::vector<Countable>& words);
 
   void add_contacts(hal::AgentId agent, const agents::ContactCounts& contacts) {
     bodies_.on_contacts(agent, contacts);
@@ -200,6 +210,7 @@ class Recorder final : public agents::Observer {
   RecorderOptions options_;
   FrameCounts frames_;
   FramesInTheAir in_the_air_;
+  Protocols protocols_;
   std::optional<FrameLog> frame_log_;
   std::optional<RouteLog> route_log_;
   LookLog looks_;

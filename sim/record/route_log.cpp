@@ -2,21 +2,13 @@
 
 #include <optional>
 
-#include "hal/types/math.h"
-#include "hal/types/path_metric.h"
+#include "hal/types/check.h"
 
 namespace sim::record {
 
-using hal::routing::Algorithm;
-
-RouteLog::RouteLog(Database& database, const agents::SimulationConfig& config)
+RouteLog::RouteLog(Database& database, const Protocols& protocols)
     : insert_(database, "INSERT INTO routes VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
-      routing_(config.routing) {
-  for (const agents::AgentConfig& agent : config.agents) {
-    if (agent.id.value >= algorithms_.size()) algorithms_.resize(agent.id.value + 1u);
-    algorithms_[agent.id.value] = agent.routing.value_or(config.routing.algorithm);
-  }
-}
+      protocols_(protocols) {}
 
 void RouteLog::on_route_change(hal::Time at, hal::AgentId agent, const hal::RouteChange& change) {
   const hal::Route& route = change.route;
@@ -26,18 +18,12 @@ void RouteLog::on_route_change(hal::Time at, hal::AgentId agent, const hal::Rout
                 std::nullopt);
     return;
   }
-  std::optional<double> weight;
-  const Algorithm algorithm = algorithms_[agent.value];
-  if (algorithm == Algorithm::kAodv) weight = 1;  // it has one next hop
-  if (algorithm == Algorithm::kAnts) {
-    const hal::routing::RouteChoice& choice = routing_.choice_of(route.topic);
-    const bool is_destination = route.next_hop == route.destination;
-    weight =
-        hal::math::pow(hal::path_value(choice.metric, route.path, is_destination), choice.beta);
-  }
+  const hal::routing::ProtocolKind* const protocol = protocols_.of(agent);
+  BARAKA_CHECK(protocol != nullptr);
   insert_.run(agent.value, hal::to_ns(at), route.topic, route.destination.value,
               route.next_hop.value, int{route.path.hops}, route.path.delay.count(),
-              route.path.min_snr_db, route.path.energy, weight);
+              route.path.min_snr_db, route.path.energy,
+              protocol->weigh(protocols_.config(), route));
 }
 
 }  // namespace sim::record

@@ -1,27 +1,25 @@
 #pragma once
 
-#include <vector>
-
-#include "hal/routing/routing_config.h"
 #include "hal/types/agent_id.h"
 #include "hal/types/route.h"
 #include "hal/types/time.h"
-#include "sim/agents/simulation_config.h"
 #include "sim/record/database.h"
+#include "sim/record/protocols.h"
 
 namespace sim::record {
 
 /// The table routes.
 class RouteLog {
  public:
-  RouteLog(Database& database, const agents::SimulationConfig& config);
+  /// @param protocols  outlives it.
+  RouteLog(Database& database, const Protocols& protocols);
 
+  /// @pre the agent is one of the run's.
   void on_route_change(hal::Time at, hal::AgentId agent, const hal::RouteChange& change);
 
  private:
   Statement insert_;
-  hal::routing::RoutingConfig routing_;
-  std::vector<hal::routing::Algorithm> algorithms_;  ///< By address.
+  const Protocols& protocols_;
 };
 
 }  // namespace sim::record

@@ -10,8 +10,6 @@
 namespace sim::record {
 namespace {
 
-bool is_capital(char c) { return c >= 'A' && c <= 'Z'; }
-
 /// With each part as in a name: what a controller records may be called anything.
 std::string observable_name(const std::string& name) {
   std::string result;
@@ -30,8 +28,9 @@ class Names {
  public:
   explicit Names(RunReader& reader) {
     Statement words = reader.query(
-        "SELECT name FROM observables UNION SELECT 'controllers.' || name FROM recorded ORDER BY "
-        "1");
+        "SELECT name FROM observables UNION SELECT 'controllers.' || name FROM recorded"
+        " UNION SELECT 'controllers.' || word FROM countable WHERE family = 'controllers'"
+        " ORDER BY 1");
     while (words.next()) (void)of_observable(words.text(0));
   }
 
@@ -39,10 +38,9 @@ class Names {
 
   /// "topics.TOPIC.sent" with "call" for the word in capitals.
   std::string in_family(std::string_view family, const std::string& word) {
-    const auto* const begin = std::ranges::find_if(family, is_capital);
-    const auto* const end = std::find_if_not(begin, family.end(), is_capital);
-    const std::string domain(family.begin(), begin);
-    return of(domain + word, domain + name_part(word)).append(end, family.end());
+    const auto [head, tail] = *around_word(family);
+    const std::string domain(head);
+    return of(domain + word, domain + name_part(word)).append(tail);
   }
 
  private:
@@ -59,7 +57,7 @@ class Names {
 };
 
 void read(RunReader& reader, const ScalarKind& kind, Names& names, std::vector<Scalar>& to) {
-  const bool is_family = std::ranges::any_of(kind.name, is_capital);
+  const bool is_family = around_word(kind.name).has_value();
   Statement rows = reader.query(kind.query);
   while (rows.next()) {
     if (rows.is_null(1)) continue;
@@ -77,8 +75,7 @@ void read(RunReader& reader, const ScalarKind& kind, Names& names, std::vector<S
 constexpr const char* kSums =
     "WITH first AS (SELECT MIN(observable) AS observable FROM observables GROUP BY name, agent),"
     " some AS (SELECT o.name, o.agent, o.unit, count, mean, mean_over_time, sd, min, max, last"
-    " FROM first JOIN observables o USING (observable) JOIN observable_sums USING (observable)"
-    " WHERE count > 0)"
+    " FROM first JOIN observables o USING (observable) JOIN observable_sums USING (observable))"
     " SELECT a.name, p.name, part, p.unit, v FROM ("
     "SELECT name, agent, unit, 0 AS place, '.count' AS part, count AS v FROM some"
     " UNION ALL SELECT name, agent, unit, 1, '.mean', mean FROM some"
@@ -121,7 +118,7 @@ void read_points(Statement& rows, const std::string& domain, Names& names,
 std::string name_part(std::string_view text) {
   std::string part(text);
   for (char& c : part) {
-    if (is_capital(c)) c = static_cast<char>(c - 'A' + 'a');
+    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
     const bool is_kept = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9');
     if (!is_kept) c = '_';
   }

@@ -51,6 +51,24 @@ std::vector<Table> setup_tables() {
   };
 }
 
+std::vector<Table> possible_tables() {
+  return {
+      {"countable",
+       "what this run could count: a count of such a word that no other table has is 0, a count of "
+       "another does not exist in this run",
+       {{"family", "TEXT NOT NULL", "",
+         "of what, as the numbers of `baraka describe observables` begin: 'frames', 'receptions', "
+         "'requests', 'messages.ends', 'routing.events', 'states', 'controllers'; without any row "
+         "of frames or messages these were not counted"},
+        {"program", "TEXT NOT NULL", "",
+         "states, controllers: the controller that declares it, of the agents with that program; "
+         "else ''"},
+        {"word", "TEXT NOT NULL", "",
+         "class, verdict, event, state or name, as other tables have it"}},
+       "family, program, word"},
+  };
+}
+
 std::vector<Table> count_tables() {
   return {
       {"frames_sent",
@@ -389,6 +407,11 @@ std::vector<Table> body_tables() {
        {{"agent", "INTEGER PRIMARY KEY", "", "who"},
         {"at_ns", "INTEGER NOT NULL", "ns", "when"},
         {"what", "TEXT NOT NULL", "", "'tipped over' or how it was lost"}}},
+  };
+}
+
+std::vector<Table> controller_tables() {
+  return {
       {"states",
        "states that controllers named",
        {{"agent", "INTEGER NOT NULL", "", "whose controller"},
@@ -405,7 +428,13 @@ std::vector<Table> body_tables() {
        {{"agent", "INTEGER NOT NULL", "", "whose controller"},
         {"at_ns", "INTEGER NOT NULL", "ns", "of the event in which it was recorded"},
         {"name", "TEXT NOT NULL", "", "as the controller calls it"},
-        {"value", "REAL NOT NULL", "", "in the controller's unit"}}},
+        {"value", "REAL NOT NULL", "", "in the unit of recorded_units, if it has one there"}}},
+      {"recorded_units",
+       "units of what controllers record, as they declare them",
+       {{"program", "TEXT NOT NULL", "", "the controller, as in agents"},
+        {"name", "TEXT NOT NULL", "", "as in recorded"},
+        {"unit", "TEXT NOT NULL", "", "'m', or '1': a count or a share"}},
+       "program, name"},
   };
 }
 
@@ -421,7 +450,12 @@ std::vector<Table> use_tables() {
         {"off_ns", "INTEGER NOT NULL", "ns", "its radio was off"},
         {"retries", "INTEGER", "", "frames that it sent again; null with record: {frames: none}"},
         {"energy_j", "REAL", "J",
-         "drawn from its battery by computer, radio and motors; null: it has no battery"}}},
+         "drawn from its battery by computer, radio and motors, with the heat in the battery: "
+         "never "
+         "more than it held; null: it has no battery"},
+        {"load_j", "REAL", "J",
+         "asked for by computer, radio and motors, also of a battery that was empty; null: it has "
+         "no battery"}}},
   };
 }
 
@@ -494,10 +528,11 @@ const std::vector<Table>& tables() {
   static const std::vector<Table> all = [] {
     std::vector<Table> sum;
     for (const auto& part :
-         {setup_tables(), count_tables(), air_tables(), link_verdict_tables(), verdict_sum_tables(),
-          message_tables(), routing_tables(), counted_message_tables(), message_sum_tables(),
-          delivery_sum_tables(), ledger_tables(), observable_tables(), body_tables(), use_tables(),
-          program_tables(), look_tables(), trace_tables(), frame_tables()}) {
+         {setup_tables(),           possible_tables(),    count_tables(),        air_tables(),
+          link_verdict_tables(),    verdict_sum_tables(), message_tables(),      routing_tables(),
+          counted_message_tables(), message_sum_tables(), delivery_sum_tables(), ledger_tables(),
+          observable_tables(),      body_tables(),        controller_tables(),   use_tables(),
+          program_tables(),         look_tables(),        trace_tables(),        frame_tables()}) {
       sum.insert(sum.end(), part.begin(), part.end());
     }
     return sum;

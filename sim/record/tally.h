@@ -1,13 +1,14 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
-#include <vector>
 
 namespace sim::record {
 
-/// What is added up, or remembered, of each agent from what happens in a run.
+/// What is added up, or remembered, of each agent from what happens in a run. A new one goes in
+/// before kCount, with its row in tally.cpp.
 enum class Tally : std::uint8_t {
   kFramesSent,
   kRetries,
@@ -24,8 +25,9 @@ enum class Tally : std::uint8_t {
   kDiscoveriesFailed,
   kDiscoveryTime,
   kRouteChanges,
+  kCount,
 };
-inline constexpr std::size_t kTallies = 15;
+inline constexpr std::size_t kTallies = static_cast<std::size_t>(Tally::kCount);
 
 struct TallyKind {
   Tally tally;
@@ -36,6 +38,6 @@ struct TallyKind {
 };
 
 /// In the order of the enumeration.
-const std::vector<TallyKind>& tally_kinds();
+const std::array<TallyKind, kTallies>& tally_kinds();
 
 }  // namespace sim::record

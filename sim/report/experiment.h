@@ -74,6 +74,11 @@ struct Experiment {
   /// The factor as the label of an axis: "speed / m/s".
   std::string axis_label(std::size_t factor) const;
 
+  /// Once all runs are there: of words that no run knows of before they come up (topics, states of
+  /// controllers that declare none), a run has the count 0 if another one of the same controllers
+  /// has a number.
+  void complete_open_counts();
+
   void add_scalars(std::size_t run, const std::vector<record::Scalar>& scalars);
   void add_series(std::size_t run, const std::vector<record::Series>& series);
   void add_bins(std::size_t run, const std::vector<record::Bins>& all);

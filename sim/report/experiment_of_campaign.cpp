@@ -19,7 +19,7 @@ std::map<int, std::size_t> read_points(CampaignReader& reader, Experiment& exper
     if (experiment.points.empty()) experiment.scenario = row.scenario;
     Experiment::Point& point = experiment.points.emplace_back();
     for (const campaign::Level& level : row.levels) {
-      point.levels.push_back({level.text, level.number});
+      point.levels.push_back({level.text.empty() ? "-" : level.text, level.number});
     }
   }
   return places;
@@ -95,6 +95,7 @@ Experiment experiment_of_campaign(const std::filesystem::path& folder) {
   const auto points = read_points(reader, experiment);
   const Places runs = read_runs(reader, experiment, points);
   read_values(reader, experiment, runs, read_quantities(reader, experiment));
+  experiment.complete_open_counts();
   return experiment;
 }
 

@@ -156,6 +156,7 @@ Experiment experiment_of(const std::vector<std::filesystem::path>& folders) {
     read_measurements(experiment, experiment.runs.size() - 1, reader);
   }
   if (points.size() > 1) add_factors(experiment, points);
+  experiment.complete_open_counts();
   return experiment;
 }
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <numeric>
 #include <set>
 #include <utility>
 
@@ -86,19 +87,22 @@ std::vector<std::string> cells_of(const Plot::Mark& mark, const Plot& plot, Digi
 
 std::string quantities_text(const Experiment& experiment) {
   TextTable table({"quantity", "unit", "runs", "mean", "95 % low", "high", "sd", "median"});
+  std::vector<std::size_t> all_runs(experiment.runs.size());
+  std::iota(all_runs.begin(), all_runs.end(), std::size_t{0});
   for (const auto& [quantity, by_run] : experiment.values) {
     if (!quantity.agent.empty()) continue;
-    std::vector<double> values;
-    for (const auto& [run, value] : by_run) values.push_back(value);
-    const auto of = statistics::moments(values);
-    const auto interval = statistics::mean_interval(values);
+    const Sample sample = sample_of(all_runs, *select(experiment, quantity.name, ""));
+    const auto of = statistics::moments(sample.values);
+    const auto interval = statistics::mean_interval(sample.values, sample.support);
     table.add_row({quantity.name, experiment.units.at(quantity.name), std::to_string(of->count),
                    significant(of->mean), interval ? significant(interval->low) : "-",
                    interval ? significant(interval->high) : "-",
                    of->count > 1 ? significant(of->sd) : "-",
-                   significant(*statistics::quantile(values, 0.5))});
+                   significant(*statistics::quantile(sample.values, 0.5))});
   }
-  return "Quantities of a run: mean over the runs, its 95 % interval by Student's t\n" +
+  return "Quantities of a run: mean over the runs that have it, its 95 % interval by Student's t, "
+         "of "
+         "shares, counts and\nwhat is never negative by the score (docs/statistics.md)\n" +
          table.text();
 }
 
@@ -125,13 +129,15 @@ std::string plot_text(const Plot& plot) {
   const auto rows = plot_rows(plot);
   TextTable table;
   for (std::size_t i = 0; i < std::min(rows.size(), kMostRows + 1); ++i) table.add_row(rows[i]);
-  std::string text = fmt::format(
-      "{}: {}\n{}", plot.title,
-      plot.kind == PlotKind::kHistogram
-          ? plot.x_label
-          : plot.y_label + ", mean over runs and its 95 % interval" +
-                (plot.interval == IntervalKind::kBootstrap ? " (BCa bootstrap)" : " (Student's t)"),
-      table.text());
+  std::string text =
+      fmt::format("{}: {}\n{}", plot.title,
+                  plot.kind == PlotKind::kHistogram
+                      ? plot.x_label
+                      : plot.y_label + ", mean over runs and its 95 % interval" +
+                            (plot.interval == IntervalKind::kBootstrap
+                                 ? std::string(" (BCa bootstrap)")
+                                 : fmt::format(" ({})", name_of_interval(plot.support))),
+                  table.text());
   if (rows.size() > kMostRows + 1) {
     text += fmt::format("… {} more rows: baraka report DIR --figure {} -o FILE.csv\n",
                         rows.size() - kMostRows - 1, plot.name);
@@ -152,7 +158,7 @@ std::string pairs_text(const Experiment& experiment, const PlotRequest& request)
       first.push_back(a);
       second.push_back(b);
     }
-    const auto pairs = statistics::compare_pairs(first, second);
+    const auto pairs = statistics::compare_pairs(first, second, of->support);
     if (!pairs) continue;
     is_empty = false;
     table.add_row({experiment.label(point), std::to_string(pairs->difference.count),

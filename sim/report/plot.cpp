@@ -156,10 +156,42 @@ std::string axis_label(const std::string& name, const std::string& unit) {
   return unit.empty() || unit == "1" ? name : fmt::format("{} / {}", name, unit);
 }
 
-std::optional<Selected> select(const Experiment& experiment, const std::string& name,
-                               const std::string& agent) {
+statistics::Support::Kind support_of(const std::string& name) {
+  using Kind = statistics::Support::Kind;
+  switch (record::range_of(name)) {
+    case record::Range::kNotNegative:
+      return Kind::kNotNegative;
+    case record::Range::kCount:
+      return Kind::kCount;
+    case record::Range::kShare:
+      return Kind::kShare;
+    case record::Range::kAny:
+      break;
+  }
+  return Kind::kReal;
+}
+
+std::string_view name_of_interval(statistics::Support::Kind support) {
+  return support == statistics::Support::Kind::kReal ? "Student's t" : "score by Student's t";
+}
+
+Sample sample_of(const std::vector<std::size_t>& runs, const Selected& of) {
+  Sample sample{{}, {of.support, {}}};
+  for (const std::size_t run : runs) {
+    const auto value = of.values.find(run);
+    if (value == of.values.end()) continue;
+    sample.values.push_back(value->second);
+    const auto trials = of.trials.find(run);
+    if (trials == of.trials.end()) continue;
+    sample.support.trials = sample.support.trials.value_or(0) + trials->second;
+  }
+  return sample;
+}
+
+static std::optional<Selected> values_of(const Experiment& experiment, const std::string& name,
+                                         const std::string& agent) {
   const auto own = experiment.values.find({name, agent});
-  if (own != experiment.values.end()) return Selected{own->second, agent};
+  if (own != experiment.values.end()) return Selected{.values = own->second, .whose = agent};
   if (!agent.empty()) return std::nullopt;
   std::map<std::size_t, std::pair<double, std::size_t>> sums;
   std::size_t agents = 0;
@@ -171,11 +203,23 @@ std::optional<Selected> select(const Experiment& experiment, const std::string& 
     }
   }
   if (agents == 0) return std::nullopt;
-  Selected selected{{}, fmt::format("mean of {} agents", agents)};
+  Selected selected{.values = {}, .whose = fmt::format("mean of {} agents", agents)};
   if (agents == 1) selected.whose = experiment.values.lower_bound({name, ""})->first.agent;
   for (const auto& [run, sum] : sums) {
     selected.values[run] = sum.first / static_cast<double>(sum.second);
   }
+  return selected;
+}
+
+std::optional<Selected> select(const Experiment& experiment, const std::string& name,
+                               const std::string& agent) {
+  std::optional<Selected> selected = values_of(experiment, name, agent);
+  if (!selected) return selected;
+  selected->support = support_of(name);
+  const record::ScalarKind* const kind = record::scalar_kind_of(name);
+  if (kind == nullptr || kind->trials.empty()) return selected;
+  const auto trials = experiment.values.find({std::string(kind->trials), agent});
+  if (trials != experiment.values.end()) selected->trials = trials->second;
   return selected;
 }
 
@@ -184,6 +228,7 @@ Plot make_plot(const Experiment& experiment, const PlotRequest& request) {
   Plot plot;
   plot.kind = kind_of(experiment, request);
   plot.interval = request.interval;
+  plot.support = support_of(request.plot);
   plot.name = request.agent.empty() ? request.plot : request.plot + "." + request.agent;
   const auto of = select(experiment, request.plot, request.agent);
   const std::string whose = of ? of->whose : request.agent;

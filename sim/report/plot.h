@@ -36,6 +36,8 @@ struct Plot {
   std::string curves_are;               ///< What the curves differ in; empty: there is one.
   std::vector<Curve> curves;            ///< Not empty.
   std::vector<std::string> notes;       ///< What the reader must know: too few runs …
+  /// What the quantity can be, for its intervals: see statistics::mean_interval().
+  statistics::Support::Kind support = statistics::Support::Kind::kReal;
 };
 
 /// @throws std::runtime_error  the experiment has no such quantity, agent or setting, with what it
@@ -50,7 +52,22 @@ std::vector<PlotRequest> requests_of(const Experiment& experiment);
 struct Selected {
   std::map<std::size_t, double> values;  ///< By run.
   std::string whose;                     ///< "", "m17", "mean of 25 agents".
+  statistics::Support::Kind support = statistics::Support::Kind::kReal;
+  std::map<std::size_t, double> trials{};  ///< By run, of a share of trials; empty: it is none.
 };
+
+/// The values of some runs and what is known of them.
+struct Sample {
+  std::vector<double> values;
+  statistics::Support support;
+};
+Sample sample_of(const std::vector<std::size_t>& runs, const Selected& of);
+
+/// What a quantity of that name can be.
+statistics::Support::Kind support_of(const std::string& name);
+
+/// "Student's t", "the score, by Student's t": how the intervals of means are made.
+std::string_view name_of_interval(statistics::Support::Kind support);
 /// None: the experiment has no such quantity, or not of that agent.
 std::optional<Selected> select(const Experiment& experiment, const std::string& name,
                                const std::string& agent);

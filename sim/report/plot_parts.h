@@ -30,7 +30,7 @@ statistics::Resamples resamples_of(std::size_t count);
 
 /// Mean, spread and interval of the values of one setting's runs.
 /// @return  with count 0 for no values.
-Plot::Mark mark_of(const std::vector<double>& values, IntervalKind interval);
+Plot::Mark mark_of(const Sample& sample, IntervalKind interval);
 
 /// "delay / s"; "delay" without a unit.
 std::string axis_label(const std::string& name, const std::string& unit);

@@ -11,16 +11,6 @@ namespace {
 /// More curves than this are no lines that an eye can follow: one cloud of marks then.
 constexpr std::size_t kMostCurves = 12;
 
-std::vector<double> values_at(const Experiment::Point& point, const Selected& of) {
-  std::vector<double> values;
-  for (const std::size_t run : point.runs) {
-    if (const auto found = of.values.find(run); found != of.values.end()) {
-      values.push_back(found->second);
-    }
-  }
-  return values;
-}
-
 /// Texts in order of first appearance, and where each is.
 struct Categories {
   std::vector<std::string> texts;
@@ -92,14 +82,15 @@ std::string short_keys(const Experiment& experiment, const std::vector<std::size
 
 }  // namespace
 
-Plot::Mark mark_of(const std::vector<double>& values, IntervalKind interval) {
+Plot::Mark mark_of(const Sample& sample, IntervalKind interval) {
   Plot::Mark mark;
+  const std::vector<double>& values = sample.values;
   const auto moments = statistics::moments(values);
   if (!moments) return mark;
   mark.y = moments->mean;
   mark.sd = moments->sd;
   mark.count = moments->count;
-  mark.interval = statistics::mean_interval(values);
+  mark.interval = statistics::mean_interval(values, sample.support);
   if (interval == IntervalKind::kBootstrap && mark.count > 1) {
     const statistics::Resamples resamples = resamples_of(mark.count);
     const auto sorted = statistics::bootstrap(values, resamples, statistics::mean_of);
@@ -117,17 +108,19 @@ void add_points(Plot& plot, const Experiment& experiment, const Selected& of,
                 const std::optional<std::size_t>& versus, const std::optional<std::size_t>& by) {
   if (!versus) {
     plot.categories = {"all runs"};
-    plot.curves = {{"", {mark_of(values_at(experiment.points.at(0), of), plot.interval)}}};
+    plot.curves = {{"", {mark_of(sample_of(experiment.points.at(0).runs, of), plot.interval)}}};
     return;
   }
-  plot.x_label = experiment.axis_label(*versus);
   const std::vector<std::size_t> curve_factors = others(experiment, *versus, by);
   plot.curves_are = short_keys(experiment, curve_factors);
   const bool has_numbers = is_numeric(experiment, *versus);
+  // Texts have their units themselves.
+  plot.x_label =
+      has_numbers ? experiment.axis_label(*versus) : short_key(experiment.factors[*versus].key);
   Categories categories;
   std::vector<std::pair<std::vector<Experiment::Level>, Plot::Curve>> curves;
   for (const Experiment::Point& point : experiment.points) {
-    Plot::Mark mark = mark_of(values_at(point, of), plot.interval);
+    Plot::Mark mark = mark_of(sample_of(point.runs, of), plot.interval);
     const Experiment::Level& level = point.levels[*versus];
     mark.x = has_numbers ? *level.number : categories.place(level.text);
     mark.x_text = level.text;

@@ -87,13 +87,13 @@ double mean_at(const std::vector<Course>& agents, double time) {
 }
 
 Plot::Curve curve_of(const std::string& label, const std::vector<double>& times,
-                     const std::vector<const std::vector<Course>*>& runs, IntervalKind interval) {
+                     const std::vector<const std::vector<Course>*>& runs, const Plot& plot) {
   Plot::Curve curve{label, {}};
   for (const double time : times) {
-    std::vector<double> values;
-    values.reserve(runs.size());
-    for (const std::vector<Course>* agents : runs) values.push_back(mean_at(*agents, time));
-    Plot::Mark& mark = curve.marks.emplace_back(mark_of(values, interval));
+    Sample sample{{}, {plot.support, {}}};
+    sample.values.reserve(runs.size());
+    for (const std::vector<Course>* agents : runs) sample.values.push_back(mean_at(*agents, time));
+    Plot::Mark& mark = curve.marks.emplace_back(mark_of(sample, plot.interval));
     mark.x = time;
   }
   return curve;
@@ -159,8 +159,8 @@ void add_time(Plot& plot, const Experiment& experiment, const PlotRequest& reque
       for (const Course& course : found->second) all.push_back(&course);
     }
     if (runs.empty()) continue;
-    plot.curves.push_back(curve_of(
-        experiment.label(i), common_times(all, end_of(experiment, places)), runs, plot.interval));
+    plot.curves.push_back(
+        curve_of(experiment.label(i), common_times(all, end_of(experiment, places)), runs, plot));
     note_warm_up(plot, plot.curves.back());
   }
 }

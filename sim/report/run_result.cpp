@@ -166,8 +166,10 @@ void read_discoveries(RunReader& reader, RunResult& run) {
 }
 
 void read_routing_events(RunReader& reader, RunResult& run) {
-  Statement query =
-      reader.query("SELECT event, SUM(count) FROM routing_events GROUP BY event ORDER BY event");
+  Statement query = reader.query(
+      "SELECT event, SUM(n) FROM (SELECT event, count AS n FROM routing_events"
+      " UNION ALL SELECT word, 0 FROM countable WHERE family = 'routing.events')"
+      " GROUP BY event ORDER BY event");
   while (query.next()) {
     run.routing_events[query.text(0)] = static_cast<std::uint64_t>(query.integer(1));
   }

@@ -48,12 +48,24 @@ std::optional<double> correlation_of(std::span<const double> first,
   return products / std::sqrt(squares_1 * squares_2);
 }
 
+std::optional<Interval> interval_of(const std::vector<double>& differences, Support::Kind support,
+                                    double level) {
+  if (support != Support::Kind::kShare) return mean_interval(differences, level);
+  std::vector<double> shares;  // -1 .. 1 as 0 .. 1
+  shares.reserve(differences.size());
+  for (const double difference : differences) shares.push_back((1 + difference) / 2);
+  const auto interval = mean_interval(shares, {support, {}}, level);
+  if (!interval) return std::nullopt;
+  return Interval{2 * interval->low - 1, 2 * interval->high - 1};
+}
+
 }  // namespace
 
 std::optional<PairedComparison> compare_pairs(std::span<const double> first,
-                                              std::span<const double> second, double level) {
+                                              std::span<const double> second, Support::Kind support,
+                                              double level) {
   const std::vector<double> differences = differences_of(first, second);
-  const auto interval = mean_interval(differences, level);
+  const auto interval = interval_of(differences, support, level);
   if (!interval) return std::nullopt;
   PairedComparison comparison;
   comparison.difference = *moments(differences);

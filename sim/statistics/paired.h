@@ -12,7 +12,7 @@ namespace sim::statistics {
 /// from the differences of its runs to their partners. What both have in common cancels out.
 struct PairedComparison {
   Moments difference;       ///< Second minus first.
-  Interval interval;        ///< Of the mean difference, by Student's t.
+  Interval interval;        ///< Of the mean difference.
   std::optional<double> t;  ///< Of the paired t test; none if all differences are equal.
   std::optional<double> p;  ///< Two-sided: of a |t| as large or larger if nothing was changed.
   /// Between partners; the nearer to 1, the more the common random numbers gained. None if one
@@ -20,9 +20,13 @@ struct PairedComparison {
   std::optional<double> correlation;
 };
 
-/// None for fewer than two pairs. @pre both are equally long, partners at equal places.
+/// The interval is Student's; of shares it is that of a share of the differences, which are -1 ..
+/// 1, and so stays within that. None for fewer than two pairs. @pre both are equally long, partners
+/// at equal places.
+/// @param support  of the values.
 std::optional<PairedComparison> compare_pairs(std::span<const double> first,
                                               std::span<const double> second,
+                                              Support::Kind support = Support::Kind::kReal,
                                               double level = kLevel);
 
 /// The bootstrap interval (BCa; percentile where that has none) of the mean difference. None for

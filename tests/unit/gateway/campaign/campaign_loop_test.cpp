@@ -32,8 +32,8 @@ class EngineOfResults final : public Engine {
               "INSERT INTO agents VALUES (1, 'm0', 'mote', 'p', 0, 0, 0), (2, '" +
               twin +
               "', 'mote', 'p', 1, 0, 0);"
-              "INSERT INTO agent_use VALUES (1, 1, 2, 7, 0, 5, NULL),"
-              " (2, 0, 5, 5, 0, 2, NULL);");
+              "INSERT INTO agent_use VALUES (1, 1, 2, 7, 0, 5, NULL, NULL),"
+              " (2, 0, 5, 5, 0, 2, NULL, NULL);");
       ends_.push_back({.run = task.run,
                        .cause = "exited with status 0",
                        .host = "here",

@@ -87,6 +87,23 @@ TEST(CampaignFile, AListNamesItsPointsOneByOne) {
   EXPECT_EQ(table.points[1].levels[0].number, 2.0);
 }
 
+TEST(CampaignFile, APointThatLeavesAKeyAtItsDefaultShowsThat) {
+  const CampaignFile campaign =
+      read("points:\n  - {a.b: 1 m}\n  - {c.d: x}\n  - {a.b: 2 m, c.d: y, e.f: 1}\n");
+  FactorTable table = factor_table(campaign.keys, campaign.points);
+  const PointRow before = table.points[1];
+  set_defaults(table, {{"", "z", "0"}, {"50 cm", "", ""}, {}});
+  EXPECT_EQ(table.points[0].label, "b=1 m, d=z, f=0");
+  EXPECT_EQ(table.points[1].label, "b=50 cm, d=x") << "it has no e.f";
+  EXPECT_EQ(table.points[1].levels[0], (Level{"50 cm", 0.5, true}));
+  EXPECT_EQ(table.points[1].levels[2], (Level{"", std::nullopt, true}));
+  EXPECT_EQ(table.points[2].levels[0], (Level{"2 m", 2.0, false}));
+  EXPECT_EQ(table.factors[0].unit, "m");
+  // Seeds are named after what the file sets, whatever the default is.
+  EXPECT_EQ(seed_of(Seeds::kIndependent, 7, table.points[1], 3),
+            seed_of(Seeds::kIndependent, 7, before, 3));
+}
+
 TEST(CampaignFile, MistakesStandWhereTheyAreMade) {
   EXPECT_THAT(mistakes("vary: {a.b: 3}\n"),
               ElementsAre(testing::StartsWith("3:13: vary.a.b: must be a list of values")));

@@ -16,6 +16,11 @@ constexpr const char* kRun =
     "INSERT INTO run VALUES ('simulated_s', 10.0), ('ended_ns', 10000000000), ('events', 42),"
     " ('refused_actions', 1), ('wall_s', 3.0);"
     "INSERT INTO agents VALUES (1, 'm0', 'mote', 'p', 0, 0, 0), (2, 'r0', 'robot', 'p', 1, 0, 0);"
+    "INSERT INTO countable VALUES ('messages.ends', '', 'delivered'),"
+    " ('messages.ends', '', 'no route'), ('messages.ends', '', 'retry limit'),"
+    " ('frames', '', 'ack'), ('requests', '', 'retry limit'), ('receptions', '', 'collision'),"
+    " ('routing.events', '', 'hello sent'), ('states', 'p', 'GOES HOME'), ('states', 'p', 'STUCK'),"
+    " ('states', 'q', 'OF OTHERS'), ('controllers', 'p', 'need'), ('controllers', 'p', 'way');"
     "INSERT INTO messages VALUES"
     " (1, 1, 2, 'Help call', 100, 0, NULL, NULL, 'delivered'),"
     " (1, 2, 2, 'Help call', 50, 0, NULL, NULL, 'delivered'),"
@@ -25,7 +30,8 @@ constexpr const char* kRun =
     " (1, 4, 2, 7, 9000000000, 1);"
     "INSERT INTO discoveries VALUES (1, 'a', 2, 9, 500000000, 1), (1, 'a', 2, 9, 900000000, 0);"
     "INSERT INTO bodies VALUES (1, 0, NULL, 0, 0, 0, 0, 0, 0), (2, 7.5, 0.25, 0, 1, 0, 0, 3, 4);"
-    "INSERT INTO agent_use VALUES (1, 100, 200, 700, 0, 5, NULL), (2, 0, 500, 500, 0, 2, 12.5);"
+    "INSERT INTO agent_use VALUES (1, 100, 200, 700, 0, 5, NULL, NULL),"
+    " (2, 0, 500, 500, 0, 2, 12.5, 13.5);"
     "INSERT INTO states VALUES (2, 1000000000, 'GOES HOME'), (2, 4000000000, 'RESTS'),"
     " (2, 9000000000, 'GOES HOME');"
     "INSERT INTO recorded VALUES (2, 1000000000, 'need', 0.5), (2, 2000000000, 'need', 0.75),"
@@ -94,6 +100,15 @@ struct ScalarsOfTwins : Scalars {
   ScalarsOfTwins() : Scalars(kTwins) {}
 };
 
+/// An observable of something that never happened.
+struct ScalarsOfNothingObserved : Scalars {
+  ScalarsOfNothingObserved()
+      : Scalars(
+            "INSERT INTO agents VALUES (1, 'm0', 'mote', 'p', 0, 0, 0);"
+            "INSERT INTO observables VALUES (1, 'messages.delay', 1, 's', 'counter', NULL, 0);"
+            "INSERT INTO observable_sums VALUES (1, 0, NULL, NULL, NULL, NULL, 0, NULL, NULL);") {}
+};
+
 struct ScalarsOfNothing : Scalars {
   ScalarsOfNothing() : Scalars("SELECT 1;") {}
 };
@@ -109,9 +124,34 @@ TEST_F(Scalars, CountMessagesToOneAgent) {
   EXPECT_EQ(value("messages.transmissions.mean"), 2);
 }
 
+TEST_F(Scalars, CountWhatCouldHaveBeenAndWasNotAsZero) {
+  EXPECT_EQ(value("messages.ends.delivered"), 2);
+  EXPECT_EQ(value("messages.ends.retry_limit"), 0);
+  EXPECT_EQ(value("messages.ends.expired"), std::nullopt) << "not with these messages";
+  EXPECT_EQ(value("requests.retry_limit"), 0);
+  EXPECT_EQ(value("receptions.collision"), 0);
+  EXPECT_EQ(value("frames.ack"), 0);
+  EXPECT_EQ(value("frames.sent"), 0);
+  EXPECT_EQ(value("routing.events.hello_sent"), 0);
+}
+
+TEST_F(Scalars, CountOfEachAgentWhatItsControllerDeclaresAsZero) {
+  EXPECT_EQ(value("states.stuck.entries", "r0"), 0);
+  EXPECT_EQ(value("states.stuck.time", "m0"), 0);
+  EXPECT_EQ(value("states.stuck.first", "r0"), std::nullopt) << "it never was";
+  EXPECT_EQ(value("states.goes_home.entries", "m0"), 0);
+  EXPECT_EQ(value("states.rests.entries", "m0"), std::nullopt) << "r0 names it, nobody declares it";
+  EXPECT_EQ(value("states.of_others.entries", "r0"), std::nullopt) << "of another program";
+  EXPECT_EQ(value("controllers.way.count", "r0"), 0);
+  EXPECT_EQ(value("controllers.way.mean", "r0"), std::nullopt);
+  EXPECT_EQ(value("controllers.need.count", "m0"), 0);
+  EXPECT_EQ(value("controllers.need.count", "r0"), 2);
+}
+
 TEST_F(Scalars, CountBroadcasts) {
   EXPECT_EQ(value("broadcasts.sent"), 1);
   EXPECT_EQ(value("broadcasts.deliveries"), 1);
+  EXPECT_EQ(value("broadcasts.addressees"), 1);
   EXPECT_EQ(value("broadcasts.reach"), 1);
 }
 
@@ -139,6 +179,7 @@ TEST_F(Scalars, SayWhatAgentsUsed) {
   EXPECT_EQ(value("frames.retries"), 7);
   EXPECT_EQ(value("use.energy", "m0"), std::nullopt);
   EXPECT_EQ(value("energy.sum"), 12.5);
+  EXPECT_EQ(value("load.sum"), 13.5);
 }
 
 TEST_F(Scalars, SayHowLongAStateLasted) {
@@ -218,8 +259,16 @@ TEST_F(ScalarsOfTwins, HaveSeriesOfTheirNames) {
   EXPECT_EQ(value("controllers.x_y_3.mean", "m0"), series[3].points[0].second);
 }
 
+TEST_F(ScalarsOfNothingObserved, CountNone) {
+  EXPECT_EQ(value("messages.delay.count", "m0"), 0);
+  EXPECT_EQ(value("messages.delay.mean", "m0"), std::nullopt);
+}
+
 TEST_F(ScalarsOfNothing, LeaveOutWhatThereIsNot) {
-  EXPECT_EQ(value("messages.sent"), 0);
+  EXPECT_EQ(value("messages.sent"), std::nullopt) << "messages were not counted, nor frames";
+  EXPECT_EQ(value("broadcasts.sent"), std::nullopt);
+  EXPECT_EQ(value("frames.sent"), std::nullopt);
+  EXPECT_EQ(value("receptions.collision"), std::nullopt);
   EXPECT_EQ(value("messages.delivery_ratio"), std::nullopt);
   EXPECT_EQ(value("messages.delay.median"), std::nullopt);
   EXPECT_EQ(value("broadcasts.reach"), std::nullopt);

@@ -129,6 +129,61 @@ TEST_F(ExperimentTest, BrokenRunsAreNamedAndLeftOut) {
   EXPECT_TRUE(experiment.left_out[0].ends_with("b: failed")) << experiment.left_out[0];
 }
 
+/// In a run with a topic of its own, messages were sent.
+std::string with_topic(const std::string& sql, const std::string& topic) {
+  std::string all = sql + "INSERT INTO countable VALUES ('messages.ends', '', 'delivered');";
+  if (!topic.empty()) {
+    all += fmt::format(
+        "INSERT INTO messages VALUES (1, 1, 2, '{}', 1, 0, NULL, NULL, 'delivered');", topic);
+  }
+  return all;
+}
+
+// Nobody knows of a topic before it comes up: what one run has, another of the same controllers
+// could have had, and one of others not.
+TEST_F(ExperimentTest, ATopicThatOneRunHasIsZeroInOthersOfTheSameControllers) {
+  const std::string slow = ", ('agents.r.speed','0.3 m/s'), ('radio.loss','0')";
+  add("a", with_topic(experiment_sql(slow, 1, 10), "call"));
+  add("b", with_topic(experiment_sql(slow, 2, 10), ""));
+  add("c",
+      with_topic(experiment_sql(", ('agents.r.speed','0.3 m/s'), ('radio.loss','1')", 1, 10), ""));
+  add("d",
+      with_topic(experiment_sql(", ('agents.r.speed','0.5 m/s'), ('radio.loss','0')", 1, 10), ""));
+  add("e", experiment_sql(slow, 3, 10));  // without a record of messages
+  const Experiment experiment = read();
+  const auto& sent = experiment.values.at({"topics.call.sent", ""});
+  EXPECT_EQ(sent, (std::map<std::size_t, double>{{0, 1}, {1, 0}, {2, 0}}));
+}
+
+/// A run in which so many requests were given up.
+std::string with_given_up(const std::string& sql, int count) {
+  std::string all = sql + "INSERT INTO countable VALUES ('requests', '', 'retry limit');";
+  if (count > 0) {
+    all += fmt::format("INSERT INTO requests VALUES (1, 2, 'retry limit', {});", count);
+  }
+  return all;
+}
+
+// 0, 4, 0, 0 and 9, 9, 12, 10: means 1 and 10, differences 9, 5, 12, 10.
+TEST_F(ExperimentTest, AVerdictThatSomeRunsHaveIsAMeanOverAllOfThem) {
+  const int counts[2][4] = {{0, 4, 0, 0}, {9, 9, 12, 10}};
+  for (const int loss : {0, 1}) {
+    for (int seed = 1; seed <= 4; ++seed) {
+      add(fmt::format("{}{}", loss, seed),
+          with_given_up(experiment_sql(fmt::format(", ('radio.loss','{}')", loss), seed, 10),
+                        counts[loss][seed - 1]));
+    }
+  }
+  const Experiment experiment = read();
+  const Plot plot = make_plot(experiment, {.plot = "requests.retry_limit"});
+  const Plot::Mark& mark = plot.curves.at(0).marks.at(0);
+  EXPECT_EQ(mark.count, 4u);
+  EXPECT_EQ(mark.y, 1);
+  EXPECT_GT(mark.interval->low, 0);
+  const std::string pairs = pairs_text(experiment, {.plot = "requests.retry_limit"});
+  EXPECT_NE(pairs.find("loss 1       4           9"), std::string::npos) << pairs;
+}
+
 campaign::RunRow done(std::int64_t run, int point, int replication, std::uint64_t seed) {
   campaign::RunRow row;
   row.plan = {run, point, replication, seed};
@@ -143,7 +198,8 @@ TEST_F(ExperimentTest, ACampaignIsReadFromItsDatabase) {
     campaign::CampaignDatabase::Plan plan;
     plan.values = {{"report.0.plot", "x"}, {"report.0.versus", "speed"}};
     plan.factors = {{"agents.r.speed", "m/s"}};
-    plan.points = {{1, "speed=1 m/s", "", {{"1 m/s", 1}}}, {2, "speed=2 m/s", "", {{"2 m/s", 2}}}};
+    plan.points = {{1, "speed=1 m/s", "", {{"1 m/s", 1, true}}},
+                   {2, "speed=2 m/s", "", {{"2 m/s", 2}}}};
     plan.runs = {{1, 1, 1, 7}, {2, 2, 1, 7}, {3, 2, 2, 8}};
     database.add(plan);
     campaign::Measured measured;

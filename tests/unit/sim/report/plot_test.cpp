@@ -67,6 +67,55 @@ TEST(PlotTest, PointsAreMeansOverTheRunsOfOneSettingWithStudentsInterval) {
   EXPECT_TRUE(plot.notes.empty());
 }
 
+/// Five runs of which one lost a message, and one gave a request up.
+Experiment nearly_all() {
+  Experiment experiment;
+  experiment.points.resize(1);
+  for (std::size_t run = 0; run < 5; ++run) {
+    experiment.points[0].runs.push_back(run);
+    experiment.runs.push_back({"run", 0, run});
+    experiment.values[{"messages.delivery_ratio", ""}][run] = run == 2 ? 0.99 : 1;
+    experiment.values[{"messages.sent", ""}][run] = 100;
+    experiment.values[{"requests.retry_limit", ""}][run] = run == 2 ? 1 : 0;
+    experiment.values[{"controllers.gap.last", ""}][run] = run == 2 ? 1 : 0;
+  }
+  for (const auto& [quantity, by_run] : experiment.values) experiment.units[quantity.name] = "1";
+  return experiment;
+}
+
+TEST(PlotTest, IntervalsOfSharesAndCountsStayInTheirRange) {
+  const Experiment experiment = nearly_all();
+  const auto interval = [&](const char* name, IntervalKind kind) {
+    return *make_plot(experiment, {.plot = name, .as = PlotKind::kPoints, .interval = kind})
+                .curves[0]
+                .marks[0]
+                .interval;
+  };
+  for (const IntervalKind kind : {IntervalKind::kStudent, IntervalKind::kBootstrap}) {
+    EXPECT_LE(interval("messages.delivery_ratio", kind).high, 1);
+    EXPECT_GT(interval("messages.delivery_ratio", kind).low, 0.9);
+    EXPECT_GE(interval("requests.retry_limit", kind).low, 0);
+  }
+  EXPECT_LT(interval("controllers.gap.last", IntervalKind::kStudent).low, 0) << "may be anything";
+  const std::string text = quantities_text(experiment);
+  EXPECT_EQ(text.find("1.00"), std::string::npos) << text;
+  EXPECT_NE(
+      plot_text(make_plot(experiment, {.plot = "requests.retry_limit", .as = PlotKind::kPoints}))
+          .find("(score by Student's t)"),
+      std::string::npos);
+}
+
+// All of 500 messages arrived: Wilson's interval of 500 trials, not one without width.
+TEST(PlotTest, AShareOfOneKnowsOfHowManyTrials) {
+  Experiment experiment = nearly_all();
+  for (auto& [run, ratio] : experiment.values[{"messages.delivery_ratio", ""}]) ratio = 1;
+  const Plot plot =
+      make_plot(experiment, {.plot = "messages.delivery_ratio", .as = PlotKind::kPoints});
+  const double z2 = 3.841459;
+  EXPECT_NEAR(plot.curves[0].marks[0].interval->low, 500 / (500 + z2), 1e-7);
+  EXPECT_EQ(plot.curves[0].marks[0].interval->high, 1);
+}
+
 TEST(PlotTest, SettingsWithoutNumbersStandSideBySide) {
   const Plot plot = make_plot(two_by_two(), {.plot = "x", .versus = "profile"});
   EXPECT_EQ(plot.categories, (std::vector<std::string>{"a", "b"}));

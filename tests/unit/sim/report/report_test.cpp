@@ -198,6 +198,8 @@ TEST_F(ReportTest, ComparesEqualNumbersOfRunsAndNamesWhatIsFarOff) {
       << off;
   EXPECT_EQ(off.find("delay, median"), std::string::npos);
   EXPECT_NE(printed.find("docs/case_study_tail.md"), std::string::npos);
+  EXPECT_NE(printed.find("without any loss, a jitter of 1 ms"), std::string::npos)
+      << "losses are not all that makes seconds";
 }
 
 TEST_F(ReportTest, AScenarioThatComparesItselfWithNothingShowsNoneOfThePapersWords) {

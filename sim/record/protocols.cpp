@@ -1,0 +1,12 @@
+#include "sim/record/protocols.h"
+
+namespace sim::record {
+
+Protocols::Protocols(const agents::SimulationConfig& config) : config_(config.routing) {
+  for (const agents::AgentConfig& agent : config.agents) {
+    if (agent.id.value >= kinds_.size()) kinds_.resize(agent.id.value + 1u);
+    kinds_[agent.id.value] = &agent.routing.value_or(config.routing.algorithm).kind();
+  }
+}
+
+}  // namespace sim::record
