@@ -112,4 +112,10 @@ void TaskWeights::record_outcomes(hal::RealWorldObject& self) const {
   }
 }
 
+void TaskWeights::record_outcome(hal::RealWorldObject& self, std::size_t task,
+                                 bool succeeded) const {
+  self.record((succeeded ? "succeeded_" : "failed_") + tasks_[task],
+              (succeeded ? successes_ : failures_)[task]);
+}
+
 }  // namespace controllers

@@ -50,6 +50,9 @@ class TaskWeights {
   void record(hal::RealWorldObject& self) const;
   /// Records how often each task was a success and a failure: "succeeded_<task>", "failed_<task>".
   void record_outcomes(hal::RealWorldObject& self) const;
+  /// Records that of a task that just came to be one or the other: the rows of a run are then the
+  /// history of its tasks, those that moved no weight included.
+  void record_outcome(hal::RealWorldObject& self, std::size_t task, bool succeeded) const;
 
  private:
   double power(std::size_t task) const;

@@ -135,7 +135,9 @@ void LabourMote::settle() {
   } else {
     mote_.state("IDLE");
   }
-  if (weights_.learn(*current_, succeeded)) weights_.record(mote_);
+  const bool moved = weights_.learn(*current_, succeeded);
+  weights_.record_outcome(mote_, *current_, succeeded);
+  if (moved) weights_.record(mote_);
   current_.reset();
   rest();
 }

@@ -27,9 +27,9 @@ namespace controllers {
 /// while it needs help. The mote that is the sink receives the samples of all (SampleSink),
 /// whatever else it does.
 ///
-/// It records "p_<task>" at the start and whenever one of them moves; "needs", so many so far, when
-/// it comes to need help; at the end "succeeded_<task>" and "failed_<task>", and, of the sink,
-/// "samples_<task>".
+/// It records "p_<task>" at the start and whenever one of them moves; "succeeded_<task>" and
+/// "failed_<task>", so many so far, whenever there is one more, and all of them at the end;
+/// "needs", so many so far, when it comes to need help; of the sink, at the end, "samples_<task>".
 class LabourMote : public hal::Controller {
  public:
   LabourMote(hal::Mote& mote, const hal::Parameters& parameters);

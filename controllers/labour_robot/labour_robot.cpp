@@ -141,8 +141,14 @@ void LabourRobot::settle() {
   if (!current_ || !is_over()) return;
   const bool is_outcome =
       kinds_[*current_] != Task::kAnswer || refusal_fails_ || !trip_.was_refused();
-  if (is_outcome && weights_.learn(*current_, succeeded())) weights_.record(robot_);
+  if (is_outcome) learn(*current_, succeeded());
   current_.reset();
+}
+
+void LabourRobot::learn(std::size_t task, bool succeeded) {
+  const bool moved = weights_.learn(task, succeeded);
+  weights_.record_outcome(robot_, task, succeeded);
+  if (moved) weights_.record(robot_);
 }
 
 std::vector<hal::ParameterSpec> LabourRobot::parameters() {

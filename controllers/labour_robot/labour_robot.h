@@ -30,8 +30,9 @@ namespace controllers {
 /// it breaks off what it did, which then was neither a success nor a failure, else it goes on. So
 /// the robots that are not needed for a call are refused and come to leave calls to others.
 ///
-/// It records "p_<task>" at the start and whenever one of them moves; at the end "succeeded_<task>"
-/// and "failed_<task>". States: those of HelpTrip, PATROL, GATEWAY.
+/// It records "p_<task>" at the start and whenever one of them moves; "succeeded_<task>" and
+/// "failed_<task>", so many so far, whenever there is one more, and all of them at the end. States:
+/// those of HelpTrip, PATROL, GATEWAY.
 class LabourRobot : public hal::Controller {
  public:
   LabourRobot(hal::Robot& robot, const hal::Parameters& parameters);
@@ -54,6 +55,7 @@ class LabourRobot : public hal::Controller {
   bool is_over() const;
   bool succeeded() const;
   void settle();
+  void learn(std::size_t task, bool succeeded);
 
   hal::Robot& robot_;
   const std::string sink_name_;

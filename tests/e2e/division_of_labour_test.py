@@ -70,10 +70,10 @@ class Labour(Hours):
         return checked
 
     def outcomes(self):
-        """{task: (successes, failures)} of all agents."""
+        """{task: (successes, failures)} of all agents: each records its count when there is one more, and at the end."""
         counts = collections.defaultdict(lambda: [0, 0])
-        for name, value in self.query("SELECT name, sum(value) FROM recorded WHERE name LIKE 'succeeded%' OR name LIKE "
-                                      "'failed%' GROUP BY name"):
+        for name, value in self.query("SELECT name, sum(total) FROM (SELECT name, max(value) AS total FROM recorded WHERE "
+                                      "name LIKE 'succeeded%' OR name LIKE 'failed%' GROUP BY name, agent) GROUP BY name"):
             kind, task = name.split("_", 1)
             counts[task][kind == "failed"] += int(value)
         return dict(counts)

@@ -149,6 +149,22 @@ TEST_F(LabourMote, TakesAReceiptInTimeForASuccessAndNoneForAFailure) {
   EXPECT_NEAR(recorded_["p_temperature"], 0.5, 1e-15);
 }
 
+TEST_F(LabourMote, RecordsWhatCameOfEachTaskWhenItDoesEvenIfNoWeightMoves) {
+  Parameters at_the_most = one_task("temperature");
+  at_the_most.push_back(value("weights.initial", "1"));
+  make(at_the_most);
+  for (const int burst : {1, 2}) {
+    run_until_sent();
+    hear(kSink, "temperature", controllers::receipt_for(burst));
+    EXPECT_EQ(recorded_["succeeded_temperature"], burst);
+    EXPECT_EQ(recorded_["p_temperature"], 0.5);
+  }
+  EXPECT_EQ(recorded_.count("failed_temperature"), 0u);
+  run_until_sent();
+  run_until(mote_->now.time_since_epoch() + 5100ms);
+  EXPECT_EQ(recorded_["failed_temperature"], 1);
+}
+
 TEST_F(LabourMote, SendsABurstAtItsIntervalAndRests) {
   auto parameters = one_task("video", "1 h");
   parameters.push_back(value("video.messages", "5"));

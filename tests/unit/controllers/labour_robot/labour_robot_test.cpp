@@ -107,6 +107,8 @@ TEST_F(LabourRobot, LeavesCallsToOthersWhenItWasRefused) {
   control();
   EXPECT_NEAR(recorded_["p_answer"], kDown, 1e-15);
   EXPECT_NEAR(recorded_["p_idle"], 1 - kDown, 1e-15);
+  EXPECT_EQ(recorded_["failed_answer"], 1) << "told when it happens";
+  EXPECT_EQ(recorded_.count("succeeded_answer"), 0u);
 }
 
 TEST_F(LabourRobot, LearnsNothingOfARefusalIfThatIsNoFailure) {
@@ -115,6 +117,7 @@ TEST_F(LabourRobot, LearnsNothingOfARefusalIfThatIsNoFailure) {
   call_until_asked();
   hear(kMote, HelpWord::kRefuse);
   control();
+  EXPECT_EQ(recorded_.count("failed_answer"), 0u);
   stop();
   EXPECT_EQ(recorded_["p_answer"], 0.5);
   EXPECT_EQ(recorded_["failed_answer"], 0);
