@@ -152,6 +152,18 @@ DeclaredRecords declared_records(const sim::scenario::Scenario& scenario,
   return declared;
 }
 
+/// For the results: what there can be a count of, be it 0.
+void note_declared(const std::string& program, const hal::ControllerKind& kind,
+                   ControllerJudgement& judgement) {
+  for (const std::string& state : kind.states) {
+    judgement.declared.push_back({"states", program, state});
+  }
+  for (const hal::RecordSpec& record : kind.records) {
+    judgement.declared.push_back({"controllers", program, record.name});
+    judgement.recorded_units[{program, record.name}] = record.unit;
+  }
+}
+
 /// Whether some controller records what the scenario observes.
 void judge_records(const sim::scenario::Scenario& scenario,
                    const std::map<std::string, const hal::ControllerKind*>& kinds,
@@ -212,9 +224,7 @@ ControllerJudgement judge_controllers(const sim::scenario::Scenario& scenario) {
     const auto kind = hal::runtime::load_plugin(group.program, hal::runtime::controller_folders());
     if (kind) {
       kinds[group.program] = *kind;
-      for (const hal::RecordSpec& record : (*kind)->records) {
-        judgement.recorded_units[{group.program, record.name}] = record.unit;
-      }
+      note_declared(group.program, **kind, judgement);
       judge_group(scenario, group, **kind, judgement.mistakes);
       judge_channels(scenario, group, **kind, judgement.mistakes);
       states[group.program] = (*kind)->states;
@@ -245,6 +255,7 @@ sim::scenario::Scenario load_judged(const std::string& path,
     throw hal::config::ConfigErrors(std::move(judgement.mistakes));
   }
   scenario.record.recorded_units = std::move(judgement.recorded_units);
+  scenario.record.declared = std::move(judgement.declared);
   for (const std::string& warning : scenario.warnings) fmt::print(stderr, "{}\n", warning);
   for (const std::string& line : judgement.not_checked) fmt::print(stderr, "{}\n", line);
   return scenario;

@@ -15,6 +15,8 @@ struct ControllerJudgement {
   std::vector<std::string> not_checked;  ///< What could not be judged, and why; a line each.
   /// Units of what controllers record, by controller and name, as far as they declare it.
   std::map<std::pair<std::string, std::string>, std::string> recorded_units{};
+  /// States that controllers enter and names that they record, as far as they declare them.
+  std::vector<sim::record::Countable> declared{};
 };
 
 /// Loads the plug-in of each program, and checks against it the agents' kinds and parameters, the

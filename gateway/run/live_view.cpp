@@ -37,7 +37,7 @@ void LiveView::start(const std::filesystem::path& folder) {
   server_ = std::make_unique<view::ViewServer>(std::move(settings));
   server_->start();
   fmt::print(stderr, "view: {}\n", server_->address());
-  if (options_.open) view::open_browser(server_->address());
+  if (options_.open) browser_.emplace(server_->address());
 }
 
 void LiveView::end(const sim::agents::Outcome& outcome) {

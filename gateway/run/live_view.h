@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "gateway/run/live_control.h"
+#include "gateway/view/browser.h"
 #include "gateway/view/view_server.h"
 #include "sim/agents/simulation.h"
 #include "sim/scenario/scenario.h"
@@ -55,6 +56,7 @@ class LiveView {
   LiveViewOptions options_;
   LiveControl control_;
   std::unique_ptr<view::ViewServer> server_;
+  std::optional<view::Browser> browser_;
 };
 
 }  // namespace gateway

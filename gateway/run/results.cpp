@@ -112,7 +112,9 @@ void Results::record(const fs::path& folder) {
                                                  .samples = scenario_.record.samples,
                                                  .routes = scenario_.record.routes,
                                                  .readings = scenario_.record.readings});
+  recorder_->add_countable(scenario_.record.declared);
   recorder_->add_settings(settings_);
+  recorder_->add_units(scenario_.record.recorded_units);
   // Half a kilobyte per agent, not needed any more.
   std::vector<std::pair<std::string, std::string>>().swap(settings_);
   recorder_->set("run_id", folder_.run_id());

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -18,6 +19,12 @@ using nlohmann::json;
 constexpr std::int64_t kMostSteps = 1'000'000;
 constexpr double kMostSpeed = 1e9, kMostDrive = 1e3;
 constexpr std::size_t kLongestName = 200;
+
+template <class Value>
+struct Named {
+  std::string_view name;
+  Value value;
+};
 
 /// The members of a command, each asked for once by what needs it. What is wrong is noted: the
 /// first mistake counts.
@@ -66,20 +73,19 @@ class Members {
     return value.value_or(Value{});
   }
 
-  /// Which of the names a member is.
-  template <std::size_t kCount>
-  std::size_t one_of(const char* key, const std::array<std::string_view, kCount>& names) {
+  /// The value whose name a member is; the first one if it is a mistake.
+  template <class Value, std::size_t kCount>
+  Value one_of(const char* key, const std::array<Named<Value>, kCount>& all) {
     const std::string name = needed(key, text(key));
-    if (!mistake_.empty()) return 0;
-    for (std::size_t i = 0; i < kCount; ++i) {
-      if (names.at(i) == name) return i;
-    }
+    if (!mistake_.empty()) return all.front().value;
+    const auto* const found = std::ranges::find(all, name, &Named<Value>::name);
+    if (found != all.end()) return found->value;
     std::string allowed;
-    for (const std::string_view one : names) {
-      allowed += allowed.empty() ? std::string(one) : fmt::format(", {}", one);
+    for (const Named<Value>& one : all) {
+      allowed += allowed.empty() ? std::string(one.name) : fmt::format(", {}", one.name);
     }
     wrong(key, "one of " + allowed);
-    return 0;
+    return all.front().value;
   }
 
   const std::string& mistake() const { return mistake_; }
@@ -103,19 +109,24 @@ class Members {
 };
 
 Command steps(Members& in) {
-  constexpr std::array<std::string_view, 3> kOf = {"cycle", "frame", "event"};
+  using Of = Steps::Of;
+  constexpr std::array kOf = {Named<Of>{"cycle", Of::kCycle}, Named<Of>{"frame", Of::kFrame},
+                              Named<Of>{"event", Of::kEvent}};
   Steps steps;
-  steps.of = static_cast<Steps::Of>(in.one_of("of", kOf));
+  steps.of = in.one_of("of", kOf);
   steps.count = in.integer("count", 1, kMostSteps).value_or(1);
   steps.agent = in.agent();
   return steps;
 }
 
 Command break_on(Members& in) {
-  constexpr std::array<std::string_view, 6> kOn = {"state",     "message", "loss",
-                                                   "collision", "contact", "time"};
+  using On = Break::On;
+  constexpr std::array kOn = {
+      Named<On>{"state", On::kState},     Named<On>{"message", On::kMessage},
+      Named<On>{"loss", On::kLoss},       Named<On>{"collision", On::kCollision},
+      Named<On>{"contact", On::kContact}, Named<On>{"time", On::kTime}};
   Break made;
-  made.on = static_cast<Break::On>(in.one_of("on", kOn));
+  made.on = in.one_of("on", kOn);
   made.agent = in.agent();
   made.state = in.text("state").value_or("");
   made.topic = in.text("topic").value_or("");
@@ -133,25 +144,23 @@ Command drive(Members& in) {
   return made;
 }
 
+Command speed(Members& in) {
+  return Speed{in.needed("factor", in.number("factor", 0, kMostSpeed))};
+}
+
+Command clear(Members& in) { return Clear{in.needed("id", in.integer("id", 0, INT64_MAX))}; }
+
 Command read(Members& in) {
-  constexpr std::array<std::string_view, 7> kCommands = {"pause", "resume", "step", "speed",
-                                                         "break", "clear",  "drive"};
-  switch (in.one_of("command", kCommands)) {
-    case 0:
-      return Pause{};
-    case 1:
-      return Resume{};
-    case 2:
-      return steps(in);
-    case 3:
-      return Speed{in.needed("factor", in.number("factor", 0, kMostSpeed))};
-    case 4:
-      return break_on(in);
-    case 5:
-      return Clear{in.needed("id", in.integer("id", 0, INT64_MAX))};
-    default:
-      return drive(in);
-  }
+  using Read = Command (*)(Members&);
+  constexpr std::array kCommands = {
+      Named<Read>{"pause", [](Members&) -> Command { return Pause{}; }},
+      Named<Read>{"resume", [](Members&) -> Command { return Resume{}; }},
+      Named<Read>{"step", steps},
+      Named<Read>{"speed", speed},
+      Named<Read>{"break", break_on},
+      Named<Read>{"clear", clear},
+      Named<Read>{"drive", drive}};
+  return in.one_of("command", kCommands)(in);
 }
 
 }  // namespace

@@ -15,25 +15,22 @@ struct NoObstacles final : radio::Obstacles {
   hal::Decibels loss(const hal::Vec3&, const hal::Vec3&) const override { return {}; }
 };
 
-/// Of the profiles whose range is one of their settings.
-double range_setting(const radio::RadioConfig& config) {
-  if (const auto* ideal = std::get_if<radio::IdealConfig>(&config)) return ideal->range.value;
-  return std::get<radio::DiskConfig>(config).range.value;
-}
-
 }  // namespace
 
 std::optional<double> radio_range(const sim::agents::SimulationConfig& config,
                                   const sim::agents::AgentConfig& agent) {
-  double range = 0;
-  if (const radio::WavesConfig* const waves = radio::waves_of(config.radio)) {
-    const NoObstacles none;
-    const hal::Milliwatts sent = agent.radio.tx_power.value_or(waves->tx_power);
-    range = radio::Propagation(config.radio, none)
-                .reach(sent, radio::to_milliwatts(waves->receiver.sensitivity));
-  } else {
-    range = range_setting(config.radio);
-  }
+  const double range = std::visit(
+      [&](const auto& profile) {
+        if constexpr (requires { profile.range; }) {
+          return profile.range.value;
+        } else {
+          const NoObstacles none;
+          const hal::Milliwatts sent = agent.radio.tx_power.value_or(profile.tx_power);
+          return radio::Propagation(config.radio, none)
+              .reach(sent, radio::to_milliwatts(profile.receiver.sensitivity));
+        }
+      },
+      config.radio);
   return std::isfinite(range) ? std::optional(range) : std::nullopt;
 }
 

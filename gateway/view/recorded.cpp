@@ -1,33 +1,32 @@
 #include "gateway/view/recorded.h"
 
-#include <charconv>
-#include <cmath>
+#include <fmt/format.h>
+
+#include <stdexcept>
 #include <string_view>
 
+#include "hal/config/value.h"
 #include "sim/scenario/resolved.h"
 
 namespace gateway::view {
 namespace {
 
 constexpr std::string_view kSection = "record.";
-constexpr double kFinePosePeriod = 0.1;  // s
+constexpr const char* kPosePeriod = "pose_period";
+constexpr double kLongestPosePeriod = 3600;  // s, as in files
+constexpr hal::Duration kFinePosePeriod = std::chrono::milliseconds{100};
 
-std::string setting(const RecordSettings& settings, const std::string& key) {
-  const auto found = settings.find(std::string(kSection) + key);
-  return found == settings.end() ? "none" : found->second;
+std::string word(const RecordSettings& settings, const std::string& key) {
+  const auto found = settings.words.find(key);
+  return found == settings.words.end() ? "none" : found->second;
 }
 
-/// "100 ms" or "1 s" in seconds, as resolved scenarios write times.
-double seconds_of(std::string_view text) {
-  double number = 0;
-  const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-  const std::string_view unit = text.substr(static_cast<std::size_t>(read.ptr - text.data()));
-  const std::string_view names[] = {" s", " ms", " us", " min", " h"};
-  const double factors[] = {1, 1e-3, 1e-6, 60, 3600};
-  for (std::size_t i = 0; i < std::size(names); ++i) {
-    if (unit == names[i]) return number * factors[i];
-  }
-  return 0;
+/// As resolved scenarios write times.
+hal::Duration duration_of(const std::string& text) {
+  const auto seconds = hal::config::parse_value(text, "s", 0, kLongestPosePeriod);
+  if (seconds) return hal::from_seconds(*seconds);
+  throw std::runtime_error(fmt::format("the record's setting {}{} is wrong: {}", kSection,
+                                       kPosePeriod, seconds.error().message));
 }
 
 }  // namespace
@@ -35,27 +34,30 @@ double seconds_of(std::string_view text) {
 RecordSettings record_settings(Record& record) {
   RecordSettings settings;
   auto row = record.query("SELECT key, value FROM settings WHERE key LIKE 'record.%'");
-  while (row.next()) settings[row.text(0)] = row.text(1);
+  while (row.next()) settings.words[row.text(0).substr(kSection.size())] = row.text(1);
+  const auto period = settings.words.find(kPosePeriod);
+  if (period != settings.words.end()) settings.pose_period = duration_of(period->second);
   return settings;
 }
 
 RecordSettings record_settings(const sim::scenario::Scenario& scenario) {
-  RecordSettings settings;
+  RecordSettings settings{.words = {}, .pose_period = scenario.record.pose_period};
   for (const auto& [key, value] : sim::scenario::resolved_values(scenario)) {
-    if (key.starts_with(kSection)) settings[key] = value;
+    if (key.starts_with(kSection)) settings.words[key.substr(kSection.size())] = value;
   }
   return settings;
 }
 
 Json recorded_json(const RecordSettings& settings) {
-  const double period = seconds_of(setting(settings, "pose_period"));
+  std::optional<std::int64_t> period;
+  if (settings.pose_period) period = settings.pose_period->count();
   return JsonObject()
-      .add("frames", setting(settings, "frames"))
-      .add("messages", setting(settings, "messages"))
-      .add("routes", setting(settings, "routes"))
-      .add("queues", setting(settings, "routes"))
-      .add("readings", setting(settings, "readings"))
-      .add("poses_period_ns", std::llround(period * 1e9))
+      .add("frames", word(settings, "frames"))
+      .add("messages", word(settings, "messages"))
+      .add("routes", word(settings, "routes"))
+      .add("queues", word(settings, "routes"))
+      .add("readings", word(settings, "readings"))
+      .add("poses_period_ns", period)
       .json();
 }
 
@@ -64,21 +66,21 @@ Json missing_json(const RecordSettings& settings) {
   const auto say = [&](const char* what, const char* line) {
     missing.add(JsonObject().add("what", what).add("line", line).json());
   };
-  const std::string frames = setting(settings, "frames");
+  const std::string frames = word(settings, "frames");
   if (frames == "sample") {
     say("frames beyond the first of each simulated second", "record: {frames: all}");
   } else if (frames != "all") {
     say("single frames", "record: {frames: all}");
   }
-  if (setting(settings, "messages") != "all") say("single messages", "record: {messages: all}");
-  if (setting(settings, "routes") != "all") say("routes and queues", "record: {routes: all}");
-  const std::string readings = setting(settings, "readings");
+  if (word(settings, "messages") != "all") say("single messages", "record: {messages: all}");
+  if (word(settings, "routes") != "all") say("routes and queues", "record: {routes: all}");
+  const std::string readings = word(settings, "readings");
   if (readings == "ranges") {
     say("readings of sensors that measure no ranges", "record: {readings: all}");
   } else if (readings != "all") {
     say("readings of sensors", "record: {readings: all}");
   }
-  if (seconds_of(setting(settings, "pose_period")) > kFinePosePeriod) {
+  if (settings.pose_period && *settings.pose_period > kFinePosePeriod) {
     say("poses ten times a second", "record: {pose_period: 100 ms}");
   }
   return missing.json();

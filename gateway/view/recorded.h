@@ -6,17 +6,24 @@
 
 #include "gateway/view/json_text.h"
 #include "gateway/view/record.h"
+#include "hal/types/time.h"
 #include "sim/scenario/scenario.h"
 
 namespace gateway::view {
 
-/// Keys of a resolved scenario that tell what goes into the results: "record.frames" -> "all".
-using RecordSettings = std::map<std::string, std::string>;
+/// What goes into the results, as the scenario says.
+struct RecordSettings {
+  /// Keys of `record:` and their values as in a file: "frames" -> "all".
+  std::map<std::string, std::string> words;
+  std::optional<hal::Duration> pose_period{};  ///< None: the record does not tell.
+};
 
+/// @throws std::runtime_error  the record tells a pose_period that is none.
 RecordSettings record_settings(Record& record);
 RecordSettings record_settings(const sim::scenario::Scenario& scenario);
 
-/// {frames, messages, routes, queues, readings, poses_period_ns}.
+/// {frames, messages, routes, queues, readings, poses_period_ns}; the last is null if it is not
+/// known.
 Json recorded_json(const RecordSettings& settings);
 
 /// What the view could show if it were recorded: [{what, line}], the line as in a scenario.

@@ -9,19 +9,22 @@
 namespace gateway::view {
 namespace {
 
+constexpr std::string_view kPagePath = "/";
 constexpr std::string_view kControlPath = "/api/control";
 
 bool is_of_this_server(std::string_view host, int port) {
   return host == fmt::format("127.0.0.1:{}", port) || host == fmt::format("localhost:{}", port);
 }
 
-std::optional<Refusal> refusal_of_method(const RequestHead& request,
-                                         const std::optional<std::string>& token) {
-  if (request.method == "GET") return std::nullopt;
-  if (request.method != "POST" || request.path != kControlPath) {
-    return Refusal{405, "only GET is answered here"};
+std::optional<Refusal> refusal_of_stranger(const RequestHead& request,
+                                           const std::optional<std::string>& token) {
+  const bool is_command = request.method == "POST" && request.path == kControlPath;
+  if (request.method != "GET" && !is_command) return Refusal{405, "only GET is answered here"};
+  if (is_command && !token) {
+    return Refusal{403, "commands are taken by `baraka run … --view` only"};
   }
-  if (!token) return Refusal{403, "commands are taken by `baraka run … --view` only"};
+  // The page itself says nothing of the run, and a browser cannot send a token with its address.
+  if (!token || request.path == kPagePath) return std::nullopt;
   if (!equal_in_constant_time(request.token, *token)) {
     return Refusal{403, "the token is not the one of the address that was printed"};
   }
@@ -41,8 +44,9 @@ std::optional<Refusal> refusal_of(const RequestHead& request, int port,
   }
   // A link of another page may lead to this one; it may not use the answers as a script or picture.
   const bool is_foreign = request.fetch_site == "cross-site" || request.fetch_site == "same-site";
-  if (is_foreign && request.path != "/") return Refusal{403, "pages of other servers may not ask"};
-  return refusal_of_method(request, token);
+  if (is_foreign && request.path != kPagePath)
+    return Refusal{403, "pages of other servers may not ask"};
+  return refusal_of_stranger(request, token);
 }
 
 bool equal_in_constant_time(std::string_view a, std::string_view b) {

@@ -23,7 +23,8 @@ struct Refusal {
 /// A browser has pages of many servers open, and each of them may send requests to this one. The
 /// header Host tells what name the browser knows this server by: another one's that was made to
 /// point at 127.0.0.1 is refused. The header Origin tells whose page asks.
-/// @param port  of this server. @param token  that commands must carry; none: there are none.
+/// @param port  of this server. @param token  that everything but the page itself must carry; none:
+/// nothing needs one, and there are no commands.
 /// @return none: it may be answered.
 std::optional<Refusal> refusal_of(const RequestHead& request, int port,
                                   const std::optional<std::string>& token);

@@ -55,7 +55,10 @@ void each_series(Record& record, const auto& with) {
       "SELECT observable, name, agent, unit FROM observables WHERE keeps = 'samples' ORDER BY 1");
   while (observable.next()) with(observable.integer(0), observable);
   Statement recorded = record.query(
-      "SELECT MIN(rowid), name, agent, '' FROM recorded GROUP BY agent, name ORDER BY 1");
+      "SELECT MIN(r.rowid), r.name, r.agent, IFNULL(u.unit, '') FROM recorded r"
+      " LEFT JOIN agents a ON a.agent = r.agent"
+      " LEFT JOIN recorded_units u ON u.program = a.program AND u.name = r.name"
+      " GROUP BY r.agent, r.name ORDER BY 1");
   while (recorded.next()) with(recorded.integer(0) + kOfControllers, recorded);
 }
 

@@ -18,7 +18,19 @@ using hal::devices::Wheel;
 /// Files do not say how thick a wheel is; it is drawn so, in radii.
 constexpr double kDrawnWheelWidth = 0.5;
 
-constexpr std::array<std::string_view, 4> kWheelKinds = {"omni", "mecanum", "fixed", "caster"};
+std::string_view name_of(hal::devices::WheelType type) {
+  switch (type) {
+    case hal::devices::WheelType::kOmni:
+      return "omni";
+    case hal::devices::WheelType::kMecanum:
+      return "mecanum";
+    case hal::devices::WheelType::kFixed:
+      return "fixed";
+    case hal::devices::WheelType::kCaster:
+      return "caster";
+  }
+  return {};
+}
 
 Json box_json(const BodyBox& box) {
   return JsonObject()
@@ -49,7 +61,7 @@ Json wheel_json(const Wheel& wheel) {
       .add("heading", wheel.axle_heading)
       .add("radius", wheel.radius)
       .add("width", kDrawnWheelWidth * wheel.radius)
-      .add("kind", kWheelKinds.at(static_cast<std::size_t>(wheel.type)))
+      .add("kind", name_of(wheel.type))
       .json();
 }
 

@@ -60,7 +60,7 @@ std::string totals_json(Record& record, std::int64_t agent) {
       .add("routing", count("SELECT event, count FROM routing_events WHERE agent = ?"))
       .add("use", row_of(record, "agent_use",
                          {"transmitting_ns", "receiving_ns", "listening_ns", "off_ns", "retries",
-                          "energy_j"},
+                          "energy_j", "load_j"},
                          agent))
       .add("body",
            row_of(record, "bodies",

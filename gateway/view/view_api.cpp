@@ -1,6 +1,5 @@
 #include "gateway/view/view_api.h"
 
-#include <array>
 #include <utility>
 
 #include "gateway/view/json_text.h"
@@ -13,7 +12,17 @@ namespace {
 /// Of the answers' form: a page that knows another one says so.
 constexpr int kVersion = 1;
 
-constexpr std::array<std::string_view, 3> kModes = {"replay", "live", "scenario"};
+std::string_view name_of(ViewApi::Mode mode) {
+  switch (mode) {
+    case ViewApi::Mode::kReplay:
+      return "replay";
+    case ViewApi::Mode::kLive:
+      return "live";
+    case ViewApi::Mode::kScenario:
+      return "scenario";
+  }
+  return {};
+}
 
 /// Takes a prefix away if it is there.
 bool take(std::string_view& text, std::string_view prefix) {
@@ -38,7 +47,7 @@ std::string ViewApi::view() const {
   }
   return JsonObject()
       .add("version", kVersion)
-      .add("mode", kModes.at(static_cast<std::size_t>(mode_)))
+      .add("mode", name_of(mode_))
       .add("can_command", can_command_)
       .add("runs", runs.json())
       .json()

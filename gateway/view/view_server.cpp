@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "gateway/exit_status.h"
+#include "gateway/view/bounded_server.h"
 #include "gateway/view/control_request.h"
 #include "gateway/view/json_text.h"
 #include "gateway/view/request_check.h"
@@ -20,35 +21,15 @@ namespace gateway::view {
 namespace {
 
 constexpr const char* kHost = "127.0.0.1";
-constexpr std::size_t kThreads = 16;
-constexpr std::ptrdiff_t kMostConnections = 64;  ///< Being answered or waiting for it.
-constexpr int kMostWaiting = 128;
-constexpr std::size_t kLongestCommand = 4096;                         ///< Bytes
-constexpr int kReadTimeout = 2, kWriteTimeout = 5, kIdleTimeout = 1;  // s
+constexpr std::ptrdiff_t kMostAnswers = 16;    ///< Looked up at a time.
+constexpr int kMostWaiting = 1024;             ///< Connections in the kernel's backlog.
+constexpr std::size_t kLongestCommand = 4096;  ///< Bytes
 
 /// The page is one file: its scripts and styles are in it, its workers are made of it.
 constexpr const char* kPolicy =
     "default-src 'none'; script-src 'unsafe-inline' blob:; worker-src blob:; style-src "
     "'unsafe-inline'; img-src 'self' data: blob:; font-src data:; connect-src 'self' blob: data:; "
     "base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
-
-/// Threads that take so many connections: more wait in the kernel, where they cost no descriptor of
-/// a run that is being watched.
-class BoundedPool final : public httplib::TaskQueue {
- public:
-  void enqueue(std::function<void()> answer) override {
-    room_.acquire();
-    pool_.enqueue([this, answer = std::move(answer)] {
-      answer();
-      room_.release();
-    });
-  }
-  void shutdown() override { pool_.shutdown(); }
-
- private:
-  std::counting_semaphore<kMostConnections> room_{kMostConnections};
-  httplib::ThreadPool pool_{kThreads};
-};
 
 /// Signals are the business of whoever started the server.
 class SignalsBlocked {
@@ -66,11 +47,25 @@ class SignalsBlocked {
   sigset_t before_{};
 };
 
+using Permits = std::counting_semaphore<kMostAnswers>;
+
+/// One of those that are answered at a time.
+class Permit {
+ public:
+  explicit Permit(Permits& permits) : permits_(permits) { permits_.acquire(); }
+  ~Permit() { permits_.release(); }
+  Permit(const Permit&) = delete;
+  Permit& operator=(const Permit&) = delete;
+
+ private:
+  Permits& permits_;
+};
+
 /// The library has the whole process ignore SIGPIPE, and so would all that it starts.
-std::unique_ptr<httplib::Server> new_server() {
+std::unique_ptr<BoundedServer> new_server() {
   struct sigaction before {};
   ::sigaction(SIGPIPE, nullptr, &before);
-  auto server = std::make_unique<httplib::Server>();
+  auto server = std::make_unique<BoundedServer>(BoundedServer::Limits{});
   ::sigaction(SIGPIPE, &before, nullptr);
   return server;
 }
@@ -102,20 +97,18 @@ void send_error(httplib::Response& response, int status, std::string_view why) {
   send(response, JsonObject().add("error", why).json().text, "application/json");
 }
 
-/// The way of event streams that end: the browser comes again by itself, and until then no thread
-/// waits for it.
-std::string event_of(const Clock::Now& clock) {
-  const Json event = JsonObject()
-                         .add("now", clock.now)
-                         .add("until", clock.until)
-                         .add("can_hold", clock.can_hold)
-                         .add("paused", clock.paused)
-                         .add("speed", clock.speed)
-                         .add("stopped_by", clock.stopped_by)
-                         .add("ended", clock.ended)
-                         .add("result", clock.result)
-                         .json();
-  return fmt::format("retry: 200\ndata: {}\n\n", event.text);
+std::string text_of(const Clock::Now& clock) {
+  return JsonObject()
+      .add("now", clock.now)
+      .add("until", clock.until)
+      .add("can_hold", clock.can_hold)
+      .add("paused", clock.paused)
+      .add("speed", clock.speed)
+      .add("stopped_by", clock.stopped_by)
+      .add("ended", clock.ended)
+      .add("result", clock.result)
+      .json()
+      .text;
 }
 
 }  // namespace
@@ -154,32 +147,26 @@ class ViewServer::Http {
   const Clock* clock_;
   std::optional<std::string> token_;
   int socket_ = -1;  ///< That listens; the server's.
-  std::unique_ptr<httplib::Server> server_;
+  mutable Permits answers_{kMostAnswers};
+  std::unique_ptr<BoundedServer> server_;
   std::thread listener_;
 };
 
 void ViewServer::Http::set_up() {
   using Handled = httplib::Server::HandlerResponse;
-  server_->new_task_queue = [] { return new BoundedPool; };
   // Not the library's, with which several servers could share a port.
   server_->set_socket_options([this](int socket) {
     socket_ = socket;
     const int yes = 1;
     ::setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes);
   });
-  // A connection that is kept takes a thread; a new one from here to here takes 0.1 ms. And what is
-  // left of a refused request is never read as another one.
-  server_->set_keep_alive_max_count(1);
-  server_->set_keep_alive_timeout(kIdleTimeout);
-  server_->set_read_timeout(kReadTimeout);
-  server_->set_write_timeout(kWriteTimeout);
   server_->set_payload_max_length(kLongestCommand);
   server_->set_tcp_nodelay(true);
   server_->set_default_headers({{"X-Content-Type-Options", "nosniff"},
                                 {"Content-Security-Policy", kPolicy},
                                 {"Cross-Origin-Resource-Policy", "same-origin"},
                                 {"Referrer-Policy", "no-referrer"},
-                                {"Cache-RunControl", "no-store"}});
+                                {"Cache-Control", "no-store"}});
   server_->set_pre_routing_handler([this](const auto& request, auto& response) {
     return answer(request, response) ? Handled::Handled : Handled::Unhandled;
   });
@@ -195,13 +182,22 @@ void ViewServer::Http::set_up() {
   });
 }
 
+/// The library keeps a body of unknown length whole before it measures it.
+bool refuse_body(const httplib::Request& request, httplib::Response& response) {
+  if (!request.has_header("Transfer-Encoding") && !request.has_header("Content-Encoding"))
+    return false;
+  send_error(response, 411, "a command has a Content-Length and no encoding");
+  return true;
+}
+
 /// @return false: it is a command that may be read.
 bool ViewServer::Http::answer(const httplib::Request& request, httplib::Response& response) const {
   if (const auto refusal = refusal_of(head_of(request), port_, token_)) {
     send_error(response, refusal->status, refusal->why);
     return true;
   }
-  if (request.method != "GET") return false;
+  if (request.method != "GET") return refuse_body(request, response);
+  const Permit permit(answers_);
   // Here, because the library looks for an exception handler only where it looks for a handler.
   try {
     get(request.path, response);
@@ -215,8 +211,8 @@ void ViewServer::Http::get(const std::string& path, httplib::Response& response)
   response.status = 200;
   if (path == "/" && page_) return send(response, *page_, "text/html; charset=utf-8");
   if (path == "/") return send_error(response, 503, "the page was not built: ./setup pages");
-  if (path == "/api/events" && clock_ != nullptr) {
-    return send(response, event_of(clock_->now()), "text/event-stream");
+  if (path == "/api/clock" && clock_ != nullptr) {
+    return send(response, text_of(clock_->now()), "application/json");
   }
   if (auto text = api_.get(path)) return send(response, std::move(*text), "application/json");
   send_error(response, 404, "there is nothing of that address");
@@ -253,7 +249,7 @@ void ViewServer::Http::stop() {
   if (!listener_.joinable()) return;
   // Before it listens, the library would not hear of it.
   while (!server_->is_running()) std::this_thread::yield();
-  server_->stop();
+  server_->end();
   listener_.join();
 }
 

@@ -34,20 +34,17 @@ class ViewServer {
   /// Once. @throws UsageError  the port is taken.
   void start();
 
-  /// Ends what is being answered, at most in a few seconds. Nothing if it does not run.
+  /// Cuts all connections; a look-up under way goes on to its end. Nothing if it does not run.
   void stop();
 
   int port() const;
 
-  /// For the browser of whoever started it: with what a page needs to command, if it can.
+  /// For the browser of whoever started it: with the token that a live run's page needs.
   std::string address() const;
 
  private:
   class Http;
   std::unique_ptr<Http> http_;
 };
-
-/// Opens an address in the desktop's browser if there is one and somebody sits at a terminal.
-void open_browser(const std::string& address);
 
 }  // namespace gateway::view

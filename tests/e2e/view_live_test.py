@@ -1,15 +1,20 @@
 #!/usr/bin/env python3
 """A run that is shown in a browser while it goes on: equal to one that nobody looks at, whatever the page asks for."""
+import contextlib
 import json
 import os
 import pathlib
 import re
+import signal
+import socket
+import subprocess
+import threading
 import time
 import unittest
 import urllib.error
 import urllib.request
 
-from baraka import CASE_STUDY, Case, send
+from baraka import BIN, CASE_STUDY, Case, send
 
 UNTIL = 130  # s
 
@@ -21,13 +26,14 @@ class Page:
         self.address, _, self.token = address.partition("#token=")
         self.address = self.address.rstrip("/")
 
-    def get(self, path, **headers):
+    def get(self, path, headers=None):
+        headers = {"X-Baraka-Token": self.token} if headers is None else headers
         request = urllib.request.Request(self.address + path, headers=headers)
         with urllib.request.urlopen(request, timeout=10) as answer:
             return answer.read().decode()
 
     def now(self):
-        return json.loads(re.search(r"^data: ?(.*)$", self.get("/api/events"), re.M).group(1))
+        return json.loads(self.get("/api/clock"))
 
     def post(self, command, headers=None, **what):
         headers = {"X-Baraka-Token": self.token, "Content-Type": "application/json"} if headers is None else headers
@@ -137,6 +143,70 @@ class LiveView(Case):
             self.assertTrue(page.now()["paused"])
         page.post("resume", headers={**token, "Origin": f"http://{host}"})
         run.finish()
+
+    def test_nobody_reads_it_without_the_token(self):
+        run, page = self.shown("--paused")
+        for path in ("/api/view", "/api/clock", "/api/runs/0/world"):
+            with self.assertRaises(urllib.error.HTTPError, msg=path) as refused:
+                page.get(path, headers={})
+            self.assertEqual(refused.exception.code, 403, path)
+        self.assertIn("<html", page.get("/", headers={}))
+        page.post("resume")
+        run.finish()
+
+    def test_a_client_that_never_ends_its_request_keeps_nothing_from_ending(self):
+        run, page = self.shown()
+        host, _, port = page.address.removeprefix("http://").partition(":")
+        slow = [socket.create_connection((host, int(port))) for _ in range(20)]
+        over = threading.Event()
+
+        def trickle():
+            for one in slow:
+                one.sendall(b"GET /api/view HTTP/1.1\r\nX-Slow: ")
+            while not over.wait(0.1):
+                for one in slow:
+                    with contextlib.suppress(OSError):
+                        one.send(b"a")
+
+        thread = threading.Thread(target=trickle)
+        thread.start()
+        try:
+            self.ends_as_alone(run)
+        finally:
+            over.set()
+            thread.join()
+            for one in slow:
+                one.close()
+
+    def test_the_token_is_in_no_ones_arguments(self):
+        """A desktop: `xdg-open` gets a file that only this user may read, and that leads to the address."""
+        bin_ = self.folder / "bin"
+        bin_.mkdir()
+        opened = self.folder / "opened"
+        (bin_ / "xdg-open").write_text(f'#!/bin/sh\n{{ stat -c %a "$1"; echo "$1"; cat "$1"; }} >{opened}.new\nmv {opened}.new {opened}\n')
+        (bin_ / "xdg-open").chmod(0o755)
+        main, side = os.openpty()
+        environment = {**os.environ, "DISPLAY": ":77", "PATH": f"{bin_}:{os.environ['PATH']}"}
+        run = subprocess.Popen([BIN / "baraka", "run", CASE_STUDY, *map(str, self.COMMON), "--view", "--paused", "--out", self.folder / "run"],
+                               stdin=subprocess.DEVNULL, stdout=side, stderr=subprocess.PIPE, text=True, env=environment)
+        os.close(side)
+        try:
+            address = next(found for line in run.stderr if (found := re.match(r"view: (\S+)", line))).group(1)
+            for _ in range(200):
+                if opened.exists():
+                    break
+                time.sleep(0.05)
+            mode, name, page = opened.read_text().split("\n", 2)
+            self.assertEqual(mode, "600")
+            self.assertIn(f"url={address}", page)
+            self.assertNotIn(address.partition("#token=")[2], name)
+        finally:
+            run.send_signal(signal.SIGINT)
+            run.stderr.read()
+            run.wait()
+            run.stderr.close()
+            os.close(main)
+        self.assertFalse(pathlib.Path(name).exists(), name)
 
     def test_mistakes_are_named(self):
         run, page = self.shown("--paused")

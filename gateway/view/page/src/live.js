@@ -1,15 +1,15 @@
 // A run under way: what the server says of it, and, with the token of the printed address, commands to it.
-const tokenKey = "baraka-token";
-const token = () => globalThis.sessionStorage?.getItem(tokenKey) ?? null;
+import { ask, token } from "./server.js";
 
 const often = 5000; //  ms between two looks at what a run has named
+const pause = 200; //   ms between an answer of the run's clock and the next question
 
 /** Whether this page may hold and step the run. */
 export const isLed = (store) => Boolean(store.state.live?.canCommand && store.state.live.can_hold !== false && !store.state.live.ended);
 
 async function command(store, body) {
-  const response = await fetch("/api/control", {
-    method: "POST", headers: { "Content-Type": "application/json", "X-Baraka-Token": token() ?? "" }, body: JSON.stringify(body),
+  const response = await ask("/api/control", {
+    method: "POST", headers: { "Content-Type": "application/json" }, body: JSON.stringify(body),
   });
   const answer = await response.json().catch(() => ({}));
   store.set({ live: { ...store.state.live, said: response.ok ? null : answer.error ?? `refused (${response.status})` } });
@@ -40,14 +40,15 @@ export function live(store, source) {
   store.set({ live: { canCommand, paused: false, ended: false, said: null, breaks: [], speed: 0, now: 0 } });
   // An address that tells no time is of the present.
   if (!/[#&]t=/.test(location.hash)) store.set({ t: source.end });
-  let stream = null;
+  let timer = null; //   until the next question
+  let asking = false;
 
   // What a run has named so far: states, classes of messages and series come up while it goes on.
   let namedAt = 0;
   async function readNames(now) {
     namedAt = now;
     for (const run of source.runs) {
-      const response = await fetch(`/api/runs/${run.index}/world`).catch(() => null);
+      const response = await ask(`/api/runs/${run.index}/world`).catch(() => null);
       if (!response?.ok) continue;
       const { states, topics, series, result, fingerprint } = await response.json();
       Object.assign(run.world, { states, topics, series, result, fingerprint });
@@ -55,8 +56,7 @@ export function live(store, source) {
     }
   }
 
-  const heard = (event) => {
-    const said = JSON.parse(event.data);
+  const heard = (said) => {
     const wasPaused = store.state.live.paused;
     const atEnd = isPresent(store, source);
     source.advance(said.until);
@@ -66,14 +66,24 @@ export function live(store, source) {
     if (atEnd) store.set({ t: source.end, playing: false });
     const stopped = said.paused && !wasPaused;
     if (stopped || said.ended || performance.now() - namedAt > often) readNames(performance.now());
-    if (said.ended) close();
+  };
+  const look = async () => {
+    timer = null;
+    asking = true;
+    try {
+      const response = await ask("/api/clock");
+      if (response.ok) heard(await response.json());
+    } catch {
+      // The server is gone, or too busy: asked again.
+    }
+    asking = false;
+    open();
   };
   const open = () => {
-    if (stream || store.state.live.ended) return;
-    stream = new EventSource("/api/events");
-    stream.onmessage = heard;
+    if (timer !== null || asking || document.hidden || store.state.live.ended) return;
+    timer = setTimeout(look, pause);
   };
-  const close = () => { stream?.close(); stream = null; };
+  const close = () => { clearTimeout(timer); timer = null; };
   // A tab that nobody sees asks for nothing.
   document.addEventListener("visibilitychange", () => (document.hidden ? close() : open()));
   open();

@@ -5,6 +5,7 @@ import { inspector } from "./inspector/inspector.js";
 import { keys } from "./keys.js";
 import { live } from "./live.js";
 import { hasGraphicsCard } from "./paper.js";
+import { takeToken } from "./server.js";
 import { openSource } from "./source.js";
 import { bookmark, createStore, startOf, unmarked } from "./store.js";
 import { lanes } from "./time/lanes.js";
@@ -12,14 +13,6 @@ import { world } from "./world/world.js";
 
 const element = (id) => document.getElementById(id);
 const say = (text) => { const notice = element("notice"); notice.textContent = text; notice.hidden = !text; };
-
-// The token of live control stands in the fragment of the printed address: kept for this tab, shown no more.
-function takeToken() {
-  const match = /(?:^#|&)token=([^&]*)/.exec(location.hash);
-  if (!match) return;
-  sessionStorage.setItem("baraka-token", match[1]);
-  history.replaceState(null, "", `#${location.hash.slice(1).replace(/&?token=[^&]*/, "").replace(/^&/, "")}`);
-}
 
 async function main() {
   if (location.protocol !== "file:") takeToken();

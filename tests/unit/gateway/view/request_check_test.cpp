@@ -57,6 +57,19 @@ TEST(RequestCheck, NoOtherPageMayAsk) {
   EXPECT_EQ(status_of(request), 200);
 }
 
+TEST(RequestCheck, ARunUnderWayIsReadWithTheToken) {
+  RequestHead request = page_request();
+  EXPECT_EQ(status_of(request), 200);  // a record is everybody's who may connect
+  EXPECT_EQ(status_of(request, "abc"), 403);
+  request.token = "abd";
+  EXPECT_EQ(status_of(request, "abc"), 403);
+  request.token = "abc";
+  EXPECT_EQ(status_of(request, "abc"), 200);
+  request.token = "";
+  request.path = "/";
+  EXPECT_EQ(status_of(request, "abc"), 200);
+}
+
 TEST(RequestCheck, CommandsNeedTheToken) {
   RequestHead request = page_request();
   request.method = "POST";

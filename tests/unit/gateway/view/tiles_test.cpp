@@ -242,6 +242,20 @@ TEST_F(Tiles, SeriesAreValuesOrTheirRange) {
   EXPECT_EQ(ask("series:12345/10/0"), json());
 }
 
+TEST_F(Tiles, SeriesOfControllersHaveTheUnitThatTheyDeclare) {
+  result.recorder->add_units({{{"program", "speed"}, "m/s"}, {{"another", "other"}, "J"}});
+  result.recorder->on_record(Time{1s}, AgentId{3}, "speed", 1);
+  result.recorder->on_record(Time{1s}, AgentId{1}, "speed", 2);
+  result.recorder->on_record(Time{1s}, AgentId{1}, "other", 3);
+  result.end(2'000'000'000);
+  const json series = ask("world").at("series");
+  ASSERT_EQ(series.size(), 3U);
+  EXPECT_EQ(series[0]["unit"], "m/s");
+  EXPECT_EQ(series[1]["unit"], "m/s");
+  EXPECT_EQ(series[2]["name"], "other");
+  EXPECT_EQ(series[2]["unit"], "") << "of another controller";
+}
+
 TEST_F(Tiles, RoutesHaveTheirShareOfTheMessages) {
   result.end(10'000'000'000);
   // Weights 1 and 3: equation 1 gives a quarter and three quarters; then one way is gone.

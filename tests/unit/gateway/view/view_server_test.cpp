@@ -63,9 +63,12 @@ class ViewServerTest : public testing::Test {
     return *server;
   }
 
-  std::string get(const std::string& path) const {
-    return answer_to(server->port(), fmt::format("GET {} HTTP/1.1\r\nHost: 127.0.0.1:{}\r\n\r\n",
-                                                 path, server->port()));
+  /// With the token, if there is one.
+  std::string get(const std::string& path) const { return get(path, token_header()); }
+
+  std::string get(const std::string& path, const std::string& headers) const {
+    return answer_to(server->port(), fmt::format("GET {} HTTP/1.1\r\nHost: 127.0.0.1:{}\r\n{}\r\n",
+                                                 path, server->port(), headers));
   }
 
   std::string post(const std::string& body, const std::string& headers) const {
@@ -77,6 +80,7 @@ class ViewServerTest : public testing::Test {
 
   std::string token_header() const {
     const std::string address = server->address();
+    if (address.find('#') == std::string::npos) return "";
     return "X-Baraka-Token: " + address.substr(address.find('=') + 1) + "\r\n";
   }
 
@@ -96,13 +100,13 @@ TEST_F(ViewServerTest, ServesThePageAndTheApi) {
   EXPECT_EQ(status_of(page), 200);
   EXPECT_TRUE(page.ends_with("<html><script>the page</script></html>"));
   for (const char* header : {"X-Content-Type-Options: nosniff", "Content-Security-Policy: default",
-                             "Cache-RunControl: no-store", "Connection: close"}) {
+                             "Cache-Control: no-store", "Connection: close"}) {
     EXPECT_NE(page.find(header), std::string::npos) << header;
   }
   EXPECT_NE(get("/api/view").find(R"("can_command":false)"), std::string::npos);
   EXPECT_NE(get("/api/runs/0/states/14/0").find("IDLE"), std::string::npos);
   EXPECT_EQ(status_of(get("/api/runs/1/world")), 404);
-  EXPECT_EQ(status_of(get("/api/events")), 404);
+  EXPECT_EQ(status_of(get("/api/clock")), 404);
 }
 
 TEST_F(ViewServerTest, RefusesWhatComesFromElsewhere) {
@@ -119,7 +123,19 @@ TEST_F(ViewServerTest, RefusesWhatComesFromElsewhere) {
   EXPECT_EQ(ask("GET /api/view HTTP/1.1\r\n" + own + "Origin: http://evil.example\r\n"), 403);
   EXPECT_EQ(ask("GET /api/view HTTP/1.1\r\n" + own + "Sec-Fetch-Site: cross-site\r\n"), 403);
   EXPECT_EQ(ask("DELETE /api/view HTTP/1.1\r\n" + own), 405);
-  EXPECT_EQ(ask("GET /api/view HTTP/1.1\r\n" + own), 200);
+  EXPECT_EQ(ask("GET /api/view HTTP/1.1\r\n" + own), 403);
+  EXPECT_EQ(ask("GET /api/view HTTP/1.1\r\n" + own + token_header()), 200);
+}
+
+TEST_F(ViewServerTest, ALiveRunIsReadWithTheTokenOnly) {
+  start(&control);
+  EXPECT_EQ(status_of(get("/", "")), 200);  // says nothing of the run
+  for (const char* path :
+       {"/api/view", "/api/clock", "/api/runs/0/world", "/api/runs/0/states/14/0"}) {
+    EXPECT_EQ(status_of(get(path, "")), 403) << path;
+    EXPECT_EQ(status_of(get(path, "X-Baraka-Token: 0\r\n")), 403) << path;
+    EXPECT_EQ(status_of(get(path)), 200) << path;
+  }
 }
 
 TEST_F(ViewServerTest, TakesCommandsWithTheTokenOnly) {
@@ -156,13 +172,10 @@ TEST_F(ViewServerTest, WithoutControlNothingCanBeCommanded) {
   EXPECT_EQ(status_of(post(R"({"command":"pause"})", "X-Baraka-Token: \r\n")), 403);
 }
 
-TEST_F(ViewServerTest, EventsEndSoThatNoTabHoldsAThread) {
+TEST_F(ViewServerTest, TheClockOfALiveRunIsToldAtOnce) {
   start(&control);
-  const std::string events = get("/api/events");
-  EXPECT_NE(events.find("Content-Type: text/event-stream"), std::string::npos);
-  EXPECT_NE(
-      events.find("retry: 200\ndata: {\"now\":5,\"until\":4,\"can_hold\":true,\"paused\":true"),
-      std::string::npos);
+  EXPECT_NE(get("/api/clock").find(R"({"now":5,"until":4,"can_hold":true,"paused":true)"),
+            std::string::npos);
 }
 
 TEST_F(ViewServerTest, ManyTabsAtOnceAreAllAnsweredSoon) {
@@ -172,7 +185,7 @@ TEST_F(ViewServerTest, ManyTabsAtOnceAreAllAnsweredSoon) {
   std::atomic<int> answered = 0;
   for (int i = 0; i < 40; ++i) {
     tabs.emplace_back([&] {
-      for (int n = 0; n < 5; ++n) answered += status_of(get("/api/events")) == 200 ? 1 : 0;
+      for (int n = 0; n < 5; ++n) answered += status_of(get("/api/clock")) == 200 ? 1 : 0;
     });
   }
   for (std::thread& tab : tabs) tab.join();
@@ -185,8 +198,101 @@ TEST_F(ViewServerTest, IdleConnectionsDoNotKeepOthersOut) {
   start();
   std::vector<int> idle;
   for (int i = 0; i < 40; ++i) idle.push_back(connected(server->port()));
-  EXPECT_EQ(status_of(get("/api/view")), 200);  // at most three times kIdleTimeout later
+  EXPECT_EQ(status_of(get("/api/view")), 200);
   for (const int socket : idle) ::close(socket);
+}
+
+/// Connections over which a request comes a byte at a time, and is never whole.
+class Trickle {
+ public:
+  Trickle(int port, int count) {
+    for (int i = 0; i < count; ++i) sockets_.push_back(connected(port));
+    for (const int socket : sockets_) send(socket, "GET /api/view HTTP/1.1\r\nX-Slow: ");
+    thread_ = std::thread([this] {
+      while (!is_over_) {
+        for (const int socket : sockets_) send(socket, "a");
+        std::this_thread::sleep_for(50ms);
+      }
+    });
+  }
+  ~Trickle() {
+    is_over_ = true;
+    thread_.join();
+    for (const int socket : sockets_) ::close(socket);
+  }
+  Trickle(const Trickle&) = delete;
+  Trickle& operator=(const Trickle&) = delete;
+
+  /// How many the other side has closed.
+  int closed() const {
+    int count = 0;
+    for (const int socket : sockets_) {
+      char answer[4096];
+      ssize_t size = 0;
+      do {
+        size = ::recv(socket, answer, sizeof answer, MSG_DONTWAIT);
+      } while (size > 0);
+      count += size == 0 || (size < 0 && errno != EAGAIN) ? 1 : 0;
+    }
+    return count;
+  }
+
+ private:
+  static void send(int socket, std::string_view bytes) {
+    (void)::send(socket, bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+  }
+
+  std::vector<int> sockets_;
+  std::atomic<bool> is_over_ = false;
+  std::thread thread_;
+};
+
+TEST_F(ViewServerTest, ARequestThatTricklesInIsCutAtItsDeadline) {
+  start();
+  const Trickle slow(server->port(), 1);
+  std::this_thread::sleep_for(1s);
+  EXPECT_EQ(slow.closed(), 0);
+  std::this_thread::sleep_for(2s);
+  EXPECT_EQ(slow.closed(), 1);
+}
+
+TEST_F(ViewServerTest, ManySlowClientsDoNotKeepOthersOut) {
+  start();
+  const Trickle slow(server->port(), 200);
+  for (int i = 0; i < 5; ++i) {
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_EQ(status_of(get("/api/view")), 200);
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, 2s) << "waited for their deadlines";
+  }
+}
+
+TEST_F(ViewServerTest, SlowClientsDoNotKeepItFromEnding) {
+  start();
+  const Trickle slow(server->port(), 20);
+  std::this_thread::sleep_for(200ms);
+  const auto begin = std::chrono::steady_clock::now();
+  server->stop();
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, 1s) << "waited for their deadlines";
+}
+
+TEST_F(ViewServerTest, HeadsWithoutEndAreCutByTheirBytes) {
+  start();
+  std::string head = fmt::format("GET / HTTP/1.1\r\nHost: 127.0.0.1:{}\r\n", server->port());
+  for (int i = 0; i < 10'000; ++i) head += fmt::format("X-{}: {}\r\n", i, i);
+  EXPECT_NE(status_of(answer_to(server->port(), head + "\r\n")), 200);
+  EXPECT_EQ(status_of(get("/")), 200);
+}
+
+TEST_F(ViewServerTest, ABodyOfUnknownLengthIsNotRead) {
+  start(&control);
+  const std::string head = fmt::format("POST /api/control HTTP/1.1\r\nHost: 127.0.0.1:{}\r\n{}",
+                                       server->port(), token_header());
+  const std::string body = "13\r\n{\"command\":\"pause\"}\r\n0\r\n\r\n";
+  for (const char* header :
+       {"Transfer-Encoding: chunked\r\n", "Content-Encoding: gzip\r\nContent-Length: 33\r\n"}) {
+    EXPECT_EQ(status_of(answer_to(server->port(), head + header + "\r\n" + body)), 411) << header;
+  }
+  EXPECT_TRUE(control.commands.empty());
 }
 
 TEST_F(ViewServerTest, APortThatIsTakenIsNamed) {
