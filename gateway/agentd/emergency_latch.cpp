@@ -72,15 +72,17 @@ EmergencyLatch::EmergencyLatch(const std::string& agent, const fs::path& folder)
 }
 
 bool EmergencyLatch::is_set() const {
+  if (file_.empty()) return false;
+  // The entry counts, also a link that leads nowhere, and also one that cannot be looked at.
   std::error_code error;
-  return !file_.empty() && fs::exists(file_, error);
+  return fs::symlink_status(file_, error).type() != fs::file_type::not_found;
 }
 
 void EmergencyLatch::set(bool stopped) const {
   if (file_.empty()) return;
   std::error_code error;
   if (stopped) {
-    error = make_file(file_);
+    if (!is_set()) error = make_file(file_);
   } else {
     fs::remove(file_, error);
   }

@@ -2,16 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
 #include <map>
-#include <memory>
-#include <stdexcept>
 #include <vector>
 
 #include "gateway/commands/exported_scene_of.h"
+#include "gateway/commands/output_file.h"
 #include "gateway/exit_status.h"
 #include "sim/campaign/description.h"
 #include "sim/campaign/schema.h"
@@ -22,36 +19,6 @@
 
 namespace gateway {
 namespace {
-
-using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
-
-[[noreturn]] void fail_writing(const std::string& name) {
-  throw std::runtime_error(fmt::format("{}: {}", name, std::strerror(errno)));
-}
-
-/// Standard output or a file, with every error told.
-class Output {
- public:
-  explicit Output(const std::string& file)
-      : name_(file.empty() ? "standard output" : file),
-        file_(file.empty() ? nullptr : std::fopen(file.c_str(), "wb"), &std::fclose) {
-    if (!file.empty() && !file_) fail_writing(name_);
-  }
-
-  void write(std::string_view text) {
-    if (std::fwrite(text.data(), 1, text.size(), stream()) != text.size()) fail_writing(name_);
-  }
-
-  void finish() {
-    if (std::fflush(stream()) != 0) fail_writing(name_);
-  }
-
- private:
-  std::FILE* stream() { return file_ ? file_.get() : stdout; }
-
-  std::string name_;
-  File file_;
-};
 
 std::string list_of_tables(const std::vector<sim::record::Table>& tables,
                            const std::map<std::string, std::int64_t>& rows) {
@@ -71,7 +38,7 @@ int export_tables(const ExportOptions& options, const std::vector<sim::record::T
   const std::filesystem::path folder(options.file);
   std::filesystem::create_directories(folder);
   for (const sim::record::Table& table : tables) {
-    Output output((folder / fmt::format("{}.csv", table.name)).string());
+    OutputFile output((folder / fmt::format("{}.csv", table.name)).string());
     sim::report::write_csv(reader, table.name,
                            [&output](std::string_view text) { output.write(text); });
     output.finish();
@@ -82,7 +49,7 @@ int export_tables(const ExportOptions& options, const std::vector<sim::record::T
 int export_mcap(const ExportOptions& options) {
   // Everything that can be wrong with the result shows before a file is replaced.
   const sim::report::ExportedScene scene = exported_scene_of(options.folder);
-  Output output(options.file);
+  OutputFile output(options.file);
   sim::report::write_mcap(options.folder, scene,
                           [&output](std::string_view bytes) { output.write(bytes); });
   output.finish();
@@ -120,7 +87,7 @@ int export_campaign(const ExportOptions& options) {
   sim::campaign::CampaignReader reader(options.folder);
   if (is_whole(options)) return export_tables(options, tables, reader);
   const std::string list = list_of_tables(tables, reader.count_rows());
-  Output output(options.file);
+  OutputFile output(options.file);
   const auto write = [&output](std::string_view text) { output.write(text); };
   if (options.describe) {
     write(sim::campaign::describe_campaign());
@@ -147,7 +114,7 @@ void check_arguments_of_result(const ExportOptions& options) {
 }
 
 int describe_results(const ExportOptions& options) {
-  Output output(options.file);
+  OutputFile output(options.file);
   output.write(sim::record::describe_results());
   output.finish();
   return kDone;
@@ -160,7 +127,7 @@ int export_table(const ExportOptions& options) {
                                ? list_of_tables(sim::record::tables(),
                                                 sim::record::RunReader(options.folder).count_rows())
                                : "";
-  Output output(options.file);
+  OutputFile output(options.file);
   const auto write = [&output](std::string_view text) { output.write(text); };
   if (options.table.empty()) {
     write(list);

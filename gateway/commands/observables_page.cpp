@@ -59,6 +59,13 @@ DOMAIN.AGENT.VALUE, each agent has DOMAIN.VALUE.count, .mean, .mean_over_time (e
 time until the next), .sd, .min, .max, .last and, `as: quantiles`, .p01, .p05, .p25, .p50, .p75, .p95,
 .p99.
 
+A count of what a run could have had and had not is 0, and counts in means; the table `countable` of a
+result lists what it could: verdicts and classes of its radio's profile, events of its routing
+protocols, states and names that its controllers declare. What a run could not have, or did not
+record, it has no number of: collisions with an ideal radio, messages with `record: {messages: none}`.
+Topics, and states of controllers that declare none, are known when they come up: where runs are read
+together, one without them has 0 of those that another run of the same controllers had.
+
 )";
 
 std::string name_row(std::string_view name, std::string_view unit, std::string_view meaning) {

@@ -11,6 +11,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "gateway/commands/output_file.h"
 #include "gateway/exit_status.h"
 #include "gateway/view/bundled_page.h"
 #include "hal/config/document.h"
@@ -55,13 +56,6 @@ std::optional<sim::report::Settings> case_study(const std::vector<RunResult>& ru
   }
 }
 
-void write(const std::string& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) throw std::runtime_error(path + ": cannot be written");
-}
-
 /// `report:` of a scenario file.
 std::vector<PlotRequest> requests_in(const std::filesystem::path& scenario) {
   auto document = hal::config::Document::load(scenario);
@@ -71,16 +65,29 @@ std::vector<PlotRequest> requests_in(const std::filesystem::path& scenario) {
   return requests;
 }
 
+/// A file of a name that nobody else has, for as long as this is there.
+class TemporaryFile {
+ public:
+  explicit TemporaryFile(const std::string& text)
+      : path_((std::filesystem::temp_directory_path() / "baraka-XXXXXX.yaml").string()) {
+    const int file = ::mkstemps(path_.data(), 5);
+    if (file < 0) throw std::runtime_error(path_ + ": cannot be written");
+    ::close(file);
+    std::ofstream(path_, std::ios::binary) << text;
+  }
+  ~TemporaryFile() { ::unlink(path_.c_str()); }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  const std::string& path() const { return path_; }
+
+ private:
+  std::string path_;
+};
+
 /// `report:` of a scenario that is not a file.
 std::vector<PlotRequest> requests_in_text(const std::string& yaml) {
-  std::string path = (std::filesystem::temp_directory_path() / "baraka-XXXXXX.yaml").string();
-  const int file = ::mkstemps(path.data(), 5);
-  if (file < 0) throw std::runtime_error(path + ": cannot be written");
-  ::close(file);
-  write(path, yaml);
-  std::vector<PlotRequest> requests = requests_in(path);
-  std::filesystem::remove(path);
-  return requests;
+  return requests_in(TemporaryFile(yaml).path());
 }
 
 sim::report::Sources read_all(const ReportOptions& options) {
@@ -157,7 +164,7 @@ int report_figure(const sim::report::Sources& sources, const ReportOptions& opti
     fmt::print("{}{}", plot_text(plot), pairs_text(experiment, request));
     return kDone;
   }
-  write(options.file, options.file.ends_with(".csv") ? csv_of(plot) : svg(plot));
+  write_output(options.file, options.file.ends_with(".csv") ? csv_of(plot) : svg(plot));
   for (const std::string& note : plot.notes) fmt::print("note: {}\n", note);
   fmt::print("figure: {}\n", options.file);
   return kDone;
@@ -184,14 +191,14 @@ int report(const ReportOptions& options) {
   const std::string page = is_page ? empty_page() : "";
   const sim::report::Sources sources = read_all(options);
   if (!options.resamples.empty()) {
-    write(options.resamples, sim::report::resamples_csv(only_one(sources.experiments)));
+    write_output(options.resamples, sim::report::resamples_csv(only_one(sources.experiments)));
   }
   if (is_drawing || !options.figure.empty()) return report_figure(sources, options);
   if (options.file.empty()) {
     fmt::print("{}", sim::report::report(sources, case_study(sources.runs)));
     return kDone;
   }
-  write(options.file, sim::report::report_page(sources, case_study(sources.runs), page));
+  write_output(options.file, sim::report::report_page(sources, case_study(sources.runs), page));
   fmt::print("page: {}\n", options.file);
   return kDone;
 }

@@ -5,14 +5,15 @@
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <stdexcept>
+#include <optional>
 #include <thread>
 #include <utility>
 
+#include "gateway/commands/output_file.h"
 #include "gateway/exit_status.h"
 #include "gateway/run/judge_controllers.h"
 #include "gateway/run/wall_pace.h"
+#include "gateway/view/browser.h"
 #include "gateway/view/bundled_page.h"
 #include "gateway/view/export.h"
 #include "gateway/view/view_server.h"
@@ -58,7 +59,8 @@ int serve(const ViewOptions& options) {
   server.start();
   fmt::print("view: {}\n", server.address());
   std::fflush(stdout);
-  if (options.open) view::open_browser(server.address());
+  std::optional<view::Browser> browser;
+  if (options.open) browser.emplace(server.address());
   while (!interrupted()) std::this_thread::sleep_for(std::chrono::milliseconds(50));
   server.stop();
   return kDone;
@@ -72,10 +74,7 @@ int write_page(const ViewOptions& options) {
   const view::ViewApi api(std::move(settings.runs), settings.mode, false);
   const auto most = std::size_t{1'000'000} * static_cast<std::size_t>(options.most_mb);
   const view::ExportedPage exported = view::export_page(api, page, most);
-  std::ofstream file(options.file, std::ios::binary);
-  file << exported.html;
-  file.close();
-  if (!file) throw std::runtime_error(options.file + ": cannot be written");
+  write_output(options.file, exported.html);
   if (exported.finest != 0) {
     fmt::print(stderr,
                "warning: {} MB hold no details below spans of {:.3g} s where there are many; "

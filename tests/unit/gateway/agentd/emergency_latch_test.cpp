@@ -28,6 +28,22 @@ TEST(EmergencyLatch, RemembersAStopForTheNextDaemonOfThatAgentOnly) {
   fs::remove_all(folder);
 }
 
+// As a copied or a broken state folder may have it: the safe side is to stand still.
+TEST(EmergencyLatch, ALinkThatLeadsNowhereHolds) {
+  const fs::path folder =
+      fs::temp_directory_path() / ("baraka_latch_link_" + std::to_string(::getpid()));
+  fs::remove_all(folder);
+  const EmergencyLatch latch("r0", folder);
+  fs::create_symlink(folder / "nowhere", latch.file());
+  EXPECT_TRUE(latch.is_set());
+  latch.set(true);
+  EXPECT_TRUE(latch.is_set());
+  EXPECT_FALSE(fs::exists(folder / "nowhere")) << "written through the link";
+  latch.set(false);
+  EXPECT_FALSE(latch.is_set());
+  fs::remove_all(folder);
+}
+
 TEST(EmergencyLatch, WithoutAFolderNothingIsRemembered) {
   const EmergencyLatch latch;
   latch.set(true);
