@@ -129,7 +129,8 @@ def behind_a_wall(runs):
 
 
 def handover(runs):
-    """Longest gap in each half second between the messages that the server gets, and when the walker changes over."""
+    """Longest gap in each half second between the messages that the server gets, and when the walker changes over. Without a
+    scan and without keys: a lower bound."""
     plt = pyplot()
     figure, axis = plt.subplots()
     for colour, hysteresis in (("C0", "4 dB"), ("C1", "40 dB")):

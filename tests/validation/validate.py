@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Compares the radio with ns-3 and with closed forms, by runs, and writes docs/validation.md with its figures.
 
-    .ci/validate                                                        everything; some ten minutes
+    .ci/validate                                                        everything; some half an hour
     tests/validation/validate.py [--short] [--only NAME] [--build DIR]  NAME of a section
 
 --short takes some rows of each table, draws nothing, and fails if one leaves its tolerance or does not stand in
@@ -18,9 +18,11 @@ import errors
 import hidden
 import line
 import more
+import overlap
 import peer
 import propagation
 import ranges
+import rates
 import runs
 import saturation
 import scenarios
@@ -28,7 +30,7 @@ from document import save, table
 
 PAGE = runs.ROOT / "docs/validation.md"
 FIGURES = runs.ROOT / "docs/validation"
-SECTIONS = (saturation, hidden, more, ranges, errors, propagation, line, beacons, aodv)
+SECTIONS = (saturation, hidden, overlap, more, rates, ranges, errors, propagation, line, beacons, aodv)
 HEAD = """# Validation
 
 <!-- Written by `.ci/validate`; the words stand in tests/validation. -->

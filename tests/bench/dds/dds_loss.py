@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """What frames that get lost do to reliable samples, of Fast DDS and Cyclone DDS, without and with the retries of 802.11:
-the experiment of OSRF's TSC-RMW report (2020), over our radio.
+the traffic of OSRF's TSC-RMW report (2020), over our radio. There a datagram passes two links that lose, and discovery
+counts: dds_links.py has that.
 
     cmake --build build/release --target baraka baraka-holder cyclone_load fastdds_load
     tests/bench/dds/dds_loss.py [--runs N] [--parallel N] [--store FILE] [--short]
@@ -22,7 +23,7 @@ LOSSES = 0, 0.1, 0.2, 0.3, 0.4
 # Bytes, Hz: 512 kB at 30 Hz is 126 Mb/s, more than the radio has.
 TRAFFIC = (1_000, 30), (512_000, 30), (512_000, 3)
 RETRIES = {"none": {"short_retry_limit": 1, "long_retry_limit": 1}, "802.11's": {}}
-# Received/sent of the report: reliable, keep last 10, 30 Hz; Fast RTPS with synchronous writes. 20 % and more of
+# Received/sent of the report, by loss per link, of which there are two: reliable, keep last 10, 30 Hz; Fast RTPS with synchronous writes. 20 % and more of
 # 512 kB were 0 as well.
 PUBLISHED = {("fastdds", 1_000): {0: 0.992, 0.1: 0.912, 0.2: 0.297, 0.3: 0.000},
              ("cyclone", 1_000): {0: 0.992, 0.1: 0.974, 0.2: 0.732, 0.3: 0.022},

@@ -2,16 +2,20 @@
 """Plays the base field of AntHocNet (docs/scenarios/anthocnet_base_field.md) with several algorithms and seeds, and
 prints a table with 95 % intervals (Student-t over seeds), the verdicts of what was lost, and the protocols' events.
 
-    tests/bench/routing/base_field.py [--build DIR] [--seeds 1-10] [--until 900] [--csv FILE] [--set KEY=VALUE]... [NAME...]
+    tests/bench/routing/base_field.py [--build DIR] [--seeds 1-10] [--until 900] [--csv FILE] [--set KEY=VALUE]...
+                                      [--benchmark] [--disk NAME] [NAME...]
 
-NAME is one of those of ALGORITHMS; default: all that this build knows. The runs follow each other, each at idle
-priority; FILE gets a line for each, from which the scenario's figure is drawn (docs/scenarios).
+NAME is one of those of ALGORITHMS; default: all that this build knows. The runs follow each other, each at a
+low priority; FILE gets a line for each, from which the scenario's figure is drawn (docs/scenarios). With --benchmark, speeds
+and the beginnings of the flows are those of the benchmark that the page quotes, and of tests/peer/ns3/field: 1 to 20
+m/s, and at random in the first half, or in 180 s if that is less.
 """
 import argparse
 import contextlib
 import csv
 import math
 import pathlib
+import random
 import sqlite3
 import statistics
 import subprocess
@@ -25,6 +29,11 @@ MEASURES = ("delivery", "delay_mean", "delay_median", "delay_p99", "hops", "fram
 # Quantiles 0.975 of Student's t, by degrees of freedom.
 STUDENT = (12.7062, 4.3027, 3.1824, 2.7764, 2.5706, 2.4469, 2.3646, 2.3060, 2.2622, 2.2281, 2.2010, 2.1788, 2.1604,
            2.1448, 2.1314, 2.1199, 2.1098, 2.1009, 2.0930)
+
+
+WINDOW = 180  # s, in which flows begin
+# Two laws of the air with the same range: any overlap is a collision, or what DSSS makes of one of equal power, as in ns-3.
+DISKS = {"collisions": "mobility_framework", "dsss": "dsss"}
 
 
 def quantile(ordered, share):
@@ -59,13 +68,29 @@ def measured(database):
     return values, {verdict: count / sent for verdict, count in verdicts.items()}, events
 
 
+def of_benchmark(options, seed):
+    """Settings: its speeds, and 20 flows from random times on."""
+    chance = random.Random(seed)
+    starts = [round(chance.uniform(0, min(WINDOW, options.until / 2)), 3) for _ in range(20)]
+    flows = ", ".join(f"{{agents: s{i}, parameters: {{to: t{i}, start: {start} s}}}}" for i, start in enumerate(starts))
+    return [f"agents.sources.controller.overrides=[{flows}]",
+            *(f"agents.{group}.station.path.random_waypoint.speed=[1 m/s, 20 m/s]" for group in ("sources", "sinks", "relays"))]
+
+
+def of_disk(name):
+    return (f"radio={{include: {ROOT}/config/radios/equal_power_disk.yaml, error_model: {DISKS[name]}, data_rate: 2 Mb/s, "
+            "control_rate: 2 Mb/s, broadcast_rate: 2 Mb/s, basic_rates: [1 Mb/s, 2 Mb/s]}")
+
+
 def play(options, algorithm, seed):
     with tempfile.TemporaryDirectory(prefix="baraka-base-field-") as folder:
-        command = ["chrt", "-i", "0", options.build / "bin/baraka", "run", SCENARIO, "--controllers", "in-process",
+        command = ["nice", "-n", "10", options.build / "bin/baraka", "run", SCENARIO, "--controllers", "in-process",
                    "--no-inspect", "--seed", seed, "--out", pathlib.Path(folder) / "run", "--log", "error",
                    "--set", f"routing={ALGORITHMS[algorithm]}",
                    "--set", f"end=[{{at: {options.until} s, result: done}}]"]
-        for setting in options.set:
+        given = [of_disk(options.disk)] if options.disk else []
+        given += of_benchmark(options, seed) if options.benchmark else []
+        for setting in given + options.set:
             command += ["--set", setting]
         done = subprocess.run([str(part) for part in command], capture_output=True, text=True)
         if done.returncode != 0:
@@ -118,8 +143,10 @@ def main():
     parser.add_argument("--until", type=int, default=900, help="s")
     parser.add_argument("--csv", type=pathlib.Path)
     parser.add_argument("--set", action="append", default=[])
+    parser.add_argument("--benchmark", action="store_true")
+    parser.add_argument("--disk", choices=DISKS, help="the radio config/radios/equal_power_disk.yaml, with that error model")
     parser.add_argument("names", nargs="*", metavar="NAME")
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()
     unknown = [name for name in options.names if name not in ALGORITHMS]
     if unknown:
         parser.error(f"no such algorithm: {', '.join(unknown)}; there are {', '.join(ALGORITHMS)}")

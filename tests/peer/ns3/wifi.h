@@ -28,6 +28,8 @@ struct Radio {
   double energy = -62;     // CcaEdThreshold, dBm
   bool detector = true;    // of preambles: -82 dBm and 4 dB
   bool short_preamble = false;
+  std::string manager = "constant";  // aarf, minstrel: of the rate of data
+  bool ascending = false;            // what stations know of each other's rates: else DSSS first
 
   void add_to(ns3::CommandLine& line) {
     line.AddValue("data", "rate of data: b1 b2 b5.5 b11 g6 .. g54", data);
@@ -39,6 +41,8 @@ struct Radio {
     line.AddValue("energy", "CcaEdThreshold, dBm", energy);
     line.AddValue("detector", "of preambles", detector);
     line.AddValue("short", "preambles", short_preamble);
+    line.AddValue("manager", "of rates: constant, aarf, minstrel", manager);
+    line.AddValue("ascending", "rates in their order, not DSSS before OFDM", ascending);
   }
 };
 
@@ -57,8 +61,11 @@ inline void fix_basic_rates(const Radio& radio, const ns3::NetDeviceContainer& d
     for (uint32_t j = 0; j < devices.GetN(); ++j) {
       if (i == j) continue;
       const auto address = ns3::Mac48Address::ConvertFrom(devices.Get(j)->GetAddress());
-      for (const auto& one : device->GetPhy()->GetModeList())
-        stations->AddSupportedMode(address, one);
+      auto modes = device->GetPhy()->GetModeList();
+      if (radio.ascending)
+        modes.sort(
+            [](const auto& a, const auto& b) { return a.GetDataRate(20) < b.GetDataRate(20); });
+      for (const auto& one : modes) stations->AddSupportedMode(address, one);
       if (radio.short_preamble) stations->AddSupportedPhyPreamble(address, true);
       stations->RecordDisassociated(address);
     }
@@ -67,18 +74,25 @@ inline void fix_basic_rates(const Radio& radio, const ns3::NetDeviceContainer& d
   }
 }
 
-/// A station at each place, on one channel.
-inline ns3::NetDeviceContainer stations(const Radio& radio, const std::vector<ns3::Vector>& places,
-                                        ns3::Ptr<ns3::PropagationLossModel> loss) {
+inline void set_manager(const Radio& radio, ns3::WifiHelper& wifi) {
   using namespace ns3;
-  NodeContainer nodes;
-  nodes.Create(places.size());
-  const auto positions = CreateObject<ListPositionAllocator>();
-  for (const Vector& place : places) positions->Add(place);
-  MobilityHelper mobility;
-  mobility.SetPositionAllocator(positions);
-  mobility.Install(nodes);
+  const UintegerValue rts(radio.rts);
+  if (radio.manager == "aarf") {
+    wifi.SetRemoteStationManager("ns3::AarfWifiManager", "RtsCtsThreshold", rts);
+  } else if (radio.manager == "minstrel") {
+    wifi.SetRemoteStationManager("ns3::MinstrelWifiManager", "RtsCtsThreshold", rts);
+  } else {
+    wifi.SetRemoteStationManager(
+        "ns3::ConstantRateWifiManager", "DataMode", StringValue(mode(radio.data).GetUniqueName()),
+        "ControlMode", StringValue(mode(radio.control).GetUniqueName()), "NonUnicastMode",
+        StringValue(mode(radio.broadcast).GetUniqueName()), "RtsCtsThreshold", rts);
+  }
+}
 
+/// Radios of nodes that have places already, on one channel.
+inline ns3::NetDeviceContainer radios(const Radio& radio, const ns3::NodeContainer& nodes,
+                                      ns3::Ptr<ns3::PropagationLossModel> loss) {
+  using namespace ns3;
   const auto channel = CreateObject<YansWifiChannel>();
   channel->SetPropagationLossModel(loss);
   channel->SetPropagationDelayModel(CreateObject<ConstantSpeedPropagationDelayModel>());
@@ -94,11 +108,7 @@ inline ns3::NetDeviceContainer stations(const Radio& radio, const std::vector<ns
   mac.SetType("ns3::AdhocWifiMac");
   WifiHelper wifi;
   wifi.SetStandard(radio.data[0] == 'g' ? WIFI_STANDARD_80211g : WIFI_STANDARD_80211b);
-  wifi.SetRemoteStationManager("ns3::ConstantRateWifiManager", "DataMode",
-                               StringValue(mode(radio.data).GetUniqueName()), "ControlMode",
-                               StringValue(mode(radio.control).GetUniqueName()), "NonUnicastMode",
-                               StringValue(mode(radio.broadcast).GetUniqueName()),
-                               "RtsCtsThreshold", UintegerValue(radio.rts));
+  set_manager(radio, wifi);
   const NetDeviceContainer devices = wifi.Install(phy, mac, nodes);
   for (uint32_t i = 0; i < devices.GetN(); ++i) {
     const auto one = DynamicCast<WifiNetDevice>(devices.Get(i))->GetPhy();
@@ -108,6 +118,20 @@ inline ns3::NetDeviceContainer stations(const Radio& radio, const std::vector<ns
   wifi.AssignStreams(devices, 1000);
   Simulator::ScheduleNow([radio, devices] { fix_basic_rates(radio, devices); });
   return devices;
+}
+
+/// A station at each place, on one channel.
+inline ns3::NetDeviceContainer stations(const Radio& radio, const std::vector<ns3::Vector>& places,
+                                        ns3::Ptr<ns3::PropagationLossModel> loss) {
+  using namespace ns3;
+  NodeContainer nodes;
+  nodes.Create(places.size());
+  const auto positions = CreateObject<ListPositionAllocator>();
+  for (const Vector& place : places) positions->Add(place);
+  MobilityHelper mobility;
+  mobility.SetPositionAllocator(positions);
+  mobility.Install(nodes);
+  return radios(radio, nodes, loss);
 }
 
 inline ns3::Ptr<ns3::PropagationLossModel> friis() {
