@@ -341,8 +341,11 @@ struct KindOfSensor {
 std::vector<KindOfSensor> kinds_of_sensors() {
   using Values = std::vector<double>;
   const auto close = [](double a, double b, double by) { return std::abs(a - b) < by; };
-  return {{"battery", 16, 3, false,
-           [=](const Values& v) { return close(v[0], 0.73, 0.01) && close(v[1], 12, 0.01); }},
+  return {{"battery", 16, 5, false,
+           [=](const Values& v) {
+             return close(v[0], 0.73, 0.01) && close(v[1], 12, 0.01) && close(v[3], 730, 10) &&
+                    close(v[4], 1000, 1e-6);
+           }},
           {"imu", 17, 6, false,
            [=](const Values& v) { return close(v[2], 0, 0.01) && close(v[5], 9.81, 0.05); }},
           {"pose", 18, 3, true,

@@ -67,7 +67,7 @@ class RobotSensors {
     using namespace hal::hardware;
     const DeviceTimes times{10ms, 100ms, 60s};
     file.sensors = {{0, std::make_shared<ChosenSensor<PowerSupplySettings>>(
-                            PowerSupplySettings{supply_.path(), times}, make_power_supply)},
+                            PowerSupplySettings{supply_.path(), times, 1000}, make_power_supply)},
                     {1, std::make_shared<ChosenSensor<IioImuSettings>>(
                             IioImuSettings{imu_.path(), times}, make_iio_imu)}};
   }

@@ -97,6 +97,19 @@ class Case(unittest.TestCase):
         with contextlib.closing(sqlite3.connect(f"file:{file}?mode=ro", uri=True)) as database:
             return database.execute(sql).fetchall()
 
+    def check_countable(self):
+        """What the run counted is among what it says that it could count."""
+        for family, counted in (
+                ("frames", "SELECT class FROM frames_sent"),
+                ("receptions", "SELECT verdict FROM verdict_sums WHERE addressed"),
+                ("requests", "SELECT verdict FROM requests"),
+                ("messages.ends", "SELECT verdict FROM message_ends WHERE destination < 65534"),
+                ("routing.events", "SELECT event FROM routing_events"),
+                ("states", "SELECT state FROM states JOIN agents USING (agent) WHERE program IN "
+                           "(SELECT program FROM countable WHERE family = 'states')")):
+            found = self.query(f"{counted} EXCEPT SELECT word FROM countable WHERE family = '{family}'")
+            self.assertEqual(found, [], f"{family}: counted, and not in the table countable")
+
 
 def children(pid, name):
     """Processes of a program started by another one, by pid."""

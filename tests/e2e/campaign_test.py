@@ -148,6 +148,35 @@ class WhatIsRun(Campaigns):
         self.campaign(content, out=self.folder / "again")
         self.assertEqual(sorted(row[0] for row in self.ask("SELECT number FROM levels", self.folder / "again")), speeds)
 
+    def test_a_point_shows_the_defaults_that_it_leaves(self):
+        self.campaign({"scenario": str(CASE_STUDY), "until": "1 s", "replications": 1,
+                       "points": [{"radio.tx_power": "1 mW"},
+                                  {"agents.motes.controller.parameters.max_repeats": 7},
+                                  {"radio.profile": "ideal"}]})
+        levels = self.ask("SELECT point, key, text, number, is_default FROM levels JOIN factors USING (factor) "
+                          "ORDER BY point, factor")
+        repeats = "agents.motes.controller.parameters.max_repeats"
+        self.assertEqual(levels, [
+            (1, "radio.tx_power", "1 mW", 0.001, 0), (1, repeats, "3", 3, 1),
+            (1, "radio.profile", "mobility_framework", None, 1),
+            (2, "radio.tx_power", "2 mW", 0.002, 1), (2, repeats, "7", 7, 0),
+            (2, "radio.profile", "mobility_framework", None, 1),
+            (3, "radio.tx_power", "", None, 1), (3, repeats, "3", 3, 1), (3, "radio.profile", "ideal", None, 0)])
+        report = Program("baraka", "report", self.out, "--figure", "frames.sent", "--as", "table").finish()
+        for words in ("max_repeats 3, profile mobility_framework", "max_repeats 3, profile ideal", " 2 mW ", " - "):
+            self.assertIn(words, report.out)
+
+    def test_a_count_of_zero_is_in_the_mean(self):
+        self.campaign({"scenario": str(CASE_STUDY), "until": "20 s", "replications": 4,
+                       "vary": {"radio.loss.probability": [0.15]}})
+        values = [value for value, in self.ask("SELECT value FROM measurements JOIN observables USING (observable) "
+                                               "WHERE name = 'requests.retry_limit'")]
+        self.assertEqual(len(values), 4)
+        self.assertIn(0, values, "else this test shows nothing")
+        self.assertGreater(sum(values), 0)
+        report = Program("baraka", "report", self.out).finish()
+        self.assertRegex(report.out, rf"requests\.retry_limit +4 +{sum(values) / 4:g} ")
+
     def test_what_it_measured_can_be_exported(self):
         self.campaign({**SPEEDS, "keep": "all", "replications": 1})
         exported = Program("baraka", "export", self.out, "runs").finish()
@@ -163,6 +192,31 @@ class WhatIsRun(Campaigns):
         wrong = Program("baraka", "export", self.out, "frames").finish()
         self.assertEqual(wrong.status, 2)
         self.assertIn("no table of a campaign", wrong.err)
+
+
+class Shipped(Campaigns):
+    def test_those_that_come_with_it_run(self):
+        files = sorted((ROOT / "config/campaigns").glob("*.yaml"))
+        self.assertIn("sensitivity.yaml", [file.name for file in files])
+        for file in files:
+            with self.subTest(campaign=file.name):
+                out = self.folder / file.stem
+                self.assertEqual(Program("baraka", "check", file).finish().status, 0)
+                finished = Program("baraka", "campaign", file, "--out", out, "--set", "replications=1", "--set",
+                                   "until=1500 ms").finish()
+                self.assertEqual((finished.status, finished["failed"]), (0, "0"), str(finished))
+                rows = self.ask("SELECT label, fingerprint, result FROM runs JOIN points USING (point) ORDER BY point", out)
+                self.assertGreater(len(rows), 1)
+                self.assertEqual({result for _, _, result in rows}, {"until"})
+
+    def test_the_first_point_of_the_sensitivities_is_the_case_study_as_it_is_shipped(self):
+        file = ROOT / "config/campaigns/sensitivity.yaml"
+        first = next(line for line in file.read_text().splitlines() if line.startswith("  - "))
+        key, value = first.split("{")[1].split("}")[0].split(": ")
+        single = self.start(CASE_STUDY, "--controllers", "in-process", "--until", 20).finish()
+        varied = self.start(CASE_STUDY, "--controllers", "in-process", "--until", 20, "--set", f"{key}={value}",
+                            out=self.folder / "varied").finish()
+        self.assertEqual(varied["fingerprint"], single["fingerprint"])
 
 
 class Mistakes(Campaigns):
@@ -261,6 +315,15 @@ class EndedEarly(Campaigns):
         self.assertIn("the wheels have come off", self.ask("SELECT error FROM runs")[0][0])
         self.assertEqual(self.ask("SELECT folder FROM runs ORDER BY run"),
                          [("runs/p001-r01",), ("runs/p001-r02",), (None,), (None,)])
+
+    def test_the_log_of_a_failed_run_stays_when_no_folder_does(self):
+        content = {"scenario": str(FAULTY), "until": "3 s", "replications": 1, "keep": "none",
+                   "vary": {"agents.robots.controller.parameters.throw_at": ["2 s", "100 s"]}}
+        for _ in range(2):  # also when the same command finds nothing to do
+            self.campaign(content, status=1)
+            left = sorted(file.name for file in (self.out / "runs").iterdir())
+            self.assertEqual(left, ["p001-r01.log"])
+            self.assertIn("the wheels have come off", (self.out / "runs" / left[0]).read_text())
 
     @unittest.skipUnless(private_network.is_possible(), "this user may make no namespaces")
     def test_a_full_disk_loses_nothing(self):

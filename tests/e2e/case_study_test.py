@@ -48,6 +48,26 @@ class CaseStudy(Case):
         self.assertTrue(400 <= sum(times) / 10 <= 1000, times)
         self.check_delays(outs)
 
+    def longest_search(self, seed, *more):
+        """@return begin and duration, ns, of the longest search for a route that found one."""
+        self.run_baraka(CASE_STUDY, "--seed", seed, "--controllers", "in-process", *more)
+        return self.query("SELECT ended_ns - took_ns, took_ns FROM discoveries WHERE found ORDER BY took_ns DESC LIMIT 1")[0]
+
+    def test_a_short_jitter_loses_searches_to_collisions_of_their_own_ants(self):
+        short = ("--set", "routing.jitter_max=1 ms", "--set", "routing.retry_jitter=0")
+        for seed in range(1, 11):
+            begin, took = self.longest_search(seed, *short)
+            if took > 1e9:
+                break
+        self.assertTrue(5e9 < took < 5.1e9, f"{took} ns: repeated once, after 5 s")
+        ends = dict(self.query(
+            "SELECT verdict, count(*) FROM frame_ends e JOIN frames f USING (frame) JOIN agents a ON a.agent = e.agent WHERE "
+            f"a.name = 'm17' AND packet = 'forward ant' AND f.at_ns BETWEEN {begin} AND {begin + 1e9} GROUP BY verdict"))
+        self.assertNotIn("delivered", ends)
+        self.assertGreater(sum(ends.values()), 0, "copies came, and met")
+        self.assertLessEqual(set(ends), {"collision", "preamble missed"}, "none was taken by a loss")
+        self.assertLess(self.longest_search(seed)[1], 0.2e9, "not with the jitter as it ships")
+
     def check_delays(self, outs):
         delays, discoveries = [], []
         for out in outs:

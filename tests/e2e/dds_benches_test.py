@@ -49,6 +49,13 @@ class DdsBenches(Case):
         self.assertGreater(float(found["802.11's"]["received/sent"].split()[0]), 0.95, printed)
         self.again("dds_loss", printed, "--short")
 
+    def test_links(self):
+        printed = self.measure("dds_links", "--short")
+        shares = [float(row["received/sent"].split()[0]) for row in rows(printed)]
+        self.assertGreater(shares[0], 0.5, printed)
+        self.assertLess(shares[1], 0.8 * shares[0], printed)  # 0.36 of the frames pass both links
+        self.again("dds_links", printed, "--short")
+
     def test_storm(self):
         printed = self.measure("discovery_storm", "--short")
         found = rows(printed)

@@ -86,6 +86,8 @@ class Observables(Case):
                     "{program: traffic_sink}", *observing("{name: controllers.*.goodput, on: change}"))
         self.assertEqual(self.query("SELECT name, unit, count, last FROM observables JOIN observable_sums "
                                     "USING (observable)"), [("controllers.goodput", "bit/s", 1, 0.0)] * 2)
+        self.assertEqual(self.query("SELECT program, unit FROM recorded_units WHERE name = 'goodput'"),
+                         [("traffic_sink", "bit/s")])
 
     def test_samples_are_bounded(self):
         self.inside(TWO_MOTES, *observing("{name: radio.m0.queue, every: 10 ms, most: 100}"))

@@ -301,6 +301,15 @@ class RadioKeys(Case):
         self.rises("cca_time", ["10 us", "19 us"], Run.together, time="2 s",
                    radio=("profile: ieee80211b", "cw_min: 3", "broadcast_rate: 11 Mb/s"), stations=two)
 
+    def test_eifs(self):
+        """Four saturated links in a row; c hears b and d, which do not hear each other."""
+        row = [(40 * i, f"pattern: saturated, backlog: 2, to: {to}, size: 993" if to else None, "")
+               for i, to in enumerate(("b", "c", "d", "e", None))]
+        options = dict(radio=("profile: ieee80211g", "data_rate: 12 Mb/s", "slot: 9 us", LOG_DISTANCE),
+                       stations=row, time="2 s")
+        self.rises("eifs_start", ["medium_idle", "frame_end"], lambda run: run.received("d"), **options)
+        self.rises("header_error", ["eifs", "forgotten"], lambda run: run.frames(sender="c"), **options)
+
     def test_retries_and_queues(self):
         nobody = [(0, "pattern: periodic, rate: 10 Hz, phase: 0 s, to: b, size: 100", ""), (1e5, None, "")]
         self.is_each([5, 7], "short_retry_limit", [5, 7], Run.frames, stations=nobody, time="90 ms")

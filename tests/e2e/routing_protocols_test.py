@@ -11,6 +11,7 @@ class RoutingProtocols(Case):
     def play(self, routing, *more, dds=False):
         where = () if dds else ("--controllers", "in-process")
         self.finished = self.run_baraka(SCENARIO, "--set", f"routing={routing}", *where, *more)
+        self.check_countable()
         return dict(self.query("SELECT event, SUM(count) FROM routing_events GROUP BY event"))
 
     def ends(self):

@@ -43,6 +43,7 @@ class Verdicts(Case):
     def sums_hold(self, scenario, *arguments):
         """Runs it and compares; gives the verdicts in all."""
         self.run_baraka(scenario, *IN_PROCESS, *arguments)
+        self.check_countable()
         expected, links = self.count_each_frame_at_each_radio()
         totals = collections.Counter()
         for kind, addressed, verdict, count in self.query("SELECT * FROM verdict_sums"):

@@ -10,7 +10,7 @@ HERE = pathlib.Path(__file__).parent
 FOLDERS = ["hal/types", "sim/core", "gateway", "controllers", "tests", "idl"]
 
 
-def lint(rule, files):
+def lint(rule, files, program=None):
     with tempfile.TemporaryDirectory() as folder:
         root = pathlib.Path(folder)
         for name in FOLDERS:
@@ -19,7 +19,10 @@ def lint(rule, files):
             path = root / name
             path.parent.mkdir(parents=True, exist_ok=True)
             path.write_text(text)
-        run = subprocess.run([sys.executable, HERE / rule, str(root)], capture_output=True,
+        more = [str(root / program)] if program else []
+        if program:
+            (root / program).chmod(0o755)
+        run = subprocess.run([sys.executable, HERE / rule, str(root), *more], capture_output=True,
                              text=True, check=False)
         return run.returncode, run.stdout
 
@@ -110,6 +113,55 @@ class FunctionSizes(unittest.TestCase):
 
     def test_a_tree_without_functions_is_suspicious(self):
         self.assertEqual(lint("function_sizes.py", {})[0], 1)
+
+
+class DocsNames(unittest.TestCase):
+    HELP = """#!/bin/sh
+[ "$1" = run ] && { echo "  --pace TEXT  of the run"; exit; }
+[ "$1" = topic ] && [ "$2" = echo ] && { echo "  --domain INT"; exit; }
+[ "$1" = topic ] && { printf 'Subcommands:\n  echo   Samples\n'; exit; }
+printf 'Options:\n  --version\n\nSubcommands:\n  run    Run a scenario\n  topic  Topics\n'
+"""
+    FILES = {"baraka": HELP, "sim/core/clock.h": "class Clock;\n", "sim/core/clock.cpp": "void Clock::tick() {}\n",
+             "tests/bench.py": 'parser.add_argument("--seeds")\n'}
+
+    def check(self, text, message):
+        for page in ("README.md", "docs/a.md"):
+            status, out = lint("docs_names.py", {**self.FILES, page: text + "\n"}, "baraka")
+            self.assertEqual(status, 1 if message else 0, out)
+            self.assertIn(f"{page}:1: {message}" if message else ": ok", out)
+
+    def test_files(self):
+        for text in ("`sim/core/clock.h`, `.cpp`", "`clock.h`", "`sim/core/*.h`", "`sim/core/clock.{h,cpp}`", "`sim/core`",
+                     "`sim/core/NAME.h`", "`config/<name>.yaml`"):
+            with self.subTest(text):
+                self.check(text, "")
+        self.check("`sim/core/timer.h`", "no file sim/core/timer.h")
+        self.check("`sim/core/clock.{h,py}`", "no file sim/core/clock.py")
+        self.check("`timer.h`", "no file is called timer.h")
+        self.check("`sim/core/clock.h`, `.yaml`", "no file sim/core/clock.yaml")
+
+    def test_commands_and_options(self):
+        for text in ("`baraka run x --pace realtime`", "`--pace`", "`tests/bench.py --seeds 1-3`", "`cmake --install build`",
+                     "`baraka topic echo x --domain 1`", "`baraka run … [--pace P]`"):
+            with self.subTest(text):
+                self.check(text, "")
+        self.check("`--real-time`", "no command or program: option --real-time")
+        self.check("`baraka topic echo x --pace 1`", "'baraka topic echo' does not have: option --pace")
+        self.check("`baraka fly`", "no command 'baraka fly'")
+
+    def test_lines_of_a_block(self):
+        status, out = lint("docs_names.py", {**self.FILES, "README.md": "```\nbaraka run x --pase y\n```\n"}, "baraka")
+        self.assertEqual(status, 1)
+        self.assertIn("README.md:2: 'baraka run' does not have: option --pase", out)
+
+    def test_names_of_code(self):
+        for text in ("`Clock`", "`Clock::tick()`", "`sim/core/clock.cpp`, `tick()`", "`std::sin`"):
+            with self.subTest(text):
+                self.check(text, "")
+        self.check("`ClockWork`", "nothing is called ClockWork")
+        self.check("`Clock::tock()`", "nothing is called Clock::tock()")
+        self.check("`sim/core/clock.h`, `tick()`", "sim/core/clock.h has no tick()")
 
 
 if __name__ == "__main__":
