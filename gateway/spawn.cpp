@@ -166,12 +166,24 @@ pid_t Spawner::start(const Command& command) {
 hal::Result<void> Spawner::check() const {
   for (const Child& child : children_) {
     if (!has_ended(child.descriptor)) continue;
-    return hal::fail(hal::Errc::kNotConnected,
-                     fmt::format("{} (pid {}) {}{}; see {}", child.name, child.pid,
-                                 ending_of(child.name, child.pid).cause, last_words(child.log),
-                                 child.log.string()));
+    return hal::fail(hal::Errc::kNotConnected, end_of(child, child.log));
   }
   return {};
+}
+
+std::string Spawner::end_of(const Child& child, const std::filesystem::path& log) {
+  return fmt::format("{} (pid {}) {}{}; see {}", child.name, child.pid,
+                     ending_of(child.name, child.pid).cause, last_words(log), log.string());
+}
+
+std::vector<std::string> Spawner::killed(const std::filesystem::path& logs) const {
+  std::vector<std::string> lines;
+  for (const Child& child : children_) {
+    if (!has_ended(child.descriptor)) continue;
+    if (!ending_of(child.name, child.pid).cause.starts_with("killed")) continue;
+    lines.push_back(end_of(child, logs / child.log.filename()));
+  }
+  return lines;
 }
 
 void Spawner::wait_all(hal::Duration timeout) {

@@ -52,6 +52,10 @@ class Spawner {
   /// words.
   hal::Result<void> check() const;
 
+  /// Those that a signal ended, with their last words, a line each.
+  /// @param logs  folder in which their logs are by now.
+  std::vector<std::string> killed(const std::filesystem::path& logs) const;
+
   /// Of the one that was started first: readable once it has ended. -1: there is none.
   int descriptor() const { return children_.empty() ? -1 : children_.front().descriptor; }
 
@@ -72,6 +76,8 @@ class Spawner {
     pid_t pid = 0;
     int descriptor = -1;
   };
+  static std::string end_of(const Child& child, const std::filesystem::path& log);
+
   hal::Clock& clock_;
   std::vector<Child> children_;
 };

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <stdexcept>
 #include <utility>
 
@@ -210,11 +211,12 @@ void ControllersOfRun::start_inside(const ProcessPlan& plan, std::vector<std::st
        .inherited = invitation.descriptors()});
 }
 
-std::vector<std::string> ControllersOfRun::finish(bool stopped) {
+std::vector<std::string> ControllersOfRun::finish(bool stopped, const std::filesystem::path& logs) {
   using namespace std::chrono_literals;
   std::vector<std::string> lines;
   if (!server_) return lines;
   lines = complaints(server_->summary());
+  if (!stopped) std::ranges::move(spawner_.killed(logs), std::back_inserter(lines));
   if (stopped) spawner_.wait_all(2s);
   for (const Ending& ending : spawner_.stop_all()) {
     if (stopped && ending.status != 0) {

@@ -47,9 +47,9 @@ class ControllersOfRun {
   std::optional<int> domain() const;
 
   /// Ends what was started. @param stopped  they have been told the run is over, and get time to
-  /// end by themselves. @return one line per process that ended badly, and per thing that was
-  /// dropped or refused.
-  std::vector<std::string> finish(bool stopped);
+  /// end by themselves. @param logs  folder in which their logs are by now. @return one line per
+  /// process that ended badly, and per thing that was dropped or refused.
+  std::vector<std::string> finish(bool stopped, const std::filesystem::path& logs);
 
  private:
   void connect_in_process(const std::vector<sim::scenario::ProcessPlan>& plans,

@@ -43,6 +43,10 @@ void LastResort::watch() {
   std::optional<Clock::time_point> since;
   std::unique_lock lock(mutex_);
   while (!over_changed_.wait_for(lock, kLookEvery, [this] { return over_; })) {
+    if (const auto fault = hal::runtime::FaultWatch::held_fault()) {
+      status_of_end(*fault, true);
+      hal::runtime::FaultWatch::end();
+    }
     if (!interrupted()) continue;
     if (!since) since = Clock::now();
     if (Clock::now() - *since >= kInterruptGrace) end_stuck_run();

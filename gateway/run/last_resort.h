@@ -8,12 +8,14 @@
 #include <thread>
 
 #include "hal/runtime/exit_watch.h"
+#include "hal/runtime/fault_watch.h"
 
 namespace gateway {
 
 /// Ends a run from outside its own thread, when that will not: a controller's callback or a process
 /// that does not return while the user wants to go, and a controller in this process that calls
-/// exit() or its like. What there are of results is kept.
+/// exit() or its like, or that a signal or an exception of its own ends. What there are of results
+/// is kept.
 class LastResort {
  public:
   /// Writes results and says how it ended. The run's thread is in a call that was seized.
@@ -36,6 +38,7 @@ class LastResort {
   std::condition_variable over_changed_;
   bool over_ = false;
   std::optional<hal::runtime::ExitWatch> exit_watch_;
+  const hal::runtime::FaultWatch fault_watch_{"error", true};
   std::thread watcher_;
 };
 

@@ -271,7 +271,8 @@ int run(const RunOptions& options, const Scenario& scenario, const Course& cours
   const Outcome outcome = play(course, simulation, *pace, network.get());
   pace->end();
   Ending ending{.outcome = outcome,
-                .complaints = controllers.finish(outcome.kind != Outcome::Kind::kFailed),
+                .complaints = controllers.finish(outcome.kind != Outcome::Kind::kFailed,
+                                                 results.folder().path()),
                 .wall_seconds = pace->wall_seconds()};
   if (network) end_network(*network, ending, course, scenario, results);
   const ExitStatus status = conclude(results, judge, simulation, std::move(ending));

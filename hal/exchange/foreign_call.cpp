@@ -8,6 +8,7 @@ namespace hal::exchange {
 namespace {
 
 std::atomic<ForeignCall*> current{nullptr};
+constinit thread_local const ForeignCall* of_this_thread = nullptr;
 
 /// Stands in `current` for a call that was seized. Never called through.
 ForeignCall* seized() {
@@ -20,10 +21,12 @@ ForeignCall* seized() {
 ForeignCall::ForeignCall(std::string_view who, std::string_view what, Time at)
     : who_(who), what_(what), at_(at) {
   ForeignCall* before = current.load();
+  of_this_thread = this;
   while (before != seized() && !current.compare_exchange_weak(before, this)) continue;
 }
 
 ForeignCall::~ForeignCall() {
+  if (of_this_thread == this) of_this_thread = nullptr;
   ForeignCall* expected = this;
   if (current.compare_exchange_strong(expected, nullptr)) return;
   while (expected == seized()) pause();
@@ -34,7 +37,9 @@ std::optional<SeizedCall> seize_call() {
   if (call == nullptr || call == seized()) return std::nullopt;
   // If this succeeds, the destructor will not: the call lives.
   if (!current.compare_exchange_strong(call, seized())) return std::nullopt;
-  return SeizedCall{std::string(call->who()), std::string(call->what()), call->at()};
+  return SeizedCall{call->who(), call->what(), call->at()};
 }
+
+const ForeignCall* call_of_this_thread() { return of_this_thread; }
 
 }  // namespace hal::exchange

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <string_view>
 
 #include "hal/types/time.h"
@@ -19,8 +18,8 @@ namespace hal::exchange {
 /// One at a time in a process; of several, the one that began last is the one that can be seized.
 class ForeignCall {
  public:
-  /// @param who   "controller of r0", "process 'robots'"; outlives this.
-  /// @param what  "step()", "answer".   @param at  time of the event.
+  /// @param who   "controller of r0", "process 'robots'"; outlives this.  @param what  "step()",
+  /// "answer"; of static life.   @param at  time of the event.
   ForeignCall(std::string_view who, std::string_view what, Time at);
   ~ForeignCall();
   ForeignCall(const ForeignCall&) = delete;
@@ -35,12 +34,16 @@ class ForeignCall {
   Time at_;
 };
 
-/// A call that was seized.
+/// A call that was seized. The texts are the call's own, which stays.
 struct SeizedCall {
-  std::string who;
-  std::string what;
+  std::string_view who;
+  std::string_view what;
   Time at{};
 };
+
+/// The call that the calling thread is in, of several the one that began last; null: none.
+/// Async-signal-safe.
+const ForeignCall* call_of_this_thread();
 
 /// Takes the call under way from its thread, which will stand still at the end of it: what that
 /// thread could touch belongs to the caller now, for the rest of the process. None: no call is

@@ -35,7 +35,7 @@ void leave(int status) noexcept {
 
 std::string ExitCall::what() const {
   return fmt::format("called {}({}) {}", function, status,
-                     within ? "in " + within->what : "outside any callback");
+                     within ? fmt::format("in {}", within->what) : "outside any callback");
 }
 
 std::string ExitCall::text() const {

@@ -41,6 +41,38 @@ class Exits(Case):
         self.assertRegex(finished.err, r"error: .*r0.*at 2\.000000000 s")
 
 
+class Faults(Case):
+    """A controller that a signal ends: a null pointer, an exception that nobody catches."""
+
+    FAULTS = (("null_at", 11, r"controller of r0: SIGSEGV \(Segmentation fault\) at address 0x0 in step\(\)"),
+              ("overflow_at", 11, r"controller of r0: SIGSEGV \(Segmentation fault\) at address 0x[0-9a-f]+ in step\(\)"),
+              ("abort_at", 6, r"controller of r0: SIGABRT \(Aborted\) in step\(\)"),
+              ("raise_at", 10, r"controller of r0: SIGUSR1 \(User defined signal 1\) in step\(\)"),
+              ("thread_throw_at", 6, r"exception std::runtime_error that nobody caught: \\x1b\[2Jthe antenna has come off "
+                                     r"on another thread during step\(\) of controller of r0"),
+              ("thread_null_at", 11, r"SIGSEGV .* on another thread during step\(\) of controller of r0"))
+
+    def assert_failed(self, finished):
+        self.assertEqual(finished["result"], "failed")
+        self.assertEqual(self.query("SELECT value FROM run WHERE key = 'result'"), [("failed",)])
+        self.assertGreater(self.query("SELECT count(*) FROM poses")[0][0], 0, "results are kept")
+
+    def test_in_process_it_is_named_with_its_call_and_results_are_kept(self):
+        for fault, signal, what in self.FAULTS:
+            with self.subTest(fault=fault):
+                finished = self.run_baraka(FAULTY, *IN_PROCESS, *at(fault), status=-signal)
+                self.assertRegex(finished.err, rf"error: {what} at 2\.000000000 s\n")
+                self.assert_failed(finished)
+
+    def test_a_process_says_so_in_its_log_and_the_run_repeats_it(self):
+        for fault, signal, what in self.FAULTS:
+            with self.subTest(fault=fault):
+                finished = self.run_baraka(FAULTY, *at(fault), *NEVER, status=1)
+                self.assertRegex(finished.err, rf"error: process 'robots' .*killed by signal {signal} \(agents r0\)")
+                self.assertRegex(finished.err, rf"warning: faulty .*: robots: {what} at 2\.0+ s; see .*robots\.log")
+                self.assert_failed(finished)
+
+
 class Stuck(Case):
     """A controller that does not return."""
 

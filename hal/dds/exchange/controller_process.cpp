@@ -19,6 +19,7 @@
 
 #include "hal/dds/domains.h"
 #include "hal/runtime/exit_watch.h"
+#include "hal/runtime/fault_watch.h"
 #include "hal/types/log.h"
 #include "hal/types/printable.h"
 
@@ -108,6 +109,7 @@ class ControllerProcess {
 
   const runtime::ExitWatch exit_watch_{
       [this](const runtime::ExitCall& call) { return on_exit_called(call); }};
+  const runtime::FaultWatch fault_watch_{client_.hello().process};
 };
 
 std::optional<Outcome> ControllerProcess::outcome() {
@@ -172,6 +174,7 @@ void ControllerProcess::refused(const exchange::Session& session) {
 
 /// On the thread that receives Steps.
 bool ControllerProcess::answer(const exchange::Step& step) {
+  thread_local const runtime::SignalStack stack;
   const std::lock_guard lock(mutex_);
   work_off(step);
   return outcome_.has_value();

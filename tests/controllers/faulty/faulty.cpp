@@ -1,7 +1,9 @@
 #include <unistd.h>
 
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <csignal>
 #include <cstdlib>
 #include <limits>
 #include <stdexcept>
@@ -24,6 +26,7 @@ class Faulty : public hal::Controller {
     if (is_due("thread_exit_at")) {
       std::thread([] { std::exit(0); }).join();
     }
+    fall();
     if (is_due("shout_at")) {
       robot_.log(hal::log::Level::kWarning, "\033[2Jshouted\n[   0.000000000] error r1: forged");
       robot_.state("\033]0;LOUD\007");
@@ -46,6 +49,26 @@ class Faulty : public hal::Controller {
   }
 
  private:
+  /// What a signal ends.
+  void fall() {
+    if (is_due("null_at")) *nowhere_ = 1;
+    if (is_due("abort_at")) std::abort();
+    if (is_due("overflow_at")) overflow(1);
+    if (is_due("raise_at")) std::raise(static_cast<int>(parameters_["signal"]));
+    if (is_due("thread_throw_at")) {
+      std::thread([] { throw std::runtime_error("\033[2Jthe antenna has come off"); }).join();
+    }
+    if (is_due("thread_null_at")) {
+      std::thread([this] { *nowhere_ = 1; }).join();
+    }
+  }
+
+  static int overflow(int depth) {
+    std::array<volatile int, 1024> much{};
+    much[0] = depth;
+    return depth == 0 ? 0 : overflow(depth + 1) + much[0];
+  }
+
   /// Whether the time of a fault falls into this control cycle.
   bool is_due(const char* fault) const {
     const double now = hal::to_seconds(robot_.now());
@@ -55,6 +78,7 @@ class Faulty : public hal::Controller {
 
   hal::Robot& robot_;
   const hal::Parameters parameters_;
+  volatile int* volatile nowhere_ = nullptr;
 };
 
 BARAKA_CONTROLLER {
@@ -67,6 +91,13 @@ BARAKA_CONTROLLER {
                          {"leave_at", "s", never, 0, never, "Calls _exit(0)."},
                          {"quick_exit_at", "s", never, 0, never, "Calls quick_exit(0)."},
                          {"thread_exit_at", "s", never, 0, never, "The same on another thread."},
+                         {"null_at", "s", never, 0, never, "Writes to a null pointer."},
+                         {"abort_at", "s", never, 0, never, "Calls abort()."},
+                         {"overflow_at", "s", never, 0, never, "Calls itself without end."},
+                         {"raise_at", "s", never, 0, never, "Raises `signal`."},
+                         {"signal", "1", 10, 1, 64, "Its number."},
+                         {"thread_throw_at", "s", never, 0, never, "Throws on another thread."},
+                         {"thread_null_at", "s", never, 0, never, "As null_at on another thread."},
                          {"shout_at", "s", never, 0, never, "Says escape sequences."},
                          {"throw_loudly_at", "s", never, 0, never, "Throws an escape sequence."},
                          {"nan_from", "s", never, 0, never, "Drives with NaN in every cycle."},
