@@ -32,7 +32,7 @@ namespace {
 constexpr std::array kDeadlySignals{SIGSEGV, SIGBUS,  SIGFPE,    SIGILL,  SIGABRT, SIGSYS,
                                     SIGTRAP, SIGXCPU, SIGXFSZ,   SIGALRM, SIGPIPE, SIGVTALRM,
                                     SIGPROF, SIGIO,   SIGSTKFLT, SIGPWR,  SIGUSR1, SIGUSR2};
-constexpr std::time_t kHoldFor = 5;                         // s
+constexpr int kMostNaps = 500;                              // of 10 ms
 constexpr std::size_t kSignalStack = std::size_t{1} << 17;  // bytes
 
 enum class Told : std::uint8_t { kNothing, kTelling, kHeld, kOver };
@@ -71,7 +71,7 @@ void add_cause(int signal, const siginfo_t& info) {
   const char* const words = ::sigdescr_np(signal);
   fault.add("SIG{} ({})", name == nullptr ? "?" : name, words == nullptr ? "?" : words);
   if (comes_from_an_instruction(signal, info)) {
-    fault.add(" at address {:#x}", reinterpret_cast<std::uintptr_t>(info.si_addr));
+    fault.add(" at address {}", static_cast<const void*>(info.si_addr));
   } else if (info.si_code <= 0 && info.si_pid != ::getpid() && info.si_pid > 0) {
     fault.add(" from process {}", info.si_pid);
   }
@@ -113,14 +113,8 @@ void tell() {
 /// Until the results are written.
 void hold() {
   told = Told::kHeld;
-  constexpr timespec kLook{0, 10'000'000};
-  timespec now{};
-  ::clock_gettime(CLOCK_MONOTONIC, &now);
-  const std::time_t until = now.tv_sec + kHoldFor;
-  while (told != Told::kOver && now.tv_sec <= until) {
-    ::nanosleep(&kLook, nullptr);
-    ::clock_gettime(CLOCK_MONOTONIC, &now);
-  }
+  constexpr timespec kNap{0, 10'000'000};  // ns
+  for (int nap = 0; nap < kMostNaps && told != Told::kOver; ++nap) ::nanosleep(&kNap, nullptr);
 }
 
 void on_signal(int signal, siginfo_t* info, void* context) {
