@@ -92,7 +92,7 @@ Played play(const sim::scenario::Scenario& scenario, const ControllersOfRun::Set
   tests::NoPace pace;
   const auto outcome = simulation.run(hal::Time{20s}, pace);
   EXPECT_EQ(outcome.error, "");
-  controllers.finish(true);
+  controllers.finish(true, {});
   fingerprint.finish();
   return {fingerprint.fingerprint().total(), take_replies(arrivals.all)};
 }
