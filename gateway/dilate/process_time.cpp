@@ -35,6 +35,14 @@ bool read_number(std::string_view word, Nanoseconds& value) {
   return error == std::errc{} && end == word.data() + word.size();
 }
 
+/// Of a process or thread, also of another one: those have negative numbers, of whose lowest two
+/// bits 3 stands for a device (include/linux/posix-timers.h of Linux).
+bool is_of_processor(clockid_t clock) {
+  constexpr clockid_t kKind = 3, kDevice = 3;
+  if (clock < 0) return (clock & kKind) != kDevice;
+  return clock == CLOCK_PROCESS_CPUTIME_ID || clock == CLOCK_THREAD_CPUTIME_ID;
+}
+
 }  // namespace
 
 Nanoseconds kernel_time(clockid_t clock) {
@@ -114,18 +122,18 @@ std::optional<Nanoseconds> ProcessTime::origin(clockid_t clock) const {
     case CLOCK_BOOTTIME_ALARM:
       return boot_;
     default:
-      return std::nullopt;
+      return is_of_processor(clock) ? std::optional<Nanoseconds>(0) : std::nullopt;
   }
 }
 
 Nanoseconds ProcessTime::to_program(Nanoseconds kernel, clockid_t clock) const {
   const auto begin = origin(clock);
-  return begin ? dilation_.to_program(kernel, *begin) : kernel;
+  return begin && kernel > *begin ? dilation_.to_program(kernel, *begin) : kernel;
 }
 
 Nanoseconds ProcessTime::to_kernel(Nanoseconds program, clockid_t clock) const {
   const auto begin = origin(clock);
-  return begin ? dilation_.to_kernel(program, *begin) : program;
+  return begin && program > *begin ? dilation_.to_kernel(program, *begin) : program;
 }
 
 }  // namespace gateway::dilate

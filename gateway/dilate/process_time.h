@@ -22,10 +22,12 @@ class ProcessTime {
 
   const Dilation& dilation() const { return dilation_; }
 
-  /// What a dilated clock said at the origin; none: the clock is not dilated (CPU time).
+  /// What a dilated clock said at the origin: 0 of those of processor time, which begin with their
+  /// process or thread; none: the clock is not dilated (a device's).
   std::optional<Nanoseconds> origin(clockid_t clock) const;
 
-  /// Of a dilated clock; a wait until then ends no earlier. Any other stays.
+  /// Of a dilated clock; a wait until then ends no earlier. Before the origin both are the same: a
+  /// file of last year is of last year. Any other clock stays.
   Nanoseconds to_program(Nanoseconds kernel, clockid_t clock) const;
   Nanoseconds to_kernel(Nanoseconds program, clockid_t clock) const;
 

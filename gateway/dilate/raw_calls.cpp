@@ -3,10 +3,15 @@
 #include <linux/futex.h>
 #include <poll.h>
 #include <sys/epoll.h>
+#include <sys/resource.h>
 #include <sys/select.h>
 #include <sys/socket.h>
+#include <sys/stat.h>
 #include <sys/syscall.h>
+#include <sys/sysinfo.h>
 #include <sys/timerfd.h>
+#include <sys/times.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
@@ -65,6 +70,26 @@ long as_system_call(int error) {
   return -1;
 }
 
+/// What tells of processor time, or of times of files.
+long counted(long number, const Arguments& a) {
+  const auto first = static_cast<int>(a[0]);
+  switch (number) {
+    case SYS_times:
+      return times(pointer<tms>(a[0]));
+    case SYS_getrusage:
+      return getrusage(static_cast<__rusage_who_t>(first), pointer<rusage>(a[1]));
+    case SYS_wait4:
+      return wait4(first, pointer<int>(a[1]), static_cast<int>(a[2]), pointer<rusage>(a[3]));
+    case SYS_sysinfo:
+      return sysinfo(pointer<struct sysinfo>(a[0]));
+    case SYS_statx:
+      return statx(first, pointer<char>(a[1]), static_cast<int>(a[2]), static_cast<unsigned>(a[3]),
+                   pointer<struct statx>(a[4]));
+    default:
+      return pass_on(number, a);
+  }
+}
+
 /// What takes signals is called with their number of bytes, too: the C library knows it.
 long timed(long number, const Arguments& a) {
   const auto first = static_cast<int>(a[0]);
@@ -95,7 +120,7 @@ long timed(long number, const Arguments& a) {
       return recvmmsg(first, pointer<mmsghdr>(a[1]), static_cast<unsigned>(a[2]),
                       static_cast<int>(a[3]), pointer<timespec>(a[4]));
     default:
-      return pass_on(number, a);
+      return counted(number, a);
   }
 }
 

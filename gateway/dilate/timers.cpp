@@ -150,9 +150,7 @@ BARAKA_EXPORTED int timer_gettime(timer_t timer, itimerspec* setting) noexcept {
 
 BARAKA_EXPORTED int setitimer(__itimer_which_t which, const itimerval* __restrict setting,
                               itimerval* __restrict before) noexcept {
-  if (which != ITIMER_REAL || setting == nullptr) {
-    return BARAKA_NEXT(setitimer)(which, setting, before);
-  }
+  if (setting == nullptr) return BARAKA_NEXT(setitimer)(which, setting, before);
   const itimerval kernel = for_kernel(*setting);
   const int status = BARAKA_NEXT(setitimer)(which, &kernel, before);
   if (status == 0 && before != nullptr) *before = told_to_program(*before);
@@ -161,7 +159,7 @@ BARAKA_EXPORTED int setitimer(__itimer_which_t which, const itimerval* __restric
 
 BARAKA_EXPORTED int getitimer(__itimer_which_t which, itimerval* setting) noexcept {
   const int status = BARAKA_NEXT(getitimer)(which, setting);
-  if (status == 0 && which == ITIMER_REAL) *setting = told_to_program(*setting);
+  if (status == 0) *setting = told_to_program(*setting);
   return status;
 }
 

@@ -162,7 +162,7 @@ INSTANTIATE_TEST_SUITE_P(
                               kKernelMonotonic},
                     TimedCall{"clock_nanosleep_of_processor_time",
                               [] { clock_nanosleep(CLOCK_PROCESS_CPUTIME_ID, 0, &kHalf, nullptr); },
-                              Numbers{500 * kMillisecond}},
+                              kKernelHalf},
                     TimedCall{"usleep", [] { usleep(500'000); }, kKernelHalf},
                     TimedCall{"sleep", [] { sleep(3); }, Numbers{12 * kSecond}},
                     TimedCall{"thrd_sleep", [] { thrd_sleep(&kHalf, nullptr); }, kKernelHalf}),
@@ -288,7 +288,10 @@ INSTANTIATE_TEST_SUITE_P(
                   set_timer(CLOCK_MONOTONIC, TIMER_ABSTIME, kMonotonic + 3 * kSecond),
                   Numbers{2 * kSecond, kMonotonic + 12 * kSecond}},
         TimedCall{"timer_of_processor_time", set_timer(CLOCK_PROCESS_CPUTIME_ID, 0, 3 * kSecond),
-                  Numbers{500 * kMillisecond, 3 * kSecond}},
+                  Numbers{2 * kSecond, 12 * kSecond}},
+        TimedCall{"timer_at_processor_time",
+                  set_timer(CLOCK_PROCESS_CPUTIME_ID, TIMER_ABSTIME, 3 * kSecond),
+                  Numbers{2 * kSecond, 12 * kSecond}},
         TimedCall{"setitimer",
                   [] {
                     const itimerval given{at_us(500 * kMillisecond), at_us(3 * kSecond)};
@@ -300,7 +303,7 @@ INSTANTIATE_TEST_SUITE_P(
                     const itimerval given{at_us(500 * kMillisecond), at_us(3 * kSecond)};
                     setitimer(ITIMER_PROF, &given, nullptr);
                   },
-                  Numbers{500 * kMillisecond, 3 * kSecond}},
+                  Numbers{2 * kSecond, 12 * kSecond}},
         TimedCall{"alarm", [] { alarm(3); }, Numbers{0, 12 * kSecond}},
         TimedCall{"ualarm", [] { ualarm(3'000'000, 500'000); },
                   Numbers{2 * kSecond, 12 * kSecond}}),
@@ -363,8 +366,35 @@ TEST(Clock, GoesSlowerFromItsOrigin) {
   EXPECT_EQ(reads(CLOCK_REALTIME_COARSE, kRealtime + 8 * kSecond), kRealtime + 2 * kSecond);
   EXPECT_EQ(reads(CLOCK_MONOTONIC_RAW, kRaw + 8 * kSecond), kRaw + 2 * kSecond);
   EXPECT_EQ(reads(CLOCK_BOOTTIME, kBoot + 8 * kSecond), kBoot + 2 * kSecond);
-  EXPECT_EQ(reads(CLOCK_PROCESS_CPUTIME_ID, 8 * kSecond), 8 * kSecond);
-  EXPECT_EQ(reads(CLOCK_THREAD_CPUTIME_ID, 8 * kSecond), 8 * kSecond);
+}
+
+/// Those of processor time begin at 0; those of other processes have negative numbers, as have
+/// devices', which stay: clock_getcpuclockid(3), Documentation of posix-clock of Linux.
+TEST(Clock, OfProcessorTimeGoesSlowerFromZero) {
+  const auto reads = [](clockid_t clock) {
+    tests::recorder::set_clock(8 * kSecond);
+    timespec now{};
+    clock_gettime(clock, &now);
+    tests::recorder::disarm();
+    return ns(now);
+  };
+  constexpr clockid_t kOfDescriptor3 = ~3 << 3 | 3;
+  clockid_t of_parent = 0, of_thread = 0;
+  ASSERT_EQ(clock_getcpuclockid(getppid(), &of_parent), 0);
+  ASSERT_EQ(pthread_getcpuclockid(pthread_self(), &of_thread), 0);
+  EXPECT_EQ(reads(CLOCK_PROCESS_CPUTIME_ID), 2 * kSecond);
+  EXPECT_EQ(reads(CLOCK_THREAD_CPUTIME_ID), 2 * kSecond);
+  EXPECT_EQ(reads(of_parent), 2 * kSecond);
+  EXPECT_EQ(reads(of_thread), 2 * kSecond);
+  EXPECT_EQ(reads(kOfDescriptor3), 8 * kSecond);
+}
+
+TEST(Clock, HasNotBeenSlowedBeforeItsOrigin) {
+  tests::recorder::set_clock(kMonotonic - 8 * kSecond);
+  timespec now{};
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  tests::recorder::disarm();
+  EXPECT_EQ(ns(now), kMonotonic - 8 * kSecond);
 }
 
 TEST(Clock, AllCallsThatReadItAgree) {

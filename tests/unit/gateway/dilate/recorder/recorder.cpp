@@ -8,13 +8,16 @@
 #include <semaphore.h>
 #include <sys/epoll.h>
 #include <sys/ioctl.h>
+#include <sys/resource.h>
 #include <sys/select.h>
 #include <sys/sem.h>
 #include <sys/socket.h>
 #include <sys/syscall.h>
 #include <sys/time.h>
 #include <sys/timerfd.h>
+#include <sys/times.h>
 #include <sys/uio.h>
+#include <sys/wait.h>
 #include <threads.h>
 #include <unistd.h>
 
@@ -302,6 +305,34 @@ int ioctl(int descriptor, unsigned long request, ...) noexcept {
   const timespec t = to_timespec(reaction->left);
   std::memcpy(argument, &t, sizeof t);  // as seconds and what is behind them
   return react("ioctl", {});
+}
+int getrusage(__rusage_who_t who, rusage* usage) noexcept {
+  PASS_ON_UNLESS_ARMED(getrusage, who, usage);
+  write_back(&usage->ru_utime);
+  write_back(&usage->ru_stime);
+  return react("getrusage", {});
+}
+pid_t wait4(pid_t process, int* status, int options, rusage* usage) noexcept {
+  PASS_ON_UNLESS_ARMED(wait4, process, status, options, usage);
+  if (usage != nullptr) write_back(&usage->ru_utime);
+  return react("wait4", {});
+}
+clock_t times(tms* usage) noexcept {
+  PASS_ON_UNLESS_ARMED(times, usage);
+  constexpr std::int64_t kTick = kSecond / 100;
+  const clock_t ticks = reaction->left / kTick;
+  if (usage != nullptr) *usage = {ticks, ticks, ticks, ticks};
+  return react("times", {});
+}
+int setrlimit(__rlimit_resource_t resource, const rlimit* limit) noexcept {
+  PASS_ON_UNLESS_ARMED(setrlimit, resource, limit);
+  return react("setrlimit", {static_cast<std::int64_t>(limit->rlim_cur),
+                             static_cast<std::int64_t>(limit->rlim_max)});
+}
+int getrlimit(__rlimit_resource_t resource, rlimit* limit) noexcept {
+  PASS_ON_UNLESS_ARMED(getrlimit, resource, limit);
+  *limit = {static_cast<rlim_t>(reaction->left), RLIM_INFINITY};
+  return react("getrlimit", {});
 }
 long syscall(long number, ...) noexcept {
   long a[6];
