@@ -41,6 +41,46 @@ print(json.dumps({"waits": {
 }, "child": [before, inner, after], "variable": os.environ["BARAKA_DILATION"]}))
 """
 
+PROCESSOR = """
+import json, os, resource, time
+def readings():
+    usage = resource.getrusage(resource.RUSAGE_SELF)
+    ticks = os.times()
+    return {"process": time.process_time(), "thread": time.thread_time(), "getrusage": usage.ru_utime + usage.ru_stime,
+            "times": ticks.user + ticks.system, "/proc/self/stat": sum(map(int, open("/proc/self/stat").read().rpartition(
+                ")")[2].split()[11:13])) / 100}, {"monotonic": time.monotonic(), "elapsed": ticks.elapsed}
+before, clocks = readings()
+while time.monotonic() < clocks["monotonic"] + 0.4: pass
+after, clocks_after = readings()
+print(json.dumps([{name: after[name] - before[name] for name in before},
+                  {name: clocks_after[name] - clocks[name] for name in clocks}]))
+"""
+
+UPTIMES = """
+import subprocess, time
+boot = lambda: time.clock_gettime(time.CLOCK_BOOTTIME)
+said = lambda *command: float(subprocess.check_output(command).split()[0])
+for command in (["cat", "/proc/uptime"], ["awk", "{print $1}", "/proc/uptime"], ["sh", "-c", "cat < /proc/uptime"],
+                ["sh", "-c", "cd /proc; read up idle < uptime; echo $up"]):
+    print(boot(), said(*command), boot())
+for way in (lambda: open("/proc/uptime"), lambda: open("/proc/uptime", "rb", buffering=0)):
+    print(boot(), float(way().read().split()[0]), boot())
+"""
+
+FILES = """
+cd "$1"
+sleep 0.3
+date +%s.%N; echo first > a; date +%s.%N; stat -c %.9Y a; stat -c %.9Z a
+sleep 0.1
+echo later > b
+test b -nt a && echo newer
+touch -d @1900000000.123456789 a; stat -c %.9Y a
+cp -p a c; stat -c %.9Y c; test c -nt a || test a -nt c || echo same
+find . -newer b -name a
+touch -d 2020-01-02T03:04:05Z a; stat -c %Y a
+touch -d "100 seconds" ahead
+"""
+
 
 def slowed(factor=FACTOR, **variables):
     return {**os.environ, "LD_PRELOAD": str(LIBRARY), "BARAKA_DILATION": str(factor), **variables}
@@ -69,6 +109,59 @@ class Dilation(unittest.TestCase):
         before, child, after = said["child"]
         self.assertTrue(before <= child <= after, f"a child has the same clock: {said['child']}")
         self.assertRegex(said["variable"], r"^0\.25( \d+){4}$")
+
+    def test_processor_time_is_no_more_than_the_time_that_passed(self):
+        """It was four times as much: whoever keeps to a share of the processor then kept to a quarter of it."""
+        process, outside = run([sys.executable, "-c", PROCESSOR])
+        self.assertEqual(process.returncode, 0, process.stderr)
+        processor, clocks = json.loads(process.stdout)
+        self.assertGreaterEqual(outside, 0.4 / FACTOR)
+        for name, time_ in clocks.items():
+            self.assertGreaterEqual(time_, 0.39, name)
+            self.assertLessEqual(time_, outside * FACTOR + 0.02, name)
+        for name, time_ in processor.items():
+            self.assertGreater(time_, 0, name)
+            self.assertLessEqual(time_, clocks["monotonic"] + 0.03, name)
+
+    def test_the_limit_of_processor_time_is_of_the_programs_own(self):
+        process, outside = run(["bash", "-c", "ulimit -t 1; ulimit -t; while :; do :; done"])
+        self.assertEqual(process.returncode, -9, process.stderr)
+        self.assertEqual(process.stdout, "1\n")
+        self.assertGreaterEqual(outside, 1 / FACTOR)
+
+    def test_files_of_proc_tell_the_slowed_time(self):
+        process, _ = run([sys.executable, "-c", UPTIMES])
+        self.assertEqual(process.returncode, 0, process.stderr)
+        for line in process.stdout.splitlines():
+            before, told, after = map(float, line.split())
+            self.assertTrue(before - 0.02 <= told <= after + 0.02, line)
+        self.assertEqual(len(process.stdout.splitlines()), 6)
+
+    @unittest.skipUnless(shutil.which("top"), "needs top")
+    def test_top_sees_processors_work_between_two_looks(self):
+        process, _ = run(["top", "-b", "-n", "3", "-d", "0.3"], slowed(LC_ALL="C"))
+        shares = [float(share) for share in re.findall(r"([\d.]+) id", process.stdout)]
+        self.assertGreaterEqual(len(shares), 3, process.stdout + process.stderr)
+        sums = [sum(map(float, re.findall(r"([\d.]+) (?:us|sy|ni|id|wa|hi|si|st)", line)))
+                for line in process.stdout.splitlines() if line.startswith("%Cpu")]
+        for total in sums:
+            self.assertAlmostEqual(total, 100, delta=1)
+
+    def test_files_are_of_the_slowed_time(self):
+        with tempfile.TemporaryDirectory() as folder:
+            before_outside = time.time()
+            process, _ = run(["sh", "-c", FILES, "sh", folder])
+            self.assertEqual(process.returncode, 0, process.stderr)
+            before, after, modified, changed, *rest = process.stdout.splitlines()
+            for told in (modified, changed):  # by the kernel's last tick
+                self.assertLessEqual(float(before) - 0.02, float(told))
+                self.assertLessEqual(float(told), float(after) + 0.001)
+            self.assertEqual(rest, ["newer", "1900000000.123456789", "1900000000.123456789", "same", "./a",
+                                    "1577934245"])
+            self.assertGreaterEqual(os.stat(pathlib.Path(folder) / "b").st_mtime, before_outside)
+            self.assertEqual(os.stat(pathlib.Path(folder) / "a").st_mtime, 1577934245)
+            ahead = os.stat(pathlib.Path(folder) / "ahead").st_mtime - time.time()
+            self.assertAlmostEqual(ahead, 100 / FACTOR, delta=30)
 
     def test_a_thread_that_was_promised_a_second_gets_one(self):
         """time-outs of the C library's tools, which wait by alarm and timer."""
