@@ -28,7 +28,8 @@ using Overrides = std::vector<std::string>;
 void read_scenario(Mapping in) { sim::scenario::read_scenario(std::move(in), "scenario.yaml"); }
 void judge_scenario(const std::string& path, const Overrides& overrides) {
   // It may be checked for another computer.
-  for (const std::string& line : missing_programs(load_judged(path, overrides))) {
+  constexpr double kNotSlowed = 1;
+  for (const std::string& line : unusable_programs(load_judged(path, overrides), kNotSlowed)) {
     fmt::print(stderr, "{}\n", line);
   }
 }

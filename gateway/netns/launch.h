@@ -26,7 +26,8 @@ pid_t launch(const Launch& launch, const AgentSpaces& spaces, int log,
 /// What exec takes: null behind the last. Valid as long as the texts.
 std::vector<char*> pointers_to(const std::vector<std::string>& texts);
 
-/// Becomes a program; returns only if that is refused, with errno.
+/// Becomes a program; returns only if that is refused, with errno. Where its time is slowed, it and
+/// what it starts get no rights by setuid, setgid or capabilities of files.
 void become(const Launch& launch);
 
 /// This process may open as many descriptors as it is allowed at all, five for each agent; programs

@@ -27,7 +27,7 @@ std::string path_of(const sim::scenario::Program& program) {
 
 }  // namespace
 
-std::vector<std::string> missing_programs(const sim::scenario::Scenario& scenario) {
+std::vector<std::string> unusable_programs(const sim::scenario::Scenario& scenario, double factor) {
   std::vector<std::string> mistakes;
   std::set<std::string> said;
   for (const sim::scenario::PlannedProgram& planned : sim::scenario::plan_programs(scenario)) {
@@ -36,7 +36,8 @@ std::vector<std::string> missing_programs(const sim::scenario::Scenario& scenari
     if (name.find(sim::scenario::kResultsWord) != std::string::npos) continue;
     const auto words = sim::scenario::words_of(planned, scenario, {});
     try {
-      (void)netns::program_file(filled_in(name, words), filled_in(path_of(program), words));
+      netns::require_preloaded(
+          netns::program_file(filled_in(name, words), filled_in(path_of(program), words)), factor);
     } catch (const std::runtime_error& e) {
       std::string line = fmt::format("{}: command: {}", program.place, e.what());
       if (said.insert(line).second) mistakes.push_back(std::move(line));
@@ -45,9 +46,9 @@ std::vector<std::string> missing_programs(const sim::scenario::Scenario& scenari
   return mistakes;
 }
 
-void require_programs(const sim::scenario::Scenario& scenario) {
-  std::vector<std::string> missing = missing_programs(scenario);
-  if (!missing.empty()) throw hal::config::ConfigErrors(std::move(missing));
+void require_programs(const sim::scenario::Scenario& scenario, double factor) {
+  std::vector<std::string> unusable = unusable_programs(scenario, factor);
+  if (!unusable.empty()) throw hal::config::ConfigErrors(std::move(unusable));
 }
 
 }  // namespace gateway

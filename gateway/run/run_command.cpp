@@ -301,9 +301,9 @@ std::string until_words(const RunOptions& options) {
 
 int run(const RunOptions& options) {
   const Scenario scenario = load_judged(options.scenario, options.overrides);
-  if (options.repeat.empty()) require_programs(scenario);
   catch_interrupts();
   const Course course(options, scenario);
+  if (!course.is_repeated()) require_programs(scenario, course.factor().value_or(1));
   (void)domain_of(options);  // before anything is written
   RunInspection inspection(scenario, {.shown = options.inspect,
                                       .domain = options.inspect_domain,

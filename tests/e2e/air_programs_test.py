@@ -10,7 +10,7 @@ import time
 import unittest
 
 import wire
-from baraka import Case, children, send, wait_for
+from baraka import BIN, Case, children, send, wait_for
 
 SKIPPED = 77
 
@@ -244,6 +244,22 @@ class Programs(Air):
     def test_one_that_is_not_there_is_named(self):
         finished = self.run_baraka(self.scenario(station("a", 0, program("x", "no-such-program"))), status=2)
         self.assertRegex(finished.err, r"scenario.yaml:\d+:\d+: command: no program 'no-such-program' in PATH")
+
+    def test_one_whose_time_cannot_be_slowed_is_refused_before_the_run(self):
+        still = BIN.parent / "tests/still"
+        script = self.folder / "script"
+        script.write_text(f"#!{still}\n")
+        script.chmod(0o755)
+        scenario = self.scenario(station("a", 0, ", ".join([
+            program("well", "true"), program("still", str(still), start="900 ms"),
+            program("script", str(script), start="900 ms")])), end="1 s")
+        slowed = self.run_baraka(scenario, "--pace", "realtime:0.5", status=2)
+        self.assertRegex(slowed.err, r"scenario.yaml:\d+:\d+: command: \S*/still is statically linked, so its time "
+                                     r"cannot be slowed")
+        self.assertRegex(slowed.err, r"scenario.yaml:\d+:\d+: command: \S*/script is run by \S*/still, which is "
+                                     r"statically linked, so its time cannot be slowed")
+        self.assertFalse(self.out.exists(), "no run has begun")
+        self.run_baraka(scenario, "--pace", "realtime")
 
     def test_one_that_is_killed_is_noted(self):
         under_way = self.start(self.scenario(station("a", 0, program("victim", "sleep", "1234", on_exit="fail"))))

@@ -196,9 +196,29 @@ class Dilated(unittest.TestCase):
         script.chmod(0o755)
         with self.assertRaisesRegex(AssertionError, "script is run by .*still, which is statically linked"):
             self.run_.start(0, script)
-        child = self.run_.start(0, "sh", "-c", str(STILL))
-        self.assertEqual(child.status(), 126)
-        self.assertIn("still is statically linked, so its time cannot be slowed", child.text())
+        spawned = f"import os; os.posix_spawn({str(STILL)!r}, ['x'], os.environ)"
+        found = f"import os; os.posix_spawnp('still', ['x'], {{**os.environ, 'PATH': {str(STILL.parent)!r}}})"
+        for status, *command in ((126, "sh", "-c", STILL), (126, "sh", "-c", script), (126, "timeout", 9, STILL),
+                                 (126, "env", f"PATH={STILL.parent}", "still"), (1, PYTHON, "-c", spawned),
+                                 (1, "env", f"PATH={STILL.parent}", PYTHON, "-c", found)):
+            with self.subTest(command):
+                child = self.run_.start(0, *command)
+                self.assertEqual(child.status(), status, child.text())
+                self.assertIn("statically linked, or run by what is, so its time cannot be slowed", child.text())
+
+    def test_no_rights_come_with_a_file_for_the_library_would_not_be_loaded(self):
+        """ld.so(8): secure-execution mode. At a factor of 1 they may."""
+        asked = "grep", "NoNewPrivs", "/proc/self/status"
+        self.assertEqual(self.run_.run(0, *asked).split(), ["NoNewPrivs:", "1"])
+        self.assertEqual(Wire(self, user=True).run(0, *asked).split(), ["NoNewPrivs:", "0"])
+
+    @needs("ps")
+    def test_processes_are_as_old_as_the_clock_says(self):
+        said = self.run_.run(0, "sh", "-c", "sleep 9 & sleep 2; ps -o etimes= -p $!; date +%s; ps -o lstart= -p $!")
+        old, now, started = said.splitlines()
+        self.assertIn(int(old), (2, 3))
+        begun = time.mktime(time.strptime(started.strip(), "%a %b %d %H:%M:%S %Y"))
+        self.assertLessEqual(abs(int(now) - 2 - begun), 2)
 
 
 @unittest.skipIf(REFUSED, REFUSED)
