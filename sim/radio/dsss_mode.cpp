@@ -30,7 +30,11 @@ DsssMode::DsssMode(hal::BitsPerSecond rate, const Options& options)
               is_short(rate, options.preamble) ? 24us : 48us),
       header_rate_(is_short(rate, options.preamble) ? 2e6 : 1e6),
       rounding_(options.rounding),
-      errors_(options.errors) {}
+      errors_(options.errors) {
+  // CCK's table is made now: 11 ms of the processor, for which frames of programs would wait if it
+  // were made when the first is received.
+  (void)success_probability(errors_, 1, rate, 1);
+}
 
 hal::Duration DsssMode::airtime(std::uint32_t mpdu_bits) const {
   if (rounding_ == Rounding::kMicrosecond) {
