@@ -2,18 +2,38 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
+#include "sim/statistics/interval.h"
+
 namespace gateway {
 namespace {
 
 using sim::agents::EdgeSummary;
 
 constexpr double kMostLate = 0.01;  ///< Share of frames.
-/// A share of fewer says nothing of the computer.
+/// Of fewer it is only said when most are late: frames are late together, and the interval below
+/// takes each for a draw of its own.
 constexpr std::uint64_t kEnoughFrames = 100;
+constexpr double kMostOfFew = 0.5;  ///< Share of frames.
 
 double late_share(const EdgeSummary& edge) {
   if (edge.frames == 0) return 0;
   return static_cast<double>(edge.beyond_limit) / static_cast<double>(edge.frames);
+}
+
+/// The least share of late frames that those of this run can be a sample of: the lower end of
+/// Wilson's interval, 95 %.
+double least_late_share(const EdgeSummary& edge) {
+  using sim::statistics::Support;
+  const std::array shares{late_share(edge), late_share(edge)};
+  const Support support{Support::Kind::kShare, static_cast<double>(edge.frames)};
+  return sim::statistics::mean_interval(shares, support).value().low;
+}
+
+bool is_too_late(const EdgeSummary& edge) {
+  if (edge.frames < kEnoughFrames) return late_share(edge) > kMostOfFew;
+  return least_late_share(edge) > kMostLate;
 }
 
 void print_edge(const char* name, const EdgeSummary& edge) {
@@ -30,7 +50,7 @@ std::vector<std::string> network_warnings(const sim::agents::AirSummary& air,
                                           hal::Duration limit) {
   std::vector<std::string> lines;
   const auto judge = [&](const EdgeSummary& edge, const char* what) {
-    if (late_share(edge) <= kMostLate) return;
+    if (!is_too_late(edge)) return;
     if (edge.frames < kEnoughFrames) {
       lines.push_back(fmt::format("{} of the {} frames that {} were more than {} ms late",
                                   edge.beyond_limit, edge.frames, what,

@@ -51,12 +51,14 @@ void run_keys(Io& io, Scenario& scenario) {
                "`on_death: silence`.",
                "500 ms"},
               {1e-3, 3600}, c.command_timeout);
-  io.duration({"lateness_limit",
-               "Of agents with a `network`: a frame that is later than this, in simulated time, "
-               "between a program and the air counts as late. More than one in a hundred, and the "
-               "result says that this computer was too slow.",
-               "1 ms"},
-              {1e-6, 10}, c.lateness_limit);
+  io.duration(
+      {"lateness_limit",
+       "Of agents with a `network`: a frame that is later than this, in simulated time, "
+       "between a program and the air counts as late. If, of at least 100 frames, more than one "
+       "in a hundred are (95 % confidence), the result says that this computer was too slow; of "
+       "fewer it says how many, if more than half are.",
+       "1 ms"},
+      {1e-6, 10}, c.lateness_limit);
   io.choice(
       {"on_death", "A controller that dies or does not answer fails the run, or only falls silent.",
        "fail"},

@@ -355,6 +355,7 @@ class Runs(Air):
             station("a", 0, program("ping", "ping", "-c", "5", "-i", "0.1", "b", on_exit="end")), station("b", 5))
         finished = self.run_baraka(scenario, "--set", "lateness_limit=1 us")
         self.assertLess(int(finished["entering_frames"]), 100)
+        self.assertGreater(float(finished["entering_late_share"]), 0.5)
         self.assertRegex(finished.err, r"\d+ of the \d+ frames that programs sent were more than 0.001 ms late")
         self.assertNotIn("too slow", finished.err)
 
