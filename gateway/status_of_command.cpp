@@ -9,6 +9,7 @@
 #include "gateway/limits.h"
 #include "hal/config/errors.h"
 #include "hal/dds/domains.h"
+#include "hal/dds/trust.h"
 #include "hal/types/printable.h"
 
 namespace gateway {
@@ -30,6 +31,8 @@ int status_of_command(const std::function<int()>& command) {
   } catch (const UsageError& e) {
     return failed(kUsage, e.what());
   } catch (const hal::dds::NoSuchDomain& e) {
+    return failed(kUsage, e.what());
+  } catch (const hal::dds::NoSuchUser& e) {
     return failed(kUsage, e.what());
   } catch (const Interrupted& e) {
     std::fprintf(stderr, "%s\n", e.what());

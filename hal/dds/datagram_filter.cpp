@@ -9,7 +9,8 @@
 #include <functional>
 #include <utility>
 
-#include "hal/dds/speaker_check.h"
+#include "hal/dds/socket_table.h"
+#include "hal/dds/strangers.h"
 #include "hal/rtps/validate.h"
 #include "hal/types/log.h"
 
@@ -36,6 +37,11 @@ std::uint32_t number_of(const std::string& address) {
   return inet_pton(AF_INET, address.c_str(), &parsed) == 1 ? ntohl(parsed.s_addr) : 0;
 }
 
+bool is_in_use(const UdpSender& port) {
+  const auto sockets = sockets_behind(port);
+  return sockets && !sockets->empty();
+}
+
 /// Of the interface that has the address.
 std::uint32_t mask_of(std::uint32_t address, const ifaddrs* interfaces) {
   for (const ifaddrs* one = interfaces; one != nullptr; one = one->ifa_next) {
@@ -47,11 +53,6 @@ std::uint32_t mask_of(std::uint32_t address, const ifaddrs* interfaces) {
 }
 
 }  // namespace
-
-std::string UdpSender::text() const {
-  return fmt::format("{}.{}.{}.{}:{}", address >> 24U, address >> 16U & 255U, address >> 8U & 255U,
-                     address & 255U, port);
-}
 
 std::vector<Network> networks_of(const std::vector<std::string>& addresses) {
   ifaddrs* interfaces = nullptr;
@@ -69,11 +70,22 @@ std::vector<Network> networks_of(const std::vector<std::string>& addresses) {
   return networks;
 }
 
-DatagramFilter::DatagramFilter(Settings settings) : settings_(std::move(settings)) {}
+DatagramFilter::DatagramFilter(Settings settings) : settings_(std::move(settings)) {
+  if (settings_.trust) {
+    strangers_ = std::make_unique<Strangers>(*settings_.trust, settings_.clock);
+  }
+}
 
 DatagramFilter::~DatagramFilter() {
+  for (const std::string& line : strangers()) {
+    log::warning(Time{}, kWhere, "not heard in all: {}", line);
+  }
   const std::string dropped = drops();
   if (!dropped.empty()) log::warning(Time{}, kWhere, "dropped in all {}", dropped);
+}
+
+std::vector<std::string> DatagramFilter::strangers() const {
+  return strangers_ ? strangers_->summary() : std::vector<std::string>{};
 }
 
 bool DatagramFilter::is_near(std::uint32_t address) const {
@@ -81,13 +93,31 @@ bool DatagramFilter::is_near(std::uint32_t address) const {
 }
 
 bool DatagramFilter::lets_in(hal::rtps::Octets datagram, const UdpSender& sender) {
-  const Reason reason = objection_to(datagram, sender);
+  const hal::rtps::Walk walk(datagram);
+  Reason reason = objection_to(walk, sender);
+  if (reason.what.empty()) {
+    const hal::rtps::GuidPrefix& source = walk.header().source;
+    if (is_of_stranger(source, datagram, sender)) return false;
+    reason = objection_to(source, datagram, sender);
+  }
   if (!reason.what.empty()) drop(reason, sender);
   return reason.what.empty();
 }
 
-DatagramFilter::Reason DatagramFilter::objection_to(hal::rtps::Octets datagram,
-                                                    const UdpSender& sender) {
+/// Whoever has spoken from that port as that participant is not looked up again.
+bool DatagramFilter::is_of_stranger(const hal::rtps::GuidPrefix& source, hal::rtps::Octets datagram,
+                                    const UdpSender& sender) {
+  if (!strangers_) return false;
+  {
+    const std::lock_guard lock(mutex_);
+    const auto known = speakers_.find(source);
+    if (known != speakers_.end() && known->second.sender == sender) return false;
+  }
+  return strangers_->refuse(datagram, sender);
+}
+
+DatagramFilter::Reason DatagramFilter::objection_to(const hal::rtps::Walk& walk,
+                                                    const UdpSender& sender) const {
   if (!is_near(sender.address)) {
     return {"sender", "it is beyond the interfaces of this participant"};
   }
@@ -95,15 +125,20 @@ DatagramFilter::Reason DatagramFilter::objection_to(hal::rtps::Octets datagram,
   if (!ports.empty() && std::ranges::find(ports, sender.port) == ports.end()) {
     return {"sender", "it is not the process that invited this one"};
   }
-  const hal::rtps::Walk walk(datagram);
   if (walk.fault()) return {walk.fault()->part, walk.fault()->what};
+  return {};
+}
+
+DatagramFilter::Reason DatagramFilter::objection_to(const hal::rtps::GuidPrefix& source,
+                                                    hal::rtps::Octets datagram,
+                                                    const UdpSender& sender) {
   const std::lock_guard lock(mutex_);
-  const auto known = speakers_.find(walk.header().source);
+  const auto known = speakers_.find(source);
   Speaker speaker = known == speakers_.end() ? Speaker{.sender = sender} : known->second;
   if (speaker.is_ignored) return {"sender", "its participant is not heard any more"};
   if (settings_.is_star && speaker.sender != sender) {
     // One that ended and began anew within its process has the same GUID, and the old port is free.
-    if (socket_at(speaker.sender).value_or("") != "") {
+    if (is_in_use(speaker.sender)) {
       return {"sender", "its participant speaks from another port"};
     }
     speaker.sender = sender;
@@ -118,7 +153,7 @@ DatagramFilter::Reason DatagramFilter::objection_to(hal::rtps::Octets datagram,
   if (known != speakers_.end()) {
     known->second = speaker;
   } else {
-    meet(walk.header().source, speaker);
+    meet(source, speaker);
   }
   return {};
 }

@@ -3,26 +3,24 @@
 #include <atomic>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "hal/dds/trust.h"
+#include "hal/dds/udp_sender.h"
 #include "hal/dds/waiting.h"
 #include "hal/rtps/cursor.h"
 #include "hal/rtps/entity_id.h"
+#include "hal/rtps/walk.h"
 #include "hal/types/time.h"
 
 namespace hal::dds {
 
-/// A UDP port of an IPv4 address, both as numbers.
-struct UdpSender {
-  std::uint32_t address = 0;
-  std::uint16_t port = 0;
-  auto operator<=>(const UdpSender&) const = default;
-  std::string text() const;  ///< "127.0.0.1:7660"
-};
+class Strangers;
 
 /// The addresses from which an interface is reached without a router.
 struct Network {
@@ -44,7 +42,8 @@ std::vector<Network> networks_of(const std::vector<std::string>& addresses);
 ///
 /// On the loopback interface it also binds a participant to the port it speaks from, which no other
 /// program can have meanwhile: its GUID alone could be anyone's. The port may change once nobody
-/// has the old one.
+/// has the old one. Whose the port is, is looked up when it is heard first: nothing of a user who
+/// is not trusted gets to Fast DDS, and that user is named (Strangers).
 ///
 /// What is dropped is counted by reason and sender's address; the first of an address is logged,
 /// and at the end how many there were. Any thread.
@@ -56,6 +55,7 @@ class DatagramFilter {
     /// are of this project. Others may use several ports, and relay discovery.
     bool is_star = false;
     std::vector<std::uint16_t> ports{};  ///< The only ones that are listened to; empty: any.
+    std::optional<Trust> trust{};        ///< Of a star: which users are heard; none: all.
     Clock& clock = wall_clock();         ///< Outlives the filter.
   };
   explicit DatagramFilter(Settings settings);
@@ -75,9 +75,15 @@ class DatagramFilter {
   /// How long nothing was let in of a participant; none if it was never heard, or not lately.
   std::optional<Duration> silence_of(const hal::rtps::GuidPrefix& participant) const;
 
+  /// Which users are heard; null: all.
+  const Trust* trust() const { return settings_.trust ? &*settings_.trust : nullptr; }
+
   /// "3 datagrams from 127.0.0.1:7660 and others: 2 DATA: its payload is too short; 1 header: …";
   /// empty if there were none.
   std::string drops() const;
+
+  /// One line of each user who was not heard: see Strangers::summary().
+  std::vector<std::string> strangers() const;
 
  private:
   struct Speaker {
@@ -94,11 +100,16 @@ class DatagramFilter {
   };
 
   bool is_near(std::uint32_t address) const;
-  Reason objection_to(hal::rtps::Octets datagram, const UdpSender& sender);
+  bool is_of_stranger(const hal::rtps::GuidPrefix& source, hal::rtps::Octets datagram,
+                      const UdpSender& sender);
+  Reason objection_to(const hal::rtps::Walk& walk, const UdpSender& sender) const;
+  Reason objection_to(const hal::rtps::GuidPrefix& source, hal::rtps::Octets datagram,
+                      const UdpSender& sender);
   void meet(const hal::rtps::GuidPrefix& participant, const Speaker& speaker);
   void drop(const Reason& reason, const UdpSender& sender);
 
   const Settings settings_;
+  std::unique_ptr<Strangers> strangers_;  ///< Null: all users are heard.
   mutable std::mutex mutex_;
   std::map<hal::rtps::GuidPrefix, Speaker> speakers_;
   std::uint64_t heard_ = 0;

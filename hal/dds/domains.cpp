@@ -67,8 +67,8 @@ std::string program_of(pid_t pid) {
   return std::getline(file, name) ? name : "unknown";
 }
 
-/// "pid 12 (baraka)".
-std::string holder_of(int domain, int place) {
+/// Who holds a place of a domain; none: nobody, or it cannot be told.
+std::optional<ucred> credentials_at(int domain, int place) {
   const int descriptor = unix_socket();
   socklen_t size = 0;
   const sockaddr_un address = lock_name(domain, place, size);
@@ -76,10 +76,16 @@ std::string holder_of(int domain, int place) {
   socklen_t length = sizeof(holder);
   const bool is_known =
       connect(descriptor, reinterpret_cast<const sockaddr*>(&address), size) == 0 &&
-      getsockopt(descriptor, SOL_SOCKET, SO_PEERCRED, &holder, &length) == 0 && holder.pid > 0;
+      getsockopt(descriptor, SOL_SOCKET, SO_PEERCRED, &holder, &length) == 0;
   close(descriptor);
-  if (!is_known) return "another process";
-  return fmt::format("pid {} ({})", holder.pid, program_of(holder.pid));
+  return is_known ? std::optional(holder) : std::nullopt;
+}
+
+/// "pid 12 (baraka)".
+std::string holder_of(int domain, int place) {
+  const auto holder = credentials_at(domain, place);
+  if (!holder || holder->pid <= 0) return "another process";
+  return fmt::format("pid {} ({})", holder->pid, program_of(holder->pid));
 }
 
 void require_domain(int domain) {
@@ -126,6 +132,14 @@ std::string first_holder(int domain) {
 }
 
 }  // namespace
+
+std::set<uid_t> users_in(int domain) {
+  std::set<uid_t> users;
+  for (int place = 0; place < kPlaces; ++place) {
+    if (const auto holder = credentials_at(domain, place)) users.insert(holder->uid);
+  }
+  return users;
+}
 
 int discovery_port(int domain, int place) {
   // OMG DDSI-RTPS 2.3, 9.6.1.1: PB + DG * domain + d1 + PG * participant.

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <sys/types.h>
+
 #include <array>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 
@@ -46,6 +49,10 @@ DomainHold take_domain(std::optional<int> domain);
 /// Takes the first free place in a domain that others may share.
 /// @throws std::runtime_error  if all places are taken, naming who holds the first.
 DomainHold join_domain(int domain);
+
+/// The users who hold places in a domain, each once.
+/// @throws std::runtime_error  no file descriptor is left.
+std::set<uid_t> users_in(int domain);
 
 /// UDP port at which the server at a place of a domain is discovered.
 int discovery_port(int domain, int place);

@@ -2,6 +2,8 @@
 
 #include <cstddef>
 
+#include "hal/dds/send_from.h"
+
 namespace hal::dds {
 namespace {
 
@@ -25,6 +27,9 @@ class FilteringTransport : public transport::ChainingTransport {
   bool send(rtps::SenderResource* low_sender, const rtps::octet* buffer, std::uint32_t size,
             rtps::LocatorsIterator* begin, rtps::LocatorsIterator* end,
             const std::chrono::steady_clock::time_point& timeout) override {
+    if (descriptor_.sender) {
+      return send_from(descriptor_.sender->number(), buffer, size, *begin, *end);
+    }
     return low_sender->send(buffer, size, begin, end, timeout);
   }
 

@@ -8,21 +8,27 @@
 
 #include "hal/dds/datagram_filter.h"
 #include "hal/dds/fastdds.h"
+#include "hal/dds/sending_socket.h"
 
 namespace hal::dds {
 
-/// A transport of UDPv4's kind whose datagrams a filter sees before Fast DDS does.
+/// A transport of UDPv4's kind whose datagrams a filter sees before Fast DDS does, and which may
+/// send from a socket of its own.
 ///
 ///   qos.transport().user_transports.assign(
-///       1, std::make_shared<FilteringTransportDescriptor>(udp, filter));
+///       1, std::make_shared<FilteringTransportDescriptor>(udp, filter, nullptr));
 struct FilteringTransportDescriptor : eprosima::fastdds::rtps::ChainingTransportDescriptor {
   FilteringTransportDescriptor(
       std::shared_ptr<eprosima::fastdds::rtps::TransportDescriptorInterface> udp,
-      std::shared_ptr<DatagramFilter> datagram_filter)
-      : ChainingTransportDescriptor(std::move(udp)), filter(std::move(datagram_filter)) {}
+      std::shared_ptr<DatagramFilter> datagram_filter,
+      std::shared_ptr<SendingSocket> sending_socket)
+      : ChainingTransportDescriptor(std::move(udp)),
+        filter(std::move(datagram_filter)),
+        sender(std::move(sending_socket)) {}
   eprosima::fastdds::rtps::TransportInterface* create_transport() const override;
 
   std::shared_ptr<DatagramFilter> filter;
+  std::shared_ptr<SendingSocket> sender;  ///< Null: the transport below sends.
 };
 
 }  // namespace hal::dds

@@ -12,20 +12,13 @@
 #include <thread>
 #include <vector>
 
+#include "hal/dds/send_from.h"
+
 namespace hal::dds {
 namespace {
 
 namespace base = eprosima::fastdds::rtps;
 using rtps::Locator_t;
-
-sockaddr_in address_of(const Locator_t& locator) {
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_port = htons(static_cast<std::uint16_t>(locator.port));
-  std::copy_n(rtps::IPLocator::getIPv4(locator), sizeof(address.sin_addr),
-              reinterpret_cast<rtps::octet*>(&address.sin_addr));
-  return address;
-}
 
 Locator_t locator_of(const sockaddr_in& address) {
   Locator_t locator;
@@ -42,16 +35,7 @@ class HandedSender : public rtps::SenderResource {
     send_lambda_ = [socket](const rtps::octet* data, std::uint32_t size,
                             rtps::LocatorsIterator* begin, rtps::LocatorsIterator* end,
                             const std::chrono::steady_clock::time_point& /*until*/) {
-      bool all = true;
-      for (; *begin != *end; ++*begin) {
-        const Locator_t& to = **begin;
-        if (to.kind != LOCATOR_KIND_UDPv4) continue;
-        const sockaddr_in address = address_of(to);
-        // Loopback takes a datagram or drops it, at once.
-        all &= sendto(socket, data, size, MSG_NOSIGNAL, reinterpret_cast<const sockaddr*>(&address),
-                      sizeof(address)) >= 0;
-      }
-      return all;
+      return send_from(socket, data, size, *begin, *end);
     };
   }
 };

@@ -1,6 +1,6 @@
 #include "hal/dds/invitation.h"
 
-#include <fmt/format.h>
+#include <fmt/core.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <sys/stat.h>
@@ -8,9 +8,7 @@
 #include <array>
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
 #include <stdexcept>
-#include <string_view>
 
 #include "hal/dds/domains.h"
 #include "hal/dds/handed_sockets.h"
@@ -55,22 +53,6 @@ OwnedDescriptor loopback_socket(std::uint16_t& port) {
   }
 }
 
-/// The UDP ports from which this process speaks to its own machine.
-std::vector<std::uint16_t> own_ports() {
-  std::vector<std::uint16_t> ports;
-  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
-    const int descriptor = std::stoi(entry.path().filename().string());
-    int type = 0;
-    socklen_t size = sizeof(type);
-    if (getsockopt(descriptor, SOL_SOCKET, SO_TYPE, &type, &size) != 0 || type != SOCK_DGRAM) {
-      continue;
-    }
-    const auto name = name_of_socket(descriptor);
-    if (name && name->sin_port != 0) ports.push_back(ntohs(name->sin_port));
-  }
-  return ports;
-}
-
 std::uint64_t inode_of(const OwnedDescriptor& descriptor) {
   struct stat status {};
   fstat(descriptor.number(), &status);
@@ -83,8 +65,7 @@ std::pair<std::string, std::string> Invitation::variable() const {
   return {kHandedVariable, variable_};
 }
 
-Invited invite() {
-  const std::vector<std::uint16_t> hosts = own_ports();
+Invited invite(std::uint16_t host) {
   std::uint16_t metatraffic_port = 0, data_port = 0;
   OwnedDescriptor metatraffic = loopback_socket(metatraffic_port);
   OwnedDescriptor data = loopback_socket(data_port);
@@ -96,8 +77,8 @@ Invited invite() {
   const int on = 1;
   setsockopt(own.number(), SOL_SOCKET, SO_PASSCRED, &on, sizeof(on));
   // Whoever starts the process may give the descriptors other numbers: inodes tell them.
-  std::string variable = fmt::format("{} {} {} {}", inode_of(metatraffic), inode_of(data),
-                                     inode_of(guests), fmt::join(hosts, " "));
+  std::string variable =
+      fmt::format("{} {} {} {}", inode_of(metatraffic), inode_of(data), inode_of(guests), host);
   return {
       Invitation(std::move(metatraffic), std::move(data), std::move(guests), std::move(variable)),
       Guest(std::move(own), data_port)};

@@ -17,7 +17,7 @@ namespace hal::dds {
 /// namespace's 127.0.0.1, and so needs no way out of its own and finds none. The third descriptor
 /// is its end of a channel to the Guest.
 ///
-///   Invited invited = invite();
+///   Invited invited = invite(participant.port());
 ///   … start the process with invited.invitation.descriptors() open, under whatever numbers, and
 ///     with invited.invitation.variable() in its environment …
 ///
@@ -67,9 +67,9 @@ struct Invited {
   Guest guest;
 };
 
-/// Makes the sockets. The process will listen to nobody but this one: to the UDP ports that this
-/// one has now, on 127.0.0.1.
+/// Makes the sockets. The process will listen to nobody but this one.
+/// @param host  UDP port from which this one speaks on 127.0.0.1: of a SendingSocket.
 /// @throws std::runtime_error  no port or no descriptor is left.
-Invited invite();
+Invited invite(std::uint16_t host);
 
 }  // namespace hal::dds

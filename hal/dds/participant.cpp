@@ -16,6 +16,8 @@
 #include "hal/dds/filtering_transport.h"
 #include "hal/dds/handed_transport.h"
 #include "hal/dds/library_log.h"
+#include "hal/dds/sending_socket.h"
+#include "hal/dds/trust.h"
 
 namespace hal::dds {
 namespace {
@@ -77,7 +79,8 @@ TransportDescriptor udp_on(const std::vector<std::string>& addresses) {
 }
 
 api::DomainParticipantQos qos_over(const TransportDescriptor& transport, int participant_id,
-                                   const std::shared_ptr<DatagramFilter>& filter) {
+                                   const std::shared_ptr<DatagramFilter>& filter,
+                                   const std::shared_ptr<SendingSocket>& sender = nullptr) {
   static std::once_flag configured;
   std::call_once(configured, configure_library);
 
@@ -85,15 +88,15 @@ api::DomainParticipantQos qos_over(const TransportDescriptor& transport, int par
       api::DomainParticipantFactory::get_instance()->get_default_participant_qos();
   qos.transport().use_builtin_transports = false;
   qos.transport().user_transports.assign(
-      1, std::make_shared<FilteringTransportDescriptor>(transport, filter));
+      1, std::make_shared<FilteringTransportDescriptor>(transport, filter, sender));
   qos.wire_protocol().participant_id = participant_id;
   return qos;
 }
 
-std::shared_ptr<DatagramFilter> filter_for(const std::vector<std::string>& addresses,
-                                           bool is_star) {
-  return std::make_shared<DatagramFilter>(
-      DatagramFilter::Settings{.networks = networks_of(addresses), .is_star = is_star});
+/// The filter of one in the star. @throws NoSuchUser
+std::shared_ptr<DatagramFilter> filter_of_star() {
+  return std::make_shared<DatagramFilter>(DatagramFilter::Settings{
+      .networks = networks_of({kLoopback}), .is_star = true, .trust = Trust::of_environment()});
 }
 
 /// The filter of a process that was invited: whoever else is on that loopback interface is none of
@@ -145,19 +148,23 @@ void set_common_qos(Qos& qos, Presence presence, std::int32_t max_instances) {
 }  // namespace
 
 Participant Participant::server(int domain, int place) {
-  const auto filter = filter_for({kLoopback}, true);
-  api::DomainParticipantQos qos = qos_over(udp_on({kLoopback}), place, filter);
+  const auto filter = filter_of_star();
+  const auto sender = std::make_shared<SendingSocket>();
+  api::DomainParticipantQos qos = qos_over(udp_on({kLoopback}), place, filter, sender);
   join_star(qos, discovery_locator(domain, place));
   qos.name("baraka server");
-  return {domain, qos, filter};
+  Participant made(domain, qos, filter);
+  made.port_ = sender->port();
+  return made;
 }
 
 Participant Participant::controller(int domain, const HandedSockets* handed) {
-  const auto filter = handed != nullptr ? filter_for(*handed) : filter_for({kLoopback}, true);
+  const auto filter = handed != nullptr ? filter_for(*handed) : filter_of_star();
   const TransportDescriptor transport =
       handed != nullptr ? std::make_shared<HandedTransportDescriptor>(*handed, kSocketBuffer)
                         : udp_on({kLoopback});
-  api::DomainParticipantQos qos = qos_over(transport, next_participant_id(), filter);
+  const auto sender = handed != nullptr ? nullptr : std::make_shared<SendingSocket>();
+  api::DomainParticipantQos qos = qos_over(transport, next_participant_id(), filter, sender);
   if (handed != nullptr) qos.wire_protocol().prefix = random_prefix();
   // Any free ports: those of the ids of a domain would do for 112 controllers.
   join_star(qos, locator_of(handed != nullptr ? handed->metatraffic.port : free_port()));
@@ -177,7 +184,8 @@ Participant Participant::inspection(int domain, const std::vector<std::string>& 
                                     const std::string& name,
                                     api::DomainParticipantListener* listener) {
   // Not on the ports of a server's places: controllers would find it there.
-  const auto filter = filter_for(addresses, false);
+  const auto filter = std::make_shared<DatagramFilter>(
+      DatagramFilter::Settings{.networks = networks_of(addresses), .is_star = false});
   api::DomainParticipantQos qos = qos_over(udp_on(addresses), next_participant_id(), filter);
   qos.name(name);
   return {domain, qos, filter, listener};
@@ -205,7 +213,8 @@ Participant::Participant(Participant&& other) noexcept
     : filter_(std::move(other.filter_)),
       participant_(std::exchange(other.participant_, nullptr)),
       publisher_(other.publisher_),
-      subscriber_(other.subscriber_) {}
+      subscriber_(other.subscriber_),
+      port_(other.port_) {}
 
 Participant::~Participant() {
   if (participant_ == nullptr) return;

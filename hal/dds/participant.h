@@ -15,10 +15,14 @@ namespace hal::dds {
 /// a star. Servers sit on the ports of the participant ids 0..7; controllers sit on any others and
 /// announce themselves to those eight. So controllers never meet each other, which keeps the
 /// effort of discovery linear in their number.
+///
+/// In the star each speaks from a SendingSocket and hears whom BARAKA_TRUST lets it (Trust), as the
+/// kernel tells whose ports are; who was handed its sockets hears who handed them.
 class Participant {
  public:
   /// @param place  0..7.
   /// @throws std::runtime_error  if DDS cannot be opened, e.g. because the port is taken.
+  /// @throws NoSuchUser  of BARAKA_TRUST; controller() likewise.
   static Participant server(int domain, int place);
   /// @param handed  what it is to speak by, and to nobody but whom, in another network namespace;
   ///   outlives it. Null: sockets of its own.
@@ -43,6 +47,10 @@ class Participant {
 
   /// What comes in passes it.
   DatagramFilter& filter() { return *filter_; }
+  const DatagramFilter& filter() const { return *filter_; }
+
+  /// The UDP port that a server() speaks from.
+  std::uint16_t port() const { return port_; }
 
   api::Publisher& publisher() { return *publisher_; }
   api::Subscriber& subscriber() { return *subscriber_; }
@@ -56,6 +64,7 @@ class Participant {
   api::DomainParticipant* participant_;
   api::Publisher* publisher_;
   api::Subscriber* subscriber_;
+  std::uint16_t port_ = 0;
 };
 
 /// Longest silence of a process on another host before it counts as dead, and how often it is

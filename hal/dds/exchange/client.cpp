@@ -172,10 +172,12 @@ bool Client::Implementation::is_good(const exchange::Session& session,
     return false;
   }
   const auto sender = participant_.filter().sender_of(participant_of(origin));
-  auto checked = check_speaker(server, sender);
-  if (checked) checked = check_user(server);
-  if (!checked) complain("sends a Session: " + checked.error().message, origin);
-  return checked.has_value();
+  const auto checked = check_speaker(server, sender, participant_.filter().trust());
+  if (!checked) {
+    complain("sends a Session: " + checked.error().message, origin);
+    return false;
+  }
+  return true;
 }
 
 /// Once of each.

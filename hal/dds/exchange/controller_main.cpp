@@ -5,6 +5,7 @@
 
 #include "hal/dds/domains.h"
 #include "hal/dds/exchange/controller_process.h"
+#include "hal/dds/trust.h"
 #include "hal/runtime/standard_output.h"
 #include "hal/types/printable.h"
 
@@ -19,6 +20,9 @@ int main(int argc, char** argv) {
   } catch (const hal::dds::NoSuchDomain& error) {
     fmt::print(stderr, "{}: {}\n", argv[0], hal::printable(error.what()));
     return 2;  // as for a wrong option
+  } catch (const hal::dds::NoSuchUser& error) {
+    fmt::print(stderr, "{}: {}\n", argv[0], hal::printable(error.what()));
+    return 2;
   } catch (const std::exception& error) {
     fmt::print(stderr, "{}: {}\n", argv[0], hal::printable_lines(error.what()));
     return 1;

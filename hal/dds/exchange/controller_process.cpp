@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "hal/dds/domains.h"
+#include "hal/dds/trust.h"
 #include "hal/runtime/exit_watch.h"
 #include "hal/runtime/fault_watch.h"
 #include "hal/types/log.h"
@@ -30,6 +31,18 @@ namespace {
 constexpr Duration kFlushTimeout = std::chrono::seconds{2};
 /// The same where the thread that would hear of it is the one that waits.
 constexpr Duration kLinger = std::chrono::milliseconds{300};
+
+/// "; user 997 serves it, …", if another user than this one holds a place of a domain.
+std::string hint_of_users(int domain) {
+  for (const uid_t user : users_in(domain)) {
+    if (user == geteuid()) continue;
+    return fmt::format(
+        "; user {} serves it, this is user {}: they hear each other if {} of each "
+        "names the other",
+        user, geteuid(), kTrustVariable);
+  }
+  return {};
+}
 
 /// What one server has given this process to do.
 struct Assignment {
@@ -246,8 +259,9 @@ void ControllerProcess::on(const ServerGone& departure) {
 
 void ControllerProcess::on(const Silence& silence) {
   (void)silence;
-  say("no server in DDS domain {} has agents for it after {} s", options_.domain.value_or(0),
-      to_seconds(options_.wait));
+  const int domain = options_.domain.value_or(0);
+  say("no server in DDS domain {} has agents for it after {} s{}", domain,
+      to_seconds(options_.wait), hint_of_users(domain));
   end(refusers_.empty() ? Outcome::kFailed : Outcome::kRefused);
 }
 

@@ -8,7 +8,6 @@
 
 #include "hal/dds/exchange/link_parts.h"
 #include "hal/dds/exchange/visitors.h"
-#include "hal/dds/speaker_check.h"
 
 namespace hal::dds {
 namespace {
@@ -32,7 +31,8 @@ class Server::Implementation {
         name_(unique_name(identity_)),
         participant_(Participant::server(hold_.domain(), hold_.place())),
         hellos_(participant_, kHelloTopic, signal_),
-        sessions_(participant_, kSessionTopic) {}
+        sessions_(participant_, kSessionTopic),
+        visitors_(participant_.filter().trust()) {}
 
   std::vector<exchange::Hello> take_hellos() {
     let_go();
@@ -89,15 +89,6 @@ class Server::Implementation {
       note(hello,
            fmt::format("{} (participant {})", received.error().message, text_of(participant)));
       participant_.filter().ignore(participant);
-      return false;
-    }
-    if (auto user = check_user({hello.host, hello.pid, hello.pid_start_time}); !user) {
-      note(hello, user.error().message);
-      exchange::Session refusal;
-      refusal.instance = hello.instance;
-      refusal.refusal = user.error().message;
-      // Refused by DDS or not, it gets no agents.
-      [[maybe_unused]] const auto sent = answer(refusal);
       return false;
     }
     return true;
@@ -169,7 +160,7 @@ std::vector<std::string> Server::take_refusals() {
 }
 
 Invitation Server::invite() {
-  Invited invited = dds::invite();
+  Invited invited = dds::invite(implementation_->participant_.port());
   implementation_->guests_.push_back(std::move(invited.guest));
   return std::move(invited.invitation);
 }

@@ -35,8 +35,9 @@ class Server {
   /// Hellos that came since the last call; waits for the first one, up to `timeout`. `watched`:
   /// further descriptors that end the wait when they become readable. -1 is skipped.
   std::vector<exchange::Hello> hellos(Duration timeout, const std::vector<int>& watched = {});
-  /// Hellos since the last call that hellos() left out, because they are not what they say or come
-  /// from another user: "process 'x' (pid 7): reason". Their participants are not heard any more.
+  /// Hellos since the last call that hellos() left out, because they are not what they say, or a
+  /// port has come to another user: "process 'x' (pid 7): reason". Their participants are not heard
+  /// any more.
   std::vector<std::string> take_refusals();
 
   /// For a process in another network namespace that is to be started now. Its Hellos tell who it

@@ -18,7 +18,7 @@ Result<void> Visitors::receive(const exchange::Hello& hello, const Origin& origi
                             text_of(participant_of(known->second.origin))));
   }
   const ProcessIdentity process{hello.host, hello.pid, hello.pid_start_time};
-  if (auto checked = check_speaker(process, sender); !checked) return checked;
+  if (auto checked = check_speaker(process, sender, trust_); !checked) return checked;
   if (count(process) >= kMostOfProcess) {
     return fail(Errc::kProtocol,
                 fmt::format("its process has said {} Hellos already", kMostOfProcess));

@@ -5,9 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "hal/dds/datagram_filter.h"
 #include "hal/dds/exchange/origin.h"
 #include "hal/dds/process_watch.h"
+#include "hal/dds/trust.h"
+#include "hal/dds/udp_sender.h"
 #include "hal/exchange/session.h"
 #include "hal/types/result.h"
 
@@ -19,6 +20,9 @@ class Visitors {
  public:
   /// Most Hellos of one process at a time. Each takes a participant of its own.
   static constexpr std::size_t kMostOfProcess = 64;
+
+  /// @param trust  which users are heard; null: all. Outlives this object.
+  explicit Visitors(const Trust* trust) : trust_(trust) {}
 
   /// Notes a Hello.
   /// @param sender  where its participant speaks from; none: not known.
@@ -49,6 +53,7 @@ class Visitors {
   std::vector<std::string> erase(const Predicate& is_gone);
   std::size_t count(const ProcessIdentity& process) const;
 
+  const Trust* trust_;
   std::map<std::string, Visitor> visitors_;  ///< By instance.
 };
 

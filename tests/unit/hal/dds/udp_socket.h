@@ -28,6 +28,7 @@ class UdpSocket {
   UdpSocket(const UdpSocket&) = delete;
   UdpSocket& operator=(const UdpSocket&) = delete;
   const UdpSender& sender() const { return sender_; }
+  int descriptor() const { return descriptor_; }
 
  private:
   int descriptor_;

@@ -5,6 +5,7 @@
 
 #include "hal/dds/speaker_check.h"
 #include "tests/unit/hal/dds/exchange/child.h"
+#include "tests/unit/hal/dds/foreign_socket.h"
 #include "tests/unit/hal/dds/udp_socket.h"
 
 namespace hal::dds {
@@ -28,7 +29,7 @@ exchange::Hello hello_of_this_process(const std::string& instance) {
 }
 
 TEST(Visitors, AnInstanceBelongsToTheParticipantThatNamedItFirst) {
-  Visitors visitors;
+  Visitors visitors(nullptr);
   EXPECT_TRUE(visitors.receive(hello_of_this_process("a"), origin(1), std::nullopt));
   EXPECT_TRUE(visitors.receive(hello_of_this_process("a"), origin(1, 3), std::nullopt));
   const auto foreign = visitors.receive(hello_of_this_process("a"), origin(2), std::nullopt);
@@ -41,7 +42,7 @@ TEST(Visitors, AnInstanceBelongsToTheParticipantThatNamedItFirst) {
 }
 
 TEST(Visitors, OneProcessMayNotSayEndlesslyMany) {
-  Visitors visitors;
+  Visitors visitors(nullptr);
   for (std::size_t i = 0; i < Visitors::kMostOfProcess; ++i) {
     ASSERT_TRUE(visitors.receive(hello_of_this_process(std::to_string(i)),
                                  origin(static_cast<std::uint8_t>(i)), std::nullopt));
@@ -54,7 +55,7 @@ TEST(Visitors, OneProcessMayNotSayEndlesslyMany) {
 }
 
 TEST(Visitors, SilenceIsTheEndOfProcessesOnOtherHostsOnly) {
-  Visitors visitors;
+  Visitors visitors(nullptr);
   ASSERT_TRUE(visitors.receive(hello_of_this_process("here"), origin(1), std::nullopt));
   exchange::Hello there = hello_of_this_process("there");
   there.host = "elsewhere";
@@ -66,32 +67,74 @@ TEST(Visitors, SilenceIsTheEndOfProcessesOnOtherHostsOnly) {
   EXPECT_TRUE(visitors.origin_of("here"));
 }
 
+TEST(Visitors, OfAnotherUserAreNotReceivedWhateverHostTheySayToBeOf) {
+  if (geteuid() != 0) GTEST_SKIP() << "needs the right to become another user";
+  const ForeignSocket foreign;
+  const UdpSocket own;
+  const Trust trust;
+  Visitors visitors(&trust);
+  exchange::Hello hello = hello_of_this_process("a");
+  for (const std::string& host : {std::string("nowhere"), std::string(), hello.host}) {
+    hello.host = host;
+    hello.pid = 1;
+    const auto received = visitors.receive(hello, origin(1), foreign.sender());
+    ASSERT_FALSE(received) << host;
+    EXPECT_EQ(received.error().message,
+              fmt::format("pid 1 of host '{}' is not heard: user {} has {}", host,
+                          ForeignSocket::kUser, foreign.sender().text()));
+  }
+  EXPECT_FALSE(visitors.origin_of("a"));
+  const Trust wide(std::to_string(ForeignSocket::kUser));
+  Visitors trusting(&wide);
+  hello.host = "nowhere";
+  EXPECT_TRUE(trusting.receive(hello, origin(1), foreign.sender()));
+  EXPECT_TRUE(visitors.receive(hello, origin(1), own.sender()))
+      << "of a container, of the own user";
+}
+
 TEST(SpeakerCheck, APortBelongsToTheProcessThatHasIt) {
   const Child child({"sleep"});  // before there is a socket that it could inherit
   const UdpSocket socket;
   const ProcessIdentity self = this_process();
-  EXPECT_TRUE(check_speaker(self, socket.sender()));
-  EXPECT_TRUE(check_speaker(self, std::nullopt));
+  const Trust trust;
+  EXPECT_TRUE(check_speaker(self, socket.sender(), &trust));
   const auto other = start_time_of(child.pid());
   ASSERT_TRUE(other);
-  const auto forged = check_speaker({self.host, child.pid(), *other}, socket.sender());
+  const auto forged = check_speaker({self.host, child.pid(), *other}, socket.sender(), &trust);
   ASSERT_FALSE(forged) << "a program must not pass for another one";
   EXPECT_EQ(forged.error().message, fmt::format("pid {} has not the port {} that it speaks from",
                                                 child.pid(), socket.sender().text()));
 }
 
+TEST(SpeakerCheck, FromNowhereNobodySpeaksUnlessTrustSaysUnverified) {
+  const Trust trust, wide("unverified");
+  const ProcessIdentity self = this_process();
+  for (const std::string& host : {self.host, std::string("nowhere")}) {
+    const ProcessIdentity claimed{host, self.pid, self.start_time};
+    const auto checked = check_speaker(claimed, std::nullopt, &trust);
+    ASSERT_FALSE(checked);
+    EXPECT_NE(checked.error().message.find("from where it speaks is not known"), std::string::npos);
+    EXPECT_TRUE(check_speaker(claimed, std::nullopt, &wide));
+  }
+}
+
 TEST(SpeakerCheck, AProcessThatIsNotThereOrIsAnotherOneByNowDoesNotSpeak) {
+  const UdpSocket socket;
+  const Trust trust;
   ProcessIdentity self = this_process();
   self.start_time += 1;
-  EXPECT_NE(check_speaker(self, std::nullopt).error().message.find("has started at another time"),
+  EXPECT_NE(check_speaker(self, socket.sender(), &trust)
+                .error()
+                .message.find("has started at another time"),
             std::string::npos);
   Child child({"sleep"});
   const ProcessIdentity gone{self.host, child.pid(), 1};
   child.signal(SIGKILL);
   child.wait();
-  EXPECT_NE(check_speaker(gone, std::nullopt).error().message.find("does not run"),
+  EXPECT_NE(check_speaker(gone, socket.sender(), &trust).error().message.find("does not run"),
             std::string::npos);
-  EXPECT_TRUE(check_speaker({"elsewhere", gone.pid, 1}, std::nullopt)) << "nothing is known";
+  EXPECT_TRUE(check_speaker({"elsewhere", gone.pid, 1}, socket.sender(), &trust))
+      << "nothing is known of the pid, and the user is this one";
 }
 
 }  // namespace
