@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "hal/dds/exchange/link_parts.h"
+#include "hal/dds/socket_table.h"
 #include "hal/dds/speaker_check.h"
 #include "hal/types/log.h"
 
@@ -29,6 +30,12 @@ exchange::Hello completed(exchange::Hello hello) {
   hello.instance =
       fmt::format("{}/{}/{}/{}", identity.host, identity.pid, identity.start_time, next++);
   return hello;
+}
+
+std::set<std::string> names_in(const exchange::Session& session) {
+  std::set<std::string> names;
+  for (const exchange::AgentSession& agent : session.agents) names.insert(agent.name);
+  return names;
 }
 
 }  // namespace
@@ -65,6 +72,7 @@ class Client::Implementation {
   struct Granted {
     std::uint64_t run = 0;
     Origin origin;
+    std::set<std::string> agents;  ///< Their names.
     std::unique_ptr<ProcessWatch> watch;
     bool gone = false;
     Answerer answerer{};
@@ -75,6 +83,8 @@ class Client::Implementation {
   std::optional<exchange::Step> take_step();
   std::unique_ptr<ProcessWatch> watch_of(const wire::Session& session) const;
   bool is_good(const exchange::Session& session, const ProcessIdentity& server);
+  bool is_of_rival(const exchange::Session& session) const;
+  bool speaks(const Granted& server) const;
   void take_in(const wire::Step& sample, const Origin& origin);
   void complain(const std::string& what, const Origin& origin);
   void hand_over(const Answerer& answerer, const exchange::Step& step);
@@ -136,7 +146,8 @@ std::optional<exchange::Session> Client::Implementation::take_session() {
     auto watch = watch_of(*sample);
     {
       const std::lock_guard lock(mutex_);
-      granted_[session->server] = {session->run, sessions_.origin(), std::move(watch)};
+      granted_[session->server] = {session->run, sessions_.origin(), names_in(*session),
+                                   std::move(watch)};
     }
     if (!steps_) {
       steps_.emplace(
@@ -177,7 +188,31 @@ bool Client::Implementation::is_good(const exchange::Session& session,
     complain("sends a Session: " + checked.error().message, origin);
     return false;
   }
-  return true;
+  if (!is_of_rival(session)) return true;
+  complain("sends a Session for agents of another server", origin);
+  return false;
+}
+
+/// Whether another server, which is still there, has granted an agent of a Session. Different
+/// agents may have different servers.
+bool Client::Implementation::is_of_rival(const exchange::Session& session) const {
+  const std::set<std::string> names = names_in(session);
+  return std::ranges::any_of(granted_, [&](const auto& entry) {
+    const Granted& server = entry.second;
+    // A server that ended and began anew within its process is the same participant.
+    return participant_of(server.origin) != participant_of(sessions_.origin()) &&
+           std::ranges::any_of(names, [&](const auto& n) { return server.agents.contains(n); }) &&
+           speaks(server);
+  });
+}
+
+/// Whether a server has the port it was heard from. One that was killed has not, before anything
+/// else tells so.
+bool Client::Implementation::speaks(const Granted& server) const {
+  if (server.gone || server.watch->is_dead()) return false;
+  const auto sender = participant_.filter().sender_of(participant_of(server.origin));
+  const auto sockets = sender ? sockets_behind(*sender) : std::nullopt;
+  return sockets && !sockets->empty();
 }
 
 /// Once of each.

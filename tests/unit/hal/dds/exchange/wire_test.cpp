@@ -194,6 +194,49 @@ TEST_F(LinkedClient, ASessionOfAnotherParticipantForTheSameServerIsNotHeard) {
   EXPECT_TRUE(std::holds_alternative<Silence>(client_.next(std::chrono::milliseconds{100})));
 }
 
+/// A Session of another server.
+wire::Session rival_session(const exchange::Hello& hello, const std::string& agent) {
+  exchange::Session session = session_for(hello, 8);
+  session.server = "rival";
+  session.agents[0].name = agent;
+  return to_wire(session, this_process());
+}
+
+TEST_F(LinkedClient, ASessionOfAnotherServerIsTakenForOtherAgentsOnly) {
+  Participant rival = Participant::server(server_.domain(), 7);
+  Writer<wire::Session> sessions(rival, kSessionTopic);
+  await_readers(sessions, 1);
+  wire::Session same = rival_session(hello_, "m1");
+  ASSERT_TRUE(sessions.write(same));
+  sessions.flush(kPatience);
+  EXPECT_TRUE(std::holds_alternative<Silence>(client_.next(std::chrono::milliseconds{100})));
+  wire::Session other = rival_session(hello_, "m2");
+  ASSERT_TRUE(sessions.write(other));
+  const auto arrival = client_.next(kPatience);
+  ASSERT_TRUE(std::holds_alternative<exchange::Session>(arrival));
+  EXPECT_EQ(std::get<exchange::Session>(arrival).server, "rival");
+}
+
+TEST(Successor, OfAServerThatIsGoneIsTakenForTheSameAgents) {
+  std::optional<Server> server(std::in_place, take_domain(test_domain()));
+  const int domain = server->domain();
+  Client client(domain, hello_of(echo_kind(), options_for(0, "m1", "staying")));
+  const exchange::Hello hello = first_hello(*server);
+  ASSERT_TRUE(server->answer(session_for(hello, 7)));
+  ASSERT_TRUE(std::holds_alternative<exchange::Session>(client.next(kPatience)));
+  Participant successor = Participant::server(domain, 7);
+  Writer<wire::Session> sessions(successor, kSessionTopic);
+  await_readers(sessions, 1);
+  server.reset();
+  wire::Session session = rival_session(hello, "m1");
+  ASSERT_TRUE(sessions.write(session));
+  bool is_taken = false;
+  for (int arrivals = 0; arrivals < 3 && !is_taken; ++arrivals) {  // that the first is gone, too
+    is_taken = std::holds_alternative<exchange::Session>(client.next(kPatience));
+  }
+  EXPECT_TRUE(is_taken);
+}
+
 TEST_F(LinkedClient, AHelloInTheNameOfAnotherIsNotAnsweredAndNamed) {
   Forger forger(server_.domain());
   Writer<wire::Hello> hellos(forger.participant(), kHelloTopic);
