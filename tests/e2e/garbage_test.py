@@ -8,6 +8,7 @@ have a stranger's header, or are real ones of this very run, cut anywhere or wit
 import os
 import pathlib
 import re
+import socket
 import unittest
 
 import garbage
@@ -66,17 +67,34 @@ class Garbage(Case):
             self.assertRegex(finished.err, r"dropped in all \d+ datagrams from 127.0.0.1", str(finished))
         self.assertEqual(sent, COUNT)
 
-    def test_all_ports_are_those_of_the_loopback_interface(self):
-        """And of the group where DDS discovers others, which the run joins on that interface."""
+    def test_all_ports_where_it_hears_are_those_of_the_loopback_interface(self):
+        """And of the group where DDS discovers others, which the run joins on that interface. From those of any
+        address it only sends: what comes there is dropped."""
         program, _, ports = self.begin(speed=20)
-        addresses = set()
-        for line in pathlib.Path("/proc/net/udp").read_text().splitlines()[1:]:
-            address, port = line.split()[1].split(":")
-            if int(port, 16) in ports:
-                addresses.add(address)
+        found = self.sockets(ports)
+        addresses = {address for address, *_ in found}
         self.assertIn("0100007F", addresses)  # 127.0.0.1, as Linux writes it
-        self.assertLessEqual(addresses, {"0100007F", "0100FFEF"})  # 239.255.0.1
+        self.assertLessEqual(addresses, {"0100007F", "0100FFEF", "00000000"})  # 239.255.0.1
+        senders = [port for address, port, *_ in found if address == "00000000"]
+        self.assertEqual(len(senders), 3, "of the run and its two processes of controllers")
+        with socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as one:
+            for port in senders:
+                one.sendto(b"RTPS" + bytes(60), ("127.0.0.1", port))
+        for address, port, held, drops in self.sockets(senders):
+            self.assertEqual(held, 0, f"{address}:{port}")
+            self.assertGreaterEqual(drops, 1, f"{address}:{port}")
         self.assertEqual(program.finish().status, 0)
+
+    @staticmethod
+    def sockets(ports):
+        """(address, port, octets held, datagrams dropped) of each at these ports: proc(5)."""
+        found = []
+        for line in pathlib.Path("/proc/net/udp").read_text().splitlines()[1:]:
+            columns = line.split()
+            address, port = columns[1].split(":")
+            if int(port, 16) in ports:
+                found.append((address, int(port, 16), int(columns[4].split(":")[1], 16), int(columns[12])))
+        return found
 
     def test_equal_seeds_give_equal_garbage(self):
         corpus = [b"RTPS" + bytes(range(100)), b"RTPS" + bytes(60)]
