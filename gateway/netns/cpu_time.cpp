@@ -39,14 +39,23 @@ std::int64_t nanoseconds_of(const timeval& time) {
 
 }  // namespace
 
+std::vector<pid_t> processes_inside() {
+  std::vector<pid_t> all;
+  for (const auto& process : std::filesystem::directory_iterator("/proc")) {
+    const std::string name = process.path().filename().string();
+    if (name.find_first_not_of("0123456789") != std::string::npos || name == "1") continue;
+    all.push_back(static_cast<pid_t>(std::stol(name)));
+  }
+  return all;
+}
+
 std::int64_t cpu_time_of_programs() {
   rusage ended{};
   getrusage(RUSAGE_CHILDREN, &ended);
   std::int64_t sum = nanoseconds_of(ended.ru_utime) + nanoseconds_of(ended.ru_stime);
-  for (const auto& process : std::filesystem::directory_iterator("/proc")) {
-    const std::string name = process.path().filename().string();
-    if (name.find_first_not_of("0123456789") != std::string::npos || name == "1") continue;
-    sum += ticks_of(process.path()) * (kNanoseconds / sysconf(_SC_CLK_TCK));
+  for (const pid_t process : processes_inside()) {
+    const auto folder = std::filesystem::path("/proc") / std::to_string(process);
+    sum += ticks_of(folder) * (kNanoseconds / sysconf(_SC_CLK_TCK));
   }
   return sum;
 }

@@ -19,6 +19,7 @@
 #include "gateway/netns/loadable.h"
 #include "gateway/netns/namespaces.h"
 #include "gateway/netns/run_state.h"
+#include "gateway/netns/shown.h"
 #include "gateway/netns/spaces.h"
 #include "gateway/netns/terminal.h"
 
@@ -26,7 +27,7 @@ namespace gateway::netns {
 namespace {
 
 struct Doors {
-  FileDescriptor users, processes;
+  FileDescriptor users, mounts;
   AgentSpaces agent;
 };
 
@@ -36,8 +37,9 @@ Doors doors_of(const RunState& run, const RunState::Agent& agent) {
   };
   const auto held = [&opened](int descriptor) { return opened(fmt::format("fd/{}", descriptor)); };
   return {opened("ns/user"),
-          opened("ns/pid"),
-          {held(agent.network), held(agent.mount), held(agent.host), held(agent.ipc)}};
+          opened("ns/mnt"),
+          {held(agent.users), held(agent.processes), held(agent.network), held(agent.mount),
+           held(agent.host), held(agent.ipc)}};
 }
 
 const RunState::Agent& agent_of(const RunState& run, const std::string& name) {
@@ -67,12 +69,17 @@ double factor_of(const RunState& run) {
   return factor;
 }
 
-/// The process numbers change only for children.
-void pass(const Doors& doors) {
+/// By way of the run, from where what is shown can be taken along. The process numbers change only
+/// for children.
+void pass(const Doors& doors, const Launch& launch) {
   if (setns(doors.users.get(), CLONE_NEWUSER) != 0) fail("the users of the run");
   if (setresgid(0, 0, 0) != 0 || setresuid(0, 0, 0) != 0) fail("user 0 of the run");
-  if (setns(doors.processes.get(), CLONE_NEWPID) != 0) fail("the processes of the run");
+  if (setns(doors.mounts.get(), CLONE_NEWNS) != 0) fail("the mounts of the run");
+  Shown shown;
+  for (const std::string& one : launch.shown) shown.add(one);
+  shown.add_folder_of(launch.program);
   enter(doors.agent);
+  shown.put();
 }
 
 std::vector<std::string> own_environment() {
@@ -91,9 +98,12 @@ Launch launch_of(const RunState& run, std::vector<std::string> command) {
   const char* const path = std::getenv("PATH");
   const auto program = program_file(command[0], path == nullptr ? "/usr/bin:/bin" : path);
   require_preloaded(program, factor_of(run));
-  return {program.string(), std::move(command),
+  const std::string folder = std::filesystem::current_path().string();
+  return {program.string(),
+          std::move(command),
           inside(own_environment(), run.library, run.dilation),
-          std::filesystem::current_path().string()};
+          folder,
+          {folder, std::filesystem::path(run.library).parent_path().string()}};
 }
 
 /// @param parent  readable once that is gone.
@@ -150,9 +160,12 @@ int go_inside(const std::filesystem::path& folder, const std::string& agent,
   const RunState run = RunState::read(folder);
   become_user_of(run);
   const Launch launch = launch_of(run, command);
-  const Doors doors = doors_of(run, agent_of(run, agent));
-  if (!run.init.is_alive()) throw std::runtime_error("the run has just ended");
-  pass(doors);
+  {
+    // Closed again before there is a process that others inside see.
+    const Doors doors = doors_of(run, agent_of(run, agent));
+    if (!run.init.is_alive()) throw std::runtime_error("the run has just ended");
+    pass(doors, launch);
+  }
   prepare_signals();
   const Terminal terminal;
   std::array<int, 2> lifeline{};

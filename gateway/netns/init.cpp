@@ -6,13 +6,16 @@
 #include <sys/signalfd.h>
 #include <sys/wait.h>
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <chrono>
 #include <csignal>
 #include <deque>
 #include <map>
+#include <set>
 
+#include "gateway/netns/agent_root.h"
 #include "gateway/netns/cpu_time.h"
 #include "gateway/netns/launch.h"
 #include "gateway/netns/message.h"
@@ -51,20 +54,21 @@ class Init {
     const auto message = receive(control_);
     if (!message) return;
     Unpacker in(message->content);
-    const double factor = std::bit_cast<double>(in.number());
-    std::vector<AgentNetwork> all;
-    for (auto left = in.number(); left > 0; --left) all.push_back(unpack_agent(in));
-    for (const AgentNetwork& network : all) {
-      AgentMade made = make_agent(network, all, factor);
+    RunOfAgents run;
+    run.factor = std::bit_cast<double>(in.number());
+    for (auto left = in.number(); left > 0; --left) run.agents.push_back(unpack_agent(in));
+    run.shown = in.texts();
+    for (AgentMade& made : make_agents(run)) {
       Packer out;
       const AgentSpaces& spaces = made.spaces;
-      for (const auto* one : {&spaces.network, &spaces.mount, &spaces.host, &spaces.ipc}) {
+      for (const auto* one : {&spaces.users, &spaces.processes, &spaces.network, &spaces.mount,
+                              &spaces.host, &spaces.ipc}) {
         out.put(one->get());
       }
       const std::array ends{made.ends.tap.get(), made.ends.counters.get(), made.ends.page.get()};
       send(control_, MessageKind::kAgent, out.bytes(), ends);
       agents_.push_back(std::move(made.spaces));
-      pages_.push_back(std::move(made.ends.page));
+      firsts_.insert(made.init);
     }
     send(control_, MessageKind::kReady, "");
   }
@@ -106,7 +110,7 @@ class Init {
     try {
       Unpacker in(message.content);
       const auto agent = in.number();
-      const Launch program{in.text(), in.texts(), in.texts(), in.text()};
+      const Launch program{in.text(), in.texts(), in.texts(), in.text(), in.texts()};
       std::vector<int> inherited;
       for (std::size_t i = 1; i < message.descriptors.size(); ++i) {
         inherited.push_back(message.descriptors[i].get());
@@ -145,14 +149,14 @@ class Init {
     unsaid_.pop_front();
   }
 
-  /// @return whether some are left.
-  static bool reap_all() {
-    pid_t reaped = 0;
-    while ((reaped = waitpid(-1, nullptr, WNOHANG)) > 0) continue;
-    return reaped == 0;
+  /// @return whether some are left, but for the agents' first processes.
+  bool reap_all() const {
+    while (waitpid(-1, nullptr, WNOHANG) > 0) continue;
+    const std::vector<pid_t> all = processes_inside();
+    return std::ranges::any_of(all, [this](pid_t one) { return !firsts_.contains(one); });
   }
 
-  void end_programs() {
+  void end_programs() const {
     constexpr std::chrono::seconds kGrace{2};
     kill(-1, SIGTERM);
     kill(-1, SIGCONT);
@@ -168,7 +172,7 @@ class Init {
   int control_, events_;
   FileDescriptor children_;
   std::vector<AgentSpaces> agents_;
-  std::vector<FileDescriptor> pages_;  ///< kRoomFile leads to them.
+  std::set<pid_t> firsts_;  ///< Of the agents: start_first_of_agent().
   std::map<pid_t, Program> programs_;
   std::deque<std::string> unsaid_;
   std::uint32_t started_ = 0;
@@ -208,8 +212,9 @@ int hold(int control, int events, int parent) {
   fcntl(events, F_SETFD, FD_CLOEXEC);
   std::array<int, 2> lifeline{};
   pid_t init = -1;
+  std::string why_alone;
   try {
-    enter_new_run();
+    why_alone = enter_new_run();
     prctl(PR_SET_PDEATHSIG, SIGKILL);  // only now: a change of user clears it
     if (getppid() != parent) return EXIT_FAILURE;
     if (pipe2(lifeline.data(), O_CLOEXEC) != 0) fail("a pipe");
@@ -226,6 +231,7 @@ int hold(int control, int events, int parent) {
   close(lifeline[0]);
   Packer out;
   out.put(init);
+  out.put(std::string_view(why_alone));
   try {
     send(control, MessageKind::kHolder, out.bytes());
   } catch (const std::exception&) {

@@ -1,9 +1,10 @@
 #include "gateway/netns/launch.h"
 
 #include <fmt/format.h>
-#include <linux/close_range.h>
+#include <sched.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 
 #include <algorithm>
@@ -11,6 +12,9 @@
 #include <csignal>
 #include <cstring>
 #include <optional>
+
+#include "gateway/netns/pipe.h"
+#include "gateway/netns/shown.h"
 
 namespace gateway::netns {
 namespace {
@@ -20,58 +24,73 @@ constexpr int kFirstInherited = STDERR_FILENO + 1;
 std::optional<rlimit> limit_before;  // raise_descriptor_limit()
 
 /// Where nothing that is moved to its place overwrites what is still to be moved.
-int moved_up(int descriptor, std::size_t count) {
-  const int above = kFirstInherited + static_cast<int>(count);
+int moved_up(int descriptor, int above) {
   const int moved = fcntl(descriptor, F_DUPFD_CLOEXEC, above);
   if (moved < 0) fail("a descriptor of the program");
   return moved;
 }
 
-void take_descriptors(int log, const std::vector<int>& inherited, int& report) {
-  report = moved_up(report, inherited.size());
+void put_at(int descriptor, int place, int flags = 0) {
+  if (dup3(descriptor, place, flags) < 0) fail("a descriptor of the program");
+}
+
+/// What a program gets; and where its starter reports, behind that: why it cannot be started, and
+/// its number. Nothing else stays open: others inside must not find it there.
+struct Descriptors {
+  int log;
+  const std::vector<int>& inherited;
+  int report, number;
+};
+
+void take_descriptors(Descriptors& all) {
+  const int report = kFirstInherited + static_cast<int>(all.inherited.size()), number = report + 1;
+  const int above = number + 1;
   std::vector<int> moved;
-  moved.reserve(inherited.size());
-  for (const int one : inherited) moved.push_back(moved_up(one, inherited.size()));
-  const int input = open("/dev/null", O_RDONLY | O_CLOEXEC);
-  if (dup2(input, STDIN_FILENO) < 0 || dup2(log, STDOUT_FILENO) < 0 ||
-      dup2(log, STDERR_FILENO) < 0) {
-    fail("input and output of the program");
-  }
+  moved.reserve(all.inherited.size());
+  for (const int one : all.inherited) moved.push_back(moved_up(one, above));
+  const int log = moved_up(all.log, above), moved_number = moved_up(all.number, above);
+  put_at(moved_up(all.report, above), report, O_CLOEXEC);
+  all.report = report;
+  put_at(moved_number, number, O_CLOEXEC);
+  all.number = number;
+  put_at(moved_up(open("/dev/null", O_RDONLY | O_CLOEXEC), above), STDIN_FILENO);
+  put_at(log, STDOUT_FILENO);
+  put_at(log, STDERR_FILENO);
   for (std::size_t i = 0; i < moved.size(); ++i) {
-    if (dup2(moved[i], kFirstInherited + static_cast<int>(i)) < 0) fail("a descriptor");
+    put_at(moved[i], kFirstInherited + static_cast<int>(i));
   }
-  const auto rest = static_cast<unsigned>(kFirstInherited) + static_cast<unsigned>(moved.size());
-  close_range(rest, ~0U, CLOSE_RANGE_CLOEXEC);
+  close_range(static_cast<unsigned>(above), ~0U, 0);
 }
 
-/// In the child; writes to `report` why the program cannot be started.
-[[noreturn]] void become_in(const Launch& launch, const AgentSpaces& spaces, int log,
-                            const std::vector<int>& inherited, int report) {
-  std::string why;
+/// In the program, which is in the agent already.
+void become_leader(const Launch& launch) {
+  setsid();
+  if (chdir(launch.folder.c_str()) != 0) fail(launch.folder);
+  become(launch);
+  fail(launch.program);
+}
+
+/// In a child, which is outside the agent until it has nothing open that others there must not see;
+/// what it starts is a child of its own parent: clone(2), CLONE_PARENT.
+[[noreturn]] void start_in(const Launch& launch, const AgentSpaces& spaces,
+                           Descriptors descriptors) {
   try {
-    setsid();
+    Shown shown;
+    for (const std::string& one : launch.shown) shown.add(one);
+    shown.add_folder_of(launch.program);
     enter(spaces);
-    take_descriptors(log, inherited, report);
-    if (chdir(launch.folder.c_str()) != 0) fail(launch.folder);
-    become(launch);
-    fail(launch.program);
+    shown.put();
+    take_descriptors(descriptors);
+    const long child =
+        syscall(SYS_clone, CLONE_PARENT | SIGCHLD, nullptr, nullptr, nullptr, nullptr);
+    if (child < 0) fail("a process of the agent");
+    if (child == 0) become_leader(launch);
+    const auto number = static_cast<pid_t>(child);
+    (void)!write(descriptors.number, &number, sizeof number);
   } catch (const std::exception& error) {
-    why = error.what();
+    (void)!write(descriptors.report, error.what(), std::strlen(error.what()));
   }
-  [[maybe_unused]] const ssize_t written = write(report, why.data(), why.size());
   _exit(127);
-}
-
-/// Until exec has closed its end.
-std::string report_of(int descriptor) {
-  std::string why;
-  std::array<char, 512> part{};
-  ssize_t length = 0;
-  while ((length = read(descriptor, part.data(), part.size())) != 0) {
-    if (length > 0) why.append(part.data(), static_cast<std::size_t>(length));
-    if (length < 0 && errno != EINTR) break;
-  }
-  return why;
 }
 
 std::string_view name_of(std::string_view variable) {
@@ -110,17 +129,21 @@ void become(const Launch& launch) {
 
 pid_t launch(const Launch& launch, const AgentSpaces& spaces, int log,
              const std::vector<int>& inherited) {
-  std::array<int, 2> report{};
-  if (pipe2(report.data(), O_CLOEXEC) != 0) fail(launch.program);
-  const FileDescriptor reader(report[0]);
-  FileDescriptor writer(report[1]);
-  const pid_t child = fork();
-  if (child < 0) fail(launch.program);
-  if (child == 0) become_in(launch, spaces, log, inherited, writer.get());
-  writer.reset();
-  const std::string why = report_of(reader.get());
-  if (why.empty()) return child;
-  waitpid(child, nullptr, 0);
+  Pipe report, number;
+  const pid_t starter = fork();
+  if (starter < 0) fail(launch.program);
+  if (starter == 0) {
+    start_in(launch, spaces, {log, inherited, report.writer.get(), number.writer.get()});
+  }
+  report.writer.reset();
+  number.writer.reset();
+  const std::string why = all_from(report.reader);
+  const std::string told = all_from(number.reader);
+  waitpid(starter, nullptr, 0);
+  pid_t child = -1;
+  if (told.size() == sizeof child) std::memcpy(&child, told.data(), sizeof child);
+  if (why.empty() && child > 0) return child;
+  if (child > 0) waitpid(child, nullptr, 0);
   throw std::runtime_error(fmt::format("cannot start {}: {}", launch.program, why));
 }
 

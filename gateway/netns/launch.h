@@ -15,11 +15,14 @@ struct Launch {
   std::vector<std::string> arguments;    ///< The first is its name.
   std::vector<std::string> environment;  ///< NAME=VALUE, all of it.
   std::string folder;                    ///< Where it works.
+  std::vector<std::string> shown;        ///< Of the host's /tmp, …: see Shown.
 };
 
-/// Starts a program in an agent, as the leader of a session of its own, with no input.
+/// Starts a program in an agent, as the leader of a session of its own, with no input. It is a
+/// child of the calling process.
 /// @param log  its standard output and error. @param inherited  become 3, 4, …
-/// @return its process number. @throws std::runtime_error  what it was refused.
+/// @return its process number, as seen from the calling process. @throws std::runtime_error  what
+/// it was refused.
 pid_t launch(const Launch& launch, const AgentSpaces& spaces, int log,
              const std::vector<int>& inherited);
 
@@ -30,8 +33,8 @@ std::vector<char*> pointers_to(const std::vector<std::string>& texts);
 /// what it starts get no rights by setuid, setgid or capabilities of files.
 void become(const Launch& launch);
 
-/// This process may open as many descriptors as it is allowed at all, five for each agent; programs
-/// that it starts get the limit that it had.
+/// This process may open as many descriptors as it is allowed at all, about ten for each agent
+/// while they are made and six from then on; programs that it starts get the limit that it had.
 void raise_descriptor_limit();
 
 /// The variables of an environment, of which later ones replace earlier ones of the same name.

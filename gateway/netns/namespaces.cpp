@@ -21,7 +21,18 @@
 namespace gateway::netns {
 namespace {
 
-std::string packed(const Settings& settings) {
+/// Absolute, for a process that works elsewhere.
+std::vector<std::string> texts_of(const std::vector<std::filesystem::path>& paths) {
+  std::vector<std::string> texts;
+  texts.reserve(paths.size());
+  for (const auto& path : paths) {
+    if (!path.empty()) texts.push_back(std::filesystem::absolute(path).string());
+  }
+  return texts;
+}
+
+/// @param shown  to the programs of all agents.
+std::string packed(const Settings& settings, const std::vector<std::filesystem::path>& shown) {
   Packer out;
   out.put(std::bit_cast<std::uint64_t>(settings.factor));
   out.put(settings.agents.size());
@@ -32,6 +43,7 @@ std::string packed(const Settings& settings) {
     out.put(agent.prefix);
     out.put(agent.mtu);
   }
+  out.put(texts_of(shown));
   return out.bytes();
 }
 
@@ -82,7 +94,9 @@ struct Namespaces::State {
   /// Until all is made.
   void receive_agents() {
     try {
-      send(holder.control(), MessageKind::kSetUp, packed(settings));
+      std::vector<std::filesystem::path> shown = settings.shown;
+      for (const auto& one : {settings.state_folder, library.parent_path()}) shown.push_back(one);
+      send(holder.control(), MessageKind::kSetUp, packed(settings, shown));
     } catch (const std::exception&) {
       // It has ended; why, it has said.
     }
@@ -90,7 +104,9 @@ struct Namespaces::State {
     while (!is_ready || run.init.number == 0) {
       const Message message = answer();
       if (message.kind == MessageKind::kHolder) {
-        run.init = Process::of(Unpacker(message.content).number<pid_t>());
+        Unpacker in(message.content);
+        run.init = Process::of(in.number<pid_t>());
+        why_alone = in.text();
       }
       if (message.kind == MessageKind::kAgent) add(message);
       is_ready = is_ready || message.kind == MessageKind::kReady;
@@ -101,7 +117,8 @@ struct Namespaces::State {
     const AgentNetwork& network = settings.agents.at(agents.size());
     Unpacker in(message.content);
     RunState::Agent spaces{network.agent};
-    for (int* one : {&spaces.network, &spaces.mount, &spaces.host, &spaces.ipc}) {
+    for (int* one : {&spaces.users, &spaces.processes, &spaces.network, &spaces.mount, &spaces.host,
+                     &spaces.ipc}) {
       *one = in.number<int>();
     }
     run.agents.push_back(spaces);
@@ -156,6 +173,7 @@ struct Namespaces::State {
   std::string dilation;
   Holder holder;
   RunState run;
+  std::string why_alone;
   FileDescriptor folder;
   std::vector<Agent> agents;
 };
@@ -168,6 +186,8 @@ Namespaces::Namespaces(const Settings& settings) {
 }
 
 Namespaces::~Namespaces() = default;
+
+const std::string& Namespaces::why_only_user_0() const { return state_->why_alone; }
 
 int Namespaces::tap(std::size_t agent) const { return state_->agents.at(agent).tap.get(); }
 
@@ -187,6 +207,9 @@ std::uint32_t Namespaces::start(std::size_t agent, const Command& command) {
   out.put(command.arguments);
   out.put(inside(environment, state_->library.string(), state_->dilation));
   out.put(std::string_view(folder.native()));
+  std::vector<std::filesystem::path> shown = command.shown;
+  for (const auto& one : {folder, command.log.parent_path()}) shown.push_back(one);
+  out.put(texts_of(shown));
   const FileDescriptor log = open_file(command.log.string(), O_WRONLY | O_CREAT | O_APPEND, 0644);
   std::vector<int> descriptors{log.get()};
   descriptors.insert(descriptors.end(), command.inherited.begin(), command.inherited.end());

@@ -29,6 +29,8 @@ struct Settings {
   double factor = 1;                 ///< Of the programs' time, 0.01 .. 1, see gateway/dilate.
   /// Results folder, for kStateFile; empty: none is written. May be renamed while the run lives.
   std::filesystem::path state_folder;
+  /// Files and folders of the host's /tmp, /run and /dev/shm that all programs see: see Namespaces.
+  std::vector<std::filesystem::path> shown;
   /// Where baraka-holder and libbaraka_dilate.so are; empty: where this program is, or in the
   /// folder ../lib/baraka beside it.
   std::filesystem::path programs;
@@ -40,6 +42,8 @@ struct Command {
   std::vector<std::pair<std::string, std::string>> environment;  ///< Beside this process's own.
   std::filesystem::path log;     ///< Its standard output and error are appended here.
   std::filesystem::path folder;  ///< Where it works; empty: this process's.
+  /// Of the host's /tmp, /run and /dev/shm, beside what all programs see: see Namespaces.
+  std::vector<std::filesystem::path> shown{};
   /// Descriptors of this process that it keeps, numbered from 3 on in this order. The library's
   /// and the C library's own start above them.
   std::vector<int> inherited;
@@ -56,16 +60,22 @@ struct Ended {
 /// end is a TAP in this process; and the programs inside. This process itself stays where it is.
 ///
 ///   baraka ── fork, exec ── baraka-holder ── fork ── init: process 1 of the run
-///     │ TAPs, pages                                    ├─ programs of r0, in r0's network
-///     └──────── two sockets ───────────────────────────┴─ programs of r1, …
+///     │ TAPs, pages                                    ├─ process 1 of r0, programs of r0
+///     └──────── two sockets ───────────────────────────┴─ process 1 of r1, programs of r1, …
 ///
 /// All of it ends with this object, and with this process, whatever ends it: init ends when its
 /// socket closes, and then the kernel ends everything inside, also what has daemonised. Each agent
-/// has its own `/dev/shm`; all names of agents resolve, in IPv4 and IPv6. The kernel's own timers
-/// of neighbours, fragments and multicast groups are stretched by 1/factor; those of TCP are not.
+/// has process numbers of its own, and its own `/tmp` and `/dev/shm` (1 GiB at most each) and
+/// `/run` (256 MiB; with the host's folders, empty). Of the host's, programs see Settings::shown,
+/// the results folder, the folder in which they work, and that of their own file, unless that is
+/// one of these three itself. All names of agents resolve, in IPv4 and IPv6. The kernel's own
+/// timers of neighbours, fragments and multicast groups are stretched by 1/factor; those of TCP are
+/// not.
 ///
-/// Programs run as user 0 of the run's own user namespace, which is the caller outside, and have
-/// `libbaraka_dilate.so` preloaded at every factor. No privilege is needed but read-write access
+/// Programs run as user 0 of the agent's own user namespace, which is the caller outside, and have
+/// `libbaraka_dilate.so` preloaded at every factor; what other users there are, IdMapper says. What
+/// is mounted cannot be unmounted inside; /sys is read-only, and so is all of /proc but what is the
+/// processes' or the network's. No privilege is needed but read-write access
 /// to /dev/net/tun and leave to make user namespaces.
 ///
 /// One thread; it must live as long as this, for the kernel ends the holder with it.
@@ -78,6 +88,9 @@ class Namespaces {
   ~Namespaces();
   Namespaces(const Namespaces&) = delete;
   Namespaces& operator=(const Namespaces&) = delete;
+
+  /// Why no program can become another user than 0, for people; empty: it can.
+  const std::string& why_only_user_0() const;
 
   /// The other end of the agent's wlan0, owned by this, non-blocking: each read and write is one
   /// Ethernet frame, checksums complete, without FCS. @param agent  index in Settings::agents.

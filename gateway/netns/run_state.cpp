@@ -36,7 +36,7 @@ void read_line(RunState& state, const std::string& key, std::istringstream& rest
   if (key == "library") std::getline(rest >> std::ws, state.library);
   if (key != "agent") return;
   RunState::Agent agent;
-  rest >> agent.network >> agent.mount >> agent.host >> agent.ipc;
+  rest >> agent.users >> agent.processes >> agent.network >> agent.mount >> agent.host >> agent.ipc;
   std::getline(rest >> std::ws, agent.name);
   state.agents.push_back(std::move(agent));
 }
@@ -98,8 +98,8 @@ void RunState::write(const FileDescriptor& folder) const {
   std::string text = fmt::format("init {} {}\ndilation {}\nlibrary {}\n", init.number, init.started,
                                  dilation, library);
   for (const Agent& agent : agents) {
-    text += fmt::format("agent {} {} {} {} {}\n", agent.network, agent.mount, agent.host, agent.ipc,
-                        agent.name);
+    text += fmt::format("agent {} {} {} {} {} {} {}\n", agent.users, agent.processes, agent.network,
+                        agent.mount, agent.host, agent.ipc, agent.name);
   }
   unlinkat(folder.get(), kStateFile, 0);
   const FileDescriptor file(

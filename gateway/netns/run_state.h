@@ -26,7 +26,8 @@ struct Process {
 struct RunState {
   struct Agent {
     std::string name;
-    int network = -1, mount = -1, host = -1, ipc = -1;  ///< Descriptors of init.
+    /// Descriptors of init.
+    int users = -1, processes = -1, network = -1, mount = -1, host = -1, ipc = -1;
   };
 
   Process init;          ///< The first process of the run's namespaces, as seen from outside.

@@ -5,24 +5,25 @@
 #include <sys/mman.h>
 #include <sys/mount.h>
 #include <sys/stat.h>
+#include <sys/wait.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
-#include <limits>
+#include <csignal>
+#include <cstring>
 #include <optional>
+#include <utility>
 
-#include "gateway/netns/addresses.h"
+#include "gateway/netns/first_of_agent.h"
 #include "gateway/netns/interface.h"
 #include "gateway/netns/kernel_timers.h"
 #include "gateway/netns/neighbours.h"
+#include "gateway/netns/pipe.h"
+#include "gateway/netns/user_ids.h"
 
 namespace gateway::netns {
 namespace {
-
-void write_file(const std::string& path, const std::string& content, int flags = 0) {
-  const FileDescriptor file = open_file(path, O_WRONLY | flags, 0644);
-  if (write(file.get(), content.data(), content.size()) < 0) fail(path);
-}
 
 /// A number that the kernel tells; nothing where it has no such file.
 std::optional<std::int64_t> kernel_number(const char* path) {
@@ -63,6 +64,98 @@ std::optional<std::int64_t> kernel_number(const char* path) {
        error);
 }
 
+/// Programs write to it, but none may cut it off: whoever has it mapped would die of that, and the
+/// run has. Only memory without a name can be sealed so; the name leads to it by way of the agent's
+/// first process.
+FileDescriptor make_page() {
+  constexpr int kSeals = F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL;
+  FileDescriptor page(memfd_create("baraka-room", MFD_CLOEXEC | MFD_ALLOW_SEALING));
+  if (!page.is_open() || fchmod(page.get(), 0666) != 0 ||
+      ftruncate(page.get(), sizeof(RoomPage)) != 0 || fcntl(page.get(), F_ADD_SEALS, kSeals) != 0) {
+    fail(kRoomFile);
+  }
+  return page;
+}
+
+/// Made in an agent's network by a process that is in the run's.
+AgentEnds make_ends(const AgentNetwork& network, const AgentSpaces& spaces,
+                    const RunOfAgents& run) {
+  constexpr gid_t kMostOfKernel = 0x7fff'ffff;
+  const FileDescriptor own = own_namespace("net");
+  join(spaces.network, "network");
+  AgentEnds ends;
+  ends.tap = make_interfaces(network);
+  keep_places(network, run.agents);
+  stretch_kernel_timers(run.factor);
+  write_file("/proc/sys/net/ipv4/ping_group_range",
+             fmt::format("0 {}", std::min(last_group(), kMostOfKernel)));
+  ends.counters = open_file("/proc/self/net/dev", O_RDONLY);
+  ends.page = make_page();
+  join(own, "way back out of its network");
+  return ends;
+}
+
+/// In a child: makes the namespaces and keeps them until they have been taken from it.
+[[noreturn]] void keep_new_spaces(const AgentNetwork& network, FileDescriptor& report) {
+  std::string why;
+  if (unshare(CLONE_NEWUSER | CLONE_NEWNET | CLONE_NEWUTS | CLONE_NEWIPC) != 0) {
+    why = std::string("the namespaces of an agent: ") + std::strerror(errno);
+  } else if (sethostname(network.agent.data(), network.agent.size()) != 0) {
+    why = "its name as a host's: " + std::string(std::strerror(errno));
+  }
+  (void)!write(report.get(), why.data(), why.size());
+  report.reset();
+  for (;;) pause();
+}
+
+void map_users_of(pid_t process) {
+  const std::string folder = fmt::format("/proc/{}/", process);
+  write_file(folder + "uid_map", identity_map("/proc/self/uid_map"));
+  write_file(folder + "gid_map", identity_map("/proc/self/gid_map"));
+}
+
+/// A process that keeps the namespaces of an agent, all but those of mounts and process numbers.
+struct Keeper {
+  explicit Keeper(const AgentNetwork& network) {
+    Pipe report;
+    process = fork();
+    if (process < 0) fail("the namespaces of an agent");
+    if (process == 0) keep_new_spaces(network, report.writer);
+    reader = std::move(report.reader);
+  }
+  ~Keeper() {
+    if (process < 0) return;
+    kill(process, SIGKILL);
+    while (waitpid(process, nullptr, 0) < 0 && errno == EINTR) continue;
+  }
+  Keeper(Keeper&& other) noexcept
+      : process(std::exchange(other.process, -1)), reader(std::move(other.reader)) {}
+  Keeper& operator=(Keeper&&) = delete;
+  Keeper(const Keeper&) = delete;
+  Keeper& operator=(const Keeper&) = delete;
+
+  /// The users are those of the run.
+  AgentSpaces take(const AgentNetwork& network) const {
+    const std::string why = all_from(reader);
+    if (!why.empty()) throw std::runtime_error(fmt::format("agent {}: {}", network.agent, why));
+    const auto opened = [this](const char* name) {
+      return open_file(fmt::format("/proc/{}/ns/{}", process, name), O_RDONLY);
+    };
+    AgentSpaces spaces;
+    spaces.users = opened("user");
+    spaces.network = opened("net");
+    spaces.host = opened("uts");
+    spaces.ipc = opened("ipc");
+    map_users_of(process);
+    return spaces;
+  }
+
+  pid_t process = -1;
+  FileDescriptor reader;
+};
+
+}  // namespace
+
 void unshare_or_fail(int what) {
   if (unshare(what) != 0) {
     fail(
@@ -71,97 +164,20 @@ void unshare_or_fail(int what) {
   }
 }
 
-void mount_or_fail(const char* type, const char* where, unsigned long flags,
-                   const char* options = nullptr) {
-  if (mount(type, where, type, flags, options) != 0) {
-    fail(
-        fmt::format("{} of the run cannot be mounted; a container whose /proc is masked needs "
-                    "'--security-opt systempaths=unconfined'",
-                    where));
-  }
-}
-
 FileDescriptor own_namespace(const char* name) {
   return open_file(fmt::format("/proc/self/ns/{}", name), O_RDONLY);
-}
-
-AgentSpaces own_spaces() {
-  return {own_namespace("net"), own_namespace("mnt"), own_namespace("uts"), own_namespace("ipc")};
-}
-
-/// One file in place of another.
-void cover(const char* file, const std::string& content) {
-  constexpr const char* kTemporary = "/dev/shm/.baraka-covering";
-  write_file(kTemporary, content, O_CREAT | O_TRUNC);
-  if (mount(kTemporary, file, nullptr, MS_BIND, nullptr) != 0) fail(file);
-  unlink(kTemporary);
-}
-
-std::string hosts(const std::vector<AgentNetwork>& all) {
-  std::string text =
-      "127.0.0.1 localhost\n::1 localhost ip6-localhost ip6-loopback\nff02::1 ip6-allnodes\n";
-  for (const AgentNetwork& one : all) {
-    text += fmt::format("{} {}\n{} {}\n", to_text(one.address), one.agent,
-                        to_text(unique_local_address(one.id)), one.agent);
-  }
-  return text;
-}
-
-/// Programs write to it, but none may cut it off: whoever has it mapped would die of that, and the
-/// run has. Only memory without a name can be sealed so; the name leads to it by way of init.
-FileDescriptor make_page() {
-  constexpr int kSeals = F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_SEAL;
-  FileDescriptor page(memfd_create("baraka-room", MFD_CLOEXEC | MFD_ALLOW_SEALING));
-  if (!page.is_open() || fchmod(page.get(), 0666) != 0 ||
-      ftruncate(page.get(), sizeof(RoomPage)) != 0 || fcntl(page.get(), F_ADD_SEALS, kSeals) != 0 ||
-      symlink(fmt::format("/proc/1/fd/{}", page.get()).c_str(), kRoomFile) != 0) {
-    fail(kRoomFile);
-  }
-  return page;
-}
-
-void make_files(const AgentNetwork& network, const std::vector<AgentNetwork>& all) {
-  mount_or_fail("tmpfs", "/dev/shm", MS_NOSUID | MS_NODEV, "mode=1777");
-  cover("/etc/hosts", hosts(all));
-  // IPv4 first, where programs leave it to the C library: it is what the scenario names.
-  if (access("/etc/gai.conf", F_OK) == 0) {
-    cover("/etc/gai.conf", "precedence ::ffff:0:0/96 100\n");
-  }
-  if (sethostname(network.agent.data(), network.agent.size()) != 0) {
-    fail(fmt::format("agent {}: its name as a host's", network.agent));
-  }
-  // Best: /sys/class/net with the agent's interfaces. No program needs it to send.
-  mount("sysfs", "/sys", "sysfs", MS_NOSUID | MS_NODEV | MS_NOEXEC | MS_RDONLY, nullptr);
-}
-
-AgentEnds make_ends(const AgentNetwork& network, const std::vector<AgentNetwork>& all,
-                    double factor) {
-  unshare_or_fail(CLONE_NEWNET | CLONE_NEWNS | CLONE_NEWUTS | CLONE_NEWIPC);
-  make_files(network, all);
-  AgentEnds ends;
-  ends.tap = make_interfaces(network);
-  keep_places(network, all);
-  stretch_kernel_timers(factor);
-  write_file("/proc/sys/net/ipv4/ping_group_range", "0 0");
-  ends.counters = open_file("/proc/self/net/dev", O_RDONLY);
-  ends.page = make_page();
-  return ends;
 }
 
 void join(const FileDescriptor& space, const char* what) {
   if (setns(space.get(), 0) != 0) fail(fmt::format("the agent's {}", what));
 }
 
-}  // namespace
-
-void enter_new_run() {
-  const std::string user = fmt::format("0 {} 1", geteuid());
-  const std::string group = fmt::format("0 {} 1", getegid());
+std::string enter_new_run() {
+  IdMapper mapper;
   if (unshare(CLONE_NEWUSER) != 0) fail_of_users(errno);
+  std::string why_alone;
   try {
-    write_file("/proc/self/setgroups", "deny");
-    write_file("/proc/self/uid_map", user);
-    write_file("/proc/self/gid_map", group);
+    why_alone = mapper.map();
   } catch (const std::runtime_error&) {
     fail_of_users(errno);
   }
@@ -169,24 +185,33 @@ void enter_new_run() {
   if (unshare(CLONE_NEWNS) != 0) fail_of_users(errno);
   unshare_or_fail(CLONE_NEWNET | CLONE_NEWPID | CLONE_NEWUTS | CLONE_NEWIPC);
   if (mount(nullptr, "/", nullptr, MS_REC | MS_SLAVE, nullptr) != 0) fail("mounts of the run");
+  return why_alone;
 }
 
-void mount_proc() { mount_or_fail("proc", "/proc", MS_NOSUID | MS_NODEV | MS_NOEXEC); }
-
-AgentMade make_agent(const AgentNetwork& network, const std::vector<AgentNetwork>& all,
-                     double factor) {
-  const AgentSpaces own = own_spaces();
-  AgentMade made;
-  made.ends = make_ends(network, all, factor);
-  made.spaces = own_spaces();
-  enter(own);
-  return made;
+std::vector<AgentMade> make_agents(const RunOfAgents& run) {
+  std::vector<Keeper> keepers;
+  std::vector<AgentMade> all;
+  std::vector<FileDescriptor> reports;
+  keepers.reserve(run.agents.size());
+  all.reserve(run.agents.size());
+  reports.reserve(run.agents.size());
+  for (const AgentNetwork& network : run.agents) keepers.emplace_back(network);
+  for (std::size_t i = 0; i < run.agents.size(); ++i) {
+    AgentMade& made = all.emplace_back();
+    made.spaces = keepers[i].take(run.agents[i]);
+    made.ends = make_ends(run.agents[i], made.spaces, run);
+    reports.push_back(start_first_of_agent(run.agents[i], run, made));
+  }
+  for (std::size_t i = 0; i < all.size(); ++i) await_first_of_agent(reports[i], all[i]);
+  return all;
 }
 
 void enter(const AgentSpaces& spaces) {
+  join(spaces.processes, "processes");
   join(spaces.network, "network");
   join(spaces.ipc, "IPC");
   join(spaces.host, "host name");
+  join(spaces.users, "users");
   join(spaces.mount, "mounts");
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <sys/types.h>
+
 #include <string>
 #include <vector>
 
@@ -10,40 +12,54 @@ namespace gateway::netns {
 
 /// What holds an agent's namespaces, of this process.
 struct AgentSpaces {
-  FileDescriptor network, mount, host, ipc;
+  FileDescriptor users, processes, network, mount, host, ipc;
 };
 
 /// What baraka gets of an agent.
 struct AgentEnds {
   FileDescriptor tap;       ///< Of wlan0.
   FileDescriptor counters;  ///< /proc/net/dev of the agent.
-  FileDescriptor page;      ///< Of its room, memory of one RoomPage. Init keeps it open: kRoomFile.
+  FileDescriptor page;      ///< Of its room, memory of one RoomPage.
 };
 
 struct AgentMade {
   AgentSpaces spaces;
   AgentEnds ends;
+  pid_t init = -1;  ///< The agent's first process, a child of the calling one.
+};
+
+/// What all agents of a run have in common.
+struct RunOfAgents {
+  std::vector<AgentNetwork> agents;
+  double factor = 1;               ///< Of the programs' time.
+  std::vector<std::string> shown;  ///< As Settings::shown.
 };
 
 /// The namespaces of the calling process become the run's own: users, mounts, network, IPC, host
 /// name, and, of the children it forks from then on, process numbers. It is user 0 there. No other
-/// thread may exist. @throws std::runtime_error  what is refused, and how to allow it.
-void enter_new_run();
+/// thread may exist. @return as IdMapper::map().
+/// @throws std::runtime_error  what is refused, and how to allow it.
+std::string enter_new_run();
 
-/// In the first process of the run: /proc shows the run's processes only.
-void mount_proc();
-
-/// Makes the namespaces of an agent and its interfaces; the calling process stays in its own.
+/// Makes the namespaces of the agents and their interfaces; the calling process stays in its own.
+/// Users and mounts are each agent's own beneath those of the run, so that no program can take away
+/// what is mounted there, nor see the run.
 /// @pre this is the first process of the run, with mount_proc() done.
-/// @param all  of the run, for /etc/hosts. @param factor  of the programs' time.
-AgentMade make_agent(const AgentNetwork& network, const std::vector<AgentNetwork>& all,
-                     double factor);
+std::vector<AgentMade> make_agents(const RunOfAgents& run);
 
-/// The calling process goes into an agent; its working folder is then the root.
+/// The calling process, and what it forks from then on, goes into an agent; its working folder is
+/// then the root. Its own number does not change. @pre it is user 0 of the run.
 void enter(const AgentSpaces& spaces);
 
-/// Where programs find the page of their agent's room: a link to the descriptor that init has of
-/// it.
+/// New namespaces of the calling process; what setns(2) and unshare(2) refuse is said.
+/// @throws std::runtime_error
+void unshare_or_fail(int what);
+FileDescriptor own_namespace(const char* name);
+/// @param what  of the agent, for people.
+void join(const FileDescriptor& space, const char* what);
+
+/// Where programs find the page of their agent's room: a link to the descriptor that the agent's
+/// first process has of it.
 inline constexpr const char* kRoomFile = "/dev/shm/.baraka-room";
 
 }  // namespace gateway::netns

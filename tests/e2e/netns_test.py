@@ -332,7 +332,7 @@ class Exec(unittest.TestCase):
         run = Wire(self)
         inside = subprocess.Popen([BIN / "baraka", "exec", "r0", "--run", run.folder, "--", "sleep", "1000"])
         self.addCleanup(inside.kill)
-        wait_for(lambda: "sleep" in run.run(1, "ps", "-eo", "comm"))
+        wait_for(lambda: "sleep" in run.run(0, "ps", "-eo", "comm"))
         run.close()
         self.assertIn(inside.wait(timeout=10), (128 + signal.SIGTERM, 128 + signal.SIGKILL))
 
