@@ -1,5 +1,6 @@
 #include "gateway/run/network_of_run.h"
 
+#include <fmt/core.h>
 #include <poll.h>
 #include <sched.h>
 #include <sys/prctl.h>
@@ -68,7 +69,8 @@ bool has_network(const sim::scenario::Scenario& scenario) {
                              [](const auto& agent) { return agent.network.has_value(); });
 }
 
-NetworkOfRun::NetworkOfRun(const sim::scenario::Scenario& scenario, double factor,
+NetworkOfRun::NetworkOfRun(const sim::scenario::Scenario& scenario,
+                           const std::filesystem::path& file, double factor,
                            std::function<std::filesystem::path()> results)
     : scenario_(scenario),
       results_(std::move(results)),
@@ -80,7 +82,13 @@ NetworkOfRun::NetworkOfRun(const sim::scenario::Scenario& scenario, double facto
   for (const sim::agents::AgentConfig& agent : scenario.simulation.agents) {
     if (agent.network) agents_.push_back(agent.id);
   }
-  namespaces_.emplace(settings_of(scenario, factor, results_()));
+  netns::Settings settings = settings_of(scenario, factor, results_());
+  settings.shown = {std::filesystem::absolute(file).parent_path()};
+  namespaces_.emplace(settings);
+  const std::string& why = namespaces_->why_only_user_0();
+  if (why.empty()) return;
+  fmt::print(stderr,
+             "hint: programs have no user but 0, and those that change to another fail: {}\n", why);
 }
 
 NetworkOfRun::~NetworkOfRun() = default;
@@ -139,6 +147,9 @@ std::uint32_t NetworkOfRun::start(const ProgramsOfRun::Start& start) {
   }
   for (const auto& [name, value] : planned.program->environment) {
     command.environment.emplace_back(name, sim::scenario::filled_in(value, words));
+  }
+  for (const std::string& path : planned.program->shown) {
+    command.shown.emplace_back(sim::scenario::filled_in(path, words));
   }
   command.log = std::filesystem::absolute(start.folder / planned.log);
   return namespaces_->start(*index_of(planned.agent), command);

@@ -41,11 +41,12 @@ struct NetworkSummary {
 ///   network.finish();
 class NetworkOfRun final : private BesideTheRun {
  public:
-  /// Makes the namespaces. @param factor  of the clock.
+  /// Makes the namespaces; says on standard error what programs will miss there.
+  /// @param file  of the scenario: its folder is shown to programs. @param factor  of the clock.
   /// @param results  tells where the folder of the results is now.
   /// @throws std::runtime_error  as netns::Namespaces.
-  NetworkOfRun(const sim::scenario::Scenario& scenario, double factor,
-               std::function<std::filesystem::path()> results);
+  NetworkOfRun(const sim::scenario::Scenario& scenario, const std::filesystem::path& file,
+               double factor, std::function<std::filesystem::path()> results);
   ~NetworkOfRun() override;
 
   /// The simulation uses the interfaces, and the clock attends to the programs. Both outlive the

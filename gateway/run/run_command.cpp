@@ -139,10 +139,10 @@ struct Ending {
 };
 
 /// First of all: it forks. @return null: the scenario has none, or this is a repetition.
-std::unique_ptr<NetworkOfRun> network_of(const Scenario& scenario, const Course& course,
-                                         const Results& results) {
+std::unique_ptr<NetworkOfRun> network_of(const std::string& file, const Scenario& scenario,
+                                         const Course& course, const Results& results) {
   if (!has_network(scenario) || course.is_repeated()) return nullptr;
-  return std::make_unique<NetworkOfRun>(scenario, *course.factor(),
+  return std::make_unique<NetworkOfRun>(scenario, file, *course.factor(),
                                         [&results] { return results.folder().path(); });
 }
 
@@ -232,7 +232,7 @@ WallPace::Settings pace_of(const RunOptions& options, std::size_t processes, Res
 int run(const RunOptions& options, const Scenario& scenario, const Course& course,
         RunInspection& inspection, Results& results) {
   const std::optional<int> domain = domain_of(options);
-  const std::unique_ptr<NetworkOfRun> network = network_of(scenario, course, results);
+  const auto network = network_of(options.scenario, scenario, course, results);
   sim::scenario::Judge judge(scenario);
   Simulation simulation(scenario.simulation, {&judge, &inspection.observer()});
   open_programs_door(scenario, simulation);

@@ -25,6 +25,7 @@ struct Program {
   std::vector<std::string> command;
   hal::Duration start{};                                           ///< Simulated time.
   std::vector<std::pair<std::string, std::string>> environment{};  ///< The same words.
+  std::vector<std::string> shown{};  ///< Of the host's /tmp, /run and /dev/shm; the same words.
   std::string log{};  ///< File in the results' folder; kAgentWord stands for the agent.
   OnExit on_exit = OnExit::kIgnore;
   std::string place{};  ///< "file:line:column".

@@ -68,6 +68,22 @@ void read_log(Mapping& in, const Group& group, Program& program) {
   }
 }
 
+std::vector<std::string> read_shown(Mapping& in) {
+  std::vector<std::string> shown;
+  for (hal::config::Scalar& path :
+       in.texts({"shown",
+                 "Files and folders of this computer's /tmp, /run and /dev/shm that the program "
+                 "needs: each agent has its own of these three, empty at first. Absolute; with the "
+                 "same words.",
+                 "[/tmp/.X11-unix]", "[]"})) {
+    if (!path.text.starts_with('/') && !path.text.starts_with(kResultsWord)) {
+      in.mistake("shown", fmt::format("'{}' must be an absolute path", path.text));
+    }
+    shown.push_back(std::move(path.text));
+  }
+  return shown;
+}
+
 Program read_program(Mapping& in, const Group& group) {
   Program program;
   program.place = in.place();
@@ -93,6 +109,7 @@ Program read_program(Mapping& in, const Group& group) {
   program.environment = read_environment(in.mapping(
       {"environment", "Variables beside those that `baraka run` has; with the same words.",
        "{CYCLONEDDS_URI: file:///etc/cyclone.xml}"}));
+  program.shown = read_shown(in);
   program.on_exit = in.choice(kOnExit, kEnds, OnExit::kIgnore);
   read_log(in, group, program);
   in.finish();
@@ -125,6 +142,7 @@ void write_programs(Writer& out, const Group& group) {
     out.open("environment");
     for (const auto& [name, value] : program.environment) out.text(name, value);
     out.close();
+    if (!program.shown.empty()) out.texts("shown", program.shown);
     FieldWriter(out).choice(kOnExit, kEnds, program.on_exit);
     out.text("log", program.log);
     out.close();

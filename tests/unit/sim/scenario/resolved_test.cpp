@@ -146,7 +146,8 @@ agents:
     network: {}
     programs:
       - {name: late, command: [sh, -c, "echo 'a {b}: {agent} # $X' \\"], start: 1500 ms,
-         environment: {X: "{number}, 5", Y: ""}, log: "l{number}.log", on_exit: end}
+         environment: {X: "{number}, 5", Y: ""}, log: "l{number}.log", on_exit: end,
+         shown: ["/tmp/{agent}", /run/user]}
       - {name: early, command: [cat, "{results}/x"], on_exit: fail}
 end:
   - {agent: x03, state: DONE, after: 20 ms, result: good}
