@@ -24,11 +24,12 @@ AS_USER = (f"{DEVICES} && "
            f'exec setpriv --reuid {USER} --regid {USER} --clear-groups "$@"')
 
 
-def as_user(command):
-    """The command as an ordinary user; as it is, if nobody else could start it otherwise."""
+def as_user(command, prepare="true"):
+    """The command as an ordinary user; as it is, if nobody else could start it otherwise.
+    `prepare`: done before by root, in the mounts of this command alone."""
     if os.geteuid() != 0:
         return command
-    return ["unshare", "--mount", "sh", "-c", AS_USER, "sh", *command]
+    return ["unshare", "--mount", "sh", "-c", AS_USER.replace(" && exec", f" && {prepare} && exec"), "sh", *command]
 
 
 def is_refusal(said):
@@ -51,7 +52,7 @@ def why_not(command=()):
 class Wire:
     """A run of agents r0, r1, ... under way."""
 
-    def __init__(self, case, agents=3, user=False, rate=None, factor=1, options=()):
+    def __init__(self, case, agents=3, user=False, rate=None, factor=1, options=(), prepare="true"):
         self.folder = pathlib.Path(tempfile.mkdtemp(prefix="baraka-wire-"))
         case.addCleanup(shutil.rmtree, self.folder, ignore_errors=True)
         self.folder.chmod(0o777)
@@ -59,7 +60,7 @@ class Wire:
                    "--state", str(self.folder), "--factor", str(factor), *map(str, options)]
         if rate:
             command += ["--rate", str(rate)]
-        self.process = subprocess.Popen(as_user(command) if user else command, stdin=subprocess.PIPE,
+        self.process = subprocess.Popen(as_user(command, prepare) if user else command, stdin=subprocess.PIPE,
                                         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True,
                                         env={**os.environ, "PATH": PATH})
         case.addCleanup(self.close)
