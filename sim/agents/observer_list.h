@@ -44,6 +44,12 @@ class ObserverList final : public Observer {
                      hal::Verdict verdict) override {
     for (Observer* o : observers_) o->on_relay_lost(at, source, request, verdict);
   }
+  void on_relay_queued(hal::Time at, const radio::Msdu& msdu) override {
+    for (Observer* o : observers_) o->on_relay_queued(at, msdu);
+  }
+  void on_msdu_end(hal::Time at, const radio::Msdu& msdu, const radio::MsduEnd& end) override {
+    for (Observer* o : observers_) o->on_msdu_end(at, msdu, end);
+  }
   void on_association(hal::Time at, hal::AgentId station,
                       std::optional<hal::AgentId> access_point) override {
     for (Observer* o : observers_) o->on_association(at, station, access_point);

@@ -10,6 +10,8 @@ namespace {
 /// Datagrams that stay incomplete at a receiver: the last so many are remembered.
 constexpr std::size_t kMostArriving = 256;
 constexpr std::int64_t kSecond = 1'000'000'000;
+/// Longer than any wave is on its way.
+constexpr hal::Duration kPropagation = std::chrono::milliseconds{1};
 
 ContentPtr of_kind(Purpose purpose, std::uint16_t what) {
   return std::make_shared<const Content>(
@@ -18,6 +20,18 @@ ContentPtr of_kind(Purpose purpose, std::uint16_t what) {
 
 bool is_of_interface(radio::Ethertype type) {
   return type == kEthertypeIpv4 || type == kEthertypeArp || type == kEthertypeIpv6;
+}
+
+/// Whom a frame to everyone is for: an access point's is for who is with it.
+Samples::Whom whom_of(const radio::Frame& frame) {
+  Samples::Whom whom{.destination = hal::kEveryone};
+  if (frame.ds == radio::Ds::kFrom) whom.access_point = frame.transmitter;
+  return whom;
+}
+
+SampleLoss loss_of(hal::Verdict verdict, hal::AgentId at, std::uint64_t frame) {
+  return {.cause = {.kind = LossCause::Kind::kVerdict, .verdict = verdict, .at = at},
+          .frame = frame};
 }
 
 /// Samples that lie in a frame, whole or in part.
@@ -88,7 +102,25 @@ void Ledger::on_frame_start(hal::Time at, const radio::Frame& frame) {
   accounts_.add(*sent.content, {frame.transmitter, frame.retry, frame.air_length, frame.airtime},
                 sent.shares);
   count_second(at, sent, 1);
-  for_samples(sent.content->place, [this](const DatagramPart& part) { samples_.on_started(part); });
+  if (!frame.is_broadcast()) return on_attempt(frame, station.attempts);
+  on_group_frame(at, frame, sent);
+}
+
+void Ledger::on_attempt(const radio::Frame& frame, Attempts& attempts) {
+  const bool is_data = frame.type == radio::FrameType::kData;
+  if (!is_data && frame.type != radio::FrameType::kRts) return;
+  if (is_data && attempts.payload != frame.payload.get())
+    attempts = {.payload = frame.payload.get()};
+  attempts.last = frame.id;
+  attempts.at_receiver.reset();
+}
+
+void Ledger::on_group_frame(hal::Time at, const radio::Frame& frame, const Sent& sent) {
+  const SampleLoss unnoticed =
+      loss_of(hal::Verdict::kBelowSensitivity, frame.transmitter, frame.id);
+  for_samples(sent.content->place, [&](const DatagramPart& part) {
+    samples_.on_group_frame(part, whom_of(frame), unnoticed, at + frame.airtime + kPropagation);
+  });
 }
 
 void Ledger::count_second(hal::Time at, const Sent& sent, int sign) {
@@ -119,16 +151,60 @@ void Ledger::on_reception(hal::Time, const radio::Frame& frame, hal::AgentId rec
   if (sent == nullptr) return;
   const bool addressed = frame.is_broadcast() || frame.receiver == receiver;
   accounts_.add_end(*sent->content, sent->shares, receiver, addressed, verdict);
-  if (!addressed || verdict == hal::Verdict::kDelivered) return;
-  // On its way to an access point it is lost for whom it was meant.
-  const hal::AgentId meant = frame.is_broadcast() ? receiver : frame.destination();
-  for_samples(sent->content->place,
-              [&](const DatagramPart& part) { samples_.on_lost(part, meant, verdict, frame.id); });
+  if (!addressed) return;
+  if (!frame.is_broadcast()) return on_attempt_end(frame, verdict);
+  on_group_frame_end(frame, *sent, receiver, verdict);
 }
 
-void Ledger::on_request_end(hal::Time, hal::AgentId sender, hal::AgentId, hal::Verdict verdict) {
-  const bool was_sent = verdict == hal::Verdict::kDelivered || verdict == hal::Verdict::kRetryLimit;
-  if (!was_sent) samples_.on_refused(sender, verdict);
+void Ledger::on_attempt_end(const radio::Frame& frame, hal::Verdict verdict) {
+  Attempts& attempts = stations_[frame.transmitter.value].attempts;
+  if (attempts.last != frame.id) return;
+  attempts.at_receiver = verdict;
+  const bool is_data = frame.type == radio::FrameType::kData;
+  attempts.has_arrived |= is_data && verdict == hal::Verdict::kDelivered;
+}
+
+void Ledger::on_group_frame_end(const radio::Frame& frame, const Sent& sent, hal::AgentId receiver,
+                                hal::Verdict verdict) {
+  Samples::Whom whom = whom_of(frame);
+  if (!samples_.is_for(whom, receiver)) return;
+  whom.destination = receiver;
+  std::optional<SampleLoss> loss;
+  if (verdict != hal::Verdict::kDelivered) loss = loss_of(verdict, frame.transmitter, frame.id);
+  for_samples(sent.content->place, [&](const DatagramPart& part) {
+    samples_.on_group_frame_end(part, whom, frame.id, loss);
+  });
+}
+
+/// What was sent of it, which is then forgotten: a MAC serves one at a time. Nothing of what ended
+/// while another was being served.
+Ledger::Attempts Ledger::take_attempts(const radio::Msdu& msdu, const radio::MsduEnd& end) {
+  if (msdu.station.value >= stations_.size() || !end.has_waited || end.went_over_wire) return {};
+  Attempts& attempts = stations_[msdu.station.value].attempts;
+  const bool was_served =
+      end.verdict == hal::Verdict::kDelivered || end.verdict == hal::Verdict::kRetryLimit;
+  if (!was_served && attempts.payload != msdu.request.payload.get()) return {};
+  return std::exchange(attempts, {});
+}
+
+void Ledger::on_msdu_end(hal::Time at, const radio::Msdu& msdu, const radio::MsduEnd& end) {
+  const Attempts attempts = take_attempts(msdu, end);
+  if (end.verdict == hal::Verdict::kDelivered || attempts.has_arrived) return;
+  if (!is_of_interface(msdu.request.ethertype)) return;
+  hal::Verdict verdict = end.verdict;
+  if (verdict == hal::Verdict::kRetryLimit && attempts.last != 0) {
+    const hal::Verdict last = attempts.at_receiver.value_or(hal::Verdict::kBelowSensitivity);
+    if (last != hal::Verdict::kDelivered) verdict = last;  // else it was the answer to an RTS
+  }
+  const SampleLoss loss = loss_of(verdict, msdu.station, attempts.last);
+  Samples::Whom whom{.destination = msdu.request.destination};
+  // What no route is known for ends before it is passed on to anybody.
+  const bool is_passed_on = msdu.station != msdu.source && verdict != hal::Verdict::kNoRoute;
+  if (is_passed_on) whom.access_point = msdu.station;
+  const ContentPtr content =
+      read(at, msdu.source, msdu.request.destination, msdu.request.payload, msdu.request.ethertype);
+  for_samples(content->place,
+              [&](const DatagramPart& part) { samples_.on_lost(part, whom, loss); });
 }
 
 void Ledger::on_left(hal::Time at, hal::AgentId agent, const radio::MacIndication& indication) {

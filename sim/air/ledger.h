@@ -40,8 +40,11 @@ class Ledger final : public radio::RadioObserver {
   void on_frame_cut(hal::Time at, const radio::Frame& frame) override;
   void on_reception(hal::Time at, const radio::Frame& frame, hal::AgentId receiver,
                     hal::Verdict verdict, double rssi_dbm) override;
-  void on_request_end(hal::Time at, hal::AgentId sender, hal::AgentId destination,
-                      hal::Verdict verdict) override;
+  void on_msdu_end(hal::Time at, const radio::Msdu& msdu, const radio::MsduEnd& end) override;
+  void on_association(hal::Time, hal::AgentId station,
+                      std::optional<hal::AgentId> access_point) override {
+    if (access_point) samples_.on_association(station, *access_point);
+  }
 
   /// A frame from the agent's interface became this request.
   void on_entered(hal::Time at, hal::AgentId agent, const radio::MacRequest& request);
@@ -77,9 +80,17 @@ class Ledger final : public radio::RadioObserver {
     AirAccounts::Shares shares;
   };
   static constexpr std::size_t kRemembered = 8;
+  /// Of a data frame to one receiver, what was sent of it so far.
+  struct Attempts {
+    const hal::Bytes* payload = nullptr;        ///< Null: no more than RTS.
+    std::uint64_t last = 0;                     ///< RTS or data frame; 0: none.
+    std::optional<hal::Verdict> at_receiver{};  ///< Of that; none: its radio did not notice it.
+    bool has_arrived = false;                   ///< In one of them.
+  };
   struct Station {
     std::array<Sent, kRemembered> sent;
     std::size_t last = 0;
+    Attempts attempts;
   };
   /// Of a datagram in fragments, at one receiver.
   struct Arriving {
@@ -92,6 +103,12 @@ class Ledger final : public radio::RadioObserver {
   ContentPtr read(hal::Time at, hal::AgentId source, hal::AgentId destination,
                   const radio::Payload& payload, radio::Ethertype type);
   Sent* find(const radio::Frame& frame);
+  void on_attempt(const radio::Frame& frame, Attempts& attempts);
+  void on_attempt_end(const radio::Frame& frame, hal::Verdict verdict);
+  void on_group_frame(hal::Time at, const radio::Frame& frame, const Sent& sent);
+  void on_group_frame_end(const radio::Frame& frame, const Sent& sent, hal::AgentId receiver,
+                          hal::Verdict verdict);
+  Attempts take_attempts(const radio::Msdu& msdu, const radio::MsduEnd& end);
   void count_second(hal::Time at, const Sent& sent, int sign);
   void on_whole(hal::Time at, hal::AgentId agent, const Datagram& datagram);
   bool complete(hal::AgentId agent, const DatagramPlace& place);

@@ -62,6 +62,7 @@ bool Samples::is_for(const DatagramPart& part, hal::AgentId destination,
 
 void Samples::on_sent(hal::Time at, const Datagram& datagram, const DatagramPart& part,
                       hal::AgentId destination) {
+  now_ = at;
   Sample* sample = find(part);
   if (sample == nullptr) sample = begin(at, part);
   if (sample == nullptr) return;
@@ -84,19 +85,42 @@ void Samples::on_sent(hal::Time at, const Datagram& datagram, const DatagramPart
   }
 }
 
-void Samples::on_started(const DatagramPart& part) {
-  if (Sample* const sample = find(part)) sample->was_on_air = true;
+bool Samples::is_for(const Whom& whom, hal::AgentId receiver) const {
+  if (whom.destination != hal::kEveryone) return whom.destination == receiver;
+  if (!whom.access_point) return true;
+  const auto with = with_.find(receiver);
+  return with != with_.end() && with->second == *whom.access_point;
 }
 
-void Samples::on_lost(const DatagramPart& part, hal::AgentId receiver, hal::Verdict verdict,
-                      std::uint64_t frame) {
+/// What is under way to those that a carrier is for: act(losses, its range of fragments).
+template <class Act>
+void Samples::for_lost(const DatagramPart& part, const Whom& whom, const Act& act) {
   Sample* const sample = find(part);
   if (sample == nullptr) return;
   for (Progress& progress : sample->to) {
-    if (progress.delivery.receiver != receiver || progress.delivery.left) continue;
-    progress.delivery.verdict = verdict;
-    progress.delivery.frame = frame;
+    const hal::AgentId receiver = progress.delivery.receiver;
+    if (progress.delivery.left || !is_for(part, whom.destination, receiver)) continue;
+    if (is_for(whom, receiver)) act(progress.losses, range_of(part, progress.got.size()));
   }
+}
+
+void Samples::on_lost(const DatagramPart& part, const Whom& whom, const SampleLoss& loss) {
+  for_lost(part, whom,
+           [&loss](SampleLosses& losses, const auto& range) { losses.add(loss, range); });
+}
+
+void Samples::on_group_frame(const DatagramPart& part, const Whom& whom,
+                             const SampleLoss& unnoticed, hal::Time over) {
+  for_lost(part, whom,
+           [&](SampleLosses& losses, const auto& range) { losses.expect(unnoticed, range, over); });
+}
+
+void Samples::on_group_frame_end(const DatagramPart& part, const Whom& whom, std::uint64_t frame,
+                                 const std::optional<SampleLoss>& loss) {
+  for_lost(part, whom, [&](SampleLosses& losses, const auto& range) {
+    losses.on_heard(frame);
+    if (loss) losses.add(*loss, range);
+  });
 }
 
 void Samples::Progress::take(const DatagramPart& part, std::uint64_t serial) {
@@ -112,8 +136,12 @@ void Samples::Progress::take(const DatagramPart& part, std::uint64_t serial) {
 void Samples::on_received(hal::Time at, const Datagram& datagram, const DatagramPart& part,
                           hal::AgentId receiver) {
   Sample* const sample = find(part);
+  if (sample == nullptr) return;
   // A reader drops what is from a writer that it does not know yet.
-  if (sample == nullptr || !endpoints_.all()[part.writer].known_at.contains(receiver)) return;
+  if (!endpoints_.all()[part.writer].known_at.contains(receiver)) {
+    const LossCause cause{.kind = LossCause::Kind::kNotMatched, .at = receiver};
+    return on_lost(part, {.destination = receiver}, {.cause = cause});
+  }
   for (Progress& progress : sample->to) {
     if (!is_for(part, receiver, progress.delivery.receiver) || progress.delivery.left) continue;
     progress.take(part, datagram.serial);
@@ -127,9 +155,11 @@ void Samples::release(Progress& progress) {
   open_fragments_ -= progress.first.size();
   std::vector<std::uint64_t>().swap(progress.first);
   std::vector<bool>().swap(progress.got);
+  progress.losses.clear();
 }
 
 void Samples::settle(hal::Time now) {
+  now_ = now;
   while (!order_.empty()) {
     const auto oldest = open_.find(order_.front());
     const bool is_due = oldest->second.last_sent + kSettled < now;
@@ -149,27 +179,22 @@ void Samples::settle_front(bool is_end) {
   const auto oldest = open_.find(key);
   std::int64_t& highest = settled_[key.first];
   highest = std::max(highest, key.second);
-  const auto sender = endpoints_.all()[key.first].agent;
-  settle(oldest->second, sender.value_or(hal::AgentId{}), is_end);
+  settle(oldest->second, is_end);
   open_.erase(oldest);
 }
 
-void Samples::settle(Sample& sample, hal::AgentId sender, bool is_end) {
+void Samples::settle(Sample& sample, bool is_end) {
   for (Progress& progress : sample.to) {
     SampleDelivery& delivery = progress.delivery;
+    if (!delivery.left) {
+      progress.losses.settle(now_);
+      delivery.loss = progress.losses.last(progress.got).value_or(SampleLoss{});
+      // What came too early is sent again to who asks for it.
+      delivery.is_under_way = is_end && delivery.loss->cause.kind != LossCause::Kind::kVerdict;
+      if (delivery.is_under_way) delivery.loss.reset();
+    }
     release(progress);
     if (!progress.was_sent) continue;
-    if (delivery.left) {
-      delivery.verdict.reset();
-      delivery.frame = 0;
-    } else if (!delivery.verdict && is_end) {
-      delivery.is_under_way = true;
-    } else if (!delivery.verdict && sample.was_on_air) {
-      delivery.verdict = hal::Verdict::kBelowSensitivity;
-    } else if (!delivery.verdict) {
-      const auto refused = refused_.find(sender);
-      delivery.verdict = refused == refused_.end() ? hal::Verdict::kExpired : refused->second;
-    }
     count(delivery);
     if (sink_) sink_(delivery);
   }
@@ -185,7 +210,7 @@ void Samples::count(const SampleDelivery& delivery) {
   if (delivery.is_under_way) {
     ++sums.under_way;
   } else if (!delivery.left) {
-    ++sums.lost[static_cast<std::size_t>(*delivery.verdict)];
+    ++sums.lost[delivery.loss->cause];
   } else {
     ++sums.delivered;
     sums.first_try += delivery.is_repaired ? 0 : 1;

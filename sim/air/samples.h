@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <deque>
 #include <functional>
@@ -11,10 +10,10 @@
 
 #include "hal/types/agent_id.h"
 #include "hal/types/time.h"
-#include "hal/types/verdict.h"
 #include "sim/air/datagram.h"
 #include "sim/air/endpoints.h"
 #include "sim/air/latency_histogram.h"
+#include "sim/air/sample_losses.h"
 
 namespace sim::air {
 
@@ -24,17 +23,14 @@ struct SampleDelivery {
   EndpointIndex writer = 0;
   std::int64_t sequence_number = 0;
   hal::AgentId receiver;
-  hal::Time entered{};              ///< When its first packet came out of the sender's interface.
-  std::optional<hal::Time> left{};  ///< When the last that it needed went into the receiver's.
-  std::uint32_t bytes = 0;          ///< Serialised.
-  std::uint32_t fragments = 1;      ///< Of RTPS.
-  std::uint32_t repairs = 0;        ///< Fragments, or whole samples, sent there again.
-  bool is_repaired = false;         ///< Delivered, and not all of it by what was sent first.
-  /// Of one that did not come: how the last of its frames that was lost there ended; queue full and
-  /// the like if none went out.
-  std::optional<hal::Verdict> verdict{};
-  std::uint64_t frame = 0;    ///< Of that verdict; 0: none.
-  bool is_under_way = false;  ///< The run ended first.
+  hal::Time entered{};               ///< When its first packet came out of the sender's interface.
+  std::optional<hal::Time> left{};   ///< When the last that it needed went into the receiver's.
+  std::uint32_t bytes = 0;           ///< Serialised.
+  std::uint32_t fragments = 1;       ///< Of RTPS.
+  std::uint32_t repairs = 0;         ///< Fragments, or whole samples, sent there again.
+  bool is_repaired = false;          ///< Delivered, and not all of it by what was sent first.
+  std::optional<SampleLoss> loss{};  ///< Of one that did not come: of its last carrier.
+  bool is_under_way = false;         ///< The run ended first.
 };
 
 /// What there is of the samples of one writer at one agent.
@@ -46,7 +42,7 @@ struct SampleSums {
   std::uint64_t repairs = 0;    ///< See SampleDelivery.
   std::uint64_t fragments = 0, bytes = 0;
   hal::Duration latency_sum{};
-  std::array<std::uint64_t, hal::kVerdictCount> lost{};
+  std::map<LossCause, std::uint64_t> lost{};
   LatencyHistogram latencies{};
   bool changed = false;  ///< Since they were last written.
 };
@@ -54,6 +50,9 @@ struct SampleSums {
 /// Follows the samples of programs' writers by GUID and sequence number from the sender's interface
 /// to the interfaces of the agents whose readers are matched: nothing is asked of the programs. A
 /// sample is settled kSettled after it was last sent; what is repeated later changes nothing.
+///
+/// One that did not come is lost to what became of its last carrier: of the data frames that
+/// brought what is missing of it, hop by hop, the last one that ended without having got on.
 class Samples {
  public:
   static constexpr hal::Duration kSettled = std::chrono::seconds{10};
@@ -75,17 +74,29 @@ class Samples {
   /// @param destination  kEveryone: of a group.
   void on_sent(hal::Time at, const Datagram& datagram, const DatagramPart& part,
                hal::AgentId destination);
-  /// A frame that carries some of it went on the air.
-  void on_started(const DatagramPart& part);
-  /// … and was lost at a radio.
-  void on_lost(const DatagramPart& part, hal::AgentId receiver, hal::Verdict verdict,
-               std::uint64_t frame);
+  /// Whom a carrier is for.
+  struct Whom {
+    hal::AgentId destination;  ///< kEveryone: of a group.
+    /// Of a group: only those that are with this access point.
+    std::optional<hal::AgentId> access_point{};
+  };
+  bool is_for(const Whom& whom, hal::AgentId receiver) const;
+  /// A carrier of some of it ended without having got to its next hop.
+  void on_lost(const DatagramPart& part, const Whom& whom, const SampleLoss& loss);
+  /// A frame to everyone that carries some of it went on the air.
+  /// @param over  when radios that notice it must have said how it ended.
+  void on_group_frame(const DatagramPart& part, const Whom& whom, const SampleLoss& unnoticed,
+                      hal::Time over);
+  /// … and ended so at one radio. @param loss  none: it came in.
+  void on_group_frame_end(const DatagramPart& part, const Whom& whom, std::uint64_t frame,
+                          const std::optional<SampleLoss>& loss);
+  /// The station is with this access point from now on, or was with it last.
+  void on_association(hal::AgentId station, hal::AgentId access_point) {
+    with_[station] = access_point;
+  }
   /// All of the datagram went into the receiver's interface.
   void on_received(hal::Time at, const Datagram& datagram, const DatagramPart& part,
                    hal::AgentId receiver);
-  /// A request of this sender ended without having been on the air.
-  void on_refused(hal::AgentId sender, hal::Verdict verdict) { refused_[sender] = verdict; }
-
   /// Settles what is old enough.
   void settle(hal::Time now);
   /// Settles all that is left.
@@ -105,13 +116,13 @@ class Samples {
     std::vector<bool> got;
     std::uint32_t missing = 0;
     bool was_sent = false;  ///< Otherwise the writer knows better than we that it is not for it.
+    SampleLosses losses{};
 
     /// Fragments came by the datagram with that serial number.
     void take(const DatagramPart& part, std::uint64_t serial);
   };
   struct Sample {
     hal::Time last_sent{};
-    bool was_on_air = false;
     std::vector<Progress> to;
   };
   using SampleKey = std::pair<EndpointIndex, std::int64_t>;
@@ -122,7 +133,10 @@ class Samples {
   bool is_for(const DatagramPart& part, hal::AgentId destination, hal::AgentId receiver) const;
   void release(Progress& progress);
   void settle_front(bool is_end);
-  void settle(Sample& sample, hal::AgentId sender, bool is_end);
+  void settle(Sample& sample, bool is_end);
+
+  template <class Act>
+  void for_lost(const DatagramPart& part, const Whom& whom, const Act& act);
   void count(const SampleDelivery& delivery);
 
   const Endpoints& endpoints_;
@@ -131,7 +145,8 @@ class Samples {
   std::deque<SampleKey> order_;
   std::size_t open_fragments_ = 0;                 ///< See kMostOpenFragments.
   std::map<EndpointIndex, std::int64_t> settled_;  ///< By writer: the highest number.
-  std::map<hal::AgentId, hal::Verdict> refused_;
+  std::map<hal::AgentId, hal::AgentId> with_;      ///< Access points, by station.
+  hal::Time now_{};
   std::map<Key, SampleSums> sums_;
 };
 

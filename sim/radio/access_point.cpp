@@ -140,7 +140,7 @@ void AccessPoint::on_data(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) 
                            .tag = 0,
                            .group = frame.group};
   if (!has(frame.source())) {
-    observer().on_relay_lost(now(), frame.source(), request, hal::Verdict::kNoRoute);
+    lose_relay(frame.source(), request, hal::Verdict::kNoRoute);
     return dismiss(frame.source());
   }
   if (request.destination == hal::kEveryone) {
@@ -152,21 +152,21 @@ void AccessPoint::on_data(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) 
   if (has(request.destination)) return relay(request, frame.source());
   const bool carried =
       network_.distribution.carry({request, frame.source(), rssi.value, snr.value}, agent());
-  if (!carried) {
-    observer().on_relay_lost(now(), frame.source(), request, hal::Verdict::kNoRoute);
-  }
+  if (!carried) return lose_relay(frame.source(), request, hal::Verdict::kNoRoute);
+  observer().on_msdu_end(now(), {agent(), frame.source(), request},
+                         {.has_waited = false, .went_over_wire = true});
 }
 
 void AccessPoint::relay(const MacRequest& request, hal::AgentId source) {
   if (!queue_data({request, source, now()})) {
-    observer().on_relay_lost(now(), source, request, hal::Verdict::kQueueFull);
+    lose_relay(source, request, hal::Verdict::kQueueFull);
   }
 }
 
 void AccessPoint::on_distributed(const Distributed& distributed) {
   const MacRequest& request = distributed.request;
   if (!radio_on()) {
-    return observer().on_relay_lost(now(), distributed.source, request, hal::Verdict::kRadioOff);
+    return lose_relay(distributed.source, request, hal::Verdict::kRadioOff);
   }
   if (request.destination != agent()) relay(request, distributed.source);
   if (request.destination == agent() || request.destination == hal::kEveryone) {
@@ -191,7 +191,9 @@ std::optional<MacRequest> AccessPoint::frame_for(const Waiting& waiting) {
   }
   if (has(destination)) return data_frame(waiting, destination, Ds::kFrom);
   const bool carried = network_.distribution.carry(distributed, agent());
-  end_later(waiting, carried ? hal::Verdict::kDelivered : hal::Verdict::kNoRoute);
+  Waiting left = waiting;
+  left.over_wire = carried;
+  end_later(std::move(left), carried ? hal::Verdict::kDelivered : hal::Verdict::kNoRoute);
   return std::nullopt;
 }
 

@@ -32,6 +32,9 @@ void BssMac::set_radio(bool on) {
 bool BssMac::queue_data(Waiting waiting) {
   discard_expired();
   if (queued() >= config_.contention.queue_limit) return false;
+  if (waiting.source != agent()) {
+    observer().on_relay_queued(now(), {agent(), waiting.source, waiting.request});
+  }
   data_.push_back(std::move(waiting));
   serve();
   return true;
@@ -70,7 +73,13 @@ void BssMac::lose(const Frame& frame) {
                         .payload = frame.payload,
                         .tag = 0,
                         .group = frame.group};
-  observer().on_relay_lost(now(), frame.source(), lost, hal::Verdict::kNoRoute);
+  lose_relay(frame.source(), lost, hal::Verdict::kNoRoute);
+}
+
+void BssMac::lose_relay(hal::AgentId source, const MacRequest& request, hal::Verdict verdict) {
+  observer().on_relay_lost(now(), source, request, verdict);
+  observer().on_msdu_end(now(), {agent(), source, request},
+                         {.verdict = verdict, .has_waited = false});
 }
 
 MacRequest BssMac::data_frame(const Waiting& waiting, hal::AgentId receiver, Ds ds) {
@@ -140,6 +149,8 @@ void BssMac::end(const Waiting& waiting, hal::Verdict verdict) {
   if (verdict != hal::Verdict::kDelivered) {
     observer().on_relay_lost(now(), waiting.source, waiting.request, verdict);
   }
+  observer().on_msdu_end(now(), {agent(), waiting.source, waiting.request},
+                         {.verdict = verdict, .went_over_wire = waiting.over_wire});
 }
 
 }  // namespace sim::radio

@@ -28,7 +28,8 @@ class BssMac : public MacBase, protected FrameListener {
   struct Waiting {
     MacRequest request;  ///< To its final destination.
     hal::AgentId source;
-    hal::Time since{};  ///< When it came; its lifetime counts from then.
+    hal::Time since{};       ///< When it came; its lifetime counts from then.
+    bool over_wire = false;  ///< It left by the wire, for another access point.
   };
 
   /// @param config  outlives it.
@@ -51,6 +52,8 @@ class BssMac : public MacBase, protected FrameListener {
   void send_management(FrameType type, hal::AgentId to, hal::AgentId bssid, hal::Bytes body);
   /// A data frame for this station has come in, and been acknowledged, that cannot be used here.
   void lose(const Frame& frame);
+  /// What `source` sent ends here, and was not in the queue.
+  void lose_relay(hal::AgentId source, const MacRequest& request, hal::Verdict verdict);
   /// The request ended, in an event of its own.
   void end_later(Waiting waiting, hal::Verdict verdict);
 

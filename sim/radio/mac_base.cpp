@@ -61,6 +61,7 @@ void MacBase::deliver(Ethertype ethertype, const MacIndication& indication) {
 
 void MacBase::report(const MacRequest& request, hal::Verdict verdict) {
   if (listener_ != nullptr) return listener_->on_sent(request, verdict);
+  observer_.on_msdu_end(now(), {agent_, agent_, request}, {.verdict = verdict});
   observer_.on_request_end(now(), agent_, request.destination, verdict);
   client_of(request.ethertype)->on_transmitted(request.tag, verdict);
 }

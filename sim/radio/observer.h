@@ -13,6 +13,21 @@ struct Frame;          // frame.h
 struct MacRequest;     // mac_sap.h
 struct MacIndication;  // mac_sap.h
 
+/// A data frame as a station's queue has it: of a client of its own or, in an access point, of
+/// another station, to be passed on.
+struct Msdu {
+  hal::AgentId station;       ///< Where it waits or ended.
+  hal::AgentId source;        ///< Who sent it first.
+  const MacRequest& request;  ///< To its final destination.
+};
+
+/// How that ended there.
+struct MsduEnd {
+  hal::Verdict verdict = hal::Verdict::kDelivered;  ///< As in MacClient::on_transmitted().
+  bool has_waited = true;                           ///< It was in the queue.
+  bool went_over_wire = false;                      ///< Delivered: to another access point.
+};
+
 /// What there is to see on the air, for records and fingerprints. Calls come in event order.
 class RadioObserver {
  public:
@@ -44,6 +59,14 @@ class RadioObserver {
   virtual void on_relay_lost(hal::Time at, hal::AgentId source, const MacRequest& request,
                              hal::Verdict verdict) {
     (void)at, (void)source, (void)request, (void)verdict;
+  }
+  /// An access point queues what another station sent.
+  virtual void on_relay_queued(hal::Time at, const Msdu& msdu) { (void)at, (void)msdu; }
+  /// What a station was to send, or an access point to pass on, ended there; or came in, and the
+  /// station that it is for could not use it. The last frame of it, if any, was seen before, and at
+  /// its receiver if it has only one.
+  virtual void on_msdu_end(hal::Time at, const Msdu& msdu, const MsduEnd& end) {
+    (void)at, (void)msdu, (void)end;
   }
   /// A station is associated with this access point from now on; none: with no one any more.
   virtual void on_association(hal::Time at, hal::AgentId station,

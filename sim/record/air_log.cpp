@@ -56,9 +56,9 @@ AirLog::AirLog(Database& database, Detail samples)
       put_second_(database, "REPLACE INTO air_seconds VALUES (?, ?, ?, ?)"),
       put_endpoint_(database, "REPLACE INTO dds_endpoints VALUES (?, ?, ?, ?, ?, ?, ?, ?)"),
       put_sum_(database, "REPLACE INTO sample_sums VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
-      put_loss_(database, "REPLACE INTO sample_losses VALUES (?, ?, ?, ?)"),
+      put_loss_(database, "REPLACE INTO sample_losses VALUES (?, ?, ?, ?, ?)"),
       put_latency_(database, "REPLACE INTO sample_latencies VALUES (?, ?, ?, ?)"),
-      insert_sample_(database, "INSERT INTO samples VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+      insert_sample_(database, "INSERT INTO samples VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
       samples_(samples) {
   ledger_.set_second_sink([this](const air::AirSecond& second) { write_second(second); });
   if (samples_ != Detail::kAll) return;
@@ -144,11 +144,8 @@ void AirLog::write_sums(const air::Samples::Key& key, air::SampleSums& sums) {
   const int receiver = key.second.value;
   put_sum_.run(writer, receiver, sums.samples, sums.delivered, sums.first_try, sums.under_way,
                sums.repairs, sums.fragments, sums.bytes, sums.latency_sum.count());
-  for (std::size_t verdict = 0; verdict < sums.lost.size(); ++verdict) {
-    if (sums.lost[verdict] == 0) continue;
-    put_loss_.run(writer, receiver, hal::name(static_cast<hal::Verdict>(verdict)),
-                  sums.lost[verdict]);
-  }
+  for (const auto& [cause, count] : sums.lost)
+    put_loss_.run(writer, receiver, air::name(cause), cause.at.value, count);
   for (auto& [bin, count] : sums.latencies.counts()) {
     if (!std::exchange(count.changed, false)) continue;
     put_latency_.run(writer, receiver, air::LatencyHistogram::edge(bin).count(), count.times);
@@ -164,13 +161,17 @@ void AirLog::write_second(const air::AirSecond& second) {
 
 void AirLog::write_delivery(const air::SampleDelivery& one) {
   std::optional<std::string_view> verdict;
-  if (one.verdict) verdict = hal::name(*one.verdict);
+  std::optional<int> lost_at;
   std::optional<std::uint64_t> frame;
-  if (one.frame != 0) frame = one.frame;
+  if (one.loss) {
+    verdict = air::name(one.loss->cause);
+    if (one.loss->cause.at.value != 0) lost_at = one.loss->cause.at.value;
+    if (one.loss->frame != 0) frame = one.loss->frame;
+  }
   insert_sample_.run(guid(one.writer), one.sequence_number, one.receiver.value,
                      hal::to_ns(one.entered), time_in(one.left), std::uint64_t{one.bytes},
                      std::uint64_t{one.fragments}, std::uint64_t{one.repairs}, one.is_repaired,
-                     verdict, frame);
+                     verdict, frame, lost_at);
 }
 
 }  // namespace sim::record

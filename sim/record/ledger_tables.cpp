@@ -109,9 +109,16 @@ std::vector<Table> sample_detail_tables() {
        {{"writer", "TEXT NOT NULL", "", "as in sample_sums"},
         {"receiver", "INTEGER NOT NULL", "", "agent"},
         {"verdict", "TEXT NOT NULL", "",
-         "of the last frame of it that was lost there; 'below sensitivity' if none was noticed"},
+         "of the last data frame that carried what is missing of it and did not get on, at the hop "
+         "where it ended: how its last attempt ended at the next radio; 'below sensitivity': that "
+         "did not notice it; 'retry limit': it answered an RTS and was not heard; 'queue full', "
+         "'expired', 'radio off' or 'no route' of what was not sent; 'not matched': it came before "
+         "the receiver had been told of its writer; 'unknown': nothing of it was seen to be lost"},
+        {"agent", "INTEGER NOT NULL", "",
+         "whose frame or queue that was: the writer's agent or an access point; the receiver of "
+         "'not matched', and of 'no route' if it was with no access point; 0: unknown"},
         {"count", "INTEGER NOT NULL", "", "samples"}},
-       "writer, receiver, verdict"},
+       "writer, receiver, verdict, agent"},
       {"sample_latencies",
        "their latencies, in bins of 1/32 of their lower edge or less",
        {{"writer", "TEXT NOT NULL", "", "as in sample_sums"},
@@ -133,7 +140,8 @@ std::vector<Table> sample_detail_tables() {
         {"repairs", "INTEGER NOT NULL", "", "samples, or fragments, sent there again"},
         {"repaired", "INTEGER NOT NULL", "", "1: delivered by the help of these"},
         {"verdict", "TEXT", "", "as in sample_losses; null: delivered, or under way at the end"},
-        {"frame", "INTEGER", "", "of that verdict, as in frames"}},
+        {"frame", "INTEGER", "", "of that verdict, as in frames; null: it was in none"},
+        {"lost_at", "INTEGER", "", "agent of that verdict, as in sample_losses; null: none"}},
        "writer, sequence_number, receiver"},
   };
 }

@@ -45,6 +45,7 @@ Recorder::Recorder(const std::filesystem::path& file, const agents::SimulationCo
     : database_(file),
       options_(options),
       frames_(database_),
+      relays_(database_),
       in_the_air_(database_, tail_of(config.radio)),
       protocols_(config),
       looks_(database_, {.period = options.pose_period,
@@ -208,6 +209,7 @@ void Recorder::commit() {
 
 void Recorder::update_totals() {
   frames_.write();
+  relays_.write(now_);
   if (counts_frames()) in_the_air_.write(now_);
   if (message_counts_) message_counts_->write();
   if (air_) air_->write();
@@ -371,7 +373,6 @@ void Recorder::on_delivered(hal::Time, const radio::Frame& frame, hal::AgentId r
 
 void Recorder::on_request_end(hal::Time at, hal::AgentId sender, hal::AgentId destination,
                               hal::Verdict verdict) {
-  if (air_) air_->ledger().on_request_end(at, sender, destination, verdict);
   if (counts_frames()) frames_.on_request_end(sender, destination, verdict);
   on_rows(at, looks_.on_queue(at, sender));
 }
@@ -383,10 +384,20 @@ void Recorder::on_relay_lost(hal::Time at, hal::AgentId source, const radio::Mac
   }
 }
 
+void Recorder::on_relay_queued(hal::Time at, const radio::Msdu& msdu) {
+  if (counts_frames()) relays_.on_queued(at, msdu);
+}
+
+void Recorder::on_msdu_end(hal::Time at, const radio::Msdu& msdu, const radio::MsduEnd& end) {
+  if (air_) air_->ledger().on_msdu_end(at, msdu, end);
+  if (counts_frames()) relays_.on_end(at, msdu, end);
+}
+
 void Recorder::on_association(hal::Time at, hal::AgentId station,
                               std::optional<hal::AgentId> access_point) {
   std::optional<int> with;
   if (access_point) with = access_point->value;
+  if (air_) air_->ledger().on_association(at, station, access_point);
   insert_association_.run(hal::to_ns(at), station.value, with);
   on_rows(at, 1);
 }

@@ -31,6 +31,7 @@
 #include "sim/record/message_log.h"
 #include "sim/record/observable.h"
 #include "sim/record/protocols.h"
+#include "sim/record/relay_counts.h"
 #include "sim/record/route_log.h"
 #include "sim/record/routing_counts.h"
 #include "sim/record/unheard_topics.h"
@@ -77,11 +78,11 @@ struct ProgramRow {
 ///
 /// If the process dies, the file holds everything up to the last commit: one every
 /// kCommitPeriod of simulated time, every kCommitRows rows, and at each commit(). Totals (the
-/// tables bodies, frames_sent, receptions, packets and requests, and of messages that are not
-/// listed) are those of the last kCommitPeriod, or of the last commit() that found them few beside
-/// what was counted: so to keep them costs little beside counting, however many pairs of agents
-/// there are. Every member throws
-/// std::runtime_error if the file cannot be written; then only give_up() is left.
+/// tables bodies, frames_sent, receptions, packets, requests and relays, and of messages that are
+/// not listed) are those of the last kCommitPeriod, or of the last commit() that found them few
+/// beside what was counted: so to keep them costs little beside counting, however many pairs of
+/// agents there are. Every member throws std::runtime_error if the file cannot be written; then
+/// only give_up() is left.
 class Recorder final : public agents::Observer {
  public:
   static constexpr hal::Duration kCommitPeriod = std::chrono::seconds{10};
@@ -157,6 +158,8 @@ class Recorder final : public agents::Observer {
                       hal::Verdict verdict) override;
   void on_relay_lost(hal::Time at, hal::AgentId source, const radio::MacRequest& request,
                      hal::Verdict verdict) override;
+  void on_relay_queued(hal::Time at, const radio::Msdu& msdu) override;
+  void on_msdu_end(hal::Time at, const radio::Msdu& msdu, const radio::MsduEnd& end) override;
   void on_association(hal::Time at, hal::AgentId station,
                       std::optional<hal::AgentId> access_point) override;
   bool observes_readings() const override { return looks_.observes_readings(); }
@@ -209,6 +212,7 @@ class Recorder final : public agents::Observer {
   NewDatabase database_;
   RecorderOptions options_;
   FrameCounts frames_;
+  RelayCounts relays_;
   FramesInTheAir in_the_air_;
   Protocols protocols_;
   std::optional<FrameLog> frame_log_;

@@ -1,6 +1,7 @@
 // What is in run.sqlite. The file is long because it is the list of it all.
 #include "sim/record/ledger_tables.h"
 #include "sim/record/observable_tables.h"
+#include "sim/record/relay_tables.h"
 #include "sim/record/schema.h"
 #include "sim/record/view_tables.h"
 
@@ -108,7 +109,8 @@ std::vector<Table> count_tables() {
         {"count", "INTEGER NOT NULL", "", "packets"}},
        "agent, peer, class"},
       {"requests",
-       "how the link did with what it was asked to send",
+       "how the link did with what it was asked to send; an access point also with what it took to "
+       "pass on, see relays",
        {{"agent", "INTEGER NOT NULL", "", "sender"},
         {"peer", "INTEGER NOT NULL", "", "destination"},
         {"verdict", "TEXT NOT NULL", "",
@@ -527,12 +529,13 @@ std::string_view conventions() {
 const std::vector<Table>& tables() {
   static const std::vector<Table> all = [] {
     std::vector<Table> sum;
-    for (const auto& part :
-         {setup_tables(),           possible_tables(),    count_tables(),        air_tables(),
-          link_verdict_tables(),    verdict_sum_tables(), message_tables(),      routing_tables(),
-          counted_message_tables(), message_sum_tables(), delivery_sum_tables(), ledger_tables(),
-          observable_tables(),      body_tables(),        controller_tables(),   use_tables(),
-          program_tables(),         look_tables(),        trace_tables(),        frame_tables()}) {
+    for (const auto& part : {setup_tables(),       possible_tables(),     count_tables(),
+                             air_tables(),         link_verdict_tables(), verdict_sum_tables(),
+                             message_tables(),     routing_tables(),      counted_message_tables(),
+                             message_sum_tables(), delivery_sum_tables(), ledger_tables(),
+                             observable_tables(),  body_tables(),         controller_tables(),
+                             use_tables(),         program_tables(),      look_tables(),
+                             trace_tables(),       frame_tables(),        relay_tables()}) {
       sum.insert(sum.end(), part.begin(), part.end());
     }
     return sum;

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+#include <string_view>
+
+#include "hal/types/agent_id.h"
+#include "hal/types/verdict.h"
+
+namespace sim::air {
+
+/// Why a sample did not come to an agent, and where that was.
+struct LossCause {
+  enum class Kind : std::uint8_t {
+    kUnknown,     ///< Nothing that carried it was seen to be lost.
+    kNotMatched,  ///< It came; the agent had not been told of its writer yet, and dropped it.
+    kVerdict,     ///< What carried it ended so.
+  };
+  Kind kind = Kind::kUnknown;
+  hal::Verdict verdict = hal::Verdict::kDelivered;  ///< Of kVerdict.
+  /// Whose frame or queue it was: the writer's agent or an access point; the receiver of
+  /// kNotMatched, and of "no route" if it was with no access point; of kUnknown 0.
+  hal::AgentId at{};
+  auto operator<=>(const LossCause&) const = default;
+};
+
+/// "collision", …; "not matched", "unknown".
+constexpr std::string_view name(LossCause::Kind kind) {
+  return kind == LossCause::Kind::kNotMatched ? "not matched" : "unknown";
+}
+inline std::string_view name(const LossCause& cause) {
+  return cause.kind == LossCause::Kind::kVerdict ? hal::name(cause.verdict) : name(cause.kind);
+}
+
+/// That, and the frame that it was; 0: it was in none.
+struct SampleLoss {
+  LossCause cause;
+  std::uint64_t frame = 0;
+};
+
+}  // namespace sim::air
