@@ -55,6 +55,15 @@ std::string totals_json(Record& record, std::int64_t agent) {
                               "addressed = 0 GROUP BY 1"))
       .add("packets", count("SELECT class, SUM(count) FROM packets WHERE agent = ? GROUP BY 1"))
       .add("requests", count("SELECT verdict, SUM(count) FROM requests WHERE agent = ? GROUP BY 1"))
+      .add("relays", count("SELECT CASE destination WHEN 65535 THEN 'everyone' ELSE IFNULL((SELECT "
+                           "name FROM agents a WHERE a.agent = destination), destination) END ||"
+                           " ': ' || verdict, SUM(count) FROM relays WHERE agent = ? GROUP BY 1"))
+      .add("relay_queues",
+           count("SELECT CASE destination WHEN 65535 THEN 'everyone' ELSE IFNULL((SELECT name FROM"
+                 " agents a WHERE a.agent = destination), destination) END || ': ' || what, n FROM"
+                 " (SELECT agent, destination, 'waiting' AS what, waiting AS n FROM relay_queues"
+                 " UNION ALL SELECT agent, destination, 'most', most FROM relay_queues)"
+                 " WHERE agent = ? ORDER BY 1"))
       .add("messages", count("SELECT verdict, SUM(count) FROM message_ends WHERE sender = ? GROUP "
                              "BY 1"))
       .add("routing", count("SELECT event, count FROM routing_events WHERE agent = ?"))

@@ -21,7 +21,10 @@ std::string runs_text(const std::vector<RunResult>& runs,
     if (const std::string routing = routing_section(group); !routing.empty()) {
       text += "\n" + routing;
     }
-    if (const std::string air = air_section(group); !air.empty()) text += "\n" + air;
+    for (const std::string& part :
+         {air_section(group), sample_losses_section(group), relays_section(group)}) {
+      if (!part.empty()) text += "\n" + part;
+    }
   }
   return text + "\n";
 }

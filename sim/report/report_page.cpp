@@ -10,6 +10,7 @@
 #include "sim/report/log_histogram.h"
 #include "sim/report/paper.h"
 #include "sim/report/plot.h"
+#include "sim/report/relay_sums.h"
 #include "sim/report/report_sections.h"
 #include "sim/report/svg.h"
 
@@ -196,6 +197,28 @@ Json air_json(const Group& group) {
   return json;
 }
 
+Json relays_json(const Group& group) {
+  Json relays = Json::array();
+  for (const RelaySums& one : relay_sums(group)) {
+    relays.push_back({{"access_point", one.access_point},
+                      {"destination", one.destination},
+                      {"verdicts", one.verdicts},
+                      {"queued", one.queued},
+                      {"most", one.most},
+                      {"waited_ns", one.waited_ns}});
+  }
+  return relays;
+}
+
+Json sample_losses_json(const Group& group) {
+  Json losses = Json::array();
+  for (const auto& [key, count] : sample_loss_sums(group)) {
+    const auto& [topic, verdict, at] = key;
+    losses.push_back({topic, verdict, at, count});
+  }
+  return losses;
+}
+
 Json to_json(const Group& group) {
   Json json = {{"name", group.name},
                {"is_the_papers", group.is_the_papers()},
@@ -211,6 +234,8 @@ Json to_json(const Group& group) {
   json["verdicts"] = verdicts_json(group);
   json["link_verdicts"] = link_verdicts_json(group);
   json["air"] = air_json(group);
+  json["sample_losses"] = sample_losses_json(group);
+  json["relays"] = relays_json(group);
   json["discovery"] = discovery_json(group);
   json["delay"] = delay_json(group);
   return json;

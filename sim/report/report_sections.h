@@ -48,6 +48,12 @@ std::string losses_section(const Group& group);
 /// if no agent has a network.
 std::string air_section(const Group& group);
 
+/// What access points did with what they had to pass on, by destination; "" if there was nothing.
+std::string relays_section(const Group& group);
+
+/// Why samples of programs did not come, and where that was; "" if all came.
+std::string sample_losses_section(const Group& group);
+
 /// How often the routing protocols did what they do; "" if nothing was counted.
 std::string routing_section(const Group& group);
 

@@ -223,6 +223,45 @@ void read_air(RunReader& reader, RunResult& run) {
   }
 }
 
+void read_relays(RunReader& reader, RunResult& run) {
+  std::map<std::pair<int, int>, RunResult::Relay> relays;
+  const auto at = [&relays](const Statement& row) -> RunResult::Relay& {
+    const auto agent = static_cast<int>(row.integer(0));
+    const auto destination = static_cast<int>(row.integer(1));
+    RunResult::Relay& relay = relays[{agent, destination}];
+    relay.access_point = agent;
+    relay.destination = destination;
+    return relay;
+  };
+  Statement counts =
+      reader.query("SELECT agent, destination, verdict, SUM(count) FROM relays GROUP BY 1, 2, 3");
+  while (counts.next()) {
+    at(counts).verdicts[counts.text(2)] = static_cast<std::uint64_t>(counts.integer(3));
+  }
+  Statement queues =
+      reader.query("SELECT agent, destination, frames, most, waited_ns FROM relay_queues");
+  while (queues.next()) {
+    RunResult::Relay& relay = at(queues);
+    relay.queued = static_cast<std::uint64_t>(queues.integer(2));
+    relay.most = static_cast<std::uint64_t>(queues.integer(3));
+    relay.waited_ns = queues.integer(4);
+  }
+  run.relays.reserve(relays.size());
+  for (auto& [key, relay] : relays) run.relays.push_back(std::move(relay));
+}
+
+void read_sample_losses(RunReader& reader, RunResult& run) {
+  Statement losses = reader.query(
+      "SELECT e.topic, l.verdict, l.agent, SUM(l.count) FROM sample_losses l"
+      " JOIN dds_endpoints e ON e.guid = l.writer GROUP BY 1, 2, 3 ORDER BY 1, 2, 3");
+  while (losses.next()) {
+    run.sample_losses.push_back({.topic = losses.text(0),
+                                 .verdict = losses.text(1),
+                                 .agent = static_cast<int>(losses.integer(2)),
+                                 .count = static_cast<std::uint64_t>(losses.integer(3))});
+  }
+}
+
 void read_goal(RunReader& reader, RunResult& run) {
   Statement query = reader.query("SELECT agent FROM ends WHERE agent IS NOT NULL AND result = ?");
   query.bind_all(run.value("result"));
@@ -294,6 +333,8 @@ RunResult read_run(const fs::path& folder) {
   read_routing_events(reader, run);
   read_air_topics(reader, run);
   read_air(reader, run);
+  read_relays(reader, run);
+  read_sample_losses(reader, run);
   read_goal(reader, run);
   return run;
 }

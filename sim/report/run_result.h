@@ -83,6 +83,20 @@ struct RunResult {
     std::int64_t airtime_ns = 0;
   };
 
+  /// What an access point had to pass on to an agent, or to everyone: relays and relay_queues.
+  struct Relay {
+    int access_point = 0, destination = 0;
+    std::map<std::string, std::uint64_t> verdicts{};
+    std::uint64_t queued = 0, most = 0;
+    std::int64_t waited_ns = 0;
+  };
+  /// Samples that did not come; agent: as in sample_losses.
+  struct SampleLossCount {
+    std::string topic, verdict;
+    int agent = 0;
+    std::uint64_t count = 0;
+  };
+
   std::string folder;
   std::map<std::string, std::string> values;    ///< The table run.
   std::map<std::string, std::string> settings;  ///< The table settings.
@@ -106,7 +120,9 @@ struct RunResult {
   std::vector<AirTopic> air_topics;                     ///< By name.
   std::vector<AirKind> air_kinds;      ///< Most air time first; empty: nobody has a network.
   std::vector<AirSecond> air_seconds;  ///< By second.
-  std::optional<int> goal;             ///< The agent whose state ended the run.
+  std::vector<Relay> relays;           ///< By access point and destination.
+  std::vector<SampleLossCount> sample_losses;
+  std::optional<int> goal;  ///< The agent whose state ended the run.
 
   /// Value of the table run; "" if it is not there.
   std::string value(const std::string& key) const;

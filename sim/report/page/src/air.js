@@ -69,6 +69,14 @@ function kinds_table(parent, group, all) {
       percent(one.airtime_ns, all)]));
 }
 
+function losses_table(parent, group) {
+  if (!group.sample_losses.length) return;
+  const list = parent.append("details");
+  list.append("summary").text("why samples did not come");
+  table(list, ["topic", "verdict", "at", "samples"],
+    group.sample_losses.map(([topic, verdict, at, count]) => [topic, verdict, at || "–", thousands(count)]));
+}
+
 export function air(groups) {
   const part = section("air", "What the air was used for", "Air time of all stations, of each frame shared out over the "
     + "submessages that it carries by their bytes. Samples count once for each agent with a matched reader; latencies "
@@ -79,6 +87,7 @@ export function air(groups) {
     const { element } = panel(part.panels, group.series, group.name, `${seconds(all)} s of air time`);
     draw(element, group.air.seconds[0]);
     topics_table(element, group, all);
+    losses_table(element, group);
     kinds_table(element, group, all);
   }
   download(part.downloads, "air_topics.csv", ["profile", "topic", "samples", "delivered", "first_try", "repaired",

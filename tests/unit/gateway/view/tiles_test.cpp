@@ -282,6 +282,19 @@ TEST_F(Tiles, TotalsAreTheCountersOfAnAgent) {
   EXPECT_EQ(ask("totals/3")["overheard"], json({{"noise", 1}}));
 }
 
+TEST_F(Tiles, TotalsOfAnAccessPointAreOfWhatItPassesOnToo) {
+  result.end(1'000'000'000);
+  result.execute(
+      "INSERT INTO relays VALUES (1, 2, 3, 'delivered', 4), (1, 2, 3, 'queue full', 5),"
+      " (1, 3, 65535, 'transmitted', 6);"
+      "INSERT INTO relay_queues VALUES (1, 3, 4, 2, 7, 1000)");
+  const json totals = ask("totals/1");
+  EXPECT_EQ(totals["relays"],
+            json({{"r0: delivered", 4}, {"r0: queue full", 5}, {"everyone: transmitted", 6}}));
+  EXPECT_EQ(totals["relay_queues"], json({{"r0: waiting", 2}, {"r0: most", 7}}));
+  EXPECT_TRUE(ask("totals/2")["relays"].empty());
+}
+
 TEST_F(Tiles, TheWorldHasWhatTheRecordKnows) {
   result.recorder->on_start({{AgentId{1}, AgentId{2}}});
   result.recorder->on_body(Time{1s}, AgentId{3}, {.x = -20, .y = 30});

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <regex>
 #include <stdexcept>
 
 #include "sim/report/group.h"
@@ -323,7 +324,7 @@ INSERT INTO air_accounts VALUES (0,1,'user','DATA',NULL,'scan',3,1,3,1,16000,160
 INSERT INTO dds_endpoints VALUES ('aa',1,'writer','scan','t','reliable','volatile',0);
 INSERT INTO sample_sums VALUES ('aa',2,3,2,1,0,1,3,300,5000000);
 INSERT INTO sample_latencies VALUES ('aa',2,1000000,1), ('aa',2,4000000,1);
-INSERT INTO sample_losses VALUES ('aa',2,'collision',1);
+INSERT INTO sample_losses VALUES ('aa',2,'collision',1,1);
 INSERT INTO air_seconds VALUES (0,'user','DATA',22000000), (0,'user','ACKNACK',4000000),
   (2,'network','UDP',12000000), (2,'802.11','ack',2000000);
 )sql";
@@ -343,6 +344,38 @@ TEST_F(ReportTest, PoolsTheAirOfRunsOfTheSameSettings) {
   add("a", run_sql("ieee80211g", 1) + kAir);
   add("b", run_sql("ieee80211g", 2) + kAir);
   EXPECT_EQ(line(text(), "scan"), "6|4|2|2|1.016|4.062|0.040000|50.00");
+}
+
+TEST_F(ReportTest, SaysWhySamplesDidNotComeAndWhere) {
+  add("a", run_sql("ieee80211g", 1) + kAir);
+  add("b",
+      run_sql("ieee80211g", 2) + kAir +
+          "INSERT INTO sample_losses VALUES ('aa',2,'queue full',2,5), ('aa',2,'unknown',0,3);");
+  const std::string printed = text();
+  const std::size_t begin = printed.find("why samples of programs did not come, total of 2 runs");
+  ASSERT_NE(begin, std::string::npos);
+  const std::string part = printed.substr(begin);
+  EXPECT_TRUE(std::regex_search(part, std::regex("scan +collision +m0 +2\n"))) << part;
+  EXPECT_TRUE(std::regex_search(part, std::regex("scan +queue full +m1 +5\n"))) << part;
+  EXPECT_TRUE(std::regex_search(part, std::regex("scan +unknown +- +3\n"))) << part;
+}
+
+/// 1 has 30 frames for 2, of which 10 find no room, and two for everyone.
+const char* const kRelays = R"sql(
+INSERT INTO relays VALUES (1,2,3,'delivered',15), (1,2,3,'queue full',10), (1,4,3,'retry limit',2),
+  (1,4,3,'expired',1), (1,4,3,'waiting',2), (1,2,65535,'transmitted',2);
+INSERT INTO relay_queues VALUES (1,3,20,2,7,40000000), (1,65535,2,0,1,1000000);
+)sql";
+
+TEST_F(ReportTest, SaysWhatAccessPointsPassedOn) {
+  add("a", run_sql("ieee80211g", 1) + kRelays);
+  const std::string printed = text();
+  const auto has = [&printed](const char* row) {
+    return std::regex_search(printed, std::regex(row));
+  };
+  EXPECT_TRUE(has("m0 +r0 +30 +15 +0 +10 +2 +1 +2 +7 +2.000\n")) << printed;
+  EXPECT_TRUE(has("m0 +everyone +2 +2 +0 +0 +0 +0 +0 +1 +0.500\n")) << printed;
+  EXPECT_EQ(printed.find("why samples"), std::string::npos);
 }
 
 TEST_F(ReportTest, IsSilentOfTheAirWhereNobodyHasANetwork) {
