@@ -103,6 +103,11 @@ class Init {
       out.put(cpu_time_of_programs());
       send(control_, MessageKind::kCpu, out.bytes());
     }
+    if (message->kind == MessageKind::kGetIcmp) {
+      Packer out;
+      for (const AgentSpaces& one : agents_) out.put(icmp_not_sent_by(one));
+      send(control_, MessageKind::kIcmp, out.bytes());
+    }
     if (message->kind == MessageKind::kStart) start(*message);
   }
 

@@ -13,10 +13,11 @@ namespace gateway::netns {
 /// What baraka and the first process of its namespaces tell each other.
 enum class MessageKind : std::uint32_t {
   // to init
-  kSetUp,   ///< The agents and their clock. Answered by kHolder, kAgent for each, kReady.
-  kStart,   ///< A program; with its log and what it keeps. Answered by kStarted or kRefused.
-  kGetCpu,  ///< Answered by kCpu.
-  kEnd,     ///< Ends all programs and init. Not answered.
+  kSetUp,    ///< The agents and their clock. Answered by kHolder, kAgent for each, kReady.
+  kStart,    ///< A program; with its log and what it keeps. Answered by kStarted or kRefused.
+  kGetCpu,   ///< Answered by kCpu.
+  kGetIcmp,  ///< Answered by kIcmp.
+  kEnd,      ///< Ends all programs and init. Not answered.
   // to baraka
   kHolder,   ///< Process number of init, as the holder sees it.
   kAgent,    ///< Descriptors of an agent: TAP, its counters, its page.
@@ -24,6 +25,7 @@ enum class MessageKind : std::uint32_t {
   kStarted,  ///< Number of the program.
   kRefused,  ///< Why, for people.
   kCpu,      ///< ns.
+  kIcmp,     ///< Of each agent, icmp_not_sent().
   kEnded,    ///< A program, on the second socket.
 };
 

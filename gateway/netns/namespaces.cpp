@@ -241,6 +241,19 @@ double Namespaces::program_cpu_seconds() const {
   return static_cast<double>(Unpacker(message.content).number<std::int64_t>()) / kNanoseconds;
 }
 
+std::vector<std::pair<std::string, std::uint64_t>> Namespaces::icmp_not_sent() const {
+  send(state_->holder.control(), MessageKind::kGetIcmp, "");
+  const Message message = state_->answer();
+  Unpacker in(message.content);
+  std::vector<std::pair<std::string, std::uint64_t>> counts;
+  counts.reserve(state_->settings.agents.size());
+  for (const AgentNetwork& agent : state_->settings.agents) {
+    const std::uint64_t count = in.number();
+    if (count > 0) counts.emplace_back(agent.agent, count);
+  }
+  return counts;
+}
+
 RoomPage& Namespaces::room(std::size_t agent) { return *state_->agents.at(agent).page; }
 
 std::uint64_t Namespaces::tx_dropped(std::size_t agent) const {

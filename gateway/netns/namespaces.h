@@ -113,6 +113,10 @@ class Namespaces {
   /// For back-pressure: to be published to, see there.
   RoomPage& room(std::size_t agent);
 
+  /// Agents for which the kernel was to send messages of ICMP and did not, see icmp.h, and how
+  /// many: packets that never came to wlan0.
+  std::vector<std::pair<std::string, std::uint64_t>> icmp_not_sent() const;
+
   /// Frames that the kernel dropped because the TAP was full: the counter of wlan0. Must stay 0.
   std::uint64_t tx_dropped(std::size_t agent) const;
 

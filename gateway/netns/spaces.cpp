@@ -16,6 +16,7 @@
 #include <utility>
 
 #include "gateway/netns/first_of_agent.h"
+#include "gateway/netns/icmp.h"
 #include "gateway/netns/interface.h"
 #include "gateway/netns/kernel_timers.h"
 #include "gateway/netns/neighbours.h"
@@ -87,6 +88,7 @@ AgentEnds make_ends(const AgentNetwork& network, const AgentSpaces& spaces,
   ends.tap = make_interfaces(network);
   keep_places(network, run.agents);
   stretch_kernel_timers(run.factor);
+  bound_icmp_errors(run.agents.size());
   write_file("/proc/sys/net/ipv4/ping_group_range",
              fmt::format("0 {}", std::min(last_group(), kMostOfKernel)));
   ends.counters = open_file("/proc/self/net/dev", O_RDONLY);
@@ -204,6 +206,14 @@ std::vector<AgentMade> make_agents(const RunOfAgents& run) {
   }
   for (std::size_t i = 0; i < all.size(); ++i) await_first_of_agent(reports[i], all[i]);
   return all;
+}
+
+std::uint64_t icmp_not_sent_by(const AgentSpaces& spaces) {
+  const FileDescriptor own = own_namespace("net");
+  join(spaces.network, "network");
+  const std::uint64_t count = icmp_not_sent();
+  join(own, "way back out of its network");
+  return count;
 }
 
 void enter(const AgentSpaces& spaces) {

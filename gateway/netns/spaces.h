@@ -47,6 +47,9 @@ std::string enter_new_run();
 /// @pre this is the first process of the run, with mount_proc() done.
 std::vector<AgentMade> make_agents(const RunOfAgents& run);
 
+/// See icmp_not_sent(). The calling process is in its own network again afterwards.
+std::uint64_t icmp_not_sent_by(const AgentSpaces& spaces);
+
 /// The calling process, and what it forks from then on, goes into an agent; its working folder is
 /// then the root. Its own number does not change. @pre it is user 0 of the run.
 void enter(const AgentSpaces& spaces);

@@ -168,6 +168,7 @@ void NetworkOfRun::sum_up(NetworkSummary& summary) const {
   for (std::size_t i = 0; i < agents_.size(); ++i) {
     summary.frames_dropped += namespaces_->tx_dropped(i);
   }
+  summary.icmp_not_sent = namespaces_->icmp_not_sent();
 }
 
 NetworkSummary NetworkOfRun::finish() {

@@ -5,6 +5,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gateway/netns/namespaces.h"
@@ -23,11 +24,15 @@ bool has_network(const sim::scenario::Scenario& scenario);
 
 /// How the programs' side of a run was.
 struct NetworkSummary {
+  using ByAgent = std::vector<std::pair<std::string, std::uint64_t>>;
   std::uint64_t frames_dropped = 0;    ///< By the kernel, before the run could read them.
   std::uint64_t frames_not_taken = 0;  ///< Off the air, by interfaces that were shut down.
   /// Packets of programs of any run on this computer for which the kernel found no neighbour's
   /// place while this one went on.
   std::uint64_t neighbours_without_room = 0;
+  /// Messages of ICMP, echo replies among them, that the kernel did not send, by agent; of those
+  /// with any.
+  ByAgent icmp_not_sent;
   double cpu_load = 0;  ///< Processor time of this process over wall time.
   double cpu_load_programs = 0;
   std::vector<sim::record::ProgramRow> programs;

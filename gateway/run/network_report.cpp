@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 
 #include "sim/statistics/interval.h"
@@ -43,6 +44,23 @@ void print_edge(const char* name, const EdgeSummary& edge) {
   fmt::print("{}_lateness_max_s: {:.9f}\n", name, hal::to_seconds(edge.greatest));
 }
 
+std::string icmp_warning(const NetworkSummary::ByAgent& not_sent) {
+  constexpr std::size_t kMostNames = 5;
+  NetworkSummary::ByAgent most = not_sent;
+  std::ranges::stable_sort(most, std::ranges::greater{},
+                           [](const auto& one) { return one.second; });
+  std::uint64_t sum = 0;
+  for (const auto& [agent, count] : most) sum += count;
+  std::string names;
+  for (std::size_t i = 0; i < std::min(kMostNames, most.size()); ++i)
+    names += fmt::format("{}{}: {}", i == 0 ? "" : ", ", most[i].first, most[i].second);
+  return fmt::format(
+      "the kernel never sent {} ICMP messages ({}{}): errors such as port unreachable, and answers "
+      "to pings; all agents and runs of this computer share its sockets for ICMP, which take no "
+      "more while errors wait for the addresses of neighbours",
+      sum, names, most.size() > kMostNames ? ", ..." : "");
+}
+
 }  // namespace
 
 std::vector<std::string> network_warnings(const sim::agents::AirSummary& air,
@@ -82,6 +100,7 @@ std::vector<std::string> network_warnings(const sim::agents::AirSummary& air,
         "net.ipv6.neigh.default.gc_thresh3",
         network.neighbours_without_room));
   }
+  if (!network.icmp_not_sent.empty()) lines.push_back(icmp_warning(network.icmp_not_sent));
   if (air.has_seen_tcp && factor != 1) {
     lines.push_back(fmt::format(
         "programs used TCP at {} of real time: its timers are not slowed, so its results do not "

@@ -213,6 +213,9 @@ ExitStatus Results::finish(const sim::agents::Simulation& simulation, Outcome& o
 void Results::add(const NetworkSummary& network) {
   recorder_->set("frames_dropped", network.frames_dropped);
   recorder_->set("frames_not_taken", network.frames_not_taken);
+  std::uint64_t icmp_not_sent = 0;
+  for (const auto& [agent, count] : network.icmp_not_sent) icmp_not_sent += count;
+  recorder_->set("icmp_not_sent", icmp_not_sent);
   recorder_->set("cpu_load", network.cpu_load);
   recorder_->set("cpu_load_programs", network.cpu_load_programs);
   for (const sim::record::ProgramRow& program : network.programs) recorder_->add(program);

@@ -20,6 +20,8 @@ std::vector<RunKey> network_run_keys() {
       {"leaving_lateness_max_s", "s", "greatest"},
       {"frames_dropped", "", "with networks: by the kernel before they came in; must be 0"},
       {"frames_not_taken", "", "with networks: off the air, by an interface that was shut down"},
+      {"icmp_not_sent", "",
+       "with networks: ICMP messages that the kernel was to send and did not, see warnings"},
       {"cpu_load", "", "with networks: processor time of baraka over wall time"},
       {"cpu_load_programs", "", "with networks: of all that ran inside agents over wall time"},
       {"warnings", "", "with networks: what speaks against this result, a line each"},

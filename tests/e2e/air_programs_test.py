@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Programs that nobody here wrote, on the simulated air: ping, iperf3, sockets of Python."""
 import json
+import os
 import pathlib
 import re
 import shutil
@@ -303,6 +304,51 @@ class Programs(Air):
                                "agents.b.poses=[{x: 900 m, y: 0 m}]")
         self.assertIn("open loop", away.err)
         self.assertEqual(self.query("SELECT COUNT(*) FROM recorded WHERE name = 'received' AND value > 0"), [(0,)])
+
+
+class Icmp(Air):
+    """The kernel sends ICMP of all namespaces through one socket per processor, which is full of errors that wait for the
+    addresses of neighbours that nobody has (gateway/netns/icmp.h)."""
+    STRANGERS = """
+import socket, struct, time
+s = socket.socket(socket.AF_INET, socket.SOCK_RAW, socket.IPPROTO_RAW)
+to = socket.inet_aton("10.77.0.2")
+for i in range(200):  # their ports are closed, their answers as long as such may be
+    header = struct.pack("!BBHHHBBH4s4s", 0x45, 0, 1028, i, 0, 64, 17, 0, bytes([10, 77, 1, 1 + i]), to)
+    s.sendto(header + struct.pack("!HHHH", 7000, 7000, 1008, 0) + bytes(1000), ("10.77.0.2", 0))
+    time.sleep(0.005)
+"""
+
+    def pinged(self, *others):
+        """A run in which b is pinged while it has 200 strangers to answer, and until it has not. @return its warnings."""
+        processors = os.sched_getaffinity(0)
+        os.sched_setaffinity(0, {min(processors)})
+        self.addCleanup(os.sched_setaffinity, 0, processors)
+        finished = self.run_baraka(self.scenario(
+            station("a", 0, ", ".join([program("strangers", "python3", "-c", self.STRANGERS),
+                                       program("ping", "ping", "-c", "100", "-i", "0.05", "-W", "1", "b", start="2 s", on_exit="end")])),
+            station("b", 5), *others, radio=FAST_RADIO))
+        self.assertEqual(finished["result"], "ping", str(finished))
+        return finished.err
+
+    def test_what_the_kernel_never_sent_is_said(self):
+        warnings = self.pinged()
+        count = re.search(r"the kernel never sent (\d+) ICMP messages \(b: (\d+)\)", warnings)
+        self.assertTrue(count, warnings)
+        self.assertEqual(count[1], count[2])
+        lost = 100 - int(re.search(r"(\d+) received", self.log("a.ping.log"))[1])
+        self.assertGreater(lost, 10)
+        self.assertGreaterEqual(int(count[1]), lost)
+        self.assertEqual(self.query("SELECT value FROM run WHERE key = 'icmp_not_sent'"), [(int(count[1]),)])
+
+    def test_above_four_agents_errors_are_bounded_and_leave_room(self):
+        look = program("look", "cat", "/proc/sys/net/ipv4/icmp_msgs_burst", start="0 s")
+        warnings = self.pinged(station("c", 10, look), station("d", 15), station("e", 20))
+        if not (self.out / "c.look.log").read_text().strip().isdigit():
+            self.skipTest("this kernel has one bound for all namespaces")
+        self.assertEqual(self.log("c.look.log").strip(), "5")
+        self.assertNotIn("ICMP", warnings)
+        self.assertIn(" 100 received", self.log("a.ping.log"))
 
 
 class Runs(Air):
