@@ -90,7 +90,7 @@ TEST_F(RelayedSamplesTest, WhatFindsTheAccessPointsQueueFullIsLostToThat) {
   constexpr int kSamples = 1500;
   for (int i = 1; i <= kSamples; ++i) {
     for (const std::uint8_t from : {std::uint8_t{1}, std::uint8_t{3}}) {
-      send(2s + i * 1ms, from, AgentId{2},
+      send(2s + i * 1100us, from, AgentId{2},
            Rtps(from).data(kRelayedWriter, static_cast<std::uint32_t>(i), hal::Bytes(400, 1)));
     }
   }
