@@ -52,11 +52,6 @@ Measured measured_by(RunReader& reader) {
   return all;
 }
 
-std::optional<double> number_of(RunReader& reader, std::string_view key) {
-  const std::string text = reader.value(key);
-  return text.empty() ? std::nullopt : std::optional(std::stod(text));
-}
-
 CollectedRun read_finished(RunReader& reader, const sim::campaign::RunPlan& run, int status) {
   CollectedRun collected;
   RunRow& row = collected.row;
@@ -65,8 +60,8 @@ CollectedRun read_finished(RunReader& reader, const sim::campaign::RunPlan& run,
   row.result = reader.value("result");
   if (row.result != "until") row.expectations_met = status == kDone;
   row.fingerprint = reader.value("fingerprint");
-  row.simulated_s = number_of(reader, "simulated_s");
-  row.wall_s = number_of(reader, "wall_s");
+  row.simulated_s = reader.real("simulated_s");
+  row.wall_s = reader.real("wall_s");
   row.ended = utc_now();
   collected.measured = measured_by(reader);
   return collected;
@@ -126,11 +121,10 @@ std::optional<CollectedRun> collect_finished(const CampaignFolder& folder,
   if (is_held(result) || !fs::exists(result / sim::record::kResultsFile)) return std::nullopt;
   try {
     RunReader reader(result);
-    const std::string status = reader.value("exit_status");
-    if (status.empty() || reader.value("seed") != std::to_string(run.seed)) return std::nullopt;
-    const int number = std::stoi(status);
-    if (number != kDone && number != kExpectationNotMet) return std::nullopt;
-    return read_finished(reader, run, number);
+    const std::optional<std::int64_t> status = reader.integer("exit_status");
+    if (!status || reader.value("seed") != std::to_string(run.seed)) return std::nullopt;
+    if (*status != kDone && *status != kExpectationNotMet) return std::nullopt;
+    return read_finished(reader, run, static_cast<int>(*status));
   } catch (const std::exception&) {
     return std::nullopt;  // cut short before its tables were complete
   }

@@ -6,7 +6,6 @@
 #include <exception>
 #include <fstream>
 #include <iterator>
-#include <map>
 #include <thread>
 
 #include "gateway/exit_status.h"
@@ -14,22 +13,13 @@
 #include "gateway/run/wall_pace.h"
 #include "sim/campaign/extension.h"
 #include "sim/record/course_log.h"
-#include "sim/record/database.h"
-#include "sim/record/schema.h"
+#include "sim/record/run_reader.h"
 #include "sim/report/plot_request.h"
 
 namespace gateway {
 namespace {
 
 constexpr std::chrono::milliseconds kBetweenTries{100};
-
-std::map<std::string, std::string> values_of_run(const std::filesystem::path& file) {
-  sim::record::Database database(file, sim::record::Database::Mode::kRead);
-  sim::record::Statement query(database, "SELECT key, value FROM run");
-  std::map<std::string, std::string> values;
-  while (query.next()) values[query.text(0)] = query.text(1);
-  return values;
-}
 
 /// Null: another process has it.
 std::unique_ptr<FolderLock> hold_now(const std::filesystem::path& folder, std::string& holder) {
@@ -45,16 +35,14 @@ std::unique_ptr<FolderLock> hold_now(const std::filesystem::path& folder, std::s
 
 std::optional<FinishedResult> finished_result(const std::filesystem::path& folder,
                                               std::optional<std::uint64_t> seed) {
-  const std::filesystem::path file = folder / sim::record::kResultsFile;
-  if (!std::filesystem::exists(file)) return std::nullopt;
+  if (!std::filesystem::exists(folder / sim::record::kResultsFile)) return std::nullopt;
   try {
-    std::map<std::string, std::string> values = values_of_run(file);
-    if (seed && values["seed"] != std::to_string(*seed)) return std::nullopt;
-    const std::string& status = values["exit_status"];
-    if (status != std::to_string(kDone) && status != std::to_string(kExpectationNotMet)) {
-      return std::nullopt;
-    }
-    return FinishedResult{std::stoi(status), values["result"], values["fingerprint"]};
+    sim::record::RunReader reader(folder);
+    if (seed && reader.value("seed") != std::to_string(*seed)) return std::nullopt;
+    const std::optional<std::int64_t> status = reader.integer("exit_status");
+    if (status != kDone && status != kExpectationNotMet) return std::nullopt;
+    return FinishedResult{static_cast<int>(*status), reader.value("result"),
+                          reader.value("fingerprint")};
   } catch (const std::exception&) {
     return std::nullopt;  // cut short before its tables were complete
   }

@@ -284,7 +284,7 @@ int run(const RunOptions& options, const Scenario& scenario, const Course& cours
 int say_finished(const FinishedResult& finished, const std::filesystem::path& folder) {
   fmt::print(stderr, "the result is there already\n");
   fmt::print("result: {}\nfingerprint: {}\nresults: {}\n", hal::printable(finished.result),
-             finished.fingerprint, folder.string());
+             hal::printable(finished.fingerprint), folder.string());
   return finished.status;
 }
 

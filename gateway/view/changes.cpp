@@ -61,8 +61,7 @@ std::string tile_of_changes(Record& record, LastRows& last, const Span& span,
 }  // namespace
 
 std::string readings_tile(Record& record, LastRows& last, const Span& span) {
-  Columns columns({"agent", "at", "channel", "values"});
-  if (!record.has("readings")) return tile_text(record, span, true, columns);
+  const Columns columns({"agent", "at", "channel", "values"});
   return tile_of_changes(record, last, span,
                          {"readings", "agent, at_ns, channel, reading", columns,
                           [](Columns& to, const Statement& row) {
@@ -81,8 +80,7 @@ std::string states_tile(Record& record, LastRows& last, const Span& span) {
 }
 
 std::string queues_tile(Record& record, LastRows& last, const Span& span) {
-  Columns columns({"agent", "at", "frames"});
-  if (!record.has("queues")) return tile_text(record, span, true, columns);
+  const Columns columns({"agent", "at", "frames"});
   return tile_of_changes(
       record, last, span,
       {"queues", "agent, at_ns, frames", columns, [](Columns& to, const Statement& row) {

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
+#include <optional>
 #include <unordered_map>
 
 #include "gateway/view/row_times.h"
@@ -20,25 +22,24 @@ constexpr std::int64_t kLongestFrame = 100'000'000;  // ns
 constexpr std::int64_t kFirstGroup = 0xfffe;         // destinations that are several agents
 
 struct Begun {
-  std::size_t bin;
+  std::int64_t part;
   std::int64_t receiver;
 };
 
-/// Into bins of one width from a time on; those that begin before another.
-FrameBins count_frames(Record& record, std::int64_t from, std::int64_t to, std::int64_t width) {
-  const auto bins = static_cast<std::size_t>((to - from + width - 1) / width);
-  FrameBins found{{}, std::vector<std::int64_t>(bins)};
+/// Into parts of one width from a time on; those that begin before another.
+FrameParts count_frames(Record& record, std::int64_t from, std::int64_t to, std::int64_t width) {
+  FrameParts found;
   std::unordered_map<std::int64_t, Begun> begun;
   const Rows begin = rows_between(record, "frames", from, to);
   Statement frames = record.query(
-      "SELECT frame, at_ns, receiver, class FROM frames WHERE rowid >= ? AND rowid < ?");
+      "SELECT frame, at_ns, receiver, class, rowid FROM frames WHERE rowid >= ? AND rowid < ?");
   frames.bind_all(begin.begin, begin.end);
   while (frames.next()) {
-    const auto bin = static_cast<std::size_t>((frames.integer(1) - from) / width);
-    begun[frames.integer(0)] = {bin, frames.integer(2)};
-    auto& counts = found.counts[frames.text(3)];
-    counts.resize(bins);
-    ++counts[bin];
+    const std::int64_t at = frames.integer(1);
+    if (at < from || at >= to) frames.refuse(1, kOutOfOrder);
+    const std::int64_t part = (at - from) / width;
+    begun[frames.integer(0)] = {part, frames.integer(2)};
+    ++found.counts[frames.text(3)][part];
   }
   if (begun.empty()) return found;
   const Rows over = rows_between(record, "frame_ends", from, to + kLongestFrame);
@@ -50,38 +51,46 @@ FrameBins count_frames(Record& record, std::int64_t from, std::int64_t to, std::
     const auto frame = begun.find(ends.integer(0));
     if (frame == begun.end()) continue;
     const std::int64_t receiver = frame->second.receiver;
-    if (receiver >= kFirstGroup || receiver == ends.integer(1)) ++found.lost[frame->second.bin];
+    if (receiver >= kFirstGroup || receiver == ends.integer(1)) ++found.lost[frame->second.part];
   }
   return found;
 }
 
-void append(std::vector<std::int64_t>& to, std::size_t before,
-            const std::vector<std::int64_t>& more) {
-  to.resize(before);
-  to.insert(to.end(), more.begin(), more.end());
+/// When the first frame began that did not begin before a time; none: there is none.
+std::optional<std::int64_t> next_begin(Record& record, std::int64_t from) {
+  const Rows rest = rows_between(record, "frames", from, std::numeric_limits<std::int64_t>::max());
+  Statement first =
+      record.query("SELECT at_ns FROM frames WHERE rowid >= ? ORDER BY rowid LIMIT 1");
+  first.bind_all(rest.begin);
+  if (!first.next()) return std::nullopt;
+  return first.integer(0);
 }
 
-/// Sums of parts over the 64 bins of a span. @param begin  of the first part, ns
-std::vector<std::int64_t> sums(const std::vector<std::int64_t>& parts, std::int64_t begin,
-                               const Span& span) {
+/// Adds parts of a width to the 64 bins of a span. @param begin  of part 0, ns
+std::vector<std::int64_t> bins_of(const FrameParts::Counts& parts, std::int64_t begin,
+                                  std::int64_t width, const Span& span) {
   std::vector<std::int64_t> bins(kBins);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const std::int64_t at = begin + static_cast<std::int64_t>(i) * kPart;
-    if (at >= span.from() && at < span.to()) bins[bin_of(span, at)] += parts[i];
+  for (const auto& [part, count] : parts) {
+    const std::int64_t at = begin + part * width;
+    if (at >= span.from() && at < span.to()) bins[bin_of(span, at)] += count;
   }
   return bins;
 }
 
-/// Adds parts to the bins of a span.
-void add(FrameBins& to, const FrameBins& parts, std::int64_t begin, const Span& span) {
-  const auto add_to = [](std::vector<std::int64_t>& sum, const std::vector<std::int64_t>& more) {
+/// The same of all.
+void add(FrameBins& to, const FrameParts& parts, std::int64_t begin, std::int64_t width,
+         const Span& span) {
+  const auto add_to = [&](std::vector<std::int64_t>& sum, const FrameParts::Counts& counts) {
+    const std::vector<std::int64_t> more = bins_of(counts, begin, width, span);
     sum.resize(more.size());
     for (std::size_t i = 0; i < more.size(); ++i) sum[i] += more[i];
   };
-  for (const auto& [name, counts] : parts.counts) {
-    add_to(to.counts[name], sums(counts, begin, span));
-  }
-  add_to(to.lost, sums(parts.lost, begin, span));
+  for (const auto& [name, counts] : parts.counts) add_to(to.counts[name], counts);
+  add_to(to.lost, parts.lost);
+}
+
+void append(FrameParts::Counts& to, std::int64_t before, const FrameParts::Counts& more) {
+  for (const auto& [part, count] : more) to[before + part] += count;
 }
 
 }  // namespace
@@ -90,28 +99,34 @@ bool FrameDensity::advance(Record& record) {
   // Of the latest frames of a run that goes on it is not known how they end.
   const std::int64_t known =
       record.is_growing() ? record.until() - kLongestFrame : record.until() + kPart;
+  if (known - counted_ < kPart) return false;
+  // Where nothing was sent there is nothing to count.
+  const std::int64_t next = std::min(next_begin(record, counted_).value_or(known), known);
+  counted_ = std::max(counted_, next / kPart * kPart);
   const std::int64_t parts = std::min((known - counted_) / kPart, kParts);
   if (parts <= 0) return false;
-  const std::int64_t to = counted_ + parts * kPart;
-  const FrameBins more = count_frames(record, counted_, to, kPart);
-  const std::size_t before = parts_.lost.size();
+  const FrameParts more = count_frames(record, counted_, counted_ + parts * kPart, kPart);
+  const std::int64_t before = counted_ / kPart;
   for (const auto& [name, counts] : more.counts) append(parts_.counts[name], before, counts);
-  for (auto& [name, counts] : parts_.counts) counts.resize(before + more.lost.size());
   append(parts_.lost, before, more.lost);
-  counted_ = to;
+  counted_ += parts * kPart;
   return true;
 }
 
 FrameBins FrameDensity::bins(Record& record, const Span& span) {
   const std::int64_t width = (span.to() - span.from()) / kBins;
-  if (width < kPart) return count_frames(record, span.from(), span.to(), width);
+  FrameBins found;
+  if (width < kPart) {
+    add(found, count_frames(record, span.from(), span.to(), width), span.from(), width, span);
+    return found;
+  }
   while (counted_ < span.to() && advance(record)) {
   }
-  FrameBins found;
-  add(found, parts_, 0, span);
+  add(found, parts_, 0, kPart, span);
   if (counted_ >= span.to() || record.until() < counted_) return found;
   // What is not known for good yet: less than two parts.
-  add(found, count_frames(record, counted_, record.until() + 1, kPart), counted_, span);
+  const FrameParts rest = count_frames(record, counted_, record.until() + 1, kPart);
+  add(found, rest, counted_, kPart, span);
   return found;
 }
 

@@ -17,8 +17,16 @@ struct FrameBins {
   std::vector<std::int64_t> lost;
 };
 
+/// The same where some began, by number of the part.
+struct FrameParts {
+  using Counts = std::map<std::int64_t, std::int64_t>;
+  std::map<std::string, Counts> counts;  ///< By class.
+  Counts lost;
+};
+
 /// The same for spans of any length: to count all frames of an hour takes seconds, so it is done
-/// once, as far as the record goes, and in parts of which coarse tiles are sums.
+/// once, as far as the record goes, and in parts of which coarse tiles are sums. What is kept grows
+/// with the frames, whatever their times are.
 class FrameDensity {
  public:
   /// Bins of a tile. @pre record has the tables
@@ -28,7 +36,7 @@ class FrameDensity {
   bool advance(Record& record);
 
  private:
-  FrameBins parts_;
+  FrameParts parts_;
   std::int64_t counted_ = 0;  ///< ns: parts before are counted, to their end.
 };
 

@@ -39,15 +39,10 @@ struct ListedFrame {
 };
 
 std::vector<ListedFrame> frames_in(Record& record, const Rows& rows) {
-  std::string more;
-  for (const char* column : {"duration_ns", "rate_bps", "sender", "message", "packet"}) {
-    more += ", " + record.or_null("frames", column);
-  }
   Statement row = record.query(
-      fmt::format("SELECT frame, at_ns, transmitter, receiver, sequence, retry, bits, airtime_ns, "
-                  "class{} FROM frames WHERE rowid >= ? AND rowid < ? ORDER BY at_ns, transmitter, "
-                  "rowid",
-                  more));
+      "SELECT frame, at_ns, transmitter, receiver, sequence, retry, bits, airtime_ns, class, "
+      "duration_ns, rate_bps, sender, message, packet FROM frames WHERE rowid >= ? AND rowid < ? "
+      "ORDER BY at_ns, transmitter, rowid");
   row.bind_all(rows.begin, rows.end);
   std::vector<ListedFrame> frames;
   while (row.next()) {
@@ -83,17 +78,18 @@ void add_ends(Record& record, std::vector<ListedFrame>& frames) {
   for (const std::string_view name : verdict_names()) verdicts.emplace(name, verdicts.size());
   const Rows over = rows_between(record, "frame_ends", frames.front().at, last + kLongestWay + 1);
   Statement end = record.query(
-      fmt::format("SELECT frame, agent, at_ns, verdict, rssi_dbm, {} FROM frame_ends WHERE rowid "
-                  ">= ? AND rowid < ? ORDER BY rowid",
-                  record.or_null("frame_ends", "sinr_db")));
+      "SELECT frame, agent, at_ns, verdict, rssi_dbm, sinr_db, rowid FROM frame_ends"
+      " WHERE rowid >= ? AND rowid < ? ORDER BY rowid");
   end.bind_all(over.begin, over.end);
   while (end.next()) {
     const auto frame = by_id.find(end.integer(0));
     if (frame == by_id.end()) continue;
+    const auto verdict = verdicts.find(end.text(3));
+    if (verdict == verdicts.end()) end.refuse(3, "no end of a frame");
     frame->second->ends.add(JsonArray()
                                 .add(end.integer(1))
                                 .add(end.integer(2))
-                                .add(verdicts.at(end.text(3)))
+                                .add(verdict->second)
                                 .add(real_at(end, 4))
                                 .add(real_at(end, 5))
                                 .json());

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 
 #include "gateway/view/row_times.h"
 
@@ -32,30 +33,38 @@ bool LastRows::advance(Record& record) {
   rows.bind_all(read_, kRowsAtATime);
   bool any = false;
   while (rows.next()) {
-    const auto part = static_cast<std::size_t>(rows.integer(1) >> kBitsOfPart);
-    while (kept_.size() <= part) kept_.push_back(last_);
+    const std::int64_t at = rows.integer(1), part = at >> kBitsOfPart;
+    if (at < latest_) rows.refuse(1, kOutOfOrder);
+    const bool is_new = kept_.empty() || kept_.back().part < part;
+    if (is_new && since_ >= last_.size()) {
+      kept_.push_back({part, read_, last_});
+      since_ = 0;
+    }
+    latest_ = at;
     read_ = rows.integer(0);
     set(last_, number_of(rows.integer(2), rows.text(3)), read_);
+    ++since_;
     any = true;
   }
   return any;
 }
 
 std::vector<std::int64_t> LastRows::before(Record& record, std::int64_t at) {
-  const auto part = static_cast<std::size_t>(at >> kBitsOfPart);
-  // One more: what is kept of the part is only then complete.
-  while (kept_.size() <= part + 1 && advance(record)) {
+  while (latest_ < at && advance(record)) {
   }
-  Last last = part < kept_.size() ? kept_[part] : last_;
-  if (part < kept_.size()) {
-    const std::int64_t begin = static_cast<std::int64_t>(part) << kBitsOfPart;
-    const Rows late = rows_between(record, table_, begin, at);
-    Statement rows = record.query(
-        fmt::format("SELECT rowid, agent, {} FROM {} WHERE rowid >= ? AND rowid < ? ORDER BY rowid",
-                    thing_, table_));
-    rows.bind_all(late.begin, late.end);
-    while (rows.next()) set(last, number_of(rows.integer(1), rows.text(2)), rows.integer(0));
+  const auto after = std::ranges::upper_bound(kept_, at >> kBitsOfPart, {}, &Kept::part);
+  Last last;
+  std::int64_t read = 0;
+  if (after != kept_.begin()) {
+    last = std::prev(after)->last;
+    read = std::prev(after)->read;
   }
+  const Rows late = rows_between(record, table_, 0, at);
+  Statement rows = record.query(
+      fmt::format("SELECT rowid, agent, {} FROM {} WHERE rowid > ? AND rowid < ? ORDER BY rowid",
+                  thing_, table_));
+  rows.bind_all(read, late.end);
+  while (rows.next()) set(last, number_of(rows.integer(1), rows.text(2)), rows.integer(0));
   std::ranges::sort(last);
   last.erase(last.begin(), std::ranges::upper_bound(last, 0));
   return last;

@@ -12,7 +12,8 @@ namespace gateway::view {
 
 /// Finds the last row of each of many things before any time, in a table of changes: one that
 /// changes seldom may have changed long ago. The table is read once, as far as it goes, and what
-/// was the last is kept for once a second.
+/// was the last is kept for once a second, or more seldom where there are more things than rows in
+/// it: what is kept grows with the table, whatever its times are.
 class LastRows {
  public:
   /// @param table  its rows are in order of at_ns. @param thing  SQL of the text of what changes,
@@ -33,9 +34,18 @@ class LastRows {
 
   std::string table_, thing_;
   std::map<std::pair<std::int64_t, std::string>, std::size_t> numbers_;
-  std::vector<Last> kept_;  ///< At the begin of each second or so.
+  /// What was the last when a part of time of a second or so began.
+  struct Kept {
+    std::int64_t part = 0;
+    std::int64_t read = 0;  ///< rowid: of the last row before.
+    Last last;
+  };
+
+  std::vector<Kept> kept_;  ///< By part.
   Last last_;
-  std::int64_t read_ = 0;  ///< rowid
+  std::int64_t read_ = 0;    ///< rowid
+  std::int64_t latest_ = 0;  ///< ns, of that row
+  std::size_t since_ = 0;    ///< Rows since something was kept.
 };
 
 }  // namespace gateway::view

@@ -13,12 +13,12 @@ bool Record::open() {
   if (reader_) return true;
   reader_.emplace(folder_);
   std::string run_id = value("run_id");
-  const bool is_same = run_id == run_id_ && !columns_.empty();
+  const bool is_same = run_id == run_id_;
   if (!is_same) learn();
   run_id_ = std::move(run_id);
   is_growing_ = reader_->is_unfinished();
-  const std::string ended = value("ended_ns");
-  until_ = ended.empty() ? latest_row() : std::stoll(ended);
+  const std::optional<std::int64_t> ended = integer("ended_ns");
+  until_ = ended ? *ended : latest_row();
   return is_same;
 }
 
@@ -26,22 +26,8 @@ void Record::close_if_growing() {
   if (is_growing_) reader_.reset();
 }
 
-bool Record::has(const std::string& table, const std::string& column) const {
-  const auto found = columns_.find(table);
-  return found != columns_.end() && found->second.contains(column);
-}
-
-std::string Record::or_null(const std::string& table, const std::string& column) const {
-  return has(table, column) ? column : "NULL";
-}
-
 void Record::learn() {
-  columns_.clear();
   agents_.clear();
-  Statement columns = query(
-      "SELECT m.name, c.name FROM sqlite_master m, pragma_table_info(m.name) c"
-      " WHERE m.type IN ('table', 'view')");
-  while (columns.next()) columns_[columns.text(0)].insert(columns.text(1));
   Statement agents = query("SELECT agent FROM agents ORDER BY agent");
   while (agents.next()) agents_.push_back(agents.integer(0));
 }
@@ -56,7 +42,7 @@ std::int64_t Record::latest_row() {
   };
   for (const char* table :
        {"frame_ends", "queues", "readings", "states", "routes", "contacts", "recorded", "events"}) {
-    if (has(table)) look(fmt::format("SELECT at_ns FROM {} ORDER BY rowid DESC LIMIT 1", table));
+    look(fmt::format("SELECT at_ns FROM {} ORDER BY rowid DESC LIMIT 1", table));
   }
   // By each one's end of the primary key: a look at the whole table would grow with the run.
   Statement pose = query("SELECT MAX(at_ns) FROM poses WHERE agent = ?");

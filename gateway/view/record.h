@@ -2,9 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,15 +33,10 @@ class Record {
 
   sim::record::Statement query(std::string_view sql) { return reader_->query(sql); }
 
-  /// Of the table run; "" if the key is not there.
+  /// Of the table run; "" or none if the key is not there.
   std::string value(std::string_view key) { return reader_->value(key); }
-
-  /// Whether the file has this table, or this column of it.
-  bool has(const std::string& table) const { return columns_.contains(table); }
-  bool has(const std::string& table, const std::string& column) const;
-
-  /// The column's name if the table has it, else "NULL": for records that know less.
-  std::string or_null(const std::string& table, const std::string& column) const;
+  std::optional<std::int64_t> integer(std::string_view key) { return reader_->integer(key); }
+  std::optional<double> real(std::string_view key) { return reader_->real(key); }
 
   bool is_growing() const { return is_growing_; }
 
@@ -59,9 +52,8 @@ class Record {
 
   std::filesystem::path folder_;
   std::optional<sim::record::RunReader> reader_;
-  std::map<std::string, std::set<std::string>> columns_;
   std::vector<std::int64_t> agents_;
-  std::string run_id_;
+  std::optional<std::string> run_id_;  ///< None: it was never open.
   bool is_growing_ = false;
   std::int64_t until_ = 0;
 };

@@ -67,13 +67,11 @@ class RouteRows {
 
 std::string routes_json(Record& record, std::int64_t agent) {
   RouteRows rows;
-  if (record.has("routes")) {
-    Statement row = record.query(
-        "SELECT at_ns, topic, destination, next_hop, hops, delay_ns, min_snr_db, energy_j, weight "
-        "FROM routes WHERE agent = ? ORDER BY at_ns, rowid");
-    row.bind_all(agent);
-    while (row.next()) rows.add(row);
-  }
+  Statement row = record.query(
+      "SELECT at_ns, topic, destination, next_hop, hops, delay_ns, min_snr_db, energy_j, weight "
+      "FROM routes WHERE agent = ? ORDER BY at_ns, rowid");
+  row.bind_all(agent);
+  while (row.next()) rows.add(row);
   return JsonObject()
       .add("agent", agent)
       .add("until", record.until())

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "gateway/view/record.h"
 #include "gateway/view/tile.h"
@@ -14,6 +15,9 @@ struct Rows {
 
   std::int64_t count() const { return end - begin; }
 };
+
+/// What is wrong with a row between others whose times are on one side of its own.
+inline constexpr std::string_view kOutOfOrder = "out of order: rows are written as time goes on";
 
 /// The rows of a span of time [from, to) ns, of a table whose rows were written one after the other
 /// as time went on, and none of which is ever removed: no index is needed to find them.

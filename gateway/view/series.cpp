@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "gateway/view/row_times.h"
 #include "gateway/view/tiles.h"
 
 namespace gateway::view {
@@ -55,11 +56,14 @@ void each_series(Record& record, const auto& with) {
       "SELECT observable, name, agent, unit FROM observables WHERE keeps = 'samples' ORDER BY 1");
   while (observable.next()) with(observable.integer(0), observable);
   Statement recorded = record.query(
-      "SELECT MIN(r.rowid), r.name, r.agent, IFNULL(u.unit, '') FROM recorded r"
+      "SELECT MIN(r.rowid) AS rowid, r.name, r.agent, IFNULL(u.unit, '') FROM recorded r"
       " LEFT JOIN agents a ON a.agent = r.agent"
       " LEFT JOIN recorded_units u ON u.program = a.program AND u.name = r.name"
       " GROUP BY r.agent, r.name ORDER BY 1");
-  while (recorded.next()) with(recorded.integer(0) + kOfControllers, recorded);
+  while (recorded.next()) {
+    if (recorded.integer(0) >= kOfControllers) recorded.refuse(0, "a row that no table comes to");
+    with(recorded.integer(0) + kOfControllers, recorded);
+  }
 }
 
 }  // namespace
@@ -95,14 +99,17 @@ const SeriesStore::Series* SeriesStore::find(Record& record, std::int64_t index)
   Series& series = kept_[index];
   Statement rows = record.query(
       is_of_controller
-          ? "SELECT r.rowid, r.at_ns, r.value FROM recorded r, recorded f WHERE f.rowid = ? AND "
-            "r.agent = f.agent AND r.name = f.name AND r.rowid > ? ORDER BY r.rowid"
+          ? "SELECT r.rowid AS rowid, r.at_ns, r.value FROM recorded r, recorded f"
+            " WHERE f.rowid = ? AND r.agent = f.agent AND r.name = f.name AND r.rowid > ?"
+            " ORDER BY r.rowid"
           : "SELECT rowid, at_ns, value FROM observable_samples WHERE observable = ? AND rowid > ? "
             "ORDER BY rowid");
   rows.bind_all(is_of_controller ? index - kOfControllers : index, series.read);
   while (rows.next()) {
     series.read = rows.integer(0);
-    series.samples.emplace_back(rows.integer(1), rows.real(2));
+    const std::int64_t at = rows.integer(1);
+    if (!series.samples.empty() && at < series.samples.back().first) rows.refuse(1, kOutOfOrder);
+    series.samples.emplace_back(at, rows.real(2));
     ++samples_;
   }
   return &series;

@@ -11,10 +11,9 @@ using sim::record::Statement;
 const std::string kNameOf = "IFNULL((SELECT name FROM agents WHERE agent = {0}), {0})";
 
 /// What happened, of all tables that tell of single things: at_ns, kind, agent, text.
-std::string events_sql(const Record& record) {
+std::string events_sql() {
   std::string sql;
   const auto add = [&](const char* table, const std::string& select) {
-    if (!record.has(table)) return;
     sql += (sql.empty() ? "SELECT " : " UNION ALL SELECT ") + select + " FROM " + table;
   };
   const auto name = [](const char* column) { return fmt::format(fmt::runtime(kNameOf), column); };
@@ -37,7 +36,7 @@ std::string events_sql(const Record& record) {
 
 std::string events_tile(Record& record, const Span& span) {
   Columns columns({"at", "kind", "agent", "text"});
-  Statement rows = record.query("SELECT at_ns, kind, agent, text FROM " + events_sql(record) +
+  Statement rows = record.query("SELECT at_ns, kind, agent, text FROM " + events_sql() +
                                 " WHERE at_ns >= ? AND at_ns < ? ORDER BY at_ns, agent, kind");
   rows.bind_all(span.from(), span.to());
   Counts counts{};

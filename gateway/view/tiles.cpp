@@ -29,9 +29,14 @@ Json bins_json(const Counts& counts) {
 
 Json counts_of(Record& record, const std::string& table, const Rows& rows, const Span& span) {
   Counts counts{};
-  Statement row = record.query("SELECT at_ns FROM " + table + " WHERE rowid >= ? AND rowid < ?");
+  Statement row =
+      record.query("SELECT at_ns, rowid FROM " + table + " WHERE rowid >= ? AND rowid < ?");
   row.bind_all(rows.begin, rows.end);
-  while (row.next()) ++counts.at(bin_of(span, row.integer(0)));
+  while (row.next()) {
+    const std::int64_t at = row.integer(0);
+    if (at < span.from() || at >= span.to()) row.refuse(0, kOutOfOrder);
+    ++counts.at(bin_of(span, at));
+  }
   return bins_json(counts);
 }
 

@@ -16,6 +16,7 @@
 #include "gateway/view/control_request.h"
 #include "gateway/view/json_text.h"
 #include "gateway/view/request_check.h"
+#include "hal/types/printable.h"
 
 namespace gateway::view {
 namespace {
@@ -94,7 +95,7 @@ void send(httplib::Response& response, std::string text, const char* type) {
 
 void send_error(httplib::Response& response, int status, std::string_view why) {
   response.status = status;
-  send(response, JsonObject().add("error", why).json().text, "application/json");
+  send(response, JsonObject().add("error", hal::printable(why)).json().text, "application/json");
 }
 
 std::string text_of(const Clock::Now& clock) {

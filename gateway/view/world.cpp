@@ -217,10 +217,11 @@ Json lines_of(std::string text, const std::vector<std::string>& more) {
 void add_run(JsonObject& world, Record& record, const std::vector<std::string>& said) {
   const RecordSettings settings = record_settings(record);
   for (const char* key : {"result", "profile", "fingerprint"}) world.add(key, record.value(key));
-  world.add("seed", std::stoll("0" + record.value("seed")))
+  const double period_s = record.real("control_period_s").value_or(0);
+  world.add("seed", record.integer("seed").value_or(0))
       .add("end", record.until())
       .add("until", record.until())
-      .add("control_period", std::llround(1e9 * std::stod("0" + record.value("control_period_s"))))
+      .add("control_period", std::llround(1e9 * period_s))
       .add("links", links_of(record))
       .add("series", SeriesStore::list(record))
       .add("states", texts_of(record, "SELECT DISTINCT state FROM states ORDER BY 1"))

@@ -16,11 +16,11 @@ using record::Statement;
 constexpr std::array kStates = {RunState::kWaiting, RunState::kRunning, RunState::kDone,
                                 RunState::kFailed};
 
+/// @pre it is one of the words that the column may hold
 RunState state_called(const std::string& name) {
   const auto* const found =
       std::ranges::find(kStates, name, [](RunState state) { return name_of(state); });
-  if (found == kStates.end()) throw std::runtime_error(fmt::format("'{}' is no state", name));
-  return *found;
+  return found == kStates.end() ? RunState::kFailed : *found;
 }
 
 std::optional<double> number_in(const Statement& query, int column) {
@@ -67,11 +67,13 @@ CampaignReader::CampaignReader(const std::filesystem::path& folder)
     : folder_(folder), database_(folder / kCampaignDatabase, record::Database::Mode::kRead) {
   Statement version = query("PRAGMA user_version");
   version.next();
-  if (version.integer(0) == kSchemaVersion) return;
-  throw std::runtime_error(
-      fmt::format("{}: {} has tables of version {}, and this baraka reads version {} only: read it "
-                  "with the baraka that wrote it",
-                  folder_.string(), kCampaignDatabase, version.integer(0), kSchemaVersion));
+  if (version.integer(0) != kSchemaVersion) {
+    throw std::runtime_error(fmt::format(
+        "{}: {} has tables of version {}, and this baraka reads version {} only: read it "
+        "with the baraka that wrote it",
+        folder_.string(), kCampaignDatabase, version.integer(0), kSchemaVersion));
+  }
+  database_.read_only_sound(tables());
 }
 
 bool CampaignReader::has_database(const std::filesystem::path& folder) {
@@ -97,7 +99,9 @@ std::vector<Factor> CampaignReader::factors() {
 
 std::vector<PointRow> CampaignReader::points() {
   std::vector<PointRow> all;
-  Statement rows = query("SELECT point, label, scenario FROM points ORDER BY point");
+  const std::size_t wanted = factors().size();
+  Statement rows =
+      query("SELECT point, label, scenario, point AS rowid FROM points ORDER BY point");
   Statement levels =
       query("SELECT text, number, is_default FROM levels WHERE point = ? ORDER BY factor");
   while (rows.next()) {
@@ -109,6 +113,8 @@ std::vector<PointRow> CampaignReader::points() {
     while (levels.next()) {
       point.levels.push_back({levels.text(0), number_in(levels, 1), levels.integer(2) != 0});
     }
+    if (point.levels.size() == wanted) continue;
+    rows.refuse(0, fmt::format("with {} levels of {} factors", point.levels.size(), wanted));
   }
   return all;
 }
@@ -117,8 +123,12 @@ std::vector<RunRow> CampaignReader::runs() {
   std::vector<RunRow> all;
   Statement rows = query(
       "SELECT run, point, replication, seed, state, result, expectations_met, error, fingerprint, "
-      "simulated_s, wall_s, user_s, host, attempts, started, ended, folder FROM runs ORDER BY run");
-  while (rows.next()) all.push_back(row_of(rows));
+      "simulated_s, wall_s, user_s, host, attempts, started, ended, folder, run AS rowid,"
+      " EXISTS (SELECT 1 FROM points p WHERE p.point = r.point) FROM runs r ORDER BY run");
+  while (rows.next()) {
+    all.push_back(row_of(rows));
+    if (rows.integer(18) == 0) rows.refuse(1, "not in the table points");
+  }
   return all;
 }
 

@@ -3,13 +3,17 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <map>
 #include <set>
 #include <sstream>
+#include <stdexcept>
 #include <string_view>
+#include <system_error>
 
 #include "hal/config/errors.h"
 #include "sim/campaign/factors.h"
+#include "sim/campaign/schema.h"
 
 namespace sim::campaign {
 namespace {
@@ -42,6 +46,16 @@ void require_same_programs(const WantedRuns& wanted, CampaignReader& reader) {
                              before, now));
 }
 
+std::int64_t replications_in(const std::string& text, const CampaignReader& reader) {
+  std::int64_t number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  if (error == std::errc{} && rest == end) return number;
+  throw std::runtime_error(
+      fmt::format("{}: table campaign, row replications: value is '{}', not a whole number",
+                  (reader.folder() / kCampaignDatabase).string(), text));
+}
+
 void require_same_values(const WantedRuns& wanted, CampaignReader& reader) {
   for (const std::string_view key : kFixed) {
     const std::string before = reader.value(key), now = value_of(wanted, key);
@@ -49,7 +63,7 @@ void require_same_values(const WantedRuns& wanted, CampaignReader& reader) {
   }
   require_same_programs(wanted, reader);
   const std::string replications = reader.value("replications");
-  if (!wanted.may_be_fewer && std::stoll(replications) > wanted.replications) {
+  if (!wanted.may_be_fewer && replications_in(replications, reader) > wanted.replications) {
     refuse(reader,
            fmt::format("replications: there {}, now {}", replications, wanted.replications));
   }

@@ -3,13 +3,36 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
+#include <fstream>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
+
+#include "sim/record/cell_check.h"
 
 namespace sim::record {
 namespace {
 
+using Kind = CellRule::Kind;
+
 constexpr int kBetweenTriesMs = 100, kShortWaitMs = 5000;
+
+bool has_content(const std::string& file) {
+  std::error_code none;
+  const auto size = std::filesystem::file_size(file, none);
+  return !none && size > 0;
+}
+
+/// Whether a journal belongs to a transaction over several files, which ours never do: to roll it
+/// back, SQLite reads the file that it names as a list, and removes it
+/// (sqlite.org/atomiccommit.html).
+bool names_another_file(const std::string& journal) {
+  constexpr std::string_view kMagic = "\xd9\xd5\x05\xf9\x20\xa1\x63\xd7";
+  std::ifstream file(journal, std::ios::binary);
+  file.seekg(-static_cast<std::streamoff>(kMagic.size()), std::ios::end);
+  std::string end(kMagic.size(), '\0');
+  return file.read(end.data(), static_cast<std::streamsize>(end.size())) && end == kMagic;
+}
 
 }  // namespace
 
@@ -20,22 +43,33 @@ Database::Database(const std::filesystem::path& file, Mode mode, WhileBusy while
       std::filesystem::remove(name_ + part);
     }
   }
-  // Not read-only: a file whose writer was killed may need its journal rolled back first.
   // Without a lock of its own: one thread at a time uses it.
-  const int create = mode == Mode::kRead ? 0 : SQLITE_OPEN_CREATE;
-  const int how = SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX | create;
-  int result = sqlite3_open_v2(name_.c_str(), &handle_, how, nullptr);
-  if (result == SQLITE_CANTOPEN && mode == Mode::kRead) {
-    sqlite3_close(handle_);
-    result = sqlite3_open_v2(name_.c_str(), &handle_, SQLITE_OPEN_READONLY | SQLITE_OPEN_NOMUTEX,
-                             nullptr);
-  }
-  if (result != SQLITE_OK) {
-    const std::string reason = handle_ == nullptr ? "no memory" : sqlite3_errmsg(handle_);
-    sqlite3_close(handle_);
-    throw std::runtime_error(fmt::format("{}: cannot be opened: {}", name_, reason));
+  constexpr int kWrite = SQLITE_OPEN_READWRITE | SQLITE_OPEN_NOMUTEX;
+  if (mode == Mode::kRead) {
+    // What a writer that was killed or is at work has left beside it may have to be worked in.
+    const std::string journal = name_ + "-journal";
+    if (has_content(journal) && names_another_file(journal)) {
+      throw std::runtime_error(
+          fmt::format("{}: its journal {} names another file: not left by baraka", name_, journal));
+    }
+    open(has_content(journal) || has_content(name_ + "-wal") ? kWrite : SQLITE_OPEN_READONLY);
+  } else {
+    open(kWrite | SQLITE_OPEN_CREATE);
   }
   set_waiting();
+}
+
+void Database::open(int how) {
+  constexpr int kReadOnly = SQLITE_OPEN_READONLY | SQLITE_OPEN_NOMUTEX;
+  int result = sqlite3_open_v2(name_.c_str(), &handle_, how | SQLITE_OPEN_NOMUTEX, nullptr);
+  if (result == SQLITE_CANTOPEN && (how & SQLITE_OPEN_CREATE) == 0) {
+    sqlite3_close(handle_);
+    result = sqlite3_open_v2(name_.c_str(), &handle_, kReadOnly, nullptr);
+  }
+  if (result == SQLITE_OK) return;
+  const std::string reason = handle_ == nullptr ? "no memory" : sqlite3_errmsg(handle_);
+  sqlite3_close(handle_);
+  throw std::runtime_error(fmt::format("{}: cannot be opened: {}", name_, reason));
 }
 
 void Database::set_waiting() {
@@ -52,7 +86,18 @@ void Database::set_waiting() {
   sqlite3_busy_handler(handle_, ask, &while_busy_);
 }
 
-Database::~Database() { sqlite3_close(handle_); }
+Database::~Database() {
+  check_.reset();
+  sqlite3_close(handle_);
+}
+
+void Database::read_only_sound(const std::vector<Table>& tables) {
+  check_ = std::make_unique<CellCheck>(handle_, name_, tables);
+}
+
+void Database::know(const std::vector<std::int64_t>& agents, std::int64_t end) {
+  check_->learn(agents, end);
+}
 
 void Database::execute(const std::string& sql) {
   if (sqlite3_exec(handle_, sql.c_str(), nullptr, nullptr, nullptr) != SQLITE_OK) fail("execute");
@@ -69,9 +114,12 @@ void Database::fail(std::string_view doing) const {
 
 Statement::Statement(Database& database, std::string_view sql) : database_(database) {
   const int size = static_cast<int>(sql.size());
+  if (database_.check_) database_.check_->begin();
   if (sqlite3_prepare_v2(database.handle_, sql.data(), size, &handle_, nullptr) != SQLITE_OK) {
     database.fail(sql);
   }
+  if (!database_.check_) return;
+  reading_ = std::make_unique<ColumnsRead>(database_.check_->take(handle_));
 }
 
 Statement::~Statement() { sqlite3_finalize(handle_); }
@@ -82,24 +130,42 @@ bool Statement::next() {
   if (result != SQLITE_DONE) {
     // The reason outlives the reset: SQLite gives it again.
     sqlite3_reset(handle_);
+    if (reading_) database_.check_->fail(*reading_);
     database_.fail("step");
   }
   sqlite3_reset(handle_);
   return false;
 }
 
-std::int64_t Statement::integer(int column) const { return sqlite3_column_int64(handle_, column); }
-double Statement::real(int column) const { return sqlite3_column_double(handle_, column); }
-bool Statement::is_null(int column) const {
-  return sqlite3_column_type(handle_, column) == SQLITE_NULL;
+std::int64_t Statement::integer(int column) const {
+  if (reading_) database_.check_->check(handle_, column, Kind::kInteger, *reading_);
+  return sqlite3_column_int64(handle_, column);
 }
+
+double Statement::real(int column) const {
+  if (reading_) database_.check_->check(handle_, column, Kind::kReal, *reading_);
+  return sqlite3_column_double(handle_, column);
+}
+
+bool Statement::is_null(int column) const {
+  if (sqlite3_column_type(handle_, column) != SQLITE_NULL) return false;  // its reader checks it
+  if (reading_) database_.check_->check(handle_, column, Kind::kAny, *reading_);
+  return true;
+}
+
 bool Statement::is_real(int column) const {
   return sqlite3_column_type(handle_, column) == SQLITE_FLOAT;
 }
 
 std::string Statement::text(int column) const {
+  if (reading_) database_.check_->check(handle_, column, Kind::kText, *reading_);
   const auto* text = reinterpret_cast<const char*>(sqlite3_column_text(handle_, column));
   return text == nullptr ? std::string() : std::string(text);
+}
+
+void Statement::refuse(int column, std::string_view why) const {
+  if (reading_) database_.check_->refuse(handle_, column, *reading_, why);
+  database_.fail(why);
 }
 
 void Statement::bind(int place, std::int64_t value) {

@@ -3,14 +3,20 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 struct sqlite3;
 struct sqlite3_stmt;
 
 namespace sim::record {
+
+class CellCheck;
+struct ColumnsRead;
+struct Table;
 
 /// One SQLite file. Everything throws std::runtime_error with the file and SQLite's reason. One
 /// thread at a time, its statements included.
@@ -32,17 +38,30 @@ class Database {
 
   void execute(const std::string& sql);
 
+  /// For files that others may have written: it must have these tables as create_tables() makes
+  /// them, and from now on every cell that a statement gives is one that its column may hold; what
+  /// is not is refused with file, table, row and column. Statements can only read.
+  /// @param tables  outlive this object.
+  /// @throws std::runtime_error  the file has other tables.
+  void read_only_sound(const std::vector<Table>& tables);
+
+  /// What its cells are measured by from now on: agents are these, no time [ns] is after the end.
+  /// @pre read_only_sound()
+  void know(const std::vector<std::int64_t>& agents, std::int64_t end);
+
   /// Ends a transaction under way and takes its changes back; nothing if there is none.
   void roll_back();
 
  private:
   friend class Statement;
   [[noreturn]] void fail(std::string_view doing) const;
+  void open(int how);
   void set_waiting();
 
   std::string name_;
   WhileBusy while_busy_;
   sqlite3* handle_ = nullptr;
+  std::unique_ptr<CellCheck> check_;  ///< Null: whatever is there is taken.
 };
 
 /// One prepared statement.
@@ -76,11 +95,17 @@ class Statement {
   bool next();
 
   /// Columns of the current row, from 0. Null reads as 0 or "".
+  /// @throws std::runtime_error  of a sound database: a value that may not be there
   std::int64_t integer(int column) const;
   double real(int column) const;
   std::string text(int column) const;
   bool is_null(int column) const;
   bool is_real(int column) const;
+
+  /// Of a value that its reader cannot take: that is out of order, or there twice.
+  /// @param why  "before that of an earlier row"
+  /// @throws std::runtime_error  with file, table and, if the statement gives its rowid, the row
+  [[noreturn]] void refuse(int column, std::string_view why) const;
 
  private:
   void bind(int place, std::int64_t value);
@@ -99,6 +124,7 @@ class Statement {
 
   Database& database_;
   sqlite3_stmt* handle_ = nullptr;
+  std::unique_ptr<ColumnsRead> reading_;  ///< Null: nothing is checked.
 };
 
 }  // namespace sim::record

@@ -78,7 +78,16 @@ Which agent did something else first in another run, of what kind, and in which 
       (SELECT * FROM o.fingerprints EXCEPT SELECT * FROM fingerprints)) ORDER BY 1, 2, 3 LIMIT 1"
 
 In CSV, the first line names the columns, a null is an empty field, an empty text is `""`, and
-numbers are in the shortest form that reads back to the same bits.
+numbers are in the shortest form that reads back to the same bits. A text that a spreadsheet could
+take for a formula has a `'` before it: it begins with `=`, `+`, `-`, `@`, a tab or a line end, and is
+not made of numbers, `-` and units only, as `-85 dBm` is.
+
+A result may come from somebody else. `baraka` reads it only if its tables are those of this version,
+and of every cell that it takes from them it checks the type and the range: agents are in the table
+`agents`, times are not after the end of the run, which is below 32 years, lengths are up to 1e12 m,
+counts up to 2^53, names up to 64 KiB and other texts up to 16 MiB. What is not is refused with file,
+table, row and column; of cells that are only summed, the sum is looked at. What is counted may still
+be a lie: who can write the file can write any plausible number.
 
 )";
 

@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <array>
+
 #include "sim/record/schema.h"
 
 namespace sim::record {
@@ -75,6 +78,15 @@ std::vector<RunKey> all_run_keys() {
 const std::vector<RunKey>& run_keys() {
   static const std::vector<RunKey> keys = all_run_keys();
   return keys;
+}
+
+bool is_count(const RunKey& key) {
+  static constexpr std::array<std::string_view, 15> kCounts{
+      "exit_status",         "events",          "exchanges",       "refused_actions",
+      "ode_messages",        "overruns",        "missed_cycles",   "command_timeouts",
+      "lost_events",         "entering_frames", "leaving_frames",  "entering_late_frames",
+      "leaving_late_frames", "frames_dropped",  "frames_not_taken"};
+  return std::ranges::find(kCounts, key.name) != kCounts.end();
 }
 
 }  // namespace sim::record

@@ -3,8 +3,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "sim/record/database.h"
 #include "sim/record/schema.h"
@@ -18,7 +20,9 @@ namespace sim::record {
 ///   Statement links = reader.query("SELECT a, b FROM links");   // tables and columns of schema.h
 ///   while (links.next()) use(links.integer(0), links.integer(1));
 ///
-/// Every member throws std::runtime_error if the file is damaged. One thread.
+/// What it gives is what a run can have written, whoever wrote the file: see Database. Every member
+/// throws std::runtime_error if it is not, or if the file is damaged, with table and row. One
+/// thread.
 class RunReader {
  public:
   /// @param folder  holds `run.sqlite`.
@@ -33,6 +37,10 @@ class RunReader {
   /// Of the table run; "" if the key is not there.
   std::string value(std::string_view key);
 
+  /// Of a key that is a number: none if the key is not there.
+  std::optional<std::int64_t> integer(std::string_view key);
+  std::optional<double> real(std::string_view key);
+
   /// Whether the run has not said how it ended: it was killed, or it is still under way.
   bool is_unfinished() { return value("result") == "running"; }
 
@@ -40,6 +48,9 @@ class RunReader {
   std::map<std::string, std::int64_t> count_rows();
 
  private:
+  void check_keys();
+  std::vector<std::int64_t> agents();
+
   std::filesystem::path folder_;
   Database database_;
 };

@@ -63,6 +63,7 @@ void read(RunReader& reader, const ScalarKind& kind, Names& names, std::vector<S
     if (rows.is_null(1)) continue;
     const double value = rows.real(1);
     if (!std::isfinite(value)) continue;
+    if (value < 0 && ::sim::record::range_of(kind.name) != Range::kAny) rows.refuse(1, "negative");
     to.push_back(
         {.name = is_family ? names.in_family(kind.name, rows.text(2)) : std::string(kind.name),
          .unit = std::string(kind.unit),
@@ -94,14 +95,17 @@ void read_sums(RunReader& reader, Names& names, std::vector<Scalar>& to) {
   Statement rows = reader.query(kSums);
   while (rows.next()) {
     const bool is_count = rows.text(2) == ".count";
+    const double value = rows.real(4);
+    if (!std::isfinite(value)) continue;  // a sum of values near the largest number
     to.push_back({.name = names.of_observable(rows.text(1)) + rows.text(2),
                   .unit = is_count ? "1" : rows.text(3),
                   .agent = rows.text(0),
-                  .value = rows.real(4)});
+                  .value = value});
   }
 }
 
-/// @param rows  of agent, name, s, value, unit; those of one series follow one another.
+/// @param rows  of agent, name, ns, value, unit, rowid; those of one series follow one another, by
+///   time.
 void read_points(Statement& rows, const std::string& domain, Names& names,
                  std::vector<Series>& to) {
   while (rows.next()) {
@@ -109,7 +113,11 @@ void read_points(Statement& rows, const std::string& domain, Names& names,
     if (to.empty() || to.back().name != name || to.back().agent != rows.text(0)) {
       to.push_back({.name = name, .unit = rows.text(4), .agent = rows.text(0), .points = {}});
     }
-    to.back().points.emplace_back(rows.real(2), rows.real(3));
+    const double at = static_cast<double>(rows.integer(2)) * 1e-9;
+    auto& points = to.back().points;
+    if (!points.empty() && at < points.back().first)
+      rows.refuse(2, "before that of an earlier row");
+    points.emplace_back(at, rows.real(3));
   }
 }
 
@@ -143,14 +151,15 @@ std::vector<Series> series_of(RunReader& reader) {
   Names names(reader);
   std::vector<Series> all;
   Statement samples = reader.query(
-      "SELECT a.name, o.name, at_ns * 1e-9, value, unit FROM observable_samples s"
+      "SELECT a.name, o.name, at_ns, value, unit, s.rowid AS rowid FROM observable_samples s"
       " JOIN observables o USING (observable) JOIN agents a USING (agent)"
       " WHERE observable IN (SELECT MIN(observable) FROM observables WHERE keeps = 'samples'"
       " GROUP BY name, agent)"
       " ORDER BY o.name, agent, observable, s.rowid");
   read_points(samples, "", names, all);
   Statement recorded = reader.query(
-      "SELECT a.name, r.name, at_ns * 1e-9, value, '' FROM recorded r JOIN agents a USING (agent)"
+      "SELECT a.name, r.name, at_ns, value, '', r.rowid AS rowid FROM recorded r"
+      " JOIN agents a USING (agent)"
       " WHERE NOT EXISTS (SELECT 1 FROM observables o WHERE o.agent = r.agent"
       " AND o.name = 'controllers.' || r.name AND keeps = 'samples')"
       " ORDER BY r.name, r.agent, r.rowid");

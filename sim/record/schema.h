@@ -43,6 +43,9 @@ struct RunKey {
 const std::vector<Table>& tables();
 const std::vector<RunKey>& run_keys();
 
+/// Whether a key of the table `run` is a whole number that is not negative.
+bool is_count(const RunKey& key);
+
 /// @return null: there is none of that name.
 const Table* find_table(std::string_view name);
 

@@ -95,12 +95,12 @@ class ForgedRecord(Case):
     def test_times_that_no_run_can_have_are_refused(self):
         self.run_baraka(CASE_STUDY, "--pace", "realtime:20", "--until", "4")
         record = self.out
-        for sql, what in (("UPDATE turns SET at_ns = -5 WHERE rowid = 3", "turn 3 of the record is at -5 ns"),
+        for sql, what in (("UPDATE turns SET at_ns = -5 WHERE rowid = 3", "table turns, row 3: at_ns is -5, not a whole number from 0 to"),
                           ("UPDATE turns SET at_ns = 9223372036854775807 WHERE rowid = 4",
-                           "turn 4 of the record is at 9223372036854775807 ns"),
-                          ("UPDATE turns SET at_ns = 0 WHERE rowid = 5", "turn 5 of the record is at 0 ns"),
-                          ("UPDATE run SET value = '-1' WHERE key = 'ended_ns'", "its end at '-1' ns"),
-                          ("UPDATE run SET value = 'soon' WHERE key = 'ended_ns'", "its end at 'soon' ns")):
+                           "table turns, row 4: at_ns is 9223372036854775807, not a whole number from 0 to"),
+                          ("UPDATE turns SET at_ns = 0 WHERE rowid = 5", "table turns, row 5: at_ns is 0, before "),
+                          ("UPDATE run SET value = '-1' WHERE key = 'ended_ns'", "table run, row ended_ns: value is '-1', not a number"),
+                          ("UPDATE run SET value = 'soon' WHERE key = 'ended_ns'", "table run, row ended_ns: value is 'soon', not a number")):
             with self.subTest(sql=sql):
                 forged = shutil.copytree(record, self.folder / "forged", dirs_exist_ok=True)
                 with contextlib.closing(sqlite3.connect(forged / "run.sqlite")) as database, database:

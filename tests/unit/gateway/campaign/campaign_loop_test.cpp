@@ -27,7 +27,7 @@ class EngineOfResults final : public Engine {
       const std::string twin = task.run == 2 ? "m0" : "m1";
       sim::record::test::make_result(
           task.folder,
-          "INSERT INTO run VALUES ('exit_status', '0'), ('result', 'until'), ('seed', '" + number +
+          "INSERT INTO run VALUES ('exit_status', 0), ('result', 'until'), ('seed', '" + number +
               "');"
               "INSERT INTO agents VALUES (1, 'm0', 'mote', 'p', 0, 0, 0), (2, '" +
               twin +

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <fstream>
+#include <stdexcept>
 
 #include "gateway/view/tile.h"
 #include "tests/unit/gateway/view/small_result.h"
@@ -204,6 +206,45 @@ TEST_F(Tiles, ReadingsAndQueuesBeginWithTheLastHoweverLongAgo) {
   const json queues = columns("queues/4/" + std::to_string(index + 1));
   EXPECT_EQ(queues["agent"], json({2, 1}));
   EXPECT_EQ(queues["frames"], json({1, 0}));
+}
+
+long most_memory() {  // KiB
+  rusage used{};
+  getrusage(RUSAGE_SELF, &used);
+  return used.ru_maxrss;
+}
+
+// A record of few rows may claim that it lasted for months.
+TEST_F(Tiles, WhatIsKeptGrowsWithTheRowsNotWithTheTimes) {
+  result.end(10'000'000'000'000'000);
+  result.execute(
+      "INSERT INTO queues VALUES (1, 0, 2), (2, 9999999999999999, 1), (1, 9999999999999999, 0);"
+      "WITH RECURSIVE n(i) AS (SELECT 0 UNION ALL SELECT i + 1 FROM n WHERE i < 5999)"
+      " INSERT INTO frames SELECT (1 << 48) + i, i * 1666666666666, 'ack', 1, 2, i, 0, 100,"
+      " 1000000, 0, NULL, NULL, NULL, NULL FROM n;"
+      "INSERT INTO frame_ends SELECT frame, 2, at_ns, 'noise', -80, 3 FROM frames");
+  const long before = most_memory();
+  EXPECT_EQ(columns("queues/17/4")["frames"], json({2, 1, 0}));
+  const json bins = ask("frames/17/0").at("bins");
+  std::int64_t lost = 0;
+  for (const json& one : bins["lost"]) lost += one.get<std::int64_t>();
+  EXPECT_EQ(lost, 1352);  // 2^51 ns of them
+  EXPECT_LT(most_memory() - before, 100'000);
+}
+
+TEST_F(Tiles, RowsThatAreOutOfOrderAreNamed) {
+  result.end(10'000'000'000);
+  result.execute("INSERT INTO states VALUES (1, 5000000000, 'A'), (2, 1000000000, 'B')");
+  try {
+    (void)ask("states/11/0");
+    FAIL();
+  } catch (const std::runtime_error& e) {
+    EXPECT_NE(
+        std::string(e.what()).find("run.sqlite: table states, row 2: at_ns is 1000000000, out of "
+                                   "order"),
+        std::string::npos)
+        << e.what();
+  }
 }
 
 TEST_F(Tiles, TheLogIsInTiles) {

@@ -15,7 +15,7 @@ using namespace std::chrono_literals;
 RecordedCourse course_of(const std::string& pace, const std::string& sql) {
   const Folder folder("course");
   make_result(folder.path(),
-              "INSERT INTO run VALUES ('pace', '" + pace + "'), ('ended_ns', '1000');" + sql);
+              "INSERT INTO run VALUES ('pace', '" + pace + "'), ('ended_ns', 1000);" + sql);
   return read_course(folder.path());
 }
 
@@ -53,12 +53,15 @@ TEST(CourseLog, WhatIsDamagedIsNamed) {
   const auto arrival = [](const char* values) {
     return refusal("realtime", std::string("INSERT INTO arrivals VALUES ") + values);
   };
-  EXPECT_NE(arrival("(5, 'a', '0g')").find("arrival 1 of the record: '0g' is not hexadecimal"),
+  EXPECT_NE(arrival("(5, 'a', '0g')").find("table arrivals, row 1: bytes is '0g', not hexadecimal"),
             std::string::npos);
-  EXPECT_NE(arrival("(5, 'a', '012')").find("'012' is not hexadecimal"), std::string::npos);
-  EXPECT_NE(arrival("(9, 'a', ''), (5, 'a', '')").find("arrival 2 of the record is at 5 ns"),
+  EXPECT_NE(arrival("(5, 'a', '012')").find("'012', not hexadecimal"), std::string::npos);
+  EXPECT_NE(arrival("(9, 'a', ''), (5, 'a', '')")
+                .find("table arrivals, row 2: at_ns is 5, before 9 ns of the row above"),
             std::string::npos);
-  EXPECT_NE(arrival("(1001, 'a', '')").find("may be at 0 to 1000 ns"), std::string::npos);
+  EXPECT_NE(
+      arrival("(1001, 'a', '')").find("row 1: at_ns is 1001, not a whole number from 0 to 1000"),
+      std::string::npos);
 }
 
 TEST(Hexadecimal, EveryByteComesBack) {
