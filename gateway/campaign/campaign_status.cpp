@@ -140,7 +140,8 @@ int print_status(const std::filesystem::path& folder) {
   const CampaignStatus status = status_of(reader, std::numeric_limits<int>::max());
   fmt::print("{}", status.table);
   fmt::print(stderr, "{}", status.bad_ends);
-  fmt::print("campaign: {}\nunder_way: {}\n", reader.value("name"), is_running ? "yes" : "no");
+  fmt::print("campaign: {}\nunder_way: {}\n", hal::printable(reader.value("name")),
+             is_running ? "yes" : "no");
   fmt::print("points: {}\nruns: {}\nwaiting: {}\nrunning: {}\nfinished: {}\nfailed: {}\n",
              status.points, status.runs, status.waiting + (is_running ? 0 : status.running),
              is_running ? status.running : 0, status.done, status.failed);

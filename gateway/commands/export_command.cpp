@@ -10,6 +10,7 @@
 #include "gateway/commands/exported_scene_of.h"
 #include "gateway/commands/output_file.h"
 #include "gateway/exit_status.h"
+#include "hal/types/printable.h"
 #include "sim/campaign/description.h"
 #include "sim/campaign/schema.h"
 #include "sim/record/description.h"
@@ -149,7 +150,7 @@ int export_results(const ExportOptions& options) {
   if (options.describe) return describe_results(options);
   if (sim::record::RunReader(options.folder).is_unfinished()) {
     fmt::print(stderr, "warning: {}: this run is unfinished: broken off, or still under way\n",
-               options.folder);
+               hal::printable(options.folder));
   }
   if (options.format == "mcap") return export_mcap(options);
   if (is_whole(options)) return export_tables(options, sim::record::tables(), options.folder);

@@ -16,6 +16,8 @@
 #include "gateway/view/bundled_page.h"
 #include "hal/config/document.h"
 #include "hal/config/shared_folders.h"
+#include "hal/types/printable.h"
+#include "sim/report/csv.h"
 #include "sim/report/experiment_section.h"
 #include "sim/report/plot.h"
 #include "sim/report/report.h"
@@ -86,8 +88,18 @@ class TemporaryFile {
 };
 
 /// `report:` of a scenario that is not a file.
-std::vector<PlotRequest> requests_in_text(const std::string& yaml) {
-  return requests_in(TemporaryFile(yaml).path());
+/// @throws std::runtime_error  it cannot be read; with its place in the campaign
+std::vector<PlotRequest> requests_of_campaign(const Experiment& experiment) {
+  const TemporaryFile file(experiment.scenario);
+  try {
+    return requests_in(file.path());
+  } catch (const std::exception& e) {
+    std::string what = e.what();
+    for (std::size_t at = 0; (at = what.find(file.path(), at)) != std::string::npos;) {
+      what.replace(at, file.path().size(), "scenario");
+    }
+    throw std::runtime_error(fmt::format("{}: {}", experiment.scenario_place, what));
+  }
 }
 
 sim::report::Sources read_all(const ReportOptions& options) {
@@ -96,24 +108,17 @@ sim::report::Sources read_all(const ReportOptions& options) {
     if (!options.scenario.empty()) {
       one.requests = requests_in(options.scenario);
     } else if (one.requests.empty() && !one.scenario.empty()) {
-      one.requests = requests_in_text(one.scenario);
+      one.requests = requests_of_campaign(one);
     }
   }
   return sources;
 }
 
-/// A field of a CSV file as RFC 4180 has it.
-std::string csv_field(const std::string& text) {
-  if (text.find_first_of(",\"\n") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
 std::string csv_of(const sim::report::Plot& plot) {
   std::string text;
   for (const auto& row : plot_rows(plot, sim::report::Digits::kExact)) {
-    for (std::size_t i = 0; i < row.size(); ++i) text += (i == 0 ? "" : ",") + csv_field(row[i]);
+    for (std::size_t i = 0; i < row.size(); ++i)
+      text += (i == 0 ? "" : ",") + (row[i].empty() ? "" : sim::report::csv_text(row[i]));
     text += "\r\n";
   }
   return text;
@@ -161,11 +166,12 @@ int report_figure(const sim::report::Sources& sources, const ReportOptions& opti
   const PlotRequest request = request_of(experiment, options);
   const sim::report::Plot plot = make_plot(experiment, request);
   if (options.file.empty()) {
-    fmt::print("{}{}", plot_text(plot), pairs_text(experiment, request));
+    fmt::print("{}{}", hal::printable_lines(plot_text(plot)),
+               hal::printable_lines(pairs_text(experiment, request)));
     return kDone;
   }
   write_output(options.file, options.file.ends_with(".csv") ? csv_of(plot) : svg(plot));
-  for (const std::string& note : plot.notes) fmt::print("note: {}\n", note);
+  for (const std::string& note : plot.notes) fmt::print("note: {}\n", hal::printable(note));
   fmt::print("figure: {}\n", options.file);
   return kDone;
 }
@@ -195,7 +201,8 @@ int report(const ReportOptions& options) {
   }
   if (is_drawing || !options.figure.empty()) return report_figure(sources, options);
   if (options.file.empty()) {
-    fmt::print("{}", sim::report::report(sources, case_study(sources.runs)));
+    // Titles and notes as well as cells: names in them are the record's.
+    fmt::print("{}", hal::printable_lines(sim::report::report(sources, case_study(sources.runs))));
     return kDone;
   }
   write_output(options.file, sim::report::report_page(sources, case_study(sources.runs), page));

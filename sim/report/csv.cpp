@@ -2,8 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <charconv>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 
 #include "sim/campaign/schema.h"
 #include "sim/record/run_reader.h"
@@ -16,6 +19,36 @@ using record::Statement;
 using record::Table;
 
 constexpr std::string_view kLineEnd = "\r\n";
+
+/// A number, "-", or a unit: "m/s^2".
+bool is_harmless(std::string_view word) {
+  if (word == "-") return true;
+  double number = 0;
+  const std::size_t sign = word.starts_with('+') ? 1 : 0;  // from_chars() takes no plus
+  const char* const end = word.data() + word.size();
+  const auto [rest, error] = std::from_chars(word.data() + sign, end, number);
+  if (error != std::errc::invalid_argument && rest == end) return true;
+  // No digit but of a power: "A2" is a cell of a sheet.
+  for (std::size_t i = 0; i < word.size(); ++i) {
+    const char c = word[i];
+    const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    const bool is_power = c == '2' && i > 0 && word[i - 1] == '^';
+    if (!is_letter && !is_power && c != '/' && c != '^') return false;
+  }
+  return true;
+}
+
+bool may_be_formula(std::string_view text) {
+  if (text.empty() || std::string_view("=+-@\t\r\n").find(text.front()) == std::string_view::npos) {
+    return false;
+  }
+  while (!text.empty()) {
+    const std::size_t end = std::min(text.find(' '), text.size());
+    if (!is_harmless(text.substr(0, end))) return true;
+    text.remove_prefix(std::min(end + 1, text.size()));
+  }
+  return false;
+}
 
 std::string quoted(const std::string& text) {
   if (!text.empty() && text.find_first_of("\",\r\n") == std::string::npos) return text;
@@ -30,7 +63,7 @@ std::string quoted(const std::string& text) {
 std::string field_of(const Statement& query, int column) {
   if (query.is_null(column)) return "";
   if (query.is_real(column)) return fmt::format("{}", query.real(column));
-  return quoted(query.text(column));
+  return csv_text(query.text(column));
 }
 
 using Write = std::function<void(std::string_view)>;
@@ -65,6 +98,10 @@ void write_rows(Statement& query, const Table& table, const Write& write) {
 }
 
 }  // namespace
+
+std::string csv_text(std::string_view text) {
+  return quoted(may_be_formula(text) ? fmt::format("'{}", text) : std::string(text));
+}
 
 void write_csv(const std::filesystem::path& folder, std::string_view name, const Write& write) {
   const Table* const table = record::find_table(name);

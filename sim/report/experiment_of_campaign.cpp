@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include "sim/campaign/campaign_reader.h"
+#include "sim/campaign/schema.h"
 #include "sim/report/experiment.h"
 
 namespace sim::report {
@@ -16,7 +17,12 @@ std::map<int, std::size_t> read_points(CampaignReader& reader, Experiment& exper
   std::map<int, std::size_t> places;
   for (const campaign::PointRow& row : reader.points()) {
     places[row.point] = experiment.points.size();
-    if (experiment.points.empty()) experiment.scenario = row.scenario;
+    if (experiment.points.empty()) {
+      experiment.scenario = row.scenario;
+      experiment.scenario_place =
+          fmt::format("{}: table points, row {}",
+                      (reader.folder() / campaign::kCampaignDatabase).string(), row.point);
+    }
     Experiment::Point& point = experiment.points.emplace_back();
     for (const campaign::Level& level : row.levels) {
       point.levels.push_back({level.text.empty() ? "-" : level.text, level.number});
@@ -56,6 +62,14 @@ Quantities read_quantities(CampaignReader& reader, Experiment& experiment) {
   return quantities;
 }
 
+/// Of the row's observable. @throws std::runtime_error  it is not in the table observables
+const Experiment::Quantity& quantity_of(const record::Statement& row,
+                                        const Quantities& quantities) {
+  const auto found = quantities.find(row.integer(1));
+  if (found == quantities.end()) row.refuse(1, "not in the table observables");
+  return found->second;
+}
+
 void read_values(CampaignReader& reader, Experiment& experiment, const Places& runs,
                  const Quantities& quantities) {
   record::Statement values =
@@ -63,22 +77,23 @@ void read_values(CampaignReader& reader, Experiment& experiment, const Places& r
   while (values.next()) {
     const auto run = runs.find(values.integer(0));
     if (run == runs.end()) continue;
-    experiment.values[quantities.at(values.integer(1))][run->second] = values.real(2);
+    experiment.values[quantity_of(values, quantities)][run->second] = values.real(2);
   }
   record::Statement samples = reader.query(
-      "SELECT run, observable, at_s, value FROM series WHERE value IS NOT NULL ORDER BY run,"
+      "SELECT run, observable, at_s, value, rowid FROM series WHERE value IS NOT NULL ORDER BY run,"
       " observable, at_s");
   while (samples.next()) {
     const auto run = runs.find(samples.integer(0));
     if (run == runs.end()) continue;
-    experiment.courses[quantities.at(samples.integer(1))][run->second].emplace_back(
-        samples.real(2), samples.real(3));
+    experiment.courses[quantity_of(samples, quantities)][run->second].emplace_back(samples.real(2),
+                                                                                   samples.real(3));
   }
-  record::Statement bins = reader.query("SELECT run, observable, lower, upper, count FROM bins");
+  record::Statement bins =
+      reader.query("SELECT run, observable, lower, upper, count, rowid FROM bins");
   while (bins.next()) {
     const auto run = runs.find(bins.integer(0));
     if (run == runs.end()) continue;
-    experiment.bins[quantities.at(bins.integer(1))][run->second].push_back(
+    experiment.bins[quantity_of(bins, quantities)][run->second].push_back(
         {bins.real(2), bins.real(3), static_cast<std::uint64_t>(bins.integer(4))});
   }
 }

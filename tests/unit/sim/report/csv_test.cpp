@@ -23,20 +23,41 @@ std::string csv(const std::filesystem::path& folder, std::string_view table) {
 TEST(Csv, QuotesWhatNeedsItAndKeepsEveryBit) {
   const Folder folder("csv");
   make_result(folder.path(),
-              "INSERT INTO ends VALUES (2, 'a,b', 5, 'say \"hi\"'), (NULL, '', 6, 'two\r\nlines');"
+              "INSERT INTO ends VALUES (1, 'a,b', 5, 'say \"hi\"'), (NULL, '', 6, 'two\r\nlines');"
               "INSERT INTO agents VALUES (1, 'm0', 'mote', 'p', 0.1, 1e-300, 2.0);");
   EXPECT_EQ(csv(folder.path(), "ends"),
             "agent,state,after_ns,result\r\n"
-            "2,\"a,b\",5,\"say \"\"hi\"\"\"\r\n"
+            "1,\"a,b\",5,\"say \"\"hi\"\"\"\r\n"
             ",\"\",6,\"two\r\nlines\"\r\n");
   EXPECT_EQ(csv(folder.path(), "agents"),
             "agent,name,kind,program,x_m,y_m,theta_rad\r\n1,m0,mote,p,0.1,1e-300,2\r\n");
   EXPECT_EQ(csv(folder.path(), "links"), "a,b\r\n");
 }
 
+// OWASP, "CSV Injection"; what a record has of numbers as text stays as it is.
+TEST(Csv, ATextThatSpreadsheetsTakeForAFormulaIsMarked) {
+  for (const char* text :
+       {"=1+1", "+A1", "-2+3+cmd|' /C calc'!A0", "@SUM(A1)", "\tx", "-x", "-1 =1", "- A2"}) {
+    EXPECT_EQ(csv_text(text).find_first_not_of('"'), csv_text(text).find('\'')) << text;
+    EXPECT_NE(csv_text(text).find(text[0]), std::string::npos) << text;
+  }
+  for (const char* text : {"-85 dBm", "-0.5 - 0.31", "-", "+1.5e-3", "-9.81 m/s^2", "a=b", "m-1"}) {
+    EXPECT_EQ(csv_text(text), text);
+  }
+  EXPECT_EQ(csv_text("=HYPERLINK(\"x\",1)"), "\"'=HYPERLINK(\"\"x\"\",1)\"");
+  const Folder folder("formula");
+  make_result(folder.path(),
+              "INSERT INTO agents VALUES (1, '=1+1', 'mote', '-85 dBm', -0.5, -2, 0);");
+  EXPECT_EQ(csv(folder.path(), "agents"),
+            "agent,name,kind,program,x_m,y_m,theta_rad\r\n1,'=1+1,mote,-85 dBm,-0.5,-2,0\r\n");
+}
+
 TEST(Csv, ComesInTheOrderOfThePrimaryKey) {
   const Folder folder("order");
-  make_result(folder.path(), "INSERT INTO poses VALUES (2,1,0,0,0), (1,9,0,0,0), (1,3,0,0,0)");
+  make_result(
+      folder.path(),
+      "INSERT INTO agents VALUES (1, 'm0', 'mote', 'p', 0, 0, 0), (2, 'm1', 'mote', 'p', 0, "
+      "0, 0); INSERT INTO poses VALUES (2,1,0,0,0), (1,9,0,0,0), (1,3,0,0,0)");
   EXPECT_EQ(csv(folder.path(), "poses"),
             "agent,at_ns,x_m,y_m,theta_rad\r\n1,3,0,0,0\r\n1,9,0,0,0\r\n2,1,0,0,0\r\n");
 }
