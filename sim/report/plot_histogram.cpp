@@ -85,7 +85,9 @@ std::vector<BinCounts> binned(const std::vector<std::vector<double>>& samples) {
   std::vector<BinCounts> counts(samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i) {
     for (const double value : samples[i]) {
-      const auto bin = std::min(bins - 1, static_cast<std::size_t>((value - low) / width));
+      const double place = (value - low) / width;
+      const auto last = static_cast<double>(bins - 1);
+      const auto bin = static_cast<std::size_t>(place > 0 ? std::min(place, last) : 0);
       ++counts[i][{edge(bin), edge(bin + 1)}];
     }
   }

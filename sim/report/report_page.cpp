@@ -21,6 +21,9 @@ using Json = nlohmann::ordered_json;
 
 /// Time between the marks along a trajectory, s: as in Fig. 11 of the paper.
 constexpr double kTickPeriod = 30;
+/// More of them nobody can tell apart: of a run above 83 h their period is twice as long, and so
+/// on.
+constexpr double kMostTicks = 10'000;
 
 Json to_json(const std::optional<Quantiles>& q) {
   if (!q) return nullptr;
@@ -29,13 +32,15 @@ Json to_json(const std::optional<Quantiles>& q) {
 
 Json to_json(const RunResult::Place& place) { return {place.at, place.x, place.y}; }
 
-/// Where the robot was every 30 s until the run ended. Rows of a track are written only when the
-/// robot has moved, so the latest one before counts.
+/// Where the robot was every 30 s, or a long time, until the run ended. Rows of a track are written
+/// only when the robot has moved, so the latest one before counts.
 Json ticks_of(const std::vector<RunResult::Place>& track, double end) {
   Json ticks = Json::array();
   std::size_t row = 0;
-  for (int i = 0; i * kTickPeriod <= end && !track.empty(); ++i) {
-    const double at = i * kTickPeriod;
+  double period = kTickPeriod;
+  while (end / period > kMostTicks) period *= 2;
+  for (int i = 0; i * period <= end && !track.empty(); ++i) {
+    const double at = i * period;
     while (row + 1 < track.size() && track[row + 1].at <= at) ++row;
     ticks.push_back(to_json({.at = at, .x = track[row].x, .y = track[row].y}));
   }
@@ -150,7 +155,9 @@ Json link_verdicts_json(const Group& group) {
   for (std::size_t i = 0; i < agents.size(); ++i) place[agents[i].agent] = i;
   Json links = Json::array();
   for (const LinkSums& link : group.link_verdicts()) {
-    links.push_back({place.at(link.from), place.at(link.to), link.verdicts});
+    const auto from = place.find(link.from), to = place.find(link.to);
+    if (from == place.end() || to == place.end()) continue;  // of another run of the group
+    links.push_back({from->second, to->second, link.verdicts});
   }
   return links;
 }

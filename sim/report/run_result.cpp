@@ -104,7 +104,11 @@ void read_frame_verdicts(RunReader& reader, RunResult& run) {
       "SELECT peer, agent, verdict, SUM(count) FROM link_verdicts WHERE addressed"
       " GROUP BY 1, 2, 3 ORDER BY 1, 2, 3");
   while (links.next()) {
-    run.link_verdicts.push_back({.from = static_cast<int>(links.integer(0)),
+    const auto from = static_cast<int>(links.integer(0));
+    if (!std::ranges::binary_search(run.agents, from, {}, &RunResult::Agent::agent)) {
+      links.refuse(0, "no agent of this run");
+    }
+    run.link_verdicts.push_back({.from = from,
                                  .to = static_cast<int>(links.integer(1)),
                                  .verdict = links.text(2),
                                  .count = static_cast<std::uint64_t>(links.integer(3))});
@@ -127,8 +131,8 @@ void read_messages(RunReader& reader, RunResult& run) {
 
 void read_delivery_sums(RunReader& reader, RunResult& run) {
   Statement sums = reader.query(
-      "SELECT destination >= 65534, IFNULL(transmissions, 0), SUM(count), MIN(delay_least_ns)"
-      " FROM message_deliveries GROUP BY 1, 2");
+      "SELECT destination >= 65534, IFNULL(transmissions, 0) AS transmissions, SUM(count),"
+      " MIN(delay_least_ns) FROM message_deliveries GROUP BY 1, 2");
   while (sums.next()) {
     const auto number = static_cast<std::uint64_t>(sums.integer(2));
     if (sums.integer(0) != 0) {
@@ -167,7 +171,7 @@ void read_discoveries(RunReader& reader, RunResult& run) {
 
 void read_routing_events(RunReader& reader, RunResult& run) {
   Statement query = reader.query(
-      "SELECT event, SUM(n) FROM (SELECT event, count AS n FROM routing_events"
+      "SELECT event, SUM(n) AS count FROM (SELECT event, count AS n FROM routing_events"
       " UNION ALL SELECT word, 0 FROM countable WHERE family = 'routing.events')"
       " GROUP BY event ORDER BY event");
   while (query.next()) {
@@ -200,7 +204,8 @@ void read_air_topics(RunReader& reader, RunResult& run) {
 
 void read_air(RunReader& reader, RunResult& run) {
   Statement kinds = reader.query(
-      "SELECT purpose, kind, port, frames, retries, submessages + repeated, bits, airtime_ns"
+      "SELECT purpose, kind, port, frames, retries, submessages + repeated AS submessages, bits, "
+      "airtime_ns"
       " FROM air_kinds ORDER BY airtime_ns DESC, purpose, kind, port");
   while (kinds.next()) {
     RunResult::AirKind& kind = run.air_kinds.emplace_back();

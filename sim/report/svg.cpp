@@ -294,9 +294,11 @@ std::vector<double> ticks(double low, double high, int count) {
   const double power = hal::math::pow(10, std::floor(hal::math::log10(rough)));
   const double share = rough / power;
   const double step = power * (share < 1.5 ? 1 : share < 3.5 ? 2 : share < 7.5 ? 5 : 10);
+  if (!std::isfinite(step) || !(step > 0)) return {low, high};  // beyond what binary64 tells apart
   std::vector<double> values;
   const double first = std::ceil(low / step - 1e-9);
-  const auto steps = static_cast<int>(std::floor(high / step + 1e-9) - first);
+  const double room = std::floor(high / step + 1e-9) - first;
+  const auto steps = static_cast<int>(std::clamp(room, 0.0, 2.0 * count));
   for (int i = 0; i <= steps; ++i) values.push_back((first + i) * step);
   return values;
 }
