@@ -6,8 +6,7 @@
 #include <fstream>
 
 #include "gateway/exit_status.h"
-#include "sim/record/database.h"
-#include "sim/record/schema.h"
+#include "tests/unit/sim/record/test_run.h"
 
 namespace gateway {
 namespace {
@@ -21,12 +20,7 @@ class OnceTest : public testing::Test {
     fs::create_directories(folder_);
     std::ofstream(folder_ / "scenario.resolved.yaml")
         << "version: 1\nreport:\n  - plot: delay\nseed: 3\n";
-    using sim::record::Database;
-    Database database(folder_ / sim::record::kResultsFile, Database::Mode::kCreate);
-    database.execute(
-        "CREATE TABLE settings (key, value);"
-        "INSERT INTO settings VALUES ('--until', '60 s')");
-    database.execute("PRAGMA user_version = " + std::to_string(sim::record::kSchemaVersion));
+    sim::record::test::make_result(folder_, "INSERT INTO settings VALUES ('--until', '60 s')");
   }
   ~OnceTest() override { fs::remove_all(folder_); }
 
