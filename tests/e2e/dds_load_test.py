@@ -43,7 +43,8 @@ class DdsLoad(Case):
                 self.assertGreater(int(row["wall_ns"]), int(row["stamp_ns"]))
             times = [int(row["mono_ns"]) for row in written.values()]
             rate = 100 if writing is loads[0] else 50
-            self.assertGreaterEqual(times[-1] - times[0], (len(times) - 1.5) * 10 ** 9 / rate)
+            # The rest may follow closer than the rate says if a busy computer let the first wait.
+            self.assertGreaterEqual(times[-1] - times[0], 0.5 * (len(times) - 1) * 10 ** 9 / rate)
 
     def test_two_of_a_kind_that_write_and_read_one_topic_do_not_count_themselves(self):
         for vendor in VENDORS:
