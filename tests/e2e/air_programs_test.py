@@ -121,7 +121,7 @@ end: [{{at: 21 s, result: done}}]
         return goodput * self.LENGTH / 1498
 
     def received(self, factor, radio):
-        """Datagrams of iperf3 that arrived in 4 s of saturation, as bit/s."""
+        """Datagrams of iperf3 that arrived in 4 s of saturation, as bit/s, and the greatest lateness in s."""
         client = ["iperf3", "-c", "b", "-u", "-b", "0", "-l", str(self.LENGTH), "-t", "6"]
         scenario = self.scenario(
             station("a", 0, program("client", *client, start="500 ms")),
@@ -132,11 +132,15 @@ end: [{{at: 21 s, result: done}}]
         ((count,),) = self.query(
             "SELECT COUNT(*) FROM frames JOIN frame_ends USING (frame) WHERE bits > 12000 AND verdict = 'delivered' "
             "AND frame_ends.agent = 2 AND frames.at_ns BETWEEN 1500000000 AND 5500000000")
-        return count * self.LENGTH * 8 / 4
+        return count * self.LENGTH * 8 / 4, max(
+            float(finished[f"{edge}_lateness_max_s"]) for edge in ("entering", "leaving"))
 
     def check(self, factor, radio):
         expected = self.source(radio)
-        measured = self.received(factor, radio)
+        for _ in range(4):  # while a busy computer halts the run for longer, a queue of 20 frames runs dry
+            measured, late = self.received(factor, radio)
+            if late < 0.005:
+                break
         self.assertLess(abs(measured / expected - 1), 0.01, f"{measured} instead of {expected} bit/s")
 
     def test_saturating_11_mbit_s_it_gets_what_traffic_source_gets(self):
