@@ -99,8 +99,10 @@ void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
          [&options, from](const std::string& how) { options.controllers = from.at(how); },
          "spawn: start them (default); external: wait for them; in-process: load them")
       ->transform(hal::runtime::one_of({"spawn", "external", "in-process"}));
-  run->add_option("--max-speed", options.max_speed,
-                  "At most this many simulated seconds per second; changes nothing else")
+  run->add_option(
+         "--max-speed", options.max_speed,
+         "At most this many simulated seconds per second; changes nothing else; default: as "
+         "fast as it can, with --view 1")
       ->transform(plain_number(kLeastSpeed, kMostSpeed));
   CLI::Option* pace = run->add_option("--pace", options.pace,
                                       "lockstep: wait for controllers; realtime[:F]: follow the "

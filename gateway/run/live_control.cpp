@@ -62,7 +62,7 @@ hal::Result<std::int64_t> LiveControl::act(const view::Command& command) {
                     name(agent)));
   }
   if (!settings_.lockstep) {
-    return refusal("this run follows the clock: it can be watched only");
+    return refusal("this run keeps real time: it cannot be paused, stepped or slowed");
   }
   const std::lock_guard lock(mutex_);
   return std::visit(Overloaded{
@@ -122,9 +122,16 @@ view::Clock::Now LiveControl::now() const {
   return now_;
 }
 
+void LiveControl::keep() const {
+  const std::lock_guard lock(mutex_);
+  kept_at_ = clock_.now();
+}
+
 bool LiveControl::watched_within(hal::Duration time) const {
   const std::lock_guard lock(mutex_);
-  return asked_at_ && clock_.now() - *asked_at_ < time;
+  const hal::Time now = clock_.now();
+  const auto is_recent = [&](const std::optional<hal::Time>& at) { return at && now - *at < time; };
+  return is_recent(asked_at_) || is_recent(kept_at_);
 }
 
 void LiveControl::restart_pace() {
@@ -184,6 +191,8 @@ std::optional<hal::Duration> LiveControl::hold(hal::Time next) {
   {
     const std::lock_guard lock(mutex_);
     reach(next);
+    // What came before, such as controllers that start, is no part of its time.
+    if (!std::exchange(has_begun_, true)) restart_pace();
     is_stale = is_to_refresh(wall);
     wait = wait_left(wall);
   }

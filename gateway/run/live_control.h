@@ -46,11 +46,12 @@ class LiveControl final : public view::RunControl,
 
   hal::Result<std::int64_t> act(const view::Command& command) override;
   Now now() const override;
+  void keep() const override;
 
   /// Before the events of `next`. @return how long to wait before asking again; none: go on.
   std::optional<hal::Duration> hold(hal::Time next);
 
-  /// Whether somebody has asked for now() within that time.
+  /// Whether a page was open, or somebody asked for now(), within that time.
   bool watched_within(hal::Duration time) const;
 
   /// The run has ended like this.
@@ -104,7 +105,9 @@ class LiveControl final : public view::RunControl,
   std::int64_t last_break_ = 0;
   /// The pace counts from here: simulated and wall.
   hal::Time next_{}, paced_from_{}, paced_since_{};
+  bool has_begun_ = false;
   mutable std::optional<hal::Time> asked_at_;  ///< now(), the last time; by the wall clock.
+  mutable std::optional<hal::Time> kept_at_;   ///< keep(), likewise.
 };
 
 }  // namespace gateway

@@ -43,7 +43,7 @@ void LiveView::start(const std::filesystem::path& folder) {
 void LiveView::end(const sim::agents::Outcome& outcome) {
   control_.end(outcome.ended_at, outcome.result);
   if (control_.watched_within(3s)) {
-    fmt::print(stderr, "view: the run has ended, a page still shows it; Ctrl-C ends this\n");
+    fmt::print(stderr, "view: the run has ended; served until its pages are closed, or Ctrl-C\n");
   }
   while (control_.watched_within(3s) && !interrupted()) std::this_thread::sleep_for(50ms);
   server_->stop();

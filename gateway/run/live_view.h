@@ -27,7 +27,7 @@ struct LiveViewOptions {
 ///   pace settings: .hold = [&](auto next) { return view.control().hold(next); }
 ///   view.start(folder);       // its record has begun
 ///   …run…
-///   view.end(outcome);        // stays as long as a page looks
+///   view.end(outcome);        // stays as long as a page is open
 class LiveView {
  public:
   struct Settings {
@@ -48,8 +48,8 @@ class LiveView {
   /// @throws UsageError  the port is taken.
   void start(const std::filesystem::path& folder);
 
-  /// The run has ended and its record is written: waits until no page has asked for some seconds,
-  /// or somebody wants to go, then ends the server.
+  /// The run has ended and its record is written: waits until no page has been open for some
+  /// seconds, or somebody wants to go, then ends the server.
   void end(const sim::agents::Outcome& outcome);
 
  private:

@@ -205,12 +205,15 @@ std::optional<StartInside> starter_in(NetworkOfRun* network) {
   return std::optional<StartInside>(std::in_place, *network);
 }
 
+/// Simulated seconds per second of a run that somebody looks at, unless they say otherwise.
+constexpr double kLookedAtSpeed = 1;
+
 LiveView::Settings live_view_of(const RunOptions& options, const Course& course,
                                 RunInspection& inspection, Results& results) {
   return {
       .options = options.view,
       .lockstep = !course.factor(),
-      .max_speed = std::isfinite(options.max_speed) ? options.max_speed : 0,
+      .max_speed = std::isfinite(options.max_speed) ? options.max_speed : kLookedAtSpeed,
       .commit = [&results] { results.commit(); },
       .drive = [&inspection](hal::AgentId agent,
                              const hal::Twist2& twist) { return inspection.drive(agent, twist); }};
@@ -265,6 +268,10 @@ int run(const RunOptions& options, const Scenario& scenario, const Course& cours
   pace.emplace(pace_of(options, controllers.processes(), results, view.get()));
   results.begin(simulation);
   if (view) view->start(results.folder().path());
+  if (view && !course.factor() && !std::isfinite(options.max_speed)) {
+    fmt::print(stderr,
+               "view: it plays at real time; --max-speed F, or the page, makes it faster\n");
+  }
   say_open_loop(course, results);
   inspection.set_ledger(results.ledger());
 

@@ -73,6 +73,8 @@ class Clock {
   };
   virtual ~Clock() = default;
   virtual Now now() const = 0;
+  /// A page is open, whether somebody sees it or not: it says so once a second until it is closed.
+  virtual void keep() const = 0;
 };
 
 }  // namespace gateway::view

@@ -76,7 +76,8 @@ Json missing_json(const RecordSettings& settings) {
   if (word(settings, "routes") != "all") say("routes and queues", "record: {routes: all}");
   const std::string readings = word(settings, "readings");
   if (readings == "ranges") {
-    say("readings of sensors that measure no ranges", "record: {readings: all}");
+    say("readings of sensors that measure no ranges, and scans of more than 32 rays",
+        "record: {readings: all}");
   } else if (readings != "all") {
     say("readings of sensors", "record: {readings: all}");
   }

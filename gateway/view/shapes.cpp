@@ -94,6 +94,14 @@ Hull hull_of(const RobotDescription& robot) {
   return hull;
 }
 
+Hull hull_of(const MoteDescription& mote) {
+  Hull hull;
+  hull.add(std::hypot(mote.size.x, mote.size.y) / 2, mote.size.z);
+  return hull;
+}
+
+Hull hull_of(const sim::agents::Station&) { return {}; }
+
 Json to_json(const std::string& model, const Hull& hull, const Json& cylinders, const Json& boxes,
              const Json& wheels) {
   return JsonObject()
@@ -113,10 +121,8 @@ Json shape_of(const RobotDescription& robot) {
 
 Json shape_of(const MoteDescription& mote) {
   const BodyBox box{.size = mote.size, .centre = {0, 0, mote.size.z / 2}};
-  Hull hull;
-  hull.add(std::hypot(mote.size.x, mote.size.y) / 2, mote.size.z);
-  return to_json(mote.model, hull, JsonArray().json(), JsonArray().add(box_json(box)).json(),
-                 JsonArray().json());
+  return to_json(mote.model, hull_of(mote), JsonArray().json(),
+                 JsonArray().add(box_json(box)).json(), JsonArray().json());
 }
 
 Json shape_of(const sim::agents::Station&) { return {"null"}; }
@@ -125,6 +131,10 @@ Json shape_of(const sim::agents::Station&) { return {"null"}; }
 
 Json shape_json(const sim::agents::AgentConfig& agent) {
   return std::visit([](const auto& body) { return shape_of(body); }, agent.body);
+}
+
+double body_radius(const sim::agents::AgentConfig& agent) {
+  return std::visit([](const auto& body) { return hull_of(body).radius; }, agent.body);
 }
 
 Json infrared_json(const sim::agents::AgentConfig& agent) {

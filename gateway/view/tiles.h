@@ -30,8 +30,7 @@ bool is_complete(std::string_view tile);
 inline constexpr std::array<std::string_view, 8> kKinds = {
     "poses", "frames", "messages", "states", "events", "readings", "queues", "log"};
 
-/// What each kind of tile has is said in docs/view.md. A record that has not the tables, because
-/// nobody asked for them, has no rows.
+/// A record that has not the tables, because nobody asked for them, has no rows.
 std::string poses_tile(Record& record, const Span& span);
 std::string frames_tile(Record& record, FrameDensity& density, const Span& span);
 std::string messages_tile(Record& record, MessageIndex& index, const Span& span);

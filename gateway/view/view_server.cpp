@@ -215,6 +215,10 @@ void ViewServer::Http::get(const std::string& path, httplib::Response& response)
   if (path == "/api/clock" && clock_ != nullptr) {
     return send(response, text_of(clock_->now()), "application/json");
   }
+  if (path == "/api/open") {
+    if (clock_ != nullptr) clock_->keep();
+    return send(response, "{}", "application/json");
+  }
   if (auto text = api_.get(path)) return send(response, std::move(*text), "application/json");
   send_error(response, 404, "there is nothing of that address");
 }

@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 
+#include "gateway/view/channels.h"
 #include "gateway/view/json_text.h"
 #include "gateway/view/radio_range.h"
 #include "gateway/view/recorded.h"
@@ -31,6 +32,14 @@ class Bounds {
     y0_ = std::min(y0_, y - around);
     y1_ = std::max(y1_, y + around);
   }
+  /// A rectangle turned by `yaw`: its corners.
+  void add_turned(const sim::physics::StaticBox& box) {
+    const double c = std::abs(std::cos(box.yaw)), s = std::abs(std::sin(box.yaw));
+    const double x = (c * box.size.x + s * box.size.y) / 2,
+                 y = (s * box.size.x + c * box.size.y) / 2;
+    add(box.centre.x - x, box.centre.y - y);
+    add(box.centre.x + x, box.centre.y + y);
+  }
   Json json() const {
     return JsonObject().add("x0", x0_).add("x1", x1_).add("y0", y0_).add("y1", y1_).json();
   }
@@ -40,24 +49,25 @@ class Bounds {
   double x0_ = kFar, x1_ = -kFar, y0_ = kFar, y1_ = -kFar;
 };
 
-/// Shapes by name: agents of one model that look alike share one.
-class Shapes {
+/// Descriptions by name: agents of which the same is told share one.
+class Shared {
  public:
-  /// @return its name; none: the agent has no body.
-  std::optional<std::string> add(const AgentConfig& agent) {
-    const Json shape = shape_json(agent);
-    if (shape.text == "null") return std::nullopt;
-    const auto known = names_.find(shape.text);
+  explicit Shared(const char* kind) : kind_(kind) {}
+  /// @return its name; none: there is nothing to tell.
+  std::optional<std::string> add(const Json& what) {
+    if (what.text == "null" || what.text == "[]") return std::nullopt;
+    const auto known = names_.find(what.text);
     if (known != names_.end()) return known->second;
-    std::string name = fmt::format("shape{}", names_.size());
-    shapes_.add(name, shape);
-    return names_[shape.text] = std::move(name);
+    std::string name = fmt::format("{}{}", kind_, names_.size());
+    all_.add(name, what);
+    return names_[what.text] = std::move(name);
   }
-  Json json() const { return shapes_.json(); }
+  Json json() const { return all_.json(); }
 
  private:
+  const char* kind_;
   std::map<std::string, std::string> names_;
-  JsonObject shapes_;
+  JsonObject all_;
 };
 
 Json parameters_json(const AgentConfig& agent) {
@@ -78,15 +88,15 @@ std::string_view kind_name(const AgentConfig& agent) {
 }
 
 struct Standing {
-  Json agents, shapes;
+  Json agents, shapes, channels;
 };
 
 /// As the scenario has them.
 Standing agents_of(const Scenario& scenario, Bounds& bounds) {
-  Shapes shapes;
+  Shared shapes("shape"), channels("channels");
   JsonArray agents;
   for (const AgentConfig& one : scenario.simulation.agents) {
-    bounds.add(one.pose.x, one.pose.y);
+    bounds.add(one.pose.x, one.pose.y, body_radius(one));
     agents.add(JsonObject()
                    .add("agent", one.id.value)
                    .add("name", one.name)
@@ -95,13 +105,14 @@ Standing agents_of(const Scenario& scenario, Bounds& bounds) {
                    .add("x", one.pose.x)
                    .add("y", one.pose.y)
                    .add("theta", one.pose.theta)
-                   .add("shape", shapes.add(one))
+                   .add("shape", shapes.add(shape_json(one)))
+                   .add("channels", channels.add(channels_json(one)))
                    .add("range_m", radio_range(scenario.simulation, one))
                    .add("parameters", parameters_json(one))
                    .add("infrared", infrared_json(one))
                    .json());
   }
-  return {agents.json(), shapes.json()};
+  return {agents.json(), shapes.json(), channels.json()};
 }
 
 /// As the record has them, if the scenario cannot be read any more.
@@ -120,12 +131,13 @@ Standing agents_of(Record& record, Bounds& bounds) {
                    .add("y", row.real(5))
                    .add("theta", row.real(6))
                    .add("shape", std::nullopt)
+                   .add("channels", std::nullopt)
                    .add("range_m", std::nullopt)
                    .add("parameters", Json{"{}"})
                    .add("infrared", Json{"[]"})
                    .json());
   }
-  return {agents.json(), {"{}"}};
+  return {agents.json(), {"{}"}, {"{}"}};
 }
 
 Json wall_json(const sim::physics::StaticBox& wall) {
@@ -143,7 +155,7 @@ Json wall_json(const sim::physics::StaticBox& wall) {
 Json walls_of(const Scenario& scenario, Bounds& bounds) {
   JsonArray walls;
   for (const auto& wall : scenario.simulation.walls) {
-    bounds.add(wall.centre.x, wall.centre.y, std::hypot(wall.size.x, wall.size.y) / 2);
+    bounds.add_turned(wall);
     walls.add(wall_json(wall));
   }
   return walls.json();
@@ -154,11 +166,12 @@ Json walls_of(Record& record, Bounds& bounds) {
   JsonArray walls;
   Statement row = record.query("SELECT name, x_m, y_m, yaw_rad, size_x_m, size_y_m FROM walls");
   while (row.next()) {
-    bounds.add(row.real(1), row.real(2), std::hypot(row.real(4), row.real(5)) / 2);
-    walls.add(wall_json({.name = row.text(0),
-                         .centre = {row.real(1), row.real(2), kDrawnHeight / 2},
-                         .size = {row.real(4), row.real(5), kDrawnHeight},
-                         .yaw = row.real(3)}));
+    const sim::physics::StaticBox wall{.name = row.text(0),
+                                       .centre = {row.real(1), row.real(2), kDrawnHeight / 2},
+                                       .size = {row.real(4), row.real(5), kDrawnHeight},
+                                       .yaw = row.real(3)};
+    bounds.add_turned(wall);
+    walls.add(wall_json(wall));
   }
   return walls.json();
 }
@@ -224,7 +237,8 @@ void add_run(JsonObject& world, Record& record, const std::vector<std::string>& 
       .add("control_period", std::llround(1e9 * period_s))
       .add("links", links_of(record))
       .add("series", SeriesStore::list(record))
-      .add("states", texts_of(record, "SELECT DISTINCT state FROM states ORDER BY 1"))
+      .add("states",
+           texts_of(record, "SELECT state FROM states GROUP BY state ORDER BY MIN(rowid)"))
       .add("topics", texts_of(record,
                               "SELECT topic FROM messages UNION SELECT topic FROM "
                               "counted_ends ORDER BY 1"))
@@ -274,6 +288,7 @@ std::string world_json(Record* record, const Scenario* scenario, const std::stri
   }
   return world.add("agents", standing.agents)
       .add("shapes", standing.shapes)
+      .add("channels", standing.channels)
       .add("walls", walls)
       .add("bounds", bounds.json())
       .json()

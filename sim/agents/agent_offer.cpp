@@ -19,15 +19,25 @@ void add_robot(const RobotDescription& robot, hal::exchange::AgentSession& sessi
   session.limits = {.body_to_wheel = drive.body_to_wheel(),
                     .wheel_to_body = drive.restrictions(),
                     .wheel_speed = drive.max_wheel_speed()};
-  session.channels.push_back(devices::odometry_channel());
-  if (!robot.infrared.empty()) {
-    const hal::Duration period = robot.infrared.front().hold_period;
-    std::ranges::copy(devices::infrared_channels(robot.infrared, period),
-                      std::back_inserter(session.channels));
-  }
+}
+
+void add_channels(const RobotDescription& robot, std::vector<hal::Channel>& channels) {
+  channels.push_back(devices::odometry_channel());
+  if (robot.infrared.empty()) return;
+  const hal::Duration period = robot.infrared.front().hold_period;
+  std::ranges::copy(devices::infrared_channels(robot.infrared, period),
+                    std::back_inserter(channels));
 }
 
 }  // namespace
+
+std::vector<hal::Channel> channels_of(const AgentConfig& agent) {
+  std::vector<hal::Channel> channels{devices::localisation_channel()};
+  const auto* robot = std::get_if<RobotDescription>(&agent.body);
+  if (robot != nullptr) add_channels(*robot, channels);
+  std::ranges::copy(devices::sensor_channels(sensors_of(agent)), std::back_inserter(channels));
+  return channels;
+}
 
 hal::exchange::AgentOffer offer_of(const AgentConfig& agent, const SimulationConfig& config) {
   hal::exchange::AgentOffer offer;
@@ -38,13 +48,11 @@ hal::exchange::AgentOffer offer_of(const AgentConfig& agent, const SimulationCon
                    .seed = config.seed,
                    .control_period = config.control_period,
                    .parameters = agent.parameters,
-                   .channels = {devices::localisation_channel()},
+                   .channels = channels_of(agent),
                    .limits = {},
                    .air_interface = agent.inside ? kAirInterface : ""};
   const auto* robot = std::get_if<RobotDescription>(&agent.body);
   if (robot != nullptr) add_robot(*robot, offer.session);
-  std::ranges::copy(devices::sensor_channels(sensors_of(agent)),
-                    std::back_inserter(offer.session.channels));
   return offer;
 }
 

@@ -41,6 +41,8 @@ class RecordedCommands final : public RunControl {
 
 struct StoppedClock final : Clock {
   Now now() const override { return {.now = 5, .until = 4, .paused = true, .stopped_by = "r0"}; }
+  void keep() const override { ++kept; }
+  mutable std::atomic<int> kept = 0;
 };
 
 class ViewServerTest : public testing::Test {
@@ -176,6 +178,14 @@ TEST_F(ViewServerTest, TheClockOfALiveRunIsToldAtOnce) {
   start(&control);
   EXPECT_NE(get("/api/clock").find(R"({"now":5,"until":4,"can_hold":true,"paused":true)"),
             std::string::npos);
+}
+
+TEST_F(ViewServerTest, APageSaysThatItIsOpen) {
+  start(&control);
+  EXPECT_EQ(status_of(get("/api/open")), 200);
+  EXPECT_EQ(clock.kept, 1);
+  EXPECT_EQ(status_of(get("/api/open", "")), 403);  // without the token
+  EXPECT_EQ(clock.kept, 1);
 }
 
 TEST_F(ViewServerTest, ManyTabsAtOnceAreAllAnsweredSoon) {
