@@ -47,7 +47,7 @@ def said(process, stream):
 
 def live(folder):
     def run(shown, looked):
-        extra = ("--view", "--no-open") if shown else ()
+        extra = ("--view", "--no-open", "--max-speed", "1e9") if shown else ()
         program = Program("baraka", "run", MANY, "--until", "1800", *COMMON, "--out", folder / "live", *extra)
         if shown:
             address = said(program.process, "stderr")

@@ -111,6 +111,8 @@ class Controls(Case):
         self.assertGreater(len(sends), 1)
 
     def live(self, *arguments):
+        if "--pace" not in arguments and "--max-speed" not in arguments:
+            arguments = *arguments, "--max-speed", "1e9"
         run = self.start(*arguments, "--view", "--no-open")
         address = next(found.group(1) for line in run.process.stderr if (found := re.match(r"view: (\S+)", line)))
         self.tab.open(address)
@@ -171,13 +173,13 @@ class Controls(Case):
         # Nobody else may hold it: it follows the clock.
         tab.run("document.activeElement.blur()")
         tab.key(" ")
-        wait_for(lambda: "watched only" in tab.panel())
+        wait_for(lambda: "keeps real time" in tab.panel())
         send(run.process.pid, "SIGINT")
         self.assertEqual(run.finish().status, 130)
 
     def place(self):
         """What the panel says of the robot's true pose [m, m, degrees]."""
-        found = re.search(r"true pose\s+(\S+) m, (\S+) m, (\S+)°", self.tab.panel())
+        found = re.search(r"true pose\s+x (\S+) m, y (\S+) m, (\S+)°", self.tab.panel())
         return tuple(float(value) for value in found.groups())
 
     def rests(self):

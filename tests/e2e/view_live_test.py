@@ -17,6 +17,7 @@ import urllib.request
 from baraka import BIN, CASE_STUDY, Case, send
 
 UNTIL = 130  # s
+FULL = "1e9"  # simulated s per s: as fast as it can
 
 
 class Page:
@@ -66,6 +67,8 @@ class LiveView(Case):
         return self.viewed(CASE_STUDY, *self.COMMON, *arguments)
 
     def viewed(self, *arguments):
+        if "--pace" not in arguments and "--max-speed" not in arguments:
+            arguments = *arguments, "--max-speed", FULL
         run = self.start(*arguments, "--view", "--no-open")
         for line in run.process.stderr:
             found = re.match(r"view: (\S+)", line)
@@ -220,6 +223,44 @@ class LiveView(Case):
         page.post("resume")
         run.finish()
 
+    def test_it_begins_at_real_time(self):
+        run = self.start(CASE_STUDY, "--controllers", "in-process", "--until", "600", "--no-inspect", "--view", "--no-open")
+        address, told = None, ""
+        for line in run.process.stderr:
+            told += line
+            if (found := re.match(r"view: (http\S+)", line)):
+                address = found.group(1)
+            elif "--max-speed" in line:
+                break
+        self.assertIn("plays at real time", told)
+        page = Page(address)
+        now = page.until(lambda now: now["now"] > 0)
+        self.assertEqual(now["speed"], 1)
+        began, first = time.monotonic(), now["now"]
+        time.sleep(2)
+        simulated = 1e-9 * (page.now()["now"] - first)
+        self.assertLess(simulated, time.monotonic() - began + 0.5)
+        send(run.process.pid, "SIGINT")
+        self.assertEqual(run.finish().status, 130)
+
+    def test_another_speed_to_begin_with(self):
+        run, page = self.shown("--paused", "--max-speed", "7.5")
+        self.assertEqual(page.now()["speed"], 7.5)
+        page.post("speed", factor=0)
+        page.post("resume")
+        self.ends_as_alone(run)
+
+    def test_it_stays_as_long_as_a_page_is_open(self):
+        """A page that nobody sees says that it is open, and asks for nothing else."""
+        run, page = self.shown()
+        page.until(lambda now: now["ended"])
+        for _ in range(7):
+            page.get("/api/open")
+            time.sleep(1)
+        self.assertIsNone(run.process.poll())
+        self.assertTrue(page.now()["ended"])
+        self.ends_as_alone(run)
+
     def test_interrupted_while_it_is_paused(self):
         run, page = self.shown("--paused")
         page.now()
@@ -249,7 +290,7 @@ class LiveView(Case):
         self.assertFalse(page.now()["can_hold"])
         with self.assertRaises(urllib.error.HTTPError) as refused:
             page.post("pause")
-        self.assertIn("watched only", json.loads(refused.exception.read())["error"])
+        self.assertIn("keeps real time", json.loads(refused.exception.read())["error"])
         run.finish()
 
 

@@ -5,6 +5,7 @@ import { exact, span, timeOf, zoomed } from "./time/scale.js";
 import { bookmark } from "./store.js";
 
 export const speeds = [1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 0.1, 0.5, 1, 2, 5, 10, 20, 50, 100];
+const fastest = 1e4; //  simulated s per s beyond which a live run is said to go as fast as it can
 const nearest = (speed) => speeds.reduce((best, one, i) => (Math.abs(Math.log(one / speed)) < Math.abs(Math.log(speeds[best] / speed)) ? i : best), 0);
 // Drawn, not written: not every system's fonts have these signs.
 const icons = {
@@ -19,7 +20,7 @@ export const speedText = (speed) => (speed >= 1 ? `${speed}×` : `${span(speed *
 function speedIndex(store, source) {
   const { speed, live } = store.state;
   if (!leads(store, source)) return nearest(speed);
-  return live.speed > 0 ? nearest(live.speed) : speeds.length;
+  return live.speed > 0 && live.speed <= fastest ? nearest(live.speed) : speeds.length;
 }
 
 /** What buttons and keys do. */
@@ -123,12 +124,12 @@ export function controls(element, store, source) {
   const zoom = group();
   button("−", "zoom out (-)", () => act.zoom(2), zoom);
   button("+", "zoom in (+)", () => act.zoom(0.5), zoom);
-  button("all", "the whole run (a)", act.all, zoom);
+  button("all", "the whole run on the axis (a)", act.all, zoom);
   button("µs", "close to this instant (u)", act.close, zoom);
   const clock = clockField(element, store, act);
-  const copy = button("link", "copy a link to this view (l)", async () => {
-    try { await act.link(); copy.textContent = "copied"; } catch { copy.textContent = "see the address"; }
-    setTimeout(() => { copy.textContent = "link"; }, 1500);
+  const copy = button("copy URL", "copy the address of this view (l)", async () => {
+    try { await act.link(); copy.textContent = "copied"; } catch { copy.textContent = "it is in the address bar"; }
+    setTimeout(() => { copy.textContent = "copy URL"; }, 1500);
   }, element);
   copy.className = "copy"; //  the key l presses it too
   const help = button("?", "keys (?)", () => store.set({ help: !store.state.help }), element);

@@ -2,10 +2,18 @@
 import { ask, token } from "./server.js";
 
 const often = 5000; //  ms between two looks at what a run has named
+const soon = 300; //    ms, if the page has seen a state that it was not told of
 const pause = 200; //   ms between an answer of the run's clock and the next question
+const beat = 1000; //   ms between two words that the page is open
+const silent = 3; //    of them without an answer: the server has ended
+const slow = 20; //     simulated s per s up to which the page moves smoothly between two looks
+const lag = 0.6; //     s that it is behind then, as the run shows its record twice a second
+
+/** Whether the run cannot go on: it has ended, or its server has. */
+const isOver = ({ live }) => Boolean(live?.ended || live?.gone);
 
 /** Whether this page may hold and step the run. */
-export const isLed = (store) => Boolean(store.state.live?.canCommand && store.state.live.can_hold !== false && !store.state.live.ended);
+export const isLed = (store) => Boolean(store.state.live?.canCommand && store.state.live.can_hold !== false && !isOver(store.state));
 
 async function command(store, body) {
   const response = await ask("/api/control", {
@@ -29,8 +37,40 @@ export async function clearBreak(store, id) {
   store.set({ live: { ...store.state.live, breaks: store.state.live.breaks.filter((one) => one.id !== id) } });
 }
 
-/** Whether what is shown is the run's own present. */
-export const isPresent = (store, source) => store.state.t >= source.end - 1;
+/** Whether what is shown is the run's own present, or on the way to it. */
+export const isPresent = (store, source) => store.state.t >= source.end - 1 || (!isOver(store.state) && store.state.live?.shown === store.state.t);
+
+/**
+ * The time to be shown of a run that is gone along with [ns], `passed` s after `t` was: it moves as fast as the run
+ * does, a little faster or slower to stay `lag` behind what has been recorded.
+ * @param speed  simulated s per s; 0: as fast as it can
+ */
+export function alongWith(t, end, { speed, paused }, passed) {
+  const behind = (end - t) / 1e9;
+  if (!(speed > 0) || speed > slow || paused || behind > 4 * lag * speed) return end;
+  const rate = speed * Math.min(2, Math.max(0.5, behind / (lag * speed)));
+  return Math.min(end, Math.round(t + passed * rate * 1e9));
+}
+
+// Whoever has the page open says so, hidden or not, and hears of the end of the server; by a worker, for browsers
+// let the clocks of hidden pages go slowly.
+const worker = `onmessage = ({ data: { url, headers, beat } }) => {
+  let missed = 0;
+  const say = async () => {
+    let heard = false;
+    try { heard = (await fetch(url, { cache: "no-store", headers })).ok; } catch { /* told below */ }
+    missed = heard ? 0 : missed + 1;
+    postMessage(missed);
+    setTimeout(say, beat);
+  };
+  say();
+};`;
+
+function sayOpen(onAnswer) {
+  const speaker = new Worker(URL.createObjectURL(new Blob([worker], { type: "text/javascript" })));
+  speaker.onmessage = ({ data: missed }) => onAnswer(missed);
+  speaker.postMessage({ url: new URL("/api/open", location.href).href, headers: token() === null ? {} : { "X-Baraka-Token": token() }, beat });
+}
 /** Whether play, steps and speed are the run's: who looks back plays the record. */
 export const leads = (store, source) => isLed(store) && isPresent(store, source);
 
@@ -50,12 +90,13 @@ export function live(store, source) {
     for (const run of source.runs) {
       const response = await ask(`/api/runs/${run.index}/world`).catch(() => null);
       if (!response?.ok) continue;
-      const { states, topics, series, result, fingerprint } = await response.json();
-      Object.assign(run.world, { states, topics, series, result, fingerprint });
+      const { states, topics, series, result, fingerprint, bounds } = await response.json();
+      Object.assign(run.world, { states, topics, series, result, fingerprint, bounds, isBehind: false });
       source.touch();
     }
   }
 
+  const go = (t) => store.set({ t, playing: false, live: { ...store.state.live, shown: t } });
   const heard = (said) => {
     const wasPaused = store.state.live.paused;
     const atEnd = isPresent(store, source);
@@ -63,9 +104,11 @@ export function live(store, source) {
     const breaks = store.state.live.breaks.filter((one) => one.on !== "time" || one.at > said.now);
     store.set({ live: { ...store.state.live, ...said, stoppedBy: said.stopped_by, breaks } });
     // The page goes along with the run until somebody looks back.
-    if (atEnd) store.set({ t: source.end, playing: false });
+    if (atEnd) go(alongWith(store.state.t, source.end, { speed: said.speed, paused: said.paused || said.ended }, 0));
     const stopped = said.paused && !wasPaused;
-    if (stopped || said.ended || performance.now() - namedAt > often) readNames(performance.now());
+    const since = performance.now() - namedAt;
+    const isBehind = source.runs.some(({ world }) => world.isBehind) && since > soon;
+    if (stopped || said.ended || isBehind || since > often) readNames(performance.now());
   };
   const look = async () => {
     timer = null;
@@ -87,5 +130,20 @@ export function live(store, source) {
   // A tab that nobody sees asks for nothing.
   document.addEventListener("visibilitychange", () => (document.hidden ? close() : open()));
   open();
-  return {};
+  sayOpen((missed) => {
+    const gone = missed >= silent;
+    if (gone !== Boolean(store.state.live.gone)) store.set({ live: { ...store.state.live, gone } });
+  });
+  let movedAt = 0;
+  return {
+    /** Goes along with the run between two looks. @return whether it moved */
+    goAlong(now) {
+      const passed = Math.min(0.25, (now - movedAt) / 1000);
+      movedAt = now;
+      const { t, live: run, playing } = store.state;
+      if (playing || isOver(store.state) || t >= source.end || !isPresent(store, source)) return false;
+      go(alongWith(t, source.end, run, passed));
+      return true;
+    },
+  };
 }

@@ -3,7 +3,7 @@ import { forgetColours } from "./colours.js";
 import { controls } from "./controls.js";
 import { inspector } from "./inspector/inspector.js";
 import { keys } from "./keys.js";
-import { live } from "./live.js";
+import { isLed, live, togglePause } from "./live.js";
 import { hasGraphicsCard } from "./paper.js";
 import { takeToken } from "./server.js";
 import { openSource } from "./source.js";
@@ -13,21 +13,24 @@ import { world } from "./world/world.js";
 
 const element = (id) => document.getElementById(id);
 const say = (text) => { const notice = element("notice"); notice.textContent = text; notice.hidden = !text; };
+element("notice").addEventListener("click", () => say(""));
 
 async function main() {
   if (location.protocol !== "file:") takeToken();
   const store = createStore(startOf(location.hash));
   let dirty = true;
   const source = await openSource(() => { dirty = true; }, (error) => say(error.message));
+  const most = Math.max(...source.runs.map((run) => run.world.agents.length));
+  store.set({ ...unmarked(most), ...startOf(location.hash) });
   document.title = `${source.runs.map((run) => run.title).join(", ")} - BARAKA view`;
 
+  const alive = live(store, source);
   const parts = [
     world(element("world"), store, source),
     lanes(element("lanes"), store, source),
     inspector(element("inspector"), store, source),
     controls(element("controls"), store, source),
     keys(store, source),
-    live(store, source),
   ].filter(Boolean);
 
   const theme = () => {
@@ -64,7 +67,7 @@ async function main() {
     if (location.hash === written) return;
     takeToken();
     written = location.hash;
-    store.set({ ...unmarked(), ...startOf(location.hash) });
+    store.set({ ...unmarked(most), ...startOf(location.hash) });
   });
 
   let last = performance.now();
@@ -95,10 +98,18 @@ async function main() {
       // A tab that was hidden goes on where it was. What is live never runs ahead of its record.
       const next = Math.min(source.end, t + Math.min(now - last, 250) * 1e6 * speed);
       ticking = true;
-      store.set({ t: next, playing: next < source.end || Boolean(store.state.live && !store.state.live.ended) });
+      store.set({ t: next, playing: next < source.end || Boolean(store.state.live && !store.state.live.ended && !store.state.live.gone) });
       ticking = false;
+      // What was looked back at has been played: the run itself goes on.
+      if (next >= source.end && isLed(store)) {
+        store.set({ playing: false });
+        if (store.state.live.paused) togglePause(store);
+      }
     }
     last = now;
+    ticking = true;
+    const moved = Boolean(alive.goAlong?.(now));
+    ticking = false;
     write(now);
     const busy = parts.some((part) => part.animates?.(now));
     if (!dirty && !busy && !playing) return;
@@ -110,7 +121,7 @@ async function main() {
     drawnAt = now;
     dirty = false;
     parts[0].draw(now);
-    drawBeside(now, playing);
+    drawBeside(now, playing || moved);
     if (now - recent[recent.length - 1] > 1000) recent.length = 0; //  nothing was to be drawn
     recent.push(now);
     if (recent.length > 120) recent.shift();
@@ -129,6 +140,7 @@ async function main() {
     project: (x, y, run = 0) => view.project(x, y, run),
     arrows: (run = store.state.run) => view.arrows(run),
     hops: () => view.hops(),
+    seen: (run = store.state.run) => view.hits(run),
     idle: async () => {
       await source.idle();
       dirty = true;

@@ -24,10 +24,12 @@ const fresh = () => ({
   live: null, //              what the server last said of a live run, see live.js
 });
 
-/** What a bookmark that tells nothing is of. */
-export const unmarked = () => {
+const few = 20; //  agents up to which the world is seen in 3-D at first: more are told apart on a map
+
+/** What a bookmark that tells nothing is of. @param agents  of the run that has most */
+export const unmarked = (agents = few + 1) => {
   const { playing, help, live, ...state } = fresh();
-  return state;
+  return { ...state, mode2d: agents > few };
 };
 
 export function createStore(start = {}) {
@@ -76,6 +78,7 @@ export function bookmark(state) {
   if (state.follow !== null) add("follow", state.follow);
   if (state.followed) add("followed", [state.followed.sender, state.followed.id, state.followed.at].join(","));
   const digits = (values) => values.map((v) => Number(v.toPrecision(9))).join(",");
+  if (state.mode2d && !state.map) add("2d", 1); //  few bodies are shown in 3-D otherwise
   if (!state.mode2d) {
     const { x, y, distance, yaw, pitch } = state.orbit ?? {};
     add("3d", state.orbit ? digits([x, y, distance, yaw, pitch]) : 1);
@@ -121,6 +124,7 @@ export function startOf(hash) {
   const followed = listed("followed", 3);
   if (followed) state.followed = { run, sender: followed[0], id: followed[1], at: followed[2] };
   if (given.has("3d")) state.mode2d = false;
+  else if (given.has("2d") || given.has("map")) state.mode2d = true;
   const orbit = listed("3d", 5);
   if (orbit && orbit[2] > 0) state.orbit = { x: orbit[0], y: orbit[1], distance: orbit[2], yaw: orbit[3], pitch: orbit[4] };
   const map = listed("map", 3);

@@ -3,8 +3,8 @@ import { lastRow, poseAt, readingAt, stateAt, tableAt } from "../at.js";
 import { eachMessage } from "../at_messages.js";
 import { exact, span } from "../time/scale.js";
 import { facts, fixed, link, list, nameOf, number, part } from "./parts.js";
+import { showReadings } from "./readings.js";
 
-const fewValues = 6; //  of a channel: they are written too
 const aroundLog = 30e9; //  ns: log lines and messages of that long before t
 
 /** The share of each next hop by equation 1, of rows with weights; null where the protocol chooses otherwise. */
@@ -20,51 +20,29 @@ function pose(parent, run, agent, state) {
   const readings = run.rows("readings", Math.max(0, t - 1), t);
   const odometry = readingAt(readings, agent.agent, "odometry", t);
   const degrees = (angle) => `${fixed((angle * 180) / Math.PI, 2)}°`;
-  const place = (x, y, theta) => `${fixed(x, 3)} m, ${fixed(y, 3)} m, ${degrees(theta)}`;
+  const place = ({ x, y, theta }) => `x ${fixed(x, 3)} m, y ${fixed(y, 3)} m, ${degrees(theta)}`;
+  const believed = odometry && inWorld(agent, odometry);
   facts(parent, [
-    ["true pose", place(at.x, at.y, at.theta)],
-    ["odometry", odometry && place(...odometry)],
-    ["off by", odometry && agent.kind === "robot" ? offBy(agent, at, odometry) : null],
+    ["true pose", place(at)],
+    ["by odometry", believed && place(believed)],
+    ["off by", believed && `${number(Math.hypot(at.x - believed.x, at.y - believed.y), 3)} m`],
+    ["from its start", odometry && place({ x: odometry[0], y: odometry[1], theta: odometry[2] })],
   ]);
   return readings;
 }
 
-// Odometry counts from where the robot started, in the frame that it had there.
-function offBy(agent, at, odometry) {
-  const [c, s] = [Math.cos(agent.theta), Math.sin(agent.theta)];
-  const x = agent.x + c * odometry[0] - s * odometry[1];
-  const y = agent.y + s * odometry[0] + c * odometry[1];
-  return `${number(Math.hypot(at.x - x, at.y - y), 3)} m`;
-}
-
-function sensors(parent, run, agent, readings, t) {
-  const channels = new Set();
-  for (const { tile } of readings) {
-    tile.columns?.agent?.forEach?.((one, row) => { if (one === agent.agent) channels.add(tile.columns.channel[row]); });
-  }
-  for (const channel of [...channels].filter((one) => one !== "odometry").sort()) {
-    const values = readingAt(readings, agent.agent, channel, t);
-    if (!values) continue;
-    const section = part(parent, channel);
-    const most = Math.max(1e-9, ...values.map((value) => Math.abs(value ?? 0)), ...(agent.infrared ?? []).map(({ reach }) => (channel === "infrared" ? reach : 0)));
-    const bars = section.appendChild(document.createElement("div"));
-    bars.className = "bars";
-    for (const value of values) {
-      const bar = bars.appendChild(document.createElement("i"));
-      bar.style.height = `${value === null ? 100 : Math.max(2, 100 * Math.abs(value) / most)}%`;
-      bar.className = value === null ? "none" : "";
-      bar.title = value === null ? "nothing within reach" : number(value, 5);
-    }
-    if (values.every((value) => value === null)) section.append("nothing within reach");
-    else if (values.length <= fewValues) section.append(values.map((value) => (value === null ? "–" : number(value, 3))).join("  "));
-  }
+/** Odometry counts from where the robot started, in the frame that it had there: the same in the world. */
+export function inWorld(start, [x, y, theta]) {
+  const [c, s] = [Math.cos(start.theta), Math.sin(start.theta)];
+  const heading = start.theta + theta;
+  return { x: start.x + c * x - s * y, y: start.y + s * x + c * y, theta: Math.atan2(Math.sin(heading), Math.cos(heading)) };
 }
 
 function routes(parent, run, agent, store) {
   if (run.world.isPlan) return;
   const changes = run.routes(agent.agent);
   const section = part(parent, "routes");
-  if (!changes) { section.append("…"); return; }
+  if (!changes) { section.append(store.state.live?.gone ? "not asked for before the server ended" : "…"); return; }
   const table = tableAt(changes, store.state.t);
   if (!table.length) { section.append(run.world.recorded?.routes === "none" ? "not recorded" : "none now"); return; }
   const rows = [];
@@ -135,10 +113,10 @@ export function showAgent(parent, run, store) {
   facts(head, [
     ["kind", `${agent.kind}, address ${agent.agent}`], ["controller", agent.program], ["state", stateAt(states, agent.agent, t)],
     ["queue", queue ? `${queue.tile.columns.frames[queue.row]} frames` : run.world.recorded?.queues === "none" ? null : "0 frames"],
-    ["camera", link(store.state.follow === agent.agent ? "goes along" : "follow", () => store.set({ follow: store.state.follow === agent.agent ? null : agent.agent }))],
+    ["camera", link(store.state.follow === agent.agent ? "goes along: stop" : "go along", () => store.set({ follow: store.state.follow === agent.agent ? null : agent.agent }))],
   ]);
   const readings = pose(head, run, agent, store.state);
-  sensors(parent, run, agent, readings, t);
+  showReadings(parent, run, agent, readings, t);
   routes(parent, run, agent, store);
   messages(parent, run, agent, store);
   log(parent, run, agent, t);

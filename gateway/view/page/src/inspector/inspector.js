@@ -6,6 +6,7 @@ import { isPresent } from "../live.js";
 import { livePanel } from "./live_panel.js";
 import { showMessage } from "./message.js";
 import { facts, link, list, made, part } from "./parts.js";
+import { seriesName } from "../time/lane_list.js";
 import { exact } from "../time/scale.js";
 
 const shows = { agent: showAgent, frame: showFrame, message: showMessage, link: showLink };
@@ -13,23 +14,20 @@ const least = 120; //  ms between two pictures of the panel
 
 function showRun(parent, run, store, source) {
   const { world } = run;
+  const { state } = store;
   const head = part(parent);
   head.appendChild(made("h2", world.name ?? run.name));
-  facts(head, [["ended", world.result], ["radio", world.profile], ["seed", world.seed], ["fingerprint", world.fingerprint], ["simulated", run.end > 0 ? `${exact(run.end)} s` : null]]);
+  facts(head, [["result", state.live?.gone && world.result === "running" ? "not known" : world.result], ["radio", world.profile], ["seed", world.seed], ["fingerprint", world.fingerprint], ["simulated", run.end > 0 ? `${exact(run.end)} s` : null]]);
   for (const warning of world.warnings ?? []) head.appendChild(made("p", warning, { className: "refused" }));
   if (world.series?.length) {
     const select = part(parent, "chart lanes").appendChild(document.createElement("select"));
     select.setAttribute("aria-label", "add a chart lane");
     select.appendChild(made("option", "add …", { value: "" }));
-    for (const series of world.series) {
-      const agent = world.agents.find((one) => one.agent === series.agent);
-      select.appendChild(made("option", `${agent ? `${agent.name} ` : ""}${series.name}`, { value: series.index }));
-    }
+    for (const series of world.series) select.appendChild(made("option", seriesName(world, series), { value: series.index }));
     select.addEventListener("change", () => { if (select.value !== "") store.set({ charts: [...new Set([...store.state.charts, Number(select.value)])] }); });
-    for (const index of store.state.charts) {
-      const series = world.series.find((one) => one.index === index);
-      if (series) facts(select.parentElement, [[series.name, link("no more", () => store.set({ charts: store.state.charts.filter((one) => one !== index) }))]]);
-    }
+    const shown = store.state.charts.map((index) => world.series.find((one) => one.index === index)).filter(Boolean);
+    facts(select.parentElement, shown.map((series) => [seriesName(world, series),
+      link("remove", () => store.set({ charts: store.state.charts.filter((one) => one !== series.index) }))])).classList.add("charts");
   }
   if (world.missing?.length) list(part(parent, "not recorded"), ["what", "the line that records it"], world.missing.map(({ what, line }) => [what, line])).classList.add("words");
   list(part(parent, "agents"), ["name", "kind", "controller"], world.agents.slice(0, 200).map((one) => [one.name, one.kind, one.program]),
@@ -58,7 +56,7 @@ export function inspector(element, store, source) {
       const isUsed = element.contains(document.activeElement) && /^(INPUT|SELECT)$/.test(document.activeElement.tagName);
       stale = !same && (now - at < least || isUsed);
       const run = source.runs.find(({ index }) => index === (state.chosen?.run ?? state.run)) ?? source.runs[0];
-      const liveKey = state.live && JSON.stringify([state.live.can_hold, state.live.paused, state.live.ended, state.live.stoppedBy, state.live.said, state.live.breaks, state.chosen, isPresent(store, source)]);
+      const liveKey = state.live && JSON.stringify([state.live.can_hold, state.live.paused, state.live.ended, state.live.gone, state.live.stoppedBy, state.live.said, state.live.breaks, state.chosen, isPresent(store, source)]);
       if (liveKey !== shownLive && !isUsed) {
         shownLive = liveKey;
         panel.draw(run);

@@ -25,7 +25,7 @@ const nameOfBreak = (one, world) => [one.on, one.state ?? one.topic ?? (one.at =
 function breaks(parent, run, store) {
   const { live, chosen } = store.state;
   const section = part(parent, "stops at");
-  for (const one of live.breaks) facts(section, [[nameOfBreak(one, run.world), link("no more", () => clearBreak(store, one.id))]]);
+  for (const one of live.breaks) facts(section, [[nameOfBreak(one, run.world), link("do not stop there", () => clearBreak(store, one.id))]]);
   const form = section.appendChild(made("form", "", { className: "breaks" }));
   const kind = form.appendChild(made("select"));
   kind.setAttribute("aria-label", "what it stops at");
@@ -56,7 +56,14 @@ function breaks(parent, run, store) {
   });
 }
 
-const headline = (live) => (live.ended ? `the run has ended: ${live.result}` : live.paused ? "the run waits" : "the run goes on");
+/** What the page knows of the run, for people. */
+export function headline(live) {
+  if (live.ended) return `the run has ended: ${live.result}`;
+  if (live.gone) return "the run does not answer any more";
+  return live.paused ? "the run waits" : "the run goes on";
+}
+
+const gone = "Its server has ended. What had come before is shown; baraka view shows all that was recorded.";
 
 /** The part of the panel that is about a run under way; draw() when its state or what is chosen changed. */
 export function livePanel(parent, store, source) {
@@ -67,15 +74,17 @@ export function livePanel(parent, store, source) {
       const { live, chosen } = store.state;
       body.replaceChildren();
       if (!live) return;
+      const isOver = live.ended || live.gone;
       const head = part(body, headline(live));
       if (live.stoppedBy) head.appendChild(made("p", `stopped: ${live.stoppedBy}`));
       if (live.said) head.appendChild(made("p", live.said, { className: "refused" }));
-      if (live.can_hold === false && !live.ended) head.appendChild(made("p", "it follows the clock: watched only"));
-      else if (!live.canCommand && !live.ended) head.appendChild(made("p", "watched only: the address that the run printed has the key to command it"));
-      if (!live.ended && !isPresent(store, source)) {
-        head.append("what is shown is earlier; ", link("go along with it", () => store.set({ t: source.end, playing: false })));
+      if (live.gone) head.appendChild(made("p", gone, { className: "refused" }));
+      if (live.can_hold === false && !isOver) head.appendChild(made("p", "it keeps real time, so it can be watched but not paused, stepped or slowed"));
+      else if (!live.canCommand && !isOver) head.appendChild(made("p", "it can be watched only: to command it, open the address that the run printed"));
+      if (!isOver && !isPresent(store, source)) {
+        head.append("what is shown is earlier; ", link("show the present", () => store.set({ t: source.end, playing: false })));
       }
-      const mayCommand = live.canCommand && !live.ended;
+      const mayCommand = live.canCommand && !isOver;
       if (mayCommand && live.can_hold !== false) breaks(body, run, store);
       const agent = chosen?.kind === "agent" ? run.world.agents.find((one) => one.agent === chosen.agent) : null;
       drive.show(mayCommand && agent?.program === "teleop" ? agent : null);

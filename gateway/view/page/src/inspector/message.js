@@ -19,7 +19,7 @@ function head(parent, run, store, message) {
     ["sent", link(`${exact(message.sent)} s`, () => store.set({ t: message.sent, playing: false }))],
     ["its sender heard", message.fate && `${message.fate}, after ${span(message.fate_at - message.sent)}`],
     ["it ended", message.verdict ?? "on its way"],
-    ["in the world", link(isFollowed ? "followed; no more" : "follow it", () => store.set({ followed: isFollowed ? null : is }))],
+    ["in the world", link(isFollowed ? "its way is drawn: hide" : "draw its way", () => store.set({ followed: isFollowed ? null : is }))],
   ]);
 }
 

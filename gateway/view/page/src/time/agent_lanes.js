@@ -4,8 +4,12 @@ import { colour, verdictColour } from "../colours.js";
 
 const places = ["robot-0", "robot-1", "robot-2", "robot-3", "robot-4", "robot-5", "robot-7", "muted"];
 
-/** States have colours by their place among all states of the run. */
-export const stateColour = (states, state) => colour(places[Math.max(0, states.indexOf(state)) % places.length]);
+/**
+ * States have colours by their place among all states of the run, which are told in the order in which they first
+ * came: so they keep them while more come. One that the page has not been told of yet has none.
+ */
+export const placeOf = (states, state) => (states.includes(state) ? places[states.indexOf(state) % places.length] : "mote");
+export const stateColour = (states, state) => colour(placeOf(states, state));
 
 /**
  * One agent's states within a span: [{from, to, state}]. Of pieces that are only summaries nothing is known;

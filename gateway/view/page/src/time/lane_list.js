@@ -9,6 +9,12 @@ export function isNamed(name, text) {
   return !parts.length || parts.some((part) => name.toLowerCase().includes(part));
 }
 
+/** A recorded series as it is called everywhere: whose, what, and its unit where it has one. */
+export function seriesName({ agents }, { agent, name, unit }) {
+  const whose = agents.find((one) => one.agent === agent)?.name;
+  return `${whose ? `${whose} ` : ""}${name}${unit && unit !== "1" ? ` [${unit}]` : ""}`;
+}
+
 /**
  * The lanes: {kind, name, height}, of an agent `agent`, of a series `index`.
  * @param title  of the run, where there are several
@@ -24,8 +30,7 @@ export function lanesOf(run, state, title = "") {
   }
   for (const index of state.charts) {
     const one = series.find((of) => of.index === index);
-    const agent = agents.find((of) => of.agent === one?.agent);
-    if (one) list.push(lane("series", `${agent ? `${agent.name} ` : ""}${one.name}${one.unit ? ` [${one.unit}]` : ""}`, { index }));
+    if (one) list.push(lane("series", seriesName(run.world, one), { index }));
   }
   const said = agents.filter(({ program, name }) => program && isNamed(name, state.lanes));
   const isRobot = ({ kind }) => kind === "robot";

@@ -27,13 +27,44 @@ const draws = {
   queue({ ctx, box, scale, rows, lane }) { return `0 … ${drawSteps(ctx, box, scale, rows("queues"), lane.agent, "frames")}`; },
   state({ ctx, box, scale, rows, lane, run }) {
     drawTooMany(ctx, box, scale, rows("states"));
-    drawStates(ctx, box, scale, stateSpans(rows("states"), lane.agent, Math.max(0, scale.from), Math.min(scale.to, run.end)), run.world.states);
+    const spans = stateSpans(rows("states"), lane.agent, Math.max(0, scale.from), Math.min(scale.to, run.end));
+    drawStates(ctx, box, scale, spans, run.world.states);
+    run.world.isBehind ||= spans.some(({ state }) => !run.world.states.includes(state)); //  see live.js
   },
   series({ ctx, box, scale, rows, lane }) {
     const reach = drawSeries(ctx, box, scale, rows(`series:${lane.index}`));
     return reach ? `${Number(reach[0].toPrecision(4))} … ${Number(reach[1].toPrecision(4))}` : "no values here";
   },
 };
+
+/**
+ * A name in at most so many lines of a width, parted at spaces and dots. What does not fit loses what stands before
+ * its last dot, or else its end, to "…".
+ * @param measure  a text to px
+ */
+export function linesOf(name, width, measure, most) {
+  const lines = brokenAt(name, width, measure, most);
+  const short = name.replace(/[^ ]+\.(?=[^ ])/, "…");
+  return lines.some((line) => line.endsWith("…")) && short !== name ? brokenAt(short, width, measure, most) : lines;
+}
+
+function brokenAt(name, width, measure, most) {
+  const parts = name.split(/(?<=[ .])/);
+  const lines = [""];
+  for (const part of parts) {
+    const last = lines[lines.length - 1];
+    if (!last || measure((last + part).trimEnd()) <= width) lines[lines.length - 1] += part;
+    else lines.push(part);
+  }
+  const kept = lines.slice(0, most);
+  if (lines.length > most) kept[most - 1] = lines.slice(most - 1).join("");
+  return kept.map((line) => {
+    let text = line.trimEnd();
+    if (measure(text) <= width) return text;
+    while (text.length > 1 && measure(`${text}…`) > width) text = text.slice(0, -1);
+    return `${text}…`;
+  });
+}
 
 /** The text that agents' lanes are chosen by. */
 function filterField(element, store) {
@@ -99,15 +130,17 @@ export function lanes(element, store, source) {
     const middle = y + lane.height / 2;
     const room = left - (lane.kind === "series" ? 24 : 10);
     ctx.fillStyle = colour(lane.kind === "state" ? "ink" : "muted");
-    ctx.fillText(lane.name, 6, middle - (note ? 6 : 0), room);
-    if (note) ctx.fillText(note, 6, middle + 7, room);
+    const lines = [...linesOf(lane.name, room, (text) => ctx.measureText(text).width, note || lane.height < 26 ? 1 : 2), ...(note ? [note] : [])];
+    if (lane.height >= 40 && note) lines.splice(0, 1, ...linesOf(lane.name, room, (text) => ctx.measureText(text).width, 2));
+    lines.forEach((line, k) => ctx.fillText(line, 6, middle + 13 * (k - (lines.length - 1) / 2), room));
+    if (lines.some((line) => line.includes("…"))) here.hits.unshift({ x0: 0, x1: left - (lane.kind === "series" ? 22 : 0), y0: y, y1: y + lane.height, text: lane.name });
     ctx.strokeStyle = colour("line");
     ctx.beginPath(); ctx.moveTo(0, y + lane.height - 0.5); ctx.lineTo(width, y + lane.height - 0.5); ctx.stroke();
     if (lane.agent !== undefined) here.hits.unshift({ x0: 0, x1: left, y0: y, y1: y + lane.height, chosen: { kind: "agent", agent: lane.agent } });
     if (lane.kind !== "series") return;
     ctx.fillText("✕", left - 16, middle);
     const without = () => store.set({ charts: store.state.charts.filter((index) => index !== lane.index) });
-    here.hits.push({ x0: left - 22, x1: left, y0: y, y1: y + lane.height, text: "no more", action: without });
+    here.hits.push({ x0: left - 22, x1: left, y0: y, y1: y + lane.height, text: `remove ${lane.name}`, action: without });
   }
 
   function drawLanes(width, run) {

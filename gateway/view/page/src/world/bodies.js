@@ -43,7 +43,7 @@ const geometries = { cylinder: cylinder(28), plain: cylinder(10), box: new BoxGe
 const materials = {
   map: { body: new MeshBasicMaterial(), wheel: new MeshBasicMaterial({ vertexColors: true, depthTest: false }) },
   far: { body: new MeshLambertMaterial(), wheel: new MeshLambertMaterial({ vertexColors: true }) },
-  near: { body: new MeshLambertMaterial({ transparent: true, opacity: 0.55, depthWrite: false }),
+  near: { body: new MeshLambertMaterial({ transparent: true, opacity: 0.75, depthWrite: false }),
     wheel: new MeshLambertMaterial({ vertexColors: true }) },
 };
 

@@ -8,10 +8,12 @@ const up = new Vector3(0, 0, 1);
 
 const frame = { left: 34, right: 44, top: 46, bottom: 32 }; //  px that buttons, names and metres take
 
+const least = 2; //  m across, however little there is
+
 /** The map that shows all, clear of what lies over it. */
 export function wholeMap(bounds, width, height) {
-  const w = Math.max(bounds.x1 - bounds.x0, 4);
-  const h = Math.max(bounds.y1 - bounds.y0, 4);
+  const w = Math.max(bounds.x1 - bounds.x0, least);
+  const h = Math.max(bounds.y1 - bounds.y0, least);
   const free = { x: Math.max(50, width - frame.left - frame.right), y: Math.max(50, height - frame.top - frame.bottom) };
   const metres = Math.max(w / free.x, h / free.y); //  per px
   return {
@@ -19,6 +21,26 @@ export function wholeMap(bounds, width, height) {
     y: (bounds.y0 + bounds.y1) / 2 + ((frame.top - frame.bottom) / 2) * metres,
     span: metres * width,
   };
+}
+
+/**
+ * The orbit from the south that shows all, as near as that goes: each corner of what is to be seen is
+ * |across| / tan(half the field) in front of the eye at least.
+ */
+export function wholeOrbit(bounds, width, height) {
+  const [yaw, pitch] = [-Math.PI / 2, 0.75];
+  const x = (bounds.x0 + bounds.x1) / 2;
+  const y = (bounds.y0 + bounds.y1) / 2;
+  const [w, h] = [Math.max(bounds.x1 - bounds.x0, least) / 2, Math.max(bounds.y1 - bounds.y0, least) / 2];
+  const free = { x: Math.max(50, width - frame.left - frame.right), y: Math.max(50, height - frame.top - frame.bottom) };
+  const tangent = Math.tan((fieldOfView * Math.PI) / 360);
+  const [across, upwards] = [(tangent * free.x) / height, (tangent * free.y) / height];
+  let distance = 0.3;
+  for (const north of [-h, h]) {
+    const ahead = north * Math.cos(pitch); //  of the middle, as the eye looks
+    distance = Math.max(distance, w / across - ahead, (Math.abs(north) * Math.sin(pitch)) / upwards - ahead);
+  }
+  return { x, y, yaw, pitch, distance };
 }
 
 /** The orbit that shows about what a map does. */
@@ -35,13 +57,14 @@ export function createCamera() {
   const target = new Vector3();
   const camera = {
     eye: flat, width: 1, height: 1, mode2d: true, map: null, orbit: null,
+    clearTop: 40, //  px from the top down that words take at the left: no metres are written there
 
     /** @param place  {x, y} of the agent that is followed, or null. */
     aim(state, width, height, bounds, place) {
       Object.assign(camera, { width, height, mode2d: state.mode2d });
       camera.map = state.map ?? wholeMap(bounds, width, height);
       if (place) camera.map = { ...camera.map, x: place.x, y: place.y };
-      camera.orbit = state.orbit ?? orbitOf(camera.map, width, height);
+      camera.orbit = state.orbit ?? (state.map ? orbitOf(camera.map, width, height) : wholeOrbit(bounds, width, height));
       if (place) camera.orbit = { ...camera.orbit, x: place.x, y: place.y };
       if (state.mode2d) aimFlat(camera.map); else aimFree(camera.orbit);
       camera.eye.updateMatrixWorld();

@@ -1,10 +1,11 @@
 // What is drawn over the scene at a size of its own: markers of agents too small to be seen, beams, ranges,
 // the scale, names.
-import { readingAt } from "../at.js";
 import { colour, robotColour } from "../colours.js";
 import { paper } from "../paper.js";
+import { createBeams } from "./beams.js";
 import { createLabels } from "./labels.js";
 
+const headLength = 8; // px of an arrowhead at least
 const radii = { robot: 7, mote: 4, station: 4 }; // px of a marker
 export const many = 200; // agents from which markers are smaller, and drawn with the scene
 
@@ -25,9 +26,32 @@ export function circle(context, camera, x, y, radius) {
   }
 }
 
+/** How far a body reaches ahead of its origin [m]: along its x axis. */
+export function frontOf({ cylinders = [], boxes = [], radius }) {
+  let front = 0;
+  for (const { x, y, radius: r } of cylinders) if (Math.abs(y) < r) front = Math.max(front, x + Math.sqrt(r * r - y * y));
+  for (const box of boxes) front = Math.max(front, leaves(box));
+  return front || radius;
+}
+
+// Where the positive x axis leaves a box; 0: it does not meet it.
+function leaves({ x, y, yaw = 0, length_x: long, length_y: wide }) {
+  const [c, s] = [Math.cos(yaw), Math.sin(yaw)];
+  const at = [-(x * c + y * s), x * s - y * c]; //  the body's origin in the box's frame
+  let [near, far] = [0, Infinity];
+  [[at[0], c, long / 2], [at[1], -s, wide / 2]].forEach(([from, way, half]) => {
+    if (Math.abs(way) < 1e-12) { if (Math.abs(from) > half) far = -1; return; }
+    const ends = [(-half - from) / way, (half - from) / way].sort((a, b) => a - b);
+    near = Math.max(near, ends[0]);
+    far = Math.min(far, ends[1]);
+  });
+  return far >= near ? far : 0;
+}
+
 export function createMarks(run) {
   const agents = run.world.agents;
   const labels = createLabels();
+  const beams = createBeams(run);
   const robots = agents.filter((agent) => agent.kind === "robot").map((agent) => agent.agent);
   const robotIndex = new Map(robots.map((agent, k) => [agent, k]));
   const isMany = agents.length > many;
@@ -39,6 +63,7 @@ export function createMarks(run) {
   const spot = [0, 0, 0];
   const bodyRadius = agents.map((agent) => run.world.shapes?.[agent.shape]?.radius ?? 0);
   const bodyHeight = agents.map((agent) => run.world.shapes?.[agent.shape]?.height ?? 0);
+  const fronts = agents.map((agent) => (run.world.shapes?.[agent.shape] ? frontOf(run.world.shapes[agent.shape]) : 0));
   const markRadius = agents.map((agent) => (radii[agent.kind] ?? 4) * shrink);
 
   /** px from an agent's middle to the rim of what is seen of it. */
@@ -92,60 +117,25 @@ export function createMarks(run) {
     }
   }
 
-  // Which way robots look: a tick that begins outside the body, so that it hides nothing of it.
+  // Which way robots look: an arrowhead on the rim of the body or of its marker, in the plane in which it moves.
   function drawHeadings(context, camera, poses) {
     context.beginPath();
     for (let slot = 0; slot < agents.length; slot++) {
       if (agents[slot].kind !== "robot" || !sizes[slot]) continue;
-      const r = radiusOf(slot);
-      const ahead = r / sizes[slot];
-      camera.project(poses.x[slot] + ahead * Math.cos(poses.theta[slot]), poses.y[slot] + ahead * Math.sin(poses.theta[slot]), 0, spot);
-      const dx = spot[0] - spots[slot * 2];
-      const dy = spot[1] - spots[slot * 2 + 1];
-      const f = camera.mode2d ? 1 / (Math.hypot(dx, dy) || 1) : 1 / r;
-      context.moveTo(spots[slot * 2] + dx * f * (r + 2), spots[slot * 2 + 1] + dy * f * (r + 2));
-      context.lineTo(spots[slot * 2] + dx * f * (r + 7), spots[slot * 2 + 1] + dy * f * (r + 7));
+      const rim = isMarked(slot) ? (markRadius[slot] - 1) / sizes[slot] : fronts[slot];
+      const long = Math.max(headLength / sizes[slot], 0.3 * rim);
+      const [c, s] = [Math.cos(poses.theta[slot]), Math.sin(poses.theta[slot])];
+      const corner = (ahead, aside, how) => {
+        camera.project(poses.x[slot] + ahead * c - aside * s, poses.y[slot] + ahead * s + aside * c, camera.mode2d ? 0 : bodyHeight[slot] / 2, spot);
+        context[how](spot[0], spot[1]);
+      };
+      corner(rim, -0.6 * long, "moveTo");
+      corner(rim + long, 0, "lineTo");
+      corner(rim, 0.6 * long, "lineTo");
+      context.closePath();
     }
-    context.strokeStyle = colour("ink");
-    context.lineWidth = 2;
-    context.stroke();
-  }
-
-  // Infrared: as far as something is seen, with a mark where; as far as it reaches, thin, where nothing is.
-  function drawBeams(context, camera, poses, t) {
-    const near = agents.map((agent, slot) => slot).filter((slot) => agents[slot].infrared?.length &&
-      agents[slot].infrared[0].reach * sizes[slot] > 6 && isInside(camera, slot, 200));
-    if (!near.length) return;
-    const pieces = run.rows("readings", t, t + 1);
-    const from = [0, 0, 0];
-    for (const slot of near) {
-      const values = readingAt(pieces, agents[slot].agent, "infrared", t);
-      if (!values) continue;
-      const c = Math.cos(poses.theta[slot]);
-      const s = Math.sin(poses.theta[slot]);
-      agents[slot].infrared.forEach((mount, k) => {
-        const seen = values[k] !== null && values[k] !== undefined;
-        const length = seen ? values[k] : mount.reach;
-        const x = poses.x[slot] + mount.x * c - mount.y * s;
-        const y = poses.y[slot] + mount.x * s + mount.y * c;
-        const heading = poses.theta[slot] + mount.heading;
-        camera.project(x, y, mount.z ?? 0.04, from);
-        camera.project(x + length * Math.cos(heading), y + length * Math.sin(heading), mount.z ?? 0.04, spot);
-        context.beginPath();
-        context.moveTo(from[0], from[1]);
-        context.lineTo(spot[0], spot[1]);
-        context.strokeStyle = colour(seen ? "beam" : "muted");
-        context.lineWidth = seen ? 2 : 0.75;
-        context.globalAlpha = seen ? 1 : 0.5;
-        context.stroke();
-        context.globalAlpha = 1;
-        if (!seen) return;
-        context.beginPath();
-        context.arc(spot[0], spot[1], 3.5, 0, 2 * Math.PI);
-        context.fillStyle = colour("beam");
-        context.fill();
-      });
-    }
+    context.fillStyle = colour("ink");
+    context.fill();
   }
 
   const isInside = (camera, slot, margin) => spots[slot * 2] > -margin && spots[slot * 2 + 1] > -margin &&
@@ -191,7 +181,7 @@ export function createMarks(run) {
     context.textAlign = "left";
     for (let k = Math.round(grid.y0 / grid.step); k * grid.step <= grid.y1; k++) {
       const y = camera.project(0, k * grid.step, 0, spot)[1];
-      if (y > 40 && y < camera.height - 20) context.fillText((k * grid.step).toFixed(digits), 4, y - 2);
+      if (y > camera.clearTop && y < camera.height - 20) context.fillText((k * grid.step).toFixed(digits), 4, y - 2);
     }
     context.fillText("m", 6, camera.height - 5);
     labels.keep(0, camera.height - 18, camera.width, camera.height);
@@ -204,7 +194,7 @@ export function createMarks(run) {
   }
 
   function name(context, camera, order) {
-    const clear = (slot) => radiusOf(slot) + (agents[slot].kind === "robot" ? 5 : 0); //  of the heading
+    const clear = (slot) => radiusOf(slot) + (agents[slot].kind === "robot" ? headLength + 1 : 0);
     labels.draw(context, camera, agents, order, spots, clear, colour("ink"), colour("ground"));
   }
 
@@ -214,9 +204,11 @@ export function createMarks(run) {
   return {
     spots, sizes, radiusOf, isCrowded, isMarked, isInside, place,
     forget() { stamps.clear(); },
+    /** Where sensors of ranges have hit something. */
+    hits(camera, t) { return beams.hits(this, camera, t); },
     below(context, camera, poses, state, chosen) {
       drawRanges(context, camera, poses, state, chosen);
-      if (state.layers.beams) drawBeams(context, camera, poses, state.t);
+      if (state.layers.beams) beams.draw(context, camera, this, state.t);
     },
     above(context, camera, poses, state, grid, chosenSlot, ratio) {
       labels.begin();

@@ -65,7 +65,7 @@ function titleOf(pane, run) {
 function tellMissing(pane, run) {
   const missing = (run.world.missing ?? []).filter(({ what }) => /^(poses|frames)/.test(what));
   const warnings = run.world.warnings ?? [];
-  if (!missing.length && !warnings.length) return;
+  if (!missing.length && !warnings.length) return null;
   const box = make(pane, "details", "missing");
   const count = [warnings.length && `${warnings.length} warning${warnings.length > 1 ? "s" : ""}`, missing.length && "not all was recorded"];
   make(box, "summary").textContent = count.filter(Boolean).join(", ");
@@ -76,6 +76,7 @@ function tellMissing(pane, run) {
     make(row, "code").textContent = line;
   }
   box.open = warnings.length > 0;
+  return box;
 }
 
 export function createPane(parent, run, store) {
@@ -85,7 +86,7 @@ export function createPane(parent, run, store) {
   const canvas = make(element, "canvas", "scene");
   const overlay = make(element, "canvas", "overlay");
   titleOf(element, run);
-  tellMissing(element, run);
+  const missing = tellMissing(element, run);
   const isMany = agents.length > many;
   const graphics = renderer(canvas, !isMany);
   const context = paper(overlay, isMany);
@@ -110,6 +111,7 @@ export function createPane(parent, run, store) {
       graphics?.setSize(width, height, false);
       overlay.width = Math.round(width * ratio);
       overlay.height = Math.round(height * ratio);
+      camera.clearTop = missing ? missing.offsetTop + missing.querySelector("summary").offsetHeight + 14 : 40;
     }
     return { width, height, ratio };
   }
@@ -207,6 +209,7 @@ export function createPane(parent, run, store) {
       return [box.left + spot[0], box.top + spot[1]];
     },
     arrows: () => air.routes.arrows(store.state),
+    hits: () => marks.hits(camera, store.state.t),
     followed: () => air.followed.current(store.state),
   };
 }

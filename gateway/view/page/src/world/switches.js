@@ -1,5 +1,5 @@
 // What is shown in the world: map or 3-D, all in sight, layers.
-const names = { labels: "names", links: "links", frames: "frames", beams: "beams", trails: "trails", ranges: "ranges", queues: "queues" };
+const names = { labels: "names", links: "links", frames: "frames", beams: "sensors", trails: "trails", ranges: "ranges", queues: "queues" };
 
 export function switches(element, store) {
   const box = document.createElement("div");
@@ -15,7 +15,7 @@ export function switches(element, store) {
     return button;
   };
   const free = add("3-D", "map or free view", () => store.set({ mode2d: !store.state.mode2d }));
-  add("all", "all in sight", () => store.set({ map: null, orbit: null, follow: null }));
+  add("fit", "all in sight", () => store.set({ map: null, orbit: null, follow: null }));
   const follow = add("follow", "the view stays on the chosen agent", () => {
     const { chosen, follow: followed } = store.state;
     store.set({ follow: followed === null && chosen?.kind === "agent" ? chosen.agent : null });

@@ -14,6 +14,8 @@ export function world(element, store, source) {
     recolour() { for (const pane of panes) pane.recolour(); },
     /** Where a place on the ground is in the page [px]. */
     project: (x, y, run) => paneOf(run).project(x, y),
+    /** Where sensors of ranges have hit something: {agent, channel, x, y}. */
+    hits: (run) => paneOf(run).hits(),
     /** The arrows of the chosen route: {from, to, width [px], probability}. */
     arrows: (run) => paneOf(run).arrows(),
     /** The hops of the followed message, as at.js has them. */

@@ -2,8 +2,8 @@ import assert from "node:assert/strict";
 import test from "node:test";
 import { collision, delivered, everyone, frame, missed, page, piece, runOf } from "./record.mjs";
 
-const { isNamed, lanesOf } = await import(new URL("time/lane_list.js", page));
-const { stateSpans } = await import(new URL("time/agent_lanes.js", page));
+const { isNamed, lanesOf, seriesName } = await import(new URL("time/lane_list.js", page));
+const { placeOf, stateSpans } = await import(new URL("time/agent_lanes.js", page));
 const { verdictOf } = await import(new URL("time/frame_lane.js", page));
 
 const agents = [{ agent: 1, name: "m0", kind: "mote", program: "help_mote" }, { agent: 2, name: "m10", kind: "mote", program: "help_mote" },
@@ -26,6 +26,32 @@ test("the chosen agent's radio and the chosen series have lanes", () => {
   assert.deepEqual(names({ chosen: { kind: "agent", run: 0, agent: 1 }, charts: [4294967297, 99], lanes: "r" }),
     ["frames", "messages", "events", "m0 sends", "m0 hears", "m0 NAV", "m0 queue", "r0 speed [m/s]", "r0"]);
   assert.deepEqual(names({ chosen: { kind: "agent", run: 1, agent: 1 } }).length, 6, "of another run");
+});
+
+test("a series is told with its agent and its unit, wherever it is named", () => {
+  const world = { agents };
+  assert.equal(seriesName(world, { agent: 1, name: "controllers.known", unit: "" }), "m0 controllers.known");
+  assert.equal(seriesName(world, { agent: 2, name: "controllers.known", unit: "1" }), "m10 controllers.known");
+  assert.equal(seriesName(world, { agent: 26, name: "goodput", unit: "bit/s" }), "r0 goodput [bit/s]");
+});
+
+test("a state keeps its colour while others come after it; one that is not known yet has none", () => {
+  const early = ["WAIT", "GO"];
+  const late = [...early, "ARRIVED"];
+  assert.deepEqual(early.map((state) => placeOf(late, state)), early.map((state) => placeOf(early, state)));
+  assert.equal(placeOf(early, "ARRIVED"), "mote");
+  assert.notEqual(placeOf(late, "ARRIVED"), "mote");
+});
+
+const { linesOf } = await import(new URL("time/lanes.js", page));
+
+test("a name is parted where it may be, and says where it was cut", () => {
+  const measure = (text) => text.length;
+  assert.deepEqual(linesOf("s0 controllers.sent", 30, measure, 2), ["s0 controllers.sent"]);
+  assert.deepEqual(linesOf("s0 controllers.sent", 15, measure, 2), ["s0 controllers.", "sent"]);
+  assert.deepEqual(linesOf("s0 controllers.sent", 15, measure, 1), ["s0 …sent"]);
+  assert.deepEqual(linesOf("s0 controllers.goodput [bit/s]", 9, measure, 2), ["s0", "…goodput…"]);
+  assert.deepEqual(linesOf("averylongname", 6, measure, 2), ["avery…"]);
 });
 
 const said = (...rows) => rows.map(([agent, at, word]) => ({ agent, at, state: word }));

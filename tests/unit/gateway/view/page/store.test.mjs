@@ -1,7 +1,7 @@
 // A bookmark is of the state that it was made of.
 import assert from "node:assert/strict";
 import { test } from "node:test";
-import { bookmark, createStore, startOf } from "../../../../../gateway/view/page/src/store.js";
+import { bookmark, createStore, startOf, unmarked } from "../../../../../gateway/view/page/src/store.js";
 
 const kept = ["t", "speed", "view", "run", "chosen", "route", "follow", "followed", "layers", "mode2d", "map", "orbit", "theme", "charts", "lanes"];
 const given = {
@@ -25,6 +25,15 @@ test("All kinds of what is chosen come out of it", () => {
 
 test("An empty bookmark is of the usual state", () => {
   assert.deepEqual(createStore(startOf("")).state, createStore().state);
+});
+
+test("A few are seen in 3-D at first, many on a map, unless the address says otherwise", () => {
+  assert.deepEqual([2, 20, 21].map((agents) => unmarked(agents).mode2d), [false, false, true]);
+  const again = (state) => ({ ...unmarked(2), ...startOf(bookmark(createStore(state).state)) }).mode2d;
+  assert.equal(again({ mode2d: true }), true);
+  assert.equal(again({ mode2d: true, map: { x: 0, y: 0, span: 3 } }), true);
+  assert.equal(again({ mode2d: false }), false);
+  assert.equal({ ...unmarked(2), ...startOf("#t=5.0") }.mode2d, false);
 });
 
 test("Nonsense is left out, not believed", () => {
