@@ -147,6 +147,8 @@ class Controls(Case):
         self.assertTrue(tab.state("live")["paused"])
         tab.key("End")
         tab.key(" ")
+        wait_for(lambda: tab.state("live")["ended"], 60)
+        tab.call("Page.navigate", url="about:blank")  # as long as its page is open it stays
         self.assertEqual(run.finish()["fingerprint"], alone)
 
     def test_a_robot_is_driven_by_the_pad_and_rests_when_it_is_let_go(self):

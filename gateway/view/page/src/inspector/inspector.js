@@ -50,7 +50,7 @@ export function inspector(element, store, source) {
     draw(now) {
       const { state } = store;
       // The run is the same at all times.
-      const key = [state.chosen ? state.t : null, state.chosen, state.run, state.charts, state.follow, state.followed, state.chosen || state.live ? source.arrivals : null, source.end];
+      const key = [state.chosen ? state.t : null, state.chosen, state.run, state.charts, state.follow, state.followed, state.chosen || state.live ? source.arrivals : null, source.end, state.live?.gone];
       const same = shown && key.every((value, i) => value === shown[i]);
       // Nothing is redrawn under a finger or a cursor that uses it.
       const isUsed = element.contains(document.activeElement) && /^(INPUT|SELECT)$/.test(document.activeElement.tagName);
