@@ -219,6 +219,13 @@ LiveView::Settings live_view_of(const RunOptions& options, const Course& course,
                              const hal::Twist2& twist) { return inspection.drive(agent, twist); }};
 }
 
+void start(LiveView& view, const RunOptions& options, const Course& course,
+           const Results& results) {
+  view.start(results.folder().path());
+  if (course.factor() || std::isfinite(options.max_speed)) return;
+  fmt::print(stderr, "view: it plays at real time; --max-speed F, or the page, makes it faster\n");
+}
+
 /// @param view  holds the run; null: nothing does.
 WallPace::Settings pace_of(const RunOptions& options, std::size_t processes, Results& results,
                            LiveView* view) {
@@ -267,11 +274,7 @@ int run(const RunOptions& options, const Scenario& scenario, const Course& cours
   }
   pace.emplace(pace_of(options, controllers.processes(), results, view.get()));
   results.begin(simulation);
-  if (view) view->start(results.folder().path());
-  if (view && !course.factor() && !std::isfinite(options.max_speed)) {
-    fmt::print(stderr,
-               "view: it plays at real time; --max-speed F, or the page, makes it faster\n");
-  }
+  if (view) start(*view, options, course, results);
   say_open_loop(course, results);
   inspection.set_ledger(results.ledger());
 

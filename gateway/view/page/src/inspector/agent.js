@@ -2,7 +2,7 @@
 import { lastRow, poseAt, readingAt, stateAt, tableAt } from "../at.js";
 import { eachMessage } from "../at_messages.js";
 import { exact, span } from "../time/scale.js";
-import { facts, fixed, link, list, nameOf, number, part } from "./parts.js";
+import { facts, fixed, link, list, nameOf, part } from "./parts.js";
 import { showReadings } from "./readings.js";
 
 const aroundLog = 30e9; //  ns: log lines and messages of that long before t
@@ -25,7 +25,7 @@ function pose(parent, run, agent, state) {
   facts(parent, [
     ["true pose", place(at)],
     ["by odometry", believed && place(believed)],
-    ["off by", believed && `${number(Math.hypot(at.x - believed.x, at.y - believed.y), 3)} m`],
+    ["off by", believed && `${fixed(Math.hypot(at.x - believed.x, at.y - believed.y), 4)} m`],
     ["from its start", odometry && place({ x: odometry[0], y: odometry[1], theta: odometry[2] })],
   ]);
   return readings;
