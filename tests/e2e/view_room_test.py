@@ -181,6 +181,7 @@ class Room(Case):
         tab.run("baraka.store.set({chosen: {kind: 'agent', run: 0, agent: 2}})")
         wait_for(lambda: "from its start" in tab.panel() and "none now" in tab.panel())
         self.assertNotIn("server has ended", tab.panel())
+        self.assertRegex(tab.run("document.querySelector('.pane h2').innerText"), "room_with_scanners · ieee80211b · until")
         send(run.process.pid, "SIGINT")
         self.assertEqual(run.finish().status, 0)
         wait_for(lambda: "Its server has ended" in tab.panel())
@@ -203,6 +204,7 @@ class Room(Case):
         run.process.kill()
         wait_for(lambda: "the run does not answer any more" in self.tab.panel())
         self.assertNotIn("running", self.tab.panel())
+        wait_for(lambda: "does not answer" in self.tab.run("document.querySelector('.pane h2').innerText"))
 
     def test_states_keep_their_colours(self):
         run = self.live(CASE_STUDY, "--paused", "--until", "20", "--max-speed", "1e9")

@@ -56,9 +56,16 @@ function createScene(run, slots) {
 
 function titleOf(pane, run) {
   const title = make(pane, "h2");
-  const { result, profile } = run.world;
   title.append(run.title);
-  make(title, "small").textContent = [profile && ` · ${profile}`, result && ` · ${result}`].filter(Boolean).join("");
+  const small = make(title, "small");
+  let shown = null;
+  // The result of a run under way comes later; if its server ends before that, it is not known.
+  return ({ live }) => {
+    const { result, profile } = run.world;
+    const end = live?.gone && !live.ended ? "does not answer" : live?.ended ? live.result : result;
+    const text = [profile && ` · ${profile}`, end && ` · ${end}`].filter(Boolean).join("");
+    if (text !== shown) small.textContent = shown = text;
+  };
 }
 
 // What was not recorded is listed beside the run, in the inspector; over the map only what misleads there.
@@ -85,7 +92,7 @@ export function createPane(parent, run, store) {
   const element = make(parent, "div", "pane");
   const canvas = make(element, "canvas", "scene");
   const overlay = make(element, "canvas", "overlay");
-  titleOf(element, run);
+  const tellTitle = titleOf(element, run);
   const missing = tellMissing(element, run);
   const isMany = agents.length > many;
   const graphics = renderer(canvas, !isMany);
@@ -127,6 +134,7 @@ export function createPane(parent, run, store) {
   function draw(state) {
     const { width, height, ratio } = fit();
     if (!width || !height) return;
+    tellTitle(state);
     move(state);
     const followed = state.follow === null ? undefined : slots.get(state.follow);
     camera.aim(state, width, height, run.world.bounds, followed === undefined ? null : { x: poses.x[followed], y: poses.y[followed] });
