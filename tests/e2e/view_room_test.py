@@ -212,6 +212,7 @@ class Room(Case):
         states = "baraka.source.runs[0].world.states"
         tab.run("fetch('/api/control', {method: 'POST', headers: {'Content-Type': 'application/json',"
                 " 'X-Baraka-Token': sessionStorage.getItem('baraka-token')}, body: JSON.stringify({command: 'break', on: 'time', at: 5e8})})")
+        wait_for(lambda: tab.state("live")["paused"])  # before the page knows, Space plays the record
         tab.key(" ")
         early = wait_for(lambda: tab.state("live")["paused"] and tab.state("live")["now"] > 0.4 * SECOND and tab.run(states))
         tab.key(" ")
