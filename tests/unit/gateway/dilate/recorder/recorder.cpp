@@ -324,6 +324,7 @@ clock_t times(tms* usage) noexcept {
   if (usage != nullptr) *usage = {ticks, ticks, ticks, ticks};
   return react("times", {});
 }
+#ifndef __SANITIZE_ADDRESS__  // see gateway/dilate/processor_time.cpp
 int setrlimit(__rlimit_resource_t resource, const rlimit* limit) noexcept {
   PASS_ON_UNLESS_ARMED(setrlimit, resource, limit);
   return react("setrlimit", {static_cast<std::int64_t>(limit->rlim_cur),
@@ -334,6 +335,7 @@ int getrlimit(__rlimit_resource_t resource, rlimit* limit) noexcept {
   *limit = {static_cast<rlim_t>(reaction->left), RLIM_INFINITY};
   return react("getrlimit", {});
 }
+#endif
 long syscall(long number, ...) noexcept {
   long a[6];
   va_list list;
