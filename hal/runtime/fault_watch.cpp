@@ -55,6 +55,7 @@ struct Line {
 std::atomic<pid_t> watching{0};  ///< The process with the watch: a forked one has the same memory.
 std::atomic<Told> told{Told::kNothing};
 bool holds = false;
+thread_local bool has_signal_stack = false;
 Line<128> prefix_of_lines;
 Line<512> uncaught;  ///< The exception that is ending the process; empty: none.
 Line<1024> fault;    ///< The whole of what was told, without the prefix.
@@ -165,12 +166,18 @@ struct FaultWatch::Handlers {
   std::terminate_handler terminate = nullptr;
 };
 
-SignalStack::SignalStack() : bytes_(kSignalStack) {
+SignalStack::SignalStack() {
+  if (std::exchange(has_signal_stack, true)) return;
+  bytes_.resize(kSignalStack);
   const stack_t stack{.ss_sp = bytes_.data(), .ss_flags = 0, .ss_size = bytes_.size()};
   ::sigaltstack(&stack, &before_);
 }
 
-SignalStack::~SignalStack() { ::sigaltstack(&before_, nullptr); }
+SignalStack::~SignalStack() {
+  if (bytes_.empty()) return;
+  ::sigaltstack(&before_, nullptr);
+  has_signal_stack = false;
+}
 
 FaultWatch::FaultWatch(std::string_view prefix, bool held)
     : handlers_(std::make_unique<Handlers>()) {

@@ -10,7 +10,9 @@
 
 namespace hal::runtime {
 
-/// A stack for the handlers of its thread's signals, so that one that overflows can be told of.
+/// A stack for the handlers of its thread's signals, so that one that overflows can be told of. To
+/// be destroyed on the thread that made it. Of several on a thread, only the first that is made
+/// counts: they need not end in turn.
 class SignalStack {
  public:
   SignalStack();
@@ -19,7 +21,7 @@ class SignalStack {
   SignalStack& operator=(const SignalStack&) = delete;
 
  private:
-  std::vector<char> bytes_;
+  std::vector<char> bytes_;  ///< Empty: the thread had one.
   stack_t before_{};
 };
 

@@ -223,13 +223,15 @@ TEST_F(Tiles, WhatIsKeptGrowsWithTheRowsNotWithTheTimes) {
       " INSERT INTO frames SELECT (1 << 48) + i, i * 416666666666, 'ack', 1, 2, i, 0, 100,"
       " 1000000, 0, NULL, NULL, NULL, NULL FROM n;"
       "INSERT INTO frame_ends SELECT frame, 2, at_ns, 'noise', -80, 3 FROM frames");
-  const long before = most_memory();
+  [[maybe_unused]] const long before = most_memory();
   EXPECT_EQ(columns("queues/17/4")["frames"], json({2, 0, 1}));
   const json bins = ask("frames/17/0").at("bins");
   std::int64_t lost = 0;
   for (const json& one : bins["lost"]) lost += one.get<std::int64_t>();
-  EXPECT_EQ(lost, 5405);  // 2^51 ns of them
+  EXPECT_EQ(lost, 5405);      // 2^51 ns of them
+#ifndef __SANITIZE_ADDRESS__  // which keeps what is freed
   EXPECT_LT(most_memory() - before, 100'000);
+#endif
 }
 
 TEST_F(Tiles, RowsThatAreOutOfOrderAreNamed) {

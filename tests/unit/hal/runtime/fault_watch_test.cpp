@@ -7,6 +7,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <functional>
+#include <memory>
 #include <stdexcept>
 #include <thread>
 
@@ -126,6 +127,19 @@ TEST(FaultWatchDeathTest, LeavesSignalsThatAreHandledAndIsOverWithItsLife) {
     std::raise(SIGUSR1);
   };
   EXPECT_EXIT(handled(), KilledBySignal(SIGUSR1), "^$");
+}
+
+TEST(SignalStacks, LeaveNoneOfAnEndedOneBehind) {
+  stack_t before{}, between{}, after{};
+  ::sigaltstack(nullptr, &before);
+  auto first = std::make_unique<SignalStack>();
+  ::sigaltstack(nullptr, &between);
+  EXPECT_NE(between.ss_sp, before.ss_sp);
+  auto second = std::make_unique<SignalStack>();
+  first.reset();
+  second.reset();
+  ::sigaltstack(nullptr, &after);
+  EXPECT_EQ(after.ss_sp, before.ss_sp);
 }
 
 }  // namespace

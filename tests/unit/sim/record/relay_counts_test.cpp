@@ -48,15 +48,15 @@ class RelayCountsTest : public testing::Test {
         " WHERE agent = 4 AND destination = 2");
   }
 
-  std::optional<RelayCounts> counts;
-
- private:
   std::string ask(const std::string& sql) {
     Statement query(database_, sql);
     return query.next() ? query.text(0) : "none";
   }
   test::Folder folder_;
   Database database_;
+
+ public:
+  std::optional<RelayCounts> counts;  ///< Ends before its database.
 };
 
 TEST_F(RelayCountsTest, SaysHowManyWaitedAndHowLong) {
