@@ -16,6 +16,7 @@
 #include <exception>
 #include <thread>
 #include <typeinfo>
+#include <utility>
 #include <vector>
 
 #include "hal/exchange/foreign_call.h"
