@@ -17,7 +17,8 @@ struct RunOptions {
   std::vector<std::string> overrides;  ///< --set, and --seed as one.
   std::optional<double> until;         ///< s
   ControllersFrom controllers = ControllersFrom::kSpawn;
-  /// Simulated seconds per second. Infinity: as fast as it can, or at 1 if it is shown in a browser.
+  /// Simulated seconds per second. Infinity: as fast as it can, or at 1 if it is shown in a
+  /// browser.
   double max_speed = std::numeric_limits<double>::infinity();
   /// "lockstep", "realtime", "realtime:<factor>"; empty: as the scenario needs it.
   std::string pace;
