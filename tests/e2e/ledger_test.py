@@ -10,6 +10,7 @@ import sys
 import unittest
 
 from baraka import Case, Program, some_domain
+from private_network import has_networks
 
 SKIPPED = 77
 TSHARK = shutil.which("tshark")
@@ -257,12 +258,6 @@ class Ledger(Case):
             self.assertEqual(self.total("SELECT COUNT(*) FROM samples") > 0, rows, detail)
             self.assertEqual(self.total("SELECT COUNT(*) FROM sample_sums") > 0, sums, detail)
             self.assertGreater(self.total("SELECT COUNT(*) FROM air_accounts"), 0)
-
-
-def has_networks():
-    """Whether a run may make networks here."""
-    done = subprocess.run(["unshare", "-Urnm", "true"], capture_output=True, check=False)
-    return done.returncode == 0 and os.access("/dev/net/tun", os.R_OK | os.W_OK)
 
 
 if __name__ == "__main__":

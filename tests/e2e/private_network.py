@@ -40,6 +40,11 @@ def is_possible():
     return done.returncode == 0
 
 
+def has_networks():
+    """Whether a run may make networks."""
+    return is_possible() and os.access("/dev/net/tun", os.R_OK | os.W_OK)
+
+
 class PrivateNetwork:
     """`count` hosts, from 0 on. Without `bridge` they have no interface but lo."""
 
