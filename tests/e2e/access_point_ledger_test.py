@@ -209,7 +209,8 @@ class AccessPointLedger(Case):
 
     def test_dds_with_losses(self):
         causes = self.check_samples(*self.dds(60, LOSS))
-        self.assertEqual({verdict for verdict, _ in causes} - {"random loss", "collision"}, set())
+        # Of two that begin in one slot a third hears a collision, and each of the two, that it was transmitting.
+        self.assertEqual({verdict for verdict, _ in causes} - {"random loss", "collision", "receiver transmitting"}, set())
         self.assertGreater(causes["random loss", "ap"], 0)
 
     def test_dds_behind_a_wall(self):
