@@ -75,6 +75,9 @@ record: {{air: air.pcapng, frames: all, samples: all}}
 # So that no frame of ARP is counted. Addresses of agents are 1, 2, 3, ...
 NEIGHBOURS = "for i in 1 2 3; do ip neigh replace 10.77.0.$i lladdr 02:00:00:00:00:0$i dev wlan0 nud permanent; done"
 LOSS = ", loss: {probability: 0.3}, short_retry_limit: 3"
+# What a frame of several that overlap ends as: at a third station "collision", or "preamble missed" where that one holds
+# another of them; at a station that sends one of them "receiver transmitting".
+OVERLAP = "collision", "preamble missed", "receiver transmitting"
 WALL = "world: {walls: [{name: wall, size: [30 cm, 4 m, 2 m], position: [5 m, 0 m], radio_loss: {per_crossing: 60 dB}}]}\n"
 
 
@@ -209,9 +212,12 @@ class AccessPointLedger(Case):
 
     def test_dds_with_losses(self):
         causes = self.check_samples(*self.dds(60, LOSS))
-        # Of two that begin in one slot a third hears a collision, and each of the two, that it was transmitting.
-        self.assertEqual({verdict for verdict, _ in causes} - {"random loss", "collision", "receiver transmitting"}, set())
+        # At 21 m in the open a signal is 44 dB above the noise. A frame is lost because the scenario's loss strikes it, or
+        # because two backoffs end in the same slot and the frames overlap.
+        self.assertEqual({verdict for verdict, _ in causes} - {"random loss", *OVERLAP}, set())
         self.assertGreater(causes["random loss", "ap"], 0)
+        drawn = sum(count for (verdict, _), count in causes.items() if verdict == "random loss")
+        self.assertGreater(drawn, sum(causes.values()) / 2)
 
     def test_dds_behind_a_wall(self):
         self.assertGreater(self.check_samples(*self.dds(60, speed=2))["obstacle", "ap"], 10)
