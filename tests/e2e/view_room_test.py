@@ -84,6 +84,7 @@ class Room(Case):
             tab.go()
             self.assertFalse(tab.state("mode2d"))  # two bodies: in 3-D
             self.keep(tab, f"room_{width}")
+            self.assertFalse(self.overlap(tab.box(".pane h2"), tab.box(".pane .switches")), width)
             for free in (True, False):
                 tab.go(mode2d=not free)
                 left, top, wide, high = tab.box(".pane")
@@ -93,6 +94,16 @@ class Room(Case):
                 self.assertTrue(top <= min(down) and max(down) <= top + high, corners)
                 share = max((max(across) - min(across)) / wide, (max(down) - min(down)) / high)
                 self.assertGreater(share, 0.6, (width, free))
+
+    @staticmethod
+    def overlap(one, other):
+        """@param one, other  boxes: left, top, width, height"""
+        return all(one[axis] < other[axis] + other[axis + 2] and other[axis] < one[axis] + one[axis + 2] for axis in (0, 1))
+
+    def test_the_panel_says_that_an_agent_is_not_in_the_run(self):
+        self.tab.open(f"{self.result('--until', '1')}#agent=77")
+        self.tab.go()
+        self.assertIn("No agent of this run has address 77.", self.tab.panel())
 
     def test_the_free_view_is_left_out_for_many_and_where_the_address_says_so(self):
         address = self.result("--until", "1")

@@ -105,7 +105,10 @@ function totals(parent, run, agent) {
 export function showAgent(parent, run, store) {
   const { t, chosen } = store.state;
   const agent = run.world.agents.find((one) => one.agent === chosen.agent);
-  if (!agent) return;
+  if (!agent) {
+    part(parent).append(`No agent of this run has address ${chosen.agent}.`);
+    return;
+  }
   const head = part(parent);
   head.appendChild(document.createElement("h2")).textContent = agent.name;
   const states = run.rows("states", Math.max(0, t - 1), t + 1);
