@@ -214,7 +214,8 @@ class Dilated(unittest.TestCase):
 
     @needs("ps")
     def test_processes_are_as_old_as_the_clock_says(self):
-        said = self.run_.run(0, "sh", "-c", "sleep 9 & sleep 2; ps -o etimes= -p $!; date +%s; ps -o lstart= -p $!")
+        # /proc counts uptime and start times in ticks of 10 ms, each rounded down: an age of 2.000 s may read as 1.99 s.
+        said = self.run_.run(0, "sh", "-c", "sleep 9 & sleep 2.5; ps -o etimes= -p $!; date +%s; ps -o lstart= -p $!")
         old, now, started = said.splitlines()
         self.assertIn(int(old), (2, 3))
         begun = time.mktime(time.strptime(started.strip(), "%a %b %d %H:%M:%S %Y"))
