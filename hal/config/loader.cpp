@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "hal/config/document_limits.h"
+#include "hal/config/foreign_format.h"
 #include "hal/config/shared_folders.h"
 #include "hal/config/yaml.h"
 #include "hal/types/result.h"
@@ -41,7 +42,7 @@ std::optional<std::string> obstacle(const fs::path& file, std::string absent) {
                          error != std::errc::not_a_directory;
     return unknown ? "cannot be read: " + error.message() : std::move(absent);
   }
-  if (fs::is_directory(status)) return "is a directory, not a file";
+  if (fs::is_directory(status)) return folder_instead_of_file(file.string());
   if (!fs::is_regular_file(status)) return "is not a regular file";
   const std::uintmax_t bytes = fs::file_size(file, error);
   if (error || bytes <= kMostBytes) return std::nullopt;
@@ -50,13 +51,17 @@ std::optional<std::string> obstacle(const fs::path& file, std::string absent) {
 
 /// The file's text, or why there is none.
 Result<std::string> content(const fs::path& file) {
-  if (auto why = obstacle(file, "there is no such file")) {
+  if (auto why = obstacle(file, "there is no such file" + similar_file(file))) {
     return fail(Errc::kInvalidArgument, std::move(*why));
   }
   std::ifstream stream(file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(stream), {}};
-  if (stream.is_open() && !stream.bad()) return text;
-  return fail(Errc::kInvalidArgument, "cannot be read: " + std::generic_category().message(errno));
+  if (!stream.is_open() || stream.bad()) {
+    return fail(Errc::kInvalidArgument,
+                "cannot be read: " + std::generic_category().message(errno));
+  }
+  if (auto what = foreign_format(text)) return fail(Errc::kInvalidArgument, std::move(*what));
+  return text;
 }
 
 /// The folder that holds a file, whatever links lead there.
@@ -163,8 +168,9 @@ void Loader::include(Node& mapping, const Node& target, const std::string& path)
                                files_ + 1, kMostFiles));
   }
   const fs::path file = located(target);
-  const std::string absent = fmt::format("there is no file '{}', nor in the shared folders ({})",
-                                         file.string(), listed_shared_folders());
+  const std::string absent =
+      fmt::format("there is no file '{}', nor in the shared folders ({}){}", file.string(),
+                  listed_shared_folders(), similar_file(file, target.text));
   if (const auto why = obstacle(file, absent)) {
     return give_up(target, path,
                    *why == absent ? absent : fmt::format("'{}' {}", file.string(), *why));

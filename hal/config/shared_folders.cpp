@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <sstream>
 #include <string>
 
 #include "hal/config/errors.h"
+#include "hal/config/suggest.h"
 
 namespace hal::config {
 
@@ -43,6 +45,29 @@ std::string listed_shared_folders() {
 
 namespace {
 
+/// Files of a folder, sorted; none if it cannot be read.
+std::vector<std::string> files_in(const fs::path& folder) {
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::directory_iterator at(folder.empty() ? "." : folder, error), end; !error && at != end;
+       at.increment(error)) {
+    std::error_code unknown;
+    if (at->is_regular_file(unknown)) names.push_back(at->path().filename().string());
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+/// "; did you mean 'walk.yaml'?", by the names without their extensions.
+std::string similar_in(const fs::path& folder, const fs::path& file) {
+  const std::vector<std::string> files = files_in(folder);
+  std::vector<std::string> stems;
+  stems.reserve(files.size());
+  for (const std::string& name : files) stems.push_back(fs::path(name).stem().string());
+  const auto best = nearest(file.stem().string(), stems);
+  return best ? fmt::format("; did you mean '{}'?", files[*best]) : "";
+}
+
 /// In the shared folders, or in one of their folders `kinds`.
 std::optional<fs::path> find_of_kinds(const fs::path& file, const std::vector<std::string>& kinds) {
   if (auto found = find_shared(file)) return found;
@@ -50,6 +75,28 @@ std::optional<fs::path> find_of_kinds(const fs::path& file, const std::vector<st
     if (auto found = find_shared(fs::path(kind) / file)) return found;
   }
   return std::nullopt;
+}
+
+}  // namespace
+
+std::string similar_file(const fs::path& file, const fs::path& relative) {
+  std::string said = similar_in(file.parent_path(), file);
+  if (relative.empty() || relative.is_absolute()) return said;
+  for (const fs::path& folder : shared_folders()) {
+    if (said.empty()) said = similar_in(folder / relative.parent_path(), file);
+  }
+  return said;
+}
+
+namespace {
+
+/// As find_of_kinds() looks.
+std::string similar_of_kinds(const fs::path& given, const std::vector<std::string>& kinds) {
+  std::string said = similar_file(given, given);
+  for (const std::string& kind : kinds) {
+    if (said.empty()) said = similar_file(given, fs::path(kind) / given);
+  }
+  return said;
 }
 
 }  // namespace
@@ -63,9 +110,9 @@ fs::path named_file(const fs::path& given, const std::vector<std::string>& kinds
     if (fs::exists(file, error)) return file;
     if (const auto found = find_of_kinds(file, kinds)) return *found;
   }
-  throw ConfigErrors(
-      {fmt::format("{}: there is no such file here, nor in {} or its {}", given.string(),
-                   listed_shared_folders(), fmt::join(kinds, ", "))});
+  throw ConfigErrors({fmt::format("{}: there is no such file here, nor in {} or its {}{}",
+                                  given.string(), listed_shared_folders(), fmt::join(kinds, ", "),
+                                  similar_of_kinds(given, kinds))});
 }
 
 }  // namespace hal::config

@@ -27,18 +27,24 @@ std::size_t distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string suggestion(std::string_view word, const std::vector<std::string>& candidates) {
-  const std::string* best = nullptr;
+std::optional<std::size_t> nearest(std::string_view word,
+                                   const std::vector<std::string>& candidates) {
+  std::optional<std::size_t> best;
   std::size_t least = 0;
-  for (const std::string& candidate : candidates) {
-    const std::size_t letters = distance(word, candidate);
-    if (3 * letters > std::max(word.size(), candidate.size())) continue;
-    if (best == nullptr || letters < least) {
-      best = &candidate;
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    const std::size_t letters = distance(word, candidates[i]);
+    if (3 * letters > std::max(word.size(), candidates[i].size())) continue;
+    if (!best || letters < least) {
+      best = i;
       least = letters;
     }
   }
-  return best == nullptr ? "" : fmt::format("; did you mean '{}'?", *best);
+  return best;
+}
+
+std::string suggestion(std::string_view word, const std::vector<std::string>& candidates) {
+  const auto best = nearest(word, candidates);
+  return best ? fmt::format("; did you mean '{}'?", candidates[*best]) : "";
 }
 
 }  // namespace hal::config

@@ -1,14 +1,20 @@
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace hal::config {
 
-/// "; did you mean 'cca_threshold'?" for the candidate that is nearest to `word`, or nothing when
-/// none is near: at most a third of the letters differ (Levenshtein, "Binary codes capable of
-/// correcting deletions, insertions, and reversals", 1966). Ties: the first candidate.
+/// The index of the candidate that is nearest to `word`, or nothing when none is near: at most a
+/// third of the letters differ (Levenshtein, "Binary codes capable of correcting deletions,
+/// insertions, and reversals", 1966). Ties: the first candidate.
+std::optional<std::size_t> nearest(std::string_view word,
+                                   const std::vector<std::string>& candidates);
+
+/// "; did you mean 'cca_threshold'?" for the nearest() candidate; nothing if there is none.
 std::string suggestion(std::string_view word, const std::vector<std::string>& candidates);
 
 }  // namespace hal::config

@@ -22,6 +22,52 @@ TEST_F(DocumentTest, NamesAMissingFile) {
   EXPECT_EQ(loading(folder_ / "no.yaml"), (Lines{"no.yaml: there is no such file"}));
 }
 
+TEST_F(DocumentTest, NamesAFileThatIsCalledNearlyAsTheMissingOne) {
+  write("walk.yaml", "a: 1\n");
+  EXPECT_EQ(loading(folder_ / "wallk.yaml"),
+            (Lines{"wallk.yaml: there is no such file; did you mean 'walk.yaml'?"}));
+  EXPECT_EQ(loading(folder_ / "wallk"),
+            (Lines{"wallk: there is no such file; did you mean 'walk.yaml'?"}));
+  const auto found = loading(write("b.yaml", "x: {include: walkk.yaml}\n"));
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_TRUE(found[0].ends_with("; did you mean 'walk.yaml'?")) << found[0];
+}
+
+TEST_F(DocumentTest, SaysWhatAFileIsThatIsNotYaml) {
+  const std::string shown = "; `baraka describe robot` shows a robot in YAML";
+  const std::string body = "<link name=\"base\"/></robot>\n";
+  EXPECT_EQ(loading(write("a.urdf",
+                          "<?xml version=\"1.0\"?>\n<!-- <sdf> -->\n<robot name=\"a\">" + body)),
+            (Lines{"a.urdf: is URDF, which is not read yet" + shown}));
+  EXPECT_EQ(loading(write("b.yaml", "\xef\xbb\xbf\n<robot>" + body)),
+            (Lines{"b.yaml: is URDF, which is not read yet" + shown}));
+  EXPECT_EQ(loading(write("a.sdf", "<sdf version='1.9'/>")),
+            (Lines{"a.sdf: is SDF, which is not read yet" + shown}));
+  for (const char* text : {"<html></html>", "<", "<!-- without end", "<?xml"}) {
+    EXPECT_EQ(loading(write("a.xml", text)), (Lines{"a.xml: is XML, not YAML"})) << text;
+  }
+  const std::string database("SQLite format 3\0\x10", 17);
+  EXPECT_EQ(
+      loading(write("run.sqlite", database)),
+      (Lines{"run.sqlite: is a database of SQLite, not YAML; `baraka report` and `baraka view` "
+             "take a folder of results"}));
+  EXPECT_EQ(loading(write("map.png", std::string("\x89PNG\0", 5))),
+            (Lines{"map.png: is binary, not YAML"}));
+  const auto included = loading(write("c.yaml", "x: {include: a.urdf}\n"));
+  ASSERT_EQ(included.size(), 1U);
+  EXPECT_TRUE(included[0].starts_with("a.urdf: is URDF")) << included[0];
+  EXPECT_NE(included[0].find("c.yaml:1:14"), std::string::npos) << included[0];
+}
+
+TEST_F(DocumentTest, SaysOfAFolderWhetherItHoldsResults) {
+  std::filesystem::create_directories(folder_ / "plain");
+  EXPECT_EQ(loading(folder_ / "plain"), (Lines{"plain: is a directory, not a file"}));
+  write("plain/run.sqlite", "");
+  EXPECT_EQ(loading(folder_ / "plain"),
+            (Lines{"plain: is a directory, not a file; it holds results: `baraka report` and "
+                   "`baraka view` take a folder of results"}));
+}
+
 TEST_F(DocumentTest, GivesThePositionOfASyntaxError) {
   const auto found = loading(write("a.yaml", "a: 1\nb: [1, 2\nc: 3\n"));
   ASSERT_EQ(found.size(), 1u);
