@@ -30,12 +30,14 @@ int command(int argc, char** argv) {
       ->transform(hal::runtime::whole_number(0, hal::dds::kLastDomain));
   app.add_option("--inspect-address", options.inspect_address,
                  "Address of the network interface for the topics; default: 127.0.0.1");
-  app.add_flag("!--no-inspect", options.shown, "Do not show the agent to DDS tools");
+  app.add_flag_callback(
+      "--no-inspect", [&] { options.shown = false; }, "Do not show the agent to DDS tools");
   CLI::Option* state = app.add_option(
       "--state", options.state,
       "Folder that remembers the emergency stop over a restart; default: STATE_DIRECTORY, else "
       "baraka in XDG_STATE_HOME, else ~/.local/state/baraka");
-  app.add_flag("!--no-state", options.remembers, "Forget the emergency stop at a restart")
+  app.add_flag_callback(
+         "--no-state", [&] { options.remembers = false; }, "Forget the emergency stop at a restart")
       ->excludes(state);
   std::string level = "info";
   app.add_option("--log", level, "Least that is told on standard error; default: info")

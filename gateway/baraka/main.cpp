@@ -60,7 +60,8 @@ void add_surroundings(CLI::App* run, RunOptions& options) {
   run->add_option("--inspect-domain", options.inspect_domain,
                   "DDS domain to show the run in; default: the run's")
       ->transform(whole_number(0, hal::dds::kLastDomain));
-  run->add_flag("!--no-inspect", options.inspect, "Do not show the run to DDS tools");
+  run->add_flag_callback(
+      "--no-inspect", [&] { options.inspect = false; }, "Do not show the run to DDS tools");
   run->add_option("--out", options.out, "Folder for the results; default: results/<name>");
   run->add_flag("--overwrite", options.overwrite,
                 "Remove an earlier result there; default: keep it as <name>.1, .2, ...");
@@ -80,7 +81,9 @@ CLI::Option* add_live_view(CLI::App* run, gateway::LiveViewOptions& view) {
   run->add_option("--view-port", view.port, "With --view: on this port; default: a free one")
       ->transform(whole_number(1, kMostPort))
       ->needs(shown);
-  run->add_flag("!--no-open", view.open, "With --view: do not open a browser")->needs(shown);
+  run->add_flag_callback(
+         "--no-open", [&] { view.open = false; }, "With --view: do not open a browser")
+      ->needs(shown);
   return shown;
 }
 
@@ -256,7 +259,8 @@ void add_view(CLI::App& app, gateway::ViewOptions& options) {
       ->required();
   add->add_option("--port", options.port, "Port of 127.0.0.1; default: a free one")
       ->transform(whole_number(1, kMostPort));
-  add->add_flag("!--no-open", options.open, "Do not open a browser");
+  add->add_flag_callback(
+      "--no-open", [&] { options.open = false; }, "Do not open a browser");
   CLI::Option* to_file = add->add_option(
       "--export", options.file, "Write a page that needs nothing else to this file, do not serve");
   add->add_option("--most-mb", options.most_mb,

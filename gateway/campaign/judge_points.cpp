@@ -46,6 +46,9 @@ std::uint64_t seed_in(const fs::path& scenario) {
       {"seed", "As of a scenario.", "1"}, 0, std::numeric_limits<std::int64_t>::max(), 1));
 }
 
+/// As ConfigErrors writes it: a key may hold a tab, which mistakes show as \x09.
+std::string as_told(const std::string& words) { return ConfigErrors({words}).messages().front(); }
+
 /// Mistakes of the points, so that each is told once, where its cause stands.
 class PointMistakes {
  public:
@@ -90,13 +93,14 @@ class PointMistakes {
   /// A mistake "--set KEY: …" with the place of that value; none: it is of another kind.
   static std::optional<std::string> of_a_value(const DesignPoint& point, const std::string& line) {
     for (const FactorValue& value : point) {
-      const std::string start = "--set " + value.key + ": ";
+      const std::string start = as_told("--set " + value.key + ": ");
       if (!line.starts_with(start)) continue;
       const std::string what = line.substr(start.size());
       const std::string last = value.key.substr(value.key.rfind('.') + 1);
       // Of something inside the value, or of a parameter, it says the key itself.
-      const bool says_key = what.starts_with(value.key + ".") || what.starts_with(last + ": ");
-      return fmt::format("{}: {}{}", value.place, says_key ? "" : value.key + ": ", what);
+      const bool says_key =
+          what.starts_with(as_told(value.key + ".")) || what.starts_with(last + ": ");
+      return fmt::format("{}: {}{}", value.place, says_key ? "" : as_told(value.key + ": "), what);
     }
     return std::nullopt;
   }

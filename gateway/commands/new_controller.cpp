@@ -106,7 +106,11 @@ int new_controller(const NewControllerOptions& options) {
     fmt::print(stderr, "error: {} is there already\n", folder.string());
     return kUsage;
   }
-  if (!options.to.empty()) fs::create_directories(options.to);
+  if (!options.to.empty() && !fs::is_directory(options.to)) {
+    fmt::print(stderr, "error: --to {}: there is no such folder; make it first\n",
+               options.to.string());
+    return kUsage;
+  }
   fs::create_directory(folder);
   try {
     write_project(folder, options);

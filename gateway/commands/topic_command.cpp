@@ -179,7 +179,15 @@ int measure(const TopicOptions& options, void (Traffic::*print)() const) {
 int list_topics(const TopicOptions& options) {
   const TopicBrowser browser(domain_of(options));
   std::this_thread::sleep_for(kLook);
-  for (const SeenTopic& topic : browser.topics()) {
+  const auto topics = browser.topics();
+  if (topics.empty()) {
+    fmt::print(stderr,
+               "error: nobody shows a topic in domain {}; a run prints `inspect domain: N` as it "
+               "begins, --domain N looks there\n",
+               domain_of(options));
+    return kRunFailed;
+  }
+  for (const SeenTopic& topic : topics) {
     fmt::print("{}  {}  writers: {}  readers: {}\n", hal::printable(topic.name),
                hal::printable(topic.type), topic.count(true), topic.count(false));
   }

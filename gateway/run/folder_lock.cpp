@@ -28,12 +28,14 @@ std::string content(int descriptor) {
 }
 
 /// Opens a lock, never through a link and never a file of somebody else's: it will be written to.
-int open_lock(const fs::path& file) {
+int open_lock(const fs::path& file, const fs::path& folder) {
   const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0644);
   if (descriptor < 0) {
-    throw std::runtime_error(fmt::format(
-        "{}: {}", file.string(),
-        errno == ELOOP ? "is a link, so it is not used as a lock" : std::strerror(errno)));
+    if (errno == ELOOP) {
+      throw std::runtime_error(file.string() + ": is a link, so it is not used as a lock");
+    }
+    throw std::runtime_error(fmt::format("{}: no results can be written in {}: {}", folder.string(),
+                                         folder.parent_path().string(), std::strerror(errno)));
   }
   struct stat status {};
   if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode) || status.st_nlink > 1 ||
@@ -58,7 +60,7 @@ bool is_still(const fs::path& file, int descriptor) {
 FolderLock::FolderLock(const fs::path& folder) : file_(lock_of(folder)) {
   do {
     if (descriptor_ >= 0) ::close(descriptor_);
-    descriptor_ = open_lock(file_);
+    descriptor_ = open_lock(file_, folder);
     if (::flock(descriptor_, LOCK_EX | LOCK_NB) == 0) continue;
     const std::string holder = content(descriptor_);
     ::close(descriptor_);

@@ -56,7 +56,9 @@ void reserve_room(const fs::path& file) {
   const int error = descriptor < 0 ? errno : ::posix_fallocate(descriptor, 0, kReservedBytes);
   if (descriptor >= 0) ::close(descriptor);
   if (error == 0) return;
-  throw std::runtime_error(fmt::format("{}: {}", file.string(), std::strerror(error)));
+  throw std::runtime_error(fmt::format("{}: {}; a run needs {} MB there to begin with",
+                                       file.parent_path().parent_path().string(),
+                                       std::strerror(error), kReservedBytes >> 20));
 }
 
 void write_file(const fs::path& file, const std::string& text) {

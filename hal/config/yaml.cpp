@@ -132,6 +132,15 @@ class Builder final : public YAML::EventHandler {
   int documents_ = 0;
 };
 
+/// Which YAML does not allow (YAML 1.2.2, 6.1).
+/// @param line  from 0.
+bool is_indented_by_tab(const std::string& text, int line) {
+  std::istringstream lines(text);
+  std::string found;
+  for (int i = 0; i <= line; ++i) std::getline(lines, found);
+  return found.substr(0, found.find_first_not_of(" \t")).find('\t') != std::string::npos;
+}
+
 }  // namespace
 
 Node parse_yaml(const std::string& text, const Place& origin, std::vector<Problem>& problems,
@@ -152,7 +161,10 @@ Node parse_yaml(const std::string& text, const Place& origin, std::vector<Proble
     Place here = origin;
     here.line = origin.layer == Layer::kCommandLine ? 0 : error.mark.line + 1;
     here.column = error.mark.column + 1;
-    problems.push_back({here, "", "is not YAML: " + error.msg});
+    problems.push_back({here, "",
+                        is_indented_by_tab(text, error.mark.line)
+                            ? "is not YAML: this line is indented with a tab; only spaces indent"
+                            : "is not YAML: " + error.msg});
     return {};
   }
   return builder.take_root();
