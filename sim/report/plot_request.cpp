@@ -59,6 +59,37 @@ std::vector<PlotRequest> requests_in(const std::map<std::string, std::string>& s
   return requests;
 }
 
+std::vector<std::string> observables_in(const std::map<std::string, std::string>& settings) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0;; ++i) {
+    const auto found = settings.find(fmt::format("record.observables.{}.name", i));
+    if (found == settings.end()) return names;
+    names.push_back(found->second);
+  }
+}
+
+std::vector<std::string> observables_of(const std::string& resolved) {
+  std::istringstream lines(resolved);
+  std::vector<std::string> names;
+  std::string line, section, list;
+  while (std::getline(lines, line)) {
+    const std::size_t indent = line.find_first_not_of(' ');
+    if (indent == std::string::npos) continue;
+    const std::size_t begin = line.find_first_not_of(" -");
+    if (begin == std::string::npos) continue;
+    const std::size_t colon = line.find(':', begin);
+    if (colon == std::string::npos) continue;
+    const std::string key = line.substr(begin, colon - begin);
+    if (indent == 0) section = key;
+    if (indent == 2 && line[indent] != '-') list = key;
+    if (section != "record" || list != "observables" || key != "name") continue;
+    const std::size_t first = line.find_first_not_of(" \"'", colon + 1);
+    const std::size_t last = line.find_last_not_of(" \"'");
+    if (first != std::string::npos) names.push_back(line.substr(first, last + 1 - first));
+  }
+  return names;
+}
+
 bool is_for_the_report_only(std::string_view key) {
   return key == "compare" || key.starts_with("report.");
 }

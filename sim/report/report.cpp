@@ -8,7 +8,6 @@
 
 #include "sim/campaign/campaign_reader.h"
 #include "sim/report/experiment_section.h"
-#include "sim/report/plot.h"
 #include "sim/report/report_sections.h"
 
 namespace sim::report {
@@ -66,7 +65,7 @@ std::vector<std::string> network_sections(const Group& group) {
 /// One run, of which the other tables say it all.
 bool says_nothing_new(const Experiment& experiment, const Sources& sources) {
   return sources.runs.size() == 1 && experiment.runs.size() == 1 && experiment.left_out.empty() &&
-         experiment.scenario.empty() && requests_of(experiment).empty();
+         experiment.scenario.empty() && experiment.requests.empty();
 }
 
 std::string runs_text(const std::vector<RunResult>& runs,
