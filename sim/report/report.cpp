@@ -72,12 +72,12 @@ std::string runs_text(const std::vector<RunResult>& runs,
                       const std::optional<Settings>& case_study) {
   const std::vector<Group> groups = group_runs(runs, case_study);
   std::string text = head_text(runs) + runs_section(runs);
-  for (const Group& group : groups) {
-    if (const std::string recorded = recorded_section(group); !recorded.empty()) {
-      text += "\n" + recorded;
-    }
-  }
-  text += "\n" + comparison_section(groups);
+  // One's own numbers first; in the case study the comparison with the paper.
+  std::vector<std::string> parts;
+  for (const Group& group : groups) parts.push_back(recorded_section(group));
+  std::erase(parts, "");
+  parts.insert(has_the_papers(groups) ? parts.begin() : parts.end(), comparison_section(groups));
+  for (const std::string& part : parts) text += "\n" + part;
   if (groups.size() > 1) text += "\n" + differences_section(groups);
   for (const Group& group : groups) {
     if (group.runs.empty()) continue;
