@@ -149,7 +149,7 @@ void name_apart(std::vector<Group>& groups) {
 /// @param profiles  of each scenario.
 std::string base_name(const RunResult& run,
                       const std::map<std::string, std::set<std::string>>& profiles) {
-  const std::string scenario = run.value("scenario"), profile = run.value("profile");
+  std::string scenario = run.value("scenario"), profile = run.value("profile");
   const bool by_profile =
       profiles.at(scenario).size() > 1 || run.has_setting("compare", "labella2009");
   if (!by_profile && !scenario.empty()) return scenario;

@@ -1,5 +1,6 @@
 // Names of quantities: as the view and docs/observables.md show them, and what a scenario observed.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <set>
@@ -51,23 +52,25 @@ std::optional<PlotRequest> with_agent(const Experiment& experiment, PlotRequest 
   return request;
 }
 
-/// "known" for "controllers.known". @throws std::runtime_error  several domains have it
-std::optional<std::string> without_domain(const Experiment& experiment, const std::string& name) {
+/// Quantities whose name without the domain is `part`, also those of which only the mean was kept.
+std::set<std::string> of_any_domain(const Experiment& experiment, const std::string& part) {
   std::set<std::string> found;
-  for (const std::string& part : {name, record::name_part(name)}) {
-    for (const auto& [one, unit] : experiment.units) {
-      if (after_domain(one) == part) found.insert(one);
-      if (after_domain(one) == part + ".mean") {
-        const std::string whole = one.substr(0, one.size() - 5);
-        found.insert(experiment.units.contains(whole) ? whole : one);
-      }
+  for (const auto& [one, unit] : experiment.units) {
+    const std::string whole = one.ends_with(".mean") ? one.substr(0, one.size() - 5) : one;
+    if (after_domain(one) == part || after_domain(whole) == part) {
+      found.insert(experiment.units.contains(whole) ? whole : one);
     }
   }
+  return found;
+}
+
+/// "known" for "controllers.known". @throws std::runtime_error  several domains have it
+std::optional<std::string> without_domain(const Experiment& experiment, const std::string& name) {
+  std::set<std::string> found = of_any_domain(experiment, name);
+  found.merge(of_any_domain(experiment, record::name_part(name)));
   if (found.empty()) return std::nullopt;
   if (found.size() == 1) return *found.begin();
-  std::string names;
-  for (const std::string& one : found) names += (names.empty() ? "" : ", ") + one;
-  throw std::runtime_error(fmt::format("{}: which of {}?", name, names));
+  throw std::runtime_error(fmt::format("{}: which of {}?", name, fmt::join(found, ", ")));
 }
 
 /// Quantities that a pattern of `record: {observables: …}` asked for, without endings like ".mean".
@@ -123,6 +126,7 @@ std::string nearest_names(const Experiment& experiment, const std::string& name)
   std::vector<std::string> names = names_of(experiment);
   if (std::string near = hal::config::suggestion(name, names); !near.empty()) return near;
   std::vector<std::string> short_names;
+  short_names.reserve(names.size());
   for (const std::string& one : names) short_names.push_back(after_domain(one));
   const std::string near = hal::config::suggestion(name, short_names);
   for (std::size_t i = 0; i < names.size(); ++i) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -68,24 +69,41 @@ std::vector<std::string> observables_in(const std::map<std::string, std::string>
   }
 }
 
+namespace {
+
+/// A line "key: value" of a resolved scenario, which may begin an item of a list.
+struct KeyLine {
+  std::size_t indent = 0;
+  bool is_item = false;
+  std::string key, value;
+};
+
+std::optional<KeyLine> key_line(const std::string& line) {
+  const std::size_t begin = line.find_first_not_of(" -");
+  if (begin == std::string::npos) return std::nullopt;
+  const std::size_t colon = line.find(':', begin);
+  if (colon == std::string::npos) return std::nullopt;
+  const std::size_t indent = line.find_first_not_of(' ');
+  KeyLine found{indent, line[indent] == '-', line.substr(begin, colon - begin), {}};
+  const std::size_t first = line.find_first_not_of(" \"'", colon + 1);
+  if (first == std::string::npos) return found;
+  found.value = line.substr(first, line.find_last_not_of(" \"'") + 1 - first);
+  return found;
+}
+
+}  // namespace
+
 std::vector<std::string> observables_of(const std::string& resolved) {
   std::istringstream lines(resolved);
   std::vector<std::string> names;
   std::string line, section, list;
   while (std::getline(lines, line)) {
-    const std::size_t indent = line.find_first_not_of(' ');
-    if (indent == std::string::npos) continue;
-    const std::size_t begin = line.find_first_not_of(" -");
-    if (begin == std::string::npos) continue;
-    const std::size_t colon = line.find(':', begin);
-    if (colon == std::string::npos) continue;
-    const std::string key = line.substr(begin, colon - begin);
-    if (indent == 0) section = key;
-    if (indent == 2 && line[indent] != '-') list = key;
-    if (section != "record" || list != "observables" || key != "name") continue;
-    const std::size_t first = line.find_first_not_of(" \"'", colon + 1);
-    const std::size_t last = line.find_last_not_of(" \"'");
-    if (first != std::string::npos) names.push_back(line.substr(first, last + 1 - first));
+    const auto found = key_line(line);
+    if (!found) continue;
+    if (found->indent == 0) section = found->key;
+    if (found->indent == 2 && !found->is_item) list = found->key;
+    const bool is_in_list = section == "record" && list == "observables";
+    if (is_in_list && found->key == "name") names.push_back(found->value);
   }
   return names;
 }

@@ -74,6 +74,7 @@ std::string runs_text(const std::vector<RunResult>& runs,
   std::string text = head_text(runs) + runs_section(runs);
   // One's own numbers first; in the case study the comparison with the paper.
   std::vector<std::string> parts;
+  parts.reserve(groups.size() + 1);
   for (const Group& group : groups) parts.push_back(recorded_section(group));
   std::erase(parts, "");
   parts.insert(has_the_papers(groups) ? parts.begin() : parts.end(), comparison_section(groups));
