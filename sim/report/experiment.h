@@ -60,8 +60,10 @@ struct Experiment {
   ByRun<Course> courses;
   ByRun<std::vector<record::Bins::Bin>> bins;
   std::vector<PlotRequest> requests;  ///< What its report shows; empty: what differs most.
-  std::string scenario;               ///< Of a campaign: the first point's, resolved, as YAML.
-  std::string scenario_place;         ///< Where that stands, for messages: file, table and row.
+  /// Names and patterns of `record: {observables: …}`.
+  std::vector<std::string> observables{};
+  std::string scenario;        ///< Of a campaign: the first point's, resolved, as YAML.
+  std::string scenario_place;  ///< Where that stands, for messages: file, table and row.
 
   /// "speed 0.3 m/s, range 100 m": last parts of the keys, of those that change together the first;
   /// "all runs" if nothing is varied.

@@ -19,6 +19,7 @@ std::map<int, std::size_t> read_points(CampaignReader& reader, Experiment& exper
     places[row.point] = experiment.points.size();
     if (experiment.points.empty()) {
       experiment.scenario = row.scenario;
+      experiment.observables = observables_of(row.scenario);
       experiment.scenario_place =
           fmt::format("{}: table points, row {}",
                       (reader.folder() / campaign::kCampaignDatabase).string(), row.point);

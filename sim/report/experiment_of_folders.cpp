@@ -137,6 +137,7 @@ Experiment experiment_of(const std::vector<std::filesystem::path>& folders) {
       continue;
     }
     if (experiment.requests.empty()) experiment.requests = requests_in(run.settings);
+    if (experiment.observables.empty()) experiment.observables = observables_in(run.settings);
     auto place = std::ranges::find(points, run.compared);
     if (place == points.end()) {
       points.push_back(run.compared);

@@ -146,7 +146,8 @@ std::string plot_text(const Plot& plot) {
   return text;
 }
 
-std::string pairs_text(const Experiment& experiment, const PlotRequest& request) {
+std::string pairs_text(const Experiment& experiment, const PlotRequest& asked) {
+  const PlotRequest request = with_full_name(experiment, asked);
   const auto of = select(experiment, request.plot, request.agent);
   if (!of || experiment.points.size() < 2) return {};
   TextTable table({"setting", "pairs", "difference", "95 % low", "high", "p", "correlation"});

@@ -42,11 +42,16 @@ struct LinkSums {
   std::uint64_t delivered() const;
 };
 
+inline constexpr std::size_t kLongestName = 32;  ///< Letters of a group's name.
+
 /// The runs of one scenario with the same settings but for the seed.
 struct Group {
-  /// The profile, with the scenario if there are several; where that is the same for several
-  /// groups, with the setting in which they differ, or with a number if they differ in more.
+  /// The scenario; of the paper's case study, or where a scenario has several, the profile of the
+  /// radio. Where that is the same for several groups, with the setting in which they differ, or
+  /// with the folder of the result if they differ in more. At most kLongestName letters.
   std::string name;
+  std::string full_name{};  ///< What a shortened name stands for; "": it is not shortened.
+  std::string folder;       ///< Of the first run.
   Settings settings;  ///< Of each run, with the version; without the seed, `report`, `compare`.
   std::vector<const RunResult*> runs;  ///< Complete ones.
   std::size_t left_out = 0;            ///< Broken off, failed, not started, or copies.

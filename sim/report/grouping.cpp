@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <set>
 #include <utility>
 
@@ -64,17 +65,71 @@ std::string last_part(const std::string& key) {
   return dot == std::string::npos ? key : key.substr(dot + 1);
 }
 
+using Parts = std::vector<std::string>;
+
+Parts parts_of(const std::string& folder) {
+  Parts parts;
+  for (const auto& part : std::filesystem::path(folder).lexically_normal()) {
+    if (!part.empty() && part != ".") parts.push_back(part.string());
+  }
+  return parts;
+}
+
+/// How many parts of all paths are equal, seen from `begin`; of each path one is left over.
+template <class Begin>
+std::size_t equal_parts(const std::vector<Parts>& paths, Begin begin) {
+  std::size_t shortest = paths.front().size();
+  for (const Parts& path : paths) shortest = std::min(shortest, path.size());
+  std::size_t equal = 0;
+  const auto is_equal = [&](const Parts& path) {
+    return *(begin(path) + static_cast<std::ptrdiff_t>(equal)) ==
+           *(begin(paths.front()) + static_cast<std::ptrdiff_t>(equal));
+  };
+  while (equal + 1 < shortest && std::ranges::all_of(paths, is_equal)) ++equal;
+  return equal;
+}
+
+/// Folders by the parts in which they differ.
+std::vector<std::string> short_folders(const std::vector<Group*>& same) {
+  std::vector<Parts> paths;
+  paths.reserve(same.size());
+  for (const Group* group : same) paths.push_back(parts_of(group->folder));
+  const std::size_t head = equal_parts(paths, [](const Parts& path) { return path.begin(); });
+  for (Parts& path : paths) path.erase(path.begin(), path.begin() + std::ptrdiff_t(head));
+  const std::size_t tail = equal_parts(paths, [](const Parts& path) { return path.rbegin(); });
+  std::vector<std::string> folders;
+  for (const Parts& path : paths) {
+    std::string& folder = folders.emplace_back();
+    for (std::size_t i = 0; i + tail < path.size(); ++i) folder += (i == 0 ? "" : "/") + path[i];
+  }
+  return folders;
+}
+
 /// Tells groups apart that have the same name. @param same  at least two.
 void tell_apart(const std::vector<Group*>& same) {
   std::vector<Group> groups;
   groups.reserve(same.size());
   for (const Group* group : same) groups.push_back(*group);
   const std::vector<Difference> found = differences(groups);
+  const std::vector<std::string> folders = short_folders(same);
   for (std::size_t i = 0; i < same.size(); ++i) {
-    same[i]->name += found.size() == 1 ? fmt::format(", {} {}", last_part(found.front().key),
-                                                     found.front().values[i])
-                                       : fmt::format(" ({})", i + 1);
+    same[i]->name += ", " + (found.size() == 1
+                                 ? fmt::format("{} {}", last_part(found[0].key), found[0].values[i])
+                                 : folders[i]);
   }
+}
+
+/// Its beginning and its end; texts are cut between letters of UTF-8.
+std::string shortened(const std::string& name, std::size_t number) {
+  const auto is_inside = [&name](std::size_t at) {
+    return (static_cast<unsigned char>(name[at]) & 0xC0U) == 0x80U;
+  };
+  const std::string mark = fmt::format("...{}...", number);
+  const std::size_t kept = kLongestName - mark.size();
+  std::size_t head = kept / 2, tail = name.size() - (kept - kept / 2);
+  while (head > 0 && is_inside(head)) --head;
+  while (tail < name.size() && is_inside(tail)) ++tail;
+  return name.substr(0, head) + mark + name.substr(tail);
 }
 
 void name_apart(std::vector<Group>& groups) {
@@ -83,6 +138,22 @@ void name_apart(std::vector<Group>& groups) {
   for (auto& [name, same] : by_name) {
     if (same.size() > 1) tell_apart(same);
   }
+  for (std::size_t i = 0; groups.size() > 1 && i < groups.size(); ++i) {
+    if (groups[i].name.size() <= kLongestName) continue;
+    groups[i].full_name = groups[i].name;
+    groups[i].name = shortened(groups[i].full_name, i + 1);
+  }
+}
+
+/// What to call the runs of a scenario and profile.
+/// @param profiles  of each scenario.
+std::string base_name(const RunResult& run,
+                      const std::map<std::string, std::set<std::string>>& profiles) {
+  std::string scenario = run.value("scenario"), profile = run.value("profile");
+  const bool by_profile =
+      profiles.at(scenario).size() > 1 || run.has_setting("compare", "labella2009");
+  if (!by_profile && !scenario.empty()) return scenario;
+  return profiles.size() > 1 ? fmt::format("{}/{}", scenario, profile) : profile;
 }
 
 }  // namespace
@@ -127,17 +198,18 @@ static void compare_with_papers(const RunResult& run, const std::optional<Settin
 std::vector<Group> group_runs(const std::vector<RunResult>& runs,
                               const std::optional<Settings>& case_study) {
   using Key = std::tuple<std::string, std::string, Settings>;
-  std::set<std::string> scenarios;
-  for (const RunResult& run : runs) scenarios.insert(run.value("scenario"));
+  std::map<std::string, std::set<std::string>> profiles;
+  for (const RunResult& run : runs) profiles[run.value("scenario")].insert(run.value("profile"));
   std::vector<std::pair<Key, Group>> keyed;
   for (const RunResult& run : runs) {
     const Key key{run.value("scenario"), run.value("profile"), settings_of(run)};
-    const auto& [scenario, profile, settings] = key;
     auto place = std::ranges::find(keyed, key, &std::pair<Key, Group>::first);
     if (place == keyed.end()) {
-      const std::string name =
-          scenarios.size() > 1 ? fmt::format("{}/{}", scenario, profile) : profile;
-      keyed.push_back({key, {name, settings, {}, 0, false, ""}});
+      Group group;
+      group.name = base_name(run, profiles);
+      group.folder = run.folder;
+      group.settings = std::get<Settings>(key);
+      keyed.emplace_back(key, std::move(group));
       place = std::prev(keyed.end());
       compare_with_papers(run, case_study, place->second);
     }

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "hal/config/suggest.h"
 #include "sim/report/plot_parts.h"
 
 namespace sim::report {
@@ -20,12 +19,6 @@ constexpr const char* kPreferred[] = {"messages.delivery_ratio", "messages.delay
                                       "messages.delay.p95",      "messages.goodput",
                                       "run.simulated",           "paths.mean",
                                       "discoveries.time.median", "frames.sent"};
-
-std::vector<std::string> names_of(const Experiment& experiment) {
-  std::vector<std::string> names;
-  for (const auto& [name, unit] : experiment.units) names.push_back(name);
-  return names;
-}
 
 std::size_t factor_or_throw(const Experiment& experiment, const std::string& key) {
   if (const auto factor = experiment.factor(key)) return *factor;
@@ -48,22 +41,6 @@ std::optional<std::size_t> default_factor(const Experiment& experiment,
     if (experiment.first_like(i) != experiment.first_like(*by)) return i;
   }
   return 0;
-}
-
-/// "; did you mean 'paths.mean'?", else "; there is run.simulated" for "simulated_s"; "": nothing.
-std::string nearest_names(const Experiment& experiment, const std::string& name) {
-  const std::vector<std::string> names = names_of(experiment);
-  if (std::string near = hal::config::suggestion(name, names); !near.empty()) return near;
-  constexpr std::size_t kMost = 5;
-  constexpr std::size_t kShortest = 4;  // letters of a word that is looked for
-  const std::string stem = name.substr(0, name.rfind('_'));
-  std::string found;
-  std::size_t count = 0;
-  for (const std::string& one : names) {
-    if (stem.size() < kShortest || one.find(stem) == std::string::npos || count == kMost) continue;
-    found += (count++ == 0 ? "; there is " : ", ") + one;
-  }
-  return found;
 }
 
 void check_is_there(const Experiment& experiment, const PlotRequest& request) {
@@ -223,7 +200,8 @@ std::optional<Selected> select(const Experiment& experiment, const std::string& 
   return selected;
 }
 
-Plot make_plot(const Experiment& experiment, const PlotRequest& request) {
+Plot make_plot(const Experiment& experiment, const PlotRequest& asked) {
+  const PlotRequest request = with_full_name(experiment, asked);
   check_is_there(experiment, request);
   Plot plot;
   plot.kind = kind_of(experiment, request);
@@ -248,12 +226,14 @@ Plot make_plot(const Experiment& experiment, const PlotRequest& request) {
 }
 
 std::vector<PlotRequest> requests_of(const Experiment& experiment) {
-  if (!experiment.requests.empty() || experiment.points.size() < 2) return experiment.requests;
-  std::vector<PlotRequest> requests;
+  if (!experiment.requests.empty()) return experiment.requests;
+  std::vector<PlotRequest> requests = observed_requests(experiment);
+  if (experiment.points.size() < 2) return requests;
+  const std::size_t observed = requests.size();
   for (const char* name : kPreferred) {
     const auto of = select(experiment, name, "");
     if (!of || share_between(experiment, of->values) <= 0) continue;
-    if (requests.size() < kDefaultPlots) requests.push_back({.plot = name});
+    if (requests.size() - observed < kDefaultPlots) requests.push_back({.plot = name});
   }
   return requests;
 }

@@ -44,9 +44,21 @@ struct Plot {
 ///   has instead; or nothing of that kind.
 Plot make_plot(const Experiment& experiment, const PlotRequest& request);
 
-/// What the experiment asks for; else, if settings were varied, the quantities of the run that
-/// differ most between them.
+/// What the experiment asks for; else what `record: {observables: …}` asked to be followed and, if
+/// settings were varied, the quantities of the run that differ most between them.
 std::vector<PlotRequest> requests_of(const Experiment& experiment);
+
+/// The request with the name that the experiment has for it: also "known" for "controllers.known",
+/// and "controllers.r0.known" for that of one agent, as docs/observables.md and the view have it.
+/// As it is, if there is no such quantity.
+/// @throws std::runtime_error  several quantities have that name
+PlotRequest with_full_name(const Experiment& experiment, PlotRequest request);
+
+/// "; did you mean 'paths.mean'?", else "; there is run.simulated" for "simulated_s"; "": nothing.
+std::string nearest_names(const Experiment& experiment, const std::string& name);
+
+/// Of what `record: {observables: …}` asked to be followed.
+std::vector<PlotRequest> observed_requests(const Experiment& experiment);
 
 /// A quantity of each run: of the run itself, of one agent, or the mean over those that have it.
 struct Selected {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -57,6 +58,54 @@ std::vector<PlotRequest> requests_in(const std::map<std::string, std::string>& s
     if (const std::string as = value(i, "as"); !as.empty()) request.as = kind_of(as);
   }
   return requests;
+}
+
+std::vector<std::string> observables_in(const std::map<std::string, std::string>& settings) {
+  std::vector<std::string> names;
+  for (std::size_t i = 0;; ++i) {
+    const auto found = settings.find(fmt::format("record.observables.{}.name", i));
+    if (found == settings.end()) return names;
+    names.push_back(found->second);
+  }
+}
+
+namespace {
+
+/// A line "key: value" of a resolved scenario, which may begin an item of a list.
+struct KeyLine {
+  std::size_t indent = 0;
+  bool is_item = false;
+  std::string key, value;
+};
+
+std::optional<KeyLine> key_line(const std::string& line) {
+  const std::size_t begin = line.find_first_not_of(" -");
+  if (begin == std::string::npos) return std::nullopt;
+  const std::size_t colon = line.find(':', begin);
+  if (colon == std::string::npos) return std::nullopt;
+  const std::size_t indent = line.find_first_not_of(' ');
+  KeyLine found{indent, line[indent] == '-', line.substr(begin, colon - begin), {}};
+  const std::size_t first = line.find_first_not_of(" \"'", colon + 1);
+  if (first == std::string::npos) return found;
+  found.value = line.substr(first, line.find_last_not_of(" \"'") + 1 - first);
+  return found;
+}
+
+}  // namespace
+
+std::vector<std::string> observables_of(const std::string& resolved) {
+  std::istringstream lines(resolved);
+  std::vector<std::string> names;
+  std::string line, section, list;
+  while (std::getline(lines, line)) {
+    const auto found = key_line(line);
+    if (!found) continue;
+    if (found->indent == 0) section = found->key;
+    if (found->indent == 2 && !found->is_item) list = found->key;
+    const bool is_in_list = section == "record" && list == "observables";
+    if (is_in_list && found->key == "name") names.push_back(found->value);
+  }
+  return names;
 }
 
 bool is_for_the_report_only(std::string_view key) {

@@ -39,6 +39,11 @@ struct PlotRequest {
 /// The entries as they stand in the table `settings` of a result ("report.0.plot" …).
 std::vector<PlotRequest> requests_in(const std::map<std::string, std::string>& settings);
 
+/// Names of `record: {observables: …}` in the same table, or in a resolved scenario
+/// (sim::scenario::resolved_yaml()).
+std::vector<std::string> observables_in(const std::map<std::string, std::string>& settings);
+std::vector<std::string> observables_of(const std::string& resolved);
+
 /// Whether a setting changes nothing about a run: `report`, `compare`. Runs that differ in such
 /// only are of the same settings.
 bool is_for_the_report_only(std::string_view key);

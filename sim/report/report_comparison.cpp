@@ -20,6 +20,7 @@ struct Figure {
   paper::Basis basis = paper::Basis::kNone;
   double theirs = 0;  ///< As a number, of the unit of `value`; 0: not to be compared.
   std::function<std::optional<double>(const Group&)> value{};
+  bool is_of_the_paper = false;  ///< Nobody else needs it.
 };
 
 std::optional<double> mean(const std::vector<double>& values) {
@@ -51,6 +52,24 @@ double sum(const std::vector<double>& values) {
   return total;
 }
 
+/// Of the runs that count such a thing; none: no run does.
+template <class Counts, class Read>
+std::optional<double> counted(const Group& group, Counts counts, Read read) {
+  std::optional<double> total;
+  for (const RunResult* run : group.runs) {
+    if (std::invoke(counts, *run)) {
+      total = total.value_or(0) + static_cast<double>(std::invoke(read, *run));
+    }
+  }
+  return total;
+}
+
+/// Likewise, as it stands in a table.
+template <class Counts, class Read>
+std::function<std::string(const Group&)> count_of(Counts counts, Read read) {
+  return [counts, read](const Group& group) { return number(counted(group, counts, read), 0); };
+}
+
 std::string results_of(const Group& group) {
   std::map<std::string, int> results;
   for (const RunResult* run : group.runs) ++results[run->value("result")];
@@ -73,11 +92,15 @@ std::optional<double> delivery_ratio(const Group& group) {
   return sent > 0 ? std::optional(100 * arrived / sent) : std::nullopt;
 }
 
-std::optional<double> nodes_per_flood(const Group& group) {
-  const double floods = sum(of_runs(group, [](const RunResult& run) { return run.floods; }));
-  const double reached =
-      sum(of_runs(group, [](const RunResult& run) { return run.flood_deliveries; }));
-  return floods > 0 ? std::optional(reached / floods) : std::nullopt;
+/// Agents that got one of such messages, mean.
+std::function<std::string(const Group&)> reach_of(std::uint64_t RunResult::*sent,
+                                                  std::uint64_t RunResult::*received) {
+  return [sent, received](const Group& group) {
+    const double all = sum(of_runs(group, [sent](const RunResult& run) { return run.*sent; }));
+    const double reached =
+        sum(of_runs(group, [received](const RunResult& run) { return run.*received; }));
+    return number(all > 0 ? std::optional(reached / all) : std::nullopt, 2);
+  };
 }
 
 /// A figure per simulated second: of a value in the table run.
@@ -137,28 +160,30 @@ std::vector<Figure> drive_figures() {
       {"clearance to walls, range m", "",
        [clearance](const Group& g) { return range_of(clearance(g), 2); }},
       {"wall contacts, sum", "",
-       [contacts](const Group& g) { return number(sum(contacts(g)), 0); }},
+       [contacts](const Group& g) -> std::string {
+         const auto all = contacts(g);
+         return all.empty() ? "-" : number(sum(all), 0);
+       }},
   };
 }
 
+/// A message to everyone without routing is one frame, so there it counts as a broadcast.
+bool may_flood(const RunResult& run) { return run.counts_messages() && run.has_routing(); }
+
 std::vector<Figure> message_figures() {
-  const auto messages = [](const Group& g) {
-    return sum(of_runs(g, [](const RunResult& run) { return run.messages; }));
-  };
-  const auto floods = [](const Group& g) {
-    return sum(of_runs(g, [](const RunResult& run) { return run.floods; }));
-  };
-  const auto given_up = [](const Group& g) {
-    return sum(of_runs(g, [](const RunResult& run) { return run.discoveries_failed; }));
-  };
+  const auto counts = &RunResult::counts_messages;
+  const auto routes = &RunResult::has_routing;
+  const auto found = [](const RunResult& run) { return run.discoveries_ns.size(); };
   return {
-      {"messages to one agent", "", [messages](const Group& g) { return number(messages(g), 0); }},
+      {"messages to one agent", "", count_of(counts, &RunResult::messages)},
       {"delivered %", "", [](const Group& g) { return number(delivery_ratio(g), 2); }},
-      {"floods", "", [floods](const Group& g) { return number(floods(g), 0); }},
-      {"agents reached per flood", "",
-       [](const Group& g) { return number(nodes_per_flood(g), 2); }},
-      {"routes found", "", [](const Group& g) { return std::to_string(g.discoveries().size()); }},
-      {"routes given up", "", [given_up](const Group& g) { return number(given_up(g), 0); }},
+      {"floods", "", count_of(may_flood, &RunResult::floods)},
+      {"agents reached per flood", "", reach_of(&RunResult::floods, &RunResult::flood_deliveries)},
+      {"broadcasts to neighbours", "", count_of(counts, &RunResult::broadcasts)},
+      {"agents reached per broadcast", "",
+       reach_of(&RunResult::broadcasts, &RunResult::broadcast_deliveries)},
+      {"routes found", "", count_of(routes, found)},
+      {"routes given up", "", count_of(routes, &RunResult::discoveries_failed)},
   };
 }
 
@@ -194,7 +219,7 @@ std::vector<Figure> quantile_figures(const std::string& name, const Quantiles& t
              const auto ours = least(group);
              return ours ? number(*ours * 1e9, 0) : std::string("-");
            },
-           Basis::kInferred, theirs.min, least},
+           Basis::kInferred, theirs.min, least, true},
           line("minimum", &Quantiles::min, Basis::kInferred),
           line("quartile 1", &Quantiles::q1, Basis::kCalibrated),
           line("median", &Quantiles::median, Basis::kCalibrated),
@@ -240,7 +265,8 @@ std::vector<Figure> packet_figures() {
             [value, decimals](const Group& g) { return number(value(g), decimals); },
             paper::Basis::kCalibrated,
             theirs,
-            value};
+            value,
+            true};
   };
   return {
       line("packets per run, most of a mote", paper::kMostPackets / paper::kRuns, 1, most_packets),
@@ -284,6 +310,15 @@ std::string why_no_paper(const std::vector<Group>& groups) {
   return text;
 }
 
+/// What the shortened names stand for.
+std::string legend(const std::vector<Group>& groups) {
+  std::string text;
+  for (const Group& group : groups) {
+    if (!group.full_name.empty()) text += fmt::format("{}: {}\n", group.name, group.full_name);
+  }
+  return text;
+}
+
 std::string far_off_text(const std::vector<ComparisonRow>& rows, const std::vector<Group>& groups) {
   std::string text;
   for (const ComparisonRow& row : rows) {
@@ -309,10 +344,16 @@ bool is_far_off(const std::optional<double>& times_paper) {
   return times_paper && (*times_paper > 2 || *times_paper < 0.5);
 }
 
+/// Nothing but "-": no group has such a thing. A count of 0 is a value.
+static bool is_missing(const ComparisonRow& row) {
+  return std::ranges::all_of(row.ours, [](const std::string& cell) { return cell == "-"; });
+}
+
 std::vector<ComparisonRow> comparison_rows(const std::vector<Group>& groups) {
   const bool has_paper = has_the_papers(groups);
   std::vector<ComparisonRow> rows;
   for (const Figure& figure : all_figures(has_paper)) {
+    if (figure.is_of_the_paper && !has_paper) continue;
     ComparisonRow& row = rows.emplace_back();
     row.figure = figure.name;
     if (has_paper) row.paper = figure.paper;
@@ -321,6 +362,7 @@ std::vector<ComparisonRow> comparison_rows(const std::vector<Group>& groups) {
       row.ours.push_back(figure.ours(group));
       row.times_paper.push_back(times_paper(figure, group));
     }
+    if (!has_paper && is_missing(row)) rows.pop_back();
   }
   return rows;
 }
@@ -340,9 +382,10 @@ std::string comparison_section(const std::vector<Group>& groups) {
   }
   return fmt::format(
       "Figures, pooled over the runs of the same settings but for the seed (quartiles of type 7; "
-      "delay: of\nmessages to one agent, waiting for a route included{})\n{}{}{}",
+      "delay: of\nmessages to one agent, waiting for a route included{})\n{}{}{}{}",
       has_paper ? "; replica score: mean |ln(ours / paper's)| of the\nsix quartiles" : "",
-      table.text(), why_no_paper(groups), has_paper ? about_the_paper(rows, groups) : "");
+      table.text(), legend(groups), why_no_paper(groups),
+      has_paper ? about_the_paper(rows, groups) : "");
 }
 
 std::string differences_section(const std::vector<Group>& groups) {

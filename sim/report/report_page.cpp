@@ -228,12 +228,18 @@ Json sample_losses_json(const Group& group) {
 
 Json to_json(const Group& group) {
   Json json = {{"name", group.name},
+               {"full_name", group.full_name},
                {"is_the_papers", group.is_the_papers()},
                {"not_the_papers", group.not_the_papers},
                {"left_out", group.left_out},
                {"runs", Json::array()}};
   if (group.runs.empty()) return json;
   for (const RunResult* run : group.runs) json["runs"].push_back(to_json(*run));
+  json["recorded"] = Json::array();
+  for (const RecordedTable& table : recorded_tables(group)) {
+    json["recorded"].push_back(
+        {{"title", table.title}, {"file", table.file}, {"rows", table.rows}});
+  }
   json["scenario"] = group.runs.front()->value("scenario");
   json["nodes"] = nodes_json(group);
   json["links"] = links_json(*group.runs.front());

@@ -14,6 +14,17 @@ namespace sim::report {
 /// One line per run and robot.
 std::string runs_section(const std::vector<RunResult>& runs);
 
+/// What the runs of a group recorded: the head first.
+struct RecordedTable {
+  std::string title;
+  std::string file;  ///< Table of the result that has all of it.
+  std::vector<std::vector<std::string>> rows;
+};
+/// Values that controllers recorded, states that they named, observables; those that have rows.
+std::vector<RecordedTable> recorded_tables(const Group& group);
+/// The same as text, each table cut off after some rows; "" if nothing was recorded.
+std::string recorded_section(const Group& group);
+
 /// One line of the comparison: what it is, the paper's figure ("" if it has none) and what it is
 /// worth, each group's, and how many times the paper's that is where it can be said.
 struct ComparisonRow {

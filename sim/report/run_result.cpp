@@ -7,6 +7,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "hal/types/agent_id.h"
 #include "sim/record/run_reader.h"
 
 namespace sim::report {
@@ -115,13 +116,29 @@ void read_frame_verdicts(RunReader& reader, RunResult& run) {
   }
 }
 
+/// Where messages to several agents are counted.
+struct Broadcast {
+  std::uint64_t RunResult::*sent;
+  std::uint64_t RunResult::*received;
+};
+
+/// What routing relays is a flood; what is for neighbours is sent once, and so is every message
+/// without routing. None: the message is to one agent.
+std::optional<Broadcast> broadcast_of(const RunResult& run, std::int64_t destination) {
+  const hal::AgentId to{static_cast<std::uint16_t>(destination)};
+  if (!hal::is_broadcast(to)) return std::nullopt;
+  const bool is_flood = to == hal::kEveryone && run.has_routing();
+  return is_flood ? Broadcast{&RunResult::floods, &RunResult::flood_deliveries}
+                  : Broadcast{&RunResult::broadcasts, &RunResult::broadcast_deliveries};
+}
+
 void read_messages(RunReader& reader, RunResult& run) {
-  Statement ends = reader.query(
-      "SELECT destination >= 65534, verdict, SUM(count) FROM message_ends GROUP BY 1, 2");
+  Statement ends =
+      reader.query("SELECT destination, verdict, SUM(count) FROM message_ends GROUP BY 1, 2");
   while (ends.next()) {
     const auto number = static_cast<std::uint64_t>(ends.integer(2));
-    if (ends.integer(0) != 0) {
-      run.floods += number;
+    if (const auto broadcast = broadcast_of(run, ends.integer(0))) {
+      run.*broadcast->sent += number;
     } else {
       run.messages += number;
       run.verdicts[ends.text(1)] += number;
@@ -131,12 +148,12 @@ void read_messages(RunReader& reader, RunResult& run) {
 
 void read_delivery_sums(RunReader& reader, RunResult& run) {
   Statement sums = reader.query(
-      "SELECT destination >= 65534, IFNULL(transmissions, 0) AS transmissions, SUM(count),"
+      "SELECT MAX(destination, 65533), IFNULL(transmissions, 0) AS transmissions, SUM(count),"
       " MIN(delay_least_ns) FROM message_deliveries GROUP BY 1, 2");
   while (sums.next()) {
     const auto number = static_cast<std::uint64_t>(sums.integer(2));
-    if (sums.integer(0) != 0) {
-      run.flood_deliveries += number;
+    if (const auto broadcast = broadcast_of(run, sums.integer(0))) {
+      run.*broadcast->received += number;
     } else {
       run.delivered += number;
       RunResult::Hops& hops = run.hops[static_cast<int>(sums.integer(1))];
@@ -267,6 +284,48 @@ void read_sample_losses(RunReader& reader, RunResult& run) {
   }
 }
 
+std::optional<double> optional_real(const Statement& row, int column) {
+  return row.is_null(column) ? std::nullopt : std::optional(row.real(column));
+}
+
+std::vector<RunResult::Values> values_of(Statement rows) {
+  std::vector<RunResult::Values> all;
+  while (rows.next()) {
+    all.push_back({.agent = rows.text(0),
+                   .name = rows.text(1),
+                   .unit = rows.text(2),
+                   .count = static_cast<std::uint64_t>(rows.integer(3)),
+                   .mean = optional_real(rows, 4),
+                   .least = optional_real(rows, 5),
+                   .most = optional_real(rows, 6),
+                   .last = optional_real(rows, 7)});
+  }
+  return all;
+}
+
+void read_recorded(RunReader& reader, RunResult& run) {
+  run.recorded = values_of(reader.query(
+      "WITH sums AS (SELECT agent, name, COUNT(*) AS count, AVG(value) AS mean, MIN(value) AS"
+      " low, MAX(value) AS high, MAX(rowid) AS newest FROM recorded GROUP BY 1, 2)"
+      " SELECT a.name, 'controllers.' || s.name, IFNULL(u.unit, ''), count, mean, low, high,"
+      " (SELECT value FROM recorded r WHERE r.rowid = newest) FROM sums s JOIN agents a"
+      " USING (agent) LEFT JOIN recorded_units u ON u.program = a.program AND u.name = s.name"
+      " ORDER BY s.name, agent"));
+  run.observables = values_of(
+      reader.query("SELECT a.name, o.name, o.unit, IFNULL(s.count, 0), s.mean, s.min, s.max, s.last"
+                   " FROM observables o JOIN agents a USING (agent) LEFT JOIN observable_sums s"
+                   " USING (observable) ORDER BY o.name, o.agent, o.observable"));
+  Statement states = reader.query(
+      "SELECT a.name, state, COUNT(*), MIN(at_ns) FROM states JOIN agents a USING (agent)"
+      " GROUP BY agent, state ORDER BY agent, 4, MIN(states.rowid)");
+  while (states.next()) {
+    run.states.push_back({.agent = states.text(0),
+                          .state = states.text(1),
+                          .entries = static_cast<std::uint64_t>(states.integer(2)),
+                          .first = static_cast<double>(states.integer(3)) * 1e-9});
+  }
+}
+
 void read_goal(RunReader& reader, RunResult& run) {
   Statement query = reader.query("SELECT agent FROM ends WHERE agent IS NOT NULL AND result = ?");
   query.bind_all(run.value("result"));
@@ -305,6 +364,11 @@ std::string RunResult::value(const std::string& key) const {
   return found == values.end() ? std::string() : found->second;
 }
 
+bool RunResult::has_setting(const std::string& key, const std::string& wanted) const {
+  const auto found = settings.find(key);
+  return found != settings.end() && found->second == wanted;
+}
+
 double RunResult::number(const std::string& key) const {
   return std::strtod(value(key).c_str(), nullptr);
 }
@@ -340,6 +404,7 @@ RunResult read_run(const fs::path& folder) {
   read_air(reader, run);
   read_relays(reader, run);
   read_sample_losses(reader, run);
+  read_recorded(reader, run);
   read_goal(reader, run);
   return run;
 }

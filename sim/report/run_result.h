@@ -90,6 +90,18 @@ struct RunResult {
     std::uint64_t queued = 0, most = 0;
     std::int64_t waited_ns = 0;
   };
+  /// Values of one name of one agent: what its controller recorded, or an observable.
+  struct Values {
+    std::string agent, name, unit;  ///< Name of the agent; as reports know the value; "": no unit.
+    std::uint64_t count = 0;
+    std::optional<double> mean{}, least{}, most{}, last{};  ///< None: there was no value.
+  };
+  /// A state that an agent's controller named.
+  struct State {
+    std::string agent, state;
+    std::uint64_t entries = 0;
+    double first = 0;  ///< s
+  };
   /// Samples that did not come; agent: as in sample_losses.
   struct SampleLossCount {
     std::string topic, verdict;
@@ -112,7 +124,9 @@ struct RunResult {
   std::uint64_t delivered = 0;             ///< So many of them.
   std::map<int, Hops> hops;                ///< Of these, by transmissions; 0: not known.
   std::vector<Delivery> deliveries;        ///< Of these, too; empty if messages are not listed.
-  std::uint64_t floods = 0, flood_deliveries = 0;
+  std::uint64_t floods = 0, flood_deliveries = 0;  ///< Messages that routing floods.
+  /// Messages to everyone in radio range: nobody relays them.
+  std::uint64_t broadcasts = 0, broadcast_deliveries = 0;
   std::map<std::string, std::uint64_t> verdicts;  ///< Of messages to one agent.
   std::vector<std::int64_t> discoveries_ns;       ///< Those that found a route.
   std::uint64_t discoveries_failed = 0;
@@ -122,7 +136,10 @@ struct RunResult {
   std::vector<AirSecond> air_seconds;  ///< By second.
   std::vector<Relay> relays;           ///< By access point and destination.
   std::vector<SampleLossCount> sample_losses;
-  std::optional<int> goal;  ///< The agent whose state ended the run.
+  std::vector<Values> recorded;     ///< By name and agent.
+  std::vector<Values> observables;  ///< What `record: {observables: …}` asked for, likewise.
+  std::vector<State> states;        ///< By agent and the time of the first.
+  std::optional<int> goal;          ///< The agent whose state ended the run.
 
   /// Value of the table run; "" if it is not there.
   std::string value(const std::string& key) const;
@@ -130,6 +147,10 @@ struct RunResult {
   double number(const std::string& key) const;
   /// How it ended, for people: "unfinished" if it never said.
   std::string ending() const;
+  /// Whether it counted messages, and whether it routes them.
+  bool counts_messages() const { return !has_setting("record.messages", "none"); }
+  bool has_routing() const { return !has_setting("routing", "none"); }
+  bool has_setting(const std::string& key, const std::string& value) const;
   /// Whether each delivery is in `deliveries`.
   bool lists_deliveries() const { return deliveries.size() == delivered; }
   /// Whether the run came to an end of its own: its figures may be pooled with others'.

@@ -75,7 +75,7 @@ class Recording(Case):
         self.assertEqual(exports, [self.exported(view) for view in VIEWS])
         # What a report says of numbers it says of both; only the list has quantiles.
         of_list = Program("baraka", "report", self.out).finish().out
-        for figure in "messages to one agent", "delivered %", "floods", "agents reached per flood":
+        for figure in "messages to one agent", "delivered %", "broadcasts to neighbours", "agents reached per broadcast":
             lines = [[line.split() for line in text.splitlines() if line.startswith(figure)]
                      for text in (report, of_list)]
             self.assertEqual(lines[0], lines[1])

@@ -328,7 +328,7 @@ class Team(PageCase):
     def test_each_speed_is_a_column_and_a_mark(self):
         head, *_ = self.document.section("comparison").all("tr")
         self.assertEqual([cell.text for cell in head.children][1:],
-                         [f"mobility_framework, speed {speed}" for speed in self.SPEEDS])
+                         [f"many_robots, speed {speed}" for speed in self.SPEEDS])
         points = list(self.plot(0).all("point"))
         self.assertEqual([(float(point["data-x"]), point["data-runs"]) for point in points],
                          [(0.5, "2"), (0.9, "2")])

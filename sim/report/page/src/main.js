@@ -5,11 +5,12 @@ import { experiment } from "./experiment.js";
 import { losses } from "./losses.js";
 import { network } from "./network.js";
 import { packets } from "./packets.js";
-import { download, plural, section, table } from "./page.js";
+import { download, panel, plural, section, table } from "./page.js";
 import { profiles, times } from "./times.js";
 import { trajectory } from "./trajectory.js";
 
 const kSeries = 4;  // colours
+const kOpenRows = 40;  // of a table; more are folded up
 
 function head(main, figures) {
   const complete = figures.experiments.reduce((count, one) => count + one.runs, 0);
@@ -17,11 +18,15 @@ function head(main, figures) {
   const settings = figures.experiments.reduce((count, one) => count + one.settings, 0);
   const names = figures.groups.length && figures.groups.length <= 6
     ? figures.groups.map((g) => g.name).join(", ") : plural(settings, "setting");
-  main.append("h1").text("BARAKA report");
+  const scenarios = [...new Set(figures.groups.map((g) => g.scenario).filter((name) => name))];
+  main.append("h1").text(scenarios.length ? `${scenarios.join(", ")}: BARAKA report` : "BARAKA report");
   main.append("p").attr("class", "lead").text(`${plural(complete, "complete run")} of ${names}`
     + `${left_out ? `; ${left_out} left out` : ""}. `
     + (figures.paper ? "The paper: T. H. Labella, I. Dietrich, F. Dressler, “Hybrid simulation of Sensor and Actor "
     + "Networks with BARAKA”, 2009." : ""));
+  for (const g of figures.groups.filter((one) => one.full_name)) {
+    main.append("p").attr("class", "caption").text(`${g.name}: ${g.full_name}.`);
+  }
   for (const g of figures.groups.filter((one) => one.not_the_papers)) {
     main.append("p").attr("class", "caption").text(
       `${g.name}: not the paper's case study: ${g.not_the_papers}.`);
@@ -43,6 +48,23 @@ function comparison(figures) {
     .classed("far-off", (__, column) => column >= first && figures.comparison[i].far_off[column - first]));
   if (paper) part.panels.append("p").attr("class", "caption no-tail").text(paper.no_tail);
   download(part.downloads, "comparison.csv", columns, rows);
+  return part.element;
+}
+
+/** What the runs recorded by themselves: values and states of their controllers, observables. */
+function recorded(groups) {
+  const part = section("recorded", "Recorded", "Over the runs of one setting: values that controllers recorded, states "
+    + "that they named, and observables that the scenario asked for.", "wide");
+  for (const group of groups) {
+    for (const one of group.recorded) {
+      const [columns, ...rows] = one.rows;
+      const list = panel(part.panels, group.series, group.name, one.title).element.append("details")
+        .attr("open", rows.length <= kOpenRows ? "" : null);
+      list.append("summary").text(plural(rows.length, "row"));
+      table(list, columns, rows);
+      download(part.downloads, `${group.name} ${one.file}.csv`, columns, rows);
+    }
+  }
   return part.element;
 }
 
@@ -75,7 +97,10 @@ function draw(figures) {
   head(main, figures);
   const groups = figures.groups.filter((g) => g.runs.length);
   const parts = figures.experiments.map((one, i) => experiment(one, i)).filter((part) => part);
+  const having = groups.filter((g) => g.recorded.length);
+  if (having.length && !figures.paper) parts.unshift(recorded(having));
   if (figures.groups.length) parts.push(comparison(figures));
+  if (having.length && figures.paper) parts.push(recorded(having));
   if (figures.groups.length > 1) parts.push(differences(figures));
   // Each figure shows the groups that have something to show, or is left out.
   const add = (plot, is_there) => {
@@ -85,8 +110,9 @@ function draw(figures) {
   if (groups.length > 1) parts.push(profiles(groups, figures));
   add((shown) => network(shown, fig(2, "Network")), (g) => g.nodes.length);
   add((shown) => trajectory(shown, fig(11, "Trajectory")), (g) => g.runs.some((run) => run.robots.length));
-  add((shown) => packets(shown, figures.paper, fig(12, "Packets received by each node")), (g) => g.nodes.some((n) => !n.robot));
-  add(losses, (g) => g.verdicts.some((row) => row.addressed));
+  add((shown) => packets(shown, figures.paper, fig(12, "Packets received by each node")),
+    (g) => g.is_the_papers || g.nodes.some((n) => !n.robot && n.packets));
+  add(losses, (g) => g.verdicts.some((row) => row.addressed && row.count));
   add(air, (g) => g.air.kinds.length);
   add(relays, (g) => g.relays.length);
   add((shown) => times("discovery", fig(13, "Time to discover a route"), "time to discover a route",

@@ -337,6 +337,61 @@ TEST(PlotTest, AnUnknownNameIsAnsweredWithThoseThatHoldIt) {
 }
 
 // Each partner is 100 s later with radio b, whatever the seed: nothing varies in the differences.
+/// r0 and r1 record 3 and 5 values known; r0's speed was kept as sums, the battery of both over
+/// time.
+Experiment of_agents() {
+  Experiment experiment;
+  experiment.points.push_back({{}, {0}});
+  experiment.runs.push_back({"run", 0, 1});
+  experiment.units = {{"controllers.known", "1"},
+                      {"controllers.known.mean", "1"},
+                      {"agents.speed.mean", "m/s"},
+                      {"agents.x", "m"},
+                      {"sensors.x", "m"}};
+  for (const char* agent : {"r0", "r1"}) {
+    experiment.courses[{"controllers.known", agent}][0] = {{0, 1}, {1, *agent == 'r' ? 3 : 5}};
+    experiment.values[{"controllers.known.mean", agent}][0] = 2;
+  }
+  experiment.values[{"agents.speed.mean", "r0"}][0] = 0.5;
+  return experiment;
+}
+
+TEST(PlotTest, AQuantityIsFoundByTheNamesThatTheViewAndTheDocsShow) {
+  const Experiment experiment = of_agents();
+  const auto found = [&](const std::string& name) {
+    const PlotRequest request = with_full_name(experiment, {.plot = name});
+    return request.plot + " of '" + request.agent + "'";
+  };
+  EXPECT_EQ(found("known"), "controllers.known of ''");
+  EXPECT_EQ(found("controllers.r1.known"), "controllers.known of 'r1'");
+  EXPECT_EQ(found("controllers.*.known"), "controllers.known of ''");
+  EXPECT_EQ(found("agents.r0.speed"), "agents.speed.mean of 'r0'");
+  EXPECT_EQ(found("speed"), "agents.speed.mean of ''");
+  EXPECT_EQ(found("controllers.r9.known"), "controllers.r9.known of ''") << "there is no r9";
+  EXPECT_EQ(make_plot(experiment, {.plot = "controllers.r1.known"}).name, "controllers.known.r1");
+  EXPECT_NE(message_of(experiment, {.plot = "knowm"}).find("did you mean 'controllers.known'?"),
+            std::string::npos);
+  EXPECT_EQ(message_of(experiment, {.plot = "x"}), "x: which of agents.x, sensors.x?");
+}
+
+TEST(PlotTest, WhatAScenarioObservedIsShownWithoutBeingAskedForAgain) {
+  Experiment experiment = of_agents();
+  EXPECT_TRUE(requests_of(experiment).empty());
+  experiment.observables = observables_of(
+      "name: a\nrecord:\n  poses: all\n  observables:\n    - name: controllers.*.known\n"
+      "      every: 1 s\n    - name: agents.r0.speed\n  frames: all\nagents:\n  x:\n    name: y\n");
+  EXPECT_EQ(experiment.observables,
+            (std::vector<std::string>{"controllers.*.known", "agents.r0.speed"}));
+  const auto requests = requests_of(experiment);
+  ASSERT_EQ(requests.size(), 2u);
+  EXPECT_EQ(requests[0].plot, "controllers.known");
+  EXPECT_EQ(requests[0].as, PlotKind::kTime);
+  EXPECT_EQ(requests[1].plot, "agents.speed.mean");
+  EXPECT_EQ(requests[1].agent, "r0");
+  for (const PlotRequest& request : requests)
+    EXPECT_FALSE(make_plot(experiment, request).name.empty());
+}
+
 TEST(PlotTest, PairsAreOfEqualSeeds) {
   const Experiment experiment = two_by_two();
   const std::string text = pairs_text(experiment, {.plot = "x"});

@@ -153,15 +153,90 @@ TEST_F(ReportTest, NeverPoolsRunsOfDifferentSettings) {
   EXPECT_EQ(section(printed, "Settings in which").find("seed"), std::string::npos);
 }
 
-TEST_F(ReportTest, GroupsThatDifferInMoreAreNumberedAndListed) {
+TEST_F(ReportTest, GroupsThatDifferInMoreAreCalledAfterTheirFoldersAndListed) {
   add("a", run_sql("ideal", 1) + "INSERT INTO settings VALUES ('a','1'), ('b','1')");
   add("b", run_sql("ideal", 1) + "INSERT INTO settings VALUES ('a','2')");
   add("c", run_sql("disk", 1) + "INSERT INTO settings VALUES ('a','1'), ('b','1')");
   const std::string printed = text();
-  EXPECT_EQ(line(printed, "figure"), "ideal (1)|ideal (2)|disk");
+  EXPECT_EQ(line(printed, "figure"), "ideal, a|ideal, b|disk");
   const std::string settings = section(printed, "Settings in which");
   EXPECT_EQ(line(settings, "a"), "1|2|1");
   EXPECT_EQ(line(settings, "b"), "1|-|1");
+}
+
+TEST_F(ReportTest, LongFolderNamesAreShortenedAndExplained) {
+  const std::string head = "an experiment about speeds of robots";
+  for (const std::string end : {"1", "2"}) {
+    add(head + end, run_sql("ideal", 1) +
+                        fmt::format("INSERT INTO settings VALUES ('a','{0}'), ('b','{0}')", end));
+  }
+  const std::string printed = text();
+  EXPECT_EQ(line(printed, "figure"),
+            "ideal, an ex...1...ds of robots1|"
+            "ideal, an ex...2...ds of robots2");
+  EXPECT_NE(printed.find("\nideal, an ex...2...ds of robots2: ideal, " + head + "2\n"),
+            std::string::npos);
+}
+
+/// A robot that neither sends nor hears anything, and records what it finds.
+const std::string kOwn = R"sql(
+INSERT INTO run VALUES ('scenario','search'), ('profile','ideal'), ('seed',1), ('result','done'),
+  ('simulated_s',10.0);
+INSERT INTO agents VALUES (1,'r0','robot','finder',0,0,0);
+INSERT INTO bodies VALUES (1,7.5,0.4,0,3.0,3.9,0,0,2);
+INSERT INTO recorded VALUES (1,0,'found',0.0), (1,1000000000,'found',2.0);
+INSERT INTO recorded_units VALUES ('finder','found','1');
+INSERT INTO states VALUES (1,500000000,'looking'), (1,700000000,'looking');
+INSERT INTO observables VALUES (1,'agents.speed',1,'m/s','counter',NULL,0);
+INSERT INTO observable_sums VALUES (1,3,0.5,0.1,0.4,0.6,1.5,0.6,0.5);
+)sql";
+
+TEST_F(ReportTest, BeginsWithTheScenarioAndWhatItsOwnRunRecorded) {
+  add("a", kOwn);
+  const std::string printed = text();
+  EXPECT_EQ(printed.find("Scenario: search\n"), 0U);
+  EXPECT_EQ(line(printed, "controllers.found"), "r0|1|2|1|0|2|2");
+  EXPECT_EQ(line(printed, "agents.speed"), "r0|m/s|3|0.5|0.4|0.6|0.6");
+  EXPECT_NE(printed.find("r0     looking     1        2    0.500\n"), std::string::npos) << printed;
+  EXPECT_LT(printed.find("search: values that controllers recorded, 1 run\n"),
+            printed.find("\nFigures"));
+  EXPECT_EQ(line(printed, "figure"), "search");
+}
+
+// What there is none of is left out; what was counted and is 0 stays.
+TEST_F(ReportTest, AZeroIsShownAndWhatIsMissingIsNot) {
+  add("a", kOwn);
+  const std::string printed = text();
+  EXPECT_EQ(line(printed, "messages to one agent"), "0");
+  EXPECT_EQ(line(printed, "routes found"), "0");
+  EXPECT_NE(printed.find("search: no frame was sent by radio\n"), std::string::npos);
+  for (const char* missing :
+       {"delivered %", "discovery, median ms", "delay, minimum ns", "packets, ratio"}) {
+    EXPECT_NE(line(printed, missing).find("no line"), std::string::npos) << missing;
+  }
+  add("a", kOwn + "INSERT INTO settings VALUES ('record.messages','none'), ('routing','none');");
+  for (const char* missing : {"messages to one agent", "floods", "routes found"}) {
+    EXPECT_NE(line(text(), missing).find("no line"), std::string::npos) << missing;
+  }
+}
+
+TEST_F(ReportTest, OnlyWhatRoutingRelaysIsAFlood) {
+  const std::string both =
+      "INSERT INTO messages VALUES (1,6,65534,'help',2,0,'handed over',1,'delivered');"
+      "INSERT INTO deliveries VALUES (1,6,2,300000,300000,1);";
+  add("a", run_sql("ideal", 1) + both);
+  std::string printed = text();
+  EXPECT_EQ(line(printed, "floods"), "1");
+  EXPECT_EQ(line(printed, "agents reached per flood"), "2.00");
+  EXPECT_EQ(line(printed, "broadcasts to neighbours"), "1");
+  EXPECT_EQ(line(printed, "agents reached per broadcast"), "1.00");
+
+  add("a", run_sql("ideal", 1) + both +
+               "DELETE FROM settings; INSERT INTO settings VALUES ('routing','none');");
+  printed = text();
+  EXPECT_EQ(line(printed, "floods"), "no line 'floods'") << "nobody relays";
+  EXPECT_EQ(line(printed, "broadcasts to neighbours"), "2");
+  EXPECT_EQ(line(printed, "agents reached per broadcast"), "1.50");
 }
 
 TEST_F(ReportTest, SetsThePaperBesideItsCaseStudyOnlyAndSaysWhy) {
