@@ -150,7 +150,8 @@ std::vector<hal::ParameterSpec> LabourMote::parameters() {
        .choices = task_names()},
       {.name = "sink",
        .default_value = "",
-       .meaning = "Name of the mote that gets the samples; that one gets its own at once."},
+       .meaning = "Name of the mote that gets the samples; that one gets its own at once.",
+       .names = hal::Naming::kAgent},
       {"rest", "s", 20, 0.1, 3600,
        "From the end of a task to the next choice, on average; drawn from half to one and a half "
        "of it."}};

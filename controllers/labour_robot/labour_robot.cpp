@@ -160,7 +160,9 @@ std::vector<hal::ParameterSpec> LabourRobot::parameters() {
        .choices = names},
       {.name = "sink",
        .default_value = "",
-       .meaning = "Name of the mote to which it reports from its posts."}};
+       .meaning = "Name of the mote to which it reports from its posts.",
+       .names = hal::Naming::kAgent,
+       .is_used = Patrol::is_among_tasks}};
   const auto add = [&all](std::vector<hal::ParameterSpec> some) {
     for (hal::ParameterSpec& one : some) all.push_back(std::move(one));
   };

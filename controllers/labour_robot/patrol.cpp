@@ -14,13 +14,19 @@ std::vector<hal::ParameterSpec> Patrol::parameters() {
   std::vector<hal::ParameterSpec> all = {
       {.name = "patrol.posts",
        .default_value = std::vector<std::string>{},
-       .meaning = "Names of the agents between which it goes round."},
+       .meaning = "Names of the agents between which it goes round.",
+       .names = hal::Naming::kOtherAgent,
+       .is_used = is_among_tasks},
       {"patrol.timeout", "s", 400, 1, 3600, "For the drive to a post; longer is a failure."},
       {"patrol.reached", "m", 4, 0.5, 1000, "A post has been reached below this."},
       {"patrol.stay", "s", 30, 0, 3600, "At a post."}};
   const Burst report{.messages = 1, .size = 16, .needed = 1, .within = 5s};
   for (hal::ParameterSpec& one : burst_parameters("patrol.", report)) all.push_back(std::move(one));
   return all;
+}
+
+bool Patrol::is_among_tasks(const hal::Parameters& parameters) {
+  return std::ranges::find(parameters.texts("tasks"), kTask) != parameters.texts("tasks").end();
 }
 
 Patrol::Patrol(hal::Robot& robot, Travel& travel, const hal::Parameters& parameters,

@@ -25,6 +25,8 @@ class Patrol {
 
   /// posts, timeout, reached, stay, and those of the report; their names begin with "patrol.".
   static std::vector<hal::ParameterSpec> parameters();
+  /// Whether the robot chooses it at all, by its parameter `tasks`.
+  static bool is_among_tasks(const hal::Parameters& parameters);
   /// @param timer  the one of the robot's timers that it uses.   @param travel  outlives this.
   Patrol(hal::Robot& robot, Travel& travel, const hal::Parameters& parameters, hal::TimerId timer);
 

@@ -58,6 +58,11 @@ class TrafficSink : public hal::Controller {
   hal::Duration latency_max_{};
 };
 
+std::vector<hal::ParameterMistake> judge(const hal::Parameters& parameters) {
+  if (parameters["stop"] > parameters["start"]) return {};
+  return {{"stop", "is not after `start`: it would never count"}};
+}
+
 }  // namespace controllers
 
 BARAKA_CONTROLLER {
@@ -65,11 +70,13 @@ BARAKA_CONTROLLER {
   return {.name = "traffic_sink",
           .parameters = {{.name = "topic",
                           .default_value = "traffic",
-                          .meaning = "Of the messages it counts; it ignores others."},
+                          .meaning = "Of the messages it counts; it ignores others.",
+                          .names = hal::Naming::kHeardTopic},
                          {"overhead", "1", 0, 0, 2304,
                           "Bytes of each message, beside the payload, that count in `goodput`."},
                          {"start", "s", 0, 0, 1e9, "Messages before it are not counted."},
                          {"stop", "s", kNever, 0, kNever, "Messages from then on likewise."}},
+          .judge = controllers::judge,
           .records = {{"received", "1", "Messages counted, told at the end as the others."},
                       {"bytes", "1", "Of their payloads."},
                       {"goodput", "bit/s", "Of their payloads and `overhead`."},

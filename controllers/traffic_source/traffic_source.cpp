@@ -36,6 +36,34 @@ hal::Duration period_of(const hal::Parameters& parameters) {
   return hal::from_seconds(messages / parameters["rate"]);
 }
 
+/// A parameter that only one pattern has.
+struct OfPattern {
+  const char* parameter;
+  const char* pattern;
+};
+constexpr std::array<OfPattern, 2> kOfPatterns{{{"backlog", "saturated"}, {"burst", "bursts"}}};
+
+std::vector<hal::ParameterMistake> judge(const hal::Parameters& parameters) {
+  std::vector<hal::ParameterMistake> mistakes;
+  const double start = parameters["start"], stop = parameters["stop"];
+  if (stop <= start) {
+    mistakes.push_back({"stop", "is not after `start`: it would never send"});
+  }
+  const std::string& pattern = parameters.text("pattern");
+  const auto unused = [&](const std::string& name, const std::string& why) {
+    if (parameters.is_given(name)) mistakes.push_back({name, "has no effect: " + why, true});
+  };
+  if (pattern == "saturated") unused("rate", "a saturated source sends as fast as it can");
+  if (pattern == "saturated" || pattern == "poisson") {
+    unused("phase", "`pattern` is " + pattern + ", which has none");
+  }
+  for (const OfPattern& one : kOfPatterns) {
+    if (pattern == one.pattern) continue;
+    unused(one.parameter, "`pattern` is " + pattern + ", it is for " + one.pattern);
+  }
+  return mistakes;
+}
+
 }  // namespace
 
 TrafficSource::TrafficSource(hal::RealWorldObject& self, const hal::Parameters& parameters)
@@ -152,8 +180,13 @@ BARAKA_CONTROLLER {
             .choices = {controllers::kPatterns.begin(), controllers::kPatterns.end()}},
            {.name = "to",
             .default_value = "neighbours",
-            .meaning = "Name of an agent, `neighbours`, or `everyone`."},
-           {.name = "topic", .default_value = "traffic", .meaning = "Of its messages."},
+            .meaning = "Name of an agent, `neighbours`, or `everyone`.",
+            .names = hal::Naming::kOtherAgent,
+            .besides = {"everyone"}},
+           {.name = "topic",
+            .default_value = "traffic",
+            .meaning = "Of its messages.",
+            .names = hal::Naming::kSentTopic},
            {"size", "1", 100, 0, static_cast<double>(hal::kMaxPayload),
             "Bytes of a message; from 12 on it carries its time and number."},
            {"rate", "Hz", 1, 1e-6, 1e6, "Messages per second, on average; not if saturated."},
@@ -163,6 +196,7 @@ BARAKA_CONTROLLER {
            {"backlog", "1", 10, 1, 10000, "Messages under way at any time, if saturated."},
            {"start", "s", 0, 0, 1e9, "When it begins."},
            {"stop", "s", kUnset, 0, kUnset, "When it ends."}},
+      .judge = controllers::judge,
       .records = {{"sent", "1", "Messages that it sent, told at the end as the others."},
                   {"handed_over", "1", "Of these, taken by the next hop."},
                   {"failed", "1", "Of these, without a route, or never taken."},

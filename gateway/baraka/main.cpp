@@ -87,6 +87,19 @@ CLI::Option* add_live_view(CLI::App* run, gateway::LiveViewOptions& view) {
   return shown;
 }
 
+/// @param of_what  before the words of each choice.
+void add_controllers(CLI::App& command, ControllersFrom& controllers, const std::string& of_what) {
+  const std::map<std::string, ControllersFrom> from{{"spawn", ControllersFrom::kSpawn},
+                                                    {"external", ControllersFrom::kExternal},
+                                                    {"in-process", ControllersFrom::kInProcess}};
+  command
+      .add_option_function<std::string>(
+          "--controllers",
+          [&controllers, from](const std::string& how) { controllers = from.at(how); },
+          of_what + "spawn: start them (default); external: wait for them; in-process: load them")
+      ->transform(hal::runtime::one_of({"spawn", "external", "in-process"}));
+}
+
 void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
   CLI::App* run = app.add_subcommand("run", "Run a scenario");
   run->add_option("SCENARIO", options.scenario, "Scenario file")->required();
@@ -94,14 +107,7 @@ void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
       ->transform(whole_number(0, kMostSeed));
   run->add_option("--until", options.until, "End at this simulated time: 90 or 1.5 min")
       ->transform(seconds(0));
-  const std::map<std::string, ControllersFrom> from{{"spawn", ControllersFrom::kSpawn},
-                                                    {"external", ControllersFrom::kExternal},
-                                                    {"in-process", ControllersFrom::kInProcess}};
-  run->add_option_function<std::string>(
-         "--controllers",
-         [&options, from](const std::string& how) { options.controllers = from.at(how); },
-         "spawn: start them (default); external: wait for them; in-process: load them")
-      ->transform(hal::runtime::one_of({"spawn", "external", "in-process"}));
+  add_controllers(*run, options.controllers, "");
   run->add_option(
          "--max-speed", options.max_speed,
          "At most this many simulated seconds per second; changes nothing else; default: as "
@@ -171,6 +177,7 @@ const CLI::App* add_check(CLI::App& app, gateway::CheckOptions& options) {
       ->allow_extra_args(false);
   std::vector<std::string> kinds;
   for (const auto& kind : gateway::file_kinds()) kinds.push_back(kind.name);
+  add_controllers(*check, options.way.controllers, "How a scenario is to be run; ");
   check->add_option("--kind", options.kind, "Of the files; default: recognised by their keys")
       ->check(CLI::IsMember(kinds));
   return check;

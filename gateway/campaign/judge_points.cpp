@@ -118,6 +118,7 @@ Scenario judged(const fs::path& file, const std::vector<std::string>& overrides,
   ControllerJudgement judgement = judge_controllers(scenario);
   if (!judgement.mistakes.empty()) throw ConfigErrors(std::move(judgement.mistakes));
   warnings.insert(scenario.warnings.begin(), scenario.warnings.end());
+  warnings.insert(judgement.warnings.begin(), judgement.warnings.end());
   warnings.insert(judgement.not_checked.begin(), judgement.not_checked.end());
   return scenario;
 }

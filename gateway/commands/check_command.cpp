@@ -31,7 +31,7 @@ int check(const CheckOptions& options) {
       const std::string path =
           hal::config::named_file(file, {"scenarios", "campaigns", "robots", "radios", "hardware"});
       const FileKind& kind = wanted != nullptr ? *wanted : recognised(path, options.overrides);
-      kind.judge(path, options.overrides);
+      kind.judge(path, options.overrides, options.way);
       fmt::print("{}: ok\n", file);
     } catch (const hal::config::ConfigErrors& errors) {
       std::fflush(stdout);

@@ -3,12 +3,15 @@
 #include <string>
 #include <vector>
 
+#include "gateway/run/judge_controllers.h"
+
 namespace gateway {
 
 /// What the command line of `baraka check` says.
 struct CheckOptions {
   std::vector<std::string> files;
   std::vector<std::string> overrides;  ///< --set
+  RunWay way;                          ///< In which a scenario is to be run.
   std::string kind;                    ///< Of file_kinds(); empty: recognised by its keys.
 };
 

@@ -10,7 +10,6 @@
 
 #include "gateway/campaign/judge_points.h"
 #include "gateway/run/judge_controllers.h"
-#include "gateway/run/judge_programs.h"
 #include "hal/config/document.h"
 #include "hal/config/errors.h"
 #include "hal/description/body_section.h"
@@ -26,12 +25,8 @@ using hal::config::Mapping;
 using Overrides = std::vector<std::string>;
 
 void read_scenario(Mapping in) { sim::scenario::read_scenario(std::move(in), "scenario.yaml"); }
-void judge_scenario(const std::string& path, const Overrides& overrides) {
-  // It may be checked for another computer.
-  constexpr double kNotSlowed = 1;
-  for (const std::string& line : unusable_programs(load_judged(path, overrides), kNotSlowed)) {
-    fmt::print(stderr, "{}\n", line);
-  }
+void judge_scenario(const std::string& path, const Overrides& overrides, const RunWay& way) {
+  (void)load_judged(path, overrides, way);
 }
 void read_campaign(Mapping in) { sim::campaign::read_campaign(std::move(in), "campaign.yaml"); }
 void read_hardware(Mapping in) { hal::hardware::RobotFile::read(std::move(in)); }
@@ -39,11 +34,11 @@ void tell(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) fmt::print(stderr, "{}\n", warning);
 }
 
-void judge_points(const std::string& path, const Overrides& overrides) {
+void judge_points(const std::string& path, const Overrides& overrides, const RunWay&) {
   tell(judge_campaign(path, overrides).warnings);
 }
 
-void judge_hardware(const std::string& path, const Overrides& overrides) {
+void judge_hardware(const std::string& path, const Overrides& overrides, const RunWay&) {
   tell(hal::hardware::RobotFile::load(path, overrides).warnings);
 }
 void read_robot(Mapping in) { hal::description::read_robot(std::move(in)); }
@@ -52,7 +47,7 @@ void read_radio(Mapping in) { sim::scenario::read_radio(std::move(in)); }
 
 /// For files that need nothing but their reader.
 template <void (*kRead)(Mapping)>
-void judge(const std::string& path, const Overrides& overrides) {
+void judge(const std::string& path, const Overrides& overrides, const RunWay&) {
   Document document = Document::load(path, overrides);
   kRead(document.root());
   document.finish();

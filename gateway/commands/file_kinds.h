@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "gateway/run/judge_controllers.h"
 #include "hal/config/mapping.h"
 #include "hal/config/survey.h"
 
@@ -15,8 +16,10 @@ struct FileKind {
   std::string about;    ///< One line for people.
   std::string example;  ///< A complete file.
   void (*read)(hal::config::Mapping);
-  /// Finds every mistake; says warnings on standard error. @throws hal::config::ConfigErrors
-  void (*judge)(const std::string& path, const std::vector<std::string>& overrides);
+  /// Finds every mistake; says warnings on standard error. @param way  in which a scenario is run.
+  /// @throws hal::config::ConfigErrors
+  void (*judge)(const std::string& path, const std::vector<std::string>& overrides,
+                const RunWay& way);
 };
 
 const std::vector<FileKind>& file_kinds();

@@ -30,6 +30,7 @@ std::unique_ptr<view::Run> open_scenario(const std::string& given) {
   ControllerJudgement judgement = judge_controllers(scenario);
   if (!judgement.mistakes.empty()) throw hal::config::ConfigErrors(std::move(judgement.mistakes));
   std::vector<std::string> said = scenario.warnings;
+  said.insert(said.end(), judgement.warnings.begin(), judgement.warnings.end());
   said.insert(said.end(), judgement.not_checked.begin(), judgement.not_checked.end());
   return std::make_unique<view::Run>(file, std::move(scenario), std::move(said));
 }

@@ -130,6 +130,10 @@ std::vector<std::string> open_loop_of(const std::filesystem::path& folder,
 
 }  // namespace
 
+double factor_of_programs(const std::string& pace) {
+  return pace.empty() ? 1 : real_time_factor(pace).value_or(1);
+}
+
 Course::Course(const RunOptions& options, const sim::scenario::Scenario& scenario)
     : pace_(pace_of(options, scenario)) {
   if (options.repeat.empty()) factor_ = real_time_factor(pace_);

@@ -13,6 +13,10 @@
 
 namespace gateway {
 
+/// Seconds of the programs' time per second, of a pace as `--pace` takes it; empty, lockstep: 1.
+/// @throws UsageError  it is none.
+double factor_of_programs(const std::string& pace);
+
 /// How simulated time goes on in a run: in lock-step, in real time, or as it once did.
 class Course {
  public:

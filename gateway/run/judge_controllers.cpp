@@ -4,11 +4,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 #include <map>
 #include <set>
 #include <utility>
 
 #include "gateway/find_program.h"
+#include "gateway/run/judge_names.h"
+#include "gateway/run/judge_programs.h"
 #include "gateway/teleop_port.h"
 #include "hal/config/errors.h"
 #include "hal/config/shared_folders.h"
@@ -189,7 +192,14 @@ void judge_records(const sim::scenario::Scenario& scenario,
 }
 
 void judge_teleop(const sim::scenario::Scenario& scenario, const sim::scenario::Group& group,
-                  std::vector<std::string>& mistakes) {
+                  const RunWay& way, std::vector<std::string>& mistakes) {
+  const bool in_process = way.controllers == ControllersFrom::kInProcess;
+  if (in_process && !way.has_domain && !way.is_repeated) {
+    mistakes.push_back(
+        fmt::format("{}: program: '{}' needs a DDS domain, and a run with its controllers in "
+                    "process has none: --inspect-domain N",
+                    group.program_place, kTeleop));
+  }
   if (group.inside) {
     mistakes.push_back(fmt::format("{}: program: '{}' is driven from outside: not with `inside`",
                                    group.program_place, kTeleop));
@@ -209,55 +219,82 @@ void judge_teleop(const sim::scenario::Scenario& scenario, const sim::scenario::
   }
 }
 
+/// Whether the controller is there in the form that the run needs: its plug-in was found.
+void judge_form(const sim::scenario::Group& group, const RunWay& way,
+                std::vector<std::string>& mistakes) {
+  if (way.controllers != ControllersFrom::kSpawn) return;
+  if (find_program(group.program, hal::runtime::controller_folders())) return;
+  mistakes.push_back(fmt::format(
+      "{}: program: '{}' is not there to be started, only its plug-in is: --controllers in-process",
+      group.program_place, group.program));
+}
+
+/// Its plug-in was not found.
+void judge_without_plugin(const sim::scenario::Group& group, const RunWay& way,
+                          const hal::Error& error, ControllerJudgement& judgement) {
+  const auto add = [&](const std::string& what) {
+    judgement.mistakes.push_back(fmt::format("{}: program: {}", group.program_place, what));
+  };
+  if (error.code != hal::Errc::kNotAvailable) return add(error.message);
+  if (!find_program(group.program, hal::runtime::controller_folders())) {
+    return add(fmt::format("'{}' is no known controller: {}", group.program, error.message));
+  }
+  if (way.controllers == ControllersFrom::kInProcess) return add(error.message);
+  judgement.not_checked.push_back(
+      fmt::format("parameters, channels and states of {}: not checked, its plug-in is not there",
+                  group.program));
+}
+
 }  // namespace
 
-ControllerJudgement judge_controllers(const sim::scenario::Scenario& scenario) {
+ControllerJudgement judge_controllers(const sim::scenario::Scenario& scenario, const RunWay& way) {
   ControllerJudgement judgement;
   std::map<std::string, const hal::ControllerKind*> kinds;
   StatesOf states;
+  NamesJudge names(scenario);
   for (const sim::scenario::Group& group : scenario.groups) {
     if (group.program.empty()) continue;  // nobody drives them
     if (group.program == kTeleop) {
-      judge_teleop(scenario, group, judgement.mistakes);
+      judge_teleop(scenario, group, way, judgement.mistakes);
       continue;
     }
     const auto kind = hal::runtime::load_plugin(group.program, hal::runtime::controller_folders());
-    if (kind) {
-      kinds[group.program] = *kind;
-      note_declared(group.program, **kind, judgement);
-      judge_group(scenario, group, **kind, judgement.mistakes);
-      judge_channels(scenario, group, **kind, judgement.mistakes);
-      states[group.program] = (*kind)->states;
-    } else if (kind.error().code != hal::Errc::kNotAvailable) {
-      judgement.mistakes.push_back(
-          fmt::format("{}: program: {}", group.program_place, kind.error().message));
-    } else if (find_program(group.program, hal::runtime::controller_folders())) {
-      judgement.not_checked.push_back(fmt::format(
-          "parameters, channels and states of {}: not checked, its plug-in is not there",
-          group.program));
-    } else {
-      judgement.mistakes.push_back(fmt::format("{}: program: '{}' is no known controller: {}",
-                                               group.program_place, group.program,
-                                               kind.error().message));
+    if (!kind) {
+      judge_without_plugin(group, way, kind.error(), judgement);
+      names.add_unknown();
+      continue;
     }
+    kinds[group.program] = *kind;
+    note_declared(group.program, **kind, judgement);
+    judge_form(group, way, judgement.mistakes);
+    judge_group(scenario, group, **kind, judgement.mistakes);
+    judge_channels(scenario, group, **kind, judgement.mistakes);
+    names.add(group, **kind);
+    states[group.program] = (*kind)->states;
   }
+  names.finish(judgement.mistakes, judgement.warnings);
   judge_records(scenario, kinds, judgement);
   judge_states(scenario, states, judgement);
   return judgement;
 }
 
 sim::scenario::Scenario load_judged(const std::string& path,
-                                    const std::vector<std::string>& overrides) {
+                                    const std::vector<std::string>& overrides, const RunWay& way) {
   const auto file = hal::config::named_file(path, {"scenarios"});
   sim::scenario::Scenario scenario = sim::scenario::load_scenario(file, overrides);
-  ControllerJudgement judgement = judge_controllers(scenario);
+  ControllerJudgement judgement = judge_controllers(scenario, way);
+  if (!way.is_repeated) {
+    std::ranges::move(unusable_programs(scenario, way.factor),
+                      std::back_inserter(judgement.mistakes));
+  }
   if (!judgement.mistakes.empty()) {
     throw hal::config::ConfigErrors(std::move(judgement.mistakes));
   }
   scenario.record.recorded_units = std::move(judgement.recorded_units);
   scenario.record.declared = std::move(judgement.declared);
-  for (const std::string& warning : scenario.warnings) fmt::print(stderr, "{}\n", warning);
-  for (const std::string& line : judgement.not_checked) fmt::print(stderr, "{}\n", line);
+  for (const auto* lines : {&scenario.warnings, &judgement.warnings, &judgement.not_checked}) {
+    for (const std::string& line : *lines) fmt::print(stderr, "{}\n", line);
+  }
   return scenario;
 }
 

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "gateway/netns/loadable.h"
-#include "hal/config/errors.h"
 #include "sim/scenario/plan.h"
 
 namespace gateway {
@@ -44,11 +43,6 @@ std::vector<std::string> unusable_programs(const sim::scenario::Scenario& scenar
     }
   }
   return mistakes;
-}
-
-void require_programs(const sim::scenario::Scenario& scenario, double factor) {
-  std::vector<std::string> unusable = unusable_programs(scenario, factor);
-  if (!unusable.empty()) throw hal::config::ConfigErrors(std::move(unusable));
 }
 
 }  // namespace gateway

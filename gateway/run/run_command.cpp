@@ -13,7 +13,6 @@
 #include "gateway/run/course.h"
 #include "gateway/run/domain_range.h"
 #include "gateway/run/judge_controllers.h"
-#include "gateway/run/judge_programs.h"
 #include "gateway/run/last_resort.h"
 #include "gateway/run/network_of_run.h"
 #include "gateway/run/network_report.h"
@@ -305,15 +304,21 @@ std::filesystem::path results_path(const RunOptions& options, const std::string&
   return std::filesystem::path("results") / scenario;
 }
 
+RunWay way_of(const RunOptions& options) {
+  return {.controllers = options.controllers,
+          .has_domain = options.inspect_domain.has_value(),
+          .is_repeated = !options.repeat.empty(),
+          .factor = factor_of_programs(options.pace)};
+}
+
 std::string until_words(const RunOptions& options) {
   return options.until ? fmt::format("{} s", *options.until) : "its end";
 }
 
 int run(const RunOptions& options) {
-  const Scenario scenario = load_judged(options.scenario, options.overrides);
+  const Scenario scenario = load_judged(options.scenario, options.overrides, way_of(options));
   catch_interrupts();
   const Course course(options, scenario);
-  if (!course.is_repeated()) require_programs(scenario, course.factor().value_or(1));
   (void)domain_of(options);  // before anything is written
   RunInspection inspection(scenario, {.shown = options.inspect,
                                       .domain = options.inspect_domain,

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gateway/run/controllers_of_run.h"
+#include "gateway/run/judge_controllers.h"
 #include "gateway/run/live_view.h"
 
 namespace gateway {
@@ -37,6 +38,9 @@ struct RunOptions {
 
 /// Where the results go. @param scenario  its name.
 std::filesystem::path results_path(const RunOptions& options, const std::string& scenario);
+
+/// What of that decides whether a scenario can be run. @throws UsageError  options.pace is none.
+RunWay way_of(const RunOptions& options);
 
 /// When it ends, as in the table settings: "60 s" or "its end".
 std::string until_words(const RunOptions& options);

@@ -34,9 +34,17 @@ struct RecordSpec {
   std::string meaning{};
 };
 
+/// What is wrong with parameters together, each of which may be as it is.
+struct ParameterMistake {
+  std::string name{};     ///< Of the parameter that is said to be wrong.
+  std::string what{};     ///< "1 s is before `start`, 2 s".
+  bool can_work = false;  ///< It is hardly meant, but allowed: a warning.
+};
+
 /// What there is to know about a kind of controller before one is made.
 struct ControllerKind {
   using MakeForMote = std::unique_ptr<Controller> (*)(Mote&, const Parameters&);
+  using Judge = std::vector<ParameterMistake> (*)(const Parameters&);
   using MakeForRobot = std::unique_ptr<Controller> (*)(Robot&, const Parameters&);
 
   /// Digest of the HAL's headers this was compiled with. A plug-in with another one is refused: so
@@ -45,6 +53,8 @@ struct ControllerKind {
   std::string name{};  ///< Of the program, e.g. "help_mote".
   Wants wants{};
   std::vector<ParameterSpec> parameters{};
+  /// Judges parameters together before a run, each of them already checked. Null: all go together.
+  Judge judge = nullptr;
   /// Every name it calls RealWorldObject::state() with, so that a scenario that waits for another
   /// one is refused before it runs; other names are refused then. Empty: any name, unchecked.
   std::vector<std::string> states{};

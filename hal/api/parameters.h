@@ -3,6 +3,7 @@
 #include <concepts>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -45,6 +46,18 @@ class ParameterValue {
   std::variant<double, bool, std::string, std::vector<double>, std::vector<std::string>> value_;
 };
 
+/// What a text parameter names, or each text of a list. Names that nobody has are found before a
+/// run.
+enum class Naming : std::uint8_t {
+  kNothing,
+  kAgent,       ///< An agent of the scenario.
+  kOtherAgent,  ///< Likewise, and not the one that has the parameter.
+  kSentTopic,   ///< A topic on which it sends.
+  kHeardTopic,  ///< A topic that it hears.
+};
+
+class Parameters;
+
 /// One parameter a controller understands, so that `baraka check` can judge a scenario without
 /// running the controller. Its default says of what kind it is:
 ///
@@ -54,6 +67,8 @@ class ParameterValue {
 ///    .meaning = "x and y of one point after the other."}
 ///   {.name = "mode", .default_value = "near", .meaning = "Whom it serves.",
 ///    .choices = {"near", "needy"}}
+///   {.name = "to", .default_value = "everyone", .meaning = "Name of an agent, or `everyone`.",
+///    .names = hal::Naming::kAgent}
 struct ParameterSpec {
   std::string name{};
   std::string unit{};  ///< "s", "m", "m/s", "1" for a plain number, …; of numbers only.
@@ -61,6 +76,10 @@ struct ParameterSpec {
   double low = 0, high = 0;            ///< Inclusive range of each number, SI.
   std::string meaning{};               ///< One line for people.
   std::vector<std::string> choices{};  ///< The texts that it may be. Empty: any.
+  Naming names = Naming::kNothing;     ///< Of a text, or of each of a list.
+  std::vector<std::string> besides{};  ///< Texts that name none, beside the default.
+  /// Whether what it names matters, with the others as they are. Null: always.
+  bool (*is_used)(const Parameters&) = nullptr;
 };
 
 /// The checked values of one agent's parameters, in SI units, defaults filled in.
@@ -69,7 +88,9 @@ class Parameters {
   using Values = std::map<std::string, ParameterValue, std::less<>>;
 
   Parameters() = default;
-  explicit Parameters(Values values) : values_(std::move(values)) {}
+  /// @param given  names of those that are not left at their defaults.
+  explicit Parameters(Values values, std::set<std::string, std::less<>> given = {})
+      : values_(std::move(values)), given_(std::move(given)) {}
 
   // @pre the controller's kind declares a parameter of that name, with a default of that kind;
   //   aborts otherwise.
@@ -79,9 +100,13 @@ class Parameters {
   const std::vector<double>& numbers(std::string_view name) const { return at(name).numbers(); }
   const std::vector<std::string>& texts(std::string_view name) const { return at(name).texts(); }
 
+  /// Whether the scenario gives it, be it with the value of the default.
+  bool is_given(std::string_view name) const { return given_.contains(name); }
+
  private:
   const ParameterValue& at(std::string_view name) const;
   Values values_;
+  std::set<std::string, std::less<>> given_;
 };
 
 }  // namespace hal

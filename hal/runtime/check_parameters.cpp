@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <set>
+#include <utility>
 
 #include "hal/config/suggest.h"
 #include "hal/config/units.h"
@@ -59,6 +61,7 @@ std::vector<std::string> check_parameters(const ControllerKind& kind,
 
 Parameters read_parameters(const ControllerKind& kind, const std::vector<ParameterText>& given) {
   Parameters::Values values;
+  std::set<std::string, std::less<>> names;
   for (const ParameterSpec& spec : kind.parameters) values.emplace(spec.name, spec.default_value);
   for (const ParameterText& text : given) {
     const ParameterSpec* const spec = find(kind, text.name);
@@ -66,8 +69,9 @@ Parameters read_parameters(const ControllerKind& kind, const std::vector<Paramet
     Result<ParameterValue> value = parse_parameter(*spec, text);
     BARAKA_CHECK(value.has_value());
     values.insert_or_assign(text.name, std::move(*value));
+    names.insert(text.name);
   }
-  return Parameters(std::move(values));
+  return Parameters(std::move(values), std::move(names));
 }
 
 }  // namespace hal::runtime

@@ -142,7 +142,7 @@ std::vector<AgentId> take_addresses(Mapping& in, std::size_t count, Taken& taken
   return addresses;
 }
 
-/// Without a network somebody must drive them.
+/// Robots and motes without a network must be driven by somebody; stations hear and relay alone.
 void read_who_drives(Mapping& in, Group& group, std::vector<AgentConfig>& agents) {
   const bool has_network = in.has("network");
   if (has_network) {
@@ -154,10 +154,10 @@ void read_who_drives(Mapping& in, Group& group, std::vector<AgentConfig>& agents
   } else {
     in.refuse("programs", "needs `network`, the interface that programs use");
   }
-  if (has_network && !in.has("controller")) return;
+  if ((has_network || in.has("station")) && !in.has("controller")) return;
   read_controller(in.mapping({"controller",
-                              "The program that drives the agents; may be absent where they have "
-                              "a network."}),
+                              "The program that drives the agents; may be absent of stations, and "
+                              "where they have a network."}),
                   group, agents);
 }
 

@@ -168,6 +168,20 @@ class Reach {
       return there == channels_.end() || there->second == channel_of(agent);
     });
   }
+  /// Stations that may use it are there, and some have a channel with an access point; none is on
+  /// this one's channel. If all are lost, that is said of them.
+  bool is_alone(const agents::AgentConfig& access_point, const Scenario& scenario) const {
+    if (!access_points_.contains(access_point.name)) return false;
+    bool has_served = false;
+    for (const agents::AgentConfig& agent : scenario.simulation.agents) {
+      const std::vector<std::string>& usable = access_points_of(agent);
+      const bool may_use = std::ranges::find(usable, access_point.name) != usable.end();
+      if (!may_use || access_points_.contains(agent.name)) continue;
+      if (channel_of(agent) == channel_of(access_point)) return false;
+      has_served = has_served || !is_lost(agent);
+    }
+    return has_served;
+  }
   std::uint32_t channel_of(const agents::AgentConfig& agent) const {
     return agent.radio.channel.value_or(network_.phy.channel);
   }
@@ -183,12 +197,28 @@ class Reach {
 
 using AgentsById = std::map<hal::AgentId, const agents::AgentConfig*>;
 
+void warn_of_lone_access_points(Mapping& in, const Scenario& scenario, const Reach& reach,
+                                const AgentsById& by_id) {
+  for (const Group& group : scenario.groups) {
+    for (const hal::AgentId id : group.agents) {
+      const agents::AgentConfig& agent = *by_id.at(id);
+      if (!reach.is_alone(agent, scenario)) continue;
+      in.within("agents")
+          .within(group.name)
+          .warn("radio", fmt::format("no station that may use the access point '{}' is on its "
+                                     "channel, {}: nobody finds it",
+                                     agent.name, reach.channel_of(agent)));
+    }
+  }
+}
+
 void warn_of_lost_stations(Mapping& in, const Scenario& scenario, const AgentsById& by_id) {
   const Reach reach(scenario, *dcf_of(scenario.simulation.radio));
   Mapping radio = in.within("radio");
   if (radio.has(kBss) && !reach.has_access_points()) {
     radio.warn(kBss, "nobody is named as an access point: the network is ad hoc");
   }
+  warn_of_lone_access_points(in, scenario, reach, by_id);
   for (const Group& group : scenario.groups) {
     const auto lost = std::ranges::find_if(
         group.agents, [&](hal::AgentId id) { return reach.is_lost(*by_id.at(id)); });

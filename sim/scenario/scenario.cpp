@@ -18,6 +18,7 @@
 #include "sim/scenario/radio_section.h"
 #include "sim/scenario/report_section.h"
 #include "sim/scenario/run_section.h"
+#include "sim/scenario/waves_checks.h"
 #include "sim/scenario/world_section.h"
 
 namespace sim::scenario {
@@ -57,6 +58,7 @@ Scenario read_scenario(Mapping in, const std::filesystem::path& file) {
       scenario);
   read_record(in.mapping({"record", "What goes into the results."}), scenario);
   check_access_points(in, scenario);
+  check_waves(in, scenario);
   check_networks(in, scenario);
   check_logs(in, scenario);
   check_loss_names(in.within("radio"), scenario);

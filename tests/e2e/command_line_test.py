@@ -117,12 +117,11 @@ agents:
       - {name: made, command: ["{results}/later"], start: 9 s}
 """)
             line = f"{scenario}:13:9: command: no program 'ddspref' in PATH"
-            checked = Program("baraka", "check", scenario).finish()  # perhaps for another computer
-            self.assertEqual(checked.status, 0, str(checked))
+            checked = Program("baraka", "check", scenario).finish()
+            self.assertEqual((checked.status, checked.out), (2, ""), str(checked))
             self.assertIn(line, checked.err)
             refused = Program("baraka", "run", scenario, "--out", out).finish()
-            self.assertEqual(refused.status, 2, str(refused))
-            self.assertIn(line, refused.err)
+            self.assertEqual((refused.status, refused.err), (2, checked.err), str(refused))
             self.assertFalse(out.exists())
 
     def test_an_unknown_controller_is_a_mistake_in_the_scenario(self):

@@ -188,7 +188,7 @@ agents:
         self.assertEqual(self.outcomes()["help"], [0, 2])
 
     def test_without_a_mote_it_says_what_is_missing(self):
-        finished = self.play(scenario=self.scenario(0, 2), status=1)
+        finished = self.play(scenario=self.scenario(0, 2), status=2)
         self.assertIn("there is no agent 'm0'", finished.err)
 
     def test_robots_that_only_answer_need_no_mote(self):

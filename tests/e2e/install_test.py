@@ -64,9 +64,18 @@ class Installed(Package):
     def test_brings_every_robot_radio_and_scenario_without_mistakes(self):
         scenarios = sorted((self.prefix / "share/baraka/scenarios").glob("*.yaml"))
         self.assertGreaterEqual(len(scenarios), 3)
+        # Of the tests: what teleop_behind_a_wall drives with.
+        programs = {"PATH": f"{BIN.parent / 'tests'}:{os.environ['PATH']}"}
         for scenario in scenarios:
-            self.assertEqual(self.baraka("check", scenario).status, 0, scenario)
+            checked = self.baraka("check", scenario, env=programs)
+            self.assertEqual((checked.status, checked.err), (0, ""), scenario)
         self.assertFalse(list(self.prefix.rglob("invalid")))
+
+    def test_has_the_same_folders_as_the_build_tree(self):
+        installed = {path.name for path in (self.prefix / "share/baraka").iterdir() if path.is_dir()}
+        built = {path.name for path in (BIN.parent / "share/baraka").iterdir()}
+        self.assertEqual(installed, built)
+        self.assertIn("tasks", built)
 
     def test_headers_are_those_a_controller_may_include(self):
         folders = {path.parent.relative_to(self.prefix).as_posix()

@@ -9,6 +9,7 @@ from baraka import ROOT, Case, Program
 
 HERE = pathlib.Path(__file__).resolve().parent
 WANDERER = ROOT / "config/scenarios/wanderer.yaml"
+SATURATION = ROOT / "config/scenarios/saturation.yaml"
 TWO_MOTES = ROOT / "config/scenarios/two_motes.yaml"
 IN_PROCESS = ["--controllers", "in-process"]
 HOSTS = (IN_PROCESS, [])  # in this process; spawned, over DDS
@@ -32,6 +33,16 @@ class WhatCannotRun(Case):
         (WANDERER, ["agents.robots.robot.wheels.joints=[{distance: 0.132 m, bearing: 0 deg}, "
                     "{distance: 0.132 m, bearing: 90 deg}, {distance: 0.132 m, bearing: 180 deg}]"],
          r"the robot would tip over when it reverses: 0\.15 m/s\^2 lift wheels"),
+        (SATURATION, ["agents.sources.controller.parameters.to=snik"],
+         r"to: there is no agent 'snik'"),
+        (SATURATION, ["agents.sources.controller.parameters.to=s3"], r"to: 's3' is the agent itself"),
+        (SATURATION, ["agents.sources.controller.parameters.start=3 s",
+                      "agents.sources.controller.parameters.stop=2 s"],
+         r"stop: is not after `start`: it would never send"),
+        (SATURATION, ["agents.sink.controller.parameters.stop=0.5 s"],
+         r"stop: is not after `start`: it would never count"),
+        (SATURATION, ["radio.propagation=[{model: two_ray_ground}]", "radio.antenna_height=0 m"],
+         r"is 0 m of 'sink': with the model two_ray_ground"),
         (TWO_MOTES, ["agents.motes.controller.parameters={help_at: 1e300 s}"],
          r"help_at: 1e300 s is above the limit of 1000000000 s"),
     ]
@@ -58,6 +69,26 @@ class Warnings(Case):
         ran = self.start(TWO_MOTES, *IN_PROCESS, *doubtful).finish()
         self.assertEqual(ran.status, 0, str(ran))
         self.assertIn(checked.err.splitlines()[0], ran.err)
+
+    def test_are_told_of_parameters_that_hardly_work_together(self):
+        for overrides, words in (
+                (["agents.sources.controller.parameters.rate=5 Hz"],
+                 r"warning: rate: has no effect: a saturated source sends as fast as it can"),
+                (["agents.sources.controller.parameters.pattern=periodic"],
+                 r"warning: backlog: has no effect: `pattern` is periodic, it is for saturated"),
+                (["agents.sources.controller.parameters.topic=T"],
+                 r"warning: topic: nobody hears the topic 'T'; heard is: 't'"),
+                (["agents.sink.controller.parameters.topic=other"],
+                 r"warning: topic: nobody hears the topic 't'; heard is: 'other'")):
+            with self.subTest(overrides=overrides):
+                checked = Program("baraka", "check", SATURATION, *sets(overrides)).finish()
+                self.assertEqual(checked.status, 0, str(checked))
+                self.assertRegex(checked.err, r"^(\S+\.yaml:\d+:\d+|--set [\w.]+): " + words + "\n$")
+                ran = self.start(SATURATION, *IN_PROCESS, "--until", "0.1", *sets(overrides)).finish()
+                self.assertIn(checked.err, ran.err)
+        # Without a sink messages are load on the air.
+        load = sets(["agents.sink.controller={program: traffic_source}"])
+        self.assertEqual(Program("baraka", "check", SATURATION, *load).finish().err, "")
 
     def test_are_told_of_robots_and_hardware_files_too(self):
         tall = "[{cylinder: {radius: 0.2 m, bottom: 0.02 m, top: %s m}, mass: 20 kg}]"

@@ -7,7 +7,7 @@ import signal
 import sqlite3
 import time
 
-from baraka import ROOT, Case, some_domain, unittest, wait_for
+from baraka import ROOT, Case, Program, some_domain, unittest, wait_for
 from ros import Peer, needs_peer
 
 TELEOP = pathlib.Path(__file__).parent / "teleop.yaml"
@@ -78,8 +78,12 @@ class Teleop(Case):
         self.check_repetition(finished)
 
     def test_in_process_without_a_domain_is_an_error_that_says_what_to_do(self):
-        finished = self.run_baraka(TELEOP, "--controllers", "in-process", status=1)
-        self.assertIn("--inspect-domain N", finished.err)
+        finished = self.run_baraka(TELEOP, "--controllers", "in-process", status=2)
+        self.assertRegex(finished.err, r"teleop\.yaml:\d+:\d+: program: 'teleop' needs .*--inspect-domain N")
+        for how, status in (([], 0), (["--controllers", "in-process"], 2)):
+            checked = Program("baraka", "check", TELEOP, *how).finish()
+            self.assertEqual(checked.status, status, str(checked))
+            self.assertEqual(checked.err, finished.err if status else "")
 
     def test_without_commands_the_robot_stands(self):
         self.run_baraka(TELEOP, "--until", "20")

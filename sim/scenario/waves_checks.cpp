@@ -1,0 +1,66 @@
+#include "sim/scenario/waves_checks.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <variant>
+
+#include "sim/radio/radio_config.h"
+
+namespace sim::scenario {
+namespace {
+
+using agents::AgentConfig;
+using hal::config::Mapping;
+using radio::PropagationConfig;
+
+bool has_two_rays(const PropagationConfig& propagation) {
+  return std::ranges::any_of(propagation.chain, [](const radio::PathLossConfig& loss) {
+    return std::holds_alternative<radio::TwoRayGroundConfig>(loss);
+  });
+}
+
+void check_heights(Mapping& in, const Scenario& scenario, const PropagationConfig& propagation) {
+  constexpr const char* kHeight = "antenna_height";
+  const auto& agents = scenario.simulation.agents;
+  const auto on_ground = [&](const AgentConfig& agent) {
+    return agent.radio.antenna_height.value_or(propagation.antenna_height).value == 0;
+  };
+  const auto found = std::ranges::find_if(agents, on_ground);
+  if (found == agents.end()) return;
+  const std::string mistake = fmt::format(
+      "is 0 m of '{}': with the model two_ray_ground, the ray by way of the ground extinguishes "
+      "the "
+      "other one, and nobody hears anything from there; it must be above 0 m",
+      found->name);
+  if (!found->radio.antenna_height) return in.within("radio").mistake(kHeight, mistake);
+  const auto group = std::ranges::find_if(scenario.groups, [&](const Group& one) {
+    return std::ranges::find(one.agents, found->id) != one.agents.end();
+  });
+  in.within("agents").within(group->name).within("radio").mistake(kHeight, mistake);
+}
+
+bool can_stop_waves(const Scenario& scenario, const PropagationConfig& propagation) {
+  const auto& walls = scenario.simulation.walls;
+  const bool has_wall = std::ranges::any_of(
+      walls, [](const physics::StaticBox& wall) { return !wall.radio_loss.is_none(); });
+  const bool has_bodies = std::ranges::any_of(
+      scenario.simulation.agents, [](const AgentConfig& agent) { return has_body(agent); });
+  return has_wall || (has_bodies && !propagation.body_loss.is_none());
+}
+
+}  // namespace
+
+void check_waves(Mapping& in, const Scenario& scenario) {
+  const radio::WavesConfig* const waves = radio::waves_of(scenario.simulation.radio);
+  if (waves == nullptr) return;
+  if (has_two_rays(waves->propagation)) check_heights(in, scenario, waves->propagation);
+  if (waves->propagation.obstacles && !can_stop_waves(scenario, waves->propagation)) {
+    in.within("radio").warn(
+        "obstacles",
+        "nothing is in the way of radio waves: there is no wall with a radio_loss, nor a body "
+        "with body_loss_per_crossing or body_loss_per_metre");
+  }
+}
+
+}  // namespace sim::scenario
