@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <limits>
 #include <map>
+#include <optional>
 
 #include "gateway/campaign/campaign_command.h"
 #include "gateway/commands/check_command.h"
@@ -16,6 +17,7 @@
 #include "gateway/commands/report_command.h"
 #include "gateway/commands/topic_command.h"
 #include "gateway/commands/view_command.h"
+#include "gateway/commands/wrong_kind.h"
 #include "gateway/exit_status.h"
 #include "gateway/run/domain_range.h"
 #include "gateway/run/run_command.h"
@@ -49,6 +51,18 @@ CLI::Validator domains() {
                              text, hal::dds::kLastDomain);
           },
           fmt::format("0 to {}", hal::dds::kLastDomain)};
+}
+
+/// An option that takes one of some words, each of which means a value.
+template <class Value>
+void add_choice(CLI::App* command, const std::string& name, const std::string& about,
+                std::optional<Value>& chosen, const std::map<std::string, Value>& values) {
+  std::vector<std::string> words;
+  for (const auto& [word, value] : values) words.push_back(word);
+  command
+      ->add_option_function<std::string>(
+          name, [&chosen, values](const std::string& word) { chosen = values.at(word); }, about)
+      ->transform(hal::runtime::one_of(words));
 }
 
 /// Which domains and files it uses.
@@ -168,8 +182,7 @@ void add_new_controller(CLI::App& app, gateway::NewControllerOptions& options) {
   add->add_option("--to", options.to, "Folder for the project's folder; default: this one");
 }
 
-/// @return the command `baraka check`.
-const CLI::App* add_check(CLI::App& app, gateway::CheckOptions& options) {
+void add_check(CLI::App& app, gateway::CheckOptions& options) {
   CLI::App* check = app.add_subcommand(
       "check", "Find every mistake in scenario, campaign, hardware, robot, mote or radio files");
   check->add_option("FILE", options.files, "Files")->required();
@@ -179,8 +192,7 @@ const CLI::App* add_check(CLI::App& app, gateway::CheckOptions& options) {
   for (const auto& kind : gateway::file_kinds()) kinds.push_back(kind.name);
   add_controllers(*check, options.way.controllers, "How a scenario is to be run; ");
   check->add_option("--kind", options.kind, "Of the files; default: recognised by their keys")
-      ->check(CLI::IsMember(kinds));
-  return check;
+      ->transform(hal::runtime::one_of(kinds));
 }
 
 struct DescribeOptions {
@@ -197,18 +209,16 @@ struct DescribeOptions {
   }
 };
 
-/// @return the command `baraka describe`.
-const CLI::App* add_describe(CLI::App& app, DescribeOptions& options) {
+void add_describe(CLI::App& app, DescribeOptions& options) {
   CLI::App* describe =
       app.add_subcommand("describe", "Say what keys of files and parameters of controllers mean");
   describe->add_option("WHAT", options.what, "A kind of file, a key, a controller, or observables");
   describe->add_flag("--markdown", options.markdown,
                      "All keys of all files as the page docs/keys.md; of observables "
                      "docs/observables.md");
-  return describe;
 }
 
-const CLI::App* add_report(CLI::App& app, gateway::ReportOptions& options) {
+void add_report(CLI::App& app, gateway::ReportOptions& options) {
   using sim::report::IntervalKind;
   using sim::report::PlotKind;
   CLI::App* add = app.add_subcommand("report", "Tables and figures of results or of a campaign");
@@ -221,20 +231,17 @@ const CLI::App* add_report(CLI::App& app, gateway::ReportOptions& options) {
   add->add_option("--versus", options.versus, "Key of the setting along the axis");
   add->add_option("--by", options.by, "Key of the setting that has a curve for each of its values");
   add->add_option("--agent", options.agent, "Whose, if agents have it");
-  add->add_option("--as", options.as, "What the figure shows")
-      ->transform(CLI::CheckedTransformer(
-          std::map<std::string, PlotKind>{{"points", PlotKind::kPoints},
-                                          {"table", PlotKind::kTable},
-                                          {"histogram", PlotKind::kHistogram},
-                                          {"time", PlotKind::kTime}}));
-  add->add_option("--interval", options.interval, "Of means over runs")
-      ->transform(CLI::CheckedTransformer(std::map<std::string, IntervalKind>{
-          {"student", IntervalKind::kStudent}, {"bootstrap", IntervalKind::kBootstrap}}));
+  add_choice(add, "--as", "What the figure shows", options.as,
+             {{"points", PlotKind::kPoints},
+              {"table", PlotKind::kTable},
+              {"histogram", PlotKind::kHistogram},
+              {"time", PlotKind::kTime}});
+  add_choice(add, "--interval", "Of means over runs", options.interval,
+             {{"student", IntervalKind::kStudent}, {"bootstrap", IntervalKind::kBootstrap}});
   add->add_option("--scenario", options.scenario,
                   "Show what `report:` of this scenario file says now, not what the runs had");
   add->add_option("--resamples", options.resamples,
                   "Write the resamples of bootstrap intervals to this file");
-  return add;
 }
 
 void add_export(CLI::App& app, gateway::ExportOptions& options) {
@@ -307,31 +314,58 @@ std::vector<TopicCommand> add_topic(CLI::App& app, gateway::TopicOptions& option
   return commands;
 }
 
+/// What the commands are asked for.
+struct Asked {
+  RunOptions run;
+  std::string seed;
+  gateway::CampaignOptions campaign;
+  gateway::CheckOptions check;
+  DescribeOptions describe;
+  gateway::ReportOptions report;
+  gateway::ViewOptions view;
+  gateway::ExportOptions export_;
+  gateway::ExecOptions exec;
+  gateway::TopicOptions topic;
+  gateway::NewControllerOptions controller;
+};
+
+/// @return exit status. @throws std::exception
+int act(const CLI::App& app, Asked& asked) {
+  if (!asked.seed.empty()) asked.run.overrides.push_back("seed=" + asked.seed);
+  if (app.got_subcommand("campaign")) {
+    return gateway::with_file_of("campaign", asked.campaign.file, {"campaigns"},
+                                 [&] { return gateway::run_campaign(asked.campaign); });
+  }
+  if (app.got_subcommand("check")) return gateway::check(asked.check);
+  if (app.got_subcommand("describe")) return asked.describe.act();
+  if (app.got_subcommand("exec")) gateway::exec_inside(asked.exec);
+  if (app.got_subcommand("export")) return gateway::export_results(asked.export_);
+  if (app.got_subcommand("report")) return gateway::report(asked.report);
+  if (app.got_subcommand("view")) {
+    return gateway::with_file_of("scenario", asked.view.what.front(), {"scenarios"},
+                                 [&] { return gateway::show_view(asked.view); });
+  }
+  if (app.got_subcommand("new-controller")) return gateway::new_controller(asked.controller);
+  return gateway::with_file_of("scenario", asked.run.scenario, {"scenarios"}, [&] {
+    return asked.run.replications ? gateway::run_replications(asked.run) : gateway::run(asked.run);
+  });
+}
+
 /// @return exit status. @throws std::exception
 int command(int argc, char** argv) {
   CLI::App app("BARAKA: robots and motes that talk IEEE 802.11, with controllers over DDS");
   app.require_subcommand(1);
-  RunOptions run_options;
-  std::string seed;
-  add_run(app, run_options, seed);
-  gateway::CampaignOptions campaign_options;
-  add_campaign(app, campaign_options);
-  gateway::CheckOptions check_options;
-  const CLI::App* check = add_check(app, check_options);
-  DescribeOptions describe_options;
-  const CLI::App* describe = add_describe(app, describe_options);
-  gateway::ReportOptions report_options;
-  const CLI::App* report = add_report(app, report_options);
-  gateway::ViewOptions view_options;
-  add_view(app, view_options);
-  gateway::ExportOptions export_options;
-  add_export(app, export_options);
-  gateway::ExecOptions exec_options;
-  add_exec(app, exec_options);
-  gateway::TopicOptions topic_options;
-  const std::vector<TopicCommand> topic_commands = add_topic(app, topic_options);
-  gateway::NewControllerOptions controller;
-  add_new_controller(app, controller);
+  Asked asked;
+  add_run(app, asked.run, asked.seed);
+  add_campaign(app, asked.campaign);
+  add_check(app, asked.check);
+  add_describe(app, asked.describe);
+  add_report(app, asked.report);
+  add_view(app, asked.view);
+  add_export(app, asked.export_);
+  add_exec(app, asked.exec);
+  const std::vector<TopicCommand> topic_commands = add_topic(app, asked.topic);
+  add_new_controller(app, asked.controller);
   hal::runtime::complete(app, "baraka");
   try {
     app.parse(argc, argv);
@@ -339,19 +373,9 @@ int command(int argc, char** argv) {
     return hal::runtime::end_of_parsing(app, e);
   }
   for (const TopicCommand& topic : topic_commands) {
-    if (*topic.app) return topic.act(topic_options);
+    if (*topic.app) return topic.act(asked.topic);
   }
-  if (!seed.empty()) run_options.overrides.push_back("seed=" + seed);
-  if (app.got_subcommand("campaign")) return gateway::run_campaign(campaign_options);
-  if (*check) return gateway::check(check_options);
-  if (*describe) return describe_options.act();
-  if (app.got_subcommand("exec")) gateway::exec_inside(exec_options);
-  if (app.got_subcommand("export")) return gateway::export_results(export_options);
-  if (*report) return gateway::report(report_options);
-  if (app.got_subcommand("view")) return gateway::show_view(view_options);
-  if (app.got_subcommand("new-controller")) return gateway::new_controller(controller);
-  if (run_options.replications) return gateway::run_replications(run_options);
-  return gateway::run(run_options);
+  return act(app, asked);
 }
 
 }  // namespace

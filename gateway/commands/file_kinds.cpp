@@ -137,19 +137,20 @@ std::size_t known(const FileKind& kind, const std::vector<std::string>& keys) {
 const std::vector<FileKind>& file_kinds() {
   static const std::vector<FileKind> kinds = {
       {"scenario", "What `baraka run` runs: a world, a radio, agents and their controllers.",
-       kScenario, read_scenario, judge_scenario},
+       "`baraka run FILE` runs it", kScenario, read_scenario, judge_scenario},
       {"campaign",
        "What `baraka campaign` runs: a scenario many times, over the values of its keys.",
-       kCampaign, read_campaign, judge_points},
-      {"hardware", "A real robot or mote: what `baraka-agentd` drives.", kHardware, read_hardware,
-       judge_hardware},
+       "`baraka campaign FILE` runs it", kCampaign, read_campaign, judge_points},
+      {"hardware", "A real robot or mote: what `baraka-agentd` drives.",
+       "`baraka-agentd FILE` serves it", kHardware, read_hardware, judge_hardware},
       {"robot",
        "Body, wheels and sensors of a kind of robot, simulated or real; included by the "
        "other two.",
-       kRobot, read_robot, judge<read_robot>},
-      {"mote", "Body of a kind of mote; included by scenarios.", kMote, read_mote,
-       judge<read_mote>},
-      {"radio", "A radio; included by scenarios.", kRadio, read_radio, judge<read_radio>}};
+       "scenarios include it: robot: {include: FILE}", kRobot, read_robot, judge<read_robot>},
+      {"mote", "Body of a kind of mote; included by scenarios.",
+       "scenarios include it: mote: {include: FILE}", kMote, read_mote, judge<read_mote>},
+      {"radio", "A radio; included by scenarios.", "scenarios include it: radio: {include: FILE}",
+       kRadio, read_radio, judge<read_radio>}};
   return kinds;
 }
 
@@ -174,6 +175,12 @@ const FileKind& recognised(const std::string& path, const std::vector<std::strin
   std::vector<std::string> names;
   names.reserve(best.size());
   for (const FileKind* kind : best) names.push_back(kind->name);
+  if (keys.empty()) {
+    throw hal::config::ConfigErrors(
+        {fmt::format("{}: is empty: it has no key of any kind of file; `baraka describe scenario` "
+                     "shows a scenario",
+                     path)});
+  }
   throw hal::config::ConfigErrors(
       {fmt::format("{}:1:1: may be a file of the kinds {}: it has {}; say which by --kind", path,
                    fmt::join(names, ", "), most == 0 ? "no key of any" : "as many keys of each")});

@@ -14,6 +14,7 @@ namespace gateway {
 struct FileKind {
   std::string name;     ///< "scenario": of `baraka describe` and `baraka check --kind`.
   std::string about;    ///< One line for people.
+  std::string use;      ///< What takes such a file, "`baraka run FILE` runs it".
   std::string example;  ///< A complete file.
   void (*read)(hal::config::Mapping);
   /// Finds every mistake; says warnings on standard error. @param way  in which a scenario is run.

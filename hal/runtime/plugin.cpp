@@ -5,7 +5,10 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <set>
 #include <sstream>
+
+#include "hal/config/suggest.h"
 
 namespace hal::runtime {
 namespace {
@@ -64,6 +67,22 @@ std::vector<fs::path> controller_folders() {
   return folders;
 }
 
+namespace {
+
+/// "; did you mean 'wanderer'?", or nothing.
+std::string similar_plugin(std::string_view name, const std::vector<fs::path>& folders) {
+  std::set<std::string> names;
+  for (const fs::path& folder : folders) {
+    std::error_code error;
+    for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+      if (at->path().extension() == ".so") names.insert(at->path().stem().string());
+    }
+  }
+  return config::suggestion(name, {names.begin(), names.end()});
+}
+
+}  // namespace
+
 Result<const ControllerKind*> load_plugin(std::string_view name,
                                           const std::vector<fs::path>& folders) {
   if (name.empty() || name.find('/') != std::string_view::npos) {
@@ -76,8 +95,9 @@ Result<const ControllerKind*> load_plugin(std::string_view name,
   }
   return fail(
       Errc::kNotAvailable,
-      fmt::format("no controller '{}': looked for {}.so in {}; BARAKA_CONTROLLER_PATH adds folders",
-                  name, name, list_of(folders)));
+      fmt::format(
+          "no controller '{}': looked for {}.so in {}; BARAKA_CONTROLLER_PATH adds folders{}", name,
+          name, list_of(folders), similar_plugin(name, folders)));
 }
 
 }  // namespace hal::runtime

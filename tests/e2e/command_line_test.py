@@ -3,6 +3,7 @@
 import contextlib
 import csv
 import pathlib
+import re
 import shutil
 import sqlite3
 import subprocess
@@ -220,6 +221,28 @@ class Export(Case):
             self.assertRegex(finished.err, r"run1: run.sqlite has tables of version 3, and this "
                                            r"baraka reads version \d+ only")
         self.assertEqual(kept.read_text(), "mine")
+
+
+class Help(unittest.TestCase):
+    def test_of_every_command_shows_words_for_people(self):
+        """CLI11 would show what a flag or a word means inside: '--no-inspect{false}', 'ENUM:value in {time->2}'."""
+        commands = re.findall(r"^  ([a-z-]+) ", Program("baraka", "--help").finish().out.partition("Subcommands:")[2], re.M)
+        self.assertGreaterEqual(len(commands), 10)
+        for words in [[]] + [[command] for command in commands] + [["topic", "list"], ["topic", "echo"]]:
+            self.assertNotRegex(Program("baraka", *words, "--help").finish().out, r"[{}]|->|ENUM")
+        self.assertNotRegex(Program("baraka-agentd", "--help").finish().out, r"[{}]|->|ENUM")
+
+    def test_a_folder_that_is_not_there_is_not_made_for_a_project(self):
+        with tempfile.TemporaryDirectory() as folder:
+            finished = Program("baraka", "new-controller", "x", "--to", pathlib.Path(folder) / "a/b").finish()
+            self.assertEqual(finished.status, 2)
+            self.assertIn("a/b: there is no such folder; make it first", finished.err)
+            self.assertEqual(list(pathlib.Path(folder).iterdir()), [])
+
+    def test_results_that_cannot_be_written_name_their_folder(self):
+        finished = Program("baraka", "run", TWO_MOTES, *IN_PROCESS, "--out", "/proc/foo").finish()
+        self.assertEqual(finished.status, 1)
+        self.assertIn("error: /proc/foo: no results can be written in /proc: ", finished.err)
 
 
 class Wanderer(Case):

@@ -43,10 +43,13 @@ class Topics(Case):
         return finished
 
     def list(self):
-        """Type, writers and readers by name."""
+        """Type, writers and readers by name; none while nobody is there yet."""
         rows = [re.fullmatch(r"(\S+)  (\S+)  writers: (\d+)  readers: (\d+)", line).groups()
-                for line in self.topic("list").out.splitlines()]
+                for line in self.start_topic("list").finish().out.splitlines()]
         return {name: (kind, int(writers), int(readers)) for name, kind, writers, readers in rows}
+
+    def test_list_of_an_empty_domain_says_so(self):
+        self.assertIn(f"error: nobody shows a topic in domain {self.domain}; ", self.topic("list", status=1).err)
 
     def test_list_shows_every_topic_of_a_run_with_its_type(self):
         self.start_run(5)
