@@ -1,44 +1,14 @@
 #include "controllers/ros_base/ros_base.h"
 
-#include <cctype>
-#include <cmath>
 #include <stdexcept>
 #include <string>
-#include <string_view>
+
+#include "controllers/ros/ros_parameters.h"
 
 namespace controllers {
 namespace {
 
 constexpr const char *kWaiting = "waiting", *kDriving = "driving", *kStopped = "stopped";
-
-/// A part of a name between two slashes (ROS 2 design, "Topic and Service name mapping to DDS").
-bool is_token(std::string_view token) {
-  if (token.empty() || std::isdigit(static_cast<unsigned char>(token.front())) != 0) return false;
-  for (const char c : token) {
-    if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '_') return false;
-  }
-  return true;
-}
-
-/// @throws std::invalid_argument
-std::string name_space_of(const std::string& text) {
-  for (std::size_t begin = 0; begin <= text.size() && !text.empty();) {
-    const std::size_t end = std::min(text.find('/', begin), text.size());
-    if (!is_token(std::string_view(text).substr(begin, end - begin))) {
-      throw std::invalid_argument("namespace: '" + text +
-                                  "' must be words of letters, digits and '_' with '/' between "
-                                  "them, such as fleet/r0");
-    }
-    begin = end + 1;
-  }
-  return text;
-}
-
-/// @throws std::invalid_argument
-int domain_of(double number) {
-  if (number == std::floor(number)) return static_cast<int>(number);
-  throw std::invalid_argument("domain: must be a whole number, not " + std::to_string(number));
-}
 
 /// @throws std::invalid_argument
 std::string frame_of(const char* parameter, const std::string& text) {
@@ -51,8 +21,8 @@ std::string frame_of(const char* parameter, const std::string& text) {
 RosBase::RosBase(hal::Robot& robot, const hal::Parameters& parameters)
     : robot_(robot),
       settings_{.interface = {},
-                .domain = domain_of(parameters["domain"]),
-                .name_space = name_space_of(parameters.text("namespace")),
+                .domain = ros_domain(parameters["domain"]),
+                .name_space = ros_namespace("namespace", parameters.text("namespace")),
                 .odom_frame = frame_of("odom_frame", parameters.text("odom_frame")),
                 .base_frame = frame_of("base_frame", parameters.text("base_frame")),
                 .best_effort = parameters.flag("best_effort")},
@@ -60,11 +30,7 @@ RosBase::RosBase(hal::Robot& robot, const hal::Parameters& parameters)
 
 void RosBase::start() {
   settings_.interface = robot_.air_interface();
-  if (settings_.interface.empty()) {
-    throw std::runtime_error(
-        "there is no network interface for it: a scenario gives it one by `network:` of its group "
-        "and `controller: {inside: true}`, an agent's file by `controller: {air_interface: NAME}`");
-  }
+  if (settings_.interface.empty()) throw std::runtime_error(kNoAirInterface);
   node_.emplace(settings_);
   enter(kWaiting);
 }

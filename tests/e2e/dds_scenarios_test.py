@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """The scenarios of DDS over the air do what their pages say, with Cyclone's ddsperf as it comes."""
+import math
 import shutil
 import sys
 import unittest
@@ -43,6 +44,25 @@ class DdsScenarios(Case):
         self.assertGreater(min(one.least for one in seconds), least)
         self.assertGreater(self.frames("purpose = 'user' AND kind = 'DATA'"), 2 * 150)
         self.assertEqual(self.frames("purpose = 'network' AND kind = 'TCP'"), 0)
+
+    def test_an_operator_drives_four_robots_through_their_access_point(self):
+        finished = self.play("robots_on_an_access_point")
+        self.assertEqual(finished["result"], "done")
+        told = {(agent, name): value for agent, name, value in self.query(
+            "SELECT a.name, r.name, MAX(value) FROM recorded r JOIN agents a USING (agent) GROUP BY 1, 2")}
+        robots = [f"r{i}" for i in range(4)]
+        for robot in robots:
+            self.assertGreater(told[robot, "commands"], 0.8 * told["operator", "commands"], told)
+            # Circles of 0.5 m: nobody is farther from where they began than the diameter.
+            ways = self.query(f"SELECT p.x_m, p.y_m FROM poses p JOIN agents a USING (agent) WHERE a.name = '{robot}' ORDER BY at_ns")
+            far = max(math.dist(ways[0], place) for place in ways)
+            self.assertGreater(far, 0.9)
+            self.assertLess(far, 1.1)
+        self.assertGreater(told["operator", "odometry"], 0)
+        # All of it went through the access point, which is no DDS program: it only relays.
+        (ap,), = self.query("SELECT agent FROM agents WHERE name = 'ap'")
+        (relayed,), = self.query(f"SELECT SUM(count) FROM relays WHERE agent = {ap} AND verdict = 'delivered'")
+        self.assertGreater(relayed, sum(told[robot, "commands"] for robot in robots))
 
     def test_all_find_each_other_in_the_storm(self):
         for count in (4, 10):

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
-"""config/scenarios/teleop_behind_a_wall.yaml: an operator on Cyclone DDS, which knows nothing of this project, drives a
-robot over the simulated air. What of that arrives is beside the closed form of the wall's shadow."""
+"""config/scenarios/teleop_behind_a_wall.yaml: an operator drives a robot over the simulated air. What of that arrives is
+beside the closed form of the wall's shadow. But in one test the operator is on Cyclone DDS, which knows nothing of this
+project, in place of the scenario's own."""
 import os
 import pathlib
 import subprocess
@@ -16,6 +17,9 @@ from teleop import Drive  # noqa: E402
 
 SCENARIO = ROOT / "config/scenarios/teleop_behind_a_wall.yaml"
 PROGRAMS = {"PATH": f"{BIN.parent / 'tests'}:{os.environ['PATH']}"}  # ros_peer
+CYCLONE = "agents.operator={name: operator, station: {path: {line: {speed: 1.2 m/s, length: 22 m, pause: 60 s}}}, " \
+          "poses: [{x: -13 m, y: 0 m}], network: {address: 10.77.0.1/16}, programs: [{name: commands, " \
+          "command: [ros_peer, write, '0', Twist, rt/cmd_vel, '20', '0.5', '0', '0']}]}"
 RATE, PERIOD, TIMEOUT, SPEED = 20, 0.1, 0.5, 0.5  # 1/s, s, s, m/s: of the scenario
 
 
@@ -55,7 +59,7 @@ class TeleopBehindAWall(Case):
         return Drive(Run(pathlib.Path(self.out)))
 
     def test_the_robot_stops_where_the_wall_says_and_goes_on_behind_it(self):
-        finished = self.run_baraka(SCENARIO, env=PROGRAMS)
+        finished = self.run_baraka(SCENARIO, "--set", CYCLONE, env=PROGRAMS)
         self.assertEqual(finished["result"], "done")
         late = float(finished["control_jitter_max_s"])
         drive = self.drive()
@@ -89,16 +93,24 @@ class TeleopBehindAWall(Case):
         # The record gives the same without programs.
         record = self.out
         for how in ([], ["--controllers", "in-process"]):
-            repeated = self.run_baraka(SCENARIO, "--repeat", record, *how)
+            repeated = self.run_baraka(SCENARIO, "--set", CYCLONE, "--repeat", record, *how)
             self.assertEqual(repeated["fingerprint"], finished["fingerprint"])
             self.assertLess(float(repeated["wall_s"]), 20)
 
+    def test_the_shipped_operator_drives_it_from_nothing_but_what_is_installed(self):
+        self.run_baraka(SCENARIO, "--until", 8)
+        self.assertEqual([state for _, state in self.drive().states], ["waiting", "driving"])
+        told = dict(self.query("SELECT r.name, MAX(value) FROM recorded r JOIN agents a USING (agent) WHERE a.name = 'operator'"
+                               " GROUP BY 1"))
+        self.assertGreater(told["odometry"], 0)
+        self.assertLessEqual(len(self.drive().commands), told["commands"])
+
     def test_without_the_wall_it_never_stops(self):
-        self.run_baraka(SCENARIO, "--set", "world.walls=[]", "--until", 25, env=PROGRAMS)
+        self.run_baraka(SCENARIO, "--set", CYCLONE, "--set", "world.walls=[]", "--until", 25, env=PROGRAMS)
         self.assertEqual([state for _, state in self.drive().states], ["waiting", "driving"])
 
     def test_the_controller_sees_the_air_and_nothing_else_and_its_death_ends_the_run(self):
-        run = self.start(SCENARIO, env=PROGRAMS)
+        run = self.start(SCENARIO, "--set", CYCLONE, env=PROGRAMS)
         (controller,) = wait_for(lambda: descendants(run.process.pid, "ros_base"))
         self.assertNotEqual(os.readlink(f"/proc/{controller}/ns/net"),
                             os.readlink(f"/proc/{run.process.pid}/ns/net"))
@@ -120,7 +132,8 @@ class TeleopBehindAWall(Case):
 
     def test_only_the_run_starts_controllers_inside(self):
         for where in ("in-process", "external"):
-            finished = self.run_baraka(SCENARIO, "--controllers", where, env=PROGRAMS, status=2)
+            finished = self.run_baraka(SCENARIO, "--set", CYCLONE, "--controllers", where, env=PROGRAMS,
+                                       status=2)
             self.assertIn(f"--controllers {where}: 'robot' is inside its agent's network", finished.err)
 
 

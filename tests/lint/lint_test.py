@@ -54,7 +54,7 @@ class IncludeRules(unittest.TestCase):
 
     def test_one_controller_speaks_dds(self):
         self.check("controllers/ros_base/x.cpp", "#include <fastdds/x.hpp>", "")
-        self.check("controllers/x/x.cpp", "#include <fastdds/x.hpp>", "belongs in hal/dds, controllers/ros_base only")
+        self.check("controllers/x/x.cpp", "#include <fastdds/x.hpp>", "belongs in hal/dds, controllers/ros, controllers/ros_base, controllers/ros_operator only")
 
     def test_allowed_includes_pass(self):
         self.check("sim/agents/x.cpp", '#include "sim/radio/mac_sap.h"', "")

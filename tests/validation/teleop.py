@@ -1,7 +1,6 @@
 """The closed form of config/scenarios/teleop_behind_a_wall.yaml, and the figure of its page. The run is in real time, so
-that no two figures are quite the same; it needs Cyclone DDS, for ros_peer, and the right to make user namespaces."""
+that no two figures are quite the same; it needs the right to make user namespaces."""
 import bisect
-import os
 import pathlib
 import subprocess
 
@@ -28,7 +27,8 @@ class Drive:
     """What became of the robot in a run."""
 
     def __init__(self, run):
-        self.commands = run.query("SELECT at_ns / 1e9, value FROM recorded WHERE name = 'commands' ORDER BY at_ns")
+        self.commands = run.query("SELECT at_ns / 1e9, value FROM recorded WHERE name = 'commands' "
+                                  f"AND agent = {ROBOT} ORDER BY at_ns")
         self.states = run.query(f"SELECT at_ns / 1e9, state FROM states WHERE agent = {ROBOT} ORDER BY at_ns")
         self.way = run.query(f"SELECT at_ns / 1e9, x_m FROM poses WHERE agent = {ROBOT} ORDER BY at_ns")
         self.end = run.query("SELECT value FROM run WHERE key = 'ended_ns'")[0][0]
@@ -58,7 +58,7 @@ def teleop_behind_a_wall(runs):
     folder = pathlib.Path(runs.folder.name) / "teleop"
     scenario = SCENARIOS / "teleop_behind_a_wall.yaml"
     subprocess.run([runs.program, "run", scenario, "--no-inspect", "--out", folder, "--log", "error"], check=True,
-                   capture_output=True, env={**os.environ, "PATH": f"{runs.probe.parent}:{os.environ['PATH']}"})
+                   capture_output=True)
     return figure_of(Drive(Run(folder)))
 
 

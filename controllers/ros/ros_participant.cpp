@@ -1,0 +1,102 @@
+#include "controllers/ros/ros_participant.h"
+
+#include <arpa/inet.h>
+#include <fastdds/rtps/transport/UDPv4TransportDescriptor.h>
+#include <ifaddrs.h>
+#include <netinet/in.h>
+
+#include <array>
+#include <fastdds/dds/domain/DomainParticipantFactory.hpp>
+#include <fastdds/dds/publisher/Publisher.hpp>
+#include <fastdds/dds/subscriber/Subscriber.hpp>
+#include <memory>
+
+namespace controllers {
+namespace {
+
+namespace api = eprosima::fastdds::dds;
+
+/// @throws std::runtime_error
+std::string address_of(const std::string& interface) {
+  ifaddrs* all = nullptr;
+  if (getifaddrs(&all) != 0) throw std::runtime_error("cannot list network interfaces");
+  const std::unique_ptr<ifaddrs, decltype(&freeifaddrs)> owner(all, freeifaddrs);
+  for (const ifaddrs* one = all; one != nullptr; one = one->ifa_next) {
+    if (one->ifa_addr == nullptr || one->ifa_addr->sa_family != AF_INET) continue;
+    if (interface != one->ifa_name) continue;
+    std::array<char, INET_ADDRSTRLEN> text{};
+    inet_ntop(AF_INET, &reinterpret_cast<const sockaddr_in*>(one->ifa_addr)->sin_addr, text.data(),
+              text.size());
+    return text.data();
+  }
+  throw std::runtime_error("no network interface '" + interface + "' with an IPv4 address");
+}
+
+template <class Entity>
+Entity* made(Entity* entity, const std::string& what) {
+  if (entity == nullptr) throw std::runtime_error("Fast DDS makes no " + what);
+  return entity;
+}
+
+template <class Qos>
+void set_history(Qos& qos, int depth) {
+  qos.history().kind = api::KEEP_LAST_HISTORY_QOS;
+  qos.history().depth = depth;
+  qos.durability().kind = api::VOLATILE_DURABILITY_QOS;
+  qos.data_sharing().off();  // it would go past the air
+}
+
+}  // namespace
+
+RosParticipant::RosParticipant(const Settings& settings) {
+  api::DomainParticipantFactory& factory = *api::DomainParticipantFactory::get_instance();
+  factory.load_profiles();  // else what the user says there would not count
+  api::DomainParticipantQos qos = factory.get_default_participant_qos();
+  const auto udp = std::make_shared<eprosima::fastdds::rtps::UDPv4TransportDescriptor>();
+  udp->interfaceWhiteList = {address_of(settings.interface)};
+  qos.transport().use_builtin_transports = false;
+  qos.transport().user_transports.assign(1, udp);
+  qos.name(settings.name);
+  participant_ = made(
+      factory.create_participant(static_cast<std::uint32_t>(settings.domain), qos),
+      "participant in domain " + std::to_string(settings.domain) + " on " + settings.interface);
+  try {
+    publisher_ = made(participant_->create_publisher(api::PUBLISHER_QOS_DEFAULT), "publisher");
+    subscriber_ = made(participant_->create_subscriber(api::SUBSCRIBER_QOS_DEFAULT), "subscriber");
+  } catch (...) {
+    close();
+    throw;
+  }
+}
+
+RosParticipant::~RosParticipant() { close(); }
+
+void RosParticipant::close() {
+  participant_->delete_contained_entities();
+  api::DomainParticipantFactory::get_instance()->delete_participant(participant_);
+}
+
+api::Topic* RosParticipant::registered(const std::string& name, const std::string& type) {
+  return made(participant_->create_topic(name, type, api::TOPIC_QOS_DEFAULT), "topic " + name);
+}
+
+api::DataWriter* RosParticipant::writer(api::Topic* topic, int depth) {
+  api::DataWriterQos qos = api::DATAWRITER_QOS_DEFAULT;
+  set_history(qos, depth);
+  qos.reliability().kind = api::RELIABLE_RELIABILITY_QOS;
+  // On a thread of DDS: a card that is busy may hold it up, and not the controller.
+  qos.publish_mode().kind = api::ASYNCHRONOUS_PUBLISH_MODE;
+  return made(publisher_->create_datawriter(topic, qos), "writer of " + topic->get_name());
+}
+
+api::DataReader* RosParticipant::reader(api::Topic* topic, bool best_effort,
+                                        api::DataReaderListener* listener) {
+  api::DataReaderQos qos = api::DATAREADER_QOS_DEFAULT;
+  set_history(qos, kDepth);
+  qos.reliability().kind =
+      best_effort ? api::BEST_EFFORT_RELIABILITY_QOS : api::RELIABLE_RELIABILITY_QOS;
+  return made(subscriber_->create_datareader(topic, qos, listener),
+              "reader of " + topic->get_name());
+}
+
+}  // namespace controllers
