@@ -179,6 +179,10 @@ void add_new_controller(CLI::App& app, gateway::NewControllerOptions& options) {
   add->add_option("NAME", options.name, "Of the program: a-z, 0-9 and _")->required();
   CLI::Option* mote = add->add_flag("--mote", options.for_mote, "It drives motes");
   add->add_flag("--robot")->description("It drives robots (the default)")->excludes(mote);
+  add->add_option("--from", options.from,
+                  "Begin with a model that works: two_turtlebots, robots that search and tell")
+      ->transform(hal::runtime::one_of(gateway::new_controller_models()))
+      ->excludes(mote);
   add->add_option("--to", options.to, "Folder for the project's folder; default: this one");
 }
 

@@ -81,7 +81,8 @@ void write_filled_in(const fs::path& from, const fs::path& folder,
 }
 
 void write_project(const fs::path& folder, const NewControllerOptions& options) {
-  for (const char* part : {"any", options.for_mote ? "mote" : "robot"}) {
+  const std::string kind = options.for_mote ? "mote" : "robot";
+  for (const std::string& part : {std::string("any"), options.from.empty() ? kind : options.from}) {
     const auto relative = fs::path("templates") / part;
     const auto templates = hal::config::find_shared(relative);
     if (!templates) {
@@ -95,6 +96,8 @@ void write_project(const fs::path& folder, const NewControllerOptions& options) 
 }
 
 }  // namespace
+
+std::vector<std::string> new_controller_models() { return {"two_turtlebots"}; }
 
 int new_controller(const NewControllerOptions& options) {
   if (const auto mistake = mistake_in(options.name)) {

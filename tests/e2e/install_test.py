@@ -274,6 +274,24 @@ controller:
             self.assertIn(f"class AB2C{kind.strip('-')} ", (project / f"{project.name}.cpp").read_text())
             self.assertTrue(os.access(project / "test.sh", os.X_OK))
 
+    def test_from_a_model_is_what_is_shipped_and_passes_its_own_test(self):
+        same = self.new("two_turtlebots", "--from", "two_turtlebots")
+        shipped = ROOT / "controllers/two_turtlebots/two_turtlebots.cpp"
+        self.assertEqual((same / "two_turtlebots.cpp").read_text(), shipped.read_text())
+        scenario = (ROOT / "config/scenarios/two_turtlebots.yaml").read_text()
+        self.assertEqual((same / "scenario.yaml").read_text(), scenario.replace("../robots/", "robots/"))
+
+        project = self.new("my_pair", "--from", "two_turtlebots")
+        self.assertIn("class MyPair ", (project / "my_pair.cpp").read_text())
+        self.build(project)
+        tested = self.ctest(project)
+        self.assertEqual(tested.status, 0, str(tested))
+
+    def test_from_what_is_no_model_is_refused_and_so_is_a_model_for_a_mote(self):
+        for options in (("--from", "two_turtles"), ("--from", "two_turtlebots", "--mote")):
+            self.assertEqual(self.baraka("new-controller", "x", *options).status, 2)
+        self.assertEqual(list(self.folder.iterdir()), [])
+
     def test_without_prefix_the_program_that_was_just_built_writes_one_too(self):
         self.succeed(BIN / "baraka", "new-controller", "fresh", cwd=self.folder)
         self.assertTrue((self.folder / "fresh/fresh.cpp").exists())
