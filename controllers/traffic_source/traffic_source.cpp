@@ -46,8 +46,8 @@ constexpr std::array<OfPattern, 2> kOfPatterns{{{"backlog", "saturated"}, {"burs
 std::vector<hal::ParameterMistake> judge(const hal::Parameters& parameters) {
   std::vector<hal::ParameterMistake> mistakes;
   const double start = parameters["start"], stop = parameters["stop"];
-  if (stop <= start) {
-    mistakes.push_back({"stop", "is not after `start`: it would never send"});
+  if (stop < start) {
+    mistakes.push_back({"stop", "is before `start`: it would never send"});
   }
   const std::string& pattern = parameters.text("pattern");
   const auto unused = [&](const std::string& name, const std::string& why) {

@@ -27,6 +27,7 @@ using sim::campaign::CampaignFile;
 using sim::campaign::DesignPoint;
 using sim::campaign::FactorValue;
 using sim::campaign::PointRow;
+using sim::campaign::RunControllers;
 using sim::scenario::Scenario;
 
 /// Beside the campaign file, or where scenarios are looked for.
@@ -112,10 +113,10 @@ class PointMistakes {
 };
 
 /// @throws ConfigErrors
-Scenario judged(const fs::path& file, const std::vector<std::string>& overrides,
+Scenario judged(const fs::path& file, const std::vector<std::string>& overrides, const RunWay& way,
                 std::set<std::string>& warnings) {
   Scenario scenario = sim::scenario::load_scenario(file, overrides);
-  ControllerJudgement judgement = judge_controllers(scenario);
+  ControllerJudgement judgement = judge_controllers(scenario, way);
   if (!judgement.mistakes.empty()) throw ConfigErrors(std::move(judgement.mistakes));
   warnings.insert(scenario.warnings.begin(), scenario.warnings.end());
   warnings.insert(judgement.warnings.begin(), judgement.warnings.end());
@@ -139,13 +140,16 @@ JudgedCampaign judge_campaign(const std::string& path, const std::vector<std::st
   campaign.seed = campaign.file.seed ? *campaign.file.seed : seed_in(scenario);
   const std::vector<DesignPoint> points = sim::campaign::points_of(campaign.file, campaign.seed);
   campaign.table = sim::campaign::factor_table(campaign.file.keys, points);
+  const RunWay way{.controllers = campaign.file.controllers == RunControllers::kInProcess
+                                      ? ControllersFrom::kInProcess
+                                      : ControllersFrom::kSpawn};
   PointMistakes mistakes(points.size());
   std::set<std::string> warnings;
   std::vector<std::vector<std::string>> defaults(points.size());
   for (std::size_t i = 0; i < points.size(); ++i) {
     PointRow& row = campaign.table.points[i];
     try {
-      const Scenario one = judged(scenario, overrides_of(points[i], campaign.seed), warnings);
+      const Scenario one = judged(scenario, overrides_of(points[i], campaign.seed), way, warnings);
       row.scenario = sim::scenario::resolved_yaml(one);
       campaign.controllers.merge(controllers_of(one));
       const bool sets_all = points[i].size() == campaign.file.keys.size();

@@ -42,7 +42,7 @@ struct LinkSums {
   std::uint64_t delivered() const;
 };
 
-inline constexpr std::size_t kLongestName = 32;  ///< Letters of a group's name.
+inline constexpr std::size_t kLongestName = 40;  ///< Letters of a group's name.
 
 /// The runs of one scenario with the same settings but for the seed.
 struct Group {

@@ -38,7 +38,7 @@ class WhatCannotRun(Case):
         (SATURATION, ["agents.sources.controller.parameters.to=s3"], r"to: 's3' is the agent itself"),
         (SATURATION, ["agents.sources.controller.parameters.start=3 s",
                       "agents.sources.controller.parameters.stop=2 s"],
-         r"stop: is not after `start`: it would never send"),
+         r"stop: is before `start`: it would never send"),
         (SATURATION, ["agents.sink.controller.parameters.stop=0.5 s"],
          r"stop: is not after `start`: it would never count"),
         (SATURATION, ["radio.propagation=[{model: two_ray_ground}]", "radio.antenna_height=0 m"],

@@ -424,7 +424,7 @@ class Reports(Folders):
         self.assertEqual(self.head(self.report(self.out)), ["figure", "paper", "basis", "ideal"])
         self.run_to(out=self.folder / "other")
         report = self.report(self.folder / "other")
-        self.assertEqual(self.head(report), ["figure", "mobility_framework"])
+        self.assertEqual(self.head(report), ["figure", "two_motes"])
         self.assertNotRegex(report, PAPERS_WORDS)
 
 
