@@ -1,20 +1,29 @@
 #include "sim/radio/association.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <utility>
 
 namespace sim::radio {
+namespace {
 
-Association::Association(EventQueue& events, hal::AgentId station, const BssConfig& config,
-                         BssParameters bss, Port& port)
-    : events_(events),
-      station_(station),
-      config_(config),
-      bss_(std::move(bss)),
-      port_(port),
-      heard_(config) {}
+/// For so long, 1/33 s, mac80211 stays on a channel after a probe request: in steps of that
+/// stations that search come to the access point's channel.
+constexpr hal::Duration kFirstSpread{30'000'000};
+/// Between attempts wpa_supplicant waits for 100 ms after the first failure, and for more after
+/// each further one, up to 10 s.
+constexpr hal::Duration kSpreadAfterFailure{100'000'000};
+constexpr hal::Duration kLongestSpread{10'000'000'000};
 
-void Association::start() { scan(); }
+}  // namespace
+
+Association::Association(EventQueue& events, Station station, const BssConfig& config, Port& port)
+    : events_(events), station_(std::move(station)), config_(config), port_(port), heard_(config) {}
+
+void Association::start() {
+  spread_ = kFirstSpread;
+  scan_anew();
+}
 
 void Association::stop() {
   events_.cancel(timer_);
@@ -29,15 +38,21 @@ void Association::change(State state, std::optional<hal::AgentId> access_point) 
   port_.on_association();
 }
 
-void Association::scan() {
+void Association::scan_anew() {
+  const double part = station_.random.uniform();
+  const auto more = static_cast<std::int64_t>(part * static_cast<double>(spread_.count()));
+  scan(config_.scan_time + hal::Duration{more});
+}
+
+void Association::scan(hal::Duration time) {
   change(State::kScanning, std::nullopt);
-  timer_ = events_.schedule(events_.now() + config_.scan_time, Rank::kRadio, station_,
+  timer_ = events_.schedule(events_.now() + time, Rank::kRadio, station_.agent,
                             [this] { on_scanned(); });
 }
 
 void Association::on_scanned() {
   if (const auto strongest = heard_.strongest(events_.now())) return begin(*strongest);
-  scan();
+  scan(config_.scan_time);
 }
 
 void Association::begin(hal::AgentId access_point) {
@@ -49,7 +64,7 @@ void Association::begin(hal::AgentId access_point) {
 
 void Association::wait_for_answer() {
   events_.cancel(timer_);
-  timer_ = events_.schedule(events_.now() + config_.answer_timeout, Rank::kRadio, station_,
+  timer_ = events_.schedule(events_.now() + config_.answer_timeout, Rank::kRadio, station_.agent,
                             [this] { give_up(); });
 }
 
@@ -58,14 +73,15 @@ void Association::give_up() {
   events_.cancel(timer_);
   heard_.forget(target_);
   if (access_point_) return change(State::kAssociated, access_point_);
+  spread_ = std::clamp(2 * spread_, kSpreadAfterFailure, kLongestSpread);
   if (const auto other = heard_.strongest(events_.now())) return begin(*other);
-  scan();
+  scan_anew();
 }
 
 void Association::on_beacon(const Frame& frame, hal::Dbm rssi) {
   if (state_ == State::kOff) return;
   const auto beacon = decode_beacon(*frame.payload);
-  if (!beacon || beacon->bss.ssid != bss_.ssid) return;
+  if (!beacon || beacon->bss.ssid != station_.bss.ssid) return;
   heard_.on_beacon(frame.transmitter, rssi, beacon->interval, events_.now());
   if (state_ != State::kAssociated) return;
   if (const auto better = heard_.better_than(*access_point_, events_.now())) begin(*better);
@@ -92,9 +108,9 @@ void Association::on_authentication(const Frame& frame) {
   if (!answer || answer->transaction != 2) return;
   if (answer->status != kStatusSuccess) return give_up();
   state_ = State::kAssociating;
-  port_.send(access_point_ ? FrameType::kReassociationRequest : FrameType::kAssociationRequest,
-             target_,
-             encode(AssociationRequest{.bss = bss_, .current_access_point = access_point_}));
+  port_.send(
+      access_point_ ? FrameType::kReassociationRequest : FrameType::kAssociationRequest, target_,
+      encode(AssociationRequest{.bss = station_.bss, .current_access_point = access_point_}));
   wait_for_answer();
 }
 
@@ -104,6 +120,7 @@ void Association::on_response(const Frame& frame) {
   if (!answer) return;
   if (answer->status != kStatusSuccess) return give_up();
   events_.cancel(timer_);
+  spread_ = kFirstSpread;
   change(State::kAssociated, target_);
   watch();
 }
@@ -125,14 +142,14 @@ void Association::lose() {
   heard_.forget(*std::exchange(access_point_, std::nullopt));
   if (state_ != State::kAssociated) return port_.on_association();  // it is on its way elsewhere
   if (const auto other = heard_.strongest(events_.now())) return begin(*other);
-  scan();
+  scan_anew();
 }
 
 /// There is one event, which looks for how long the beacons have stayed away.
 void Association::watch() {
   events_.cancel(loss_);
   const hal::Time at = std::max(events_.now(), heard_.lost_at(*access_point_));
-  loss_ = events_.schedule(at, Rank::kRadio, station_, [this] {
+  loss_ = events_.schedule(at, Rank::kRadio, station_.agent, [this] {
     if (heard_.lost_at(*access_point_) > events_.now()) return watch();
     lose();
   });

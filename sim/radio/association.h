@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 
+#include "hal/types/random.h"
 #include "sim/core/event_queue.h"
 #include "sim/radio/bss_config.h"
 #include "sim/radio/frame.h"
@@ -21,6 +22,10 @@ namespace sim::radio {
 ///   kAssociated --no beacons, or sent away--> kAuthenticating if another one is heard, or
 ///   kScanning
 ///
+/// Stations that start together would all ask in the same slot, and those that were not answered
+/// would ask together again. So a scan that begins with a start, a loss or a failure is longer by a
+/// random part, whose range grows with each failure until the station is associated.
+///
 /// While it changes over it stays associated with the old one, and stays so if the new one does not
 /// answer.
 class Association {
@@ -34,9 +39,14 @@ class Association {
     virtual void on_association() = 0;
   };
 
+  struct Station {
+    hal::AgentId agent;
+    BssParameters bss;
+    hal::RandomStream random;  ///< "<agent>/scan"
+  };
+
   /// @param config, port  outlive it.
-  Association(EventQueue& events, hal::AgentId station, const BssConfig& config, BssParameters bss,
-              Port& port);
+  Association(EventQueue& events, Station station, const BssConfig& config, Port& port);
 
   /// The radio was switched on or off.
   void start();
@@ -57,7 +67,8 @@ class Association {
  private:
   enum class State : std::uint8_t { kOff, kScanning, kAuthenticating, kAssociating, kAssociated };
 
-  void scan();
+  void scan_anew();
+  void scan(hal::Duration time);
   void on_scanned();
   void begin(hal::AgentId access_point);
   void wait_for_answer();
@@ -70,13 +81,13 @@ class Association {
   void change(State state, std::optional<hal::AgentId> access_point);
 
   EventQueue& events_;
-  hal::AgentId station_;
+  Station station_;
   const BssConfig& config_;
-  BssParameters bss_;
   Port& port_;
 
   HeardAccessPoints heard_;
   State state_ = State::kOff;
+  hal::Duration spread_{};  ///< Range of the random part of the next scan.
   std::optional<hal::AgentId> access_point_;
   hal::AgentId target_{};      ///< While kAuthenticating and kAssociating.
   EventQueue::EventId timer_;  ///< The end of the scan, or of the wait for an answer.

@@ -4,13 +4,12 @@
 #include <utility>
 
 namespace sim::radio {
-
 BssStation::BssStation(const Context& context, const DcfConfig& config, std::unique_ptr<DcfMac> dcf,
                        Membership membership)
     : BssMac(context, config, std::move(dcf)),
       access_points_(std::move(membership.access_points)),
-      association_(context.events, context.agent, membership.config, std::move(membership.bss),
-                   *this) {
+      association_(context.events, {context.agent, std::move(membership.bss), membership.scan},
+                   membership.config, *this) {
   association_.start();
 }
 

@@ -17,6 +17,7 @@ class BssStation final : public BssMac, private Association::Port {
     const BssConfig& config;  ///< Outlives the station.
     BssParameters bss;
     std::vector<hal::AgentId> access_points;  ///< That it may use.
+    hal::RandomStream scan;                   ///< "<agent>/scan"
   };
 
   BssStation(const Context& context, const DcfConfig& config, std::unique_ptr<DcfMac> dcf,

@@ -82,7 +82,8 @@ std::unique_ptr<MacBase> Infrastructure::completed(const Member& member,
   if (usable == usable_.end()) return dcf;
   return std::make_unique<BssStation>(
       member.context, member.config, std::move(dcf),
-      BssStation::Membership{config_, parameters(member, config_.ssid), usable->second});
+      BssStation::Membership{config_, parameters(member, config_.ssid), usable->second,
+                             member.scan});
 }
 
 /// The target transmission times of their beacons are spread evenly over the interval.

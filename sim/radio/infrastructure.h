@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "hal/types/random.h"
 #include "sim/radio/distribution_system.h"
 #include "sim/radio/mac_base.h"
 #include "sim/radio/management.h"
@@ -21,6 +22,7 @@ class Infrastructure {
     const MacBase::Context& context;
     const DcfConfig& config;  ///< Outlives the MAC.
     Standard rates;           ///< That it knows.
+    hal::RandomStream scan;   ///< "<agent>/scan"
   };
 
   /// @param config  outlives it.

@@ -216,8 +216,8 @@ struct RadioNetwork::State {
     auto dcf = std::make_unique<DcfMac>(
         context, one, radio,
         DcfMac::Streams{stream(station, "/backoff"), stream(station, "/rates")});
-    macs.push_back(
-        infrastructure->completed({context, one, *rates_of(profile.config)}, std::move(dcf)));
+    macs.push_back(infrastructure->completed(
+        {context, one, *rates_of(profile.config), stream(station, "/scan")}, std::move(dcf)));
   }
 
   void add(const Station& station, Air& air, const StationProfile& profile,

@@ -50,10 +50,11 @@ void bss_keys_of(Io& io, radio::BssConfig& c) {
             "heard.",
             "7"},
            1, 1000, c.beacon_loss);
-  io.duration(
-      {"scan_time", "For so long a station without an access point listens before it chooses one.",
-       "120 ms"},
-      {1e-3, 100}, c.scan_time);
+  io.duration({"scan_time",
+               "For so long, and a random part longer, a station without an access point listens "
+               "before it chooses one.",
+               "120 ms"},
+              {1e-3, 100}, c.scan_time);
   io.duration(
       {"answer_timeout",
        "So long a station waits for the answer to an authentication or association.", "200 ms"},

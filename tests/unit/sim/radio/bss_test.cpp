@@ -33,7 +33,7 @@ TEST_F(Bss, StationAssociatesAfterItsScan) {
   EXPECT_EQ(associations[0].station, hal::AgentId{2});
   EXPECT_EQ(associations[0].access_point, hal::AgentId{1});
   EXPECT_GT(associations[0].at, hal::Time{} + 120ms);
-  EXPECT_LT(associations[0].at, hal::Time{} + 130ms);
+  EXPECT_LT(associations[0].at, hal::Time{} + 160ms);
 }
 
 TEST_F(Bss, TwelveStationsAssociateAtOnce) {
@@ -45,6 +45,33 @@ TEST_F(Bss, TwelveStationsAssociateAtOnce) {
   for (std::uint16_t station = 2; station <= 13; ++station) air.send(station, 1, kPayload);
   air.run(600ms);
   EXPECT_EQ(air.inbox(1).received.size(), 12u);
+}
+
+// Each scan is longer than the scan time, by a part of its own.
+TEST_F(Bss, StationsThatStartTogetherAskApart) {
+  std::vector<hal::Vec3> places{{0, 0, 0}};
+  for (int i = 0; i < 7; ++i) places.push_back({10.0 + i, 5, 0});
+  build(places);
+  air.run(400ms);
+  EXPECT_EQ(associations.size(), 7u);
+  int asked = 0;
+  for (const Log::Start& start : air.log.starts) {
+    if (start.frame.type != FrameType::kAuthentication || start.frame.transmitter.value == 1) {
+      continue;
+    }
+    EXPECT_GT(start.at, hal::Time{} + 120ms);
+    ++asked;
+  }
+  EXPECT_EQ(asked, 7);  // none twice
+}
+
+// So many cannot be answered in time: those that were not must not all come back together.
+TEST_F(Bss, CrowdAssociatesAsThoseThatFailSpreadOut) {
+  std::vector<hal::Vec3> places{{0, 0, 0}};
+  for (int i = 0; i < 200; ++i) places.push_back({10.0 + 0.1 * i, 5, 0});
+  build(places);
+  air.run(6s);
+  EXPECT_EQ(associations.size(), 200u);
 }
 
 TEST_F(Bss, RequestsWaitForTheAssociation) {
@@ -245,7 +272,7 @@ TEST_F(Bss, LifetimeCountsFromTheRequestEvenWithoutAnAccessPoint) {
   air.at(100ms, [this] { air.send(2, 1, kPayload, 2); });
   air.run(300ms);
   EXPECT_EQ(verdict_of(2, 1), Verdict::kExpired);
-  EXPECT_EQ(verdict_of(2, 2), Verdict::kDelivered);  // associated after 127 ms
+  EXPECT_EQ(verdict_of(2, 2), Verdict::kDelivered);  // associated after 160 ms at most
   EXPECT_EQ(air.inbox(2).ended.at(0).at, hal::Time{} + 100ms);
 }
 
