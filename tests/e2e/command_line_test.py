@@ -3,6 +3,7 @@
 import contextlib
 import csv
 import pathlib
+import re
 import shutil
 import sqlite3
 import subprocess
@@ -158,6 +159,29 @@ class Results(Case):
     def test_until_before_the_end_is_no_failed_expectation(self):
         finished = self.run_baraka(CASE_STUDY, *IN_PROCESS, "--until", "3")
         self.assertEqual((finished["result"], finished["simulated_s"]), ("until", "3.000000000"))
+
+    def test_a_sensor_more_needs_no_list_of_the_others(self):
+        (self.folder / "mine.yaml").write_text(f"include: {ROOT}/config/robots/robertino.yaml\n"
+                                               "sensors: {add: [{kind: pose}, {kind: bumper}]}\n")
+        scenario = self.folder / "more.yaml"
+        scenario.write_text(f"""version: 1
+name: more
+radio: {{profile: ideal}}
+agents:
+  robots:
+    poses: [{{x: 0 m, y: 0 m}}]
+    robot:
+      include: mine.yaml
+      sensors: {{add: [{{kind: pose, name: second}}], remove: [bumper]}}
+    controller: {{program: wanderer}}
+end: [{{at: 1 s, result: over}}]
+""")
+        checked = Program("baraka", "check", scenario).finish()
+        self.assertEqual(checked.status, 0, str(checked))
+        self.run_baraka(scenario, *IN_PROCESS)
+        resolved = (self.out / "scenario.resolved.yaml").read_text()
+        self.assertEqual(re.findall("kind: (pose|bumper)\n *name: (.+)", resolved),
+                         [("pose", "pose"), ("pose", "second")])
 
     def test_a_report_of_what_is_no_result_says_so(self):
         finished = Program("baraka", "report", self.folder).finish()
