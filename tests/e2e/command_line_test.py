@@ -183,11 +183,19 @@ end: [{{at: 1 s, result: over}}]
         self.assertEqual(re.findall("kind: (pose|bumper)\n *name: (.+)", resolved),
                          [("pose", "pose"), ("pose", "second")])
 
-    def test_a_report_of_what_is_no_result_says_so(self):
-        finished = Program("baraka", "report", self.folder).finish()
-        self.assertEqual(finished.status, 1, str(finished))
-        self.assertIn(str(self.folder), finished.err)
-
+    def test_every_command_says_the_same_of_what_is_no_result(self):
+        (self.folder / "empty").mkdir()
+        (self.folder / "file").write_text("x")
+        for name, what, commands in (("empty", "holds no result", ["report", "export", "view"]),
+                                     ("nowhere", "there is no such folder", ["report", "export"]),
+                                     ("file", "is a file, and the folder of a result is wanted", ["report", "export"])):
+            said = set()
+            for command in commands:
+                finished = Program("baraka", command, self.folder / name).finish()
+                self.assertEqual(finished.status, 2, str(finished))
+                said.add(finished.err)
+            self.assertEqual(len(said), 1, said)
+            self.assertIn(what, said.pop())
 
     def test_a_report_without_the_page_says_what_is_missing(self):
         program = shutil.copy(BIN / "baraka", self.folder)  # where no page lies beside it
@@ -234,7 +242,7 @@ class Export(Case):
         kept.write_text("mine")
         self.assertIn("'pose' is no table of a result; there are: run, settings, ",
                       self.export(self.out, "pose", "-o", kept, status=2).err)
-        self.assertIn("nowhere", self.export(self.folder / "nowhere", "poses", "-o", kept, status=1).err)
+        self.assertIn("nowhere", self.export(self.folder / "nowhere", "poses", "-o", kept, status=2).err)
         self.export(status=2)
         with contextlib.closing(sqlite3.connect(self.out / "run.sqlite")) as database:
             database.execute("PRAGMA user_version = 3")
