@@ -9,6 +9,7 @@
 
 #include "gateway/commands/exported_scene_of.h"
 #include "gateway/commands/output_file.h"
+#include "gateway/commands/result_folder.h"
 #include "gateway/exit_status.h"
 #include "hal/types/printable.h"
 #include "sim/campaign/description.h"
@@ -148,6 +149,7 @@ int export_results(const ExportOptions& options) {
   if (is_campaign) return export_campaign(options);
   check_arguments_of_result(options);
   if (options.describe) return describe_results(options);
+  require_result(options.folder);
   if (sim::record::RunReader(options.folder).is_unfinished()) {
     fmt::print(stderr, "warning: {}: this run is unfinished: broken off, or still under way\n",
                hal::printable(options.folder));

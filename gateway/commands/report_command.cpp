@@ -12,6 +12,7 @@
 #include <stdexcept>
 
 #include "gateway/commands/output_file.h"
+#include "gateway/commands/result_folder.h"
 #include "gateway/exit_status.h"
 #include "gateway/view/bundled_page.h"
 #include "hal/config/document.h"
@@ -103,6 +104,7 @@ std::vector<PlotRequest> requests_of_campaign(const Experiment& experiment) {
 }
 
 sim::report::Sources read_all(const ReportOptions& options) {
+  require_results(options.folders);
   auto sources = sim::report::read_sources({options.folders.begin(), options.folders.end()});
   for (Experiment& one : sources.experiments) {
     if (!options.scenario.empty()) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "gateway/commands/output_file.h"
+#include "gateway/commands/result_folder.h"
 #include "gateway/exit_status.h"
 #include "gateway/run/judge_controllers.h"
 #include "gateway/run/wall_pace.h"
@@ -45,6 +46,7 @@ view::ViewServer::Settings settings_of(const ViewOptions& options) {
     settings.mode = view::ViewApi::Mode::kScenario;
     settings.runs.push_back(open_scenario(options.what.front()));
   } else {
+    require_results(options.what);
     settings.runs = view::open_results({options.what.begin(), options.what.end()});
   }
   return settings;

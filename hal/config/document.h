@@ -25,7 +25,7 @@ namespace hal::config {
 /// directory. A file that is not there is looked for in the folders
 /// of shared_folders.h, where the robots that come with BARAKA are. Where both set a key, the
 /// mapping's own value counts, mappings being united level by level; but what the command line
-/// includes wins over the file.
+/// includes wins over the file. A list replaces the one below; {add: […], remove: […]} changes it.
 ///
 /// What would exhaust a reader is refused: see document_limits.h.
 class Document {

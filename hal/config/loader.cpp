@@ -11,6 +11,7 @@
 
 #include "hal/config/document_limits.h"
 #include "hal/config/foreign_format.h"
+#include "hal/config/list_edit.h"
 #include "hal/config/shared_folders.h"
 #include "hal/config/yaml.h"
 #include "hal/types/result.h"
@@ -138,17 +139,15 @@ void Loader::resolve(Node& node, const std::string& path, int depth) {
     include(node, target, path);
     if (!complete_) return;
   }
-  if (node.kind == Node::Kind::kList) refuse_items(node);
+  if (node.kind == Node::Kind::kList) refuse_items(node, path);
   for (Node& item : node.items) resolve(item, path, depth + 1);
   for (Entry& entry : node.entries) resolve(entry.value, joined(path, entry.key), depth + 1);
 }
 
-void Loader::refuse_items(Node& list) {
-  const std::size_t size = list.items.size();
+void Loader::refuse_items(Node& list, const std::string& path) {
   for (const Entry& entry : std::exchange(list.entries, {})) {
-    problems_.add(entry.place, "",
-                  fmt::format("'{}' is no item: the list has {}{}", entry.key, size,
-                              size > 0 ? fmt::format(", 0 to {}", size - 1) : ""));
+    const bool is_edit = entry.key == "add" || entry.key.starts_with("remove");
+    problems_.add(entry.place, is_edit ? path : "", list_mistake(list, entry));
   }
 }
 

@@ -64,7 +64,7 @@ class Loader {
  private:
   void check_repeated(Node& node, const std::string& path);
   void include(Node& mapping, const Node& target, const std::string& path);
-  void refuse_items(Node& list);
+  void refuse_items(Node& list, const std::string& path);
   void give_up(const Node& target, const std::string& path, std::string why);
   std::filesystem::path located(const Node& target) const;
 

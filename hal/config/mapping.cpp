@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "hal/config/list_edit.h"
 #include "hal/config/node.h"
 #include "hal/config/problems.h"
 #include "hal/config/suggest.h"
@@ -301,6 +302,14 @@ std::vector<Mapping> Mapping::inner_list(const std::string& key) {
   const Node& list = entry->value;
   if (list.kind == Kind::kList) {
     for (const Node& item : list.items) result.push_back(inner(item, path_of(key), nullptr));
+  } else if (is_list_edit(list)) {  // of a list that no included file has
+    const Entry* const added = list.find("add");
+    if (added != nullptr && added->value.kind == Kind::kList) {
+      for (const Node& item : added->value.items)
+        result.push_back(inner(item, path_of(key), nullptr));
+    }
+    for (const Entry& left : edited({}, list).entries)
+      problems_->add(left.place, path_of(key), list_mistake({}, left));
   } else if (list.kind != Kind::kNull) {
     problems_->add(list.place, path_of(key), "must be a list, not " + kind_name(list));
   }

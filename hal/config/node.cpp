@@ -8,6 +8,8 @@
 #include <system_error>
 #include <utility>
 
+#include "hal/config/list_edit.h"
+
 namespace hal::config {
 namespace {
 
@@ -26,18 +28,24 @@ std::optional<std::size_t> index_of(const std::string& key, std::size_t items) {
 /// A list of which the command line sets items, or something in them. What is no item stays with
 /// the list as an entry, for the Loader to refuse.
 Node with_items_set(Node list, Node own) {
+  Node edit;
   for (Entry& entry : own.entries) {
-    if (const auto index = index_of(entry.key, list.items.size())) {
+    if (entry.key == "add" || entry.key == "remove") {
+      edit.entries.push_back(std::move(entry));
+    } else if (const auto index = index_of(entry.key, list.items.size())) {
       Node& item = list.items[*index];
       item = decided(std::move(item), std::move(entry.value));
     } else {
       list.entries.push_back(std::move(entry));
     }
   }
-  return list;
+  return edited(std::move(list), std::move(edit));
 }
 
 Node decided(Node below, Node own) {
+  if (below.kind == Node::Kind::kList && is_list_edit(own))
+    return edited(std::move(below), std::move(own));
+  if (are_united(below, own)) return united(std::move(below), std::move(own));
   const bool reaches_into_list = below.kind == Node::Kind::kList && is_mapping(own) && !own.whole &&
                                  own.place.layer == Layer::kCommandLine;
   if (reaches_into_list) return with_items_set(std::move(below), std::move(own));

@@ -38,7 +38,7 @@ struct Node {
   bool quoted = false;         ///< kScalar in quotation marks.
   bool whole = false;          ///< A mapping that replaces what lies below instead of adding to it.
   std::vector<Node> items;     ///< kList.
-  std::vector<Entry> entries;  ///< kMapping, in order of the file. kList: --set to no item of it.
+  std::vector<Entry> entries;  ///< kMapping, in order of the file. kList: changes to no item of it.
 
   const Entry* find(const std::string& key) const;
   Entry* find(const std::string& key);
@@ -55,7 +55,8 @@ std::string kind_name(const Node& node);
 
 /// The union of two mappings, key by key and level by level. Where both set a value, the higher
 /// layer's counts and, within one layer, `own`. Keys of `below` come first. Of a list, the command
-/// line can set items by their number, from 0.
+/// line can set items by their number, from 0; `own` can change one by {add: […], remove: […]}
+/// (list_edit.h).
 Node merged(Node below, Node own);
 
 }  // namespace hal::config

@@ -160,11 +160,42 @@ class Results(Case):
         finished = self.run_baraka(CASE_STUDY, *IN_PROCESS, "--until", "3")
         self.assertEqual((finished["result"], finished["simulated_s"]), ("until", "3.000000000"))
 
-    def test_a_report_of_what_is_no_result_says_so(self):
-        finished = Program("baraka", "report", self.folder).finish()
-        self.assertEqual(finished.status, 1, str(finished))
-        self.assertIn(str(self.folder), finished.err)
+    def test_a_sensor_more_needs_no_list_of_the_others(self):
+        (self.folder / "mine.yaml").write_text(f"include: {ROOT}/config/robots/robertino.yaml\n"
+                                               "sensors: {add: [{kind: pose}, {kind: bumper}]}\n")
+        scenario = self.folder / "more.yaml"
+        scenario.write_text(f"""version: 1
+name: more
+radio: {{profile: ideal}}
+agents:
+  robots:
+    poses: [{{x: 0 m, y: 0 m}}]
+    robot:
+      include: mine.yaml
+      sensors: {{add: [{{kind: pose, name: second}}], remove: [bumper]}}
+    controller: {{program: wanderer}}
+end: [{{at: 1 s, result: over}}]
+""")
+        checked = Program("baraka", "check", scenario).finish()
+        self.assertEqual(checked.status, 0, str(checked))
+        self.run_baraka(scenario, *IN_PROCESS)
+        resolved = (self.out / "scenario.resolved.yaml").read_text()
+        self.assertEqual(re.findall("kind: (pose|bumper)\n *name: (.+)", resolved),
+                         [("pose", "pose"), ("pose", "second")])
 
+    def test_every_command_says_the_same_of_what_is_no_result(self):
+        (self.folder / "empty").mkdir()
+        (self.folder / "file").write_text("x")
+        for name, what, commands in (("empty", "holds no result", ["report", "export", "view"]),
+                                     ("nowhere", "there is no such folder", ["report", "export"]),
+                                     ("file", "is a file, and the folder of a result is wanted", ["report", "export"])):
+            said = set()
+            for command in commands:
+                finished = Program("baraka", command, self.folder / name).finish()
+                self.assertEqual(finished.status, 2, str(finished))
+                said.add(finished.err)
+            self.assertEqual(len(said), 1, said)
+            self.assertIn(what, said.pop())
 
     def test_a_report_without_the_page_says_what_is_missing(self):
         program = shutil.copy(BIN / "baraka", self.folder)  # where no page lies beside it
@@ -211,7 +242,7 @@ class Export(Case):
         kept.write_text("mine")
         self.assertIn("'pose' is no table of a result; there are: run, settings, ",
                       self.export(self.out, "pose", "-o", kept, status=2).err)
-        self.assertIn("nowhere", self.export(self.folder / "nowhere", "poses", "-o", kept, status=1).err)
+        self.assertIn("nowhere", self.export(self.folder / "nowhere", "poses", "-o", kept, status=2).err)
         self.export(status=2)
         with contextlib.closing(sqlite3.connect(self.out / "run.sqlite")) as database:
             database.execute("PRAGMA user_version = 3")

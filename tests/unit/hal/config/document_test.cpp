@@ -342,5 +342,70 @@ TEST_F(DocumentTest, NamesTheNumberOfAnItemWithAMistake) {
   EXPECT_EQ(found, (Lines{"--set l.1.a: 'far' is not a number"}));
 }
 
+class ListEdits : public DocumentTest {
+ protected:
+  void SetUp() override {
+    write("base.yaml", "l: [{name: a}, {kind: b}, {name: c, kind: b}]\n");
+    write("none.yaml", "x: 1\n");
+  }
+  /// Names, or kinds, of the list `l`, or the mistakes.
+  Lines items(const std::filesystem::path& file, const Lines& set = {}) {
+    Lines names;
+    Lines found = messages([&] {
+      auto document = Document::load(file, set);
+      Mapping root = document.root();
+      for (Mapping& item : root.mappings(key("l"))) {
+        const std::string name = item.text(key("name"), "");
+        const std::string kind = item.text(key("kind"), "");
+        names.push_back(name.empty() ? kind : name);
+      }
+      document.finish();
+    });
+    return found.empty() ? names : found;
+  }
+};
+
+TEST_F(ListEdits, AddToTheListOfAnIncludedFileAndRemoveByNameOrKind) {
+  EXPECT_EQ(items(write("a.yaml", "include: base.yaml\nl: {add: [{name: d}]}\n")),
+            (Lines{"a", "b", "c", "d"}));
+  EXPECT_EQ(items(write("b.yaml", "include: base.yaml\nl: {remove: [b, a]}\n")), (Lines{"c"}));
+  EXPECT_EQ(items(write("c.yaml", "include: base.yaml\nl: {remove: [c], add: [{name: c}]}\n")),
+            (Lines{"a", "b", "c"}))
+      << "replaced";
+  EXPECT_EQ(items(write("d.yaml", "include: base.yaml\nl: [{name: d}]\n")), (Lines{"d"}));
+}
+
+TEST_F(ListEdits, OfFilesThatIncludeEachOtherAllCount) {
+  write("middle.yaml", "include: base.yaml\nl: {add: [{name: d}, {name: e}], remove: [a]}\n");
+  EXPECT_EQ(items(write("a.yaml", "include: middle.yaml\nl: {add: [{name: f}], remove: [d, b]}\n")),
+            (Lines{"c", "e", "f"}));
+}
+
+TEST_F(ListEdits, ComeFromTheCommandLineToo) {
+  const auto file = write("a.yaml", "include: base.yaml\nl: {add: [{name: d}]}\n");
+  EXPECT_EQ(items(file, {"l.add=[{name: e}]"}), (Lines{"a", "b", "c", "d", "e"}));
+  EXPECT_EQ(items(folder_ / "base.yaml", {"l.remove=[a]", "l.0.name=z"}),
+            (Lines{"--set l.remove: l: there is no 'a' to remove; the list has z, b, c"}));
+  EXPECT_EQ(items(folder_ / "base.yaml", {"l={add: [{name: e}]}"}), (Lines{"a", "b", "c", "e"}));
+}
+
+TEST_F(ListEdits, AddToNoListMakesOne) {
+  EXPECT_EQ(items(write("a.yaml", "include: none.yaml\nl: {add: [{name: d}]}\n")), (Lines{"d"}));
+  EXPECT_EQ(items(write("b.yaml", "l: {remove: [a]}\n")),
+            (Lines{"b.yaml:1:14: l: there is no 'a' to remove; the list has none"}));
+}
+
+TEST_F(ListEdits, SayWhatIsWrongWithThem) {
+  EXPECT_EQ(items(write("a.yaml", "include: base.yaml\nl: {add: {name: d}}\n")),
+            (Lines{"a.yaml:2:5: l: add must be a list of items, not a mapping"}));
+  EXPECT_EQ(items(write("b.yaml", "include: base.yaml\nl: {remove: a}\n")),
+            (Lines{"b.yaml:2:5: l: remove must be a list of names, not 'a'"}));
+  EXPECT_EQ(items(write("c.yaml", "include: base.yaml\nl: {remove: [z, {name: a}]}\n")).size(), 2u);
+  EXPECT_EQ(items(write("d.yaml", "l: {add: 3}\n")),
+            (Lines{"d.yaml:1:5: l: add must be a list of items, not '3'"}));
+  EXPECT_EQ(items(write("e.yaml", "include: base.yaml\nl: {ad: []}\n")),
+            (Lines{"e.yaml:2:4: l: must be a list, not a mapping"}));
+}
+
 }  // namespace
 }  // namespace hal::config

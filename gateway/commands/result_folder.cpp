@@ -1,0 +1,59 @@
+#include "gateway/commands/result_folder.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "gateway/exit_status.h"
+#include "sim/campaign/campaign_reader.h"
+#include "sim/report/run_result.h"
+
+namespace gateway {
+namespace {
+
+namespace fs = std::filesystem;
+
+void require_folder(const fs::path& given) {
+  std::error_code error;
+  const fs::file_status status = fs::status(given, error);
+  if (fs::is_directory(status)) return;
+  if (!fs::exists(status)) {
+    throw UsageError(fmt::format(
+        "{}: there is no such folder; name the folder of a result, where a run wrote run.sqlite",
+        given.string()));
+  }
+  const bool is_database = given.extension() == ".sqlite" && given.has_parent_path();
+  throw UsageError(
+      fmt::format("{}: is a file, and the folder of a result is wanted{}", given.string(),
+                  is_database ? fmt::format(": {}", given.parent_path().string()) : ""));
+}
+
+std::vector<fs::path> results_in(const fs::path& folder) {
+  try {
+    return sim::report::find_results({folder});
+  } catch (const fs::filesystem_error&) {
+    throw;
+  } catch (const std::runtime_error& e) {
+    throw UsageError(e.what());
+  }
+}
+
+}  // namespace
+
+void require_results(const std::vector<std::string>& folders) {
+  for (const std::string& folder : folders) {
+    require_folder(folder);
+    if (!sim::campaign::CampaignReader::has_database(folder)) results_in(folder);
+  }
+}
+
+void require_result(const std::string& folder) {
+  require_folder(folder);
+  if (sim::campaign::CampaignReader::has_database(folder)) return;
+  const std::vector<fs::path> found = results_in(folder);
+  if (found.front() == fs::path(folder)) return;
+  throw UsageError(fmt::format("{}: has results in folders of its own; name one, such as {}",
+                               folder, found.front().string()));
+}
+
+}  // namespace gateway
