@@ -172,9 +172,9 @@ TEST_F(ReportTest, LongFolderNamesAreShortenedAndExplained) {
   }
   const std::string printed = text();
   EXPECT_EQ(line(printed, "figure"),
-            "ideal, an ex...1...ds of robots1|"
-            "ideal, an ex...2...ds of robots2");
-  EXPECT_NE(printed.find("\nideal, an ex...2...ds of robots2: ideal, " + head + "2\n"),
+            "ideal, an experi...1...speeds of robots1|"
+            "ideal, an experi...2...speeds of robots2");
+  EXPECT_NE(printed.find("\nideal, an experi...2...speeds of robots2: ideal, " + head + "2\n"),
             std::string::npos);
 }
 
