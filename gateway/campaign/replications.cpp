@@ -86,7 +86,8 @@ sim::campaign::WantedRuns wanted_of(const RunOptions& options,
 }  // namespace
 
 int run_replications(const RunOptions& options) {
-  const sim::scenario::Scenario scenario = load_judged(options.scenario, options.overrides, way_of(options));
+  const sim::scenario::Scenario scenario =
+      load_judged(options.scenario, options.overrides, way_of(options));
   check_options(options, scenario.simulation.seed);
   const LocalEngine::Settings settings{.jobs = options.jobs,
                                        .domains = domains_for(options.domain, options.jobs)};

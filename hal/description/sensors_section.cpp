@@ -50,7 +50,9 @@ std::vector<SensorDescription> read_sensors(Mapping& in) {
   std::vector<SensorDescription> sensors;
   std::set<std::string> names;
   for (Mapping& one : in.mappings(
-           {"sensors", "Further sensors, each a channel of its own. `{add: [sensors], remove: [names]}` changes "
+           {"sensors",
+            "Further sensors, each a channel of its own. `{add: [sensors], remove: [names]}` "
+            "changes "
             "the list of an included file.",
             "[{kind: scan, position: [0 m, 0 m, 20 cm], min_range: 12 cm, max_range: 3.5 m}]"})) {
     const std::optional<std::size_t> kind =
