@@ -12,10 +12,12 @@
 #include "gateway/commands/exec_command.h"
 #include "gateway/commands/export_command.h"
 #include "gateway/commands/file_kinds.h"
+#include "gateway/commands/list_command.h"
 #include "gateway/commands/new_controller.h"
 #include "gateway/commands/observables_page.h"
 #include "gateway/commands/report_command.h"
 #include "gateway/commands/topic_command.h"
+#include "gateway/commands/topic_domain.h"
 #include "gateway/commands/view_command.h"
 #include "gateway/commands/wrong_kind.h"
 #include "gateway/exit_status.h"
@@ -222,6 +224,12 @@ void add_describe(CLI::App& app, DescribeOptions& options) {
                      "docs/observables.md");
 }
 
+void add_list(CLI::App& app, std::string& kind) {
+  app.add_subcommand("list", "Scenarios, robots, radios, controllers … that are here, a line each")
+      ->add_option("KIND", kind, "Default: all")
+      ->transform(hal::runtime::one_of(gateway::listed_kinds()));
+}
+
 void add_report(CLI::App& app, gateway::ReportOptions& options) {
   using sim::report::IntervalKind;
   using sim::report::PlotKind;
@@ -304,7 +312,9 @@ std::vector<TopicCommand> add_topic(CLI::App& app, gateway::TopicOptions& option
       {topic->add_subcommand("bw", "How many bytes come"), gateway::topic_bandwidth}};
   for (const TopicCommand& command : commands) {
     command.app
-        ->add_option("--domain", options.domain, "DDS domain; default: BARAKA_DOMAIN, else 1")
+        ->add_option("--domain", options.domain,
+                     "DDS domain; default: BARAKA_DOMAIN, else that of the run under way, else "
+                     "ROS_DOMAIN_ID, else 1")
         ->transform(whole_number(0, hal::dds::kLastDomain));
     if (command.act == gateway::list_topics) continue;
     command.app->add_option("TOPIC", options.topic, "As listed, or as in ROS 2: /clock")
@@ -322,6 +332,7 @@ std::vector<TopicCommand> add_topic(CLI::App& app, gateway::TopicOptions& option
 struct Asked {
   RunOptions run;
   std::string seed;
+  std::string listed;
   gateway::CampaignOptions campaign;
   gateway::CheckOptions check;
   DescribeOptions describe;
@@ -344,6 +355,7 @@ int act(const CLI::App& app, Asked& asked) {
   if (app.got_subcommand("describe")) return asked.describe.act();
   if (app.got_subcommand("exec")) gateway::exec_inside(asked.exec);
   if (app.got_subcommand("export")) return gateway::export_results(asked.export_);
+  if (app.got_subcommand("list")) return gateway::list(asked.listed);
   if (app.got_subcommand("report")) return gateway::report(asked.report);
   if (app.got_subcommand("view")) {
     return gateway::with_file_of("scenario", asked.view.what.front(), {"scenarios"},
@@ -364,6 +376,7 @@ int command(int argc, char** argv) {
   add_campaign(app, asked.campaign);
   add_check(app, asked.check);
   add_describe(app, asked.describe);
+  add_list(app, asked.listed);
   add_report(app, asked.report);
   add_view(app, asked.view);
   add_export(app, asked.export_);
@@ -377,7 +390,9 @@ int command(int argc, char** argv) {
     return hal::runtime::end_of_parsing(app, e);
   }
   for (const TopicCommand& topic : topic_commands) {
-    if (*topic.app) return topic.act(asked.topic);
+    if (!*topic.app) continue;
+    asked.topic.domain = gateway::topic_domain(asked.topic.domain);
+    return topic.act(asked.topic);
   }
   return act(app, asked);
 }

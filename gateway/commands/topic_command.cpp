@@ -30,10 +30,6 @@ constexpr auto kLook = 2s;    // for everybody to announce itself
 constexpr auto kAsk = 100ms;  // whether to go on
 constexpr auto kReportPeriod = 1s;
 
-int domain_of(const TopicOptions& options) {
-  return options.domain ? *options.domain : hal::dds::default_domain();
-}
-
 /// Names under which the topic may be found in DDS.
 bool is_named(const SeenTopic& topic, const std::string& name) {
   const std::string plain = name.starts_with("/") ? name.substr(1) : name;
@@ -63,7 +59,7 @@ std::optional<SeenTopic> wait_for(const TopicBrowser& browser, const TopicOption
 int complain(const TopicBrowser& browser, const TopicOptions& options) {
   if (interrupted()) return kInterrupted;
   fmt::print(stderr, "error: nobody writes a topic '{}' in domain {}",
-             hal::printable(options.topic), domain_of(options));
+             hal::printable(options.topic), options.domain.value());
   const auto topics = browser.topics();
   fmt::print(stderr, "; {}\n", topics.empty() ? "there are no topics" : "there are:");
   for (const SeenTopic& topic : topics) {
@@ -78,7 +74,7 @@ int take_samples(const TopicOptions& options,
                  const std::function<void(const RawSample&, const SeenTopic&)>& on_sample,
                  const std::function<void()>& idle) {
   catch_interrupts();
-  TopicBrowser browser(domain_of(options));
+  TopicBrowser browser(options.domain.value());
   const auto topic = wait_for(browser, options, true);
   if (!topic) return complain(browser, options);
   const auto subscription = browser.subscribe(*topic);
@@ -177,14 +173,14 @@ int measure(const TopicOptions& options, void (Traffic::*print)() const) {
 }  // namespace
 
 int list_topics(const TopicOptions& options) {
-  const TopicBrowser browser(domain_of(options));
+  const TopicBrowser browser(options.domain.value());
   std::this_thread::sleep_for(kLook);
   const auto topics = browser.topics();
   if (topics.empty()) {
     fmt::print(stderr,
                "error: nobody shows a topic in domain {}; a run prints `inspect domain: N` as it "
                "begins, --domain N looks there\n",
-               domain_of(options));
+               options.domain.value());
     return kRunFailed;
   }
   for (const SeenTopic& topic : topics) {
@@ -196,7 +192,7 @@ int list_topics(const TopicOptions& options) {
 
 int topic_info(const TopicOptions& options) {
   catch_interrupts();
-  const TopicBrowser browser(domain_of(options));
+  const TopicBrowser browser(options.domain.value());
   if (!wait_for(browser, options, false)) return complain(browser, options);
   std::this_thread::sleep_for(kAsk);  // endpoints announce themselves one by one
   const auto found = find(browser, options.topic);

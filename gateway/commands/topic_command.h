@@ -8,7 +8,7 @@ namespace gateway {
 /// What the command line of `baraka topic` says.
 struct TopicOptions {
   std::string topic;          ///< "rt/clock", or "/clock" or "clock" as in ROS 2.
-  std::optional<int> domain;  ///< None: BARAKA_DOMAIN, else 1.
+  std::optional<int> domain;  ///< As topic_domain() says it; never none when it is acted on.
   std::optional<int> count;   ///< Samples; none: until interrupted or the last writer leaves.
   double timeout = 10;        ///< s of wall time, for the topic and then for each sample.
 };

@@ -225,12 +225,32 @@ void start(LiveView& view, const RunOptions& options, const Course& course,
   fmt::print(stderr, "view: it plays at real time; --max-speed F, or the page, makes it faster\n");
 }
 
+/// When it ends at the latest, by `--until` or by a time of the scenario; none: no time ends it.
+std::optional<hal::Time> latest_end(const RunOptions& options, const Scenario& scenario) {
+  std::optional<hal::Time> end;
+  if (options.until) end = hal::Time{hal::from_seconds(*options.until)};
+  for (const auto& condition : scenario.simulation.ends) {
+    if (condition.agent || condition.when) continue;
+    const hal::Time at{condition.after};
+    end = std::min(end.value_or(at), at);
+  }
+  return end;
+}
+
+bool has_other_ends(const Scenario& scenario) {
+  return std::ranges::any_of(scenario.simulation.ends, [](const auto& condition) {
+    return condition.agent.has_value() || condition.when.has_value();
+  });
+}
+
 /// @param view  holds the run; null: nothing does.
-WallPace::Settings pace_of(const RunOptions& options, std::size_t processes, Results& results,
-                           LiveView* view) {
+WallPace::Settings pace_of(const RunOptions& options, const Scenario& scenario,
+                           std::size_t processes, Results& results, LiveView* view) {
   WallPace::Settings settings{.max_speed = options.max_speed,
                               .terminal = ::isatty(STDERR_FILENO) != 0,
                               .processes = processes,
+                              .end = latest_end(options, scenario),
+                              .may_end_earlier = has_other_ends(scenario),
                               .once_a_second = [&results] { results.commit(); }};
   if (view == nullptr) return settings;
   settings.max_speed = std::numeric_limits<double>::infinity();  // the view's own can be changed
@@ -271,7 +291,7 @@ int run(const RunOptions& options, const Scenario& scenario, const Course& cours
     view = std::make_unique<LiveView>(scenario, simulation,
                                       live_view_of(options, course, inspection, results));
   }
-  pace.emplace(pace_of(options, controllers.processes(), results, view.get()));
+  pace.emplace(pace_of(options, scenario, controllers.processes(), results, view.get()));
   results.begin(simulation);
   if (view) start(*view, options, course, results);
   say_open_loop(course, results);

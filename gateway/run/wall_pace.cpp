@@ -15,6 +15,15 @@ using namespace std::chrono_literals;
 constexpr hal::Duration kShowOnTerminal = 500ms;
 constexpr hal::Duration kShowAsLines = 10s;
 constexpr int kInterruptedStatus = 130;
+constexpr double kLeastForEstimate = 5;  // s of wall time
+
+/// "12 s", "3 min", "2.5 h": no finer than it can be known. @param seconds  of wall time.
+std::string words(double seconds) {
+  constexpr double kMinute = 60, kHour = 3600;
+  if (seconds < 2 * kMinute) return fmt::format("{:.0f} s", seconds);
+  if (seconds < 2 * kHour) return fmt::format("{:.0f} min", seconds / kMinute);
+  return fmt::format("{:.1f} h", seconds / kHour);
+}
 
 volatile std::sig_atomic_t interrupts = 0;
 
@@ -77,13 +86,27 @@ bool WallPace::hold(hal::Time next) {
   return true;
 }
 
+std::string WallPace::simulated(hal::Time now) const {
+  const double seconds = hal::to_seconds(now);
+  if (!settings_.end) return fmt::format("{:9.1f} s simulated", seconds);
+  const double end = hal::to_seconds(*settings_.end);
+  std::string line =
+      fmt::format("{:9.1f} of {}{:.1f} s simulated ({:.0f} %)", seconds,
+                  settings_.may_end_earlier ? "at most " : "", end, 100 * seconds / end);
+  // As fast as it has been all along. Before that says much nothing is said.
+  const double wall = wall_seconds();
+  if (wall < kLeastForEstimate || seconds <= 0) return line;
+  return line + fmt::format(", {}{} left", settings_.may_end_earlier ? "at most " : "",
+                            words((end - seconds) * wall / seconds));
+}
+
 void WallPace::show(const sim::agents::Progress& progress) {
   const double wall = hal::to_seconds(last_ - shown_);
   const double factor = hal::to_seconds(progress.now - shown_time_) / wall;
-  const std::string line = fmt::format(
-      "{:9.1f} s simulated, {:.4g} x real time, {} events, {} exchanges, {} controller process{}",
-      hal::to_seconds(progress.now), factor, progress.events, progress.exchanges,
-      settings_.processes, settings_.processes == 1 ? "" : "es");
+  const std::string line =
+      fmt::format("{}, {:.4g} x real time, {} events, {} exchanges, {} controller process{}",
+                  simulated(progress.now), factor, progress.events, progress.exchanges,
+                  settings_.processes, settings_.processes == 1 ? "" : "es");
   fmt::print(stderr, fmt::runtime(settings_.terminal ? "\r{}\033[K" : "{}\n"), line);
   std::fflush(stderr);
   line_open_ = settings_.terminal;

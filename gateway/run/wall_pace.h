@@ -4,6 +4,7 @@
 #include <functional>
 #include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "hal/dds/waiting.h"
@@ -20,6 +21,9 @@ class WallPace final : public sim::agents::Pace {
     double max_speed = std::numeric_limits<double>::infinity();  ///< Simulated per wall second.
     bool terminal = false;      ///< Progress in place, twice a second; else a line every 10 s.
     std::size_t processes = 0;  ///< Of controllers, to show.
+    /// When the run ends at the latest, to show what share of it is over; none: it is not known.
+    std::optional<hal::Time> end = {};
+    bool may_end_earlier = false;         ///< By a condition.
     std::function<void()> once_a_second;  ///< Of wall time, e.g. to save what there is.
     /// Asked before each instant how long to wait before it is asked again; none: go on. May be
     /// empty.
@@ -44,6 +48,8 @@ class WallPace final : public sim::agents::Pace {
   bool throttle(hal::Time next);
   bool hold(hal::Time next);
   void show(const sim::agents::Progress& progress);
+  /// "10.0 of 20.0 s simulated (50 %), 5 s left".
+  std::string simulated(hal::Time now) const;
 
   Settings settings_;
   hal::Clock& clock_;

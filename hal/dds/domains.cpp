@@ -141,6 +141,14 @@ std::set<uid_t> users_in(int domain) {
   return users;
 }
 
+std::vector<int> domains_of(uid_t user) {
+  std::vector<int> domains;
+  for (int domain = 0; domain <= kLastDomain; ++domain) {
+    if (users_in(domain).contains(user)) domains.push_back(domain);
+  }
+  return domains;
+}
+
 int discovery_port(int domain, int place) {
   // OMG DDSI-RTPS 2.3, 9.6.1.1: PB + DG * domain + d1 + PG * participant.
   return kFirstPort + kPortsPerDomain * domain + 10 + 2 * place;
@@ -215,18 +223,18 @@ DomainHold join_domain(int domain) {
                                        kPlaces, domain, holder_of(domain, 0)));
 }
 
-int default_domain() {
-  const char* text = std::getenv("BARAKA_DOMAIN");
-  if (text == nullptr || *text == '\0') return 1;
-  const std::string_view view = text;
+int domain_in(const std::string& variable, const std::string& text) {
   int domain = -1;
-  const auto [end, error] = std::from_chars(view.data(), view.data() + view.size(), domain);
-  if (error == std::errc{} && end == view.data() + view.size() && domain >= 0 &&
-      domain <= kLastDomain) {
-    return domain;
-  }
+  const char* const last = text.data() + text.size();
+  const auto [end, error] = std::from_chars(text.data(), last, domain);
+  if (error == std::errc{} && end == last && domain >= 0 && domain <= kLastDomain) return domain;
   throw NoSuchDomain(
-      fmt::format("BARAKA_DOMAIN is '{}', not a DDS domain from 0 to {}", view, kLastDomain));
+      fmt::format("{} is '{}', not a DDS domain from 0 to {}", variable, text, kLastDomain));
+}
+
+int default_domain() {
+  const char* const text = std::getenv("BARAKA_DOMAIN");
+  return text == nullptr || *text == '\0' ? 1 : domain_in("BARAKA_DOMAIN", text);
 }
 
 }  // namespace hal::dds

@@ -7,6 +7,7 @@
 #include <set>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 namespace hal::dds {
 
@@ -54,6 +55,10 @@ DomainHold join_domain(int domain);
 /// @throws std::runtime_error  no file descriptor is left.
 std::set<uid_t> users_in(int domain);
 
+/// The domains in which a user holds a place, by a simulator or a daemon, ascending.
+/// @throws std::runtime_error  no file descriptor is left.
+std::vector<int> domains_of(uid_t user);
+
 /// UDP port at which the server at a place of a domain is discovered.
 int discovery_port(int domain, int place);
 
@@ -69,6 +74,9 @@ int free_port();
 struct NoSuchDomain : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
+
+/// A domain as a variable of the environment has it. @throws NoSuchDomain  that names the variable.
+int domain_in(const std::string& variable, const std::string& text);
 
 /// The environment's BARAKA_DOMAIN, else 1.
 /// @throws NoSuchDomain  if BARAKA_DOMAIN is none.

@@ -263,6 +263,24 @@ class Help(unittest.TestCase):
             self.assertNotRegex(Program("baraka", *words, "--help").finish().out, r"[{}]|->|ENUM")
         self.assertNotRegex(Program("baraka-agentd", "--help").finish().out, r"[{}]|->|ENUM")
 
+    def test_list_names_everything_that_is_shipped_with_a_sentence(self):
+        said = Program("baraka", "list").finish()
+        self.assertEqual((said.status, said.err), (0, ""))
+        for folder in "scenarios", "campaigns", "robots", "radios", "hardware":
+            of_kind = Program("baraka", "list", folder).finish().out
+            self.assertIn(of_kind, said.out)
+            listed = set(re.findall(r"^  (\S+)  +\S", of_kind, re.M))
+            self.assertEqual(listed, {path.stem for path in (ROOT / "config" / folder).glob("*.yaml")})
+        self.assertRegex(Program("baraka", "list", "controllers").finish().out, r"  wanderer +for robots; parameters: speed\n")
+
+    def test_list_goes_on_behind_a_plugin_that_is_broken(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "broken.so").write_bytes(b"no ELF")
+            said = Program("baraka", "list", "controllers", env={"BARAKA_CONTROLLER_PATH": folder}).finish()
+            self.assertEqual(said.status, 0)
+            self.assertRegex(said.out, r"  broken +\S+broken.so cannot be loaded: ")
+            self.assertRegex(said.out, r"  wanderer +for robots")
+
     def test_a_folder_that_is_not_there_is_not_made_for_a_project(self):
         with tempfile.TemporaryDirectory() as folder:
             finished = Program("baraka", "new-controller", "x", "--to", pathlib.Path(folder) / "a/b").finish()

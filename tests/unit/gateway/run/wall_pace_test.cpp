@@ -74,6 +74,46 @@ TEST(WallPace, ShowsALineEvery10Seconds) {
       << said;
 }
 
+/// What is shown of a run at twice real time after 10 s and after 20 s.
+std::string shown(Time end, bool may_end_earlier) {
+  tests::FakeClock clock;
+  WallPace pace(
+      {.max_speed = 2, .end = end, .may_end_earlier = may_end_earlier, .once_a_second = [] {}},
+      clock);
+  testing::internal::CaptureStderr();
+  for (Time next{10ms}; next <= Time{50s}; next += 10ms) {
+    while (pace.may_go_on(next, {.now = next}) == WallPace::Verdict::kAskAgain) continue;
+  }
+  return testing::internal::GetCapturedStderr();
+}
+
+TEST(WallPace, ShowsTheShareAndTheRestOfARunWhoseEndIsKnown) {
+  const std::string said = shown(Time{100s}, false);
+  EXPECT_NE(said.find(" 20.0 of 100.0 s simulated (20 %), 40 s left, 2 x real time"),
+            std::string::npos)
+      << said;
+  EXPECT_NE(said.find(" 40.0 of 100.0 s simulated (40 %), 30 s left, 2 x real time"),
+            std::string::npos)
+      << said;
+  const std::string long_run = shown(Time{3620s}, true);
+  EXPECT_NE(long_run.find(" 20.0 of at most 3620.0 s simulated (1 %), at most 30 min left, "),
+            std::string::npos)
+      << long_run;
+}
+
+TEST(WallPace, EstimatesNothingInTheFirstSeconds) {
+  tests::FakeClock clock;
+  WallPace pace({.max_speed = 2, .terminal = true, .end = Time{100s}, .once_a_second = [] {}},
+                clock);
+  testing::internal::CaptureStderr();
+  for (Time next{10ms}; next <= Time{9s}; next += 10ms) {
+    while (pace.may_go_on(next, {.now = next}) == WallPace::Verdict::kAskAgain) continue;
+  }
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_NE(said.find(" of 100.0 s simulated (8 %), 2 x"), std::string::npos) << said;
+  EXPECT_EQ(said.find("left"), std::string::npos) << said;
+}
+
 TEST(RealTimeClock, GoesAFactorFasterThanTheWallAndWaitsInSlices) {
   tests::FakeClock clock;
   WallPace pace({.once_a_second = [] {}}, clock);

@@ -1,0 +1,116 @@
+#include "gateway/commands/list_command.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <set>
+#include <utility>
+
+#include "gateway/exit_status.h"
+#include "hal/config/shared_folders.h"
+#include "hal/runtime/plugin.h"
+#include "hal/types/printable.h"
+
+namespace gateway {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* kControllers = "controllers";
+
+void print_row(const std::string& name, const std::string& what) {
+  fmt::print("  {:<26}  {}\n", hal::printable(name), hal::printable(what));
+}
+
+/// Files of a folder with that extension, sorted; none if it cannot be read.
+std::vector<fs::path> files_in(const fs::path& folder, const char* extension) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    if (at->path().extension() == extension) files.push_back(at->path());
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+void list_files(const std::string& kind) {
+  for (const fs::path& shared : hal::config::shared_folders()) {
+    const std::vector<fs::path> files = files_in(shared / kind, ".yaml");
+    if (files.empty()) continue;
+    fmt::print("{}, in {}:\n", kind, hal::printable((shared / kind).string()));
+    for (const fs::path& file : files) {
+      std::ifstream in(file, std::ios::binary);
+      const std::string text{std::istreambuf_iterator<char>(in), {}};
+      print_row(file.stem().string(), first_sentence(text));
+    }
+  }
+}
+
+std::string words_of(const hal::ControllerKind& kind) {
+  std::vector<std::string> drives, parameters;
+  if (kind.make_for_robot != nullptr) drives.emplace_back("robots");
+  if (kind.make_for_mote != nullptr) drives.emplace_back("motes and stations");
+  for (const hal::ParameterSpec& one : kind.parameters) parameters.push_back(one.name);
+  return fmt::format("for {}{}{}", fmt::join(drives, ", "),
+                     parameters.empty() ? "" : "; parameters: ", fmt::join(parameters, ", "));
+}
+
+void list_controllers() {
+  const std::vector<fs::path> folders = hal::runtime::controller_folders();
+  std::set<std::string> seen;
+  for (const fs::path& folder : folders) {
+    bool is_first = true;
+    for (const fs::path& file : files_in(folder, ".so")) {
+      const std::string name = file.stem().string();
+      // A library that is no plug-in; of two controllers of a name the first is used.
+      if (name.starts_with("lib") || !seen.insert(name).second) continue;
+      if (std::exchange(is_first, false)) {
+        fmt::print("{}, in {}:\n", kControllers, hal::printable(folder.string()));
+      }
+      const auto kind = hal::runtime::load_plugin(name, folders);
+      print_row(name, kind ? words_of(**kind) : kind.error().message);
+    }
+  }
+}
+
+}  // namespace
+
+const std::vector<std::string>& listed_kinds() {
+  static const std::vector<std::string> kinds{"scenarios", "campaigns", "robots",
+                                              "radios",    "hardware",  kControllers};
+  return kinds;
+}
+
+std::string first_sentence(std::string_view text) {
+  std::string sentence;
+  while (text.starts_with('#')) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
+    std::string_view line = text.substr(1, end - 1);
+    text.remove_prefix(std::min(end + 1, text.size()));
+    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+    while (line.ends_with(' ') || line.ends_with('\r')) line.remove_suffix(1);
+    if (line.empty()) break;  // a new paragraph
+    sentence += (sentence.empty() ? "" : " ") + std::string(line);
+    if (sentence.ends_with('.')) break;
+  }
+  for (const char* stop : {". ", ": ", " ("}) sentence = sentence.substr(0, sentence.find(stop));
+  if (sentence.ends_with('.') || sentence.ends_with(':')) sentence.pop_back();
+  return sentence;
+}
+
+int list(const std::string& kind) {
+  for (const std::string& one : listed_kinds()) {
+    if (!kind.empty() && kind != one) continue;
+    if (one == kControllers) {
+      list_controllers();
+    } else {
+      list_files(one);
+    }
+  }
+  return kDone;
+}
+
+}  // namespace gateway

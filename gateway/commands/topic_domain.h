@@ -1,0 +1,26 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace gateway {
+
+/// What a domain can be told by, but for --domain.
+struct DomainHints {
+  std::optional<std::string> baraka;  ///< BARAKA_DOMAIN
+  std::vector<int> under_way;         ///< Domains of this user's runs and daemons, ascending.
+  std::optional<std::string> ros;     ///< ROS_DOMAIN_ID
+};
+
+/// The domain whose topics a tool looks at: --domain, else BARAKA_DOMAIN, else that of the only run
+/// or daemon of this user that is under way, else ROS_DOMAIN_ID, else 1. A run comes before
+/// ROS_DOMAIN_ID, which shells of ROS 2's users set for whatever they do.
+/// @param asked  by --domain. @throws UsageError  several are under way.
+/// @throws hal::dds::NoSuchDomain  BARAKA_DOMAIN or ROS_DOMAIN_ID is none.
+int chosen_domain(std::optional<int> asked, const DomainHints& hints);
+
+/// The same with the hints that there are now.
+int topic_domain(std::optional<int> asked);
+
+}  // namespace gateway
