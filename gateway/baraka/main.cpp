@@ -60,6 +60,7 @@ template <class Value>
 void add_choice(CLI::App* command, const std::string& name, const std::string& about,
                 std::optional<Value>& chosen, const std::map<std::string, Value>& values) {
   std::vector<std::string> words;
+  words.reserve(values.size());
   for (const auto& [word, value] : values) words.push_back(word);
   command
       ->add_option_function<std::string>(
