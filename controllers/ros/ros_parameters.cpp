@@ -18,15 +18,18 @@ bool is_token(std::string_view token) {
   return true;
 }
 
+std::string namespace_mistake(const std::string& parameter, const std::string& text) {
+  return parameter + ": '" + text +
+         "' must be words of letters, digits and '_' with '/' between them, such as fleet/r0";
+}
+
 }  // namespace
 
 std::string ros_namespace(const std::string& parameter, const std::string& text) {
   for (std::size_t begin = 0; begin <= text.size() && !text.empty();) {
     const std::size_t end = std::min(text.find('/', begin), text.size());
     if (!is_token(std::string_view(text).substr(begin, end - begin))) {
-      throw std::invalid_argument(parameter + ": '" + text +
-                                  "' must be words of letters, digits and '_' with '/' between "
-                                  "them, such as fleet/r0");
+      throw std::invalid_argument(namespace_mistake(parameter, text));
     }
     begin = end + 1;
   }
