@@ -66,15 +66,8 @@ void NamesJudge::add(const Group& group, const hal::ControllerKind& kind,
   for (const ParameterSpec& spec : kind.parameters) {
     if (spec.names == Naming::kNothing) continue;
     if (spec.is_used != nullptr && !spec.is_used(parameters)) continue;
-    const std::string place = place_of(group, agent, spec.name);
     for (const std::string& text : texts_of(spec, parameters)) {
-      if (spec.names == Naming::kHeardTopic) {
-        heard_.insert(text);
-      } else if (spec.names == Naming::kSentTopic) {
-        sent_.try_emplace(place, spec.name, text);
-      } else {
-        judge_agent(place, spec, text, agent.name);
-      }
+      take(place_of(group, agent, spec.name), spec, text, agent.name);
     }
   }
   if (kind.judge == nullptr) return;
@@ -82,6 +75,17 @@ void NamesJudge::add(const Group& group, const hal::ControllerKind& kind,
     note(mistake.can_work ? warnings_ : mistakes_,
          fmt::format("{}: {}{}: {}", place_of(group, agent, mistake.name),
                      mistake.can_work ? "warning: " : "", mistake.name, mistake.what));
+  }
+}
+
+void NamesJudge::take(const std::string& place, const ParameterSpec& spec, const std::string& named,
+                      const std::string& whose) {
+  if (spec.names == Naming::kHeardTopic) {
+    heard_.insert(named);
+  } else if (spec.names == Naming::kSentTopic) {
+    sent_.try_emplace(place, spec.name, named);
+  } else {
+    judge_agent(place, spec, named, whose);
   }
 }
 

@@ -25,6 +25,9 @@ class NamesJudge {
  private:
   void add(const sim::scenario::Group& group, const hal::ControllerKind& kind,
            const sim::agents::AgentConfig& agent);
+  /// One name that a parameter has. @param whose  name of the agent that has the parameter.
+  void take(const std::string& place, const hal::ParameterSpec& spec, const std::string& named,
+            const std::string& whose);
   void judge_agent(const std::string& place, const hal::ParameterSpec& spec,
                    const std::string& named, const std::string& whose);
   void note(std::vector<std::string>& lines, std::string line);
