@@ -15,7 +15,8 @@ struct DomainHints {
 
 /// The domain whose topics a tool looks at: --domain, else BARAKA_DOMAIN, else that of the only run
 /// or daemon of this user that is under way, else ROS_DOMAIN_ID, else 1. A run comes before
-/// ROS_DOMAIN_ID, which shells of ROS 2's users set for whatever they do.
+/// ROS_DOMAIN_ID, which shells of ROS 2's users set for whatever they do. A run that is shown in
+/// another domain than its own (`--inspect-domain`), or has none, is not found.
 /// @param asked  by --domain. @throws UsageError  several are under way.
 /// @throws hal::dds::NoSuchDomain  BARAKA_DOMAIN or ROS_DOMAIN_ID is none.
 int chosen_domain(std::optional<int> asked, const DomainHints& hints);
