@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
+#include <set>
 #include <string_view>
 #include <tuple>
 
@@ -48,14 +50,14 @@ void Problems::add(std::vector<Problem> problems, const std::string& path) {
 
 std::vector<std::string> Problems::lines(std::vector<Problem> problems,
                                          std::string_view mark) const {
-  std::sort(problems.begin(), problems.end(),
-            [](const Problem& a, const Problem& b) { return position(a) < position(b); });
+  std::ranges::stable_sort(problems, std::less<>{}, position);
   std::vector<std::string> lines;
   lines.reserve(problems.size());
+  std::set<std::string> said;  // a file that several agents include is read once for each of them
   for (const Problem& problem : problems) {
-    lines.push_back(line(problem, mark) + includers(problem.place));
+    std::string text = line(problem, mark) + includers(problem.place);
+    if (said.insert(text).second) lines.push_back(std::move(text));
   }
-  lines.erase(std::unique(lines.begin(), lines.end()), lines.end());
   return lines;
 }
 

@@ -68,6 +68,25 @@ std::string similar_in(const fs::path& folder, const fs::path& file) {
   return best ? fmt::format("; did you mean '{}'?", files[*best]) : "";
 }
 
+/// "; did you mean 'robots/mote.yaml'?" for the file of this very name, with or without its
+/// extension, in a folder below one of the shared ones.
+std::string same_name_below_shared(const fs::path& file) {
+  const std::string name = file.stem().string() + ".yaml";
+  for (const fs::path& shared : shared_folders()) {
+    std::vector<std::string> found;
+    std::error_code error;
+    for (fs::directory_iterator at(shared, error), end; !error && at != end; at.increment(error)) {
+      std::error_code unknown;
+      if (fs::is_regular_file(at->path() / name, unknown)) {
+        found.push_back((at->path().filename() / name).string());
+      }
+    }
+    std::ranges::sort(found);
+    if (!found.empty()) return fmt::format("; did you mean '{}'?", fmt::join(found, "' or '"));
+  }
+  return "";
+}
+
 /// In the shared folders, or in one of their folders `kinds`.
 std::optional<fs::path> find_of_kinds(const fs::path& file, const std::vector<std::string>& kinds) {
   if (auto found = find_shared(file)) return found;
@@ -82,6 +101,7 @@ std::optional<fs::path> find_of_kinds(const fs::path& file, const std::vector<st
 std::string similar_file(const fs::path& file, const fs::path& relative) {
   std::string said = similar_in(file.parent_path(), file);
   if (relative.empty() || relative.is_absolute()) return said;
+  if (said.empty()) said = same_name_below_shared(file);
   for (const fs::path& folder : shared_folders()) {
     if (said.empty()) said = similar_in(folder / relative.parent_path(), file);
   }

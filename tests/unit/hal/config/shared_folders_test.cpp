@@ -73,6 +73,17 @@ TEST_F(NamedFile, ThatIsNowhereIsToldWithEveryPlace) {
   }
 }
 
+TEST_F(NamedFile, ThatIsNotThereIsSoughtByItsNameInFoldersBelow) {
+  write("ours/robots/burger.yaml", "");
+  EXPECT_EQ(similar_file(folder_ / "burger.yaml", "burger.yaml"),
+            "; did you mean 'robots/burger.yaml'?");
+  EXPECT_EQ(similar_file(folder_ / "burger", "burger"), "; did you mean 'robots/burger.yaml'?");
+  write("ours/hardware/burger.yaml", "");
+  EXPECT_EQ(similar_file(folder_ / "burger.yaml", "burger.yaml"),
+            "; did you mean 'hardware/burger.yaml' or 'robots/burger.yaml'?");
+  EXPECT_EQ(similar_file(folder_ / "waffle.yaml", "waffle.yaml"), "");
+}
+
 TEST_F(NamedFile, WithAnAbsolutePathIsOnlyItself) {
   EXPECT_EQ(named_file("/nowhere/walk.yaml", {"scenarios"}), "/nowhere/walk.yaml");
 }
