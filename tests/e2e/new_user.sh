@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Shows what a new user gets from the Debian packages alone: a minimal Debian 12 root made by
 # debootstrap, with nothing of this machine but its package mirrors and the three .deb files. The user
-# runs the case study, a scenario of their own, a controller of their own; then the daemon comes.
+# runs the case study, a scenario of their own, a controller of their own; robots of their own with one
+# more sensor, looked at live, and a campaign with them; then the daemon comes.
 #
 #   ./setup packages && tests/e2e/new_user.sh FOLDER
 #
@@ -45,6 +46,23 @@ inside "cmake -B build -G Ninja >/dev/null; cmake --build build"
 inside "ctest --test-dir build"
 inside "BARAKA_CONTROLLER_PATH=\$PWD/build baraka run scenario.yaml"
 inside "baraka report results/wall_finder"
+
+# A robot of their own with one more sensor, driven by a controller of their own, looked at live, varied.
+cp "$source"/tests/e2e/new_user/{my_burger,office,study}.yaml "$root/home/ada/"
+place=/home/ada
+inside "baraka list"
+inside "baraka new-controller drive_around --from two_turtlebots
+  cmake -S drive_around -B drive_around/build -G Ninja >/dev/null; cmake --build drive_around/build"
+mine="export BARAKA_CONTROLLER_PATH=\$PWD/drive_around/build;"
+inside "! baraka check office.yaml; $mine baraka check office.yaml; baraka check study.yaml"
+inside "sed 's#robots/##' my_burger.yaml >lost.yaml; ! baraka check lost.yaml 2>said.txt
+  cat said.txt; grep -q 'did you mean .robots/turtlebot3_burger.yaml' said.txt"
+inside "$mine baraka run office.yaml --view --view-port 8123 --no-open --max-speed 20 >live.txt 2>&1 & run=\$!
+  for i in {1..50}; do grep -q '^view: http' live.txt && break; sleep 0.1; done
+  exec 3<>/dev/tcp/127.0.0.1/8123; printf 'GET / HTTP/1.0\r\nHost: 127.0.0.1:8123\r\n\r\n' >&3; head -n 1 <&3; exec 3>&-
+  wait \$run; cat live.txt; grep -qx 'result: done' live.txt"
+inside "baraka report results/office"
+inside "$mine baraka campaign study.yaml; baraka report results/study; baraka report results/study -o study.html; ls study.html"
 
 place=/debs as=root LINES_SHOWN=3
 inside "$install ./baraka-agentd_*.deb"
