@@ -28,7 +28,8 @@ std::filesystem::path named_file(const std::filesystem::path& given,
 
 /// "; did you mean 'robots/mote.yaml'?" for the file with the nearest name in the folder of `file`,
 /// which is not there, or else for those of the same name in folders below a shared one, or for the
-/// nearest name in the folder that `relative` names there; nothing if none is near. @param relative  as the user wrote it; empty: shared folders are left out
+/// nearest name in the folder that `relative` names there; nothing if none is near.
+/// @param relative  as the user wrote it; empty: shared folders are left out
 std::string similar_file(const std::filesystem::path& file,
                          const std::filesystem::path& relative = {});
 
