@@ -11,7 +11,7 @@ namespace sim::record {
 
 /// Version of the tables below, as `PRAGMA user_version` of the file. Any change of a table, of a
 /// column or of what one means is a new version; readers accept this one only.
-inline constexpr int kSchemaVersion = 13;
+inline constexpr int kSchemaVersion = 14;
 
 /// The file with the tables, in the folder of a result.
 inline constexpr const char* kResultsFile = "run.sqlite";

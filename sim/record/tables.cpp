@@ -374,9 +374,10 @@ std::vector<Table> delivery_sum_tables() {
        "sender, topic",
        "SELECT e.sender, e.topic, SUM(e.count) AS messages,"
        " SUM(e.count) * (SELECT COUNT(*) FROM agents WHERE agent <> e.sender) AS addressees,"
-       " IFNULL((SELECT SUM(d.count) FROM message_deliveries d WHERE d.sender = e.sender"
-       " AND d.topic = e.topic AND d.destination >= 65534), 0) AS reached"
-       " FROM message_ends e WHERE e.destination >= 65534 GROUP BY 1, 2"},
+       " IFNULL(d.reached, 0) AS reached"
+       " FROM message_ends e LEFT JOIN (SELECT sender, topic, SUM(count) AS reached"
+       " FROM message_deliveries WHERE destination >= 65534 GROUP BY 1, 2) d"
+       " ON d.sender = e.sender AND d.topic = e.topic WHERE e.destination >= 65534 GROUP BY 1, 2"},
   };
 }
 
