@@ -295,15 +295,15 @@ class Help(unittest.TestCase):
 
 
 class Wanderer(Case):
-    def test_the_controller_of_the_readme_stays_off_the_walls(self):
+    def test_the_controller_of_the_book_stays_off_the_walls(self):
         self.run_baraka(ROOT / "config/scenarios/wanderer.yaml")
         (path, contacts), = self.query("SELECT path_m, wall_steps FROM bodies")
         self.assertGreater(path, 5)
         self.assertEqual(contacts, 0)
 
-    def test_the_readme_shows_it_as_it_is(self):
+    def test_the_book_shows_it_as_it_is(self):
         source = (ROOT / "controllers/wanderer/wanderer.cpp").read_text()
-        self.assertIn(source.strip(), (ROOT / "README.md").read_text())
+        self.assertIn(source.strip(), (ROOT / "docs/controllers.md").read_text())
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Fails when a file includes something its folder may not: the table of folders in README.md.
+"""Fails when a file includes something its folder may not: the tables of docs/architecture.md.
 
 Usage: include_rules.py ROOT
 """
@@ -7,78 +7,24 @@ import pathlib
 import re
 import sys
 
-# Folder -> project folders it may include, besides itself.
-MAY_INCLUDE = {
-    "hal/types": [],
-    "hal/config": ["hal/types"],
-    "hal/devices": ["hal/types"],
-    "hal/api": ["hal/types"],
-    "hal/exchange": ["hal/types"],
-    "hal/runtime": ["hal/exchange", "hal/api", "hal/types", "hal/config"],
-    "hal/routing": ["hal/types"],
-    "hal/agent": ["hal/exchange", "hal/routing", "hal/devices", "hal/types"],
-    "hal/description": ["hal/config", "hal/devices", "hal/routing", "hal/types"],
-    "hal/hardware/platform": ["hal/routing", "hal/types"],
-    "hal/hardware/radio": ["hal/hardware/platform", "hal/agent", "hal/routing", "hal/types"],
-    "hal/hardware/drivers": ["hal/hardware/platform", "hal/exchange", "hal/devices", "hal/config", "hal/types"],
-    "hal/hardware": ["hal/hardware/drivers", "hal/hardware/radio", "hal/hardware/platform", "hal/agent",
-                     "hal/description", "hal/exchange", "hal/routing", "hal/devices", "hal/config", "hal/types"],
-    "hal/rtps": ["hal/types"],
-    "hal/dds": ["hal/rtps", "hal/types"],
-    "hal/dds/exchange": ["hal/dds", "hal/exchange", "hal/runtime", "hal/rtps", "hal/types", "idl"],
-    "hal/dds/inspection": ["hal/dds", "hal/types", "idl"],
-    "controllers": ["hal/api", "hal/types"],
-    "controllers/ros": ["idl"],
-    "controllers/ros_base": ["controllers/ros", "hal/api", "hal/types", "idl"],
-    "controllers/ros_operator": ["controllers/ros", "hal/api", "hal/types", "idl"],
-    "sim/core": ["hal/types"],
-    "sim/physics": ["sim/core", "hal/devices", "hal/types"],
-    "sim/sensing": ["sim/physics", "sim/core", "hal/devices", "hal/types"],
-    "sim/radio": ["sim/core", "hal/types"],
-    "sim/air": ["sim/radio", "sim/core", "hal/rtps", "hal/types"],
-    "sim/agents": ["sim/core", "sim/physics", "sim/sensing", "sim/radio", "sim/air",
-                   "hal/agent", "hal/exchange", "hal/routing", "hal/devices", "hal/types"],
-    "sim/record": ["sim/core", "sim/physics", "sim/radio", "sim/air", "sim/agents",
-                   "hal/exchange", "hal/routing", "hal/types"],
-    "sim/statistics": ["hal/types"],
-    "sim/campaign": ["sim/record", "hal/config", "hal/types"],
-    "sim/report": ["sim/campaign", "sim/record", "sim/statistics", "hal/config", "hal/types"],
-    "sim/scenario": ["sim", "hal/config", "hal/description", "hal/devices", "hal/routing",
-                     "hal/exchange", "hal/types"],
-    "gateway": ["hal/exchange", "hal/dds", "hal/dds/exchange", "hal/dds/inspection", "hal/devices",
-                "hal/config", "hal/types"],
-    "gateway/netns": ["hal/types"],
-    "gateway/holder": ["gateway/netns"],
-    "gateway/slurm": ["gateway", "sim/campaign", "hal/types"],
-    "gateway/view": ["gateway", "hal", "sim"],
-    "gateway/run": ["gateway", "gateway/netns", "gateway/view", "hal", "sim"],
-    "gateway/campaign": ["gateway", "gateway/run", "gateway/slurm", "hal", "sim"],
-    "gateway/commands": ["gateway", "gateway/netns", "gateway/run", "gateway/campaign", "gateway/view", "hal",
-                         "sim"],
-    "gateway/baraka": ["gateway", "gateway/run", "gateway/campaign", "gateway/commands", "hal", "sim"],
-    "gateway/agentd": ["gateway", "hal"],
-    "gateway/dilate": ["gateway/netns"],
-    "tests": ["hal", "sim", "gateway", "controllers", "idl"],
-}
-# Third-party header -> the only folders that may name it.
-ONLY_IN = {
-    "tl/": ["hal/types"],
-    "fmt/": ["hal", "sim", "gateway"],  # formatting is everywhere; controllers log through the HAL
-    "sleef": ["hal/types"],
-    "yaml-cpp/": ["hal/config"],
-    "CLI/": ["hal/runtime", "gateway/baraka", "gateway/agentd"],
-    "fastdds/": ["hal/dds", "controllers/ros", "controllers/ros_base", "controllers/ros_operator"],
-    "fastrtps/": ["hal/dds", "controllers/ros", "controllers/ros_base", "controllers/ros_operator"],
-    "fastcdr/": ["hal/dds"],
-    "spdlog/": ["sim/core"],
-    "ode/": ["sim/physics"],
-    "fcl/": ["sim/sensing"],
-    "Eigen/": ["sim/physics", "sim/sensing", "sim/agents"],
-    "boost/": ["sim/statistics"],
-    "sqlite3": ["sim/record"],
-    "nlohmann/": ["sim/report", "gateway/view"],
-    "httplib": ["hal/hardware/drivers", "gateway/view"],
-}
+PAGE = "docs/architecture.md"
+
+
+def rows(page, head):
+    """(first column, last column) of the table with that head, as lists of what stands in code spans."""
+    at = page.find(head)
+    if at < 0:
+        sys.exit(f"{PAGE}: has no table '{head}'")
+    for line in page[at:].splitlines()[2:]:
+        if not line.startswith("|"):
+            return
+        cells = [re.findall("`([^`]+)`", cell) for cell in line.strip("|").split("|")]
+        yield cells[0][0], cells[-1]
+
+
+RULES = (pathlib.Path(__file__).parents[2] / PAGE).read_text(encoding="utf-8")
+MAY_INCLUDE = dict(rows(RULES, "| folder | job | may include |"))  # folder -> project folders, besides itself
+ONLY_IN = dict(rows(RULES, "| header | library | included only in |"))  # third-party header -> the only folders that name it
 GENERATED = re.compile(r"^\w+(PubSubTypes)?\.h$")  # of idl/: "exchange.h", "exchangePubSubTypes.h"
 
 
@@ -118,7 +64,7 @@ def check(root):
             name = file.relative_to(root).as_posix()
             folder = folder_of(name)
             if folder is None:
-                yield f"{name}:1: the folder has no rule in tests/lint/include_rules.py"
+                yield f"{name}:1: the folder has no row in {PAGE}"
                 continue
             for number, line in enumerate(file.read_text().splitlines(), 1):
                 match = re.match(r'\s*#\s*include\s*[<"]([^>"]+)[>"]', line)

@@ -50,7 +50,7 @@ class IncludeRules(unittest.TestCase):
         self.check("sim/agents/x.cpp", "#include <ode/ode.h>", "belongs in sim/physics only")
 
     def test_a_folder_without_a_rule_is_named(self):
-        self.check("sim/magic/x.cpp", "", "the folder has no rule")
+        self.check("sim/magic/x.cpp", "", "the folder has no row")
 
     def test_one_controller_speaks_dds(self):
         self.check("controllers/ros_base/x.cpp", "#include <fastdds/x.hpp>", "")
