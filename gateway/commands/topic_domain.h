@@ -9,8 +9,7 @@ namespace gateway {
 /// What a domain can be told by, but for --domain.
 struct DomainHints {
   std::optional<std::string> baraka;  ///< BARAKA_DOMAIN
-  std::vector<int>
-      shown;  ///< Domains in which this user's runs and daemons show topics, ascending.
+  std::vector<int> shown;          ///< Where this user's runs and daemons show topics, ascending.
   std::optional<std::string> ros;  ///< ROS_DOMAIN_ID
 };
 
