@@ -26,7 +26,7 @@ constexpr int kPortsPerDomain = 250;  // … DG of OMG DDSI-RTPS 2.3, 9.6.1.1
 /// What a place of a domain is for; it is in the name of the socket that holds the place.
 constexpr std::string_view kServers = "domain", kShown = "shown";
 
-struct Place {
+struct DomainPlace {
   std::string_view use;
   int domain, number;
 };
@@ -34,7 +34,7 @@ struct Place {
 /// A place of a domain is held by a Unix socket of this name, which is in no folder: whoever is in
 /// this network namespace, where the domain's ports are, sees it, whichever user; it cannot be a
 /// link or be left behind, and the kernel knows who holds it (unix(7), abstract sockets).
-sockaddr_un lock_name(const Place& place, socklen_t& size) {
+sockaddr_un lock_name(const DomainPlace& place, socklen_t& size) {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
   const std::string name = fmt::format("baraka-{}-{}-{}", place.use, place.domain, place.number);
@@ -52,7 +52,7 @@ int unix_socket() {
 
 /// @return a socket that holds the place until it is closed; -1: another one does.
 /// @throws std::runtime_error  it can be had by nobody.
-int hold_place(const Place& place) {
+int hold_place(const DomainPlace& place) {
   const int descriptor = unix_socket();
   socklen_t size = 0;
   const sockaddr_un address = lock_name(place, size);
@@ -77,7 +77,7 @@ std::string program_of(pid_t pid) {
 }
 
 /// Who holds a place of a domain; none: nobody, or it cannot be told.
-std::optional<ucred> credentials_at(const Place& place) {
+std::optional<ucred> credentials_at(const DomainPlace& place) {
   const int descriptor = unix_socket();
   socklen_t size = 0;
   const sockaddr_un address = lock_name(place, size);

@@ -9,9 +9,9 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <deque>
 #include <filesystem>
 #include <fstream>
-#include <memory>
 #include <stdexcept>
 #include <vector>
 
@@ -131,9 +131,9 @@ bool is_shown(int domain) { return std::ranges::count(domains_shown_by(geteuid()
 // A ninth finds no place for a mark, which does not matter while one of the eight is there.
 TEST(ShownDomain, IsFoundUntilTheLastOneIsGone) {
   const int domain = test_domain();
-  std::vector<std::unique_ptr<ShownDomain>> marks;
-  for (int i = 0; i < kPlaces + 1; ++i) marks.push_back(std::make_unique<ShownDomain>(domain));
-  for (; marks.size() > 1; marks.erase(marks.begin() + 1)) EXPECT_TRUE(is_shown(domain));
+  std::deque<ShownDomain> marks;
+  for (int i = 0; i < kPlaces + 1; ++i) marks.emplace_back(domain);
+  for (; marks.size() > 1; marks.pop_back()) EXPECT_TRUE(is_shown(domain));
   EXPECT_TRUE(is_shown(domain));
   marks.clear();
   EXPECT_FALSE(is_shown(domain));
