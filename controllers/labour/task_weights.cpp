@@ -3,20 +3,20 @@
 #include <algorithm>
 #include <numeric>
 #include <set>
-#include <stdexcept>
 #include <utility>
 
+#include "controllers/labour/agent_called.h"
 #include "hal/types/math.h"
 
 namespace controllers {
 namespace {
 
-void check_tasks(const std::vector<std::string>& tasks) {
-  if (tasks.empty()) throw std::invalid_argument("tasks: is empty; an agent needs one at least");
-  std::set<std::string> seen;
-  for (const std::string& task : tasks) {
-    if (!seen.insert(task).second) throw std::invalid_argument("tasks: '" + task + "' twice");
-  }
+using Mistakes = std::vector<hal::ParameterMistake>;
+
+std::vector<std::string> accepted(std::vector<std::string> tasks,
+                                  const hal::Parameters& parameters) {
+  refuse(TaskWeights::mistakes(tasks, parameters));
+  return tasks;
 }
 
 }  // namespace
@@ -35,8 +35,26 @@ std::vector<hal::ParameterSpec> TaskWeights::parameters() {
        .choices = {"fixed", "variable"}}};
 }
 
+Mistakes TaskWeights::mistakes(const std::vector<std::string>& tasks,
+                               const hal::Parameters& parameters) {
+  Mistakes all;
+  if (tasks.empty()) all.push_back({"tasks", "is empty; an agent needs one at least"});
+  std::set<std::string> seen;
+  for (const std::string& task : tasks) {
+    if (!seen.insert(task).second) all.push_back({"tasks", "'" + task + "' twice"});
+  }
+  const double initial = parameters["weights.initial"];
+  const double least = parameters["weights.least"], most = parameters["weights.most"];
+  if (initial < least || initial > most) {
+    all.push_back({"weights.initial", std::to_string(initial) + " is not between weights.least, " +
+                                          std::to_string(least) + ", and weights.most, " +
+                                          std::to_string(most)});
+  }
+  return all;
+}
+
 TaskWeights::TaskWeights(std::vector<std::string> tasks, const hal::Parameters& parameters)
-    : tasks_(std::move(tasks)),
+    : tasks_(accepted(std::move(tasks), parameters)),
       least_(parameters["weights.least"]),
       most_(parameters["weights.most"]),
       step_(parameters["weights.step"]),
@@ -45,13 +63,7 @@ TaskWeights::TaskWeights(std::vector<std::string> tasks, const hal::Parameters& 
       weights_(tasks_.size(), parameters["weights.initial"]),
       in_a_row_(tasks_.size()),
       successes_(tasks_.size()),
-      failures_(tasks_.size()) {
-  check_tasks(tasks_);
-  if (least_ <= weights_.front() && weights_.front() <= most_) return;
-  throw std::invalid_argument("weights.initial: " + std::to_string(weights_.front()) +
-                              " is not between weights.least, " + std::to_string(least_) +
-                              ", and weights.most, " + std::to_string(most_));
-}
+      failures_(tasks_.size()) {}
 
 std::optional<std::size_t> TaskWeights::find(const std::string& task) const {
   const auto found = std::ranges::find(tasks_, task);

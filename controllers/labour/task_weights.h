@@ -28,9 +28,12 @@ class TaskWeights {
   /// weights.initial, .least, .most, .step, .exponent, .rule.
   static std::vector<hal::ParameterSpec> parameters();
 
+  /// What cannot be: no task, one that is named twice, `initial` not between `least` and `most`.
+  static std::vector<hal::ParameterMistake> mistakes(const std::vector<std::string>& tasks,
+                                                     const hal::Parameters& parameters);
+
   /// @param tasks  their names, each once.
-  /// @throws std::invalid_argument  there is none, one is named twice, or `initial` is not between
-  ///   `least` and `most`.
+  /// @throws std::invalid_argument  the first of the mistakes(), if there are any.
   TaskWeights(std::vector<std::string> tasks, const hal::Parameters& parameters);
 
   /// Number of a task among those given; none: the agent does not have it.

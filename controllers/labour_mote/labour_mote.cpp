@@ -1,7 +1,6 @@
 #include "controllers/labour_mote/labour_mote.h"
 
 #include <limits>
-#include <stdexcept>
 #include <utility>
 
 #include "controllers/labour/agent_called.h"
@@ -43,11 +42,22 @@ std::string in_capitals(std::string text) {
   return text;
 }
 
+std::vector<hal::ParameterMistake> mistakes_of_sink(const hal::Parameters& parameters) {
+  if (!parameters.text("sink").empty()) return {};
+  for (const std::string& task : parameters.texts("tasks")) {
+    if (task != kHelpTask) {
+      return {{"sink", "is not given; the task '" + task + "' needs one"}};
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 LabourMote::LabourMote(hal::Mote& mote, const hal::Parameters& parameters)
     : mote_(mote),
       sink_name_(parameters.text("sink")),
+      mistakes_(mistakes_of_sink(parameters)),
       rest_(parameters["rest"]),
       rest_in_need_(parameters["help.rest"]),
       weights_(parameters.texts("tasks"), parameters),
@@ -63,11 +73,8 @@ LabourMote::LabourMote(hal::Mote& mote, const hal::Parameters& parameters)
 }
 
 void LabourMote::start() {
+  refuse(mistakes_);
   if (!sink_name_.empty()) sink_ = agent_called(mote_, sink_name_, "sink");
-  for (const std::string& task : weights_.tasks()) {
-    if (sink_ || task == kHelpTask) continue;
-    throw std::invalid_argument("sink: is not given; the task '" + task + "' needs one");
-  }
   delivery_.start();
   weights_.record(mote_);
   call_.idle();
@@ -168,6 +175,12 @@ std::vector<hal::ParameterSpec> LabourMote::parameters() {
   return all;
 }
 
+std::vector<hal::ParameterMistake> LabourMote::mistakes(const hal::Parameters& parameters) {
+  auto all = TaskWeights::mistakes(parameters.texts("tasks"), parameters);
+  for (hal::ParameterMistake& one : mistakes_of_sink(parameters)) all.push_back(std::move(one));
+  return all;
+}
+
 std::vector<std::string> LabourMote::states() {
   std::vector<std::string> all(HelpCall::kStateNames.begin(), HelpCall::kStateNames.end());
   for (const Burst& one : sampling_defaults()) all.push_back(in_capitals(one.topic));
@@ -180,6 +193,7 @@ BARAKA_CONTROLLER {
   return {.name = "labour_mote",
           .wants = {.names = true},
           .parameters = controllers::LabourMote::parameters(),
+          .judge = controllers::LabourMote::mistakes,
           .states = controllers::LabourMote::states(),
           .make_for_mote = hal::make_for_mote<controllers::LabourMote>};
 }

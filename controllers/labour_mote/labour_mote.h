@@ -34,6 +34,7 @@ class LabourMote : public hal::Controller {
  public:
   LabourMote(hal::Mote& mote, const hal::Parameters& parameters);
   static std::vector<hal::ParameterSpec> parameters();
+  static std::vector<hal::ParameterMistake> mistakes(const hal::Parameters& parameters);
   static std::vector<std::string> states();
 
   void start() override;
@@ -50,7 +51,8 @@ class LabourMote : public hal::Controller {
 
   hal::Mote& mote_;
   const std::string sink_name_;
-  const double rest_, rest_in_need_;  ///< s, on average.
+  const std::vector<hal::ParameterMistake> mistakes_;  ///< For start().
+  const double rest_, rest_in_need_;                   ///< s, on average.
   TaskWeights weights_;
   std::vector<Burst> bursts_;              ///< By task.
   const std::optional<std::size_t> help_;  ///< Its number, if it is one of the tasks.

@@ -1,7 +1,6 @@
 #include "controllers/labour_robot/labour_robot.h"
 
 #include <array>
-#include <stdexcept>
 #include <utility>
 
 #include "controllers/labour/agent_called.h"
@@ -19,6 +18,7 @@ constexpr const char* kAnswerPrefix = "answer.";
 LabourRobot::LabourRobot(hal::Robot& robot, const hal::Parameters& parameters)
     : robot_(robot),
       sink_name_(parameters.text("sink")),
+      mistakes_(Patrol::mistakes(parameters)),
       fresh_for_(hal::from_seconds(parameters["answer.fresh_for"])),
       requester_beta_(parameters["answer.requester_beta"]),
       refusal_fails_(parameters.text("answer.refused") == "failure"),
@@ -35,10 +35,8 @@ LabourRobot::LabourRobot(hal::Robot& robot, const hal::Parameters& parameters)
 }
 
 void LabourRobot::start() {
+  refuse(mistakes_);
   if (weights_.find(std::string(Patrol::kTask))) {
-    if (sink_name_.empty()) {
-      throw std::invalid_argument("sink: is not given; the task 'patrol' needs one");
-    }
     patrol_.start(agent_called(robot_, sink_name_, "sink"));
   }
   weights_.record(robot_);
@@ -183,6 +181,12 @@ std::vector<hal::ParameterSpec> LabourRobot::parameters() {
   return all;
 }
 
+std::vector<hal::ParameterMistake> LabourRobot::mistakes(const hal::Parameters& parameters) {
+  auto all = TaskWeights::mistakes(parameters.texts("tasks"), parameters);
+  for (hal::ParameterMistake& one : Patrol::mistakes(parameters)) all.push_back(std::move(one));
+  return all;
+}
+
 std::vector<std::string> LabourRobot::states() {
   std::vector<std::string> all(HelpTrip::kStateNames.begin(), HelpTrip::kStateNames.end());
   all.insert(all.end(), {"PATROL", "GATEWAY"});
@@ -197,6 +201,7 @@ BARAKA_CONTROLLER {
                     .watched = {std::string(controllers::kHelpTopic)},
                     .names = true},
           .parameters = controllers::LabourRobot::parameters(),
+          .judge = controllers::LabourRobot::mistakes,
           .states = controllers::LabourRobot::states(),
           .make_for_robot = hal::make_for_robot<controllers::LabourRobot>};
 }

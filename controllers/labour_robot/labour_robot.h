@@ -37,6 +37,7 @@ class LabourRobot : public hal::Controller {
  public:
   LabourRobot(hal::Robot& robot, const hal::Parameters& parameters);
   static std::vector<hal::ParameterSpec> parameters();
+  static std::vector<hal::ParameterMistake> mistakes(const hal::Parameters& parameters);
   static std::vector<std::string> states();
 
   void start() override;
@@ -59,6 +60,7 @@ class LabourRobot : public hal::Controller {
 
   hal::Robot& robot_;
   const std::string sink_name_;
+  const std::vector<hal::ParameterMistake> mistakes_;  ///< For start().
   const hal::Duration fresh_for_;
   const double requester_beta_;
   const bool refusal_fails_;

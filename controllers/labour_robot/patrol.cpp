@@ -1,7 +1,7 @@
 #include "controllers/labour_robot/patrol.h"
 
 #include <algorithm>
-#include <stdexcept>
+#include <set>
 #include <utility>
 
 #include "controllers/labour/agent_called.h"
@@ -29,6 +29,23 @@ bool Patrol::is_among_tasks(const hal::Parameters& parameters) {
   return std::ranges::find(parameters.texts("tasks"), kTask) != parameters.texts("tasks").end();
 }
 
+std::vector<hal::ParameterMistake> Patrol::mistakes(const hal::Parameters& parameters) {
+  std::vector<hal::ParameterMistake> all;
+  if (!is_among_tasks(parameters)) return all;
+  if (parameters.text("sink").empty()) {
+    all.push_back({"sink", "is not given; the task 'patrol' needs one"});
+  }
+  const std::vector<std::string>& posts = parameters.texts("patrol.posts");
+  if (posts.empty()) {
+    all.push_back({"patrol.posts", "is empty; the task 'patrol' needs one at least"});
+  }
+  std::set<std::string> seen;
+  for (const std::string& post : posts) {
+    if (!seen.insert(post).second) all.push_back({"patrol.posts", "'" + post + "' is there twice"});
+  }
+  return all;
+}
+
 Patrol::Patrol(hal::Robot& robot, Travel& travel, const hal::Parameters& parameters,
                hal::TimerId timer)
     : robot_(robot),
@@ -43,15 +60,8 @@ Patrol::Patrol(hal::Robot& robot, Travel& travel, const hal::Parameters& paramet
 void Patrol::start(hal::AgentId sink) {
   sink_ = sink;
   report_.start();
-  if (post_names_.empty()) {
-    throw std::invalid_argument("patrol.posts: is empty; the task 'patrol' needs one at least");
-  }
   for (const std::string& name : post_names_) {
-    const hal::AgentId post = agent_called(robot_, name, "patrol.posts");
-    if (std::ranges::find(posts_, post) != posts_.end()) {
-      throw std::invalid_argument("patrol.posts: '" + name + "' is there twice");
-    }
-    posts_.push_back(post);
+    posts_.push_back(agent_called(robot_, name, "patrol.posts"));
   }
 }
 

@@ -27,10 +27,13 @@ class Patrol {
   static std::vector<hal::ParameterSpec> parameters();
   /// Whether the robot chooses it at all, by its parameter `tasks`.
   static bool is_among_tasks(const hal::Parameters& parameters);
+  /// What a robot that chooses it cannot do without or with: no sink, no post, one that is there
+  /// twice.
+  static std::vector<hal::ParameterMistake> mistakes(const hal::Parameters& parameters);
   /// @param timer  the one of the robot's timers that it uses.   @param travel  outlives this.
   Patrol(hal::Robot& robot, Travel& travel, const hal::Parameters& parameters, hal::TimerId timer);
 
-  /// @throws std::invalid_argument  a post is no agent, or there is none.
+  /// @pre no mistakes().  @throws std::invalid_argument  a post is no agent.
   void start(hal::AgentId sink);
   /// Whether there is a post to go to.
   bool can_begin() const { return !posts_in_sight().empty(); }

@@ -313,9 +313,10 @@ std::vector<TopicCommand> add_topic(CLI::App& app, gateway::TopicOptions& option
       {topic->add_subcommand("bw", "How many bytes come"), gateway::topic_bandwidth}};
   for (const TopicCommand& command : commands) {
     command.app
-        ->add_option("--domain", options.domain,
-                     "DDS domain; default: BARAKA_DOMAIN, else that of the run under way, else "
-                     "ROS_DOMAIN_ID, else 1")
+        ->add_option(
+            "--domain", options.domain,
+            "DDS domain; default: BARAKA_DOMAIN, else the one in which a run or daemon shows "
+            "its topics, else ROS_DOMAIN_ID, else 1")
         ->transform(whole_number(0, hal::dds::kLastDomain));
     if (command.act == gateway::list_topics) continue;
     command.app->add_option("TOPIC", options.topic, "As listed, or as in ROS 2: /clock")

@@ -112,18 +112,6 @@ class PointMistakes {
   std::vector<std::pair<std::string, std::string>> of_values_;
 };
 
-/// @throws ConfigErrors
-Scenario judged(const fs::path& file, const std::vector<std::string>& overrides, const RunWay& way,
-                std::set<std::string>& warnings) {
-  Scenario scenario = sim::scenario::load_scenario(file, overrides);
-  ControllerJudgement judgement = judge_controllers(scenario, way);
-  if (!judgement.mistakes.empty()) throw ConfigErrors(std::move(judgement.mistakes));
-  warnings.insert(scenario.warnings.begin(), scenario.warnings.end());
-  warnings.insert(judgement.warnings.begin(), judgement.warnings.end());
-  warnings.insert(judgement.not_checked.begin(), judgement.not_checked.end());
-  return scenario;
-}
-
 std::vector<std::string> overrides_of(const DesignPoint& point, std::uint64_t seed) {
   std::vector<std::string> overrides{fmt::format("seed={}", seed)};
   for (const FactorValue& value : point) overrides.push_back(value.key + "=" + value.yaml);
@@ -149,7 +137,10 @@ JudgedCampaign judge_campaign(const std::string& path, const std::vector<std::st
   for (std::size_t i = 0; i < points.size(); ++i) {
     PointRow& row = campaign.table.points[i];
     try {
-      const Scenario one = judged(scenario, overrides_of(points[i], campaign.seed), way, warnings);
+      const JudgedScenario judged =
+          judge_scenario(scenario, overrides_of(points[i], campaign.seed), way);
+      const Scenario& one = judged.scenario;
+      warnings.insert(judged.remarks.begin(), judged.remarks.end());
       row.scenario = sim::scenario::resolved_yaml(one);
       campaign.controllers.merge(controllers_of(one));
       const bool sets_all = points[i].size() == campaign.file.keys.size();

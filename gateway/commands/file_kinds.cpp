@@ -25,7 +25,7 @@ using hal::config::Mapping;
 using Overrides = std::vector<std::string>;
 
 void read_scenario(Mapping in) { sim::scenario::read_scenario(std::move(in), "scenario.yaml"); }
-void judge_scenario(const std::string& path, const Overrides& overrides, const RunWay& way) {
+void judge_run(const std::string& path, const Overrides& overrides, const RunWay& way) {
   (void)load_judged(path, overrides, way);
 }
 void read_campaign(Mapping in) { sim::campaign::read_campaign(std::move(in), "campaign.yaml"); }
@@ -137,7 +137,7 @@ std::size_t known(const FileKind& kind, const std::vector<std::string>& keys) {
 const std::vector<FileKind>& file_kinds() {
   static const std::vector<FileKind> kinds = {
       {"scenario", "What `baraka run` runs: a world, a radio, agents and their controllers.",
-       "`baraka run FILE` runs it", kScenario, read_scenario, judge_scenario},
+       "`baraka run FILE` runs it", kScenario, read_scenario, judge_run},
       {"campaign",
        "What `baraka campaign` runs: a scenario many times, over the values of its keys.",
        "`baraka campaign FILE` runs it", kCampaign, read_campaign, judge_points},

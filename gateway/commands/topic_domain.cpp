@@ -21,13 +21,12 @@ std::optional<std::string> variable(const char* name) {
 int chosen_domain(std::optional<int> asked, const DomainHints& hints) {
   if (asked) return *asked;
   if (hints.baraka) return hal::dds::domain_in("BARAKA_DOMAIN", *hints.baraka);
-  if (hints.under_way.size() > 1) {
+  if (hints.shown.size() > 1) {
     throw UsageError(
-        fmt::format("runs or daemons are under way in the domains {}: say by --domain "
-                    "which one is meant",
-                    fmt::join(hints.under_way, ", ")));
+        fmt::format("runs or daemons show topics in the domains {}: choose one by --domain N",
+                    fmt::join(hints.shown, ", ")));
   }
-  if (!hints.under_way.empty()) return hints.under_way.front();
+  if (!hints.shown.empty()) return hints.shown.front();
   constexpr int kDefault = 1;
   return hints.ros ? hal::dds::domain_in("ROS_DOMAIN_ID", *hints.ros) : kDefault;
 }
@@ -35,7 +34,7 @@ int chosen_domain(std::optional<int> asked, const DomainHints& hints) {
 int topic_domain(std::optional<int> asked) {
   if (asked) return *asked;
   return chosen_domain(asked, {.baraka = variable("BARAKA_DOMAIN"),
-                               .under_way = hal::dds::domains_of(::geteuid()),
+                               .shown = hal::dds::domains_shown_by(::geteuid()),
                                .ros = variable("ROS_DOMAIN_ID")});
 }
 

@@ -18,7 +18,6 @@
 #include "gateway/view/bundled_page.h"
 #include "gateway/view/export.h"
 #include "gateway/view/view_server.h"
-#include "hal/config/errors.h"
 #include "hal/config/shared_folders.h"
 
 namespace gateway {
@@ -27,13 +26,8 @@ namespace {
 /// A scenario that has not been run, with what `baraka check` says of it.
 std::unique_ptr<view::Run> open_scenario(const std::string& given) {
   const auto file = hal::config::named_file(given, {"scenarios"});
-  auto scenario = sim::scenario::load_scenario(file);
-  ControllerJudgement judgement = judge_controllers(scenario);
-  if (!judgement.mistakes.empty()) throw hal::config::ConfigErrors(std::move(judgement.mistakes));
-  std::vector<std::string> said = scenario.warnings;
-  said.insert(said.end(), judgement.warnings.begin(), judgement.warnings.end());
-  said.insert(said.end(), judgement.not_checked.begin(), judgement.not_checked.end());
-  return std::make_unique<view::Run>(file, std::move(scenario), std::move(said));
+  JudgedScenario judged = judge_scenario(file, {});
+  return std::make_unique<view::Run>(file, std::move(judged.scenario), std::move(judged.remarks));
 }
 
 view::ViewServer::Settings settings_of(const ViewOptions& options) {

@@ -229,6 +229,17 @@ void judge_form(const sim::scenario::Group& group, const RunWay& way,
       group.program_place, group.program));
 }
 
+/// Whether the run can start it inside its agent's network, if it is to be there.
+void judge_inside(const sim::scenario::Group& group, const RunWay& way,
+                  std::vector<std::string>& mistakes) {
+  if (!group.inside || way.is_repeated || way.controllers == ControllersFrom::kSpawn) return;
+  mistakes.push_back(fmt::format(
+      "{}: program: '{}' is to run inside its agent's network, where only the run can start it: "
+      "controllers must be spawn, not {}",
+      group.program_place, group.program,
+      way.controllers == ControllersFrom::kExternal ? "external" : "in-process"));
+}
+
 /// Its plug-in was not found.
 void judge_without_plugin(const sim::scenario::Group& group, const RunWay& way,
                           const hal::Error& error, ControllerJudgement& judgement) {
@@ -258,6 +269,7 @@ ControllerJudgement judge_controllers(const sim::scenario::Scenario& scenario, c
       judge_teleop(scenario, group, way, judgement.mistakes);
       continue;
     }
+    judge_inside(group, way, judgement.mistakes);
     const auto kind = hal::runtime::load_plugin(group.program, hal::runtime::controller_folders());
     if (!kind) {
       judge_without_plugin(group, way, kind.error(), judgement);
@@ -278,10 +290,10 @@ ControllerJudgement judge_controllers(const sim::scenario::Scenario& scenario, c
   return judgement;
 }
 
-sim::scenario::Scenario load_judged(const std::string& path,
-                                    const std::vector<std::string>& overrides, const RunWay& way) {
-  const auto file = hal::config::named_file(path, {"scenarios"});
-  sim::scenario::Scenario scenario = sim::scenario::load_scenario(file, overrides);
+JudgedScenario judge_scenario(const std::filesystem::path& file,
+                              const std::vector<std::string>& overrides, const RunWay& way) {
+  JudgedScenario judged{sim::scenario::load_scenario(file, overrides), {}};
+  sim::scenario::Scenario& scenario = judged.scenario;
   ControllerJudgement judgement = judge_controllers(scenario, way);
   if (!way.is_repeated) {
     std::ranges::move(unusable_programs(scenario, way.factor),
@@ -293,9 +305,17 @@ sim::scenario::Scenario load_judged(const std::string& path,
   scenario.record.recorded_units = std::move(judgement.recorded_units);
   scenario.record.declared = std::move(judgement.declared);
   for (const auto* lines : {&scenario.warnings, &judgement.warnings, &judgement.not_checked}) {
-    for (const std::string& line : *lines) fmt::print(stderr, "{}\n", line);
+    judged.remarks.insert(judged.remarks.end(), lines->begin(), lines->end());
   }
-  return scenario;
+  return judged;
+}
+
+sim::scenario::Scenario load_judged(const std::string& path,
+                                    const std::vector<std::string>& overrides, const RunWay& way) {
+  JudgedScenario judged =
+      judge_scenario(hal::config::named_file(path, {"scenarios"}), overrides, way);
+  for (const std::string& line : judged.remarks) fmt::print(stderr, "{}\n", line);
+  return std::move(judged.scenario);
 }
 
 }  // namespace gateway

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <map>
 #include <string>
 #include <utility>
@@ -36,9 +37,18 @@ struct ControllerJudgement {
 ControllerJudgement judge_controllers(const sim::scenario::Scenario& scenario,
                                       const RunWay& way = {});
 
-/// Reads a scenario and judges its controllers and programs, for `check` as for `run`; warnings and
-/// what cannot be judged are said on standard error.
+struct JudgedScenario {
+  sim::scenario::Scenario scenario;
+  std::vector<std::string> remarks;  ///< Warnings, and what could not be judged; a line each.
+};
+
+/// Reads a scenario and judges its controllers and programs, for every command that runs or shows
+/// one, and for `check`.
 /// @param overrides  as for load_scenario(). @throws hal::config::ConfigErrors
+JudgedScenario judge_scenario(const std::filesystem::path& file,
+                              const std::vector<std::string>& overrides, const RunWay& way = {});
+
+/// The same, with the remarks on standard error. @param path  or name of a shipped scenario.
 sim::scenario::Scenario load_judged(const std::string& path,
                                     const std::vector<std::string>& overrides,
                                     const RunWay& way = {});

@@ -14,6 +14,7 @@
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
+#include <string_view>
 #include <utility>
 
 namespace hal::dds {
@@ -22,13 +23,21 @@ namespace {
 constexpr int kFirstPort = 7400;      // PB and …
 constexpr int kPortsPerDomain = 250;  // … DG of OMG DDSI-RTPS 2.3, 9.6.1.1
 
+/// What a place of a domain is for; it is in the name of the socket that holds the place.
+constexpr std::string_view kServers = "domain", kShown = "shown";
+
+struct DomainPlace {
+  std::string_view use;
+  int domain, number;
+};
+
 /// A place of a domain is held by a Unix socket of this name, which is in no folder: whoever is in
 /// this network namespace, where the domain's ports are, sees it, whichever user; it cannot be a
 /// link or be left behind, and the kernel knows who holds it (unix(7), abstract sockets).
-sockaddr_un lock_name(int domain, int place, socklen_t& size) {
+sockaddr_un lock_name(const DomainPlace& place, socklen_t& size) {
   sockaddr_un address{};
   address.sun_family = AF_UNIX;
-  const std::string name = fmt::format("baraka-domain-{}-{}", domain, place);
+  const std::string name = fmt::format("baraka-{}-{}-{}", place.use, place.domain, place.number);
   name.copy(address.sun_path + 1, sizeof(address.sun_path) - 1);
   size = static_cast<socklen_t>(offsetof(sockaddr_un, sun_path) + 1 + name.size());
   return address;
@@ -43,10 +52,10 @@ int unix_socket() {
 
 /// @return a socket that holds the place until it is closed; -1: another one does.
 /// @throws std::runtime_error  it can be had by nobody.
-int hold_place(int domain, int place) {
+int hold_place(const DomainPlace& place) {
   const int descriptor = unix_socket();
   socklen_t size = 0;
-  const sockaddr_un address = lock_name(domain, place, size);
+  const sockaddr_un address = lock_name(place, size);
   // Only a socket that listens tells who it is.
   if (bind(descriptor, reinterpret_cast<const sockaddr*>(&address), size) == 0 &&
       listen(descriptor, SOMAXCONN) == 0) {
@@ -55,7 +64,7 @@ int hold_place(int domain, int place) {
   const int error = errno;
   close(descriptor);
   if (error == EADDRINUSE) return -1;
-  throw std::runtime_error(fmt::format("DDS domain {}: {}", domain, std::strerror(error)));
+  throw std::runtime_error(fmt::format("DDS domain {}: {}", place.domain, std::strerror(error)));
 }
 
 std::string program_of(pid_t pid) {
@@ -68,10 +77,10 @@ std::string program_of(pid_t pid) {
 }
 
 /// Who holds a place of a domain; none: nobody, or it cannot be told.
-std::optional<ucred> credentials_at(int domain, int place) {
+std::optional<ucred> credentials_at(const DomainPlace& place) {
   const int descriptor = unix_socket();
   socklen_t size = 0;
-  const sockaddr_un address = lock_name(domain, place, size);
+  const sockaddr_un address = lock_name(place, size);
   ucred holder{};
   socklen_t length = sizeof(holder);
   const bool is_known =
@@ -83,7 +92,7 @@ std::optional<ucred> credentials_at(int domain, int place) {
 
 /// "pid 12 (baraka)".
 std::string holder_of(int domain, int place) {
-  const auto holder = credentials_at(domain, place);
+  const auto holder = credentials_at({kServers, domain, place});
   if (!holder || holder->pid <= 0) return "another process";
   return fmt::format("pid {} ({})", holder->pid, program_of(holder->pid));
 }
@@ -124,29 +133,43 @@ std::optional<int> port_in_use(int domain) {
 /// The first place of a domain that cannot be had, for the message.
 std::string first_holder(int domain) {
   for (int place = 0; place < kPlaces; ++place) {
-    const int descriptor = hold_place(domain, place);
+    const int descriptor = hold_place({kServers, domain, place});
     if (descriptor < 0) return holder_of(domain, place);
     close(descriptor);
   }
   return "another process";
 }
 
-}  // namespace
-
-std::set<uid_t> users_in(int domain) {
+/// The users who hold places of a domain, each once.
+std::set<uid_t> holders(std::string_view use, int domain) {
   std::set<uid_t> users;
   for (int place = 0; place < kPlaces; ++place) {
-    if (const auto holder = credentials_at(domain, place)) users.insert(holder->uid);
+    if (const auto holder = credentials_at({use, domain, place})) users.insert(holder->uid);
   }
   return users;
 }
 
-std::vector<int> domains_of(uid_t user) {
+}  // namespace
+
+std::set<uid_t> users_in(int domain) { return holders(kServers, domain); }
+
+std::vector<int> domains_shown_by(uid_t user) {
   std::vector<int> domains;
   for (int domain = 0; domain <= kLastDomain; ++domain) {
-    if (users_in(domain).contains(user)) domains.push_back(domain);
+    if (holders(kShown, domain).contains(user)) domains.push_back(domain);
   }
   return domains;
+}
+
+ShownDomain::ShownDomain(int domain) {
+  require_domain(domain);
+  for (int place = 0; place < kPlaces && lock_ < 0; ++place) {
+    lock_ = hold_place({kShown, domain, place});
+  }
+}
+
+ShownDomain::~ShownDomain() {
+  if (lock_ >= 0) close(lock_);
 }
 
 int discovery_port(int domain, int place) {
@@ -183,7 +206,7 @@ DomainHold::~DomainHold() {
 }
 
 bool DomainHold::lock(int place) {
-  const int descriptor = hold_place(domain_, place);
+  const int descriptor = hold_place({kServers, domain_, place});
   if (descriptor < 0) return false;
   locks_.at(static_cast<std::size_t>(place)) = descriptor;
   return true;

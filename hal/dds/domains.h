@@ -55,9 +55,24 @@ DomainHold join_domain(int domain);
 /// @throws std::runtime_error  no file descriptor is left.
 std::set<uid_t> users_in(int domain);
 
-/// The domains in which a user holds a place, by a simulator or a daemon, ascending.
+/// A mark that this process shows topics to tools in a domain, by which `baraka topic` finds it. It
+/// lasts until destruction or the death of the process, and keeps nobody out: simulators and
+/// daemons may share the domain. Beyond kPlaces of them in one domain, the others leave no mark.
+class ShownDomain {
+ public:
+  /// @throws NoSuchDomain  @throws std::runtime_error  no file descriptor is left.
+  explicit ShownDomain(int domain);
+  ~ShownDomain();
+  ShownDomain(const ShownDomain&) = delete;
+  ShownDomain& operator=(const ShownDomain&) = delete;
+
+ private:
+  int lock_ = -1;
+};
+
+/// The domains with a ShownDomain of a user's process, ascending.
 /// @throws std::runtime_error  no file descriptor is left.
-std::vector<int> domains_of(uid_t user);
+std::vector<int> domains_shown_by(uid_t user);
 
 /// UDP port at which the server at a place of a domain is discovered.
 int discovery_port(int domain, int place);

@@ -22,11 +22,18 @@ RobotDrive drive_of(const RunResult& run, const RunResult::Agent& robot,
   for (const RunResult::Agent& agent : run.agents) {
     if (agent.agent != run.goal || agent.agent == robot.agent) continue;
     drive.straight = hal::math::hypot(agent.x - robot.x, agent.y - robot.y);
+    drive.has_goal = true;
   }
   return drive;
 }
 
 }  // namespace
+
+std::optional<double> RobotDrive::ratio() const {
+  constexpr double kSamePlace = 1e-6;  // m
+  const double least = has_goal ? kSamePlace : std::max(kSamePlace, kLeastStraight * path);
+  return straight > least ? std::optional(path / straight) : std::nullopt;
+}
 
 std::vector<RobotDrive> drives(const RunResult& run) {
   std::vector<RobotDrive> drives;

@@ -11,17 +11,21 @@
 
 namespace sim::report {
 
+/// Of a robot's path without a goal: below this share the robot came back to where it started.
+inline constexpr double kLeastStraight = 0.1;
+
 /// How one robot drove in one run.
 struct RobotDrive {
   std::string robot;
   double path = 0;      ///< m
   double straight = 0;  ///< m from its start to the goal, or to where it ended if there is none.
+  bool has_goal = false;
   std::optional<double> clearance;  ///< m, least distance of its centre to a wall's surface.
   std::optional<std::uint64_t> wall_steps, object_steps;
-  /// None: it ended where it started, to a micrometre.
-  std::optional<double> ratio() const {
-    return straight > 1e-6 ? std::optional(path / straight) : std::nullopt;
-  }
+  /// Of path to straight. None: the goal is where it started, to a micrometre; or without a goal,
+  /// it came back, so that the straight line says nothing of its way: shorter than
+  /// kLeastStraight of the path.
+  std::optional<double> ratio() const;
 };
 std::vector<RobotDrive> drives(const RunResult& run);
 

@@ -32,7 +32,9 @@ std::string runs_section(const std::vector<RunResult>& runs) {
     for (const RobotDrive& drive : robots) table.add_row(row(run, drive));
     if (robots.empty()) table.add_row(head_of(run));
   }
-  return "Runs (clearance: robot's centre to the nearest wall's surface; contacts: physics "
+  return "Runs (straight: from its start to the goal, else to its end; ratio: path / straight, - "
+         "if "
+         "it came back; clearance: robot's centre to the nearest wall's surface; contacts: physics "
          "steps in touch, at rest too)\n" +
          table.text();
 }

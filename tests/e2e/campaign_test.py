@@ -253,6 +253,15 @@ class Mistakes(Campaigns):
         self.assertEqual(len(said.err.splitlines()), 1, str(said))
         self.assertIn("wrong.yaml:10:17: control_period", said.err)
 
+    def test_a_program_that_is_not_there_is_told_once_before_anything_starts(self):
+        file = self.write({**SPEEDS, "scenario": str(ROOT / "config/invalid/program_that_is_not_there.yaml"),
+                           "vary": {"radio.tx_power": ["1 mW", "2 mW"]}})
+        for command in (["check"], ["campaign", "--out", self.out]):
+            said = Program("baraka", *command, file).finish()
+            self.assertEqual(said.status, 2, str(said))
+            self.assertRegex(said.err, r"^\S+there.yaml:12:9: command: no program 'no_such_program_anywhere' in PATH \(.*\)\n$")
+        self.assertFalse(self.out.exists())
+
     def test_a_scenario_that_is_not_there(self):
         said = Program("baraka", "check", self.write({**SPEEDS, "scenario": "nowhere.yaml"})).finish()
         self.assertEqual(said.status, 2)

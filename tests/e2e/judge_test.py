@@ -58,6 +58,44 @@ class WhatCannotRun(Case):
                     self.assertEqual((ran.status, ran.err), (2, checked.err), str(ran))
 
 
+class ControllersInside(Case):
+    """Only a run can start them: it is the one that has their agents' networks."""
+    SCENARIO = """version: 1
+name: inside
+radio: {profile: ieee80211b}
+routing: none
+end: [{at: 1 s, result: done}]
+agents:
+  a: {station: {}, poses: [{x: 0 m, y: 0 m}], network: {}, controller: {program: traffic_sink, inside: true}}
+"""
+
+    def setUp(self):
+        super().setUp()
+        self.scenario = self.folder / "inside.yaml"
+        self.scenario.write_text(self.SCENARIO)
+
+    def test_are_refused_by_check_and_by_run_unless_they_are_spawned(self):
+        for where in ("in-process", "external"):
+            checked, ran = (Program("baraka", *command, self.scenario, "--controllers", where).finish()
+                            for command in (["check"], ["run", "--out", self.folder / "out"]))
+            self.assertEqual((checked.status, ran.status), (2, 2), str(ran))
+            self.assertEqual(checked.err,
+                             f"{self.scenario}:7:82: program: 'traffic_sink' is to run inside its agent's network, "
+                             f"where only the run can start it: controllers must be spawn, not {where}\n")
+            self.assertEqual(checked.err, ran.err)
+        self.assertFalse((self.folder / "out").exists(), "judged before anything is written")
+        checked = Program("baraka", "check", self.scenario).finish()
+        self.assertEqual((checked.status, checked.err), (0, ""))
+
+    def test_are_refused_in_a_campaign_unless_it_spawns_them(self):
+        campaign = self.folder / "campaign.yaml"
+        for controllers, status in (("", 2), ("controllers: spawn\n", 0)):
+            campaign.write_text("version: 1\nname: c\nscenario: inside.yaml\nreplications: 2\n" + controllers)
+            checked = Program("baraka", "check", campaign).finish()
+            self.assertEqual(checked.status, status, str(checked))
+            self.assertEqual(f"{self.scenario}:7:82: program: " in checked.err, status == 2, checked.err)
+
+
 class Warnings(Case):
     def test_are_told_with_their_place_and_change_neither_status_nor_outcome(self):
         doubtful = sets(["radio.noise_floor=-60 dBm"])

@@ -134,7 +134,8 @@ class TeleopBehindAWall(Case):
         for where in ("in-process", "external"):
             finished = self.run_baraka(SCENARIO, "--set", CYCLONE, "--controllers", where, env=PROGRAMS,
                                        status=2)
-            self.assertIn(f"--controllers {where}: 'robot' is inside its agent's network", finished.err)
+            self.assertRegex(finished.err, r"program: 'ros_base' is to run inside its agent's network, .*: "
+                                           rf"controllers must be spawn, not {where}\n")
 
 
 if __name__ == "__main__":

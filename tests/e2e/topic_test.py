@@ -1,9 +1,12 @@
 #!/usr/bin/env python3
 """`baraka topic` against a run under way, and against a program that is none of ours."""
+import os
 import re
 import signal
+import subprocess
 
-from baraka import CASE_STUDY, Case, Program, some_domain, unittest, wait_for
+import private_network
+from baraka import BIN, CASE_STUDY, Case, Program, some_domain, unittest, wait_for
 from ros import Peer, needs_peer
 
 PERIOD = 0.1  # s of simulated time between two samples of rt/clock in the case study
@@ -136,6 +139,57 @@ class Topics(Case):
         # the zero byte, "hello", padding.
         self.assertEqual(document, "type: std_msgs::msg::dds_::String_\nbytes: 16\nhexadecimal:\n"
                          "  00 01 00 02 06 00 00 00 68 65 6c 6c 6f 00 00 00\n---\n")
+
+
+@unittest.skipUnless(private_network.is_possible(), "this user may make no namespaces")
+class WithoutDomain(Case):
+    """`baraka topic` without --domain, in a network of its own: other runs of this machine are not seen there."""
+
+    def setUp(self):
+        super().setUp()
+        self.network = private_network.PrivateNetwork(1, bridge=False)
+        self.network.__enter__()
+        self.addCleanup(self.network.__exit__)
+        self.env = {name: value for name, value in os.environ.items() if name not in ("BARAKA_DOMAIN", "ROS_DOMAIN_ID")}
+
+    def start_run(self, *arguments):
+        """A run that goes on until the test ends; returns when it is shown."""
+        self.runs += 1
+        log = self.folder / f"run{self.runs}.log"
+        with open(log, "w") as err:
+            run = subprocess.Popen(self.network.command(
+                0, BIN / "baraka", "run", CASE_STUDY, "--out", self.folder / f"run{self.runs}",
+                "--max-speed", 2, *arguments), env=self.env, stdout=subprocess.DEVNULL, stderr=err)
+        self.addCleanup(run.wait)
+        self.addCleanup(run.send_signal, signal.SIGINT)
+        wait_for(lambda: "inspect domain: " in log.read_text() or run.poll() is not None, timeout=40)
+        self.assertIsNone(run.poll(), log.read_text())
+        return run
+
+    def topic(self, *arguments, **variables):
+        return subprocess.run(self.network.command(0, BIN / "baraka", "topic", *arguments),
+                              env={**self.env, **variables}, capture_output=True, text=True, check=False)
+
+    def test_a_run_is_found_where_it_is_shown(self):
+        for controllers in (["spawn", "--domain", 3], ["in-process"]):
+            with self.subTest(controllers[0]):
+                run = self.start_run("--inspect-domain", 9, "--controllers", *controllers)
+                echoed = self.topic("echo", "clock", "--count", "1", "--timeout", "60", ROS_DOMAIN_ID="8")
+                self.assertEqual(echoed.returncode, 0, echoed.stderr)
+                self.assertIn("clock:\n", echoed.stdout)
+                self.assertIn("nobody shows a topic in domain 8; ", self.topic("list", BARAKA_DOMAIN="8").stderr)
+                run.send_signal(signal.SIGINT)
+                run.wait()
+                self.assertIn("nobody shows a topic in domain 1; ", self.topic("list").stderr)
+
+    def test_of_two_runs_one_has_to_be_chosen(self):
+        self.start_run("--inspect-domain", 9, "--controllers", "in-process")
+        self.start_run("--domain", 3)
+        asked = self.topic("list")
+        self.assertEqual((asked.returncode, asked.stdout), (2, ""))
+        self.assertIn("show topics in the domains 3, 9: choose one by --domain N", asked.stderr)
+        chosen = self.topic("echo", "clock", "--count", "1", "--timeout", "60", "--domain", "9")
+        self.assertIn("clock:\n", chosen.stdout, chosen.stderr)
 
 
 if __name__ == "__main__":

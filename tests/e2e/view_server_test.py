@@ -13,7 +13,7 @@ import unittest
 import urllib.error
 import urllib.request
 
-from baraka import BIN, CASE_STUDY
+from baraka import BIN, CASE_STUDY, ROOT
 
 UNTIL = 130_000_000_000  # ns
 
@@ -157,12 +157,15 @@ class OfAScenario(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             wrong = pathlib.Path(folder) / "wrong.yaml"
             wrong.write_text("version: 1\nname: wrong\nradioo: {}\n")
-            view, check = (subprocess.run([BIN / "baraka", *command, wrong], capture_output=True, text=True,
-                                          timeout=20, check=False)
-                           for command in (["view"], ["check", "--kind", "scenario"]))
-        self.assertEqual(view.returncode, 2)
-        self.assertIn("radioo", view.stderr)
-        self.assertEqual(view.stderr, check.stderr)
+            for scenario, words in ((wrong, "radioo"),
+                                    (ROOT / "config/invalid/program_that_is_not_there.yaml",
+                                     "12:9: command: no program 'no_such_program_anywhere' in PATH")):
+                view, check = (subprocess.run([BIN / "baraka", *command, scenario], capture_output=True, text=True,
+                                              timeout=20, check=False)
+                               for command in (["view", "--no-open"], ["check", "--kind", "scenario"]))
+                self.assertEqual(view.returncode, 2)
+                self.assertIn(words, view.stderr)
+                self.assertEqual(view.stderr, check.stderr)
 
 
 if __name__ == "__main__":

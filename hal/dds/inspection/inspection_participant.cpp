@@ -6,6 +6,7 @@ namespace hal::dds {
 
 InspectionParticipant::InspectionParticipant(const Settings& settings)
     : domain_(settings.domain),
+      mark_(settings.domain),
       participant_(std::make_unique<Participant>(
           Participant::inspection(settings.domain, settings.addresses, settings.name))) {}
 

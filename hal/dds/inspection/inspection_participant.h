@@ -4,13 +4,15 @@
 #include <string>
 #include <vector>
 
+#include "hal/dds/domains.h"
+
 namespace hal::dds {
 
 class Participant;
 
 /// This process's place in a DDS domain for whoever looks: ordinary discovery by multicast, as
 /// standard tools expect it, on the given interfaces only. It does not meet the participants of the
-/// exchange, which neither send nor hear multicast.
+/// exchange, which neither send nor hear multicast. A ShownDomain tells `baraka topic` of it.
 ///
 /// Inspector and the readers of topics use one and must not outlive it.
 class InspectionParticipant {
@@ -33,6 +35,7 @@ class InspectionParticipant {
 
  private:
   int domain_;
+  ShownDomain mark_;
   std::unique_ptr<Participant> participant_;
 };
 

@@ -7,7 +7,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdlib>
+#include <deque>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
@@ -122,6 +124,31 @@ TEST(Domains, OneWhosePortsAreInUseIsBusy) {
 TEST(Domains, NumbersWithoutPortsAreRefused) {
   EXPECT_EQ(message_of([] { take_domain(233); }), "there is no DDS domain 233: it is 0 to 232");
   EXPECT_NE(message_of([] { join_domain(-1); }), "");
+}
+
+bool is_shown(int domain) { return std::ranges::count(domains_shown_by(geteuid()), domain) == 1; }
+
+// A ninth finds no place for a mark, which does not matter while one of the eight is there.
+TEST(ShownDomain, IsFoundUntilTheLastOneIsGone) {
+  const int domain = test_domain();
+  std::deque<ShownDomain> marks;
+  for (int i = 0; i < kPlaces + 1; ++i) marks.emplace_back(domain);
+  for (; marks.size() > 1; marks.pop_back()) EXPECT_TRUE(is_shown(domain));
+  EXPECT_TRUE(is_shown(domain));
+  marks.clear();
+  EXPECT_FALSE(is_shown(domain));
+}
+
+TEST(ShownDomain, KeepsNobodyOut) {
+  const int domain = test_domain();
+  const ShownDomain mark(domain);
+  EXPECT_EQ(take_domain(domain).domain(), domain);
+  EXPECT_TRUE(users_in(domain).empty());
+}
+
+TEST(ShownDomain, ThatDoesNotExistIsRefused) {
+  EXPECT_THROW(ShownDomain(-1), NoSuchDomain);
+  EXPECT_THROW(ShownDomain(kLastDomain + 1), NoSuchDomain);
 }
 
 TEST(Ports, ServersAreDiscoveredWhereTheStandardSays) {

@@ -109,6 +109,28 @@ TEST_F(ReportTest, MeasuresTheStraightLineToTheEndIfNoGoalWasReached) {
             "mobility_framework|1|timeout|100.0|r0|7.5|4.9|1.52|0.40|0|2");
 }
 
+// It ended hypot(0.6, 0.4) = 0.72 m from where it started, after 7.5 m; then hypot(0.7, 0.4) = 0.81
+// m, which is more than a tenth: 7.5 / 0.806 = 9.30.
+TEST_F(ReportTest, ComparesNoPathWithAStraightLineIfTheRobotCameBack) {
+  const auto ended_at = [](const char* x) {
+    return run_sql("mobility_framework", 1, "timeout") + "UPDATE bodies SET x_m = " + x +
+           ", y_m = 0.4;";
+  };
+  add("a", ended_at("0.6"));
+  add("b", ended_at("0.7"));
+  EXPECT_EQ(line(text(), (folder.path() / "a").string()),
+            "mobility_framework|1|timeout|100.0|r0|7.5|0.7|-|0.40|0|2");
+  EXPECT_EQ(line(text(), (folder.path() / "b").string()),
+            "mobility_framework|1|timeout|100.0|r0|7.5|0.8|9.30|0.40|0|2");
+}
+
+// A goal stays what the path is compared with, however long the way to it was.
+TEST_F(ReportTest, ComparesALongDetourWithTheWayToTheGoal) {
+  add("a", run_sql("mobility_framework", 1) + "UPDATE bodies SET path_m = 75, x_m = 0, y_m = 0;");
+  EXPECT_EQ(line(text(), (folder.path() / "a").string()),
+            "mobility_framework|1|arrived|100.0|r0|75.0|5.0|15.00|0.40|0|2");
+}
+
 TEST_F(ReportTest, SetsTheProfilesSideBySideWithThePaper) {
   add("a", run_sql("mobility_framework", 1));
   add("b", run_sql("mobility_framework", 2));
