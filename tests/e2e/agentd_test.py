@@ -11,7 +11,7 @@ import sys
 import time
 import unittest
 
-from baraka import Case, Program, wait_for
+from baraka import Case, Program, loopback, wait_for
 from real_agents import (EMULATORS, MOTION_CAPTURE, RADIO_PORT, ROBOTS, Device, Network, Place,
                          Process, RealAgents, inside, sha256)
 from ros import PEER, needs_peer
@@ -479,7 +479,7 @@ class Readiness(RealAgents):
         self.assertEqual(daemon.out.read_text(), "")
 
     def test_a_robot_that_is_switched_on_later_is_waited_for(self):
-        place = Place(None, "lo", f"127.79.{random.randrange(1, 255)}.1")
+        place = Place(None, "lo", loopback())
         with socket.socket() as reserved:
             reserved.bind(("127.0.0.1", 0))
             port = reserved.getsockname()[1]
@@ -498,7 +498,7 @@ infrared: {{driver: robotino_rest, host: 127.0.0.1, port: {port}}}
         controller.end()
 
     def test_one_sensor_is_enough_to_wait_for(self):
-        place = Place(None, "lo", f"127.79.{random.randrange(1, 255)}.1")
+        place = Place(None, "lo", loopback())
         device = Device(self, place, "tmc200.py", ready="device: ")
         adc = self.folder / "iio-late"
         daemon = self.start_serving(place, "r0", 1, f"""

@@ -30,6 +30,12 @@ def some_domain(case):
     raise AssertionError("all domains of tests are taken")
 
 
+def loopback(host=1):
+    """An address of the loopback interface that no other test process uses meanwhile; host: 1 to 254."""
+    number = os.getpid() % (150 * 254)
+    return f"127.{100 + number // 254}.{1 + number % 254}.{host}"
+
+
 class Finished:
     """How a program ended, and what it printed."""
 

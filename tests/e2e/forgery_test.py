@@ -7,7 +7,7 @@ import subprocess
 import sys
 import unittest
 
-from baraka import BIN, CASE_STUDY, Case, wait_for
+from baraka import BIN, CASE_STUDY, Case, loopback, wait_for
 from real_agents import Network, Place, Process, RealAgents
 
 FORGER = BIN.parent / "tests/forger"
@@ -42,7 +42,7 @@ class Simulator(Case):
 
 class Daemon(RealAgents):
     def test_forged_replies_drive_no_wheels_and_are_named(self):
-        network = Place(None, "lo", "127.79.3.1")
+        network = Place(None, "lo", loopback())
         daemon, robotino = self.robotino(network, "r0", 1, more="controller: {program: faulty}")
         controller = Process(self, network, FAULTY, "--agents", "r0", "--name", "honest",
                              env=self.environment)

@@ -5,7 +5,7 @@ import math
 import os
 import unittest
 
-from baraka import some_domain, wait_for
+from baraka import loopback, some_domain, wait_for
 from real_agents import Place, RealAgents
 from ros import Peer, needs_peer
 
@@ -15,7 +15,7 @@ SPEED, TURN = 0.2, 0.25  # m/s, rad/s
 class OnARobot(RealAgents):
     def robot(self, interface, parameters=""):
         """A daemon of a Robotino at the origin, and itself."""
-        network = Place(None, "lo", "127.79.4.1")
+        network = Place(None, "lo", loopback())
         return self.robotino(network, "r0", 1, more=f"controller: {{program: ros_base, air_interface: "
                                                     f"{interface}, parameters: {{{parameters}}}}}\n")
 
@@ -61,7 +61,7 @@ class OnARobot(RealAgents):
         daemon, robotino = self.robot("lo")
         daemon.send("SIGTERM")
         daemon.finish()
-        network = Place(None, "lo", "127.79.4.1")
+        network = Place(None, "lo", loopback())
         daemon, robotino = self.robotino(network, "r1", 2, more="controller: {program: ros_base}\n")
         controller = self.program(network, "ros_base", "--agents", "r1")
         wait_for(lambda: "air_interface: NAME" in daemon.err.read_text() + controller.err.read_text())

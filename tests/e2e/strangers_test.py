@@ -7,7 +7,7 @@ import subprocess
 import time
 import unittest
 
-from baraka import BIN, CASE_STUDY, ROOT, Case, Finished, wait_for
+from baraka import BIN, CASE_STUDY, ROOT, Case, Finished, loopback, wait_for
 from real_agents import Place, Process, RealAgents
 
 USURPER = BIN.parent / "tests/usurper"
@@ -120,7 +120,7 @@ class Runs(Case):
 class Daemon(RealAgents):
     def setUp(self):
         super().setUp()
-        self.place = Place(None, "lo", "127.79.4.1")
+        self.place = Place(None, "lo", loopback())
         self.daemon, self.robotino_ = self.robotino(self.place, "r0", 1, more="controller: {program: wanderer}")
 
     def stranger(self, mode):
@@ -162,7 +162,7 @@ class DaemonOfAService(RealAgents):
         self.folder.chmod(0o755)
         (self.folder / "state").mkdir()
         os.chown(self.folder / "state", SERVICE, SERVICE)
-        self.place = Place(None, "lo", "127.79.4.1")
+        self.place = Place(None, "lo", loopback())
 
     def program(self, place, name, *arguments, user=SERVICE, trust=None):
         environment = {**self.environment, "BARAKA_TRUST": self.trust if trust is None else trust}
