@@ -9,6 +9,7 @@
 #include "gateway/exit_status.h"
 #include "hal/config/errors.h"
 #include "hal/config/shared_folders.h"
+#include "hal/types/terminal_colours.h"
 
 namespace gateway {
 namespace {
@@ -35,7 +36,7 @@ int check(const CheckOptions& options) {
       fmt::print("{}: ok\n", file);
     } catch (const hal::config::ConfigErrors& errors) {
       std::fflush(stdout);
-      fmt::print(stderr, "{}\n", errors.what());
+      hal::print_line(hal::Tone::kMistake, errors.what());
       status = kUsage;
     }
   }

@@ -12,6 +12,7 @@
 #include "gateway/commands/result_folder.h"
 #include "gateway/exit_status.h"
 #include "hal/types/printable.h"
+#include "hal/types/terminal_colours.h"
 #include "sim/campaign/description.h"
 #include "sim/campaign/schema.h"
 #include "sim/record/description.h"
@@ -151,8 +152,10 @@ int export_results(const ExportOptions& options) {
   if (options.describe) return describe_results(options);
   require_result(options.folder);
   if (sim::record::RunReader(options.folder).is_unfinished()) {
-    fmt::print(stderr, "warning: {}: this run is unfinished: broken off, or still under way\n",
-               hal::printable(options.folder));
+    hal::print_line(
+        hal::Tone::kWarning,
+        fmt::format("warning: {}: this run is unfinished: broken off, or still under way",
+                    hal::printable(options.folder)));
   }
   if (options.format == "mcap") return export_mcap(options);
   if (is_whole(options)) return export_tables(options, sim::record::tables(), options.folder);

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
 #include <set>
 #include <utility>
@@ -14,6 +13,7 @@
 #include "hal/config/errors.h"
 #include "hal/description/body_section.h"
 #include "hal/hardware/robot_file.h"
+#include "hal/types/terminal_colours.h"
 #include "sim/scenario/radio_section.h"
 #include "sim/scenario/scenario.h"
 
@@ -31,7 +31,7 @@ void judge_scenario(const std::string& path, const Overrides& overrides, const R
 void read_campaign(Mapping in) { sim::campaign::read_campaign(std::move(in), "campaign.yaml"); }
 void read_hardware(Mapping in) { hal::hardware::RobotFile::read(std::move(in)); }
 void tell(const std::vector<std::string>& warnings) {
-  for (const std::string& warning : warnings) fmt::print(stderr, "{}\n", warning);
+  for (const std::string& warning : warnings) hal::print_line(hal::Tone::kWarning, warning);
 }
 
 void judge_points(const std::string& path, const Overrides& overrides, const RunWay&) {

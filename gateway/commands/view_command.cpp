@@ -20,6 +20,7 @@
 #include "gateway/view/view_server.h"
 #include "hal/config/errors.h"
 #include "hal/config/shared_folders.h"
+#include "hal/types/terminal_colours.h"
 
 namespace gateway {
 namespace {
@@ -55,7 +56,7 @@ view::ViewServer::Settings settings_of(const ViewOptions& options) {
 int serve(const ViewOptions& options) {
   auto settings = settings_of(options);
   if (!settings.page) {
-    fmt::print(stderr, "warning: {}\n", view::kNoPage);
+    hal::print_line(hal::Tone::kWarning, fmt::format("warning: {}", view::kNoPage));
   }
   catch_interrupts();
   view::ViewServer server(std::move(settings));
@@ -79,10 +80,11 @@ int write_page(const ViewOptions& options) {
   const view::ExportedPage exported = view::export_page(api, page, most);
   write_output(options.file, exported.html);
   if (exported.finest != 0) {
-    fmt::print(stderr,
-               "warning: {} MB hold no details below spans of {:.3g} s where there are many; "
-               "--most-mb allows more\n",
-               options.most_mb, static_cast<double>(exported.finest) / 1e9);
+    hal::print_line(
+        hal::Tone::kWarning,
+        fmt::format("warning: {} MB hold no details below spans of {:.3g} s where there are many; "
+                    "--most-mb allows more",
+                    options.most_mb, static_cast<double>(exported.finest) / 1e9));
   }
   fmt::print("page: {}\n", options.file);
   return kDone;

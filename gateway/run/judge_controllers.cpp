@@ -19,6 +19,7 @@
 #include "hal/exchange/ports.h"
 #include "hal/runtime/check_parameters.h"
 #include "hal/runtime/plugin.h"
+#include "hal/types/terminal_colours.h"
 #include "sim/agents/agent_offer.h"
 
 namespace gateway {
@@ -293,7 +294,7 @@ sim::scenario::Scenario load_judged(const std::string& path,
   scenario.record.recorded_units = std::move(judgement.recorded_units);
   scenario.record.declared = std::move(judgement.declared);
   for (const auto* lines : {&scenario.warnings, &judgement.warnings, &judgement.not_checked}) {
-    for (const std::string& line : *lines) fmt::print(stderr, "{}\n", line);
+    for (const std::string& line : *lines) hal::print_line(hal::Tone::kWarning, line);
   }
   return scenario;
 }
