@@ -25,9 +25,31 @@
 namespace gateway {
 namespace {
 
+/// What is given is no folder. @return the scenario of that name.
+/// @throws UsageError  there is no file of that name either, so a folder may have been meant.
+/// @throws hal::config::ConfigErrors  it can only be the name of a scenario.
+std::filesystem::path scenario_named(const std::string& given) {
+  const std::filesystem::path path(given);
+  const bool is_yaml = path.extension() == ".yaml" || path.extension() == ".yml";
+  try {
+    std::filesystem::path file = hal::config::named_file(path, {"scenarios"});
+    if (is_yaml || std::filesystem::exists(file)) return file;
+  } catch (const hal::config::ConfigErrors&) {
+    if (is_yaml) throw;
+  }
+  std::string similar = similar_folder(path);
+  if (similar.empty() && !path.has_parent_path()) {
+    similar = hal::config::similar_file(path, std::filesystem::path("scenarios") / path);
+  }
+  throw UsageError(
+      fmt::format("{}: there is no such folder{}; view takes folders of results, where a run wrote "
+                  "run.sqlite, or one scenario file",
+                  given, similar));
+}
+
 /// A scenario that has not been run, with what `baraka check` says of it.
 std::unique_ptr<view::Run> open_scenario(const std::string& given) {
-  const auto file = hal::config::named_file(given, {"scenarios"});
+  const auto file = scenario_named(given);
   auto scenario = sim::scenario::load_scenario(file);
   ControllerJudgement judgement = judge_controllers(scenario);
   if (!judgement.mistakes.empty()) throw hal::config::ConfigErrors(std::move(judgement.mistakes));

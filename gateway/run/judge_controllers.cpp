@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "gateway/find_program.h"
+#include "gateway/run/controller_path.h"
 #include "gateway/run/judge_names.h"
 #include "gateway/run/judge_programs.h"
 #include "gateway/teleop_port.h"
@@ -237,10 +238,12 @@ void judge_without_plugin(const sim::scenario::Group& group, const RunWay& way,
     judgement.mistakes.push_back(fmt::format("{}: program: {}", group.program_place, what));
   };
   if (error.code != hal::Errc::kNotAvailable) return add(error.message);
-  if (!find_program(group.program, hal::runtime::controller_folders())) {
-    return add(fmt::format("'{}' is no known controller: {}", group.program, error.message));
+  const bool has_program =
+      find_program(group.program, hal::runtime::controller_folders()).has_value();
+  if (!has_program || way.controllers == ControllersFrom::kInProcess) {
+    warn_of_missing_controller_folders();
+    return add(error.message);
   }
-  if (way.controllers == ControllersFrom::kInProcess) return add(error.message);
   judgement.not_checked.push_back(
       fmt::format("parameters, channels and states of {}: not checked, its plug-in is not there",
                   group.program));
