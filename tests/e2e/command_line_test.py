@@ -137,6 +137,29 @@ agents:
         self.assertEqual(finished.status, 2, str(finished))
         self.assertRegex(finished.err, r"'wanderer' does not drive agents like m0")
 
+    def test_a_file_of_another_kind_is_the_one_mistake_where_it_is_included(self):
+        included = "agents.motes.mote.include"
+        with tempfile.TemporaryDirectory() as folder:
+            scenario = pathlib.Path(folder, "s.yaml")
+            scenario.write_text(TWO_MOTES.read_text().replace("../robots/mote.yaml", "radios/disk.yaml"))
+            line = rf"{scenario}:11:21: {included}: '\S+/radios/disk.yaml' is a radio file, not a mote; scenarios include it: " \
+                   r"radio: \{include: FILE\}\n"
+            for command in (["check"], ["run"], ["view"]):
+                said = Program("baraka", *command, scenario).finish()
+                self.assertEqual((said.status, said.out), (2, ""), str(said))
+                self.assertRegex(said.err, f"^{line}$")
+            said = Program("baraka", "check", scenario, "--set", f"{included}=robots/mote.yaml").finish()
+            self.assertEqual(said.status, 0, str(said))
+            said = Program("baraka", "check", scenario, "--set", f"{included}=robots/mote.yaml", "--set", "sed=1").finish()
+            self.assertRegex(said.err, r"^--set sed: is not a known key; .*\n$")
+        said = Program("baraka", "run", TWO_MOTES, "--set", f"{included}=robots/robertino.yaml").finish()
+        self.assertRegex(said.err, rf"^--set {included}: '\S+/robertino.yaml' is a robot file, not a mote; .*\n$")
+
+    def test_a_daemon_says_what_takes_a_file_that_is_not_for_it(self):
+        said = Program("baraka-agentd", TWO_MOTES).finish()
+        self.assertEqual((said.status, said.out, said.err),
+                         (2, "", f"{TWO_MOTES}: is a scenario file, not a hardware file; `baraka run FILE` runs it\n"))
+
     def test_a_missing_file_is_named(self):
         finished = Program("baraka", "run", "nowhere.yaml").finish()
         self.assertEqual(finished.status, 2, str(finished))
