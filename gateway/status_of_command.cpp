@@ -11,12 +11,13 @@
 #include "hal/dds/domains.h"
 #include "hal/dds/trust.h"
 #include "hal/types/printable.h"
+#include "hal/types/terminal_colours.h"
 
 namespace gateway {
 namespace {
 
 int failed(ExitStatus status, const std::string& what) {
-  std::fprintf(stderr, "error: %s\n", hal::printable_lines(what).c_str());
+  hal::print_line(hal::Tone::kMistake, "error: " + hal::printable_lines(what));
   return status;
 }
 
@@ -26,7 +27,7 @@ int status_of_command(const std::function<int()>& command) {
   try {
     return command();
   } catch (const hal::config::ConfigErrors& e) {
-    std::fprintf(stderr, "%s\n", hal::printable_lines(e.what()).c_str());
+    hal::print_line(hal::Tone::kMistake, hal::printable_lines(e.what()));
     return kUsage;
   } catch (const UsageError& e) {
     return failed(kUsage, e.what());

@@ -27,6 +27,7 @@
 #include "hal/hardware/platform/signal_thread.h"
 #include "hal/hardware/radio/udp_address.h"
 #include "hal/types/log.h"
+#include "hal/types/terminal_colours.h"
 
 namespace gateway {
 namespace {
@@ -46,7 +47,7 @@ constexpr hal::Duration kLongestHang = 400ms;
 
 RobotFile load(const AgentdOptions& options) {
   RobotFile file = RobotFile::load(options.file, options.overrides);
-  for (const std::string& warning : file.warnings) fmt::print(stderr, "{}\n", warning);
+  for (const std::string& warning : file.warnings) hal::print_line(hal::Tone::kWarning, warning);
   require_air_interface(file);
   // Others remember the numbers of this node's packets for a while, also when it restarts.
   file.routing.first_sequence = std::random_device{}() >> 1U;
@@ -287,7 +288,7 @@ void Agentd::print_summary() const {
   fmt::print("datagrams_malformed: {}\ndatagrams_foreign: {}\nframes_malformed: {}\n",
              link.malformed, link.foreign + link.address_clashes, agent_.malformed_frames());
   for (const std::string& line : complaints(server_->summary())) {
-    fmt::print(stderr, "warning: {}\n", line);
+    hal::print_line(hal::Tone::kWarning, "warning: " + line);
   }
 }
 

@@ -1,6 +1,7 @@
 #include <CLI/CLI.hpp>
 
 #include "gateway/agentd/agentd.h"
+#include "gateway/kind_of_file.h"
 #include "gateway/status_of_command.h"
 #include "hal/dds/domains.h"
 #include "hal/runtime/command_line.h"
@@ -50,7 +51,7 @@ int command(int argc, char** argv) {
   }
   hal::log::set_level(*hal::log::level_called(level));
   if (!name.empty()) options.overrides.push_back("agent.name=" + name);
-  return gateway::serve(options);
+  return gateway::with_hardware_file(options.file, [&] { return gateway::serve(options); });
 }
 
 }  // namespace

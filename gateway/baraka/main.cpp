@@ -350,7 +350,8 @@ struct Asked {
 int act(const CLI::App& app, Asked& asked) {
   if (!asked.seed.empty()) asked.run.overrides.push_back("seed=" + asked.seed);
   if (app.got_subcommand("campaign")) {
-    return gateway::with_file_of("campaign", asked.campaign.file, {"campaigns"},
+    return gateway::with_file_of("campaign",
+                                 {asked.campaign.file, {"campaigns"}, asked.campaign.overrides},
                                  [&] { return gateway::run_campaign(asked.campaign); });
   }
   if (app.got_subcommand("check")) return gateway::check(asked.check);
@@ -360,13 +361,15 @@ int act(const CLI::App& app, Asked& asked) {
   if (app.got_subcommand("list")) return gateway::list(asked.listed);
   if (app.got_subcommand("report")) return gateway::report(asked.report);
   if (app.got_subcommand("view")) {
-    return gateway::with_file_of("scenario", asked.view.what.front(), {"scenarios"},
+    return gateway::with_file_of("scenario", {asked.view.what.front(), {"scenarios"}},
                                  [&] { return gateway::show_view(asked.view); });
   }
   if (app.got_subcommand("new-controller")) return gateway::new_controller(asked.controller);
-  return gateway::with_file_of("scenario", asked.run.scenario, {"scenarios"}, [&] {
-    return asked.run.replications ? gateway::run_replications(asked.run) : gateway::run(asked.run);
-  });
+  return gateway::with_file_of(
+      "scenario", {asked.run.scenario, {"scenarios"}, asked.run.overrides}, [&] {
+        return asked.run.replications ? gateway::run_replications(asked.run)
+                                      : gateway::run(asked.run);
+      });
 }
 
 /// @return exit status. @throws std::exception

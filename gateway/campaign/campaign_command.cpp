@@ -20,6 +20,7 @@
 #include "gateway/run/wall_pace.h"
 #include "hal/config/errors.h"
 #include "hal/config/shared_folders.h"
+#include "hal/types/terminal_colours.h"
 #include "sim/campaign/schema.h"
 #include "sim/report/plot_request.h"
 
@@ -185,7 +186,9 @@ int run_campaign(const CampaignOptions& options) {
   if (options.status) return print_status(folder_of(options));
   if (options.cancel) return cancel_campaign(folder_of(options));
   const JudgedCampaign campaign = judge_campaign(options.file, options.overrides);
-  for (const std::string& warning : campaign.warnings) fmt::print(stderr, "{}\n", warning);
+  for (const std::string& warning : campaign.warnings) {
+    hal::print_line(hal::Tone::kWarning, warning);
+  }
   const EngineMaker engine = engine_for(options, campaign.file);
   catch_interrupts();
   const fs::path out =

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "hal/types/printable.h"
+#include "hal/types/terminal_colours.h"
 
 namespace gateway {
 namespace {
@@ -93,7 +94,7 @@ void CampaignProgress::show(Clock::time_point now, std::size_t running) {
     fmt::print(stderr, "{}\n", line);
     return;
   }
-  fmt::print(stderr, "\r{} {}\033[K", bar(), line);
+  fmt::print(stderr, "\r{} {}\033[K", bar(), hal::coloured_for(stderr, hal::Tone::kProgress, line));
   std::fflush(stderr);
   line_open_ = true;
 }

@@ -6,9 +6,11 @@
 #include <cstdio>
 
 #include "gateway/commands/file_kinds.h"
+#include "gateway/commands/wrong_kind.h"
 #include "gateway/exit_status.h"
 #include "hal/config/errors.h"
 #include "hal/config/shared_folders.h"
+#include "hal/types/terminal_colours.h"
 
 namespace gateway {
 namespace {
@@ -31,11 +33,14 @@ int check(const CheckOptions& options) {
       const std::string path =
           hal::config::named_file(file, {"scenarios", "campaigns", "robots", "radios", "hardware"});
       const FileKind& kind = wanted != nullptr ? *wanted : recognised(path, options.overrides);
-      kind.judge(path, options.overrides, options.way);
+      with_includes_of(kind.name, path, options.overrides, [&] {
+        kind.judge(path, options.overrides, options.way);
+        return kDone;
+      });
       fmt::print("{}: ok\n", file);
     } catch (const hal::config::ConfigErrors& errors) {
       std::fflush(stdout);
-      fmt::print(stderr, "{}\n", errors.what());
+      hal::print_line(hal::Tone::kMistake, errors.what());
       status = kUsage;
     }
   }

@@ -12,6 +12,7 @@
 #include "gateway/commands/key_words.h"
 #include "gateway/commands/observables_page.h"
 #include "gateway/exit_status.h"
+#include "gateway/run/controller_path.h"
 #include "hal/config/suggest.h"
 #include "hal/config/value.h"
 #include "hal/runtime/parameter_form.h"
@@ -208,6 +209,7 @@ int describe(const std::string& what) {
     found = true;
   }
   if (found) return kDone;
+  warn_of_missing_controller_folders();
   throw UsageError(fmt::format(
       "no kind of file, key, value or controller is called '{}'{}; controllers were looked for in "
       "{}; `baraka check` judges a file",

@@ -11,7 +11,9 @@
 #include "gateway/commands/output_file.h"
 #include "gateway/commands/result_folder.h"
 #include "gateway/exit_status.h"
+#include "hal/config/suggest.h"
 #include "hal/types/printable.h"
+#include "hal/types/terminal_colours.h"
 #include "sim/campaign/description.h"
 #include "sim/campaign/schema.h"
 #include "sim/record/description.h"
@@ -30,6 +32,18 @@ std::string list_of_tables(const std::vector<sim::record::Table>& tables,
                         table.meaning);
   }
   return list;
+}
+
+/// @param whole  what has the tables. @throws UsageError if there is no table of that name.
+void require_table(const std::string& name, const std::vector<sim::record::Table>& tables,
+                   const char* whole) {
+  if (name.empty() || sim::record::find_table(tables, name) != nullptr) return;
+  std::vector<std::string> names;
+  names.reserve(tables.size());
+  for (const sim::record::Table& table : tables) names.emplace_back(table.name);
+  throw UsageError(fmt::format("export: '{}' is no table of a {}{}; there are: {}", name, whole,
+                               hal::config::suggestion(name, names),
+                               sim::record::table_names(tables)));
 }
 
 /// Every table as a file of a folder.
@@ -82,10 +96,7 @@ void check_format(const ExportOptions& options, bool is_campaign) {
 /// Of the folder of a campaign.
 int export_campaign(const ExportOptions& options) {
   const auto& tables = sim::campaign::tables();
-  if (!options.table.empty() && sim::record::find_table(tables, options.table) == nullptr) {
-    throw UsageError(fmt::format("export: '{}' is no table of a campaign; there are: {}",
-                                 options.table, sim::record::table_names(tables)));
-  }
+  require_table(options.table, tables, "campaign");
   sim::campaign::CampaignReader reader(options.folder);
   if (is_whole(options)) return export_tables(options, tables, reader);
   const std::string list = list_of_tables(tables, reader.count_rows());
@@ -106,10 +117,7 @@ void check_arguments_of_result(const ExportOptions& options) {
   if (!options.describe && options.folder.empty()) {
     throw UsageError("export: DIR is missing, the folder of a result");
   }
-  if (!options.table.empty() && sim::record::find_table(options.table) == nullptr) {
-    throw UsageError(fmt::format("export: '{}' is no table of a result; there are: {}",
-                                 options.table, sim::record::table_names()));
-  }
+  require_table(options.table, sim::record::tables(), "result");
   if (options.describe && !(options.folder.empty() && options.table.empty())) {
     throw UsageError("export: --describe is about every result, so no DIR but a campaign's");
   }
@@ -151,8 +159,10 @@ int export_results(const ExportOptions& options) {
   if (options.describe) return describe_results(options);
   require_result(options.folder);
   if (sim::record::RunReader(options.folder).is_unfinished()) {
-    fmt::print(stderr, "warning: {}: this run is unfinished: broken off, or still under way\n",
-               hal::printable(options.folder));
+    hal::print_line(
+        hal::Tone::kWarning,
+        fmt::format("warning: {}: this run is unfinished: broken off, or still under way",
+                    hal::printable(options.folder)));
   }
   if (options.format == "mcap") return export_mcap(options);
   if (is_whole(options)) return export_tables(options, sim::record::tables(), options.folder);

@@ -3,17 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <map>
 #include <set>
 #include <utility>
 
 #include "gateway/campaign/judge_points.h"
+#include "gateway/kind_of_file.h"
 #include "gateway/run/judge_controllers.h"
 #include "hal/config/document.h"
 #include "hal/config/errors.h"
 #include "hal/description/body_section.h"
 #include "hal/hardware/robot_file.h"
+#include "hal/types/terminal_colours.h"
 #include "sim/scenario/radio_section.h"
 #include "sim/scenario/scenario.h"
 
@@ -31,7 +32,7 @@ void judge_run(const std::string& path, const Overrides& overrides, const RunWay
 void read_campaign(Mapping in) { sim::campaign::read_campaign(std::move(in), "campaign.yaml"); }
 void read_hardware(Mapping in) { hal::hardware::RobotFile::read(std::move(in)); }
 void tell(const std::vector<std::string>& warnings) {
-  for (const std::string& warning : warnings) fmt::print(stderr, "{}\n", warning);
+  for (const std::string& warning : warnings) hal::print_line(hal::Tone::kWarning, warning);
 }
 
 void judge_points(const std::string& path, const Overrides& overrides, const RunWay&) {
@@ -137,20 +138,20 @@ std::size_t known(const FileKind& kind, const std::vector<std::string>& keys) {
 const std::vector<FileKind>& file_kinds() {
   static const std::vector<FileKind> kinds = {
       {"scenario", "What `baraka run` runs: a world, a radio, agents and their controllers.",
-       "`baraka run FILE` runs it", kScenario, read_scenario, judge_run},
+       use_of("scenario"), kScenario, read_scenario, judge_run},
       {"campaign",
        "What `baraka campaign` runs: a scenario many times, over the values of its keys.",
-       "`baraka campaign FILE` runs it", kCampaign, read_campaign, judge_points},
-      {"hardware", "A real robot or mote: what `baraka-agentd` drives.",
-       "`baraka-agentd FILE` serves it", kHardware, read_hardware, judge_hardware},
+       use_of("campaign"), kCampaign, read_campaign, judge_points},
+      {"hardware", "A real robot or mote: what `baraka-agentd` drives.", use_of("hardware"),
+       kHardware, read_hardware, judge_hardware},
       {"robot",
        "Body, wheels and sensors of a kind of robot, simulated or real; included by the "
        "other two.",
-       "scenarios include it: robot: {include: FILE}", kRobot, read_robot, judge<read_robot>},
-      {"mote", "Body of a kind of mote; included by scenarios.",
-       "scenarios include it: mote: {include: FILE}", kMote, read_mote, judge<read_mote>},
-      {"radio", "A radio; included by scenarios.", "scenarios include it: radio: {include: FILE}",
-       kRadio, read_radio, judge<read_radio>}};
+       use_of("robot"), kRobot, read_robot, judge<read_robot>},
+      {"mote", "Body of a kind of mote; included by scenarios.", use_of("mote"), kMote, read_mote,
+       judge<read_mote>},
+      {"radio", "A radio; included by scenarios.", use_of("radio"), kRadio, read_radio,
+       judge<read_radio>}};
   return kinds;
 }
 

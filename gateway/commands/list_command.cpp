@@ -6,10 +6,12 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <set>
 #include <utility>
 
 #include "gateway/exit_status.h"
+#include "gateway/run/controller_path.h"
 #include "hal/config/shared_folders.h"
 #include "hal/runtime/plugin.h"
 #include "hal/types/printable.h"
@@ -58,21 +60,47 @@ std::string words_of(const hal::ControllerKind& kind) {
                      parameters.empty() ? "" : "; parameters: ", fmt::join(parameters, ", "));
 }
 
-void list_controllers() {
-  const std::vector<fs::path> folders = hal::runtime::controller_folders();
-  std::set<std::string> seen;
-  for (const fs::path& folder : folders) {
-    bool is_first = true;
-    for (const fs::path& file : files_in(folder, ".so")) {
-      const std::string name = file.stem().string();
-      // A library that is no plug-in; of two controllers of a name the first is used.
-      if (name.starts_with("lib") || !seen.insert(name).second) continue;
-      if (std::exchange(is_first, false)) {
-        fmt::print("{}, in {}:\n", kControllers, hal::printable(folder.string()));
-      }
-      const auto kind = hal::runtime::load_plugin(name, folders);
-      print_row(name, kind ? words_of(**kind) : kind.error().message);
+/// What is said of a file that is named like a plug-in; nothing: it is not named.
+/// @param by_user  it is in a folder of BARAKA_CONTROLLER_PATH, where all should be controllers.
+/// Our
+///   own folders may be those of all programs.
+std::optional<std::string> words_of(const fs::path& file, bool by_user) {
+  std::error_code unknown;
+  if (fs::is_symlink(file, unknown) && !fs::exists(file, unknown)) {
+    if (!by_user) return std::nullopt;
+    return fmt::format("a link to {}, which is not there",
+                       fs::read_symlink(file, unknown).string());
+  }
+  const auto kind = hal::runtime::load_plugin(file.stem().string(), {file.parent_path()});
+  if (kind) return words_of(**kind);
+  const bool is_controller = kind.error().code != hal::Errc::kInvalidArgument;
+  return by_user || is_controller ? std::optional(kind.error().message) : std::nullopt;
+}
+
+/// @param seen  names of controllers of other folders; of two of a name the first is used.
+void list_controllers_in(const fs::path& folder, bool by_user, std::set<std::string>& seen) {
+  bool is_first = true;
+  for (const fs::path& file : files_in(folder, ".so")) {
+    const std::string name = file.stem().string();
+    if (name.starts_with("lib") || seen.contains(name)) continue;  // a library that is no plug-in
+    const auto words = words_of(file, by_user);
+    std::error_code unknown;
+    if (fs::exists(file, unknown)) seen.insert(name);
+    if (!words) continue;
+    if (std::exchange(is_first, false)) {
+      fmt::print("{}, in {}:\n", kControllers, hal::printable(folder.string()));
     }
+    print_row(name, *words);
+  }
+}
+
+void list_controllers() {
+  warn_of_missing_controller_folders();
+  const std::size_t by_user = hal::runtime::named_controller_folders().size();
+  const std::vector<fs::path> folders = hal::runtime::controller_folders();  // those first
+  std::set<std::string> seen;
+  for (std::size_t i = 0; i < folders.size(); ++i) {
+    list_controllers_in(folders[i], i < by_user, seen);
   }
 }
 

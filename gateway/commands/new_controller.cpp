@@ -14,6 +14,7 @@
 #include "gateway/exit_status.h"
 #include "gateway/teleop_port.h"
 #include "hal/config/shared_folders.h"
+#include "hal/types/terminal_colours.h"
 
 namespace gateway {
 namespace {
@@ -101,17 +102,20 @@ std::vector<std::string> new_controller_models() { return {"two_turtlebots"}; }
 
 int new_controller(const NewControllerOptions& options) {
   if (const auto mistake = mistake_in(options.name)) {
-    fmt::print(stderr, "error: the name '{}' {}\n", options.name, *mistake);
+    hal::print_line(hal::Tone::kMistake,
+                    fmt::format("error: the name '{}' {}", options.name, *mistake));
     return kUsage;
   }
   const fs::path folder = options.to / options.name;
   if (fs::exists(fs::symlink_status(folder))) {
-    fmt::print(stderr, "error: {} is there already\n", folder.string());
+    hal::print_line(hal::Tone::kMistake,
+                    fmt::format("error: {} is there already", folder.string()));
     return kUsage;
   }
   if (!options.to.empty() && !fs::is_directory(options.to)) {
-    fmt::print(stderr, "error: --to {}: there is no such folder; make it first\n",
-               options.to.string());
+    hal::print_line(
+        hal::Tone::kMistake,
+        fmt::format("error: --to {}: there is no such folder; make it first", options.to.string()));
     return kUsage;
   }
   fs::create_directory(folder);

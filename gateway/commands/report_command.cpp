@@ -18,6 +18,7 @@
 #include "hal/config/document.h"
 #include "hal/config/shared_folders.h"
 #include "hal/types/printable.h"
+#include "hal/types/terminal_colours.h"
 #include "sim/report/csv.h"
 #include "sim/report/experiment_section.h"
 #include "sim/report/plot.h"
@@ -54,7 +55,8 @@ std::optional<sim::report::Settings> case_study(const std::vector<RunResult>& ru
     const auto values = sim::scenario::resolved_values(sim::scenario::load_scenario(*file, {}));
     return sim::report::Settings(values.begin(), values.end());
   } catch (const std::exception& e) {
-    fmt::print(stderr, "warning: the paper's figures are left out: {}\n", e.what());
+    hal::print_line(hal::Tone::kWarning,
+                    fmt::format("warning: the paper's figures are left out: {}", e.what()));
     return std::nullopt;
   }
 }

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 
 #include "gateway/exit_status.h"
+#include "hal/config/suggest.h"
 #include "sim/campaign/campaign_reader.h"
 #include "sim/report/run_result.h"
 
@@ -18,9 +20,10 @@ void require_folder(const fs::path& given) {
   const fs::file_status status = fs::status(given, error);
   if (fs::is_directory(status)) return;
   if (!fs::exists(status)) {
-    throw UsageError(fmt::format(
-        "{}: there is no such folder; name the folder of a result, where a run wrote run.sqlite",
-        given.string()));
+    throw UsageError(
+        fmt::format("{}: there is no such folder{}; name the folder of a result, where a run "
+                    "wrote run.sqlite",
+                    given.string(), similar_folder(given)));
   }
   const bool is_database = given.extension() == ".sqlite" && given.has_parent_path();
   throw UsageError(
@@ -39,6 +42,21 @@ std::vector<fs::path> results_in(const fs::path& folder) {
 }
 
 }  // namespace
+
+std::string similar_folder(const fs::path& given) {
+  const fs::path named = given.has_filename() ? given : given.parent_path();  // "results/a/"
+  const fs::path around = named.parent_path();
+  std::vector<std::string> names;
+  std::error_code error;
+  for (fs::directory_iterator at(around.empty() ? "." : around, error), end; !error && at != end;
+       at.increment(error)) {
+    std::error_code unknown;
+    if (at->is_directory(unknown)) names.push_back(at->path().filename().string());
+  }
+  std::ranges::sort(names);
+  const auto best = hal::config::nearest(named.filename().string(), names);
+  return best ? fmt::format("; did you mean '{}'?", (around / names[*best]).string()) : "";
+}
 
 void require_results(const std::vector<std::string>& folders) {
   for (const std::string& folder : folders) {

@@ -1,9 +1,14 @@
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
 namespace gateway {
+
+/// "; did you mean 'results/ten'?" if a folder beside the one that is not there has nearly its
+/// name.
+std::string similar_folder(const std::filesystem::path& given);
 
 /// @throws UsageError if one of the folders holds no result and no campaign, nor folders of
 /// results,

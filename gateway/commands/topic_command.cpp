@@ -15,6 +15,7 @@
 #include "hal/dds/domains.h"
 #include "hal/dds/inspection/topic_browser.h"
 #include "hal/types/printable.h"
+#include "hal/types/terminal_colours.h"
 
 namespace gateway {
 namespace {
@@ -58,10 +59,11 @@ std::optional<SeenTopic> wait_for(const TopicBrowser& browser, const TopicOption
 
 int complain(const TopicBrowser& browser, const TopicOptions& options) {
   if (interrupted()) return kInterrupted;
-  fmt::print(stderr, "error: nobody writes a topic '{}' in domain {}",
-             hal::printable(options.topic), options.domain.value());
   const auto topics = browser.topics();
-  fmt::print(stderr, "; {}\n", topics.empty() ? "there are no topics" : "there are:");
+  hal::print_line(hal::Tone::kMistake,
+                  fmt::format("error: nobody writes a topic '{}' in domain {}; {}",
+                              hal::printable(options.topic), options.domain.value(),
+                              topics.empty() ? "there are no topics" : "there are:"));
   for (const SeenTopic& topic : topics) {
     fmt::print(stderr, "  {}\n", hal::printable(topic.name));
   }
@@ -90,8 +92,9 @@ int take_samples(const TopicOptions& options,
       fmt::print(stderr, "the last writer has left\n");
       return options.count ? kRunFailed : kDone;
     } else if (Clock::now() - last > Seconds(options.timeout)) {
-      fmt::print(stderr, "error: no sample of {} within {} s\n", hal::printable(topic->name),
-                 options.timeout);
+      hal::print_line(hal::Tone::kMistake,
+                      fmt::format("error: no sample of {} within {} s", hal::printable(topic->name),
+                                  options.timeout));
       return kRunFailed;
     }
     idle();
@@ -177,10 +180,12 @@ int list_topics(const TopicOptions& options) {
   std::this_thread::sleep_for(kLook);
   const auto topics = browser.topics();
   if (topics.empty()) {
-    fmt::print(stderr,
-               "error: nobody shows a topic in domain {}; a run prints `inspect domain: N` as it "
-               "begins, --domain N looks there\n",
-               options.domain.value());
+    hal::print_line(
+        hal::Tone::kMistake,
+        fmt::format(
+            "error: nobody shows a topic in domain {}; a run prints `inspect domain: N` as it "
+            "begins, --domain N looks there",
+            options.domain.value()));
     return kRunFailed;
   }
   for (const SeenTopic& topic : topics) {

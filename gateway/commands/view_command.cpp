@@ -18,14 +18,38 @@
 #include "gateway/view/bundled_page.h"
 #include "gateway/view/export.h"
 #include "gateway/view/view_server.h"
+#include "hal/config/errors.h"
 #include "hal/config/shared_folders.h"
+#include "hal/types/terminal_colours.h"
 
 namespace gateway {
 namespace {
 
+/// What is given is no folder. @return the scenario of that name.
+/// @throws UsageError  there is no file of that name either, so a folder may have been meant.
+/// @throws hal::config::ConfigErrors  it can only be the name of a scenario.
+std::filesystem::path scenario_named(const std::string& given) {
+  const std::filesystem::path path(given);
+  const bool is_yaml = path.extension() == ".yaml" || path.extension() == ".yml";
+  try {
+    std::filesystem::path file = hal::config::named_file(path, {"scenarios"});
+    if (is_yaml || std::filesystem::exists(file)) return file;
+  } catch (const hal::config::ConfigErrors&) {
+    if (is_yaml) throw;
+  }
+  std::string similar = similar_folder(path);
+  if (similar.empty() && !path.has_parent_path()) {
+    similar = hal::config::similar_file(path, std::filesystem::path("scenarios") / path);
+  }
+  throw UsageError(
+      fmt::format("{}: there is no such folder{}; view takes folders of results, where a run wrote "
+                  "run.sqlite, or one scenario file",
+                  given, similar));
+}
+
 /// A scenario that has not been run, with what `baraka check` says of it.
 std::unique_ptr<view::Run> open_scenario(const std::string& given) {
-  const auto file = hal::config::named_file(given, {"scenarios"});
+  const auto file = scenario_named(given);
   JudgedScenario judged = judge_scenario(file, {});
   return std::make_unique<view::Run>(file, std::move(judged.scenario), std::move(judged.remarks));
 }
@@ -49,7 +73,7 @@ view::ViewServer::Settings settings_of(const ViewOptions& options) {
 int serve(const ViewOptions& options) {
   auto settings = settings_of(options);
   if (!settings.page) {
-    fmt::print(stderr, "warning: {}\n", view::kNoPage);
+    hal::print_line(hal::Tone::kWarning, fmt::format("warning: {}", view::kNoPage));
   }
   catch_interrupts();
   view::ViewServer server(std::move(settings));
@@ -73,10 +97,11 @@ int write_page(const ViewOptions& options) {
   const view::ExportedPage exported = view::export_page(api, page, most);
   write_output(options.file, exported.html);
   if (exported.finest != 0) {
-    fmt::print(stderr,
-               "warning: {} MB hold no details below spans of {:.3g} s where there are many; "
-               "--most-mb allows more\n",
-               options.most_mb, static_cast<double>(exported.finest) / 1e9);
+    hal::print_line(
+        hal::Tone::kWarning,
+        fmt::format("warning: {} MB hold no details below spans of {:.3g} s where there are many; "
+                    "--most-mb allows more",
+                    options.most_mb, static_cast<double>(exported.finest) / 1e9));
   }
   fmt::print("page: {}\n", options.file);
   return kDone;

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "gateway/find_program.h"
+#include "gateway/run/controller_path.h"
 #include "gateway/run/judge_names.h"
 #include "gateway/run/judge_programs.h"
 #include "gateway/teleop_port.h"
@@ -19,6 +20,7 @@
 #include "hal/exchange/ports.h"
 #include "hal/runtime/check_parameters.h"
 #include "hal/runtime/plugin.h"
+#include "hal/types/terminal_colours.h"
 #include "sim/agents/agent_offer.h"
 
 namespace gateway {
@@ -247,10 +249,12 @@ void judge_without_plugin(const sim::scenario::Group& group, const RunWay& way,
     judgement.mistakes.push_back(fmt::format("{}: program: {}", group.program_place, what));
   };
   if (error.code != hal::Errc::kNotAvailable) return add(error.message);
-  if (!find_program(group.program, hal::runtime::controller_folders())) {
-    return add(fmt::format("'{}' is no known controller: {}", group.program, error.message));
+  const bool has_program =
+      find_program(group.program, hal::runtime::controller_folders()).has_value();
+  if (!has_program || way.controllers == ControllersFrom::kInProcess) {
+    warn_of_missing_controller_folders();
+    return add(error.message);
   }
-  if (way.controllers == ControllersFrom::kInProcess) return add(error.message);
   judgement.not_checked.push_back(
       fmt::format("parameters, channels and states of {}: not checked, its plug-in is not there",
                   group.program));
@@ -314,7 +318,7 @@ sim::scenario::Scenario load_judged(const std::string& path,
                                     const std::vector<std::string>& overrides, const RunWay& way) {
   JudgedScenario judged =
       judge_scenario(hal::config::named_file(path, {"scenarios"}), overrides, way);
-  for (const std::string& line : judged.remarks) fmt::print(stderr, "{}\n", line);
+  for (const std::string& line : judged.remarks) hal::print_line(hal::Tone::kWarning, line);
   return std::move(judged.scenario);
 }
 

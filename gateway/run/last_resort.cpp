@@ -11,6 +11,7 @@
 #include "hal/exchange/foreign_call.h"
 #include "hal/runtime/standard_output.h"
 #include "hal/types/printable.h"
+#include "hal/types/terminal_colours.h"
 
 namespace gateway {
 namespace {
@@ -67,7 +68,7 @@ int LastResort::status_of_end(const std::string& what, bool failed) {
   try {
     return hal::runtime::with_output_written(conclude_(what, failed));
   } catch (const std::exception& e) {
-    fmt::print(stderr, "error: {}\n", hal::printable_lines(e.what()));
+    hal::print_line(hal::Tone::kMistake, "error: " + hal::printable_lines(e.what()));
     return kRunFailed;
   }
 }

@@ -9,6 +9,7 @@
 #include "gateway/run/wall_pace.h"
 #include "gateway/view/bundled_page.h"
 #include "hal/dds/waiting.h"
+#include "hal/types/terminal_colours.h"
 
 namespace gateway {
 
@@ -33,7 +34,9 @@ void LiveView::start(const std::filesystem::path& folder) {
                                       .port = options_.port,
                                       .control = &control_,
                                       .clock = &control_};
-  if (!settings.page) fmt::print(stderr, "warning: {}\n", view::kNoPage);
+  if (!settings.page) {
+    hal::print_line(hal::Tone::kWarning, fmt::format("warning: {}", view::kNoPage));
+  }
   server_ = std::make_unique<view::ViewServer>(std::move(settings));
   server_->start();
   fmt::print(stderr, "view: {}\n", server_->address());

@@ -14,6 +14,7 @@
 
 #include "hal/types/log.h"
 #include "hal/types/printable.h"
+#include "hal/types/terminal_colours.h"
 #include "sim/core/log_sink.h"
 #include "sim/record/observables.h"
 #include "sim/record/schema.h"
@@ -182,7 +183,7 @@ void Results::say_not_started(const std::string& error) {
     recorder_.reset();
     fmt::print(stderr, "not started; what there is of it: {}\n", folder_.path().string());
   } catch (const std::exception& e) {
-    fmt::print(stderr, "warning: {}\n", hal::printable(e.what()));
+    hal::print_line(hal::Tone::kWarning, "warning: " + hal::printable(e.what()));
   }
   sim::flush_log();
 }

@@ -23,6 +23,7 @@
 #include "gateway/run/wall_pace.h"
 #include "hal/types/log.h"
 #include "hal/types/printable.h"
+#include "hal/types/terminal_colours.h"
 #include "sim/agents/simulation.h"
 #include "sim/scenario/judge.h"
 #include "sim/scenario/resolved.h"
@@ -49,8 +50,8 @@ std::vector<std::string> unmet(const sim::scenario::Judge& judge, const Outcome&
 
 void print_outcome(const Outcome& outcome, Results& results, double wall_seconds) {
   const double simulated = hal::to_seconds(outcome.ended_at);
-  fmt::print("result: {}\nfingerprint: {}\n", outcome.result,
-             sim::to_hex(results.fingerprint().fingerprint().total()));
+  fmt::print("{} {}\nfingerprint: {}\n", hal::coloured_for(stdout, hal::Tone::kResult, "result:"),
+             outcome.result, sim::to_hex(results.fingerprint().fingerprint().total()));
   fmt::print("simulated_s: {:.9f}\nwall_s: {:.3f}\n", simulated, wall_seconds);
   fmt::print("real_time_factor: {:.1f}\n", wall_seconds > 0 ? simulated / wall_seconds : 0.0);
   fmt::print("events: {}\nexchanges: {}\n", outcome.events, outcome.exchanges);
@@ -65,25 +66,30 @@ void print_real_time(const sim::agents::RealTimeSummary& summary) {
   fmt::print("control_jitter_p99_s: {:.6f}\n", hal::to_seconds(summary.jitter_p99));
   fmt::print("control_jitter_max_s: {:.6f}\n", hal::to_seconds(summary.jitter_max));
   for (const std::string& line : summary.overflow) {
-    fmt::print(stderr, "warning: overflow, lost for the controller of {}\n", line);
+    hal::print_line(hal::Tone::kWarning, "warning: overflow, lost for the controller of " + line);
   }
 }
 
 /// What went wrong without ending the run, for people.
 void print_complaints(const Outcome& outcome, const std::vector<std::string>& lines) {
   for (const std::string& line : lines) {
-    fmt::print(stderr, "warning: {}\n", hal::printable(line));
+    hal::print_line(hal::Tone::kWarning, "warning: " + hal::printable(line));
   }
   if (outcome.refused_actions > 0) {
-    fmt::print(stderr, "warning: {} actions refused; run.log names them\n",
-               outcome.refused_actions);
+    hal::print_line(
+        hal::Tone::kWarning,
+        fmt::format("warning: {} actions refused; run.log names them", outcome.refused_actions));
   }
-  for (const std::string& line : outcome.bodies_lost) fmt::print(stderr, "warning: {}\n", line);
+  for (const std::string& line : outcome.bodies_lost) {
+    hal::print_line(hal::Tone::kWarning, "warning: " + line);
+  }
   if (outcome.ode_messages > 0) {
-    fmt::print(stderr, "warning: the physics engine complained {} times\n", outcome.ode_messages);
+    hal::print_line(
+        hal::Tone::kWarning,
+        fmt::format("warning: the physics engine complained {} times", outcome.ode_messages));
   }
   if (!outcome.error.empty()) {
-    fmt::print(stderr, "error: {}\n", hal::printable_lines(outcome.error));
+    hal::print_line(hal::Tone::kMistake, "error: " + hal::printable_lines(outcome.error));
   }
 }
 
@@ -180,7 +186,9 @@ ExitStatus conclude(Results& results, const sim::scenario::Judge& judge,
       results.finish(simulation, outcome, exit_status(outcome, expectations), wall_seconds);
 
   print_complaints(outcome, complaints);
-  for (const std::string& line : expectations) fmt::print(stderr, "not met: {}\n", line);
+  for (const std::string& line : expectations) {
+    hal::print_line(hal::Tone::kMistake, "not met: " + line);
+  }
   if (outcome.real_time) print_real_time(*outcome.real_time);
   if (outcome.real_time && outcome.real_time->air && network) {
     print_network(*outcome.real_time->air, *network);
@@ -269,7 +277,7 @@ int run(const RunOptions& options, const Scenario& scenario, const Course& cours
   const LastResort last_resort([&](const std::string& what, bool failed) -> int {
     if (!results.has_begun()) {
       results.say_not_started(what);
-      fmt::print(stderr, "error: {}\n", hal::printable(what));
+      hal::print_line(hal::Tone::kMistake, "error: " + hal::printable(what));
       return failed ? kRunFailed : kInterrupted;
     }
     pace->end();
@@ -312,8 +320,10 @@ int run(const RunOptions& options, const Scenario& scenario, const Course& cours
 /// Of a run that was not needed.
 int say_finished(const FinishedResult& finished, const std::filesystem::path& folder) {
   fmt::print(stderr, "the result is there already\n");
-  fmt::print("result: {}\nfingerprint: {}\nresults: {}\n", hal::printable(finished.result),
-             hal::printable(finished.fingerprint), folder.string());
+  fmt::print("{} {}\nfingerprint: {}\nresults: {}\n",
+             hal::coloured_for(stdout, hal::Tone::kResult, "result:"),
+             hal::printable(finished.result), hal::printable(finished.fingerprint),
+             folder.string());
   return finished.status;
 }
 

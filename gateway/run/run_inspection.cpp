@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "gateway/teleop_port.h"
+#include "hal/types/terminal_colours.h"
 
 namespace gateway {
 namespace {
@@ -41,7 +42,8 @@ void RunInspection::start(std::optional<int> domain_of_run, sim::agents::Simulat
     } catch (const std::runtime_error& e) {
       // Nobody has asked for it.
       if (settings_.domain || hears) throw;
-      fmt::print(stderr, "warning: the run is not shown: {}\n", e.what());
+      hal::print_line(hal::Tone::kWarning,
+                      fmt::format("warning: the run is not shown: {}", e.what()));
     }
   }
   if (teleop) connect_teleop(simulation);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "hal/runtime/exit_watch.h"
+#include "hal/types/terminal_colours.h"
 
 namespace gateway {
 namespace {
@@ -107,7 +108,8 @@ void WallPace::show(const sim::agents::Progress& progress) {
       fmt::format("{}, {:.4g} x real time, {} events, {} exchanges, {} controller process{}",
                   simulated(progress.now), factor, progress.events, progress.exchanges,
                   settings_.processes, settings_.processes == 1 ? "" : "es");
-  fmt::print(stderr, fmt::runtime(settings_.terminal ? "\r{}\033[K" : "{}\n"), line);
+  fmt::print(stderr, fmt::runtime(settings_.terminal ? "\r{}\033[K" : "{}\n"),
+             hal::coloured_for(stderr, hal::Tone::kProgress, line));
   std::fflush(stderr);
   line_open_ = settings_.terminal;
   shown_ = last_;

@@ -11,6 +11,7 @@ namespace hal::config {
 struct Document::State {
   Node root;
   Problems problems;
+  std::vector<Included> included{};
 };
 
 Document::Document(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -26,10 +27,13 @@ Document Document::load(const std::filesystem::path& file,
   state->root = merged(loader.load(file, Layer::kFile, ""), std::move(top));
   if (loader.complete()) loader.resolve(state->root, "");
   if (!overrides_readable || !loader.complete()) throw ConfigErrors(state->problems.messages());
+  state->included = loader.included();
   return Document(std::move(state));
 }
 
 Mapping Document::root() { return {state_->root, "", state_->problems}; }
+
+const std::vector<Included>& Document::included() const { return state_->included; }
 
 void Document::finish() const {
   if (!state_->problems.none()) throw ConfigErrors(state_->problems.messages());

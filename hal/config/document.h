@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "hal/config/errors.h"
+#include "hal/config/loader.h"
 #include "hal/config/mapping.h"
 
 namespace hal::config {
@@ -43,6 +44,9 @@ class Document {
 
   /// The top level. Valid as long as the document.
   Mapping root();
+
+  /// What it includes, and what that does, in the order of reading.
+  const std::vector<Included>& included() const;
 
   /// @throws ConfigErrors with all problems found, sorted by position, if there are any.
   void finish() const;

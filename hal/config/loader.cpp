@@ -182,6 +182,7 @@ void Loader::include(Node& mapping, const Node& target, const std::string& path)
                    fmt::format("goes in a circle: {}", fmt::join(names(circle), " -> ")));
   }
   const bool by_file = target.place.layer == Layer::kFile;
+  included_.push_back({file.string(), path, target.place.text()});
   problems_.note_include(files_, target.place);  // the order that load() gives it
   Node below = load(file, by_file ? Layer::kFile : Layer::kCommandLineInclude, path);
   mapping = merged(std::move(below), std::move(mapping));

@@ -44,6 +44,13 @@ class IncludeGraph {
   std::map<std::string, std::set<std::string>> edges_;
 };
 
+/// A file that another one, or the command line, includes.
+struct Included {
+  std::string file;
+  std::string path;   ///< Of the mapping that it is put into, "agents.robots.robot"; "": the top.
+  std::string place;  ///< Of the word after `include`: "file:line:column", or "--set a.b".
+};
+
 /// Reads files and puts what they include in place.
 class Loader {
  public:
@@ -52,6 +59,9 @@ class Loader {
 
   /// False as soon as a file could not be read: the keys in it would all seem to be missing.
   bool complete() const { return complete_; }
+
+  /// What has been included, in the order of reading.
+  const std::vector<Included>& included() const { return included_; }
 
   /// The file's mapping, includes not yet resolved. @param path  where it goes, for messages.
   Node load(const std::filesystem::path& file, Layer layer, const std::string& path);
@@ -71,6 +81,7 @@ class Loader {
   std::filesystem::path folder_;  ///< Of the first file.
   Problems& problems_;
   IncludeGraph graph_;
+  std::vector<Included> included_;
   int files_ = 0;
   std::size_t values_left_ = kMostValues;
   bool complete_ = true;

@@ -4,22 +4,28 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace hal::config {
 namespace {
 
-/// Number of letters to insert, delete or replace (R. A. Wagner, M. J. Fischer, "The
+/// Number of letters to insert, delete, replace or swap with the next one, no letter being edited
+/// twice (optimal string alignment: F. J. Damerau, "A technique for computer detection and
+/// correction of spelling errors", 1964, by the table of R. A. Wagner and M. J. Fischer, "The
 /// String-to-String Correction Problem", 1974).
 std::size_t distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
+  // Rows i - 1, i and i + 1 of the table: entry j is the distance of the first letters, j of b.
+  std::vector<std::size_t> earlier(b.size() + 1), before(b.size() + 1), row(b.size() + 1);
   std::iota(row.begin(), row.end(), std::size_t{0});
   for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = row[0];
+    std::swap(earlier, before);
+    std::swap(before, row);
     row[0] = i + 1;
     for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = row[j + 1];
-      row[j + 1] = std::min({replaced, row[j] + 1, diagonal + 1});
+      const std::size_t replaced = before[j] + (a[i] == b[j] ? 0 : 1);
+      row[j + 1] = std::min({replaced, row[j] + 1, before[j + 1] + 1});
+      if (i == 0 || j == 0 || a[i] != b[j - 1] || a[i - 1] != b[j]) continue;
+      row[j + 1] = std::min(row[j + 1], earlier[j - 1] + 1);
     }
   }
   return row.back();

@@ -9,8 +9,8 @@
 namespace hal::config {
 
 /// The index of the candidate that is nearest to `word`, or nothing when none is near: at most a
-/// third of the letters differ (Levenshtein, "Binary codes capable of correcting deletions,
-/// insertions, and reversals", 1966). Ties: the first candidate.
+/// third of the letters are inserted, deleted, replaced or swapped with the next one, two swapped
+/// letters counting as one edit. Ties: the first candidate.
 std::optional<std::size_t> nearest(std::string_view word,
                                    const std::vector<std::string>& candidates);
 

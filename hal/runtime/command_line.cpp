@@ -6,12 +6,15 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <iostream>
 #include <limits>
+#include <sstream>
 #include <utility>
 
 #include "hal/config/suggest.h"
 #include "hal/config/value.h"
 #include "hal/types/printable.h"
+#include "hal/types/terminal_colours.h"
 
 namespace hal::runtime {
 namespace {
@@ -125,10 +128,13 @@ int end_of_parsing(const CLI::App& app, const CLI::ParseError& error) {
   const bool is_mistake = error.get_exit_code() != 0;
   const std::string unknown = is_mistake ? unknown_word(app) : "";
   if (unknown.empty()) {
-    return app.exit(error) == 0 ? 0 : kUsage;
+    std::ostringstream said;
+    const int status = app.exit(error, std::cout, said) == 0 ? 0 : kUsage;
+    fmt::print(stderr, "{}", coloured_for(stderr, Tone::kMistake, said.str()));
+    return status;
   }
-  fmt::print(stderr, "error: {}\nRun with --help for more information.\n",
-             printable_lines(unknown));
+  print_line(Tone::kMistake, fmt::format("error: {}\nRun with --help for more information.",
+                                         printable_lines(unknown)));
   return kUsage;
 }
 

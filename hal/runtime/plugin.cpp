@@ -35,7 +35,7 @@ Result<const ControllerKind*> load(const fs::path& file) {
   }
   void* const entry = ::dlsym(library, "baraka_controller");
   if (entry == nullptr) {
-    return fail(Errc::kProtocol,
+    return fail(Errc::kInvalidArgument,
                 fmt::format("{} is no controller: {}", file.string(), loader_message()));
   }
   const auto describe = reinterpret_cast<const ControllerKind* (*)()>(entry);
@@ -50,13 +50,18 @@ Result<const ControllerKind*> load(const fs::path& file) {
 
 }  // namespace
 
-std::vector<fs::path> controller_folders() {
+std::vector<fs::path> named_controller_folders() {
   std::vector<fs::path> folders;
   const char* const variable = std::getenv("BARAKA_CONTROLLER_PATH");
   std::istringstream list(variable == nullptr ? "" : variable);
   for (std::string folder; std::getline(list, folder, ':');) {
     if (!folder.empty()) folders.emplace_back(folder);
   }
+  return folders;
+}
+
+std::vector<fs::path> controller_folders() {
+  std::vector<fs::path> folders = named_controller_folders();
   std::error_code unreadable;
   const fs::path self = fs::read_symlink("/proc/self/exe", unreadable);
   if (!unreadable) {
@@ -69,13 +74,25 @@ std::vector<fs::path> controller_folders() {
 
 namespace {
 
+/// "; /home/me/x.so is a link to a file that is not there", or nothing.
+std::string broken_link(const fs::path& file_name, const std::vector<fs::path>& folders) {
+  for (const fs::path& folder : folders) {
+    std::error_code ignored;
+    if (!fs::is_symlink(folder / file_name, ignored)) continue;
+    return fmt::format("; {} is a link to a file that is not there", (folder / file_name).string());
+  }
+  return "";
+}
+
 /// "; did you mean 'wanderer'?", or nothing.
 std::string similar_plugin(std::string_view name, const std::vector<fs::path>& folders) {
   std::set<std::string> names;
   for (const fs::path& folder : folders) {
     std::error_code error;
     for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-      if (at->path().extension() == ".so") names.insert(at->path().stem().string());
+      std::error_code unknown;
+      const bool is_there = at->is_regular_file(unknown);  // not a link that leads nowhere
+      if (is_there && at->path().extension() == ".so") names.insert(at->path().stem().string());
     }
   }
   return config::suggestion(name, {names.begin(), names.end()});
@@ -88,16 +105,17 @@ Result<const ControllerKind*> load_plugin(std::string_view name,
   if (name.empty() || name.find('/') != std::string_view::npos) {
     return fail(Errc::kInvalidArgument, fmt::format("'{}' is no name of a controller", name));
   }
+  const std::string file_name = fmt::format("{}.so", name);
   for (const fs::path& folder : folders) {
-    const fs::path file = fs::absolute(folder / fmt::format("{}.so", name));
+    const fs::path file = fs::absolute(folder / file_name);
     std::error_code ignored;
     if (fs::is_regular_file(file, ignored)) return load(file);
   }
-  return fail(
-      Errc::kNotAvailable,
-      fmt::format(
-          "no controller '{}': looked for {}.so in {}; BARAKA_CONTROLLER_PATH adds folders{}", name,
-          name, list_of(folders), similar_plugin(name, folders)));
+  return fail(Errc::kNotAvailable,
+              fmt::format("'{}' is no known controller: looked for {} in {}; "
+                          "BARAKA_CONTROLLER_PATH adds folders{}{}",
+                          name, file_name, list_of(folders), broken_link(file_name, folders),
+                          similar_plugin(name, folders)));
 }
 
 }  // namespace hal::runtime

@@ -3,6 +3,9 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <string>
+
+#include "hal/types/terminal_colours.h"
 
 namespace hal::runtime {
 
@@ -12,7 +15,7 @@ int with_output_written(int status) {
   const bool is_written = std::fflush(stdout) == 0 && std::ferror(stdout) == 0;
   if (is_written) return status;
   const char* const why = errno == 0 ? "could not be written" : std::strerror(errno);
-  std::fprintf(stderr, "error: standard output: %s\n", why);
+  print_line(Tone::kMistake, std::string("error: standard output: ") + why);
   return status == 0 ? 1 : status;
 }
 

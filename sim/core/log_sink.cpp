@@ -1,11 +1,14 @@
 #include "sim/core/log_sink.h"
 
+#include <spdlog/sinks/ansicolor_sink.h>
 #include <spdlog/sinks/basic_file_sink.h>
-#include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <cstdio>
 #include <memory>
 #include <stdexcept>
+
+#include "hal/types/terminal_colours.h"
 
 namespace sim {
 namespace {
@@ -41,7 +44,8 @@ void write(hal::log::Level level, hal::Time at, std::string_view where, std::str
 void log_to_file(const std::string& path, hal::log::Level lowest) {
   try {
     auto file = std::make_shared<spdlog::sinks::basic_file_sink_mt>(path, true);
-    auto standard_error = std::make_shared<spdlog::sinks::stderr_sink_mt>();
+    auto standard_error = std::make_shared<spdlog::sinks::ansicolor_stderr_sink_mt>(
+        hal::shows_colours(stderr) ? spdlog::color_mode::always : spdlog::color_mode::never);
     standard_error->set_level(spdlog::level::warn);
     logger() = std::make_unique<spdlog::logger>(
         "baraka", spdlog::sinks_init_list{std::move(file), std::move(standard_error)});
@@ -49,7 +53,7 @@ void log_to_file(const std::string& path, hal::log::Level lowest) {
     throw std::runtime_error(e.what());
   }
   logger()->set_level(spdlog::level::debug);
-  logger()->set_pattern("%v");
+  logger()->set_pattern("%^%v%$");  // the whole line in the colour of its level
   logger()->flush_on(spdlog::level::warn);
   hal::log::set_level(lowest);
   hal::log::set_sink(write);

@@ -137,6 +137,29 @@ agents:
         self.assertEqual(finished.status, 2, str(finished))
         self.assertRegex(finished.err, r"'wanderer' does not drive agents like m0")
 
+    def test_a_file_of_another_kind_is_the_one_mistake_where_it_is_included(self):
+        included = "agents.motes.mote.include"
+        with tempfile.TemporaryDirectory() as folder:
+            scenario = pathlib.Path(folder, "s.yaml")
+            scenario.write_text(TWO_MOTES.read_text().replace("../robots/mote.yaml", "radios/disk.yaml"))
+            line = rf"{scenario}:11:21: {included}: '\S+/radios/disk.yaml' is a radio file, not a mote; scenarios include it: " \
+                   r"radio: \{include: FILE\}\n"
+            for command in (["check"], ["run"], ["view"]):
+                said = Program("baraka", *command, scenario).finish()
+                self.assertEqual((said.status, said.out), (2, ""), str(said))
+                self.assertRegex(said.err, f"^{line}$")
+            said = Program("baraka", "check", scenario, "--set", f"{included}=robots/mote.yaml").finish()
+            self.assertEqual(said.status, 0, str(said))
+            said = Program("baraka", "check", scenario, "--set", f"{included}=robots/mote.yaml", "--set", "sed=1").finish()
+            self.assertRegex(said.err, r"^--set sed: is not a known key; .*\n$")
+        said = Program("baraka", "run", TWO_MOTES, "--set", f"{included}=robots/robertino.yaml").finish()
+        self.assertRegex(said.err, rf"^--set {included}: '\S+/robertino.yaml' is a robot file, not a mote; .*\n$")
+
+    def test_a_daemon_says_what_takes_a_file_that_is_not_for_it(self):
+        said = Program("baraka-agentd", TWO_MOTES).finish()
+        self.assertEqual((said.status, said.out, said.err),
+                         (2, "", f"{TWO_MOTES}: is a scenario file, not a hardware file; `baraka run FILE` runs it\n"))
+
     def test_a_missing_file_is_named(self):
         finished = Program("baraka", "run", "nowhere.yaml").finish()
         self.assertEqual(finished.status, 2, str(finished))
@@ -197,6 +220,21 @@ end: [{{at: 1 s, result: over}}]
             self.assertEqual(len(said), 1, said)
             self.assertIn(what, said.pop())
 
+    def test_view_of_what_is_not_there_says_what_it_takes(self):
+        takes = "; view takes folders of results, where a run wrote run.sqlite, or one scenario file"
+        (self.folder / "results").mkdir()
+        given = self.folder / "results"
+        for name, similar in (("nowhere", ""), ("resutls", f"; did you mean '{given}'?")):
+            said = Program("baraka", "view", self.folder / name).finish()
+            self.assertEqual((said.status, said.err),
+                             (2, f"error: {self.folder / name}: there is no such folder{similar}{takes}\n"))
+        said = Program("baraka", "view", "tow_motes").finish()
+        self.assertEqual((said.status, said.err),
+                         (2, f"error: tow_motes: there is no such folder; did you mean 'two_motes.yaml'?{takes}\n"))
+        said = Program("baraka", "view", "tow_motes.yaml").finish()
+        self.assertEqual(said.status, 2)
+        self.assertIn("tow_motes.yaml: there is no such file here", said.err)
+
     def test_a_report_without_the_page_says_what_is_missing(self):
         program = shutil.copy(BIN / "baraka", self.folder)  # where no page lies beside it
         finished = Program(program, "report", "-o", self.folder / "report.html", self.folder).finish()
@@ -210,6 +248,13 @@ class Export(Case):
         finished = Program("baraka", "export", *arguments).finish()
         self.assertEqual(finished.status, status, str(finished))
         return finished
+
+    def test_a_table_that_is_nearly_right_is_found(self):
+        (self.folder / "r").mkdir()
+        self.assertIn("export: 'framez' is no table of a result; did you mean 'frames'?; there are: run, ",
+                      self.export(self.folder / "r", "framez", status=2).err)
+        self.assertIn("export: 'colour' is no table of a result; there are: run, ",
+                      self.export(self.folder / "r", "colour", status=2).err)
 
     def test_every_table_comes_as_csv_with_its_units(self):
         self.run_baraka(CASE_STUDY, *IN_PROCESS, "--until", "20")
@@ -240,7 +285,7 @@ class Export(Case):
         self.run_baraka(TWO_MOTES, *IN_PROCESS)
         kept = self.folder / "kept.csv"
         kept.write_text("mine")
-        self.assertIn("'pose' is no table of a result; there are: run, settings, ",
+        self.assertIn("'pose' is no table of a result; did you mean 'poses'?; there are: run, settings, ",
                       self.export(self.out, "pose", "-o", kept, status=2).err)
         self.assertIn("nowhere", self.export(self.folder / "nowhere", "poses", "-o", kept, status=2).err)
         self.export(status=2)
@@ -280,6 +325,42 @@ class Help(unittest.TestCase):
             self.assertEqual(said.status, 0)
             self.assertRegex(said.out, r"  broken +\S+broken.so cannot be loaded: ")
             self.assertRegex(said.out, r"  wanderer +for robots")
+
+    def test_list_tells_of_links_and_folders_that_lead_nowhere(self):
+        with tempfile.TemporaryDirectory() as folder:
+            (pathlib.Path(folder) / "vanished.so").symlink_to("/nowhere/vanished.so")
+            environment = {"BARAKA_CONTROLLER_PATH": f"/nowhere:{folder}:/nowhere"}
+            said = Program("baraka", "list", "controllers", env=environment).finish()
+            self.assertEqual((said.status, said.err),
+                             (0, "warning: BARAKA_CONTROLLER_PATH: there is no folder /nowhere\n"))
+            self.assertRegex(said.out, r"  vanished +a link to /nowhere/vanished.so, which is not there\n")
+            self.assertRegex(said.out, r"  wanderer +for robots")
+            said = Program("baraka", "check", CASE_STUDY, "--set", "agents.motes.controller.program=vanished",
+                           "--set", "agents.robots.controller.program=wandrer", env=environment).finish()
+            self.assertEqual(said.status, 2, str(said))
+            self.assertEqual(said.err.count("warning: BARAKA_CONTROLLER_PATH: there is no folder /nowhere\n"), 1, said.err)
+            first, second = said.err.splitlines()[1:]
+            self.assertRegex(first, r"program: 'vanished' is no known controller: looked for vanished.so in .*"
+                                    r"vanished.so is a link to a file that is not there$")
+            self.assertRegex(second, r"program: 'wandrer' is no known controller: looked .*; did you mean 'wanderer'\?$")
+            self.assertNotIn("no controller '", said.err)
+
+    def test_list_names_what_is_no_controller_only_where_the_user_put_it(self):
+        """The folder of the program may be /usr/bin, which has an ld.so."""
+        with tempfile.TemporaryDirectory() as folder:
+            own, given = pathlib.Path(folder) / "own", pathlib.Path(folder) / "given"
+            for place in own, given:
+                place.mkdir()
+                shutil.copy(BIN / "../tests/mute.so", place)
+            shutil.copy(BIN / "wanderer.so", own)
+            (own / "gone.so").symlink_to("/nowhere/gone.so")
+            program = shutil.copy(BIN / "baraka", own)
+            alone = Program(program, "list", "controllers", env={"BARAKA_CONTROLLER_PATH": ""}).finish()
+            self.assertEqual((alone.status, alone.err), (0, ""))
+            self.assertRegex(alone.out, rf"^controllers, in {own}:\n  wanderer .*\n$")
+            both = Program(program, "list", "controllers", env={"BARAKA_CONTROLLER_PATH": given}).finish()
+            self.assertRegex(both.out, rf"^controllers, in {given}:\n  mute +\S+/given/mute.so is no controller: .*\n"
+                                       rf"controllers, in {own}:\n  wanderer .*\n$")
 
     def test_a_folder_that_is_not_there_is_not_made_for_a_project(self):
         with tempfile.TemporaryDirectory() as folder:

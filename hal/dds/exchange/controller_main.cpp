@@ -1,13 +1,22 @@
 #include <fmt/core.h>
 
-#include <cstdio>
 #include <exception>
+#include <string>
 
 #include "hal/dds/domains.h"
 #include "hal/dds/exchange/controller_process.h"
 #include "hal/dds/trust.h"
 #include "hal/runtime/standard_output.h"
 #include "hal/types/printable.h"
+#include "hal/types/terminal_colours.h"
+
+namespace {
+
+void complain(const char* program, const std::string& what) {
+  hal::print_line(hal::Tone::kMistake, fmt::format("{}: {}", program, what));
+}
+
+}  // namespace
 
 /// The program of every controller: controllers/<name> defines baraka_controller() and is linked
 /// with this.
@@ -18,13 +27,13 @@ int main(int argc, char** argv) {
     if (!parsed.options) return hal::runtime::with_output_written(parsed.exit_status);
     return static_cast<int>(hal::dds::run_controllers(kind, *parsed.options));
   } catch (const hal::dds::NoSuchDomain& error) {
-    fmt::print(stderr, "{}: {}\n", argv[0], hal::printable(error.what()));
+    complain(argv[0], hal::printable(error.what()));
     return 2;  // as for a wrong option
   } catch (const hal::dds::NoSuchUser& error) {
-    fmt::print(stderr, "{}: {}\n", argv[0], hal::printable(error.what()));
+    complain(argv[0], hal::printable(error.what()));
     return 2;
   } catch (const std::exception& error) {
-    fmt::print(stderr, "{}: {}\n", argv[0], hal::printable_lines(error.what()));
+    complain(argv[0], hal::printable_lines(error.what()));
     return 1;
   }
 }

@@ -27,6 +27,12 @@ TEST(ResultFolder, SaysWhatIsNoResult) {
     return {};
   };
   EXPECT_THAT(said(folder / "nowhere"), testing::HasSubstr("nowhere: there is no such folder"));
+  EXPECT_THAT(said(folder / "emtpy/"),
+              testing::HasSubstr("emtpy/: there is no such folder; did you mean '" +
+                                 (folder / "empty").string() + "'?; name the folder"));
+  EXPECT_THAT(said(folder / "run.sqlit"),
+              testing::HasSubstr("run.sqlit: there is no such folder; name"))
+      << "a file is no folder";
   EXPECT_THAT(said(folder / "empty"), testing::HasSubstr("empty: holds no result"));
   EXPECT_THAT(said(folder / "run.sqlite"),
               testing::EndsWith("and the folder of a result is wanted: " + folder.string()));

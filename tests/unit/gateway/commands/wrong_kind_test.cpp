@@ -16,7 +16,7 @@ class WrongKind : public hal::config::Files {
   /// What is told of a file in which a command finds the mistake "wrong".
   Lines told(const std::string& kind, const std::filesystem::path& file) {
     return messages([&] {
-      with_file_of(kind, file.string(), {}, []() -> int { throw ConfigErrors({"wrong"}); });
+      with_file_of(kind, {file.string()}, []() -> int { throw ConfigErrors({"wrong"}); });
     });
   }
   Lines shipped(const std::string& kind, const std::string& file) {
@@ -49,9 +49,63 @@ TEST_F(WrongKind, IsNotSaidOfTheRightOneNorOfWhatMayBeEither) {
   EXPECT_EQ(told("scenario", folder_ / "no.yaml"), Lines{"wrong"});
 }
 
+TEST_F(WrongKind, IsToldOfWhatIsIncluded) {
+  write("radio.yaml", "version: 1\nprofile: disk\nrange: 100 m\n");
+  write("mote.yaml", "version: 1\nmodel: cube\nsize: [5 cm, 5 cm, 5 cm]\nmass: 50 g\n");
+  write("campaign.yaml", "version: 1\nscenario: a.yaml\nreplications: 5\n");
+  const auto scenario = write("s.yaml",
+                              "version: 1\n"
+                              "include: campaign.yaml\n"
+                              "radio: {include: mote.yaml}\n"
+                              "agents:\n"
+                              "  right: {mote: {include: mote.yaml}}\n"
+                              "  wrong: {robot: {include: radio.yaml}}\n"
+                              "end: []\n");
+  EXPECT_EQ(told("scenario", scenario),
+            (Lines{"s.yaml:2:10: include: 'campaign.yaml' is a campaign file, not a scenario; "
+                   "`baraka campaign FILE` runs it",
+                   "s.yaml:3:18: radio.include: 'mote.yaml' is a mote file, not a radio; scenarios "
+                   "include it: mote: {include: FILE}",
+                   "s.yaml:6:28: agents.wrong.robot.include: 'radio.yaml' is a radio file, not a "
+                   "robot; scenarios include it: radio: {include: FILE}"}));
+  const auto hardware = write("h.yaml",
+                              "version: 1\nagent: {name: r0}\nradio: {include: part.yaml}\n"
+                              "robot: {include: mote.yaml}\n");
+  write("part.yaml", "port: 7300\n");
+  EXPECT_EQ(told("hardware", hardware),
+            (Lines{"h.yaml:4:18: robot.include: 'mote.yaml' is a mote file, not a robot; scenarios "
+                   "include it: mote: {include: FILE}"}));
+}
+
+TEST_F(WrongKind, OfIncludesIsJudgedWithTheCommandLine) {
+  write("radio.yaml", "version: 1\nprofile: disk\nrange: 100 m\n");
+  write("mote.yaml", "version: 1\nmodel: cube\nsize: [5 cm, 5 cm, 5 cm]\nmass: 50 g\n");
+  const auto file =
+      write("s.yaml", "version: 1\nradio: {include: mote.yaml}\nagents: {}\nend: []\n");
+  const auto told_with = [&](const std::string& included) {
+    return messages([&] {
+      with_file_of("scenario", {file.string(), {}, {"radio.include=" + included}},
+                   []() -> int { throw ConfigErrors({"wrong"}); });
+    });
+  };
+  EXPECT_EQ(told_with("radio.yaml"), Lines{"wrong"});
+  EXPECT_EQ(told_with("s.yaml"),
+            (Lines{"--set radio.include: 's.yaml' is a scenario file, not a radio; "
+                   "`baraka run FILE` runs it"}));
+  EXPECT_EQ(told_with("nowhere.yaml"), Lines{"wrong"});
+}
+
+TEST_F(WrongKind, IsNotSaidOfAnIncludedPartThatMayBeOfEither) {
+  write("part.yaml", "version: 1\n");
+  EXPECT_EQ(told("scenario", write("s.yaml",
+                                   "version: 1\nagents: {include: part.yaml}\n"
+                                   "radio: {include: part.yaml}\nend: []\n")),
+            Lines{"wrong"});
+}
+
 TEST_F(WrongKind, ChangesNothingWhereNothingIsWrong) {
-  EXPECT_EQ(with_file_of("scenario", "nowhere.yaml", {}, [] { return 3; }), 3);
-  EXPECT_THROW(with_file_of("scenario", "nowhere.yaml", {},
+  EXPECT_EQ(with_file_of("scenario", {"nowhere.yaml"}, [] { return 3; }), 3);
+  EXPECT_THROW(with_file_of("scenario", {"nowhere.yaml"},
                             []() -> int { throw std::runtime_error("no disk"); }),
                std::runtime_error);
 }

@@ -19,7 +19,16 @@ TEST(Suggestion, IsSilentWhenNothingIsNear) {
   EXPECT_EQ(suggestion("", kKeys), "");
 }
 
-// "ab" -> "ba" takes two letters of two: too far. One letter of three is just near enough.
+TEST(Suggestion, CountsTwoSwappedLettersAsOneEdit) {
+  EXPECT_EQ(suggestion("wrold", {"world"}), "; did you mean 'world'?");
+  EXPECT_EQ(suggestion("sefd", {"seed", "safe"}), "; did you mean 'seed'?");
+  EXPECT_EQ(suggestion("slto", kKeys), "; did you mean 'slot'?");
+  EXPECT_EQ(suggestion("edn", {"end"}), "; did you mean 'end'?");
+  EXPECT_EQ(suggestion("wlrod", {"world"}), "") << "two swaps of five letters";
+  EXPECT_EQ(suggestion("ca", {"abc"}), "") << "no letter is edited twice";
+}
+
+// "ab" -> "ba" is one edit of two letters: too far. One letter of three is just near enough.
 TEST(Suggestion, AllowsAThirdOfTheLettersToDiffer) {
   EXPECT_EQ(suggestion("ba", {"ab"}), "");
   EXPECT_EQ(suggestion("abd", {"abc"}), "; did you mean 'abc'?");

@@ -208,8 +208,25 @@ TEST(LoadPlugin, NamesTheFoldersItLookedIn) {
   ASSERT_FALSE(kind.has_value());
   EXPECT_EQ(kind.error().code, hal::Errc::kNotAvailable);
   EXPECT_EQ(kind.error().message,
-            "no controller 'nobody': looked for nobody.so in /nowhere, /elsewhere; "
+            "'nobody' is no known controller: looked for nobody.so in /nowhere, /elsewhere; "
             "BARAKA_CONTROLLER_PATH adds folders");
+}
+
+TEST(LoadPlugin, TellsOfALinkThatLeadsNowhereAndDoesNotSuggestIt) {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "baraka_dangling";
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  std::filesystem::create_symlink("/nowhere/x.so", folder / "vanished.so");
+  for (const char* const name : {"vanished", "vanishde"}) {
+    const auto kind = hal::runtime::load_plugin(name, {folder});
+    ASSERT_FALSE(kind.has_value());
+    EXPECT_EQ(kind.error().code, hal::Errc::kNotAvailable);
+    EXPECT_EQ(kind.error().message.find("did you mean"), std::string::npos);
+    const auto link =
+        kind.error().message.find("vanished.so is a link to a file that is not there");
+    EXPECT_EQ(link != std::string::npos, name == std::string("vanished")) << kind.error().message;
+  }
+  std::filesystem::remove_all(folder);
 }
 
 TEST(LoadPlugin, TakesNoPathForAName) {
@@ -245,7 +262,7 @@ TEST(LoadPlugin, RefusesOtherHeadersAndLibrariesThatAreNoController) {
   EXPECT_NE(foreign.error().message.find("was built with other headers"), std::string::npos);
   const auto mute = hal::runtime::load_plugin("mute", folders);
   ASSERT_FALSE(mute.has_value());
-  EXPECT_EQ(mute.error().code, hal::Errc::kProtocol);
+  EXPECT_EQ(mute.error().code, hal::Errc::kInvalidArgument);
   EXPECT_NE(mute.error().message.find("mute.so is no controller"), std::string::npos);
 }
 
