@@ -39,7 +39,7 @@ install(DIRECTORY templates DESTINATION ${baraka_share} USE_SOURCE_PERMISSIONS C
 install(DIRECTORY idl DESTINATION ${baraka_share} COMPONENT program FILES_MATCHING PATTERN *.idl)
 install(FILES ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/report_page.html
   ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/view_page.html DESTINATION ${baraka_share} COMPONENT program OPTIONAL)
-install(FILES README.md CHANGELOG.md LICENSE DESTINATION share/doc/baraka COMPONENT program)
+install(FILES README.md CHANGELOG.md CONTRIBUTING.md CITATION.cff LICENSE DESTINATION share/doc/baraka COMPONENT program)
 install(DIRECTORY docs DESTINATION share/doc/baraka COMPONENT program OPTIONAL)
 
 install(TARGETS baraka-agentd RUNTIME DESTINATION bin COMPONENT agentd)
