@@ -370,8 +370,8 @@ class Runs(Air):
     def test_through_an_access_point(self):
         cell = "radio: {include: radios/ieee80211b.yaml, bss: {access_point: ap}}\n"
         scenario = self.scenario(
-            station("ap", 0), station("a", 5, program("ping", "ping", "-c", "5", "-i", "0.1", "b", start="2 s",
-                                                      on_exit="end")),
+            station("ap", 0), station("a", 5, program("ping", "ping", "-c", "5", "-i", "0.5", "b", start="2 s",
+                                                      on_exit="end")),  # it waits for the last as long as between two
             station("b", -5), radio=cell)
         finished = self.run_baraka(scenario)
         self.assertEqual(finished["result"], "ping", str(finished))
