@@ -5,13 +5,16 @@
 #     share/baraka    robots, radios, scenarios, campaigns, hardware, viewers; templates of `baraka new-controller`;
 #                     IDL; the pages of the report and of the view, if they were built
 #     share/doc       README, docs, licence
+#     share/man       a page for each command; share/bash-completion
 #   dev (libbaraka-dev)
 #     lib/baraka      the libraries a controller is linked with
 #     lib/cmake       find_package(baraka)
 #     include/baraka  hal/api and hal/types: what a controller may include
 #   agentd (baraka-agentd)
-#     bin             baraka-agentd
+#     bin             baraka-agentd; its manual page and completion as above
 #     lib/systemd     the service of an agent; lib/sysusers.d: its user
+#   doc (baraka-doc)
+#     share/doc       the site of docs/, if it was built
 # No file knows the prefix: programs find the rest from where they are.
 include(CMakePackageConfigHelpers)
 set(baraka_share share/baraka)
@@ -36,18 +39,24 @@ endforeach()
 install(DIRECTORY config/ DESTINATION ${baraka_share} COMPONENT program PATTERN invalid EXCLUDE
   PATTERN systemd EXCLUDE PATTERN doubtful EXCLUDE)
 install(DIRECTORY templates DESTINATION ${baraka_share} USE_SOURCE_PERMISSIONS COMPONENT program)
-install(DIRECTORY idl DESTINATION ${baraka_share} COMPONENT program FILES_MATCHING PATTERN *.idl)
+install(DIRECTORY idl DESTINATION ${baraka_share} COMPONENT program FILES_MATCHING PATTERN *.idl PATTERN ros EXCLUDE)
 install(FILES ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/report_page.html
   ${CMAKE_RUNTIME_OUTPUT_DIRECTORY}/view_page.html DESTINATION ${baraka_share} COMPONENT program OPTIONAL)
+install(DIRECTORY ${manual}/baraka/man1 DESTINATION share/man COMPONENT program)
+install(DIRECTORY ${manual}/baraka/completions DESTINATION share/bash-completion COMPONENT program)
 install(FILES README.md CHANGELOG.md CONTRIBUTING.md CITATION.cff LICENSE DESTINATION share/doc/baraka COMPONENT program)
 install(DIRECTORY docs DESTINATION share/doc/baraka COMPONENT program OPTIONAL)
 
 install(TARGETS baraka-agentd RUNTIME DESTINATION bin COMPONENT agentd)
+install(DIRECTORY ${manual}/baraka-agentd/man1 DESTINATION share/man COMPONENT agentd)
+install(DIRECTORY ${manual}/baraka-agentd/completions DESTINATION share/bash-completion COMPONENT agentd)
 install(FILES config/systemd/baraka-agentd@.service DESTINATION lib/systemd/system COMPONENT agentd)
 install(FILES config/systemd/baraka.conf DESTINATION lib/sysusers.d COMPONENT agentd)
 
-install(TARGETS baraka_determinism hal_types hal_config hal_api hal_exchange hal_runtime idl hal_rtps hal_dds
-  hal_dds_exchange
+install(DIRECTORY ${site}/ DESTINATION share/doc/baraka-doc/html COMPONENT doc OPTIONAL)
+
+install(TARGETS baraka_determinism hal_types hal_api hal_node_exchange hal_files_config hal_rtps idl
+  gateway_process gateway_guard gateway_domain gateway_runtime gateway_exchange
   EXPORT baraka ARCHIVE DESTINATION lib/baraka COMPONENT dev)
 install(DIRECTORY hal/api hal/types DESTINATION include/baraka/hal COMPONENT dev
   FILES_MATCHING PATTERN *.h)

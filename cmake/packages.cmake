@@ -1,4 +1,4 @@
-# The target `packages`: three Debian packages in <build>/packages, by CPack. What they need of other
+# The target `packages`: three Debian packages in <build>/packages, by CPack, and baraka-doc where the site was built. What they need of other
 # packages is computed by dpkg-shlibdeps, but for the headers that libbaraka-dev leads to.
 set(CPACK_GENERATOR DEB)
 set(CPACK_VERBATIM_VARIABLES ON)
@@ -9,7 +9,7 @@ set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXE
     GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 set(CPACK_PACKAGE_CONTACT "The BARAKA authors")
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
-set(CPACK_COMPONENTS_ALL program dev agentd)
+set(CPACK_COMPONENTS_ALL program dev agentd doc)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
@@ -42,12 +42,22 @@ set(CPACK_DEBIAN_AGENTD_PACKAGE_CONTROL_EXTRA ${PROJECT_SOURCE_DIR}/cmake/agentd
     ${PROJECT_SOURCE_DIR}/cmake/agentd/prerm)
 set(CPACK_DEBIAN_AGENTD_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 
+set(CPACK_DEBIAN_DOC_PACKAGE_NAME baraka-doc)
+set(CPACK_DEBIAN_DOC_PACKAGE_SECTION doc)
+set(CPACK_DEBIAN_DOC_PACKAGE_ARCHITECTURE all)
+set(CPACK_DEBIAN_DOC_DESCRIPTION "documentation of BARAKA as a site with a search
+Tutorial, how-to pages, reference of files, results and the C++ API, and background, in
+/usr/share/doc/baraka-doc/html.")
+
 foreach(component IN LISTS CPACK_COMPONENTS_ALL)
   string(TOUPPER ${component} upper)
   install(FILES LICENSE DESTINATION share/doc/${CPACK_DEBIAN_${upper}_PACKAGE_NAME}
     RENAME copyright COMPONENT ${component})
 endforeach()
 
+# Read by cpack when it runs: whether there is a site is known only then.
+set(CPACK_PROJECT_CONFIG_FILE ${PROJECT_SOURCE_DIR}/cmake/without_site.cmake)
+set(CPACK_BARAKA_SITE ${site})
 include(CPack)
 add_custom_target(packages
   COMMAND ${CMAKE_COMMAND} -E rm -rf ${CPACK_OUTPUT_FILE_PREFIX}

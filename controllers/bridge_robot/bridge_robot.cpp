@@ -148,7 +148,7 @@ void BridgeRobot::drive(hal::Vec2 to, double distance) {
   hal::Vec2 way = 1 / distance * to;
   for (const auto& [heading, range] : *infrared) {
     const hal::Vec2 look{hal::math::cos(heading), hal::math::sin(heading)};
-    if (range < kTooNear && dot(look, way) > 0.5) way = {-look.y, look.x};
+    if (range < kTooNear && hal::dot(look, way) > 0.5) way = {-look.y, look.x};
   }
   const double speed = parameters_["speed"];
   (void)robot_.set_body_velocity({.vx = speed * way.x, .vy = speed * way.y});

@@ -9,7 +9,7 @@ void GapMote::start() {
   const std::string& sink = parameters_.text("sink");
   is_sink_ = mote_.name() == sink;
   const auto address = mote_.address_of(sink);
-  if (!address) mote_.log(hal::log::Level::kError, "nobody is called like its sink, " + sink);
+  if (!address) mote_.log(hal::log::Level::kError, "no agent has the name of its sink, " + sink);
   sink_ = address.value_or(hal::AgentId{});
   heard_at_ = mote_.now();
   // Not all at once.

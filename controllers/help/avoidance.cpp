@@ -25,17 +25,17 @@ constexpr auto kSameWall = 5s;  // met again within this: the same wall, the sam
 
 Vec2 left_of(Vec2 v) { return {-v.y, v.x}; }
 double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
-double length(Vec2 v) { return std::sqrt(dot(v, v)); }
+double length(Vec2 v) { return std::sqrt(hal::dot(v, v)); }
 Vec2 unit(Vec2 v) { return 1 / length(v) * v; }
 
 /// The frame whose x axis is `way`, and back.
-Vec2 to_way_frame(Vec2 way, Vec2 v) { return {dot(way, v), cross(way, v)}; }
+Vec2 to_way_frame(Vec2 way, Vec2 v) { return {hal::dot(way, v), cross(way, v)}; }
 Vec2 from_way_frame(Vec2 way, Vec2 v) { return v.x * way + v.y * left_of(way); }
 
 /// Normal, towards the robot, of the straight surface through two points.
 Vec2 normal_through(Vec2 a, Vec2 b) {
   const Vec2 normal = unit(left_of(b - a));
-  return dot(normal, a) > 0 ? -1.0 * normal : normal;
+  return hal::dot(normal, a) > 0 ? -1.0 * normal : normal;
 }
 
 /// How fast to turn so that the sensor nearest to the direction of the drive looks along it.
@@ -79,7 +79,7 @@ Avoidance::Points Avoidance::points_of(const std::vector<hal::InfraredReading>& 
 std::optional<double> Avoidance::gap_along(Vec2 direction, const Points& seen, double width) const {
   std::optional<double> gap;
   for (const Vec2 point : seen) {
-    const double ahead = dot(direction, point);
+    const double ahead = hal::dot(direction, point);
     if (ahead <= 0 || std::abs(cross(direction, point)) >= width) continue;
     gap = std::min(gap.value_or(ahead), ahead - limits_.body_radius);
   }
@@ -128,7 +128,7 @@ void Avoidance::look_at_wall(Vec2 way, const Points& seen) {
   // what it was, unless the point is where the wall is not.
   constexpr double kOnTheWall = 0.3;  // cosine of the angle to the wall's normal
   const Vec2 towards_robot = to_way_frame(way, -1.0 * unit(seen[0]));
-  if (dot(towards_robot, normal_) < kOnTheWall) normal_ = towards_robot;
+  if (hal::dot(towards_robot, normal_) < kOnTheWall) normal_ = towards_robot;
 }
 
 Vec2 Avoidance::towards_point(Vec2 way, const Points& seen) const {
@@ -152,7 +152,7 @@ Vec2 Avoidance::along_wall(Vec2 way, const Points& seen, hal::Time now) const {
   const double start = std::min(1.0, (now - following_since_) / kSoftStart);
   double keeping = 0;
   if (!seen.empty()) {
-    const double error = wall_width() + dot(normal, seen.front());
+    const double error = wall_width() + hal::dot(normal, seen.front());
     keeping = std::clamp(kKeepingGain * error, -kKeepingSpeed, kKeepingSpeed);
   }
   return std::min(room, start) * limits_.speed * tangent + keeping * normal;

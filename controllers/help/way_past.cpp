@@ -12,15 +12,15 @@ Vec2 way_past(Vec2 way, std::span<const double> localised, double clearance) {
   std::optional<Vec2> nearest;
   for (std::size_t i = 0; i + 2 < localised.size(); i += 3) {
     const Vec2 agent{localised[i + 1], localised[i + 2]};
-    const double ahead = dot(way, agent);
-    if (ahead <= 0 || ahead > kLookAhead || std::abs(dot(left, agent)) >= clearance) continue;
-    if (!nearest || ahead < dot(way, *nearest)) nearest = agent;
+    const double ahead = hal::dot(way, agent);
+    if (ahead <= 0 || ahead > kLookAhead || std::abs(hal::dot(left, agent)) >= clearance) continue;
+    if (!nearest || ahead < hal::dot(way, *nearest)) nearest = agent;
   }
   if (!nearest) return way;
   // Past the side on which there is less to go round; the left one if it stands in the middle.
-  const double side = dot(left, *nearest) > 0 ? -1 : 1;
+  const double side = hal::dot(left, *nearest) > 0 ? -1 : 1;
   const Vec2 beside = *nearest + side * clearance * left;
-  return 1 / std::sqrt(dot(beside, beside)) * beside;
+  return 1 / std::sqrt(hal::dot(beside, beside)) * beside;
 }
 
 }  // namespace controllers

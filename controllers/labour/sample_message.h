@@ -13,8 +13,8 @@ namespace controllers {
 
 /// One of the messages of a burst of samples, from an agent to the sink.
 struct SampleMessage {
-  std::uint32_t burst =
-      0;  ///< Number of the burst among the sender's, from 1; later ones have greater ones.
+  /// Number of the burst among the sender's, from 1; later ones have greater ones.
+  std::uint32_t burst = 0;
   std::uint16_t index = 0;   ///< Of the message in the burst, from 0.
   std::uint16_t needed = 1;  ///< So many different ones of the burst make it good.
   bool operator==(const SampleMessage&) const = default;

@@ -11,9 +11,10 @@
 
 namespace hal {
 
-/// The behaviour of one agent. The HAL calls it, one callback at a time, never re-entrant. It gets
-/// its Mote& or Robot& in the constructor and keeps it for life. No mutable globals: in process all
-/// agents would share them. A callback that throws ends the run; the message is reported.
+/// The behaviour of one agent. The HAL calls one callback at a time, never re-entrantly. The
+/// constructor gets the Mote& or Robot&, which is valid for the life of the controller. Do not use
+/// mutable globals: in process all agents would share them. A callback that throws ends the run;
+/// the message is reported.
 class Controller {
  public:
   virtual ~Controller() = default;
@@ -21,55 +22,65 @@ class Controller {
   /// the agent's own phase of less than a control period: timers set here differ between agents.
   virtual void start() {}
   virtual void step() {}  ///< Once per control cycle.
+  /// A message has arrived: for this agent, for kEveryone, or for kNeighbours of its sender.
   virtual void receive(const Message& message) { (void)message; }
+  /// A timer of RealWorldObject::set_timer() has expired.
   virtual void timer(TimerId id) { (void)id; }
+  /// The result of a message that this agent sent.
+  /// @param id  as RealWorldObject::send() returned it.   @param fate  the result.
   virtual void notice(MessageId id, Fate fate) { (void)id, (void)fate; }
   virtual void stop() {}  ///< Once, when the run ends.
 };
 
 /// A value that a controller records.
 struct RecordSpec {
-  std::string name{};
-  std::string unit{};  ///< "s", "m", "1" for a plain number or a share, …
-  std::string meaning{};
+  std::string name{};     ///< As in RealWorldObject::record().
+  std::string unit{};     ///< "s", "m", "1" for a plain number or a share, …
+  std::string meaning{};  ///< One line for people.
 };
 
-/// What is wrong with parameters together, each of which may be as it is.
+/// A contradiction between parameters that are valid one by one.
 struct ParameterMistake {
-  std::string name{};     ///< Of the parameter that is said to be wrong.
+  std::string name{};     ///< The parameter to report as wrong.
   std::string what{};     ///< "1 s is before `start`, 2 s".
-  bool can_work = false;  ///< It is hardly meant, but allowed: a warning.
+  bool can_work = false;  ///< Permitted but probably unintended: reported as a warning.
 };
 
-/// What there is to know about a kind of controller before one is made.
+/// Description of a kind of controller.
 struct ControllerKind {
+  /// Makes the controller of one mote, e.g. hal::make_for_mote<HelpMote>.
   using MakeForMote = std::unique_ptr<Controller> (*)(Mote&, const Parameters&);
+  /// Returns contradictions between parameters; empty if there are none.
   using Judge = std::vector<ParameterMistake> (*)(const Parameters&);
+  /// Makes the controller of one robot, e.g. hal::make_for_robot<Wanderer>.
   using MakeForRobot = std::unique_ptr<Controller> (*)(Robot&, const Parameters&);
 
-  /// Digest of the HAL's headers this was compiled with. A plug-in with another one is refused: so
-  /// this stays the first member, where it can be read however the rest has changed.
+  /// Digest of the HAL's headers at compile time. A plug-in with another digest is refused. This
+  /// stays the first member, so that it can be read whatever else has changed.
   std::string build_id = BARAKA_HAL_DIGEST;
-  std::string name{};  ///< Of the program, e.g. "help_mote".
-  Wants wants{};
-  std::vector<ParameterSpec> parameters{};
-  /// Judges parameters together before a run, each of them already checked. Null: all go together.
+  std::string name{};                       ///< Of the program, e.g. "help_mote".
+  Wants wants{};                            ///< Channels, topics and names that it subscribes to.
+  std::vector<ParameterSpec> parameters{};  ///< All parameters that a scenario may set.
+  /// Checks the combination of parameters before a run, each already checked by itself. Null: all
+  /// combinations are valid.
   Judge judge = nullptr;
-  /// Every name it calls RealWorldObject::state() with, so that a scenario that waits for another
-  /// one is refused before it runs; other names are refused then. Empty: any name, unchecked.
+  /// All names that it passes to RealWorldObject::state(). Then a scenario that waits for another
+  /// state is refused before it runs, and state() refuses other names. Empty: any name, unchecked.
   std::vector<std::string> states{};
-  /// Every name it calls RealWorldObject::record() with, so that a scenario that observes another
-  /// one is refused before it runs, and results have its unit; other names are refused then. Empty:
-  /// any name, unchecked.
+  /// All names that it passes to RealWorldObject::record(). Then a scenario that observes another
+  /// value is refused before it runs, results have the unit, and record() refuses other names.
+  /// Empty: any name, unchecked.
   std::vector<RecordSpec> records{};
   MakeForMote make_for_mote = nullptr;    ///< Null: does not run on motes.
   MakeForRobot make_for_robot = nullptr;  ///< Null: does not run on robots.
 };
 
+/// For ControllerKind::make_for_mote: T has a constructor T(Mote&, const Parameters&).
 template <class T>
 std::unique_ptr<Controller> make_for_mote(Mote& mote, const Parameters& parameters) {
   return std::make_unique<T>(mote, parameters);
 }
+/// For ControllerKind::make_for_robot: T has a constructor T(Robot&, const Parameters&).
 template <class T>
 std::unique_ptr<Controller> make_for_robot(Robot& robot, const Parameters& parameters) {
   return std::make_unique<T>(robot, parameters);
@@ -77,8 +88,8 @@ std::unique_ptr<Controller> make_for_robot(Robot& robot, const Parameters& param
 
 }  // namespace hal
 
-/// The one entry of a controller's object library: the generic main links it, a plug-in exports it.
-/// Defined once per controller, by
+/// The entry point of a controller's object library: the generic main links it, a plug-in exports
+/// it. Define it once per controller, by
 ///   BARAKA_CONTROLLER { return {.name = "wanderer", .wants = {{"infrared"}},
 ///                               .make_for_robot = hal::make_for_robot<Wanderer>}; }
 #define BARAKA_CONTROLLER                                                      \
@@ -90,4 +101,6 @@ std::unique_ptr<Controller> make_for_robot(Robot& robot, const Parameters& param
   }                                                                            \
   static hal::ControllerKind baraka_describe_controller()
 
+/// The function that BARAKA_CONTROLLER defines. Its result is valid for the life of the program or
+/// plug-in.
 extern "C" const hal::ControllerKind* baraka_controller();

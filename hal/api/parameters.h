@@ -12,11 +12,13 @@
 
 namespace hal {
 
+/// Kind of a parameter, determined by its default.
 enum class ParameterKind : std::uint8_t { kNumber, kFlag, kText, kNumbers, kTexts };
 
-/// A number [SI], true or false, a text, or a list of numbers or of texts.
+/// Value of a parameter: a number [SI], a flag, a text, or a list of numbers or of texts.
 class ParameterValue {
  public:
+  /// A number [SI], or of a bool a flag.
   template <class Number>
   requires(std::integral<Number> || std::floating_point<Number>)
       ParameterValue(Number number) {  // NOLINT(google-explicit-constructor)
@@ -26,40 +28,43 @@ class ParameterValue {
       value_ = static_cast<double>(number);
     }
   }
-  ParameterValue(const char* text) : value_(std::string(text)) {}             // NOLINT
-  ParameterValue(std::string text) : value_(std::move(text)) {}               // NOLINT
-  ParameterValue(std::vector<double> list) : value_(std::move(list)) {}       // NOLINT
+  /// A text.
+  ParameterValue(const char* text) : value_(std::string(text)) {}  // NOLINT
+  /// A text.
+  ParameterValue(std::string text) : value_(std::move(text)) {}  // NOLINT
+  /// A list of numbers [SI].
+  ParameterValue(std::vector<double> list) : value_(std::move(list)) {}  // NOLINT
+  /// A list of texts.
   ParameterValue(std::vector<std::string> list) : value_(std::move(list)) {}  // NOLINT
 
-  ParameterKind kind() const;
+  ParameterKind kind() const;  ///< Which of the five functions below is valid.
 
-  // The value. @pre it is of that kind; aborts otherwise.
-  double number() const;
-  bool flag() const;
-  const std::string& text() const;
-  const std::vector<double>& numbers() const;
-  const std::vector<std::string>& texts() const;
+  double number() const;                          ///< SI. @pre it is a number; aborts otherwise.
+  bool flag() const;                              ///< @pre it is a flag; aborts otherwise.
+  const std::string& text() const;                ///< @pre it is a text; aborts otherwise.
+  const std::vector<double>& numbers() const;     ///< SI. @pre it is such a list; aborts otherwise.
+  const std::vector<std::string>& texts() const;  ///< @pre it is such a list; aborts otherwise.
 
+  /// Of the same kind and equal.
   bool operator==(const ParameterValue&) const = default;
 
  private:
   std::variant<double, bool, std::string, std::vector<double>, std::vector<std::string>> value_;
 };
 
-/// What a text parameter names, or each text of a list. Names that nobody has are found before a
-/// run.
+/// What a text parameter, or each text of a list, names. Unknown names are reported before a run.
 enum class Naming : std::uint8_t {
   kNothing,
   kAgent,       ///< An agent of the scenario.
-  kOtherAgent,  ///< Likewise, and not the one that has the parameter.
-  kSentTopic,   ///< A topic on which it sends.
-  kHeardTopic,  ///< A topic that it hears.
+  kOtherAgent,  ///< An agent other than the one that has the parameter.
+  kSentTopic,   ///< A topic on which the controller sends.
+  kHeardTopic,  ///< A topic that the controller receives.
 };
 
 class Parameters;
 
-/// One parameter a controller understands, so that `baraka check` can judge a scenario without
-/// running the controller. Its default says of what kind it is:
+/// A parameter of a controller, by which `baraka check` checks a scenario without running the
+/// controller. The default determines its kind:
 ///
 ///   {"speed", "m/s", 0.5, 0, 2, "How fast."}
 ///   {.name = "patrols", .default_value = false, .meaning = "Whether it goes round when idle."}
@@ -70,37 +75,44 @@ class Parameters;
 ///   {.name = "to", .default_value = "everyone", .meaning = "Name of an agent, or `everyone`.",
 ///    .names = hal::Naming::kAgent}
 struct ParameterSpec {
-  std::string name{};
+  std::string name{};  ///< As in `parameters:` of a scenario.
   std::string unit{};  ///< "s", "m", "m/s", "1" for a plain number, …; of numbers only.
   ParameterValue default_value = 0;    ///< In SI units. Infinity: "never" or "none" in a file.
-  double low = 0, high = 0;            ///< Inclusive range of each number, SI.
+  double low = 0;                      ///< Least value of each number, SI.
+  double high = 0;                     ///< Largest value of each number, SI.
   std::string meaning{};               ///< One line for people.
-  std::vector<std::string> choices{};  ///< The texts that it may be. Empty: any.
-  Naming names = Naming::kNothing;     ///< Of a text, or of each of a list.
-  std::vector<std::string> besides{};  ///< Texts that name none, beside the default.
-  /// Whether what it names matters, with the others as they are. Null: always.
+  std::vector<std::string> choices{};  ///< Permitted texts. Empty: any.
+  Naming names = Naming::kNothing;     ///< What a text, or each text of a list, names.
+  std::vector<std::string> besides{};  ///< Permitted texts that are no names, beside the default.
+  /// Whether the named thing is used with the other parameters as they are. Null: always.
   bool (*is_used)(const Parameters&) = nullptr;
 };
 
-/// The checked values of one agent's parameters, in SI units, defaults filled in.
+/// The checked parameters of one agent, in SI units, including defaults.
 class Parameters {
  public:
+  /// By their names.
   using Values = std::map<std::string, ParameterValue, std::less<>>;
 
   Parameters() = default;
-  /// @param given  names of those that are not left at their defaults.
+  /// @param values  one for each parameter of the kind, in SI units.
+  /// @param given  names of those that the scenario sets.
   explicit Parameters(Values values, std::set<std::string, std::less<>> given = {})
       : values_(std::move(values)), given_(std::move(given)) {}
 
-  // @pre the controller's kind declares a parameter of that name, with a default of that kind;
-  //   aborts otherwise.
+  /// The number with this name, SI. @pre of this and the next four: the controller declares a
+  /// parameter with this name and kind; aborts otherwise.
   double operator[](std::string_view name) const { return at(name).number(); }
+  /// The flag of that name.
   bool flag(std::string_view name) const { return at(name).flag(); }
+  /// The text of that name.
   const std::string& text(std::string_view name) const { return at(name).text(); }
+  /// The numbers of that name, SI.
   const std::vector<double>& numbers(std::string_view name) const { return at(name).numbers(); }
+  /// The texts of that name.
   const std::vector<std::string>& texts(std::string_view name) const { return at(name).texts(); }
 
-  /// Whether the scenario gives it, be it with the value of the default.
+  /// Whether the scenario sets it, even to the default.
   bool is_given(std::string_view name) const { return given_.contains(name); }
 
  private:

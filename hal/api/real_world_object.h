@@ -19,8 +19,8 @@
 
 namespace hal {
 
-/// What an agent knows of its network: the part of the routing tables and the neighbours that its
-/// controller asked for (Wants in controller.h), as of the event being handled.
+/// The agent's view of its network: routes and neighbours to which its controller subscribes (Wants
+/// in controller.h), as of the event being handled.
 class Network {
  public:
   virtual ~Network() = default;
@@ -29,7 +29,7 @@ class Network {
   /// Classes the controller does not watch are always empty.
   virtual std::vector<Route> routes(std::string_view topic, AgentId destination) const = 0;
 
-  /// Nodes heard directly, by address; empty unless the controller asked for neighbours.
+  /// Nodes heard directly, by address; empty unless the controller subscribes to neighbours.
   virtual const std::vector<Neighbour>& neighbours() const = 0;
 
   /// Forgets every route of the class to the destination, at this node only.
@@ -37,48 +37,52 @@ class Network {
   virtual Result<void> invalidate(std::string_view topic, AgentId destination) = 0;
 };
 
-/// A thing in the world with a radio: what motes and robots share.
+/// An agent with a radio: the common interface of motes and robots.
 ///
-/// Contract: every call is made from within a callback of the controller, on the thread that runs
-/// it; any other call throws std::logic_error. SI units, radians, x forward, y left, z up.
+/// Call these functions only from within a callback of the controller, on the thread that runs it;
+/// any other call throws std::logic_error. SI units, radians, x forward, y left, z up.
 class RealWorldObject {
  public:
   virtual ~RealWorldObject() = default;
 
+  /// Address of this agent, 1..kLastAddress.
   virtual AgentId id() const = 0;
+  /// Name of this agent, for people; valid for the life of the controller.
   virtual std::string_view name() const = 0;
-  virtual Time now() const = 0;  ///< Time of the event being handled.
-  virtual Duration control_period() const = 0;
+  virtual Time now() const = 0;                 ///< Time of the event being handled.
+  virtual Duration control_period() const = 0;  ///< Between two calls of Controller::step().
 
-  /// Network interface on which this controller may open sockets and DDS participants of its own,
-  /// and on no other: in the simulator "wlan0" if the controller runs inside the agent's network,
-  /// on hardware the card that the agent's file names for it. What is sent there is on the air.
-  /// Empty: there is none. Valid for the life of the controller.
+  /// The only network interface on which this controller may open its own sockets and DDS
+  /// participants: in the simulator "wlan0" if the controller runs inside the agent's network, on
+  /// hardware the card that the agent's file names for it. Packets sent there use the radio. Empty:
+  /// there is none. Valid for the life of the controller.
   virtual std::string_view air_interface() const = 0;
 
-  /// Address of the agent of that name; none: nobody is known by it. The simulator knows every
-  /// agent of the run, a daemon its own one and those on the map of its file. Only for controllers
-  /// that ask (Wants::names); for others always none, which is logged once.
+  /// Address of the agent with this name; nullopt if it is unknown. The simulator knows every agent
+  /// of the run, a daemon its own and those on the map of its file. Only for controllers that
+  /// request names (Wants::names); for others always nullopt, which is logged once.
   virtual std::optional<AgentId> address_of(std::string_view name) const = 0;
   /// Name of the agent with that address, likewise; valid for the life of the controller.
   virtual std::optional<std::string_view> name_of(AgentId agent) const = 0;
 
-  /// Sends `payload` to one agent over as many hops as it takes, to kEveryone in a flood, or to
-  /// kNeighbours: to whoever hears it, once. What became of it comes back in Controller::notice.
+  /// Sends `payload` to one agent over any number of hops, to kEveryone by flooding, or to
+  /// kNeighbours by one broadcast. Controller::notice reports the result.
+  /// @param destination  an agent, kEveryone or kNeighbours.
   /// @param topic    message class, 1..kMaxTopic bytes.   @param payload  0..kMaxPayload bytes.
   /// Errors: kInvalidArgument (sizes; destination is this agent itself; a topic more than the
   /// kMaxTopics that one agent may use).
   virtual Result<MessageId> send(AgentId destination, std::string_view topic,
                                  std::span<const std::uint8_t> payload) = 0;
 
+  /// Routes and neighbours to which this controller subscribes.
   virtual Network& network() = 0;
-  virtual const Network& network() const = 0;
+  virtual const Network& network() const = 0;  ///< The same, read-only.
 
   /// Controller::timer(id) is called at `at`. Setting the same id again moves it.
   /// Errors: kInvalidArgument (`at` is before now()).
   virtual Result<void> set_timer(TimerId id, Time at) = 0;
 
-  /// Every channel this agent offers to this controller.
+  /// The channels that this agent offers to this controller.
   virtual std::span<const Channel> channels() const = 0;
 
   /// Latest values of a channel, held until the next sample. Valid until the callback returns.
@@ -92,9 +96,8 @@ class RealWorldObject {
   /// range).
   virtual Result<Vec2> relative_position(AgentId other) const = 0;
 
-  /// State of charge, 0..1: a share of this battery's own capacity. To compare agents, or a way
-  /// with what is left, take battery_energy(). Errors: kNotAvailable (the agent has no battery
-  /// gauge).
+  /// State of charge, 0..1, of this battery's capacity. Use battery_energy() to compare agents or
+  /// to estimate a range. Errors: kNotAvailable (the agent has no battery gauge).
   virtual Result<double> battery() const = 0;
 
   /// Energy in the battery now, J. Errors: kNotAvailable (no battery gauge, or one that does not
@@ -104,27 +107,29 @@ class RealWorldObject {
   /// Energy in the battery when it is full, J. Errors: as of battery_energy().
   virtual Result<double> battery_capacity() const = 0;
 
-  /// Switches the radio. Off: frames in the air are cut, the queue is dropped.
+  /// Switches the radio on or off. Off: the frame on the air is cut, the queue is dropped.
   virtual void set_radio(bool on) = 0;
 
   /// This agent's own stream; equal seeds give equal numbers.
   virtual RandomStream& random() = 0;
 
-  /// Names the state the controller is in, for the record and for end conditions.
+  /// Declares the state of the controller, for the results and for end conditions.
   /// @param name  1..kMaxRecordedName bytes, longer names are cut. One of ControllerKind::states,
-  ///   if it declares any: others are refused, which is logged once.
+  ///   if it declares any: other names are refused, which is logged once.
   virtual void state(std::string_view name) = 0;
 
-  /// Puts a number of the controller's own into the results (table `recorded`) and before readers
-  /// of inspection (rt/baraka/values), with the time of now(): record("distance", 0.35).
+  /// Records a number in the results (table `recorded`) and publishes it for tools
+  /// (rt/baraka/values), with the time now(): record("distance", 0.35).
   /// @param name  1..kMaxRecordedName bytes, none of them zero; an agent may use kMaxRecordedNames
   ///   names. One of ControllerKind::records, if it declares any.
-  /// @param value  finite. What is not so is refused, which is logged once.
+  /// @param value  finite. Other names and values are refused, which is logged once.
   virtual void record(std::string_view name, double value) = 0;
 
+  /// One line in the log of the run, or of the daemon, with the time of now().
   virtual void log(log::Level level, std::string_view text) = 0;
 };
 
+/// An agent without wheels: a sensor node or a station.
 class Mote : public RealWorldObject {};
 
 }  // namespace hal

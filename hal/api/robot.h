@@ -8,10 +8,10 @@
 
 namespace hal {
 
-/// What a drive command came to.
+/// Effect of a drive command.
 struct Drive {
-  Twist2 applied;          ///< What the motors will be asked for, body frame.
-  bool saturated = false;  ///< The command was beyond a motor's limit and was scaled down.
+  Twist2 applied;          ///< Velocity that the motors are to reach, body frame.
+  bool saturated = false;  ///< The command exceeded a motor's limit and was scaled down.
   /// Part of the command was not feasible and was left out: the sideways part for a robot on two
   /// fixed wheels.
   bool restricted = false;
@@ -20,33 +20,35 @@ struct Drive {
 /// One infrared ranging sensor.
 struct InfraredReading {
   double heading = 0;  ///< rad in the body frame.
-  double range = 0;    ///< m to the nearest surface; NaN: nothing within reach.
+  double range = 0;    ///< m to the nearest surface; NaN: nothing within range.
 };
 
 /// Odometry: dead reckoning from the wheels since the start of the run.
 struct Odometry {
-  Pose2 pose;    ///< In the frame the body had at the start.
+  Pose2 pose;    ///< In the frame of the body at the start.
   Twist2 twist;  ///< Body frame.
 };
 
 /// A scan of a laser scanner.
 struct Scan {
   std::span<const double> headings;  ///< rad in the scanner's frame, ascending.
-  /// m, one per heading; NaN: nothing within reach; -infinity: too near to be measured.
+  /// m, one per heading; NaN: nothing within range; -infinity: too near to be measured.
   std::span<const double> ranges;
 };
 
 /// A reading of an inertial measurement unit, in its own frame.
 struct Imu {
   Vec3 angular_velocity;  ///< rad/s
-  Vec3 specific_force;    ///< m/s^2, mean since the control cycle before; at rest gravity, upwards.
+  Vec3 specific_force;  ///< m/s^2, mean since the previous control cycle; at rest gravity, upwards.
 };
 
+/// An agent that can drive, with wheels, odometry and the sensors of its file.
 class Robot : public RealWorldObject {
  public:
-  /// Drives with a velocity of the body, until the next command. What the robot's wheels cannot do
-  /// is left out; then, if a wheel would exceed its limit, all three components are scaled by the
-  /// same factor: the direction is kept. Errors: kInvalidArgument (NaN or infinite).
+  /// Drives with this velocity of the body until the next command. Components that the robot's
+  /// wheels cannot produce are omitted; then, if a wheel would exceed its limit, all three
+  /// components are scaled by the same factor, which keeps the direction. Errors: kInvalidArgument
+  /// (NaN or infinite).
   virtual Result<Drive> set_body_velocity(const Twist2& twist) = 0;
 
   /// @param speeds  rad/s of each driven wheel about its axle, in the order of the robot's file.
@@ -56,6 +58,7 @@ class Robot : public RealWorldObject {
   /// Errors: kNotAvailable (no infrared, not asked for, not sampled yet, or lost: on hardware the
   /// sensors have not answered for the `stale_after` of the robot's file).
   virtual Result<std::vector<InfraredReading>> infrared() const = 0;
+  /// Errors: kNotAvailable (no odometry, not asked for, not sampled yet, or lost).
   virtual Result<Odometry> odometry() const = 0;
 
   /// The readings of the channels "scan", "imu", "bumper" and "pose"; those of further sensors of
@@ -63,10 +66,11 @@ class Robot : public RealWorldObject {
   /// returns. Errors, of all four: kNotAvailable (no such sensor, not asked for, not sampled yet,
   /// or lost).
   virtual Result<Scan> scan() const = 0;
+  /// Rates of turn [rad/s] and specific force [m/s^2], in the frame of the unit.
   virtual Result<Imu> imu() const = 0;
-  /// Whether the body has touched anything since the control cycle before.
+  /// Whether the body has touched anything since the previous control cycle.
   virtual Result<bool> bumped() const = 0;
-  /// Where the body is in the world, as a compass and a position fix tell, with their noise.
+  /// Pose of the body in the world, as measured by a compass and a position fix, with noise.
   virtual Result<Pose2> pose() const = 0;
 };
 

@@ -14,8 +14,8 @@ struct Data {
   std::int64_t sequence_number = 0;
   Octets payload;  ///< With its encapsulation; of a DATA_FRAG, a part of it. May be empty.
   bool is_key = false;
-  std::uint32_t status =
-      0;  ///< StatusInfo_t of its inline QoS (9.6.3.9): 1 disposed, 2 unregistered.
+  /// StatusInfo_t of its inline QoS (9.6.3.9): 1 disposed, 2 unregistered.
+  std::uint32_t status = 0;
   std::uint32_t first_fragment = 0, fragments = 0, fragment_size = 0;  ///< 0 in DATA.
   std::uint32_t sample_size = 0;                                       ///< The same.
 };

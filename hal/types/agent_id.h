@@ -8,8 +8,8 @@ namespace hal {
 /// 16-bit network address of an agent, the same in the simulator and on hardware.
 /// Names are for people; addresses order events and travel in packets.
 struct AgentId {
-  std::uint16_t value = 0;
-  constexpr auto operator<=>(const AgentId&) const = default;
+  std::uint16_t value = 0;  ///< 1 .. kLastAddress for an agent; 0: no agent.
+  constexpr auto operator<=>(const AgentId&) const = default;  ///< Member by member.
 };
 
 /// Destination of a message that floods the whole network. Never the address of an agent.
@@ -19,10 +19,13 @@ inline constexpr AgentId kNeighbours{0xfffe};
 /// Agents have the addresses 1 .. kLastAddress.
 inline constexpr std::uint16_t kLastAddress = 0xfffd;
 
-/// To several at once: kEveryone or kNeighbours.
+/// Whether a destination is kEveryone or kNeighbours rather than one agent.
 constexpr bool is_broadcast(AgentId destination) { return destination >= kNeighbours; }
 
-/// What kind of HAL object an agent's controller gets: Mote& or Robot&.
-enum class AgentKind : std::uint8_t { kMote, kRobot };
+/// Which object of the API the controller of an agent gets.
+enum class AgentKind : std::uint8_t {
+  kMote,  ///< hal::Mote: it has a radio and sensors but no drive.
+  kRobot  ///< hal::Robot: it can also drive.
+};
 
 }  // namespace hal

@@ -26,22 +26,32 @@ namespace hal {
 /// imu           imu                 rad/s, m/s^2    rate of turn x, y, z; specific force x, y, z
 /// sonar         sonar               m               as one of scan
 ///
-/// The first four are there if the agent has such devices; those of `sensors:` in its file have the
-/// names that the file gives them.
+/// An agent has the first four channels if it has the devices. Channels of `sensors:` in its file
+/// have the names that the file gives them.
 struct Channel {
+  /// Number of the channel, unique within its agent; numbers need not be consecutive.
   std::uint16_t id = 0;
+  /// Unique among the channels of its agent, e.g. "infrared".
   std::string name;
+  /// What the values mean: a word of the column `kind` above.
   std::string kind;
+  /// Unit of the values, or the units of the values in order, separated by commas, as above.
   std::string unit;
-  std::uint32_t length = 0;  ///< Number of values; 0: it varies from reading to reading.
-  Duration period{};         ///< Between samples; zero: sampled when the control cycle asks.
-  std::string frame;         ///< "base" or the link that carries the sensor.
-  std::vector<double>
-      headings;              ///< rad in `frame`, per value, of range, scan; sonar: two, its edges.
-  double low = 0, high = 0;  ///< What it can measure, in `unit`; 0, 0: not said.
-  Vec3 position;             ///< m in "base", of the origin of a frame of its own
-  double heading = 0;        ///< rad in "base", of the x axis of a frame of its own
-  bool operator==(const Channel&) const = default;
+  /// Number of values in a reading; 0: it varies from reading to reading.
+  std::uint32_t length = 0;
+  /// Between samples; zero: sampled at each control instant.
+  Duration period{};
+  /// "base" (the body), "world", or the link that carries the sensor.
+  std::string frame;
+  /// Range and scan: rad in `frame`, one per value. Sonar: two, the edges of its cone. Else empty.
+  std::vector<double> headings;
+  double low = 0,  ///< Smallest value that the sensor can measure, in `unit`.
+      high = 0;    ///< Largest value, in `unit`. Both 0: not specified.
+  /// Origin of the sensor's own frame, m in "base"; zero if it has none.
+  Vec3 position;
+  /// Direction of the x axis of the sensor's own frame, rad in "base", counter-clockwise.
+  double heading = 0;
+  bool operator==(const Channel&) const = default;  ///< Member by member.
 };
 
 }  // namespace hal

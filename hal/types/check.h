@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-/// Stops the program when an invariant of ours is broken. Always on, also in release builds:
-/// a simulation that is wrong must not go on producing numbers.
+/// Aborts the program with file, line and condition if an internal invariant does not hold. Active
+/// in release builds, too: a wrong simulation must not continue to produce numbers.
 #define BARAKA_CHECK(condition)                                                          \
   do {                                                                                   \
     if (!(condition)) {                                                                  \

@@ -8,18 +8,19 @@
 
 namespace hal {
 
-/// A clock of the world outside a simulation, and the waiting by it: one of the computer, or in
-/// tests one by which time passes only while somebody waits.
+/// A clock outside the simulation, with a wait: a clock of the computer, or in tests a clock that
+/// advances only during wait().
 class Clock {
  public:
   virtual ~Clock() = default;
 
-  /// Since some moment; never jumps, never goes back. Any thread.
+  /// Time since an unspecified moment; monotonic, without jumps. Any thread.
   virtual Time now() const = 0;
 
-  /// Waits until one of the descriptors is readable, or has failed, at most so long. What is there
-  /// is marked as by poll(2), which see; a negative descriptor is skipped.
-  /// @return how many are marked. An interrupting signal handler counts as time that has passed.
+  /// Waits until a descriptor is readable or has failed, or `at_most` has passed. Sets `revents` as
+  /// poll(2) does; negative descriptors are skipped.
+  /// @return number of descriptors with events; 0 after a time-out or if a signal handler
+  /// interrupted the wait.
   virtual int wait(std::span<pollfd> descriptors, Duration at_most) = 0;
 };
 

@@ -2,9 +2,9 @@
 
 namespace hal {
 
-/// Whether an enumeration has just the values 0 .. kCount - 1. Its `name`, a switch over all of
-/// them without a default, says "" of any other; the compiler refuses a switch that leaves one out,
-/// so a new value cannot be without a name, nor with one and not counted:
+/// Whether an enumeration has exactly the values 0 .. kCount - 1. Its `name` is a switch over all
+/// of them without a default and returns "" for any other value. The compiler rejects a switch that
+/// omits one, so a new value cannot lack a name, nor have one without being counted:
 ///
 ///   constexpr std::string_view name(Fruit fruit) {
 ///     switch (fruit) {

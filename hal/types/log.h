@@ -10,12 +10,13 @@
 
 namespace hal::log {
 
-/// Log lines of code that runs in the simulator and on hardware alike. Where they end up is the
-/// program's choice (sim/core writes run.log through spdlog). The stamp is the agent's own time,
-/// so two runs of one scenario log the same bytes.
+/// Severity of a log line. Code that runs in the simulator and on hardware logs by these functions;
+/// the program chooses where the lines go (sim/core writes run.log through spdlog). Time stamps are
+/// the agent's own time, so two runs of one scenario log the same bytes.
 enum class Level { kDebug, kInfo, kWarning, kError };
 
-/// @param where  who speaks, e.g. "r0/controller".
+/// Receives each line that is not below the level. @param at  the agent's time.
+/// @param where  source of the line, e.g. "r0/controller".
 using Sink = void (*)(Level level, Time at, std::string_view where, std::string_view text);
 
 /// The sink of this process; standard error until set. Set once at start-up, before threads.
@@ -23,11 +24,14 @@ void set_sink(Sink sink);
 
 /// Lines below this level are not formatted. Default: kInfo.
 void set_level(Level level);
+/// Whether lines of this level are written.
 bool is_on(Level level);
 
-/// @param where, text  of whatever origin: they are made printable (hal/types/printable.h).
+/// Hands a line to the sink. @param where, text  may be of any origin: control characters are
+/// escaped (hal/types/printable.h).
 void write(Level level, Time at, std::string_view where, std::string_view text);
 
+/// Formats and writes a line of level kDebug if that level is on.
 template <class... Args>
 void debug(Time at, std::string_view where, fmt::format_string<Args...> f, Args&&... args) {
   if (is_on(Level::kDebug)) {
@@ -35,6 +39,7 @@ void debug(Time at, std::string_view where, fmt::format_string<Args...> f, Args&
   }
 }
 
+/// Formats and writes a line of level kInfo if that level is on.
 template <class... Args>
 void info(Time at, std::string_view where, fmt::format_string<Args...> f, Args&&... args) {
   if (is_on(Level::kInfo)) {
@@ -42,6 +47,7 @@ void info(Time at, std::string_view where, fmt::format_string<Args...> f, Args&&
   }
 }
 
+/// Formats and writes a line of level kWarning if that level is on.
 template <class... Args>
 void warning(Time at, std::string_view where, fmt::format_string<Args...> f, Args&&... args) {
   if (is_on(Level::kWarning)) {
@@ -49,8 +55,9 @@ void warning(Time at, std::string_view where, fmt::format_string<Args...> f, Arg
   }
 }
 
+/// "debug", "info", "warning" or "error".
 std::string_view name(Level level);
-/// The level of that name; none if there is none.
+/// The level with this name(); nullopt if there is none.
 std::optional<Level> level_called(std::string_view name);
 
 }  // namespace hal::log

@@ -10,34 +10,34 @@
 
 namespace hal {
 
+/// Octets of a payload or a frame.
 using Bytes = std::vector<std::uint8_t>;
 
-/// Number of a message among those its sender sent: 1, 2, 3, …  0 is no message.
+/// Number of a message among those of its sender: 1, 2, 3, …; 0: no message.
 using MessageId = std::uint32_t;
 
 /// Longest topic, in bytes. A topic names the message class; routing keeps a table per topic.
 inline constexpr std::size_t kMaxTopic = 32;
-/// Topics that one agent may give its messages: each costs a table in every node that routes for
-/// it.
+/// Most topics that one agent may use: every node that routes for it keeps a table per topic.
 inline constexpr std::size_t kMaxTopics = 256;
 /// Longest payload a controller may send, in bytes: one MSDU (2304 B, IEEE Std
 /// 802.11-2016, 9.2.4.7) less room for the routing header with the longest path.
 inline constexpr std::size_t kMaxPayload = 2048;
 
-/// What one agent says to another, end to end.
+/// A message from one agent to another, end to end.
 struct Message {
-  AgentId source;
+  AgentId source;       ///< The agent that called send().
   AgentId destination;  ///< kEveryone: flooded through the whole network. kNeighbours: one hop.
-  MessageId id = 0;
-  std::string topic;
-  Bytes payload;
-  bool operator==(const Message&) const = default;
+  MessageId id = 0;     ///< Unique among the messages of `source`.
+  std::string topic;    ///< Message class, 1 .. kMaxTopic bytes.
+  Bytes payload;        ///< 0 .. kMaxPayload bytes, not interpreted by the network.
+  bool operator==(const Message&) const = default;  ///< Member by member.
 };
 
-/// What became of a message at its sender.
+/// The result of a send() as its sender learns it.
 enum class Fate : std::uint8_t {
-  /// The next hop acknowledged it. To everyone or the neighbours: it left the antenna; nobody
-  /// acknowledges that, and it may have reached nobody at all.
+  /// The next hop acknowledged the message. A broadcast has been transmitted: nobody acknowledges
+  /// it, and possibly nobody received it.
   kHandedOver,
   kNoRoute,    ///< Discovery failed, or it waited too long for a route.
   kQueueFull,  ///< A queue of the sender had no room.

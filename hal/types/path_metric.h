@@ -13,9 +13,15 @@
 
 namespace hal {
 
-/// One statistic of the tuple of the routing tables, PathStatistics.
-enum class PathStatistic : std::uint8_t { kHops, kDelay, kMinSnr, kEnergy };
+/// A member of PathStatistics.
+enum class PathStatistic : std::uint8_t {
+  kHops,    ///< Number of links.
+  kDelay,   ///< Sum of the expected delays of the hops.
+  kMinSnr,  ///< SNR of the weakest link.
+  kEnergy   ///< Energy to transmit one packet along the path.
+};
 
+/// All of them.
 inline constexpr std::array kPathStatistics{PathStatistic::kHops, PathStatistic::kDelay,
                                             PathStatistic::kMinSnr, PathStatistic::kEnergy};
 
@@ -32,27 +38,32 @@ std::string_view name(PathStatistic statistic);
 ///
 /// so that one statistic with weight 1 is that statistic alone.
 struct PathMetric {
-  double hops = 1, delay = 0, min_snr = 0, energy = 0;  ///< Weights >= 0, not all 0.
-  /// >= 0. H of the paper: stands for r if the next hop is the destination itself; 0: no exception.
+  double hops = 1,  ///< Weight of r_hops, >= 0. Not all weights are 0.
+      delay = 0,    ///< Weight of r_delay, >= 0.
+      min_snr = 0,  ///< Weight of r_min_snr, >= 0.
+      energy = 0;   ///< Weight of r_energy, >= 0.
+  /// >= 0. H of the paper: replaces r if the next hop is the destination itself; 0: no exception.
   double direct_weight = 1e6;
 
+  /// Weight of a statistic: the member of its name.
   double weight(PathStatistic statistic) const;
+  /// Sets the weight, >= 0, of a statistic.
   void set_weight(PathStatistic statistic, double weight);
-  bool operator==(const PathMetric&) const = default;
+  bool operator==(const PathMetric&) const = default;  ///< Member by member.
 };
 
-/// That statistic alone.
+/// The metric in which only this statistic has a weight, 1.
 PathMetric path_metric(PathStatistic statistic, double direct_weight = 1e6);
-/// By its name(); none if there is no such statistic.
+/// The statistic with this name(); nullopt if there is none.
 std::optional<PathStatistic> path_statistic(std::string_view name);
 
-/// r. Finite and above 0 for every path: hops below 1 count as 1, delays below 1 ns and energies
-/// below 1e-15 J as those, an SNR beyond +-100 dB as that.
+/// r(.) of equation 1. Finite and above 0 for every path: hops are at least 1, delays at least
+/// 1 ns, energies at least 1e-15 J, and the SNR is limited to +-100 dB.
 /// @param is_destination  the next hop of the path is its destination.
 double path_value(const PathMetric& metric, const PathStatistics& path, bool is_destination);
 
-/// Draws a route with equation 1: P(n) = r(n)^beta / sum over all n' of r(n')^beta. Packets and
-/// robots choose their next hop by it.
+/// Draws a route by equation 1 of the same paper: P(n) = r(n)^beta / sum over all n' of r(n')^beta.
+/// Packets and robots choose their next hop by it.
 /// @param routes  of one destination, at least one.   @param beta  >= 1.
 /// @param random  one number is drawn from it.
 /// @return index into `routes`.

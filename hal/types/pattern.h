@@ -4,7 +4,8 @@
 
 namespace hal {
 
-/// Whether a name matches a pattern: `*` stands for any letters, `?` for one, as in a shell.
+/// Whether a name matches a pattern as in a shell: `*` stands for any number of characters, `?` for
+/// one.
 bool matches(std::string_view pattern, std::string_view name);
 
 }  // namespace hal

@@ -16,15 +16,15 @@
 
 namespace hal {
 
-/// A value that has one form in a payload: an integer, true or false, an enumeration (as its
-/// integer), a float or double (IEEE 754), a Time or Duration (ns, 64 bits), an address (16 bits).
+/// A type with a fixed encoding in a payload: an integer, a bool, an enumeration (as its integer),
+/// a float or double (IEEE 754), a Time or Duration (ns, 64 bits), an address (16 bits).
 template <class T>
 concept PlainValue =
     std::integral<T> || std::is_enum_v<T> || std::same_as<T, float> || std::same_as<T, double> ||
     std::same_as<T, Time> || std::same_as<T, Duration> || std::same_as<T, AgentId>;
 
-/// Writes plain values one after the other, least significant octet first, without padding, so that
-/// every processor and compiler reads the same.
+/// Writes plain values in order, little-endian and without padding, so that every processor and
+/// compiler reads the same values.
 ///
 ///   robot.send(m17, "where", hal::PayloadWriter().put(pose.x).put(pose.y).put(kCharging).bytes());
 ///   …
@@ -34,38 +34,44 @@ concept PlainValue =
 ///   if (!in.ended_well()) return;  // not what "where" carries
 class PayloadWriter {
  public:
+  /// Appends a value of sizeof(T) octets; Time and Duration take 8, an address takes 2.
   template <PlainValue T>
   PayloadWriter& put(T value);
 
-  /// Its length in 16 bits, then its bytes. @pre at most 65535 of them; the rest is cut.
+  /// Appends the length as 16 bits, then the bytes. A text beyond 65535 bytes is truncated.
   PayloadWriter& put(std::string_view text) {
     text = text.substr(0, std::numeric_limits<std::uint16_t>::max());
     put(static_cast<std::uint16_t>(text.size()));
     bytes_.insert(bytes_.end(), text.begin(), text.end());
     return *this;
   }
+  /// The same for a string literal.
   PayloadWriter& put(const char* text) { return put(std::string_view(text)); }
 
+  /// Everything written so far.
   const Bytes& bytes() const { return bytes_; }
 
  private:
   Bytes bytes_;
 };
 
-/// Reads what PayloadWriter wrote, in the same order. Past the end it gives zeros and remembers:
-/// ask ended_well() once, before anything read is used. The bytes must outlive it.
+/// Reads what PayloadWriter wrote, in the same order. Past the end it returns zeros and remembers
+/// the error: call ended_well() once before using any value. The bytes must outlive it.
 class PayloadReader {
  public:
+  /// Starts at the first of the bytes.
   explicit PayloadReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
 
+  /// The next value; 0 past the end.
   template <PlainValue T>
   T get();
+  /// The next text, as put(std::string_view) wrote it.
   std::string text() {
     const auto part = cut(get<std::uint16_t>());
     return {part.begin(), part.end()};
   }
 
-  /// Whether every octet was read, none past the end, and every bool was 0 or 1.
+  /// Whether all octets were read, none past the end, and every bool was 0 or 1.
   bool ended_well() const { return !broken_ && bytes_.empty(); }
 
  private:

@@ -5,15 +5,18 @@
 
 namespace hal {
 
-/// One stream of random numbers, derived from (run seed, name), e.g. "m3/backoff". Adding an agent
-/// or a purpose never shifts the numbers another one draws. Own arithmetic, because
-/// std::uniform_int_distribution gives different numbers on different standard libraries.
+/// A stream of random numbers that depends only on the seed of the run and on its name, e.g.
+/// "m3/backoff". Each agent and purpose has its own, so adding one does not change the others. The
+/// distributions are computed here because std::uniform_int_distribution and its like give
+/// different numbers on different standard libraries.
 /// Generator: SplitMix64 (Steele, Lea, Flood, "Fast Splittable Pseudorandom Number Generators",
 /// OOPSLA 2014), started at the FNV-1a hash of the name mixed with the seed.
 class RandomStream {
  public:
+  /// @param run_seed  seed of the run.   @param name  identifies the stream within the run.
   RandomStream(std::uint64_t run_seed, std::string_view name);
 
+  /// 64 random bits.
   std::uint64_t next();
 
   /// Uniform over 0 .. bound-1. @pre bound > 0. D. Lemire, "Fast Random Integer Generation in an

@@ -6,19 +6,20 @@
 
 namespace hal {
 
-/// What can go wrong at run time on a healthy robot. A caller must be able to act on each one.
+/// Errors at run time that a caller can handle.
 enum class Errc {
   kInvalidArgument,  ///< A documented precondition does not hold. Fix the caller.
-  kNotAvailable,     ///< This agent has no such sensor, or no reading of it that is young enough.
-  kNotConnected,     ///< The process at the other end is gone.
-  kTimeout,          ///< The process at the other end lives but did not answer in time.
-  kProtocol,         ///< The process at the other end sent something that is against the rules.
-  kController,       ///< A controller threw; the message is the controller's.
+  kNotAvailable,     ///< The agent has no such sensor, or no reading of it that is recent enough.
+  kNotConnected,     ///< The peer process has ended.
+  kTimeout,          ///< The peer process is alive but did not answer in time.
+  kProtocol,         ///< The peer process violated the protocol.
+  kController,       ///< A controller threw an exception; the message is that of the exception.
 };
 
+/// Why a call failed.
 struct Error {
-  Errc code;
-  std::string message;  ///< One line: what was seen and what was allowed.
+  Errc code;            ///< For the program.
+  std::string message;  ///< For people, one line: what was seen and what was allowed.
 };
 
 /// Value or Error. The attribute makes ignoring one a compile error under -Werror.
@@ -28,6 +29,7 @@ class [[nodiscard]] Result : public tl::expected<T, Error> {
   using tl::expected<T, Error>::expected;
 };
 
+/// A failed Result: `return fail(Errc::kTimeout, "…");`.
 inline tl::unexpected<Error> fail(Errc code, std::string message) {
   return tl::unexpected<Error>(Error{code, std::move(message)});
 }

@@ -8,37 +8,40 @@
 
 namespace hal {
 
-/// A shape that viewers draw, upright, in the frame of what it belongs to.
+/// An upright shape for viewers, in the frame of the body that it belongs to.
 struct Solid {
-  /// Numbers as in visualization_msgs/Marker.
+  /// Kind of shape, with the numbers of visualization_msgs/Marker.
   enum class Shape : std::uint8_t { kArrow = 0, kBox = 1, kSphere = 2, kCylinder = 3 };
 
-  Shape shape = Shape::kBox;
-  Vec3 size;       ///< m along its own axes; of an arrow: length, width, height
-  Vec3 centre;     ///< m; of an arrow: where it begins
-  double yaw = 0;  ///< rad, of its own x axis
-  bool operator==(const Solid&) const = default;
+  Shape shape = Shape::kBox;  ///< Which shape.
+  Vec3 size;                  ///< m along its own axes. Arrow: length, width, height.
+  Vec3 centre;                ///< m. Arrow: its start.
+  double yaw = 0;             ///< rad, direction of its own x axis, counter-clockwise.
+  bool operator==(const Solid&) const = default;  ///< Member by member.
 };
 
-/// Middle of a solid in the world [m]. @param frame  pose of the frame that it is fixed in
+/// Centre of a solid in the world, m. @param frame  pose of the body's frame in the world
 Vec3 centre_in_world(const Solid& solid, const Pose2& frame);
 
-/// What a group of solids is, for its colour.
+/// What a body is; decides its colour.
 enum class DrawnAs : std::uint8_t { kWall, kMote, kRobot, kStation };
 
-/// Solids with a name: a wall, or the body of an agent.
+/// A wall or the body of an agent as viewers draw it.
 struct DrawnBody {
-  std::string name;
-  DrawnAs kind = DrawnAs::kWall;
-  std::vector<Solid> solids;
-  bool operator==(const DrawnBody&) const = default;
+  std::string name;                                   ///< Of the wall or agent.
+  DrawnAs kind = DrawnAs::kWall;                      ///< What it is.
+  std::vector<Solid> solids;                          ///< Its shapes, in the frame of the body.
+  bool operator==(const DrawnBody&) const = default;  ///< Member by member.
 };
 
-/// Red, green, blue, 0 .. 1. From the palette of M. Okabe and K. Ito, "Color universal design",
-/// 2008, which most eyes tell apart.
+/// A colour of the palette of M. Okabe and K. Ito, "Color universal design", 2008, which people
+/// with colour vision deficiencies can distinguish, too.
 struct Colour {
-  float red = 0, green = 0, blue = 0;
+  float red = 0,  ///< 0 .. 1.
+      green = 0,  ///< 0 .. 1.
+      blue = 0;   ///< 0 .. 1.
 };
+/// Colour of a kind of body.
 constexpr Colour colour_of(DrawnAs kind) {
   switch (kind) {
     case DrawnAs::kMote:

@@ -12,13 +12,15 @@
 
 namespace hal {
 
-/// The names of one kind that an agent has used so far, of which it may use so many.
+/// The names of one kind that an agent has used so far; their number is limited.
 class UsedNames {
  public:
-  /// @param kind  for messages: "topic".
+  /// @param kind  what the names are, for error messages: "topic".
+  /// @param most  number of different names that are allowed.
   UsedNames(std::string_view kind, std::size_t most) : kind_(kind), most_(most) {}
 
-  /// Notes a name. Errors: kInvalidArgument (it is one too many); then it is not noted.
+  /// Notes a name. Errors: kInvalidArgument if `most` other names are known; the name is then not
+  /// noted.
   Result<void> admit(std::string_view name) {
     if (known_.contains(name)) return {};
     if (known_.size() >= most_) {
@@ -36,13 +38,15 @@ class UsedNames {
   std::set<std::string, std::less<>> known_;
 };
 
-/// The topics that an agent has given its messages.
+/// The topics of an agent's messages so far.
 struct Topics : UsedNames {
+  /// None so far, at most kMaxTopics.
   Topics() : UsedNames("topic", kMaxTopics) {}
 };
 
-/// The names under which an agent has recorded values.
+/// The names of an agent's recorded values so far.
 struct RecordedNames : UsedNames {
+  /// None so far, at most kMaxRecordedNames.
   RecordedNames() : UsedNames("value", kMaxRecordedNames) {}
 };
 

@@ -7,29 +7,31 @@
 
 namespace hal {
 
-/// What a controller asks for. It gets this and nothing else.
+/// What a controller subscribes to. It gets this and nothing else.
 ///
 ///   .wants = {.channels = {"infrared"}, .optional = {"battery"}}
 struct Wants {
-  std::vector<std::string>
-      channels{};                      ///< Names of channels it cannot do without, e.g. "infrared".
-  std::vector<std::string> watched{};  ///< Topics whose routes it looks at.
+  /// Names of the channels that it requires, e.g. "infrared".
+  std::vector<std::string> channels{};
+  /// Topics whose routes it reads.
+  std::vector<std::string> watched{};
+  /// Whether it reads the list of neighbours.
   bool neighbours = false;
-  /// Channels it can do without: on an agent that has none of that name its readings are
+  /// Names of channels that it uses where an agent has them; elsewhere reading them gives
   /// kNotAvailable.
   std::vector<std::string> optional{};
-  /// Who is who: address_of() and name_of() of other agents.
+  /// Whether it uses address_of() and name_of() of other agents.
   bool names = false;
 
-  /// Whether it cannot do without the channel of that name.
+  /// Whether it requires the channel of this name.
   bool needs(std::string_view channel) const { return lists(channels, channel); }
 
-  /// Whether it is to get the channel of that name where there is one.
+  /// Whether it gets the channel of this name if the agent has it.
   bool asks_for(std::string_view channel) const {
     return needs(channel) || lists(optional, channel);
   }
 
-  bool operator==(const Wants&) const = default;
+  bool operator==(const Wants&) const = default;  ///< Member by member.
 
  private:
   static bool lists(const std::vector<std::string>& list, std::string_view name) {

@@ -4,17 +4,17 @@
 #include <iterator>
 #include <variant>
 
-#include "hal/devices/channels.h"
-#include "hal/devices/wheel_drive.h"
+#include "hal/node/devices/channels.h"
+#include "hal/node/devices/wheel_drive.h"
 
 namespace sim::agents {
 namespace {
 
-namespace devices = hal::devices;
-using hal::devices::RobotDescription;
+namespace devices = hal::node::devices;
+using hal::node::devices::RobotDescription;
 
-void add_robot(const RobotDescription& robot, hal::exchange::AgentSession& session) {
-  const hal::devices::WheelDrive drive(robot.wheels);
+void add_robot(const RobotDescription& robot, hal::node::exchange::AgentSession& session) {
+  const hal::node::devices::WheelDrive drive(robot.wheels);
   session.kind = hal::AgentKind::kRobot;
   session.limits = {.body_to_wheel = drive.body_to_wheel(),
                     .wheel_to_body = drive.restrictions(),
@@ -39,8 +39,8 @@ std::vector<hal::Channel> channels_of(const AgentConfig& agent) {
   return channels;
 }
 
-hal::exchange::AgentOffer offer_of(const AgentConfig& agent, const SimulationConfig& config) {
-  hal::exchange::AgentOffer offer;
+hal::node::exchange::AgentOffer offer_of(const AgentConfig& agent, const SimulationConfig& config) {
+  hal::node::exchange::AgentOffer offer;
   offer.program = agent.program;
   offer.session = {.agent = agent.id,
                    .name = agent.name,

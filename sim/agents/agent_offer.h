@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "hal/exchange/ports.h"
+#include "hal/node/exchange/ports.h"
 #include "hal/types/channel.h"
 #include "sim/agents/simulation_config.h"
 
@@ -10,7 +10,7 @@ namespace sim::agents {
 
 /// What an agent of that description offers to a controller, before there is a world.
 /// @param agent  one of `config`. @throws std::invalid_argument  wheels that do not make a drive.
-hal::exchange::AgentOffer offer_of(const AgentConfig& agent, const SimulationConfig& config);
+hal::node::exchange::AgentOffer offer_of(const AgentConfig& agent, const SimulationConfig& config);
 
 /// Its channels: all that it can read.
 std::vector<hal::Channel> channels_of(const AgentConfig& agent);

@@ -89,7 +89,7 @@ struct ToText {
 bool Area::contains(hal::Vec2 point) const {
   if (const auto* circle = std::get_if<Circle>(&shape)) {
     const hal::Vec2 from = point - circle->centre;
-    return dot(from, from) <= circle->radius * circle->radius;
+    return hal::dot(from, from) <= circle->radius * circle->radius;
   }
   const Box& box = std::get<Box>(shape);
   return point.x >= box.low.x && point.x <= box.high.x && point.y >= box.low.y &&

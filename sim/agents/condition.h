@@ -39,16 +39,19 @@ struct ApartBy {
   double below = std::numeric_limits<double>::infinity();
 };
 
+struct CircularArea {
+  hal::Vec2 centre{};
+  double radius = 0;
+};
+struct BoxArea {
+  hal::Vec2 low{}, high{};
+};
+
 /// Part of the plane, m, world frame: a circle, or from one corner to the other.
 struct Area {
-  struct Circle {
-    hal::Vec2 centre;
-    double radius = 0;
-  };
-  struct Box {
-    hal::Vec2 low, high;
-  };
-  std::variant<Circle, Box> shape;
+  using Circle = CircularArea;
+  using Box = BoxArea;
+  std::variant<Circle, Box> shape{};
 
   bool contains(hal::Vec2 point) const;
 };

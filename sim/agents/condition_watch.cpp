@@ -31,7 +31,7 @@ struct ConditionWatch::Value {
     const auto a = watch.sight_.position(c.a), b = watch.sight_.position(c.b);
     if (!a || !b) return false;
     const hal::Vec2 apart = *a - *b;
-    const double distance = std::sqrt(dot(apart, apart));
+    const double distance = std::sqrt(hal::dot(apart, apart));
     return distance > c.above && distance < c.below;
   }
   bool operator()(const InArea& c) const {

@@ -14,7 +14,7 @@ constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
 }  // namespace
 
-void Controllers::connect(std::shared_ptr<hal::exchange::ControllerPort> port,
+void Controllers::connect(std::shared_ptr<hal::node::exchange::ControllerPort> port,
                           const std::vector<hal::AgentId>& agents) {
   for (const hal::AgentId agent : agents) {
     BARAKA_CHECK(!is_connected(agent));
@@ -33,7 +33,7 @@ const std::string& Controllers::process_of(hal::AgentId agent) const {
   return port_name(port_of_[agent.value]);
 }
 
-Controllers::Round Controllers::exchange(std::vector<hal::exchange::Event>& events,
+Controllers::Round Controllers::exchange(std::vector<hal::node::exchange::Event>& events,
                                          hal::Time until) {
   distribute(events);
   Round round;
@@ -66,30 +66,31 @@ Controllers::Round Controllers::exchange(std::vector<hal::exchange::Event>& even
   return round;
 }
 
-void Controllers::distribute(std::vector<hal::exchange::Event>& events) {
+void Controllers::distribute(std::vector<hal::node::exchange::Event>& events) {
   const bool is_one = ports_.size() == 1 && !ports_.front().dropped;
   if (is_one) {
     ports_.front().step.events.swap(events);  // and gives the empty one's memory back
     return;
   }
-  for (hal::exchange::Event& event : events) {
+  for (hal::node::exchange::Event& event : events) {
     Connection& connection = ports_[port_of_[event.agent.value]];
     if (!connection.dropped) connection.step.events.push_back(std::move(event));
   }
   events.clear();
 }
 
-void Controllers::log_exchange(const Connection& connection, const hal::exchange::Reply& reply) {
-  const hal::exchange::Step& step = connection.step;
+void Controllers::log_exchange(const Connection& connection,
+                               const hal::node::exchange::Reply& reply) {
+  const hal::node::exchange::Step& step = connection.step;
   hal::log::debug(step.events.front().time, "exchange",
                   "Step {} to {}: {} events until {:.9f} s, answered with {} actions",
                   step.sequence, connection.port->name(), step.events.size(),
                   hal::to_seconds(step.until), reply.actions.size());
 }
 
-void Controllers::sort_out(Connection& connection, hal::exchange::Reply reply, Round& round) {
+void Controllers::sort_out(Connection& connection, hal::node::exchange::Reply reply, Round& round) {
   const auto& events = connection.step.events;
-  for (hal::exchange::Action& action : reply.actions) {
+  for (hal::node::exchange::Action& action : reply.actions) {
     BARAKA_CHECK(action.event < events.size());  // for the port to see to
     const hal::Time event_time = events[action.event].time;
     round.answers.push_back({std::move(action), event_time});

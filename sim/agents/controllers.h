@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "hal/exchange/ports.h"
+#include "hal/node/exchange/ports.h"
 #include "hal/types/agent_id.h"
 
 namespace sim::agents {
@@ -15,7 +15,7 @@ namespace sim::agents {
 class Controllers {
  public:
   struct Answer {
-    hal::exchange::Action action;
+    hal::node::exchange::Action action;
     hal::Time event_time{};  ///< Of the event that the action answers.
   };
   struct Failure {
@@ -28,7 +28,7 @@ class Controllers {
   };
 
   /// @pre none of the agents is connected yet.
-  void connect(std::shared_ptr<hal::exchange::ControllerPort> port,
+  void connect(std::shared_ptr<hal::node::exchange::ControllerPort> port,
                const std::vector<hal::AgentId>& agents);
 
   bool is_connected(hal::AgentId agent) const;
@@ -37,7 +37,7 @@ class Controllers {
   const std::string& process_of(hal::AgentId agent) const;
 
   std::size_t ports() const { return ports_.size(); }
-  const std::shared_ptr<hal::exchange::ControllerPort>& port(std::size_t index) const {
+  const std::shared_ptr<hal::node::exchange::ControllerPort>& port(std::size_t index) const {
     return ports_[index].port;
   }
   std::size_t port_of(hal::AgentId agent) const { return port_of_[agent.value]; }
@@ -45,8 +45,8 @@ class Controllers {
   /// Hands the events to the ports of their agents, to all at once, and waits for all answers.
   /// @param events  by (time, agent, cause, arrival); empty afterwards.  @param until  no later
   /// event is before this.
-  Round exchange(std::vector<hal::exchange::Event>& events, hal::Time until);
-  Round exchange(std::vector<hal::exchange::Event>&& events, hal::Time until) {
+  Round exchange(std::vector<hal::node::exchange::Event>& events, hal::Time until);
+  Round exchange(std::vector<hal::node::exchange::Event>&& events, hal::Time until) {
     return exchange(events, until);
   }
 
@@ -60,16 +60,16 @@ class Controllers {
 
  private:
   struct Connection {
-    std::shared_ptr<hal::exchange::ControllerPort> port;
+    std::shared_ptr<hal::node::exchange::ControllerPort> port;
     std::vector<hal::AgentId> agents;
-    hal::exchange::Step step;  ///< Under way, or empty.
+    hal::node::exchange::Step step;  ///< Under way, or empty.
     std::uint64_t sequence = 0;
     bool dropped = false;
   };
 
-  void distribute(std::vector<hal::exchange::Event>& events);
-  static void log_exchange(const Connection& connection, const hal::exchange::Reply& reply);
-  void sort_out(Connection& connection, hal::exchange::Reply reply, Round& round);
+  void distribute(std::vector<hal::node::exchange::Event>& events);
+  static void log_exchange(const Connection& connection, const hal::node::exchange::Reply& reply);
+  void sort_out(Connection& connection, hal::node::exchange::Reply reply, Round& round);
 
   std::vector<Connection> ports_;
   std::vector<std::size_t> port_of_;  ///< By address; kNone: not connected.

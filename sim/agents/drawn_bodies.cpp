@@ -7,19 +7,19 @@ namespace sim::agents {
 namespace {
 
 using hal::Solid;
-using hal::devices::MoteDescription;
-using hal::devices::RobotDescription;
+using hal::node::devices::MoteDescription;
+using hal::node::devices::RobotDescription;
 
 constexpr double kStationRadius = 0.1;                     // m
 constexpr double kArrowWidth = 0.04, kArrowHeight = 0.02;  // m
 
-Solid solid_of(const hal::devices::BodyCylinder& part) {
+Solid solid_of(const hal::node::devices::BodyCylinder& part) {
   return {.shape = Solid::Shape::kCylinder,
           .size = {2 * part.radius, 2 * part.radius, part.z_top - part.z_bottom},
           .centre = {part.centre.x, part.centre.y, (part.z_bottom + part.z_top) / 2}};
 }
 
-Solid solid_of(const hal::devices::BodyBox& part) {
+Solid solid_of(const hal::node::devices::BodyBox& part) {
   return {.size = part.size, .centre = part.centre, .yaw = part.yaw};
 }
 

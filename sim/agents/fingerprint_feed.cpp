@@ -37,7 +37,7 @@ void add(Fingerprint::Cell& hash, const hal::Message& message) {
   add(hash, message.payload);
 }
 
-void add_network(Fingerprint::Cell& hash, const hal::exchange::Event& event) {
+void add_network(Fingerprint::Cell& hash, const hal::node::exchange::Event& event) {
   for (const hal::RouteChange& change : event.routes) {
     hash.add(std::uint64_t{change.removed});
     add(hash, change.route);
@@ -105,10 +105,10 @@ void FingerprintFeed::on_air_entered(hal::Time at, hal::AgentId agent,
   add(hash, *request.payload);
 }
 
-void FingerprintFeed::on_event(const hal::exchange::Event& event) {
+void FingerprintFeed::on_event(const hal::node::exchange::Event& event) {
   Fingerprint::Cell& hash = fingerprint_.at(Part::kExchange, event.agent, event.time);
   hash.add(number(event.cause));
-  for (const hal::exchange::Reading& reading : event.readings) {
+  for (const hal::node::exchange::Reading& reading : event.readings) {
     hash.add(std::uint64_t{reading.channel});
     add(hash, reading.values);
   }
@@ -119,7 +119,7 @@ void FingerprintFeed::on_event(const hal::exchange::Event& event) {
   add_network(hash, event);
 }
 
-void FingerprintFeed::on_action(hal::Time at, const hal::exchange::Action& action) {
+void FingerprintFeed::on_action(hal::Time at, const hal::node::exchange::Action& action) {
   Fingerprint::Cell& hash = fingerprint_.at(Part::kExchange, action.agent, at);
   hash.add(number(action.kind));
   for (const double value : {action.twist.vx, action.twist.vy, action.twist.omega}) hash.add(value);
@@ -133,7 +133,7 @@ void FingerprintFeed::on_action(hal::Time at, const hal::exchange::Action& actio
   hash.add(std::uint64_t{action.radio_on});
   hash.add(number(action.level));
   hash.add(std::string_view{action.text});
-  if (action.kind == hal::exchange::ActionKind::kRecord) hash.add(action.value);
+  if (action.kind == hal::node::exchange::ActionKind::kRecord) hash.add(action.value);
 }
 
 void FingerprintFeed::on_route_change(hal::Time at, hal::AgentId agent,

@@ -30,8 +30,8 @@ class FingerprintFeed final : public Observer {
                       std::optional<hal::AgentId> access_point) override;
   void on_body(hal::Time at, hal::AgentId agent, const BodyState& body) override;
   void on_air_entered(hal::Time at, hal::AgentId agent, const radio::MacRequest& request) override;
-  void on_event(const hal::exchange::Event& event) override;
-  void on_action(hal::Time at, const hal::exchange::Action& action) override;
+  void on_event(const hal::node::exchange::Event& event) override;
+  void on_action(hal::Time at, const hal::node::exchange::Action& action) override;
   void on_route_change(hal::Time at, hal::AgentId agent, const hal::RouteChange& change) override;
 
  private:

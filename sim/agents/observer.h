@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "hal/agent/agent_observer.h"
+#include "hal/node/agent/agent_observer.h"
 #include "hal/types/agent_id.h"
 #include "hal/types/time.h"
 #include "sim/agents/real_time.h"
@@ -30,11 +30,11 @@ struct ContactCounts {
   std::uint64_t object_steps = 0;  ///< … or another body.
 };
 
-using hal::agent::Discovery;
+using hal::node::agent::Discovery;
 
 /// What there is to see of a run, for records and fingerprints. Calls come in event order, all on
 /// the simulation's thread. The parts of the radio and of the agents are inherited.
-class Observer : public radio::RadioObserver, public hal::agent::AgentObserver {
+class Observer : public radio::RadioObserver, public hal::node::agent::AgentObserver {
  public:
   /// Once, before the first event.
   virtual void on_start(const std::vector<std::pair<hal::AgentId, hal::AgentId>>& links) {

@@ -89,10 +89,10 @@ class ObserverList final : public Observer {
   void on_body_lost(const physics::LostBody& lost) override {
     for (Observer* o : observers_) o->on_body_lost(lost);
   }
-  void on_event(const hal::exchange::Event& event) override {
+  void on_event(const hal::node::exchange::Event& event) override {
     for (Observer* o : observers_) o->on_event(event);
   }
-  void on_action(hal::Time at, const hal::exchange::Action& action) override {
+  void on_action(hal::Time at, const hal::node::exchange::Action& action) override {
     for (Observer* o : observers_) o->on_action(at, action);
   }
   void on_message_sent(hal::Time at, const hal::Message& message) override {
@@ -109,7 +109,7 @@ class ObserverList final : public Observer {
                       hal::Verdict verdict) override {
     for (Observer* o : observers_) o->on_message_end(at, at_node, sender, id, verdict);
   }
-  void on_protocol_event(hal::AgentId agent, hal::routing::ProtocolEvent event) override {
+  void on_protocol_event(hal::AgentId agent, hal::node::routing::ProtocolEvent event) override {
     for (Observer* o : observers_) o->on_protocol_event(agent, event);
   }
   void on_discovery(hal::Time at, hal::AgentId agent, const Discovery& discovery) override {

@@ -11,9 +11,9 @@ std::unique_ptr<physics::World> populated_world(const SimulationConfig& config) 
   for (const physics::StaticBox& wall : config.walls) world->add_wall(wall);
   for (const AgentConfig& agent : config.agents) {
     const hal::Pose2 pose = agent.is_present ? agent.pose : parking(agent.id);
-    if (const auto* mote = std::get_if<hal::devices::MoteDescription>(&agent.body)) {
+    if (const auto* mote = std::get_if<hal::node::devices::MoteDescription>(&agent.body)) {
       world->add_mote(agent.id, *mote, pose);
-    } else if (const auto* robot = std::get_if<hal::devices::RobotDescription>(&agent.body)) {
+    } else if (const auto* robot = std::get_if<hal::node::devices::RobotDescription>(&agent.body)) {
       world->add_robot(agent.id, *robot, pose);
     }
   }

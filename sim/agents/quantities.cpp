@@ -5,7 +5,7 @@
 #include <utility>
 #include <variant>
 
-#include "hal/devices/wheel_drive.h"
+#include "hal/node/devices/wheel_drive.h"
 #include "hal/types/math.h"
 #include "sim/agents/simulated_mote.h"
 #include "sim/agents/simulated_robot.h"
@@ -22,8 +22,8 @@ bool with_body(const AgentConfig& agent, std::size_t) { return has_body(agent); 
 bool robot_only(const AgentConfig& agent, std::size_t) { return is_robot(agent); }
 
 bool has_wheel(const AgentConfig& agent, std::size_t number) {
-  const auto* robot = std::get_if<hal::devices::RobotDescription>(&agent.body);
-  return robot != nullptr && number < hal::devices::WheelDrive(robot->wheels).wheel_count();
+  const auto* robot = std::get_if<hal::node::devices::RobotDescription>(&agent.body);
+  return robot != nullptr && number < hal::node::devices::WheelDrive(robot->wheels).wheel_count();
 }
 
 const BodyState& body_of(View view) { return view.scene.body(view.agent.config().id, view.now); }
@@ -74,7 +74,7 @@ Value of_present(View view, std::size_t number) {
 }
 
 bool has_battery(const AgentConfig& agent, std::size_t) {
-  return hal::devices::battery_of(sensors_of(agent)) != nullptr;
+  return hal::node::devices::battery_of(sensors_of(agent)) != nullptr;
 }
 
 std::vector<Quantity> body_quantities() {

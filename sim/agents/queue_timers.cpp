@@ -9,7 +9,8 @@ constexpr int kGenerationShift = 32;
 
 }  // namespace
 
-hal::routing::Timers::Handle QueueTimers::schedule(hal::Time at, std::function<void()> handler) {
+hal::node::routing::Timers::Handle QueueTimers::schedule(hal::Time at,
+                                                         std::function<void()> handler) {
   const EventQueue::EventId id =
       events_.schedule(at, Rank::kNodeTimer, owner_, [handler = std::move(handler)] { handler(); });
   return (static_cast<Handle>(id.generation) << kGenerationShift) | id.slot;

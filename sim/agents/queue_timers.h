@@ -1,12 +1,12 @@
 #pragma once
 
-#include "hal/routing/ports.h"
+#include "hal/node/routing/ports.h"
 #include "sim/core/event_queue.h"
 
 namespace sim::agents {
 
 /// A node's timers on the event queue.
-class QueueTimers final : public hal::routing::Timers {
+class QueueTimers final : public hal::node::routing::Timers {
  public:
   /// @param owner  the node; its events are ordered by this address.
   QueueTimers(EventQueue& events, hal::AgentId owner) : events_(events), owner_(owner) {}

@@ -9,13 +9,13 @@ RadioLink::RadioLink(radio::MacSap& mac, LinkKind kind) : mac_(mac), kind_(kind)
   mac_.add_client(radio::kEthertypeRouting, *this);
 }
 
-hal::routing::LinkCapabilities RadioLink::capabilities() const {
+hal::node::routing::LinkCapabilities RadioLink::capabilities() const {
   if (kind_ == LinkKind::kUdpLike) return {.tx_status = false, .rssi = false};
   const radio::MacCapabilities mac = mac_.capabilities();
   return {.tx_status = mac.tx_status, .rssi = mac.rssi};
 }
 
-void RadioLink::transmit(hal::AgentId next_hop, hal::Bytes frame, hal::routing::LinkTag tag) {
+void RadioLink::transmit(hal::AgentId next_hop, hal::Bytes frame, hal::node::routing::LinkTag tag) {
   mac_.transmit({.destination = next_hop,
                  .ethertype = radio::kEthertypeRouting,
                  .priority = 0,
@@ -39,7 +39,7 @@ void RadioLink::cut_power() {
 }
 
 void RadioLink::on_receive(const radio::MacIndication& indication) {
-  hal::routing::Reception reception{.from = indication.source};
+  hal::node::routing::Reception reception{.from = indication.source};
   if (kind_ == LinkKind::kMac) {
     reception.rssi_dbm = indication.rssi_dbm;
     reception.snr_db = indication.snr_db;

@@ -1,23 +1,23 @@
 #pragma once
 
-#include "hal/agent/ports.h"
-#include "hal/routing/router.h"
+#include "hal/node/agent/ports.h"
+#include "hal/node/routing/router.h"
 #include "sim/agents/simulation_config.h"
 #include "sim/radio/mac_sap.h"
 
 namespace sim::agents {
 
 /// Routing's link over a simulated MAC.
-class RadioLink final : public hal::agent::Link, public radio::MacClient {
+class RadioLink final : public hal::node::agent::Link, public radio::MacClient {
  public:
   /// Becomes the MAC's client for routing frames. The MAC outlives the link.
   RadioLink(radio::MacSap& mac, LinkKind kind);
 
   /// @pre before the first frame arrives.
-  void attach(hal::routing::Router& router) { router_ = &router; }
+  void attach(hal::node::routing::Router& router) { router_ = &router; }
 
-  hal::routing::LinkCapabilities capabilities() const override;
-  void transmit(hal::AgentId next_hop, hal::Bytes frame, hal::routing::LinkTag tag) override;
+  hal::node::routing::LinkCapabilities capabilities() const override;
+  void transmit(hal::AgentId next_hop, hal::Bytes frame, hal::node::routing::LinkTag tag) override;
   hal::Duration expected_delay() const override { return mac_.expected_delay(); }
   double transmit_energy(std::size_t bytes) const override { return mac_.transmit_energy(bytes); }
   void set_radio(bool on) override;
@@ -33,7 +33,7 @@ class RadioLink final : public hal::agent::Link, public radio::MacClient {
   radio::MacSap& mac_;
   LinkKind kind_;
   bool is_wanted_ = true, has_power_ = true, is_empty_ = false;
-  hal::routing::Router* router_ = nullptr;
+  hal::node::routing::Router* router_ = nullptr;
 };
 
 }  // namespace sim::agents

@@ -11,10 +11,10 @@
 namespace sim::agents {
 namespace {
 
-using hal::exchange::ActionKind;
-using hal::exchange::Cause;
-using hal::exchange::Courier;
-using hal::exchange::Event;
+using hal::node::exchange::ActionKind;
+using hal::node::exchange::Cause;
+using hal::node::exchange::Courier;
+using hal::node::exchange::Event;
 
 /// Controllers are attended to at least this often while the run catches up with the clock.
 constexpr hal::Duration kLongestTurn = std::chrono::milliseconds{20};

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "hal/exchange/courier.h"
+#include "hal/node/exchange/courier.h"
 #include "sim/agents/lateness.h"
 #include "sim/agents/simulation_state.h"
 
@@ -35,7 +35,7 @@ class Simulation::RealTimeRun {
 
  private:
   struct Carried {
-    hal::exchange::Courier courier;
+    hal::node::exchange::Courier courier;
     bool dropped = false;
   };
 
@@ -49,8 +49,8 @@ class Simulation::RealTimeRun {
   void post(FollowedClock* clock);
   void attend(hal::Time now);
   void take_up(const Turn& turn);
-  void take_in(const Turn& turn, const hal::exchange::Courier::Turn& brought);
-  void take_effect(const hal::exchange::Courier::Answer& answer, bool stale);
+  void take_in(const Turn& turn, const hal::node::exchange::Courier::Turn& brought);
+  void take_effect(const hal::node::exchange::Courier::Answer& answer, bool stale);
   void on_death(const Turn& turn, const hal::Error& error);
   bool may_go_on(Pace& pace, hal::Time at);
   void finish_all();

@@ -12,9 +12,9 @@
 
 namespace sim::agents {
 
-using hal::exchange::Action;
-using hal::exchange::ActionKind;
-using hal::exchange::Event;
+using hal::node::exchange::Action;
+using hal::node::exchange::ActionKind;
+using hal::node::exchange::Event;
 
 namespace {
 
@@ -218,7 +218,7 @@ void Simulation::State::stop_agents() {
     Event stop;
     stop.agent = agent;
     stop.time = events.now();
-    stop.cause = hal::exchange::Cause::kStop;
+    stop.cause = hal::node::exchange::Cause::kStop;
     farewells.push_back(std::move(stop));
   }
 }

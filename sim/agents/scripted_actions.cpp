@@ -113,7 +113,7 @@ void Simulation::State::retune(hal::AgentId agent, const Retune& values) {
 void Simulation::State::drain(hal::AgentId id, const Drain& drain) {
   Supply* const supply = agents.at(id)->supply();
   BARAKA_CHECK(supply != nullptr);  // the scenario was checked
-  const hal::devices::Discharge battery = supply->battery();
+  const hal::node::devices::Discharge battery = supply->battery();
   const double to_level = drain.level ? (battery.charge() - *drain.level) * battery.capacity() : 0;
   supply->take(drain.energy ? *drain.energy : std::max(0.0, to_level));
 }

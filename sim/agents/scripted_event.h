@@ -15,15 +15,16 @@
 
 namespace sim::agents {
 
-/// What happens to agents.
+/// Scripted changes of agents.
 enum class Fortune : std::uint8_t {
-  kKill,       ///< The controller dies, as by a crash: its wheels stop after the command timeout,
-               ///< radio and routing live on.
-  kRestart,    ///< A controller that knows nothing begins with START; one that lives is killed.
-  kSwitchOff,  ///< Radio and motors have no power. The controller does not know.
-  kSwitchOn,
-  kAdd,     ///< An agent that was not there comes to its place, switched on, with a new controller.
-  kRemove,  ///< It is gone: no body, no radio, no controller.
+  /// The controller dies, as by a crash: its wheels stop after the command timeout, radio and
+  /// routing continue.
+  kKill,
+  kRestart,    ///< A new controller begins with START; a running one is killed.
+  kSwitchOff,  ///< Radio and motors have no power. The controller is not told.
+  kSwitchOn,   ///< Radio and motors have power again.
+  kAdd,        ///< An absent agent appears at its pose, switched on, with a new controller.
+  kRemove,     ///< The agent is absent: no body, no radio, no controller.
 };
 std::string_view name(Fortune fortune);  ///< As in files: "switch_off".
 

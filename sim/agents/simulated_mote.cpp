@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "hal/devices/channels.h"
+#include "hal/node/devices/channels.h"
 #include "hal/types/log.h"
 #include "hal/types/random.h"
 #include "sim/agents/agent_offer.h"
@@ -11,10 +11,11 @@
 namespace sim::agents {
 namespace {
 
-namespace devices = hal::devices;
+namespace devices = hal::node::devices;
 
-hal::routing::RoutingConfig routing_of(const AgentConfig& agent, const SimulationConfig& config) {
-  hal::routing::RoutingConfig routing = config.routing;
+hal::node::routing::RoutingConfig routing_of(const AgentConfig& agent,
+                                             const SimulationConfig& config) {
+  hal::node::routing::RoutingConfig routing = config.routing;
   routing.algorithm = agent.routing.value_or(routing.algorithm);
   return routing;
 }
@@ -22,8 +23,8 @@ hal::routing::RoutingConfig routing_of(const AgentConfig& agent, const Simulatio
 }  // namespace
 
 SimulatedMote::SimulatedMote(const AgentConfig& config, radio::MacSap& mac,
-                             Surroundings surroundings, hal::agent::AgentListener& listener,
-                             hal::agent::Drive* drive)
+                             Surroundings surroundings, hal::node::agent::AgentListener& listener,
+                             hal::node::agent::Drive* drive)
     : config_(config),
       surroundings_(surroundings),
       id_(config.id),

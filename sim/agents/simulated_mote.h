@@ -4,9 +4,9 @@
 #include <optional>
 #include <vector>
 
-#include "hal/agent/agent_core.h"
-#include "hal/devices/battery.h"
-#include "hal/devices/sensor.h"
+#include "hal/node/agent/agent_core.h"
+#include "hal/node/devices/battery.h"
+#include "hal/node/devices/sensor.h"
 #include "sim/agents/observer.h"
 #include "sim/agents/queue_timers.h"
 #include "sim/agents/radio_link.h"
@@ -29,18 +29,18 @@ struct Surroundings {
 
 /// An agent in the simulator: its core, whose ports end in the event queue, the simulated MAC and
 /// the scene. Its body, if it has one, is in the world already.
-class SimulatedMote : public hal::agent::Sensors {
+class SimulatedMote : public hal::node::agent::Sensors {
  public:
   SimulatedMote(const AgentConfig& config, radio::MacSap& mac, Surroundings surroundings,
-                hal::agent::AgentListener& listener)
+                hal::node::agent::AgentListener& listener)
       : SimulatedMote(config, mac, surroundings, listener, nullptr) {}
   ~SimulatedMote() override;
   SimulatedMote(const SimulatedMote&) = delete;
   SimulatedMote& operator=(const SimulatedMote&) = delete;
 
   const AgentConfig& config() const { return config_; }
-  hal::agent::AgentCore& core() { return core_; }
-  const hal::agent::AgentCore& core() const { return core_; }
+  hal::node::agent::AgentCore& core() { return core_; }
+  const hal::node::agent::AgentCore& core() const { return core_; }
   const std::string& name() const { return config_.name; }
 
   /// Schedules the start event and the control cycle: both at the agent's phase. What is there for
@@ -69,7 +69,7 @@ class SimulatedMote : public hal::agent::Sensors {
  protected:
   /// @param drive  of the derived agent; null: none.
   SimulatedMote(const AgentConfig& config, radio::MacSap& mac, Surroundings surroundings,
-                hal::agent::AgentListener& listener, hal::agent::Drive* drive);
+                hal::node::agent::AgentListener& listener, hal::node::agent::Drive* drive);
 
   hal::AgentId id() const { return id_; }
   Surroundings& surroundings() { return surroundings_; }
@@ -81,7 +81,7 @@ class SimulatedMote : public hal::agent::Sensors {
  private:
   /// One of `sensors:`, and its last values.
   struct Part {
-    std::unique_ptr<hal::devices::Sensor> sensor;
+    std::unique_ptr<hal::node::devices::Sensor> sensor;
     std::vector<double> held;
   };
 
@@ -99,7 +99,7 @@ class SimulatedMote : public hal::agent::Sensors {
   const hal::AgentId id_;
   RadioLink link_;
   QueueTimers timers_;
-  hal::agent::AgentCore core_;
+  hal::node::agent::AgentCore core_;
   std::vector<Part> sensors_;  ///< As in the description.
   radio::MacSap& mac_;
   std::unique_ptr<Supply> supply_;

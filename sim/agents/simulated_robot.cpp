@@ -6,16 +6,16 @@
 #include <utility>
 #include <variant>
 
-#include "hal/devices/channels.h"
+#include "hal/node/devices/channels.h"
 #include "hal/types/check.h"
 
 namespace sim::agents {
 namespace {
 
-namespace devices = hal::devices;
+namespace devices = hal::node::devices;
 
-const hal::devices::RobotDescription& description_of(const AgentConfig& config) {
-  return std::get<hal::devices::RobotDescription>(config.body);
+const hal::node::devices::RobotDescription& description_of(const AgentConfig& config) {
+  return std::get<hal::node::devices::RobotDescription>(config.body);
 }
 
 double fastest_of(std::span<const double> speeds) {
@@ -27,7 +27,7 @@ double fastest_of(std::span<const double> speeds) {
 }  // namespace
 
 SimulatedRobot::SimulatedRobot(const AgentConfig& config, radio::MacSap& mac,
-                               Surroundings surroundings, hal::agent::AgentListener& listener)
+                               Surroundings surroundings, hal::node::agent::AgentListener& listener)
     : SimulatedMote(config, mac, surroundings, listener, this),
       odometry_(surroundings.world.drive(config.id), description_of(config).encoder_steps),
       infrared_(config.id, description_of(config).infrared, surroundings.config.seed, config.name) {
@@ -42,7 +42,7 @@ void SimulatedRobot::advance(hal::Time at) {
 
 hal::Pose2 SimulatedRobot::reckoned(hal::Time now) const {
   if (now <= odometry_at_) return odometry_.pose();
-  hal::devices::WheelOdometry then = odometry_;
+  hal::node::devices::WheelOdometry then = odometry_;
   then.update(surroundings().world.wheel_angles(id()), now - odometry_at_);
   return then.pose();
 }

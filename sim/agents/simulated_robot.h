@@ -4,18 +4,18 @@
 #include <span>
 #include <vector>
 
-#include "hal/devices/odometry.h"
-#include "hal/devices/robot_description.h"
+#include "hal/node/devices/odometry.h"
+#include "hal/node/devices/robot_description.h"
 #include "sim/agents/simulated_mote.h"
 #include "sim/sensing/infrared.h"
 
 namespace sim::agents {
 
 /// A robot: a mote with wheels, odometry and infrared.
-class SimulatedRobot final : public SimulatedMote, public hal::agent::Drive {
+class SimulatedRobot final : public SimulatedMote, public hal::node::agent::Drive {
  public:
   SimulatedRobot(const AgentConfig& config, radio::MacSap& mac, Surroundings surroundings,
-                 hal::agent::AgentListener& listener);
+                 hal::node::agent::AgentListener& listener);
 
   void advance(hal::Time at) override;
   bool sample(std::size_t channel, hal::Time at, std::vector<double>& values) override;
@@ -39,7 +39,7 @@ class SimulatedRobot final : public SimulatedMote, public hal::agent::Drive {
   void set_motors(bool on) override;
   std::span<const sensing::InfraredReading> infrared(hal::Time at);
 
-  hal::devices::WheelOdometry odometry_;
+  hal::node::devices::WheelOdometry odometry_;
   hal::Time odometry_at_{};
   sensing::InfraredArray infrared_;
   double motor_input_ = 0;  ///< J until the last step of the physics.

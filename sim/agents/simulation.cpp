@@ -127,20 +127,20 @@ void Simulation::note_arrival(const std::string& name, std::vector<std::uint8_t>
   state_->observers.on_arrival({state_->events.now(), name, std::move(bytes)});
 }
 
-std::vector<hal::exchange::AgentOffer> Simulation::offers() const {
-  std::vector<hal::exchange::AgentOffer> offers;
+std::vector<hal::node::exchange::AgentOffer> Simulation::offers() const {
+  std::vector<hal::node::exchange::AgentOffer> offers;
   for (const auto& [id, agent] : state_->agents)
     offers.push_back({.session = agent->core().session(), .program = agent->config().program});
   return offers;
 }
 
-std::vector<hal::exchange::AgentName> Simulation::directory() const {
-  std::vector<hal::exchange::AgentName> names;
+std::vector<hal::node::exchange::AgentName> Simulation::directory() const {
+  std::vector<hal::node::exchange::AgentName> names;
   for (const AgentConfig& agent : state_->config.agents) names.push_back({agent.id, agent.name});
   return names;
 }
 
-void Simulation::connect(std::shared_ptr<hal::exchange::ControllerPort> port,
+void Simulation::connect(std::shared_ptr<hal::node::exchange::ControllerPort> port,
                          const std::vector<hal::AgentId>& agents, const hal::Wants& wants) {
   for (const hal::AgentId agent : agents) {
     state_->agents.at(agent)->core().connect(wants);

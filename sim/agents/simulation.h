@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "hal/exchange/ports.h"
+#include "hal/node/exchange/ports.h"
 #include "hal/types/agent_id.h"
 #include "hal/types/time.h"
 #include "sim/agents/observer.h"
@@ -69,7 +69,7 @@ struct Outcome {
 ///   Simulation simulation(config, observers);
 ///   simulation.connect(port, {id, …}, wants);   // until every agent has a controller
 ///   const Outcome outcome = simulation.run(std::nullopt, pace);
-class Simulation final : public hal::exchange::AgentHost {
+class Simulation final : public hal::node::exchange::AgentHost {
  public:
   /// @param observers  see everything, in this order; outlive the simulation.
   Simulation(const SimulationConfig& config, std::vector<Observer*> observers);
@@ -84,9 +84,9 @@ class Simulation final : public hal::exchange::AgentHost {
   /// @param sampler  outlives the simulation.
   void set_sampler(Sampler& sampler);
 
-  std::vector<hal::exchange::AgentOffer> offers() const override;
-  std::vector<hal::exchange::AgentName> directory() const override;
-  void connect(std::shared_ptr<hal::exchange::ControllerPort> port,
+  std::vector<hal::node::exchange::AgentOffer> offers() const override;
+  std::vector<hal::node::exchange::AgentName> directory() const override;
+  void connect(std::shared_ptr<hal::node::exchange::ControllerPort> port,
                const std::vector<hal::AgentId>& agents, const hal::Wants& wants) override;
 
   /// By which velocities by hand and the like enter the run. Doors are opened before the run; a

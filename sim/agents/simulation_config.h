@@ -6,9 +6,9 @@
 #include <variant>
 #include <vector>
 
-#include "hal/devices/robot_description.h"
-#include "hal/exchange/session.h"
-#include "hal/routing/routing_config.h"
+#include "hal/node/devices/robot_description.h"
+#include "hal/node/exchange/session.h"
+#include "hal/node/routing/routing_config.h"
 #include "hal/types/agent_id.h"
 #include "hal/types/geometry.h"
 #include "hal/types/quantity.h"
@@ -24,8 +24,9 @@ namespace sim::agents {
 
 enum class ControlPhase : std::uint8_t {
   kAligned,  ///< All agents start at 0, and so do all control cycles.
-  kUniform,  ///< Each agent starts, and so does its control cycle, at a phase of less than one
-             ///< control period, drawn from its stream "<name>/control".
+  /// Each agent and its control cycle start at a phase of less than one control period, drawn from
+  /// its stream "<name>/control".
+  kUniform,
 };
 
 /// What a controller process that died, or does not answer, does to the run.
@@ -47,7 +48,8 @@ inline constexpr const char* kAirInterface = "wlan0";
 /// sensor of a robot sees it.
 struct Station {
   PathDescription path;
-  std::vector<hal::devices::SensorDescription> sensors{};  ///< None: it has nothing to sense with.
+  std::vector<hal::node::devices::SensorDescription>
+      sensors{};  ///< None: it has nothing to sense with.
   bool operator==(const Station&) const = default;
 };
 
@@ -55,12 +57,13 @@ struct AgentConfig {
   hal::AgentId id;  ///< 1 … kLastAddress
   std::string name;
   hal::Pose2 pose;  ///< At time 0, world frame.
-  std::variant<hal::devices::MoteDescription, hal::devices::RobotDescription, Station> body;
+  std::variant<hal::node::devices::MoteDescription, hal::node::devices::RobotDescription, Station>
+      body;
   std::string program;  ///< Controller; empty: nobody drives it, which has a network.
-  std::vector<hal::exchange::ParameterText> parameters;
+  std::vector<hal::node::exchange::ParameterText> parameters;
   radio::StationConfig radio{};  ///< What its radio has that SimulationConfig::radio has not.
   /// None: as SimulationConfig::routing.
-  std::optional<hal::routing::Algorithm> routing{};
+  std::optional<hal::node::routing::Algorithm> routing{};
   /// None: no program can use its radio by sockets.
   std::optional<air::NetworkConfig> network{};
   bool inside = false;     ///< Its controller runs in the agent's own network.
@@ -69,13 +72,14 @@ struct AgentConfig {
 
 /// To its controller it is a robot; all others are motes.
 inline bool is_robot(const AgentConfig& agent) {
-  return std::holds_alternative<hal::devices::RobotDescription>(agent.body);
+  return std::holds_alternative<hal::node::devices::RobotDescription>(agent.body);
 }
 inline bool has_body(const AgentConfig& agent) {
   return !std::holds_alternative<Station>(agent.body);
 }
 
-inline const std::vector<hal::devices::SensorDescription>& sensors_of(const AgentConfig& agent) {
+inline const std::vector<hal::node::devices::SensorDescription>& sensors_of(
+    const AgentConfig& agent) {
   return std::visit(
       [](const auto& body) -> const auto& { return body.sensors; }, agent.body);
 }
@@ -108,7 +112,7 @@ struct SimulationConfig {
   std::vector<physics::StaticBox> walls;
   radio::RadioConfig radio;
   LinkKind link = LinkKind::kMac;
-  hal::routing::RoutingConfig routing;
+  hal::node::routing::RoutingConfig routing;
   LocalisationConfig localisation;
   std::vector<AgentConfig> agents;  ///< By address.
   std::vector<EndCondition> ends;

@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "hal/exchange/agent_table.h"
+#include "hal/node/exchange/agent_table.h"
 #include "sim/agents/condition_watch.h"
 #include "sim/agents/controllers.h"
 #include "sim/agents/interfaces.h"
@@ -26,7 +26,7 @@ class SimulatedRobot;
 /// The parts of a run and its loop. An instant (or, with a controller latency, a window of time) is
 /// worked off in rounds: its events run, what they have for controllers is handed over all at once,
 /// and the answers take effect; what they cause at the same instant starts the next round.
-struct Simulation::State final : hal::agent::AgentListener {
+struct Simulation::State final : hal::node::agent::AgentListener {
   State(const SimulationConfig& config, std::vector<Observer*> observers);
 
   void on_inbox(hal::AgentId agent) override { waiting.push_back(agent); }
@@ -47,12 +47,12 @@ struct Simulation::State final : hal::agent::AgentListener {
   void work_off(hal::Time begin);
   /// What there is to be handed over now, by (time, agent, cause, arrival). Valid until the next
   /// call.
-  std::vector<hal::exchange::Event>& take_events();
+  std::vector<hal::node::exchange::Event>& take_events();
   void exchange(hal::Time window_end);
   void take_effect(Controllers::Answer answer);
-  void on_error(const hal::exchange::Action& action, hal::Time event_time);
-  void apply(const hal::exchange::Action& action);
-  void apply_last(const hal::exchange::Action& action);
+  void on_error(const hal::node::exchange::Action& action, hal::Time event_time);
+  void apply(const hal::node::exchange::Action& action);
+  void apply_last(const hal::node::exchange::Action& action);
   /// An answer of a controller that has died since it was asked.
   bool is_of_dead(hal::AgentId agent, hal::Time event_time) const;
   void on_end(const EndCondition& condition);
@@ -100,12 +100,12 @@ struct Simulation::State final : hal::agent::AgentListener {
   WorldObstacles obstacles;
   radio::RadioNetwork air;
   Interfaces interfaces;
-  hal::exchange::AgentTable<std::unique_ptr<SimulatedMote>> agents;
+  hal::node::exchange::AgentTable<std::unique_ptr<SimulatedMote>> agents;
   std::vector<SimulatedRobot*> fed_robots;  ///< Those with batteries, by address.
   Controllers controllers;
   std::vector<hal::AgentId> waiting;  ///< Agents with something in the inbox; repeats allowed.
   /// Of take_events(), kept for their memory: of thousands of events a round, it is megabytes.
-  std::vector<hal::exchange::Event> taken, taken_by_time;
+  std::vector<hal::node::exchange::Event> taken, taken_by_time;
   std::optional<hal::Time> until;
   std::optional<std::string> result;  ///< Set when the run has ended.
   std::string error;
@@ -116,11 +116,11 @@ struct Simulation::State final : hal::agent::AgentListener {
   ConditionWatch watch;
   std::vector<std::size_t> asked;  ///< Numbers of SimulationConfig::asked in the watch.
   Script script;
-  std::map<hal::AgentId, hal::Wants> wants;     ///< Of their controllers.
-  std::map<hal::AgentId, hal::Time> died_at;    ///< When controllers died by the script, last.
-  std::vector<hal::AgentId> dead;               ///< Whose controllers are dead by the script.
-  std::vector<hal::exchange::Event> farewells;  ///< The last events, of those.
-  std::vector<hal::AgentId> displaced;          ///< Since the last physics step.
+  std::map<hal::AgentId, hal::Wants> wants;   ///< Of their controllers.
+  std::map<hal::AgentId, hal::Time> died_at;  ///< When controllers died by the script, last.
+  std::vector<hal::AgentId> dead;             ///< Whose controllers are dead by the script.
+  std::vector<hal::node::exchange::Event> farewells;  ///< The last events, of those.
+  std::vector<hal::AgentId> displaced;                ///< Since the last physics step.
   /// Of those that come with the next physics step: what is to happen to them then.
   std::map<hal::AgentId, std::vector<std::pair<const ScriptedAction*, std::size_t>>> arriving;
 };

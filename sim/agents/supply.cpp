@@ -7,7 +7,7 @@
 namespace sim::agents {
 namespace {
 
-using hal::devices::RadioPower;
+using hal::node::devices::RadioPower;
 using radio::RadioActivity;
 
 /// s. If it may be empty within this time, each change of the load is followed.
@@ -23,7 +23,7 @@ double most(const RadioPower& power) {
 
 }  // namespace
 
-Supply::Supply(const hal::devices::Battery& battery, EventQueue& events, hal::AgentId agent,
+Supply::Supply(const hal::node::devices::Battery& battery, EventQueue& events, hal::AgentId agent,
                std::function<void()> on_empty)
     : battery_(battery),
       events_(events),
@@ -62,8 +62,8 @@ void Supply::take(double joules) {
   watch();
 }
 
-hal::devices::Discharge Supply::battery() const {
-  hal::devices::Discharge now = discharge_;
+hal::node::devices::Discharge Supply::battery() const {
+  hal::node::devices::Discharge now = discharge_;
   now.draw(power_, events_.now() - since_);
   return now;
 }
@@ -114,7 +114,8 @@ void Supply::change() {
 /// Looks again when it may be empty.
 void Supply::watch() {
   events_.cancel(look_);
-  if (battery_.when_empty != hal::devices::WhenEmpty::kOff || is_spent_ || !is_present_) return;
+  if (battery_.when_empty != hal::node::devices::WhenEmpty::kOff || is_spent_ || !is_present_)
+    return;
   const std::optional<double> at_least = discharge_.lasts(most_power_);
   if (!at_least) return;
   is_near_ = *at_least < kNear;

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "hal/devices/battery.h"
+#include "hal/node/devices/battery.h"
 #include "hal/types/agent_id.h"
 #include "hal/types/time.h"
 #include "sim/core/event_queue.h"
@@ -12,9 +12,9 @@ namespace sim::agents {
 
 /// The battery of a simulated agent, and what it feeds: computer, radio and motors. All loads are
 /// constant between the instants at which they change, so that the battery is followed in closed
-/// form (hal::devices::Discharge). With `when_empty: off` it tells at the very instant at which it
-/// is empty, rounded up to a nanosecond: by an event of the rank kNodeTimer, so that what the radio
-/// does and ends at that instant is done and has ended.
+/// form (hal::node::devices::Discharge). With `when_empty: off` it tells at the very instant at
+/// which it is empty, rounded up to a nanosecond: by an event of the rank kNodeTimer, so that what
+/// the radio does and ends at that instant is done and has ended.
 ///
 ///   Supply supply(battery, events, agent, [this] { switch_off(); });
 ///   mac.set_use_listener(&supply);
@@ -24,7 +24,7 @@ namespace sim::agents {
 /// it may get or has had. Only when that is near it follows each change of the load.
 class Supply final : public radio::RadioUseListener {
  public:
-  Supply(const hal::devices::Battery& battery, EventQueue& events, hal::AgentId agent,
+  Supply(const hal::node::devices::Battery& battery, EventQueue& events, hal::AgentId agent,
          std::function<void()> on_empty);
   ~Supply() override { events_.cancel(look_); }
   Supply(const Supply&) = delete;
@@ -39,7 +39,7 @@ class Supply final : public radio::RadioUseListener {
   void take(double joules);
 
   /// The battery as of now.
-  hal::devices::Discharge battery() const;
+  hal::node::devices::Discharge battery() const;
   /// J that all loads took since time 0, also from a battery that was empty and let them stay up.
   double load() const;
   /// It was empty and switched its agent off: it feeds nothing any more.
@@ -54,14 +54,14 @@ class Supply final : public radio::RadioUseListener {
   void look_in(double seconds);
   void look();
 
-  const hal::devices::Battery battery_;
+  const hal::node::devices::Battery battery_;
   EventQueue& events_;
   const hal::AgentId agent_;
   const std::function<void()> on_empty_;
-  hal::devices::Discharge discharge_;
-  hal::devices::ExactSum load_;  ///< J
-  hal::Time since_{};            ///< Until when it has been followed.
-  double power_ = 0;             ///< W, since then.
+  hal::node::devices::Discharge discharge_;
+  hal::node::devices::ExactSum load_;  ///< J
+  hal::Time since_{};                  ///< Until when it has been followed.
+  double power_ = 0;                   ///< W, since then.
   radio::RadioActivity activity_ = radio::RadioActivity::kListening;
   double motors_ = 0;      ///< W
   double most_power_ = 0;  ///< W, that look_ allows for.

@@ -15,7 +15,8 @@ double decibels(const ObstacleLoss& loss, double metres) {
 /// Distance from a point to the farthest of a shape, seen from above, m.
 double farthest(const hal::Vec3& from, const physics::Shape& shape) {
   const hal::Vec2 way = shape.centre - hal::Vec2{from.x, from.y};
-  return std::sqrt(dot(way, way)) + std::max(shape.radius, std::sqrt(dot(shape.half, shape.half)));
+  return std::sqrt(hal::dot(way, way)) +
+         std::max(shape.radius, std::sqrt(hal::dot(shape.half, shape.half)));
 }
 
 /// Of a body, whose shapes may overlap or stand one above the other: the way through them.

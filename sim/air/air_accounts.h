@@ -15,13 +15,13 @@
 
 namespace sim::air {
 
-/// How frames, or what they carried, ended at one radio.
+/// How frames, or their contents, ended at one radio.
 struct AirEnds {
   std::uint64_t frames = 0;  ///< Counted as this kind.
   std::uint64_t parts = 0;   ///< That carried some of it.
 };
 
-/// What one transmitter sent of one kind.
+/// Transmissions of one kind by one transmitter.
 struct AirAccount {
   hal::AgentId transmitter;
   AirKind kind;
@@ -52,14 +52,14 @@ struct WriterAccount {
   bool changed = false;
 };
 
-/// What the air is used for. Every frame is shared out over what it carries, in proportion to the
-/// octets of that, headers and preamble with it; what a whole number of bits or nanoseconds leaves
-/// over goes to the largest remainders (method of Hamilton; of equals the first gets it). The frame
-/// itself is counted once, as its largest part. So the sums over all accounts of a transmitter are
-/// the numbers of its radio: exactly.
+/// Accounts of air time. Each frame, with headers and preamble, is divided among its contents in
+/// proportion to their octets; the rest of a whole number of bits or nanoseconds goes to the
+/// largest remainders (Hamilton's method; the first of equal ones gets it). The frame itself is
+/// counted once, as its largest part. The sums over all accounts of a transmitter therefore equal
+/// the numbers of its radio exactly.
 class AirAccounts {
  public:
-  /// A frame's shares: where they went.
+  /// Accounts of a frame's shares.
   struct Share {
     std::uint32_t account = 0, writer = 0;  ///< Places in all() and writers().
     std::int64_t bits = 0, airtime_ns = 0;
@@ -77,7 +77,7 @@ class AirAccounts {
   void add(const Content& content, const Sent& sent, Shares& shares);
   /// The accounts of a content's pieces.
   void open(const Content& content, hal::AgentId transmitter, Shares& shares);
-  /// A frame of these shares was on the air for so long only.
+  /// A frame of these shares was cut after this time on the air.
   void cut(const Content& content, hal::Duration airtime, Shares& shares);
   void add_end(const Content& content, const Shares& shares, hal::AgentId receiver, bool addressed,
                hal::Verdict verdict);

@@ -9,16 +9,16 @@
 
 namespace sim::air {
 
-/// Whose purposes a part of a frame serves.
+/// Purpose of a part of a frame.
 enum class Purpose : std::uint8_t {
-  kUser,        ///< RTPS: of the writers and readers of programs.
-  kSpdp,        ///< RTPS: who takes part.
-  kSedp,        ///< RTPS: who writes and reads what.
+  kUser,        ///< RTPS: data of the writers and readers of programs.
+  kSpdp,        ///< RTPS: discovery of participants.
+  kSedp,        ///< RTPS: discovery of endpoints.
   kLiveliness,  ///< RTPS: participant messages.
   kBuiltin,     ///< RTPS: other endpoints of the middleware: security, type lookup, a vendor's.
   kRtps,        ///< RTPS without endpoints: nothing else is in the datagram.
-  kNetwork,     ///< IP and ARP that are no RTPS.
-  kRouting,     ///< Frames of hal/routing.
+  kNetwork,     ///< IP and ARP other than RTPS.
+  kRouting,     ///< Frames of hal/node/routing.
   kMac,         ///< Control and management of IEEE 802.11.
   kOther,
 };
@@ -53,7 +53,7 @@ static_assert(hal::names_exactly<Purpose, kPurposes>([](Purpose p) { return name
 
 constexpr bool is_rtps(Purpose purpose) { return purpose <= Purpose::kRtps; }
 
-/// What a part of a frame is counted as.
+/// Account of a part of a frame.
 struct AirKind {
   Purpose purpose = Purpose::kOther;
   /// Of RTPS the kind of submessage; of kNetwork the number of the protocol, of ARP kArp; of kMac a
@@ -70,8 +70,8 @@ inline constexpr std::uint16_t kFragments = 0x101;
 /// What cannot be walked over as RTPS, or as IP.
 inline constexpr std::uint16_t kMalformed = 0x102;
 
-/// The port that names the service: the lower one. 0 if both are of the range that systems give to
-/// whoever asks for none (from 32768 on, as Linux has it): there are too many to tell apart.
+/// The port that identifies the service: the lower one. 0 if both are ephemeral ports (from 32768
+/// on, as in Linux), which are too many to be distinguished.
 constexpr std::uint16_t service_port(std::uint16_t one, std::uint16_t other) {
   const std::uint16_t lower = one < other ? one : other;
   return lower < 32768 ? lower : 0;

@@ -8,14 +8,14 @@
 
 namespace sim::air {
 
-/// What there is of a topic of programs so far, for those who look on.
+/// Figures of a topic of programs so far, for tools.
 struct TopicUse {
-  std::string_view
-      topic;  ///< Empty: not told of. Lives as long as the ledger, and until it learns.
+  /// Empty: not announced. Valid as long as the ledger, until the name becomes known.
+  std::string_view topic;
   std::uint64_t samples = 0, delivered = 0, first_try = 0;  ///< Settled; times receiving agents.
   hal::Duration latency_median{}, latency_p99{};            ///< Lower edges of their bins.
   hal::Duration airtime{};
-  double share = 0;  ///< Of the air time of all that was sent.
+  double share = 0;  ///< Of the total air time.
 };
 
 /// By number of the topic.

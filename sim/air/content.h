@@ -13,7 +13,7 @@
 
 namespace sim::air {
 
-/// What a frame carries of one kind, next to each other.
+/// A contiguous part of a frame's contents of one kind.
 struct Piece {
   AirKind kind;
   EndpointIndex writer = 0;
@@ -21,7 +21,7 @@ struct Piece {
   bool begins = true;        ///< Its first octet is in this frame.
 };
 
-/// What is in a frame.
+/// Contents of a frame.
 struct Content {
   std::vector<Piece> pieces;  ///< At least one.
   DatagramPlace place{};

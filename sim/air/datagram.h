@@ -18,9 +18,9 @@ namespace sim::air {
 struct DatagramPart {
   std::uint32_t begin = 0, end = 0;
   AirKind kind{};
-  EndpointIndex writer = 0;          ///< That it is from or, ACKNACK and NACK_FRAG, about.
-  EndpointIndex told = 0;            ///< SEDP: the endpoint that it tells of.
-  hal::rtps::GuidPrefix to{};        ///< Of an INFO_DST before it; zero: everyone.
+  EndpointIndex writer = 0;    ///< Its writer; of ACKNACK and NACK_FRAG, the writer addressed.
+  EndpointIndex told = 0;      ///< SEDP: the endpoint that it announces.
+  hal::rtps::GuidPrefix to{};  ///< Of an INFO_DST before it; zero: everyone.
   std::int64_t sequence_number = 0;  ///< User's DATA and DATA_FRAG; 0: none.
   std::uint32_t first_fragment = 1, fragments = 1, all_fragments = 1;  ///< Of the sample.
   std::uint32_t sample_size = 0;                                       ///< Octets, serialised.
@@ -35,8 +35,8 @@ struct Datagram {
   std::uint16_t port = 0;   ///< service_port()
   std::uint32_t size = 0;   ///< Octets of the payload of UDP.
   std::uint32_t known = 0;  ///< So many of them from the first on.
-  std::vector<std::byte>
-      octets{};  ///< As many as `size`, those not known 0; gone once all were read.
+  /// As many as `size`, those not known 0; gone once all were read.
+  std::vector<std::byte> octets{};
   std::vector<DatagramPart> parts{};
   bool is_rtps = false;
 
@@ -49,15 +49,14 @@ struct Datagram {
   } walk{};
 };
 
-/// Where a packet's payload lies in its datagram; null: nobody knows, or it is no UDP.
+/// Position of a packet's payload in its datagram; null: unknown, or not UDP.
 struct DatagramPlace {
   std::shared_ptr<Datagram> datagram{};
   std::uint32_t begin = 0, end = 0;  ///< Octets of the payload of UDP.
 };
 
-/// Puts datagrams of UDP together from the packets that senders hand to their interfaces, which are
-/// in order: the first fragment comes first. Of datagrams that stay unfinished the last kMost are
-/// kept.
+/// Reassembles datagrams of UDP from the packets that senders write to their interfaces, which are
+/// in order: the first fragment comes first. The last kMost unfinished datagrams are kept.
 class Datagrams {
  public:
   static constexpr std::size_t kMost = 256;

@@ -18,24 +18,24 @@ namespace sim::air {
 /// Number of an endpoint among Endpoints::all(); 0: none, or one too many.
 using EndpointIndex = std::uint32_t;
 
-/// A writer or reader of DDS, as its GUID and SEDP tell of it.
+/// A writer or reader of DDS, as known from its GUID and SEDP.
 struct Endpoint {
   hal::rtps::Guid guid;
   std::optional<hal::AgentId> agent;   ///< Whose programs have it; none: they sent nothing yet.
   std::uint32_t topic = 0;             ///< Number of its name; 0: not told yet.
   std::string type{};                  ///< Empty: likewise.
-  std::optional<hal::Time> told_at{};  ///< When SEDP first told of it.
+  std::optional<hal::Time> told_at{};  ///< When SEDP first announced it.
   bool is_reliable = false;
   std::uint32_t durability = 0;  ///< As in hal::rtps::DiscoveredEndpoint.
   std::vector<std::string> partitions{};
   bool is_gone = false;               ///< Disposed.
-  std::set<hal::AgentId> known_at{};  ///< Agents that what SEDP tells of it arrived at.
+  std::set<hal::AgentId> known_at{};  ///< Agents that received its announcement by SEDP.
 };
 
 /// The endpoints that were seen on the air, their topics, and which of them exchange samples.
 ///
-/// Whoever sends garbage can name as many as there are GUIDs: of those beyond kMost, and of names
-/// beyond kMostTopics, nothing is known. Names are cut.
+/// Invalid data can contain any number of GUIDs: endpoints beyond kMost, and names beyond
+/// kMostTopics, are ignored. Names are truncated.
 class Endpoints {
  public:
   static constexpr std::size_t kMost = 1U << 16U, kMostTopics = 1U << 12U;
@@ -59,10 +59,10 @@ class Endpoints {
   /// nobody listens to it.
   void reach(EndpointIndex endpoint, EndpointIndex told_by, hal::AgentId agent);
 
-  /// Agents other than the writer's with a reader that it sends its samples to: same topic and
-  /// type, neither offers less than the other asks for (reliability and durability), a partition in
-  /// common by name, and what discovery told of the reader has arrived at the writer's agent; of a
-  /// pair that is not reliable, also the other way round.
+  /// Agents other than the writer's with a reader to which it sends its samples: same topic and
+  /// type, compatible reliability and durability, a common partition by name, and the announcement
+  /// of the reader has arrived at the writer's agent; for a pair that is not reliable, also that of
+  /// the writer at the reader's.
   std::vector<hal::AgentId> readers_of(EndpointIndex writer) const;
 
   /// Those that SEDP told of since the last call, or whose agent became known.

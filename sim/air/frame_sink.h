@@ -9,7 +9,7 @@
 
 namespace sim::air {
 
-/// Who takes what comes off the air for the agents' interfaces.
+/// Receiver of frames for the agents' interfaces.
 class FrameSink {
  public:
   virtual ~FrameSink() = default;
@@ -19,9 +19,9 @@ class FrameSink {
   virtual void on_frame(hal::AgentId agent, hal::Time at,
                         std::span<const std::uint8_t> ethernet) = 0;
 
-  /// Room in the queue of the agent's station, frames: whenever frames from its programs have come
-  /// in or ended, and now and then. What FrameSource::read() has handed over until now is counted
-  /// as if it were there. On the run's thread.
+  /// Room in the queue of the agent's station, frames: reported whenever frames of its programs
+  /// have arrived or ended, and at other times. Frames that FrameSource::read() has returned until
+  /// now count as queued. On the run's thread.
   struct Room {
     std::size_t free = 0;
     std::size_t capacity = 0;  ///< When the queue is empty.

@@ -24,8 +24,8 @@ class FrameSource {
   /// Readable while frames are there.
   virtual int descriptor() const = 0;
 
-  /// Takes frames that are there, at most so many, and waits for none.
-  /// @throws std::runtime_error  an interface is gone.
+  /// Takes frames that are available, up to the given number, without waiting.
+  /// @throws std::runtime_error  an interface was removed.
   virtual void read(std::size_t most, const std::function<void(SentFrame)>& take) = 0;
 };
 

@@ -11,7 +11,7 @@
 
 namespace sim::air {
 
-/// What an interface tells of; on the run's thread.
+/// Told of the frames of an interface; on the run's thread.
 class InterfaceListener {
  public:
   virtual ~InterfaceListener() = default;
@@ -25,9 +25,9 @@ class InterfaceListener {
   virtual void on_ended(hal::AgentId agent) = 0;
 };
 
-/// The agent's `wlan0` between Ethernet II frames, without preamble and check sequence, and the
-/// station's MacSap: IPv4, ARP and IPv6. The Ethernet header's addresses, type and payload are the
-/// air's; a multicast frame goes out as a broadcast one, and keeps its group.
+/// The agent's `wlan0`: converts between Ethernet II frames, without preamble and check sequence,
+/// and the station's MacSap, for IPv4, ARP and IPv6. Addresses, type and payload of the Ethernet
+/// header are kept; a multicast frame is sent as a broadcast, and keeps its group.
 class Interface final : public radio::MacClient {
  public:
   /// @param mac, listener  outlive it.
@@ -36,7 +36,7 @@ class Interface final : public radio::MacClient {
   /// Sends it, or refuses it. Between two events.
   void send(std::span<const std::uint8_t> ethernet);
 
-  /// How many frames more would find a place in the station's queue now.
+  /// Free places in the station's queue now, frames.
   std::size_t room() const { return mac_.room(); }
 
   /// Whether TCP has passed here: its timers do not follow simulated time.

@@ -21,7 +21,7 @@ inline constexpr std::uint8_t kHopByHop = 0, kIcmp = 1, kIgmp = 2, kTcp = 6, kUd
 /// An IPv6 address, or an IPv4 one in the last four octets.
 using IpAddress = std::array<std::uint8_t, 16>;
 
-/// What belongs together in fragments (RFC 791, 2.3; RFC 8200, 4.5).
+/// Identifies the fragments of one datagram (RFC 791, 2.3; RFC 8200, 4.5).
 struct FragmentKey {
   IpAddress source{}, destination{};
   std::uint32_t identification = 0;
@@ -40,7 +40,7 @@ struct IpPacket {
 };
 
 /// @param packet  behind the Ethernet header; what follows the packet's own length is padding.
-/// @return none: it is none of the two, or cut off.
+/// @return none: it is neither of the two, or truncated.
 std::optional<IpPacket> read_ip(radio::Ethertype type, Octets packet);
 
 }  // namespace sim::air

@@ -16,22 +16,21 @@
 
 namespace sim::air {
 
-/// Air time of one simulated second by what it was used for; frames count where they begin.
+/// Air time of one simulated second by purpose; frames count in the second in which they begin.
 struct AirSecond {
   std::int64_t second = 0;
   std::map<std::pair<Purpose, std::uint16_t>, hal::Duration> airtime{};  ///< AirKind::what.
 };
 
-/// What the air is used for: whose submessages, protocols and frames take its time and what becomes
-/// of them; and of the samples of DDS, which come at the first try, repaired, or not. It looks
-/// only.
+/// Accounts of air time by submessages, protocols and frames with their results; and of the samples
+/// of DDS, which arrive at the first try, repaired, or not at all. It only observes.
 ///
 ///   Ledger ledger;
 ///   RadioNetwork network(config, stations, {…, ledger, …});   // or beside other observers
 ///   …on_entered() and on_left() for what goes through programs' interfaces…
 ///   ledger.finish(now);
 ///
-/// Payloads are read once, when they enter or, if nobody tells of that, when they are first sent.
+/// Payloads are read once, when they enter or, if that is not reported, when they are first sent.
 class Ledger final : public radio::RadioObserver {
  public:
   Ledger();
@@ -54,7 +53,7 @@ class Ledger final : public radio::RadioObserver {
   /// The run ended: frames in the air count up to then, open samples are settled.
   void finish(hal::Time now);
 
-  /// Settles what is old enough; before the counts are looked at.
+  /// Settles samples that are old enough; call it before reading the counts.
   void settle(hal::Time now) { samples_.settle(now); }
 
   Endpoints& endpoints() { return endpoints_; }
@@ -70,8 +69,8 @@ class Ledger final : public radio::RadioObserver {
   const AirSecond& this_second() const { return second_; }
 
  private:
-  /// A frame of which not all is known yet. A station begins its next one a SIFS later at the
-  /// earliest; by then the waves of this one may still be on their way.
+  /// A frame that is not complete yet. A station begins its next frame a SIFS later at the
+  /// earliest, when this one may still be propagating.
   struct Sent {
     std::uint64_t frame = 0;
     hal::Time start{};

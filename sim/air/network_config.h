@@ -5,8 +5,8 @@
 namespace sim::air {
 
 inline constexpr int kLeastPrefix = 8, kMostPrefix = 30;
-/// Bytes of an IP packet: what every host takes in one piece (RFC 791), and what a frame holds
-/// behind LLC and SNAP.
+/// Bytes of an IP packet: what every host accepts in one piece (RFC 791), and what fits into a
+/// frame after LLC and SNAP.
 inline constexpr int kLeastMtu = 576, kMostMtu = 2296;
 inline constexpr int kLeastMtuOfIpv6 = 1280;  ///< RFC 8200, 5: below it there is no IPv6.
 

@@ -7,13 +7,13 @@
 
 namespace sim::air {
 
-/// Why a frame from an interface does not go on the air.
+/// Why a frame from an interface is not sent.
 enum class Refusal : std::uint8_t {
   kTooShort,     ///< No Ethernet header.
-  kTooLong,      ///< More behind the header than an MSDU holds.
+  kTooLong,      ///< Its payload exceeds an MSDU.
   kEthertype,    ///< Neither IPv4, ARP nor IPv6.
-  kSource,       ///< Not from this agent's address: a station sends under no other.
-  kDestination,  ///< No station's address, and no group's; or this agent's own.
+  kSource,       ///< Its source is not this agent's address.
+  kDestination,  ///< Neither a station's address nor a group's; or this agent's own.
 };
 inline constexpr int kRefusals = 5;
 

@@ -7,9 +7,9 @@
 
 namespace sim::air {
 
-/// Names the submessages of datagrams of RTPS as their fragments come, and learns from what SEDP
-/// tells in them: OMG DDSI-RTPS 2.5, 8.3 and 9.4. Nothing is taken for granted of what is there:
-/// anybody may have sent it.
+/// Classifies the submessages of RTPS datagrams as their fragments arrive, and collects the
+/// announcements of SEDP in them: OMG DDSI-RTPS 2.5, 8.3 and 9.4. The contents are not trusted: any
+/// program may have sent them.
 class RtpsReader {
  public:
   explicit RtpsReader(Endpoints& endpoints) : endpoints_(endpoints) {}

@@ -9,12 +9,12 @@
 
 namespace sim::air {
 
-/// Why a sample did not come to an agent, and where that was.
+/// Cause and place of the loss of a sample on its way to an agent.
 struct LossCause {
   enum class Kind : std::uint8_t {
-    kUnknown,     ///< Nothing that carried it was seen to be lost.
-    kNotMatched,  ///< It came; the agent had not been told of its writer yet, and dropped it.
-    kVerdict,     ///< What carried it ended so.
+    kUnknown,     ///< No loss of a frame that carried it was observed.
+    kNotMatched,  ///< It arrived before the announcement of its writer, and was dropped.
+    kVerdict,     ///< The frame or message that carried it ended with `verdict`.
   };
   Kind kind = Kind::kUnknown;
   hal::Verdict verdict = hal::Verdict::kDelivered;  ///< Of kVerdict.

@@ -17,8 +17,8 @@
 
 namespace sim::air {
 
-/// How a sample of a program's writer got to one agent with a reader that was matched when it was
-/// first sent.
+/// Delivery of a sample of a program's writer to one agent with a reader that was matched when it
+/// was first sent.
 struct SampleDelivery {
   EndpointIndex writer = 0;
   std::int64_t sequence_number = 0;
@@ -29,11 +29,11 @@ struct SampleDelivery {
   std::uint32_t fragments = 1;       ///< Of RTPS.
   std::uint32_t repairs = 0;         ///< Fragments, or whole samples, sent there again.
   bool is_repaired = false;          ///< Delivered, and not all of it by what was sent first.
-  std::optional<SampleLoss> loss{};  ///< Of one that did not come: of its last carrier.
+  std::optional<SampleLoss> loss{};  ///< If not delivered: the loss of its last carrier.
   bool is_under_way = false;         ///< The run ended first.
 };
 
-/// What there is of the samples of one writer at one agent.
+/// Counts of the samples of one writer at one agent.
 struct SampleSums {
   std::uint64_t samples = 0;    ///< Sent there while a reader was matched, and settled.
   std::uint64_t delivered = 0;  ///< Whole.
@@ -51,8 +51,8 @@ struct SampleSums {
 /// to the interfaces of the agents whose readers are matched: nothing is asked of the programs. A
 /// sample is settled kSettled after it was last sent; what is repeated later changes nothing.
 ///
-/// One that did not come is lost to what became of its last carrier: of the data frames that
-/// brought what is missing of it, hop by hop, the last one that ended without having got on.
+/// The cause of a loss is the result of the sample's last carrier: of the data frames that carried
+/// its missing part, hop by hop, the last one that ended without reaching its next hop.
 class Samples {
  public:
   static constexpr hal::Duration kSettled = std::chrono::seconds{10};

@@ -9,9 +9,9 @@
 
 namespace sim {
 
-/// Square cells over the plane, each listing the members in it, so that who looks for neighbours
-/// looks at the cells around and not at everybody. Radio, localisation and sensing find theirs with
-/// it. Members are numbers from 0. Answers depend on where members are, not on how they came there.
+/// Square cells over the plane, each listing the members in it, so that a search for neighbours
+/// visits the surrounding cells only. Radio, localisation and sensing use it. Members are numbers
+/// from 0. Results depend on the members' positions, not on their history.
 class CellGrid {
  public:
   using Member = std::uint32_t;

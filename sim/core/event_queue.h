@@ -19,15 +19,16 @@ using hal::AgentId;
 using hal::Duration;
 using hal::Time;
 
-/// What happens first among events of one time.
+/// Order of events of one time: lower ranks run first.
 enum class Rank : std::uint8_t { kScenario, kPhysics, kRadio, kNodeTimer, kControl, kAction };
 
 /// Owner of events that belong to no agent (physics, scenario). Sorts before all agents.
 inline constexpr AgentId kWorld{0};
 
-/// Future events, run in order of (time, rank, agent, that agent's counter): never of insertion
-/// across agents, so results do not depend on how code happens to schedule. Agents' addresses start
-/// at 1. A handler may schedule and cancel anything at or after now(). One thread.
+/// Future events, run in the order (time, rank, agent, that agent's counter). The order of
+/// insertion across agents has no influence, so results do not depend on the order in which code
+/// schedules. Agents' addresses start at 1. A handler may schedule and cancel anything at or after
+/// now(). One thread.
 ///
 ///   const auto id = queue.schedule(now + 10us, Rank::kRadio, self, [this] { send_cts(); });
 ///   queue.cancel(id);
@@ -65,9 +66,9 @@ class EventQueue {
   template <class F>
   EventId schedule(Time at, Place place, F&& handler);
 
-  /// For a handler that works off a series of events: makes (at, place) the event that runs now, as
-  /// if it had been scheduled, if nothing else comes before it and the caller of run_next() lets
-  /// handlers go on so far. @return false: schedule it.
+  /// For a handler that processes a series of events: makes (at, place) the event that runs now, as
+  /// if it had been scheduled, if no other event precedes it and run_next() permits handlers to
+  /// continue that far. @return false: schedule it.
   bool go_on(Time at, Place place);
 
   /// @return false if the event has run, was cancelled, or `id` names none. Clears `id`.
@@ -79,7 +80,7 @@ class EventQueue {
   /// Time of the next event; none if the queue is empty.
   std::optional<Time> next_time();
 
-  /// Runs the next event, and the rest of its series (go_on()) as far as it is at `last` or before.
+  /// Runs the next event, and the rest of its series (go_on()) up to and including `last`.
   /// @pre there is one.
   void run_next(Time last = Time::min());
 

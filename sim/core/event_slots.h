@@ -7,7 +7,7 @@
 
 namespace sim {
 
-/// Where the handler of one event is kept while it is pending. One cache line.
+/// Storage for the handler of one pending event. One cache line.
 struct alignas(64) EventSlot {
   static constexpr std::size_t kHandlerSize = 48;
   enum class Act : std::uint8_t { kRunAndDestroy, kDestroy };
@@ -16,10 +16,10 @@ struct alignas(64) EventSlot {
   alignas(alignof(void*)) std::byte storage[kHandlerSize];
 };
 
-/// Slots by index. They do not move, so a handler may schedule others while it runs. Each is used
-/// for one event after another; a generation tells these apart. Generations are kept beside the
-/// slots, closely packed: to see that an event was cancelled is far cheaper than to look into what
-/// was its slot.
+/// Slots by index. They do not move, so a handler may schedule others while it runs. A slot is
+/// reused for one event after another; a generation number distinguishes them. Generations are
+/// stored in an array of their own: detecting a cancelled event is then far cheaper than accessing
+/// its former slot.
 class EventSlots {
  public:
   EventSlots() = default;

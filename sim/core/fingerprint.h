@@ -15,7 +15,7 @@
 
 namespace sim {
 
-/// What of a run a hash speaks of.
+/// Part of a run that a hash covers.
 enum class Part : std::uint8_t {
   kAir,       ///< Frame starts and bytes, verdict and power of every reception.
   kBodies,    ///< Pose of every agent at its control instants.
@@ -43,16 +43,17 @@ class Hash {
   std::uint64_t state_ = 0xcbf29ce484222325u;
 };
 
-/// Fingerprint of a run: a hash per part, agent and simulated second, so that two runs can be told
-/// apart to the agent and second. Not fed: wall time, process names, sequence numbers.
+/// Fingerprint of a run: a hash per part, agent and simulated second, so that a difference between
+/// two runs can be located to the agent and second. It excludes wall time, process names and
+/// sequence numbers.
 ///
 /// Each second is hashed twice: with the times of its observations since the start of the run, for
-/// the totals; and with their times within the second, for the rows. So a second in which the same
-/// happens as in the one before needs no row, and a run in which little happens has few. Seconds
-/// are handed over as they end; the memory needed does not grow with the run.
+/// the totals, and with their times within the second, for the rows. A second that equals the one
+/// before needs no row, so a run with little activity has few rows. Seconds are passed on as they
+/// end; the memory needed does not grow with the run.
 class Fingerprint {
  public:
-  /// What happened to one agent in one second.
+  /// Hash of one agent's second.
   class Cell {
    public:
     template <class Value>
@@ -81,8 +82,8 @@ class Fingerprint {
     bool operator==(const Row&) const = default;
   };
 
-  /// An event may be told so much later than it happened: the longest controller latency. What
-  /// comes later still (real time, a busy controller) counts as of the oldest second still open.
+  /// Longest time by which an event may be reported late: the longest controller latency. Later
+  /// reports (real time, a busy controller) count for the oldest second that is still open.
   static constexpr std::int64_t kLateness = 10;  // s
 
   /// @param sink  gets the rows by second, part, agent; may throw.
@@ -92,7 +93,7 @@ class Fingerprint {
   /// Where the values of one observation at `time` go; the time itself is already in.
   Cell& at(Part part, hal::AgentId agent, hal::Time time);
 
-  /// The run is over: hands over the seconds that are still open.
+  /// Ends the run: passes on the seconds that are still open.
   void finish();
 
   /// Of each part over the whole run so far, of one of them, and of all four.

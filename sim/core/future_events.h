@@ -8,16 +8,16 @@
 
 namespace sim {
 
-/// Entries in order of (time, order). Near ones are in a heap; later ones unsorted in buckets of
-/// equal width, of which the next becomes the heap when that is empty; still later ones unsorted
-/// in one list, which is spread over new buckets when the last is used up. So the heap stays small
-/// however many events are pending: pushing and popping takes constant time. After: Tang, Goh and
-/// Thng, "Ladder queue: an O(1) priority queue structure for large-scale discrete event
-/// simulation", 2005, with one rung.
+/// Entries in the order (time, order). Near entries are in a heap; later ones unsorted in buckets
+/// of equal width, of which the next becomes the heap when the heap is empty; still later ones
+/// unsorted in one list, which is distributed to new buckets when the last bucket is used up. The
+/// heap therefore stays small with any number of pending events: push and pop take constant time.
+/// After W. T. Tang, R. S. M. Goh, I. L.-J. Thng, "Ladder queue: an O(1) priority queue structure
+/// for large-scale discrete event simulation", 2005, with one rung.
 ///
-/// A cancelled entry stays where it is, since to find it would cost more than all else: entries are
-/// dropped when they are moved anyway, and all at once when they outnumber the others. So
-/// cancelling takes constant time too, and cancelled entries at most double the memory.
+/// A cancelled entry stays in place, because searching for it would dominate all other costs.
+/// Cancelled entries are dropped when they are moved, and all at once when they outnumber the
+/// others. Cancelling therefore takes constant time, too, and at most doubles the memory.
 class FutureEvents {
  public:
   struct Entry {
@@ -75,7 +75,7 @@ class FutureEvents {
   std::uint64_t buckets_begin_ = 0;                 ///< ns
   int bucket_shift_ = 0;                            ///< Width: 2^shift ns.
   std::vector<Entry> far_;
-  std::vector<Entry> moving_;  ///< Empty but while entries are spread or spilled.
+  std::vector<Entry> moving_;  ///< Empty except while entries are distributed or spilled.
 };
 
 }  // namespace sim

@@ -4,10 +4,10 @@
 
 namespace sim {
 
-/// What a radio wave loses in a thing that it passes through.
+/// Attenuation of a radio wave that passes through an obstacle.
 struct ObstacleLoss {
   hal::Decibels per_crossing{};  ///< >= 0
-  double per_metre = 0;          ///< dB per metre of the way inside, >= 0
+  double per_metre = 0;          ///< dB per metre of the path inside, >= 0
 
   constexpr bool operator==(const ObstacleLoss&) const = default;
   constexpr bool is_none() const { return per_crossing.value == 0 && per_metre == 0; }

@@ -17,34 +17,34 @@
 
 namespace sim {
 
-/// Something that came into a run from outside.
+/// An input to a run from outside.
 struct OutsideArrival {
-  /// When the run took it in: in real time all events up to and including this time had run, in
-  /// lock-step those at this time were about to.
+  /// When the run accepted it: in real time after all events up to and including this time, in
+  /// lock-step before the events at this time.
   hal::Time at{};
-  std::string door;  ///< What it is for: "cmd_vel of r0".
+  std::string door;  ///< Name of the receiver: "cmd_vel of r0".
   std::vector<std::uint8_t> bytes;
   bool operator==(const OutsideArrival&) const = default;
 };
 
-/// The one way by which anything from outside enters a run: velocities by hand, and whatever else
-/// does not follow from the scenario and its seed. It waits here until the run, between two events,
-/// takes it in; then the record has it with its time, and a repetition takes in the same.
+/// The only way for input from outside into a run: velocities from teleoperation, and everything
+/// else that the scenario and its seed do not determine. Input waits here until the run takes it
+/// between two events. It is recorded with that time, and a repetition takes it at the same time.
 ///
 ///   input.open("cmd_vel of r0", receiver);    // before the run
 ///   input.put("cmd_vel of r0", bytes);        // any thread
 ///   input.take(now, [&](const OutsideArrival& arrival) { record(arrival); });
 ///
-/// Which doors are open follows from the scenario; so a repetition has the same.
+/// The scenario determines which doors are open, so a repetition has the same ones.
 class OutsideInput {
  public:
   /// Called on the run's thread, between events.
   using Receiver = std::function<void(std::span<const std::uint8_t>)>;
 
-  /// Waiting at most. When more comes, the oldest goes: the newest command counts.
+  /// Most inputs that wait. Beyond that the oldest is dropped, because the newest command counts.
   static constexpr std::size_t kMostWaiting = 4096;
 
-  /// @throws std::runtime_error  the system has no event descriptor left.
+  /// @throws std::runtime_error  the system cannot create an event descriptor.
   OutsideInput();
   ~OutsideInput();
   OutsideInput(const OutsideInput&) = delete;
@@ -56,8 +56,8 @@ class OutsideInput {
   /// Any thread. Ignored in a repetition. @pre the door is open.
   void put(std::string_view door, std::vector<std::uint8_t> bytes);
 
-  /// The same of something that came at a time of the run: it is taken in then. None of these goes,
-  /// however many wait. On the run's thread. @pre not before the one before it.
+  /// The same with a simulated time at which the run takes it. These are never dropped. On the
+  /// run's thread. @pre times do not decrease.
   void put_at(hal::Time at, std::string_view door, std::vector<std::uint8_t> bytes);
 
   /// Of put_at(), not taken in yet.
@@ -69,21 +69,21 @@ class OutsideInput {
   /// Whether take() would hand something over.
   bool has_due(hal::Time now) const;
 
-  /// Hands over what waits, in the order it came, after what came at a time until `now`; in a
-  /// repetition, what was taken in until `now`.
-  /// @param seen  told of each before its receiver is.
-  /// @returns whether there was anything.
+  /// Passes on inputs with a time up to `now`, then those that wait, in order of arrival; in a
+  /// repetition, the recorded ones up to `now`.
+  /// @param seen  called for each input before its receiver.
+  /// @returns whether there was any input.
   bool take(hal::Time now, const std::function<void(const OutsideArrival&)>& seen);
 
-  /// From now on nothing comes but these. After open().
+  /// From now on only these inputs are accepted. Call after open().
   /// @param arrivals  by time.
   /// @throws std::runtime_error  one is for a door that is not open.
   void replay(std::vector<OutsideArrival> arrivals);
 
-  /// When the next is due of those that have a time: of a repetition, or of put_at().
+  /// Time of the next input with a time: of a repetition, or of put_at().
   std::optional<hal::Time> next_due() const;
 
-  /// What was put and never taken in, because too much waited. Any thread.
+  /// Number of inputs that were dropped because too many waited. Any thread.
   std::uint64_t dropped() const { return dropped_; }
 
  private:

@@ -6,9 +6,9 @@ namespace sim::physics {
 
 using hal::Vec3;
 
-Casters::Casters(const RigidBody& chassis, const std::vector<hal::devices::Wheel>& wheels)
+Casters::Casters(const RigidBody& chassis, const std::vector<hal::node::devices::Wheel>& wheels)
     : chassis_(chassis) {
-  for (const hal::devices::Wheel& wheel : wheels) {
+  for (const hal::node::devices::Wheel& wheel : wheels) {
     if (wheel.is_driven()) continue;
     const Vec3 place{wheel.position.x, wheel.position.y, wheel.radius};
     balls_.push_back({place - chassis.centre_of_mass, horizontal(wheel.slip_heading()),

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "hal/devices/wheel.h"
+#include "hal/node/devices/wheel.h"
 #include "sim/physics/ode_world.h"
 #include "sim/physics/rigid_body.h"
 
@@ -14,7 +14,7 @@ namespace sim::physics {
 class Casters {
  public:
   /// @param wheels  all of the robot; those that are driven are left out.
-  Casters(const RigidBody& chassis, const std::vector<hal::devices::Wheel>& wheels);
+  Casters(const RigidBody& chassis, const std::vector<hal::node::devices::Wheel>& wheels);
 
   /// Adds contact joints with the ground.
   void touch_ground(const OdeWorld& world) const;

@@ -31,13 +31,13 @@ double radius_of(dGeomID geometry) {
   const double size = std::sqrt(half[0] * half[0] + half[1] * half[1] + half[2] * half[2]);
   const dReal* p = dGeomGetPosition(geometry);
   const Vec3 offset = Vec3{p[0], p[1], p[2]} - centre_of(dGeomGetBody(geometry));
-  return size + std::sqrt(dot(offset, offset));
+  return size + std::sqrt(hal::dot(offset, offset));
 }
 
 /// From a point to a wall, 0 inside. m
 double distance(const Vec3& point, const Shape& wall) {
   const hal::Vec2 to{point.x - wall.centre.x, point.y - wall.centre.y};
-  const double x = std::max(std::abs(dot(to, wall.axis)) - wall.half.x, 0.0);
+  const double x = std::max(std::abs(hal::dot(to, wall.axis)) - wall.half.x, 0.0);
   const double y = std::max(std::abs(to.y * wall.axis.x - to.x * wall.axis.y) - wall.half.y, 0.0);
   const double z = std::max({wall.z_low - point.z, point.z - wall.z_high, 0.0});
   return std::sqrt(x * x + y * y + z * z);
@@ -63,7 +63,8 @@ bool Clearance::has_strayed(const Objects& objects) const {
     if (!objects[i]->awake()) continue;
     const Vec3 moved = centre_of(objects[i]->rigid.body) - balls_[i].centre;
     // Written so that NaN has strayed.
-    if (!balls_[i].can_move || !(dot(moved, moved) < balls_[i].free * balls_[i].free)) return true;
+    if (!balls_[i].can_move || !(hal::dot(moved, moved) < balls_[i].free * balls_[i].free))
+      return true;
   }
   return false;
 }
@@ -86,7 +87,7 @@ void Clearance::measure(const Objects& objects) {
 void Clearance::measure_between(Ball& a, Ball& b) const {
   if (!a.can_move && !b.can_move) return;
   const Vec3 between = a.centre - b.centre;
-  const double gap = std::sqrt(dot(between, between)) - a.radius - b.radius;
+  const double gap = std::sqrt(hal::dot(between, between)) - a.radius - b.radius;
   a.free = std::min(a.free, 0.5 * gap);
   b.free = std::min(b.free, 0.5 * gap);
 }

@@ -25,7 +25,7 @@ struct ContactWheel {
 
 class ContactWheels final : public Wheels {
  public:
-  ContactWheels(const RigidBody& chassis, const std::vector<hal::devices::Wheel>& wheels,
+  ContactWheels(const RigidBody& chassis, const std::vector<hal::node::devices::Wheel>& wheels,
                 double weight_on_each, bool measure_energy);
   ContactWheels(const ContactWheels&) = delete;
   ContactWheels& operator=(const ContactWheels&) = delete;
@@ -50,11 +50,11 @@ class ContactWheels final : public Wheels {
 };
 
 ContactWheels::ContactWheels(const RigidBody& chassis,
-                             const std::vector<hal::devices::Wheel>& wheels, double weight_on_each,
-                             bool measure_energy)
+                             const std::vector<hal::node::devices::Wheel>& wheels,
+                             double weight_on_each, bool measure_energy)
     : chassis_(chassis), measures_(measure_energy) {
   wheels_.reserve(wheels.size());  // the solver writes feedback to them: they stay in place
-  for (const hal::devices::Wheel& wheel : wheels) {
+  for (const hal::node::devices::Wheel& wheel : wheels) {
     const Vec3 place{wheel.position.x, wheel.position.y, wheel.radius};
     wheels_.push_back({place - chassis.centre_of_mass,
                        horizontal(wheel.slip_heading()),
@@ -111,7 +111,7 @@ double ContactWheels::turned(ContactWheel& wheel, double seconds) {
   if (!wheel.yields && !measures_) return wheel.speed * seconds;
   const Vec3 after = material_velocity(chassis_.body, ground.arm);
   if (measures_) book(wheel, after, seconds);
-  const double passing = dot(after, ground.grip) / wheel.lever;
+  const double passing = hal::dot(after, ground.grip) / wheel.lever;
   return (wheel.yields ? passing : wheel.speed) * seconds;
 }
 
@@ -120,18 +120,18 @@ void ContactWheels::book(const ContactWheel& wheel, const Vec3& after, double se
   const GroundContact& ground = wheel.ground;
   const Vec3 force = ground.force();
   const Vec3 mean = 0.5 * (ground.velocity + after);
-  const double surface = wheel.yields ? dot(mean, ground.grip) : wheel.speed * wheel.lever;
-  const double along = dot(force, ground.grip);
+  const double surface = wheel.yields ? hal::dot(mean, ground.grip) : wheel.speed * wheel.lever;
+  const double along = hal::dot(force, ground.grip);
   const double driven = along * surface * seconds;
   const double torque = along * wheel.lever;
   book_motor(driven, wheel.unit_loss * torque * torque * seconds);
-  friction_loss_ += driven - dot(force, mean) * seconds;
+  friction_loss_ += driven - hal::dot(force, mean) * seconds;
 }
 
 }  // namespace
 
 std::unique_ptr<Wheels> make_contact_wheels(const RigidBody& chassis,
-                                            const std::vector<hal::devices::Wheel>& wheels,
+                                            const std::vector<hal::node::devices::Wheel>& wheels,
                                             double weight_on_each, bool measure_energy) {
   return std::make_unique<ContactWheels>(chassis, wheels, weight_on_each, measure_energy);
 }

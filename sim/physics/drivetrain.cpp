@@ -10,8 +10,8 @@ namespace sim::physics {
 
 namespace {
 
-void check(const hal::devices::RobotDescription& robot) {
-  for (const hal::devices::Wheel& wheel : robot.wheels) {
+void check(const hal::node::devices::RobotDescription& robot) {
+  for (const hal::node::devices::Wheel& wheel : robot.wheels) {
     const bool moves = wheel.max_torque > 0 && wheel.mu > 0;
     if (!(wheel.mass > 0) || !(moves || !wheel.is_driven()) || !(wheel.mu2 >= 0))
       throw std::invalid_argument(
@@ -25,16 +25,17 @@ void check(const hal::devices::RobotDescription& robot) {
       throw std::invalid_argument(fmt::format("acceleration limit {}: must be positive", limit));
 }
 
-std::vector<hal::devices::Wheel> driven(const std::vector<hal::devices::Wheel>& wheels) {
-  std::vector<hal::devices::Wheel> driven;
-  std::ranges::copy_if(wheels, std::back_inserter(driven), &hal::devices::Wheel::is_driven);
+std::vector<hal::node::devices::Wheel> driven(
+    const std::vector<hal::node::devices::Wheel>& wheels) {
+  std::vector<hal::node::devices::Wheel> driven;
+  std::ranges::copy_if(wheels, std::back_inserter(driven), &hal::node::devices::Wheel::is_driven);
   return driven;
 }
 
 std::unique_ptr<Wheels> make_wheels(const OdeWorld& world, const RigidBody& chassis,
-                                    const hal::devices::RobotDescription& robot,
+                                    const hal::node::devices::RobotDescription& robot,
                                     const WorldConfig& config) {
-  if (robot.wheel_level == hal::devices::WheelLevel::kJointed)
+  if (robot.wheel_level == hal::node::devices::WheelLevel::kJointed)
     return make_jointed_wheels(world, chassis, driven(robot.wheels), config);
   dMass mass;
   dBodyGetMass(chassis.body, &mass);
@@ -45,15 +46,15 @@ std::unique_ptr<Wheels> make_wheels(const OdeWorld& world, const RigidBody& chas
 }
 
 /// A battery has to know what the motors draw.
-WorldConfig measuring_for(const hal::devices::RobotDescription& robot, WorldConfig config) {
-  config.measure_energy |= hal::devices::battery_of(robot.sensors) != nullptr;
+WorldConfig measuring_for(const hal::node::devices::RobotDescription& robot, WorldConfig config) {
+  config.measure_energy |= hal::node::devices::battery_of(robot.sensors) != nullptr;
   return config;
 }
 
 }  // namespace
 
 Drivetrain::Drivetrain(const OdeWorld& world, const RigidBody& chassis,
-                       const hal::devices::RobotDescription& robot, const WorldConfig& config)
+                       const hal::node::devices::RobotDescription& robot, const WorldConfig& config)
     : drive_(robot.wheels),
       profile_(robot.acceleration),
       chassis_(chassis),

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "hal/devices/motor_profile.h"
-#include "hal/devices/robot_description.h"
-#include "hal/devices/wheel_drive.h"
+#include "hal/node/devices/motor_profile.h"
+#include "hal/node/devices/robot_description.h"
+#include "hal/node/devices/wheel_drive.h"
 #include "sim/physics/casters.h"
 #include "sim/physics/ode_world.h"
 #include "sim/physics/rigid_body.h"
@@ -22,9 +22,9 @@ class Drivetrain {
  public:
   /// @throws std::invalid_argument  wheels that do not make a drive.
   Drivetrain(const OdeWorld& world, const RigidBody& chassis,
-             const hal::devices::RobotDescription& robot, const WorldConfig& config);
+             const hal::node::devices::RobotDescription& robot, const WorldConfig& config);
 
-  const hal::devices::WheelDrive& drive() const { return drive_; }
+  const hal::node::devices::WheelDrive& drive() const { return drive_; }
 
   /// Velocity to approach from now on, within the motors' limit.
   void command(const hal::Twist2& target) { target_ = target; }
@@ -49,8 +49,8 @@ class Drivetrain {
  private:
   void keep_awake(bool moving);
 
-  hal::devices::WheelDrive drive_;
-  hal::devices::MotorProfile profile_;
+  hal::node::devices::WheelDrive drive_;
+  hal::node::devices::MotorProfile profile_;
   RigidBody chassis_;
   std::unique_ptr<Wheels> wheels_;
   std::vector<dBodyID> bodies_;

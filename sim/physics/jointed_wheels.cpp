@@ -24,12 +24,12 @@ struct JointedWheel {
 class JointedWheels final : public Wheels {
  public:
   JointedWheels(const OdeWorld& world, const RigidBody& chassis,
-                const std::vector<hal::devices::Wheel>& wheels, const WorldConfig& config)
+                const std::vector<hal::node::devices::Wheel>& wheels, const WorldConfig& config)
       : chassis_(chassis),
         measures_(config.measure_energy),
         half_step_(0.5 * hal::to_seconds(config.step)) {
     wheels_.reserve(wheels.size());  // the solver writes feedback to them: they stay in place
-    for (const hal::devices::Wheel& wheel : wheels) mount(world, wheel);
+    for (const hal::node::devices::Wheel& wheel : wheels) mount(world, wheel);
   }
   JointedWheels(const JointedWheels&) = delete;
   JointedWheels& operator=(const JointedWheels&) = delete;
@@ -41,7 +41,7 @@ class JointedWheels final : public Wheels {
   std::span<const dBodyID> bodies() const override { return bodies_; }
 
  private:
-  void mount(const OdeWorld& world, const hal::devices::Wheel& wheel);
+  void mount(const OdeWorld& world, const hal::node::devices::Wheel& wheel);
   void book(const JointedWheel& wheel, double seconds);
   Vec3 slip_of(const JointedWheel& wheel) const;
 
@@ -52,7 +52,7 @@ class JointedWheels final : public Wheels {
   std::vector<JointedWheel> wheels_;
 };
 
-void JointedWheels::mount(const OdeWorld& world, const hal::devices::Wheel& wheel) {
+void JointedWheels::mount(const OdeWorld& world, const hal::node::devices::Wheel& wheel) {
   const dBodyID body = dBodyCreate(world.dynamics());
   dMass mass;
   dMassSetSphereTotal(&mass, wheel.mass, wheel.radius);
@@ -144,13 +144,13 @@ void JointedWheels::book(const JointedWheel& wheel, double seconds) {
   book_motor(torque * rate * seconds, wheel.unit_loss * torque * torque * seconds);
   if (!wheel.ground.touches) return;
   const Vec3 after = material_velocity(wheel.body, wheel.ground.arm);
-  friction_loss_ -= 0.5 * seconds * dot(wheel.ground.force(), wheel.ground.velocity + after);
+  friction_loss_ -= 0.5 * seconds * hal::dot(wheel.ground.force(), wheel.ground.velocity + after);
 }
 
 }  // namespace
 
 std::unique_ptr<Wheels> make_jointed_wheels(const OdeWorld& world, const RigidBody& chassis,
-                                            const std::vector<hal::devices::Wheel>& wheels,
+                                            const std::vector<hal::node::devices::Wheel>& wheels,
                                             const WorldConfig& config) {
   return std::make_unique<JointedWheels>(world, chassis, wheels, config);
 }

@@ -14,22 +14,22 @@ Vec2 turned(Vec2 v) { return {-v.y, v.x}; }
 
 double between_cylinders(const Shape& a, const Shape& b) {
   const Vec2 apart = b.centre - a.centre;
-  return a.radius + b.radius - std::sqrt(dot(apart, apart));
+  return a.radius + b.radius - std::sqrt(hal::dot(apart, apart));
 }
 
 double between_box_and_cylinder(const Shape& box, const Shape& cylinder) {
   const Vec2 to = cylinder.centre - box.centre;
-  const double x = std::abs(dot(to, box.axis)) - box.half.x;
-  const double y = std::abs(dot(to, turned(box.axis))) - box.half.y;
+  const double x = std::abs(hal::dot(to, box.axis)) - box.half.x;
+  const double y = std::abs(hal::dot(to, turned(box.axis))) - box.half.y;
   if (x <= 0 && y <= 0) return cylinder.radius - std::max(x, y);  // to the nearest side
   const Vec2 outside{std::max(x, 0.0), std::max(y, 0.0)};
-  return cylinder.radius - std::sqrt(dot(outside, outside));
+  return cylinder.radius - std::sqrt(hal::dot(outside, outside));
 }
 
 /// Half the length of a box's shadow in a direction.
 double shadow(const Shape& box, Vec2 direction) {
-  return std::abs(dot(box.axis, direction)) * box.half.x +
-         std::abs(dot(turned(box.axis), direction)) * box.half.y;
+  return std::abs(hal::dot(box.axis, direction)) * box.half.x +
+         std::abs(hal::dot(turned(box.axis), direction)) * box.half.y;
 }
 
 /// Convex bodies are apart if their shadows are, in the direction of one of their sides' normals
@@ -38,7 +38,8 @@ double between_boxes(const Shape& a, const Shape& b) {
   const Vec2 apart = b.centre - a.centre;
   double least = std::numeric_limits<double>::infinity();
   for (const Vec2 normal : std::array{a.axis, turned(a.axis), b.axis, turned(b.axis)}) {
-    least = std::min(least, shadow(a, normal) + shadow(b, normal) - std::abs(dot(apart, normal)));
+    least =
+        std::min(least, shadow(a, normal) + shadow(b, normal) - std::abs(hal::dot(apart, normal)));
   }
   return least;
 }

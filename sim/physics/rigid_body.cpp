@@ -12,7 +12,7 @@ namespace {
 
 using hal::Vec2;
 using hal::Vec3;
-namespace devices = hal::devices;
+namespace devices = hal::node::devices;
 
 constexpr int kAlongZ = 3;
 
@@ -185,7 +185,7 @@ double kinetic_energy(dBodyID body) {
   for (int row = 0; row < 3; ++row)
     for (int column = 0; column < 3; ++column)
       rotation += own[row] * mass.I[4 * row + column] * own[column];
-  return 0.5 * (mass.mass * dot(v, v) + rotation);
+  return 0.5 * (mass.mass * hal::dot(v, v) + rotation);
 }
 
 double potential_energy(dBodyID body) {
@@ -193,7 +193,7 @@ double potential_energy(dBodyID body) {
   dWorldGetGravity(dBodyGetWorld(body), gravity);
   dMass mass;
   dBodyGetMass(body, &mass);
-  return -mass.mass * dot(as_vector(gravity), as_vector(dBodyGetPosition(body)));
+  return -mass.mass * hal::dot(as_vector(gravity), as_vector(dBodyGetPosition(body)));
 }
 
 dGeomID make_wall(const OdeWorld& world, const StaticBox& wall) {

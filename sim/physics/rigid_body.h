@@ -2,7 +2,7 @@
 
 #include <ode/ode.h>
 
-#include "hal/devices/robot_description.h"
+#include "hal/node/devices/robot_description.h"
 #include "hal/types/geometry.h"
 #include "sim/physics/ode_world.h"
 #include "sim/physics/world.h"
@@ -51,9 +51,9 @@ struct Geometries {
   std::vector<dGeomID> all;
 };
 dGeomID make_wall(const OdeWorld& world, const StaticBox& wall);
-RigidBody make_mote(const OdeWorld& world, const hal::devices::MoteDescription& mote,
+RigidBody make_mote(const OdeWorld& world, const hal::node::devices::MoteDescription& mote,
                     const hal::Pose2& pose, Geometries& geometries);
-RigidBody make_chassis(const OdeWorld& world, const hal::devices::RobotDescription& robot,
+RigidBody make_chassis(const OdeWorld& world, const hal::node::devices::RobotDescription& robot,
                        const hal::Pose2& pose, Geometries& geometries);
 
 /// The upright shape nearest to a cylinder or box geometry. @param shape  kind and owner are kept.

@@ -10,7 +10,7 @@ using hal::Vec3;
 
 Vec3 horizontal(double heading) { return {hal::math::cos(heading), hal::math::sin(heading), 0}; }
 
-double lever(const hal::devices::Wheel& wheel) {
+double lever(const hal::node::devices::Wheel& wheel) {
   return wheel.radius * hal::math::cos(wheel.roller_angle);
 }
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "hal/devices/robot_description.h"
+#include "hal/node/devices/robot_description.h"
 #include "sim/physics/ode_world.h"
 #include "sim/physics/rigid_body.h"
 
@@ -23,7 +23,7 @@ class Wheels {
  public:
   virtual ~Wheels() = default;
 
-  /// rad/s, one per driven wheel, counted as hal::devices::Wheel does.
+  /// rad/s, one per driven wheel, counted as hal::node::devices::Wheel does.
   virtual void turn(std::span<const double> speeds) = 0;
 
   /// Without power the motors neither drive nor brake.
@@ -83,7 +83,7 @@ hal::Vec3 horizontal(double heading);
 
 /// Metres that the ground passes along the grip per radian of a wheel that does not slip; N m of
 /// the motor per N of grip.
-double lever(const hal::devices::Wheel& wheel);
+double lever(const hal::node::devices::Wheel& wheel);
 
 /// Fills in where and along which directions a wheel meets the ground: friction `mu` along the
 /// grip, `mu2` across it. @param contact  zeroed, or from another wheel.
@@ -100,12 +100,12 @@ inline hal::Vec3 material_velocity(dBodyID body, const hal::Vec3& arm) {
 
 /// One body and one hinge motor per wheel. @param wheels  driven ones, here and below.
 std::unique_ptr<Wheels> make_jointed_wheels(const OdeWorld& world, const RigidBody& chassis,
-                                            const std::vector<hal::devices::Wheel>& wheels,
+                                            const std::vector<hal::node::devices::Wheel>& wheels,
                                             const WorldConfig& config);
 
 /// Spheres on the chassis whose surface moves at the wheel's speed. @param weight_on_each  N
 std::unique_ptr<Wheels> make_contact_wheels(const RigidBody& chassis,
-                                            const std::vector<hal::devices::Wheel>& wheels,
+                                            const std::vector<hal::node::devices::Wheel>& wheels,
                                             double weight_on_each, bool measure_energy);
 
 }  // namespace sim::physics

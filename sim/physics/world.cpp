@@ -23,7 +23,7 @@ namespace sim::physics {
 using hal::Errc;
 using hal::Result;
 using hal::Twist2;
-using hal::devices::WheelDrive;
+using hal::node::devices::WheelDrive;
 
 namespace {
 
@@ -39,8 +39,8 @@ const WorldConfig& checked(const WorldConfig& config) {
           hal::to_seconds(config.step), "above 0, at most 0.02");
   require(config.gravity >= 0 && std::isfinite(config.gravity), "gravity [m/s^2]", config.gravity,
           "0 or more");
-  require(std::abs(dot(config.down, config.down) - 1) < 1e-9, "length of `down`",
-          std::sqrt(dot(config.down, config.down)), "1");
+  require(std::abs(hal::dot(config.down, config.down) - 1) < 1e-9, "length of `down`",
+          std::sqrt(hal::dot(config.down, config.down)), "1");
   require(config.erp > 0 && config.erp <= 1, "erp", config.erp, "above 0, at most 1");
   require(config.cfm >= 0 && config.cfm < 1, "cfm", config.cfm, "0 or more, below 1");
   require(config.surface_layer >= 0, "surface layer [m]", config.surface_layer, "0 or more");
@@ -85,7 +85,7 @@ class World::Implementation {
   void outdate(std::size_t object);
   std::span<const Shape> refreshed_shapes();
   void look_for_loss(Object& object, hal::Vec3& origin);
-  Result<Drivetrain*> drivetrain(AgentId agent);
+  hal::Result<Drivetrain*> drivetrain(AgentId agent);
 
   const WorldConfig config;
   OdeWorld ode;
@@ -231,7 +231,7 @@ void World::Implementation::look_for_loss(Object& object, hal::Vec3& origin) {
       {object.agent, *loss, hal::Time{} + config.step * static_cast<std::int64_t>(steps)});
 }
 
-Result<Drivetrain*> World::Implementation::drivetrain(AgentId agent) {
+hal::Result<Drivetrain*> World::Implementation::drivetrain(AgentId agent) {
   Object& object = at(agent);
   if (object.drivetrain == nullptr)
     return hal::fail(Errc::kNotAvailable, fmt::format("agent {} has no wheels", agent.value));
@@ -249,7 +249,7 @@ void World::add_wall(const StaticBox& wall) {
   implementation_->pass.add_wall(implementation_->shapes.back());
 }
 
-void World::add_mote(AgentId agent, const hal::devices::MoteDescription& mote,
+void World::add_mote(AgentId agent, const hal::node::devices::MoteDescription& mote,
                      const hal::Pose2& pose, double height) {
   require(height >= 0 && std::isfinite(height), "mote height [m]", height, "0 or more");
   Object& object = implementation_->insert(agent);
@@ -261,7 +261,7 @@ void World::add_mote(AgentId agent, const hal::devices::MoteDescription& mote,
   implementation_->furnish(object, Solid::Kind::kMote, geometries);
 }
 
-void World::add_robot(AgentId agent, const hal::devices::RobotDescription& robot,
+void World::add_robot(AgentId agent, const hal::node::devices::RobotDescription& robot,
                       const hal::Pose2& pose) {
   Object& object = implementation_->insert(agent);
   Geometries geometries;
@@ -273,7 +273,7 @@ void World::add_robot(AgentId agent, const hal::devices::RobotDescription& robot
   implementation_->furnish(object, Solid::Kind::kRobot, geometries);
 }
 
-Result<WheelDrive::Limited> World::set_body_velocity(AgentId agent, const Twist2& twist) {
+hal::Result<WheelDrive::Limited> World::set_body_velocity(AgentId agent, const Twist2& twist) {
   auto drivetrain = implementation_->drivetrain(agent);
   if (!drivetrain) return tl::unexpected(drivetrain.error());
   if (!is_finite(twist))
@@ -285,7 +285,7 @@ Result<WheelDrive::Limited> World::set_body_velocity(AgentId agent, const Twist2
   return limited;
 }
 
-Result<void> World::set_wheel_speeds(AgentId agent, std::span<const double> speeds) {
+hal::Result<void> World::set_wheel_speeds(AgentId agent, std::span<const double> speeds) {
   auto drivetrain = implementation_->drivetrain(agent);
   if (!drivetrain) return tl::unexpected(drivetrain.error());
   const WheelDrive& drive = (*drivetrain)->drive();
@@ -301,7 +301,7 @@ Result<void> World::set_wheel_speeds(AgentId agent, std::span<const double> spee
   return {};
 }
 
-Result<void> World::set_motors(AgentId agent, bool on) {
+hal::Result<void> World::set_motors(AgentId agent, bool on) {
   auto drivetrain = implementation_->drivetrain(agent);
   if (!drivetrain) return tl::unexpected(drivetrain.error());
   (*drivetrain)->set_power(on);

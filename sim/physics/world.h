@@ -8,8 +8,8 @@
 #include <string>
 #include <string_view>
 
-#include "hal/devices/robot_description.h"
-#include "hal/devices/wheel_drive.h"
+#include "hal/node/devices/robot_description.h"
+#include "hal/node/devices/wheel_drive.h"
 #include "hal/types/agent_id.h"
 #include "hal/types/geometry.h"
 #include "hal/types/result.h"
@@ -31,9 +31,10 @@ struct WorldConfig {
   double surface_layer = 1e-4;           ///< m; contacts may sink in this far.
   double max_correcting_velocity = 0.1;  ///< m/s at which contacts push bodies apart.
   double ground_friction = 0.6;          ///< For motes; wheels bring their own. >= 0
-  int jam_contacts = 8;                  ///< Heaps with more contacts, and
-  int jam_robots = 4;  ///< heaps with more robots get the iterative solver: seven in a ring have
-                       ///< seven contacts only, and the exact one takes 2.5 ms a step for them.
+  int jam_contacts = 8;                  ///< Heaps with more contacts get the iterative solver.
+  /// Heaps with more robots get the iterative solver, too: seven robots in a ring have only seven
+  /// contacts, for which the exact solver takes 2.5 ms a step.
+  int jam_robots = 4;
   std::uint64_t seed = 1;       ///< Of the iterative solver's row order.
   bool measure_energy = false;  ///< Books all wheels' work, some 5 % slower.
 };
@@ -91,16 +92,17 @@ struct LostBody {
   hal::Time at{};  ///< End of the step.
 };
 
-/// Energies of an agent's body and wheels, J.
+/// Energies of an agent's body and wheels, J. The last three count from the start; they stay 0
+/// unless the world measures energies or the robot has a battery.
 struct Energy {
-  double kinetic = 0;
-  double potential = 0;      ///< 0 with the centre of mass in the world's origin.
-  double motor_work = 0;     ///< Since the start: at the hinges, or where the wheels touch; 0
-                             ///< unless the world measures energies or the robot has a battery, as
-                             ///< is
-  double friction_loss = 0;  ///< since the start, where the wheels touch the ground, and
-  double motor_input = 0;  ///< what the motors took in: their work and the heat in their windings.
-                           ///< What they get back while they brake is lost.
+  double kinetic = 0;    ///< Of body and wheels.
+  double potential = 0;  ///< 0 with the centre of mass in the world's origin.
+  /// Work of the motors at the hinges or, at the contact level, where the wheels touch the ground.
+  double motor_work = 0;
+  double friction_loss = 0;  ///< Where the wheels touch the ground.
+  /// Input of the motors: their work and the heat in their windings. Energy that they take up while
+  /// they brake is lost.
+  double motor_input = 0;
 
   double mechanical() const { return kinetic + potential; }
 };
@@ -127,16 +129,16 @@ class World {
   /// possible, or an agent that is there already or is 0.
   void add_wall(const StaticBox& wall);
   /// @param height  m, of the mote's lower face at the start; above 0 it stands on a box or falls.
-  void add_mote(AgentId agent, const hal::devices::MoteDescription& mote, const hal::Pose2& pose,
-                double height = 0);
-  void add_robot(AgentId agent, const hal::devices::RobotDescription& robot,
+  void add_mote(AgentId agent, const hal::node::devices::MoteDescription& mote,
+                const hal::Pose2& pose, double height = 0);
+  void add_robot(AgentId agent, const hal::node::devices::RobotDescription& robot,
                  const hal::Pose2& pose);
 
   /// Drives with a velocity of the body until the next command: what the wheels can do of it,
   /// scaled to the motors' limit, then approached within the acceleration limits. Errors:
   /// kInvalidArgument (NaN or infinite), kNotAvailable (not a robot).
-  hal::Result<hal::devices::WheelDrive::Limited> set_body_velocity(AgentId agent,
-                                                                   const hal::Twist2& twist);
+  hal::Result<hal::node::devices::WheelDrive::Limited> set_body_velocity(AgentId agent,
+                                                                         const hal::Twist2& twist);
 
   /// rad/s, one per driven wheel; approached within the acceleration limits. Speeds that no
   /// feasible motion of the body fits are fitted by least squares. Errors: kInvalidArgument (count,
@@ -170,7 +172,7 @@ class World {
   bool asleep(AgentId agent) const;  ///< At rest and not computed until something touches it.
 
   /// @pre the agent is a robot.
-  const hal::devices::WheelDrive& drive(AgentId agent) const;
+  const hal::node::devices::WheelDrive& drive(AgentId agent) const;
   /// rad of the driven wheels since the start, not wrapped: what their encoders would count. At the
   /// level kContact a wheel turns as the motor profile says, also while it spins; a wheel whose
   /// motor is off or too weak for its load rolls as the ground passes by.

@@ -9,12 +9,12 @@ namespace sim::radio {
 /// Adaptive auto rate fallback (M. Lacage, M. H. Manshaei, T. Turletti, "IEEE 802.11 Rate
 /// Adaptation: A Practical Approach", MSWiM 2004). It begins with the lowest rate.
 ///
-///   threshold successes in a row, or so many transmissions at this rate: a higher one is probed
+///   threshold successes in a row, or timeout transmissions at this rate: a higher one is probed
 ///   the probe fails: back at once, and the threshold doubles, up to its maximum
-///   two failures in a row otherwise: a lower rate, and the threshold is as in the beginning
+///   two failures in a row otherwise: a lower rate, and the threshold has its initial value
 ///
-/// How many transmissions count as so many grows with the threshold: else a station at its best
-/// rate would probe in vain at the old pace.
+/// The timeout grows with the threshold: otherwise a station at its best rate would continue to
+/// probe in vain at the old pace.
 class Aarf final : public RateControl {
  public:
   Aarf(const RateControlConfig& config, const RateLadders& ladders)

@@ -12,8 +12,8 @@
 namespace sim::radio {
 
 /// An access point and the station in it (IEEE Std 802.11-2016, 4.3.2 and 11.3): sends beacons,
-/// answers who wants to associate, and passes on what its stations send: to one of them, to the
-/// distribution system, and what is for everyone to both.
+/// answers association requests, and forwards frames of its stations to another station, to the
+/// distribution system, or, group frames, to both.
 class AccessPoint final : public BssMac, private DistributionPort {
  public:
   struct Network {

@@ -12,22 +12,21 @@
 
 namespace sim::radio {
 
-/// Which access point a station belongs to (IEEE Std 802.11-2016, 11.3): it listens for beacons,
-/// takes the strongest, and changes over when another one is stronger by more than the hysteresis.
+/// Association of a station (IEEE Std 802.11-2016, 11.3): it listens for beacons, selects the
+/// strongest access point, and changes when another one is stronger by more than the hysteresis.
 ///
 ///   kOff --start()--> kScanning --scan time over, one was heard--> kAuthenticating
 ///   kAuthenticating --answered--> kAssociating --answered--> kAssociated
 ///   kAssociated --a better one--> kAuthenticating (with that one; then reassociation)
 ///   kAuthenticating, kAssociating --no answer--> kAssociated, if it was before; else kScanning
-///   kAssociated --no beacons, or sent away--> kAuthenticating if another one is heard, or
+///   kAssociated --no beacons, or deauthenticated--> kAuthenticating if another one is heard, or
 ///   kScanning
 ///
 /// Stations that start together would all ask in the same slot, and those that were not answered
 /// would ask together again. So a scan that begins with a start, a loss or a failure is longer by a
 /// random part, whose range grows with each failure until the station is associated.
 ///
-/// While it changes over it stays associated with the old one, and stays so if the new one does not
-/// answer.
+/// During a handover it stays associated with the old one, also if the new one does not answer.
 class Association {
  public:
   /// What it does in the world.

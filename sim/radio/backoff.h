@@ -10,7 +10,7 @@
 
 namespace sim::radio {
 
-/// Who asks for the medium.
+/// Told when the medium is granted.
 class AccessListener {
  public:
   virtual ~AccessListener() = default;
@@ -36,11 +36,11 @@ class ContentionWindow {
 ///      ^                             medium busy                   |
 ///      +--------------- all slots counted: on_access(), if wanted -+
 ///
-/// A station that wants the medium and finds it idle for long enough gets it at once; if it finds
-/// it busy, it draws a backoff. What begins within the CCA time before a slot boundary is not
-/// noticed there (10.3.7): the slot counts as idle, and who is to send at the boundary does so.
-/// Slots are counted lazily: there is one event, at the end, and only while somebody wants the
-/// medium.
+/// A station that requests access gets it at once if the medium has been idle long enough; if it is
+/// busy, the station draws a backoff. A frame that begins within the CCA time before a slot
+/// boundary is not detected at it (10.3.7): the slot counts as idle, and a station whose backoff
+/// ends at the boundary transmits. Slots are counted lazily: there is one event, at the end, and
+/// only while access is requested.
 class Backoff {
  public:
   Backoff(EventQueue& events, hal::AgentId agent, const DcfTiming& timing, hal::RandomStream random,

@@ -15,7 +15,7 @@
 
 namespace sim::radio {
 
-/// The air of the stations that share a channel number. Those of other bands do not exist for it.
+/// The medium of the stations that share a channel number, independent of other channel numbers.
 class Band {
  public:
   struct Surroundings {

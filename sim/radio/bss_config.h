@@ -15,19 +15,19 @@ inline constexpr hal::Duration kTimeUnit{1'024'000};
 /// Longest SSID, bytes (9.4.2.2).
 inline constexpr std::size_t kMaxSsid = 32;
 
-/// Infrastructure mode. The access points and the stations that may use them form one network
-/// (extended service set): one SSID, one distribution system behind the access points.
+/// Infrastructure mode. The access points and their stations form one extended service set with one
+/// SSID and one distribution system.
 struct BssConfig {
-  /// Names of the stations that are access points; other stations may use any of them unless they
-  /// say otherwise. Empty: who says nothing is in an ad hoc network.
+  /// Names of the stations that are access points. Other stations may use any of them unless
+  /// StationConfig::access_points restricts it. Empty: ad hoc network by default.
   std::vector<std::string> access_points{};
   std::string ssid = "baraka";                 ///< 1 .. kMaxSsid bytes.
   hal::Duration beacon_interval{102'400'000};  ///< Whole time units, 1 .. 65535.
-  /// By so much another access point's mean beacon must be stronger, dB, >= 0.
+  /// >= 0. Handover if the mean RSSI of another access point is greater by more than this.
   hal::Decibels hysteresis{4};
   double beacon_weight = 0.25;     ///< Of the newest beacon in the mean of RSSI [dBm], 0 < .. <= 1.
-  std::uint32_t beacon_loss = 10;  ///< An access point is lost after so many intervals, >= 1.
-  hal::Duration scan_time{120'000'000};       ///< > 0; how long to listen for beacons before.
+  std::uint32_t beacon_loss = 10;  ///< >= 1; missed beacons until an access point is lost.
+  hal::Duration scan_time{120'000'000};       ///< > 0; listening for beacons before association.
   hal::Duration answer_timeout{200'000'000};  ///< > 0; for the answer to a management frame.
   hal::Duration distribution_delay{};         ///< >= 0; from one access point to another.
 };

@@ -9,9 +9,9 @@
 
 namespace sim::radio {
 
-/// What an access point and the stations of its BSS have in common: a queue above the DCF, which
-/// gets one frame at a time, so that what waits can still go another way after a handover.
-/// Beacons go before other management, and that before data.
+/// The common part of an access point and the stations of its BSS: a queue above the DCF, which
+/// gets one frame at a time, so that waiting frames can take another path after a handover. Beacons
+/// precede other management frames, and those precede data.
 class BssMac : public MacBase, protected FrameListener {
  public:
   MacCapabilities capabilities() const final { return dcf_->capabilities(); }
@@ -45,7 +45,7 @@ class BssMac : public MacBase, protected FrameListener {
   /// A data frame of the BSS, in the words of its third address (table 9-26).
   static MacRequest data_frame(const Waiting& waiting, hal::AgentId receiver, Ds ds);
 
-  /// Sends what may be sent. To be called when is_open() may have become true.
+  /// Sends frames that may be sent now. Call it when is_open() may have become true.
   void serve();
   /// @return false: the queue is full.
   bool queue_data(Waiting waiting);

@@ -8,9 +8,9 @@
 
 namespace sim::radio {
 
-/// A station of an infrastructure network: whatever it sends goes To DS, to the access point that
-/// it is associated with, and waits while there is none; whatever it gets comes From DS, from
-/// there. What it sent to everyone comes back from the access point and is not handed up again.
+/// A station of an infrastructure network. It sends all data To DS, to the access point that it is
+/// associated with, and queues it while there is none; it receives data From DS, from that access
+/// point. Its own group frames return from the access point and are dropped.
 class BssStation final : public BssMac, private Association::Port {
  public:
   struct Membership {

@@ -10,7 +10,7 @@
 
 namespace sim::radio {
 
-/// Energy that nobody can receive, from a place where no station is.
+/// Energy that is not a frame, from a position without a station.
 struct Burst {
   hal::Vec3 from;                        ///< m, of its antenna, world frame
   hal::Milliwatts power;                 ///< Radiated, the same in all directions.

@@ -7,8 +7,8 @@
 
 namespace sim::radio {
 
-/// The stations that share one channel number, by what they can receive. In the standard they learn
-/// it from each other's beacons and probes; here they know it from the start.
+/// Capabilities of the stations that share one channel number. In the standard stations learn them
+/// from beacons and probes; here they know them from the start.
 class Cell {
  public:
   /// @param knows_ofdm  else it is a NonERP station: DSSS and HR/DSSS only.

@@ -15,12 +15,11 @@ namespace sim::radio {
 
 class Radio;
 
-/// The air: carries each frame to the radios that can notice it and to nobody else. Without
-/// propagation delay a frame costs one event at its end, whatever the number of receivers, which
-/// are visited in order of their addresses. With it, receivers are visited in the order in which
-/// the frame arrives, and in each phase the event of one follows that of the one before without
-/// having waited in the queue, unless somebody else's comes between. Where a frame is faint it
-/// costs no event at all.
+/// The medium: delivers each frame to the radios that can sense it. Without propagation delay a
+/// frame costs one event at its end for any number of receivers, which are visited in order of
+/// their addresses. With propagation delay receivers are visited in the order of arrival, and in
+/// each phase the event of one receiver directly follows that of the previous one, without a wait
+/// in the queue, unless another event comes between. A frame costs no event where it is faint.
 class Channel {
  public:
   Channel(EventQueue& events, Neighbourhood& neighbourhood, RadioObserver& observer,
@@ -30,7 +29,7 @@ class Channel {
   /// @pre in order of StationIndex, before anything is sent.
   void add(Radio& radio);
 
-  /// What is too weak for a radio to be told of.
+  /// Power below which a radio is not told of a signal.
   FaintSignals& faint_at(StationIndex station) { return faint_[station]; }
 
   /// The frame starts now.
@@ -40,7 +39,7 @@ class Channel {
   /// @param length  at most kLongestBurst. @param power  mW
   void interfere(StationIndex at, hal::Duration delay, hal::Duration length, double power);
 
-  /// What this radio is transmitting ends now, cut short.
+  /// Cuts the transmission of this radio now.
   void cut(const Radio& from);
 
  private:

@@ -14,7 +14,7 @@ namespace sim::radio {
 
 class DiskMac;
 
-/// Air of the profiles disk and ideal: everybody within the range receives everything.
+/// Medium of the profiles disk and ideal: all stations within the range receive every frame.
 struct DiskAir {
   Neighbourhood& neighbourhood;
   std::vector<DiskMac*> stations;  ///< By StationIndex.

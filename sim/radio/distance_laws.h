@@ -30,7 +30,7 @@ class TwoRayGround final : public PathLoss {
       : free_space_(wavelength, 2), wavelength_(wavelength.value) {}
 
   hal::Milliwatts after(hal::Milliwatts power, const Path& path) const override;
-  /// Of free space: nobody hears further.
+  /// The range in free space, an upper bound.
   double reach(hal::Milliwatts power, hal::Milliwatts least) const override {
     return free_space_.reach(power, least);
   }

@@ -7,7 +7,7 @@
 
 namespace sim::radio {
 
-/// What travels from one access point to another.
+/// A frame between two access points.
 struct Distributed {
   MacRequest request;  ///< To its final destination.
   hal::AgentId source;
@@ -26,8 +26,8 @@ class DistributionPort {
   virtual void on_moved(hal::AgentId station) = 0;
 };
 
-/// The wire behind the access points (IEEE Std 802.11-2016, 4.3.5): knows where each station is
-/// associated and takes frames there, losslessly, in a constant time.
+/// The wire between the access points (IEEE Std 802.11-2016, 4.3.5): knows where each station is
+/// associated and delivers frames there, without loss, after a constant delay.
 class DistributionSystem {
  public:
   DistributionSystem(EventQueue& events, hal::Duration delay) : events_(events), delay_(delay) {}

@@ -10,13 +10,12 @@ namespace sim::radio {
 
 /// Fading by scatterers all around (R. H. Clarke, "A statistical theory of mobile-radio reception",
 /// BSTJ 47, 1968; W. C. Jakes, "Microwave Mobile Communications", 1974): the sum of plane waves of
-/// equal power from random directions with random phases. An end that moves with the speed v sees
-/// the autocorrelation J0(2 pi v t / lambda); both ends: their relative speed. Where scatterers
-/// move, too, the phases of the waves turn with time likewise, as if one end moved with their
-/// speed.
+/// equal power from random directions with random phases. The autocorrelation of a link whose ends
+/// move with the relative speed v is J0(2 pi v t / lambda). If scatterers move, the phases of the
+/// waves change with time as if one end moved with their speed.
 ///
-/// The field is a function of the places of the ends and the time, drawn from the stream of the
-/// link: it depends neither on how often nor on when it is looked at.
+/// The field is a function of the positions of the ends and of time, drawn from the stream of the
+/// link: it does not depend on how often or when it is evaluated.
 class Fading : public PathLoss {
  public:
   double reach(hal::Milliwatts power, hal::Milliwatts least) const override;

@@ -9,10 +9,10 @@
 
 namespace sim::radio {
 
-/// Frames at one receiver that are too weak to be received, and to be sensed by themselves: they
-/// add to the interference from their start until their end, and to the energy that is sensed.
-/// They cost no event: who wants to know their sum at a time asks for it. Nobody may ask for a time
-/// before keep_from() or, without that, before the last add().
+/// Frames at one receiver that are too weak to be received or sensed by themselves: they add to the
+/// interference from their start until their end, and to the sensed energy. They cost no event:
+/// their sum is computed on demand. Do not ask for a time before keep_from() or, without that,
+/// before the last add().
 /// One cache line: of the hundreds at which a frame is faint, hardly any is in the cache.
 class alignas(64) FaintSignals {
  public:

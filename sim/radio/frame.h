@@ -12,8 +12,8 @@
 
 namespace sim::radio {
 
-/// What a frame says and how it is sent. Made once by its transmitter and shared, unchanged, by
-/// everyone who receives it; codec.h turns it into bytes where bytes are needed.
+/// Contents of a frame and its transmission parameters. Made once by its transmitter and shared,
+/// unchanged, by all receivers; codec.h converts it to bytes where bytes are needed.
 struct Frame {
   /// Transmitter in the upper 16 bits, below it the number among the frames of that transmitter.
   std::uint64_t id = 0;

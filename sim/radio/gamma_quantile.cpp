@@ -19,14 +19,15 @@ constexpr double kPrecision = 1e-15;
 /// ln Gamma(x) by Stirling's series, where its fourth term is below 1e-12.
 double log_gamma(double x) {
   double shift = 0;
-  for (; x < 15; ++x) shift += log(x);
+  for (; x < 15; ++x) shift += hal::math::log(x);
   const double r = 1 / x, r2 = r * r;
   const double series = r * (1.0 / 12 - r2 * (1.0 / 360 - r2 * (1.0 / 1260 - r2 / 1680)));
-  return (x - 0.5) * log(x) - x + 0.5 * log(2 * hal::math::kPi) + series - shift;
+  return (x - 0.5) * hal::math::log(x) - x + 0.5 * hal::math::log(2 * hal::math::kPi) + series -
+         shift;
 }
 
 /// Of x^m e^-x / Gamma(m).
-double log_factor(double m, double x) { return m * log(x) - x - log_gamma(m); }
+double log_factor(double m, double x) { return m * hal::math::log(x) - x - log_gamma(m); }
 
 /// P(m, x) by its power series (M. Abramowitz, I. A. Stegun, "Handbook of Mathematical Functions",
 /// 6.5.29).
@@ -36,7 +37,7 @@ double lower_gamma(double m, double x) {
     term *= x / k;
     sum += term;
   }
-  return exp(log_factor(m, x)) * sum;
+  return hal::math::exp(log_factor(m, x)) * sum;
 }
 
 /// Q(m, x) over its factor, by the continued fraction (ibid., 6.5.31), evaluated forwards as the
@@ -63,9 +64,9 @@ double upper_gamma_fraction(double m, double x) {
 double log_exponential(double m, double x) {
   if (x < 1e-3 * std::min(m, 1.0)) {  // -ln(1 - P) = P there, to half of P
     const double p = lower_gamma(m, x);
-    return log(p * (1 + 0.5 * p));
+    return hal::math::log(p * (1 + 0.5 * p));
   }
-  return log(-log_upper_gamma(m, x));
+  return hal::math::log(-log_upper_gamma(m, x));
 }
 
 /// Logarithm of the gamma variate of mean 1 whose log_exponential() is `wanted`.
@@ -73,7 +74,7 @@ double solve(double m, double wanted) {
   double low = -200, high = 10;
   for (int i = 0; i < kBisections; ++i) {
     const double middle = 0.5 * (low + high);
-    (log_exponential(m, m * exp(middle)) < wanted ? low : high) = middle;
+    (log_exponential(m, m * hal::math::exp(middle)) < wanted ? low : high) = middle;
   }
   return 0.5 * (low + high);
 }
@@ -82,24 +83,26 @@ double solve(double m, double wanted) {
 
 double log_upper_gamma(double m, double x) {
   if (x <= 0) return 0;
-  if (x < m + 1) return log(1 - lower_gamma(m, x));
-  return log_factor(m, x) + log(upper_gamma_fraction(m, x));
+  if (x < m + 1) return hal::math::log(1 - lower_gamma(m, x));
+  return log_factor(m, x) + hal::math::log(upper_gamma_fraction(m, x));
 }
 
 GammaQuantile::GammaQuantile(double m, double most)
-    : m_(m), first_(log(kLeast)), step_((log(most) - first_) / (kPoints - 1)) {
+    : m_(m),
+      first_(hal::math::log(kLeast)),
+      step_((hal::math::log(most) - first_) / (kPoints - 1)) {
   values_.reserve(kPoints);
   for (int i = 0; i < kPoints; ++i) values_.push_back(solve(m, first_ + i * step_));
 }
 
 double GammaQuantile::operator()(double exponential) const {
   if (exponential <= 0) return 0;
-  const double place = (log(exponential) - first_) / step_;
+  const double place = (hal::math::log(exponential) - first_) / step_;
   // P(m, x) goes with the power m of x at its beginning.
-  if (place <= 0) return exp(values_.front() + place * step_ / m_);
+  if (place <= 0) return hal::math::exp(values_.front() + place * step_ / m_);
   const auto i = std::min(static_cast<std::size_t>(place), values_.size() - 2);
   const double share = std::min(place - static_cast<double>(i), 1.0);
-  return exp(values_[i] + share * (values_[i + 1] - values_[i]));
+  return hal::math::exp(values_[i] + share * (values_[i + 1] - values_[i]));
 }
 
 }  // namespace sim::radio

@@ -14,7 +14,7 @@ namespace sim::radio {
 
 class DcfMac;
 
-/// Infrastructure mode of one network: who is an access point, who uses which, and the wire.
+/// Infrastructure mode of one network: its access points, their stations, and the wire.
 class Infrastructure {
  public:
   /// A station and the values of its own.

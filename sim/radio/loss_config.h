@@ -5,15 +5,16 @@
 
 namespace sim::radio {
 
-/// Frames that get lost although the physics would let them in, to see what is above do with it.
+/// Random loss of frames that the physics would deliver, to test the layers above.
 struct LossConfig {
+  /// A directed link with a probability of its own.
   struct Link {
-    std::string from, to;  ///< Names of stations, or patterns (hal/types/pattern.h).
-    double probability = 0;
+    std::string from, to;    ///< Names of stations, or patterns (hal/types/pattern.h).
+    double probability = 0;  ///< 0 .. 1.
     bool operator==(const Link&) const = default;
   };
   double probability = 0;   ///< 0 .. 1, on every link that `links` does not name.
-  std::vector<Link> links;  ///< Of several that fit the last one counts.
+  std::vector<Link> links;  ///< The last one that matches applies.
 
   bool is_none() const { return probability <= 0 && links.empty(); }
 };

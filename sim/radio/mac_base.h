@@ -13,7 +13,7 @@
 
 namespace sim::radio {
 
-/// Who takes a MAC's frames and reports instead of its clients: the layer of a BSS.
+/// Receives a MAC's frames and reports instead of its clients: the layer of a BSS.
 class FrameListener {
  public:
   virtual ~FrameListener() = default;
@@ -23,8 +23,8 @@ class FrameListener {
   virtual void on_sent(const MacRequest& request, hal::Verdict verdict) = 0;
 };
 
-/// What every MAC does for its clients in the same way: hand frames up, report how requests ended,
-/// estimate delay and energy.
+/// The common part of all MACs: passes frames to clients, reports the results of requests,
+/// estimates delay and energy.
 class MacBase : public MacSap {
  public:
   struct Context {

@@ -46,7 +46,7 @@ struct MacIndication {
   GroupAddress group = 0;  ///< As in MacRequest.
 };
 
-/// Who uses a radio: routing, raw traffic.
+/// User of a radio: routing, or the interface of programs.
 class MacClient {
  public:
   virtual ~MacClient() = default;
@@ -62,7 +62,7 @@ struct MacCapabilities {
   bool rssi = false;
 };
 
-/// Service access point of one station's MAC, whatever lies under it.
+/// Service access point of one station's MAC, for any MAC.
 class MacSap {
  public:
   virtual ~MacSap() = default;
@@ -71,7 +71,7 @@ class MacSap {
   virtual void add_client(Ethertype ethertype, MacClient& client) = 0;
   /// @pre payload <= kMaxMsdu and there is a client for the type.
   virtual void transmit(const MacRequest& request) = 0;
-  /// Off: frames in the air are cut, the queue is dropped with kRadioOff, NAV and backoff reset.
+  /// Off: the frame on the air is cut, the queue is dropped with kRadioOff, NAV and backoff reset.
   virtual void set_radio(bool on) = 0;
   virtual bool radio_on() const = 0;
   virtual RadioUse use() const = 0;

@@ -10,20 +10,20 @@
 namespace sim::radio {
 
 /// Chooses by measured success, as Linux's minstrel does (D. Smithies, F. Fietkau; the algorithm of
-/// net/mac80211/rc80211_minstrel.c of 2013-2014, written anew). For each rate the share of attempts
-/// that were acknowledged, averaged over intervals with exponentially falling weight; the best is
-/// the rate with the most frames in time on the air. A share of the frames looks around: it tries
-/// another rate, each in its turn in an order drawn at random.
+/// net/mac80211/rc80211_minstrel.c of 2013-2014, reimplemented). For each rate it averages the
+/// ratio of acknowledged attempts over intervals with exponentially decreasing weight; the best
+/// rate is that with the most frames per time on the air. A share of the frames samples another
+/// rate, each rate in turn in an order drawn at random.
 ///
 ///   stage of the frame       1          2             3               4
 ///   a normal one             best       second best   most reliable   lowest
-///   looks at a faster rate   that one   best          most reliable   lowest
-///   looks at a slower rate   best       that one      most reliable   lowest
+///   samples a faster rate    that one   best          most reliable   lowest
+///   samples a slower rate    best       that one      most reliable   lowest
 ///
-/// So a good link pays nothing for asking about slower rates; after 20 intervals without an attempt
-/// a slower one goes first all the same. In each of the first three stages a frame is tried as
-/// often as fits into 6 ms, at most twice if the rate nearly always (95 %) or hardly ever (10 %)
-/// succeeds: such a rate is looked at in 4 frames of an interval at most.
+/// A good link therefore pays nothing for sampling slower rates; after 20 intervals without an
+/// attempt a slower rate is nevertheless tried first. In each of the first three stages a frame is
+/// tried as often as fits into 6 ms, and at most twice if the rate nearly always (95 %) or hardly
+/// ever (10 %) succeeds: such a rate is sampled in at most 4 frames of an interval.
 class Minstrel final : public RateControl {
  public:
   Minstrel(const RateControlConfig& config, const RateLadders& ladders, hal::RandomStream random)

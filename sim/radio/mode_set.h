@@ -8,8 +8,8 @@
 
 namespace sim::radio {
 
-/// The modes of a radio: what its stations can send and receive. A new PHY is a class of modes and
-/// a line in the constructor.
+/// The PHY modes that a radio's stations can send and receive. A new PHY is a class of modes and a
+/// line in the constructor.
 class ModeSet {
  public:
   explicit ModeSet(const RadioConfig& config);

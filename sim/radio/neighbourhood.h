@@ -13,7 +13,7 @@
 
 namespace sim::radio {
 
-/// What a station's frames are at one other station, as long as neither of the two moves.
+/// Power and delay of a station's frames at one other station, while neither of them moves.
 struct AudibleLink {
   StationIndex receiver = 0;
   std::uint32_t moves = 0;  ///< Of both together when this was computed.
@@ -45,12 +45,13 @@ struct Links {
   bool is_fixed = true;  ///< The transmitter stands for ever, and so do all in reach.
 };
 
-/// Who can notice whose frames, and how strongly. Positions are pulled when a frame starts; what
-/// has not moved since is not computed again. Stations that move are put into their new cell by an
-/// event of their own: a station is looked at again before it can have left its cell by more than a
-/// margin, and links are kept to all stations whose cells are nearer than the reach and twice the
-/// margin. Whoever changes cells collects its links again, and is taken from the links of those
-/// that it goes from, and added to those of whom it comes to.
+/// Links between stations: which can sense each other's frames, and with which power. Positions are
+/// read when a frame starts; links of stations that have not moved since are not computed again.
+/// Moving stations are assigned to their new cell by an event: a station is checked again before it
+/// can have left its cell by more than a margin, and links are kept to all stations whose cells are
+/// nearer than the range plus twice the margin. A station that changes its cell collects its links
+/// again, and is removed from the links of stations that it leaves and added to those that it
+/// approaches.
 class Neighbourhood {
  public:
   struct Antenna {
@@ -117,8 +118,8 @@ class Neighbourhood {
   CellGrid grid_;
   std::vector<Station> stations_;
   std::vector<Links> links_;  ///< By transmitter.
-  std::vector<AudibleLink>
-      changed_;  ///< While links are followed: those that belong into another list.
+  /// While links are followed: those that belong into another list.
+  std::vector<AudibleLink> changed_;
 };
 
 }  // namespace sim::radio

@@ -28,7 +28,7 @@ struct MsduEnd {
   bool went_over_wire = false;                      ///< Delivered: to another access point.
 };
 
-/// What there is to see on the air, for records and fingerprints. Calls come in event order.
+/// Observer of the medium, for records and fingerprints. Calls come in event order.
 class RadioObserver {
  public:
   virtual ~RadioObserver() = default;
@@ -40,8 +40,8 @@ class RadioObserver {
   virtual void on_frame_cut(hal::Time at, const Frame& frame) { (void)at, (void)frame; }
   /// Right before on_reception(), if the radio was synchronised to the frame: lowest SINR over it.
   virtual void on_sinr(double sinr_db) { (void)sinr_db; }
-  /// How a frame ended at one radio that could receive or sense it by itself, or could but for
-  /// walls. Addressed to it or not.
+  /// Result of a frame at one radio that could receive or sense it by itself, or could without
+  /// walls; whether addressed to it or not.
   virtual void on_reception(hal::Time at, const Frame& frame, hal::AgentId receiver,
                             hal::Verdict verdict, double rssi_dbm) {
     (void)at, (void)frame, (void)receiver, (void)verdict, (void)rssi_dbm;

@@ -31,7 +31,7 @@ struct Path {
       : from(the_from), to(the_to), at(the_time) {
     hal::Vec3 way = to.position - from.position;
     way.z += to.height - from.height;
-    distance_squared = dot(way, way);
+    distance_squared = hal::dot(way, way);
   }
 
   /// Names the randomness of the link; the same in both directions.

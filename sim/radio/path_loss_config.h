@@ -12,21 +12,21 @@ namespace sim::radio {
 class PathLoss;
 struct PropagationConfig;
 
-/// What an entry of a chain of propagation is. Each kind of entry says so itself, in `kKind`, and
-/// its name in files in `kModel`.
+/// Kind of an entry in a propagation chain. Each model has its kind in `kKind` and its name in
+/// files in `kModel`.
 enum class PathLossKind : std::uint8_t {
-  kLawOfDistance,  ///< Makes power fall with distance, without end. A chain has one.
-  kOfLinks,        ///< Differs from link to link, and lasts.
-  kFading,         ///< Makes each link fade in time. A chain has one at most.
+  kLawOfDistance,  ///< Power decreases with distance without limit. A chain has exactly one.
+  kOfLinks,        ///< Constant for a link whose ends do not move; differs between links.
+  kFading,         ///< Each link fades in time. A chain has at most one.
 };
 
-/// Free space: a power law with the exponent 2.
+/// Free space (Friis): the power law with exponent 2.
 struct FriisConfig {
   static constexpr std::string_view kModel = "friis";
   static constexpr PathLossKind kKind = PathLossKind::kLawOfDistance;
 };
 
-/// With the exponent of the radio.
+/// Pt lambda^2 / (16 pi^2 d^alpha), alpha = PropagationConfig::path_loss_exponent.
 struct PowerLawConfig {
   static constexpr std::string_view kModel = "power_law";
   static constexpr PathLossKind kKind = PathLossKind::kLawOfDistance;
@@ -41,24 +41,24 @@ struct LogDistanceConfig {
   double exponent = 3;                    ///< n >= 1
 };
 
-/// Friis' up to the crossover distance, with the fourth power of the distance beyond.
+/// Friis up to the crossover distance, the fourth power of the distance beyond.
 struct TwoRayGroundConfig {
   static constexpr std::string_view kModel = "two_ray_ground";
   static constexpr PathLossKind kKind = PathLossKind::kLawOfDistance;
 };
 
-/// Log-normal, a value of each link for each place of its ends.
+/// Log-normal shadowing: a value of each link for each position of its ends.
 struct ShadowingConfig {
   static constexpr std::string_view kModel = "shadowing";
   static constexpr PathLossKind kKind = PathLossKind::kOfLinks;
   hal::Decibels sigma{4};                  ///< >= 0; values are cut at three times that.
-  hal::Metres decorrelation_distance{20};  ///< > 0: an end that moves so far keeps 1/e.
+  hal::Metres decorrelation_distance{20};  ///< > 0; correlation 1/e when one end moved this far.
 };
 
-/// Of all kinds of fading in time: what scatters the waves moves with this speed, m/s, >= 0. With 0
-/// the fading of a link changes only with its ends' places.
+/// Common part of all models of fading in time.
 struct FadingConfig {
   static constexpr PathLossKind kKind = PathLossKind::kFading;
+  /// Speed of the scatterers, m/s, >= 0. With 0 fading depends only on the positions of the ends.
   double scatterer_speed = 0;
 };
 
@@ -68,18 +68,18 @@ struct RayleighConfig : FadingConfig {
 
 struct RicianConfig : FadingConfig {
   static constexpr std::string_view kModel = "rician";
-  hal::Decibels k{6};  ///< Power of the direct ray over that of all others.
+  hal::Decibels k{6};  ///< K factor: power of the direct path over that of all others.
 };
 
-/// m by distance; the defaults are ns-3's.
+/// The shape m depends on distance; the defaults are ns-3's.
 struct NakagamiConfig : FadingConfig {
   static constexpr std::string_view kModel = "nakagami";
   double m_near = 1.5, m_middle = 0.75, m_far = 0.75;  ///< 0.5 .. 50
   hal::Metres middle_from{80}, far_from{200};          ///< 0 <= middle_from <= far_from
 };
 
-/// A law from outside the simulator: of a program that links it, or of a test. Files cannot name
-/// it; records and messages do.
+/// A law of a program that links the simulator, or of a test. Files cannot name it; records and
+/// messages do.
 struct ForeignLawConfig {
   std::string_view model;  ///< Its name; outlives the config, as a literal does.
   PathLossKind kind = PathLossKind::kLawOfDistance;

@@ -11,7 +11,7 @@ namespace sim::radio {
 
 enum class Standard : std::uint8_t { kIeee80211b, kIeee80211g };
 
-/// What one station's radio has of its own; what is not set is as in the network's RadioConfig.
+/// Settings of one station's radio; unset ones are those of the network's RadioConfig.
 struct StationConfig {
   std::optional<hal::Milliwatts> tx_power{};    ///< Into the antenna, > 0.
   std::optional<hal::Metres> antenna_height{};  ///< Above its position, >= 0.
@@ -21,8 +21,8 @@ struct StationConfig {
   std::optional<hal::BitsPerSecond> data_rate{};
   std::optional<hal::BitsPerSecond> control_rate{};
   std::optional<hal::BitsPerSecond> broadcast_rate{};
-  /// Names of the access points that it may use, empty: none, it is in an ad hoc network; not set:
-  /// those of the network (BssConfig). Who is named anywhere is an access point itself.
+  /// Names of the access points that it may use. Empty: none, it is in an ad hoc network. Not set:
+  /// those of the network (BssConfig). A station that any list names is an access point.
   std::optional<std::vector<std::string>> access_points{};
 
   bool operator==(const StationConfig&) const = default;

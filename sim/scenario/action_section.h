@@ -6,11 +6,8 @@
 
 namespace sim::scenario {
 
-/// Reads one thing that an event does; what cannot be done to those agents is a mistake.
+/// One thing that an event does; what cannot be done to those agents is a mistake.
 /// @param scenario  with its agents and its radio.
-agents::ScriptedAction read_action(Mapping in, const Scenario& scenario);
-
-/// Into an item that is open.
-void write_action(Writer& out, const agents::ScriptedAction& action);
+void keys_of(Fields& io, agents::ScriptedAction& action, const Scenario& scenario);
 
 }  // namespace sim::scenario

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <variant>
 
-#include "hal/config/suggest.h"
+#include "hal/files/config/suggest.h"
 #include "hal/types/check.h"
 #include "hal/types/pattern.h"
 
@@ -21,8 +21,8 @@ AgentId agent_named(Mapping& in, const std::string& key, const std::string& name
     names.push_back(agent.name);
   }
   if (!name.empty()) {
-    in.mistake(key,
-               fmt::format("unknown agent '{}'{}", name, hal::config::suggestion(name, names)));
+    in.mistake(key, fmt::format("unknown agent '{}'{}", name,
+                                hal::files::config::suggestion(name, names)));
   }
   return AgentId{};
 }
@@ -55,7 +55,7 @@ const agents::AgentConfig& declared(AgentId id, const Scenario& scenario) {
 
 bool has_battery(const agents::AgentConfig& agent) {
   return std::ranges::any_of(sensors_of(agent), [](const auto& sensor) {
-    return std::holds_alternative<hal::devices::Battery>(sensor);
+    return std::holds_alternative<hal::node::devices::Battery>(sensor);
   });
 }
 

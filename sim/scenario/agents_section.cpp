@@ -4,13 +4,15 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
 
-#include "hal/config/suggest.h"
-#include "hal/description/body_section.h"
-#include "hal/description/routing_section.h"
+#include "hal/files/config/suggest.h"
+#include "hal/files/description/body_section.h"
+#include "hal/files/description/robot_checks.h"
+#include "hal/files/description/routing_section.h"
 #include "hal/types/check.h"
 #include "sim/scenario/controller_section.h"
 #include "sim/scenario/fields.h"
@@ -25,40 +27,11 @@ namespace {
 
 using agents::AgentConfig;
 using hal::AgentId;
-using hal::description::read_mote;
-using hal::description::read_robot;
-using hal::description::write_mote;
-using hal::description::write_robot;
-using hal::devices::MoteDescription;
-using hal::devices::RobotDescription;
-using hal::devices::WheelLevel;
+using hal::node::devices::MoteDescription;
+using hal::node::devices::RobotDescription;
+using hal::node::devices::WheelLevel;
 
-const Key kRobot{
-    "robot",
-    "The group's agents are robots of this kind, mostly {include: ../robots/robertino.yaml}."};
-
-const Key kWheels{
-    "wheels",
-    "How much of the wheels is simulated: bodies on hinges with motors, or only where "
-    "they touch the ground, which is some 3.5 times faster.",
-    "jointed"};
-
-const Key kStation{
-    "station",
-    "The group's agents are radios without bodies, which stand or move on a path; to "
-    "their controllers they are motes."};
-
-const Key kPresent{"present",
-                   "Whether the group's agents are there at the start; if not, an event may add "
-                   "them.",
-                   "false"};
-
-using Algorithm = hal::routing::Algorithm;
-const Key kRouting{"routing",
-                   "How the group's messages find their way: by this algorithm, with the keys of "
-                   "the scenario's `routing`, or `none`: straight to the MAC, one hop.",
-                   "none", "that of the scenario"};
-
+using Algorithm = hal::node::routing::Algorithm;
 using hal::kLastAddress;
 
 /// Addresses and names given away so far.
@@ -71,42 +44,56 @@ struct Taken {
 constexpr std::array<Option<WheelLevel>, 2> kWheelLevels{
     {{"jointed", WheelLevel::kJointed}, {"contact", WheelLevel::kContact}}};
 
+using Body = decltype(AgentConfig::body);
+
+/// Of a robot or a mote.
+template <class Kind>
+void kind_keys(Fields& io, Kind& c) {
+  keys_of(io, c);
+}
+void kind_keys(Fields& io, agents::Station& c) { station_keys(io, c); }
+
+const std::array kBodies{
+    alternative<Body, RobotDescription>({"robot",
+                                         "The group's agents are robots of this kind, mostly "
+                                         "{include: ../robots/robertino.yaml}."}),
+    alternative<Body, MoteDescription>(
+        {"mote",
+         "The group's agents are motes of this kind, mostly {include: ../robots/mote.yaml}."}),
+    alternative<Body, agents::Station>(
+        {"station",
+         "The group's agents are radios without bodies, which stand or move on a path; to their "
+         "controllers they are motes."})};
+
+/// An included group may have another one.
+bool has_two_bodies(Mapping& in) {
+  const std::vector<std::string> keys = in.keys();
+  const auto is_there = [&](const auto& one) { return std::ranges::count(keys, one.key.name) > 0; };
+  if (std::ranges::count_if(kBodies, is_there) < 2) return false;
+  for (const auto& one : kBodies) in.has(one.key.name);
+  return true;
+}
+
 /// A robot file says what a robot is; how much of its wheels is simulated, the scenario says.
-RobotDescription read_robot_group(Mapping& in, double gravity) {
-  RobotDescription robot = read_robot(in.mapping(kRobot), gravity);
-  robot.wheel_level = in.choice(kWheels, kWheelLevels, robot.wheel_level);
-  return robot;
-}
-
-MoteDescription read_mote_group(Mapping& in) {
-  in.refuse("wheels", "a mote has none");
-  return read_mote(in.mapping(
-      {"mote",
-       "The group's agents are motes of this kind, mostly {include: ../robots/mote.yaml}."}));
-}
-
-sim::agents::Station read_station_group(Mapping& in) {
-  in.refuse("wheels", "a station has none");
-  return read_station_body(in.mapping(kStation));
-}
-
-/// @param gravity  m/s^2, of the scenario's world.
-auto read_body(Mapping& in, double gravity) -> decltype(AgentConfig::body) {
-  constexpr const char* kOneOfThem = "must have either robot or mote or station";
-  int bodies = 0;
-  for (const std::string& key : in.keys()) {
-    bodies += key == "robot" || key == "mote" || key == "station" ? 1 : 0;
-  }
-  if (bodies > 1) {
-    in.mistake("", kOneOfThem);
-    for (const char* body : {"robot", "mote", "station"}) in.has(body);
-    return MoteDescription{};
-  }
-  if (in.has("robot")) return read_robot_group(in, gravity);
-  if (in.has("mote")) return read_mote_group(in);
-  if (in.has("station")) return read_station_group(in);
-  in.mistake("", kOneOfThem);
-  return MoteDescription{};
+void body_keys(Fields& io, Body& body) {
+  const bool are_two = io.reading() != nullptr && has_two_bodies(*io.reading());
+  const auto keys = [](Fields& one, Body& any) {
+    std::visit([&one](auto& c) { kind_keys(one, c); }, any);
+  };
+  if (are_two || !io.one_of(kBodies, body, keys))
+    return io.mistake("", "must have either robot or mote or station");
+  auto* const robot = std::get_if<RobotDescription>(&body);
+  const std::string why =
+      std::holds_alternative<MoteDescription>(body) ? "a mote has none" : "a station has none";
+  io.only(robot != nullptr, {"robot", {"there"}}, why, [&](Fields& own) {
+    WheelLevel level = robot == nullptr ? WheelLevel{} : robot->wheel_level;
+    own.choice({"wheels",
+                "How much of the wheels is simulated: bodies on hinges with motors, or only where "
+                "they touch the ground, which is some 3.5 times faster.",
+                "jointed"},
+               kWheelLevels, level);
+    if (robot != nullptr) robot->wheel_level = level;
+  });
 }
 
 void take_names(Mapping& in, const std::vector<std::string>& names, Taken& taken) {
@@ -118,83 +105,26 @@ void take_names(Mapping& in, const std::vector<std::string>& names, Taken& taken
   }
 }
 
-/// Addresses for `count` agents, from `address` or the first free one.
-std::vector<AgentId> take_addresses(Mapping& in, std::size_t count, Taken& taken) {
-  const std::int64_t first =
-      in.integer({"address", "Network address of the group's first agent; the others count on.",
-                  "1", "the first free one"},
-                 1, kLastAddress, taken.next);
+/// Addresses for `count` agents, from the first on.
+std::vector<AgentId> take_addresses(Fields& io, std::int64_t first, std::size_t count,
+                                    Taken& taken) {
   taken.next = first + static_cast<std::int64_t>(count);
-  if (taken.next - 1 > kLastAddress) {
-    in.mistake("address", fmt::format("{} is above the limit of {} for the last of {} agents",
-                                      taken.next - 1, kLastAddress, count));
+  if (taken.next - 1 > hal::kLastAddress) {
+    io.mistake("address", fmt::format("{} is above the limit of {} for the last of {} agents",
+                                      taken.next - 1, hal::kLastAddress, count));
     taken.next = 1;
     return {};
   }
   std::vector<AgentId> addresses;
+  addresses.reserve(count);
   bool clash = false;
   for (std::int64_t address = first; address < taken.next; ++address) {
     addresses.push_back(AgentId{static_cast<std::uint16_t>(address)});
     if (taken.addresses.insert(addresses.back()).second || clash) continue;
     clash = true;
-    in.mistake("address", fmt::format("the address {} is taken by another group", address));
+    io.mistake("address", fmt::format("the address {} is taken by another group", address));
   }
   return addresses;
-}
-
-/// Robots and motes without a network must be driven by somebody; stations hear and relay alone.
-void read_who_drives(Mapping& in, Group& group, std::vector<AgentConfig>& agents) {
-  const bool has_network = in.has("network");
-  if (has_network) {
-    read_network(in.mapping({"network",
-                             "An interface `wlan0` for programs with sockets: their packets go "
-                             "through the agents' simulated radios. Such a run is in real time."}),
-                 agents);
-    read_programs(in, group);
-  } else {
-    in.refuse("programs", "needs `network`, the interface that programs use");
-  }
-  if ((has_network || in.has("station")) && !in.has("controller")) return;
-  read_controller(in.mapping({"controller",
-                              "The program that drives the agents; may be absent of stations, and "
-                              "where they have a network."}),
-                  group, agents);
-}
-
-void read_group(const std::string& name, Mapping in, Scenario& scenario, Taken& taken) {
-  Group group{.name = name, .agents = {}, .places = {}, .program = {}, .program_place = {}};
-  const auto body = read_body(in, scenario.simulation.world.gravity);
-  const std::vector<hal::Pose2> poses =
-      read_poses(in, scenario.simulation.seed, name, group.places);
-  const std::vector<std::string> names = read_names(in, name, poses.size());
-  take_names(in, names, taken);
-  group.agents = take_addresses(in, poses.size(), taken);
-  std::vector<AgentConfig> agents;
-  for (std::size_t i = 0; i < group.agents.size(); ++i) {
-    agents.push_back({group.agents[i], names[i], poses[i], body, {}, {}, {}, {}, {}});
-  }
-  read_who_drives(in, group, agents);
-  read_station_radios(
-      in.mapping({"radio", "What the radios of the group's agents have of their own."}),
-      scenario.simulation.radio, agents);
-  const bool is_present = in.flag(kPresent, true);
-  for (AgentConfig& agent : agents) agent.is_present = is_present;
-  const bool has_routing = in.has(kRouting.name);
-  const Algorithm routing = in.choice(kRouting, hal::description::kRoutingAlgorithms,
-                                      scenario.simulation.routing.algorithm);
-  for (AgentConfig& agent : agents) {
-    if (has_routing) agent.routing = routing;
-  }
-  in.finish();
-  auto& all = scenario.simulation.agents;
-  all.insert(all.end(), agents.begin(), agents.end());
-  scenario.groups.push_back(std::move(group));
-}
-
-/// A group that only the command line names: it meant to change one of the file's.
-bool is_reached_for(Mapping& in) {
-  return in.place().starts_with("--set") && !in.has("robot") && !in.has("mote") &&
-         !in.has("station");
 }
 
 /// "m{}" if the names are "m0", "m1", …
@@ -212,70 +142,168 @@ std::string name_pattern(std::span<const AgentConfig> agents) {
   return first;
 }
 
-void write_group(Writer& out, const Group& group, std::span<const AgentConfig> agents) {
-  out.open(group.name);
-  out.text("name", name_pattern(agents));
-  out.integer("address", agents.front().id.value);
-  if (const auto* robot = std::get_if<RobotDescription>(&agents.front().body)) {
-    FieldWriter(out).choice(kWheels, kWheelLevels, robot->wheel_level);
-    write_robot(out, *robot);
-  } else if (const auto* mote = std::get_if<MoteDescription>(&agents.front().body)) {
-    write_mote(out, *mote);
+/// What a group says of which agents there are.
+struct Population {
+  std::string names;
+  std::int64_t address = 1;  ///< Of the first.
+  Body body = MoteDescription{};
+  Placement placement;
+};
+
+Population population_of(std::span<const AgentConfig> agents) {
+  std::vector<hal::Pose2> poses;
+  poses.reserve(agents.size());
+  for (const AgentConfig& agent : agents) poses.push_back(agent.pose);
+  return {name_pattern(agents), agents.front().id.value, agents.front().body, std::move(poses)};
+}
+
+void keys_of(Fields& io, Population& c, Group& group) {
+  name_key(io, c.names);
+  io.count({"address", "Network address of the group's first agent; the others count on.", "1",
+            "the first free one"},
+           1, hal::kLastAddress, c.address);
+  body_keys(io, c.body);
+  placement_keys(io, c.placement, group.places);
+}
+
+/// The agents of a group that is read.
+std::vector<AgentConfig> populate(Fields& io, const Population& c, Group& group,
+                                  const agents::SimulationConfig& config, Taken& taken) {
+  Mapping& in = *io.reading();
+  if (const auto* robot = std::get_if<RobotDescription>(&c.body)) {
+    Mapping file = in.within("robot");
+    hal::files::description::check_robot(file, *robot, config.world.gravity);
+  }
+  const std::vector<hal::Pose2> poses =
+      poses_of(in, c.placement, config.seed, group.name, group.places);
+  const std::vector<std::string> names = names_of(in, c.names, poses.size());
+  take_names(in, names, taken);
+  group.agents = take_addresses(io, c.address, poses.size(), taken);
+  std::vector<AgentConfig> agents;
+  agents.reserve(group.agents.size());
+  for (std::size_t i = 0; i < group.agents.size(); ++i)
+    agents.push_back({group.agents[i], names[i], poses[i], c.body, {}, {}, {}, {}, {}});
+  return agents;
+}
+
+/// Robots and motes without a network must be driven by somebody; stations hear and relay alone.
+void driver_keys(Fields& io, Group& group, std::span<AgentConfig> agents, const Body& body) {
+  const bool is_networked = !agents.empty() && agents.front().network.has_value();
+  const bool has_network = io.inside_given(
+      {"network",
+       "An interface `wlan0` for programs with sockets: their packets go through the agents' "
+       "simulated radios. Such a run is in real time."},
+      is_networked, [&](Fields& network) { network_keys(network, agents); });
+  io.only(has_network, {}, "needs `network`, the interface that programs use",
+          [&](Fields& networked) { programs_keys(networked, group); });
+  const Key key{"controller",
+                "The program that drives the agents; may be absent of stations, and where they "
+                "have a network."};
+  const auto controller = [&](Fields& one) { controller_keys(one, group, agents); };
+  const bool may_be_absent = has_network || std::holds_alternative<agents::Station>(body);
+  if (io.is_writing() || may_be_absent) {
+    io.inside_given(key, !group.program.empty(), controller);
   } else {
-    write_station_body(out, std::get<sim::agents::Station>(agents.front().body));
+    io.inside(key, controller);
   }
-  out.open_list("poses");
-  for (const AgentConfig& agent : agents) {
-    out.open_item();
-    out.number("x", agent.pose.x, "m");
-    out.number("y", agent.pose.y, "m");
-    out.number("yaw", agent.pose.theta, "rad");
-    out.close();
+}
+
+/// What is said of a group's agents after all else.
+void other_keys(Fields& io, std::span<AgentConfig> agents) {
+  bool is_present = agents.empty() || agents.front().is_present;
+  std::optional<Algorithm> routing;
+  if (!agents.empty()) routing = agents.front().routing;
+  io.written_if(!is_present, [&](Fields& absent) {
+    absent.flag({"present",
+                 "Whether the group's agents are there at the start; if not, an event may add "
+                 "them.",
+                 "false"},
+                is_present);
+  });
+  const Key key{"routing",
+                "How the group's messages find their way: by this algorithm, with the keys of the "
+                "scenario's `routing`, or `none`: straight to the MAC, one hop.",
+                "none", "that of the scenario"};
+  if (io.is_writing()) {  // also algorithms that files cannot name
+    std::string name(routing ? routing->name() : "");
+    io.given_text(key, name);
+  } else {
+    io.given_choice(key, hal::files::description::kRoutingAlgorithms, routing);
   }
-  out.close();
-  if (!group.program.empty()) write_controller(out, group, agents);
-  write_network(out, agents);
-  write_programs(out, group);
-  write_station_radios(out, agents);
-  if (!agents.front().is_present) out.flag(kPresent.name, false);
-  if (agents.front().routing) out.text(kRouting.name, agents.front().routing->name());
-  out.close();
+  for (AgentConfig& agent : agents) {
+    agent.is_present = is_present;
+    agent.routing = routing;
+  }
+}
+
+/// @param agents  of the group; those that are read.
+void keys_of(Fields& io, Group& group, std::vector<AgentConfig>& agents,
+             const agents::SimulationConfig& config, Taken& taken) {
+  Population population{.names = group.name + "{}", .address = taken.next, .placement = {}};
+  if (io.is_writing()) population = population_of(agents);
+  keys_of(io, population, group);
+  if (io.reading() != nullptr) agents = populate(io, population, group, config, taken);
+  driver_keys(io, group, agents, population.body);
+  station_radio_key(io, agents, config.radio);
+  other_keys(io, agents);
+}
+
+/// A group that only the command line names: it meant to change one of the file's.
+bool is_reached_for(Mapping& in) {
+  return in.place().starts_with("--set") && !in.has("robot") && !in.has("mote") &&
+         !in.has("station");
+}
+
+void read_group(Fields& io, const std::string& name, Scenario& scenario, Taken& taken) {
+  Group group{.name = name, .agents = {}, .places = {}, .program = {}, .program_place = {}};
+  std::vector<AgentConfig> agents;
+  keys_of(io, group, agents, scenario.simulation, taken);
+  auto& all = scenario.simulation.agents;
+  all.insert(all.end(), agents.begin(), agents.end());
+  scenario.groups.push_back(std::move(group));
+}
+
+void write_group(Fields& io, Group group, const agents::SimulationConfig& config) {
+  const auto first = std::ranges::find(config.agents, group.agents.front(), &AgentConfig::id);
+  BARAKA_CHECK(first != config.agents.end());
+  std::vector<AgentConfig> agents(first, first + static_cast<std::ptrdiff_t>(group.agents.size()));
+  Taken none;
+  keys_of(io, group, agents, config, none);
+}
+
+void group_keys(Fields& io, Scenario& scenario) {
+  std::vector<std::string> names;
+  for (const Group& group : scenario.groups) names.push_back(group.name);
+  if (io.reading() != nullptr) names = io.reading()->keys();
+  if (names.empty()) io.mistake("", "there must be at least one group of agents");
+  Taken taken;
+  io.named({"NAME",
+            "A group of agents with one kind of body and one controller, under a name of your "
+            "own."},
+           names, [&](Fields& one, const std::string& name) {
+             Mapping* const in = one.reading();
+             if (one.is_writing()) {
+               write_group(one, *std::ranges::find(scenario.groups, name, &Group::name),
+                           scenario.simulation);
+             } else if (in == nullptr || !is_reached_for(*in)) {
+               read_group(one, name, scenario, taken);
+             } else {
+               std::vector<std::string> others = names;
+               std::erase(others, name);
+               in->mistake(
+                   "", "is not the name of a group" + hal::files::config::suggestion(name, others));
+               in->leave_rest();
+             }
+           });
+  if (io.is_writing()) return;
+  std::ranges::sort(scenario.simulation.agents, {}, &AgentConfig::id);
 }
 
 }  // namespace
 
-void read_agents(Mapping in, Scenario& scenario) {
-  Taken taken;
-  const std::vector<std::string> names = in.keys();
-  if (names.empty()) in.mistake("", "there must be at least one group of agents");
-  for (const std::string& name : names) {
-    Mapping group = in.mapping(
-        {name,
-         "A group of agents with one kind of body and one controller, under a name of your own."});
-    if (is_reached_for(group)) {
-      std::vector<std::string> others = names;
-      std::erase(others, name);
-      in.mistake(name, "is not the name of a group" + hal::config::suggestion(name, others));
-    } else {
-      read_group(name, group, scenario, taken);
-    }
-  }
-  in.finish();
-  std::sort(scenario.simulation.agents.begin(), scenario.simulation.agents.end(),
-            [](const AgentConfig& a, const AgentConfig& b) { return a.id < b.id; });
-}
-
-void write_agents(Writer& out, const Scenario& scenario) {
-  const std::vector<AgentConfig>& all = scenario.simulation.agents;
-  out.open("agents");
-  for (const Group& group : scenario.groups) {
-    const auto first = std::find_if(all.begin(), all.end(), [&](const AgentConfig& agent) {
-      return agent.id == group.agents.front();
-    });
-    BARAKA_CHECK(first != all.end());
-    write_group(out, group, {&*first, group.agents.size()});
-  }
-  out.close();
+void agents_key(Fields& io, Scenario& scenario) {
+  io.inside({"agents", "Groups of agents, each under a name of its own (here NAME); at least one."},
+            [&](Fields& groups) { group_keys(groups, scenario); });
 }
 
 }  // namespace sim::scenario

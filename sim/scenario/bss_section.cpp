@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "hal/config/suggest.h"
+#include "hal/files/config/suggest.h"
 #include "sim/scenario/fields.h"
 
 namespace sim::scenario {
@@ -28,8 +28,7 @@ const Key kOwnAccessPoints{
     "they are in an ad hoc network. Who is named is an access point.",
     "[NAME0]", "those of `radio`"};
 
-template <class Io>
-void bss_keys_of(Io& io, radio::BssConfig& c) {
+void bss_keys_of(Fields& io, radio::BssConfig& c) {
   io.duration({"beacon_interval",
                "From one beacon of an access point to its next; a multiple of 1.024 ms. Those of "
                "several access points are spread evenly over it.",
@@ -67,7 +66,7 @@ void bss_keys_of(Io& io, radio::BssConfig& c) {
 std::vector<std::string> names_in(Mapping& in, const Key& key) {
   if (in.has_scalar(key.name)) return {in.text(key)};
   std::vector<std::string> names;
-  for (const hal::config::Scalar& name : in.texts(key)) names.push_back(name.text);
+  for (const hal::files::config::Scalar& name : in.texts(key)) names.push_back(name.text);
   return names;
 }
 
@@ -86,8 +85,8 @@ void check_names(Mapping in, const Key& key, const std::vector<std::string>& nam
                  const std::vector<std::string>& agents) {
   for (const std::string& name : names) {
     if (name.empty() || std::ranges::count(agents, name) > 0) continue;
-    in.mistake(key.name,
-               fmt::format("unknown agent '{}'{}", name, hal::config::suggestion(name, agents)));
+    in.mistake(key.name, fmt::format("unknown agent '{}'{}", name,
+                                     hal::files::config::suggestion(name, agents)));
   }
 }
 
@@ -98,52 +97,43 @@ void check_own_names(Mapping in, const std::vector<std::string>& agents) {
 
 }  // namespace
 
-void read_bss(Mapping in, radio::BssConfig& config) {
-  config.access_points = read_names(in, kAccessPoints);
-  if (config.access_points == std::vector<std::string>{kNone}) config.access_points.clear();
-  config.ssid = in.text(kSsidKey, config.ssid);
-  if (config.ssid.size() > radio::kMaxSsid) {
-    in.mistake(kSsidKey.name, fmt::format("{} bytes are above the limit of {}", config.ssid.size(),
-                                          radio::kMaxSsid));
+void keys_of(Fields& io, radio::BssConfig& c) {
+  io.own(
+      kAccessPoints,
+      [&](Mapping& in) {
+        c.access_points = read_names(in, kAccessPoints);
+        if (c.access_points == std::vector<std::string>{kNone}) c.access_points.clear();
+      },
+      [&](Writer& out) { out.texts(kAccessPoints.name, c.access_points); });
+  io.text(kSsidKey, c.ssid);
+  if (c.ssid.size() > radio::kMaxSsid) {
+    io.mistake(kSsidKey.name,
+               fmt::format("{} bytes are above the limit of {}", c.ssid.size(), radio::kMaxSsid));
   }
-  FieldReader reader(in);
-  bss_keys_of(reader, config);
-  if (config.beacon_interval % radio::kTimeUnit != hal::Duration{}) {
-    in.mistake("beacon_interval", hal::config::format_duration(config.beacon_interval) +
+  bss_keys_of(io, c);
+  if (c.beacon_interval % radio::kTimeUnit != hal::Duration{}) {
+    io.mistake("beacon_interval", hal::files::config::format_duration(c.beacon_interval) +
                                       " is not a multiple of 1.024 ms");
   }
-  in.finish();
 }
 
-void write_bss(Writer& out, const radio::BssConfig& config) {
-  radio::BssConfig copy = config;
-  out.open(kBss);
-  out.texts(kAccessPoints.name, config.access_points);
-  out.text(kSsidKey.name, config.ssid);
-  FieldWriter writer(out);
-  bss_keys_of(writer, copy);
-  out.close();
-}
-
-std::optional<std::vector<std::string>> read_own_access_points(Mapping in) {
-  std::optional<std::vector<std::string>> names;
-  const std::vector<std::string> given = read_names(in, kOwnAccessPoints);
-  if (in.has(kOwnAccessPoints.name)) {
-    names = given == std::vector<std::string>{kNone} ? std::vector<std::string>{} : given;
-  }
-  in.finish();
-  return names;
-}
-
-void write_own_access_points(Writer& out, const std::optional<std::vector<std::string>>& names) {
-  if (!names) return;
-  out.open(kBss);
-  if (names->empty()) {
-    out.text(kOwnAccessPoints.name, kNone);
-  } else {
-    out.texts(kOwnAccessPoints.name, *names);
-  }
-  out.close();
+void own_access_points_key(Fields& io, std::optional<std::vector<std::string>>& names) {
+  const Key key{kBss, "Of these agents, where they are not as `radio.bss` says."};
+  io.only(io.reading() != nullptr || names.has_value(), {}, "", [&](Fields& given) {
+    given.inside(key, [&](Fields& bss) {
+      bss.own(
+          kOwnAccessPoints,
+          [&](Mapping& in) {
+            const std::vector<std::string> own = read_names(in, kOwnAccessPoints);
+            if (in.has(kOwnAccessPoints.name))
+              names = own == std::vector<std::string>{kNone} ? std::vector<std::string>{} : own;
+          },
+          [&](Writer& out) {
+            if (names->empty()) return out.text(kOwnAccessPoints.name, kNone);
+            out.texts(kOwnAccessPoints.name, *names);
+          });
+    });
+  });
 }
 
 namespace {

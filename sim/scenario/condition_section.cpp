@@ -1,15 +1,14 @@
 #include "sim/scenario/condition_section.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
-#include <array>
+#include <algorithm>
 #include <limits>
+#include <optional>
 #include <string>
 #include <utility>
 
 #include "sim/scenario/agent_names.h"
-#include "sim/scenario/given_keys.h"
 
 namespace sim::scenario {
 namespace {
@@ -25,230 +24,276 @@ using agents::InState;
 using agents::Subjects;
 using agents::TimeReached;
 
-constexpr Range kConditionTime{0, hal::config::kLongestDuration};  // s
-constexpr Range kApart{0, 1e9};                                    // m
+constexpr Range kConditionTime{0, hal::files::config::kLongestDuration};  // s
+constexpr Range kApart{0, 1e9};                                           // m
 constexpr std::int64_t kMostCounted = 1'000'000'000'000;
+/// Whom names mean, and where it is noted of which states there is talk.
+struct Context {
+  const Scenario& scenario;
+  decltype(Scenario::awaited)& awaited;
+};
 
-Subjects read_subjects(Mapping& in, const Scenario& scenario) {
-  const GivenKeys keys(in);
-  Subjects who;
-  std::string key;
-  if (keys.has("any")) {
-    key = "any";
-    who.quantifier = Subjects::Quantifier::kAny;
-    who.whose = in.text({"any", "At least one of the agents with such names.", "'NAME*'"});
-  }
-  if (keys.has("all") && (key.empty() || keys.is_survey())) {
-    key = "all";
-    who.quantifier = Subjects::Quantifier::kAll;
-    who.whose = in.text({"all", "Each of the agents with such names.", "'NAME*'"});
-  }
-  if (key.empty() || keys.is_survey()) {
-    key = "agent";
-    who.whose =
-        in.text({"agent", "The agent that is meant; or any, or all, of a pattern.", "NAME0"});
-  }
-  if (!who.whose.empty()) who.agents = agents_meant(in, key, who.whose, scenario);
-  return who;
+void keys_of(Fields& io, Condition& c, const Context& context);
+
+Condition read(Mapping in, const Context& context) {
+  Condition condition;
+  FieldReader io(in);
+  keys_of(io, condition, context);
+  in.finish();
+  return condition;
+}
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr auto kNoLimit = std::numeric_limits<std::int64_t>::max();
+
+/// Who is meant, by a key with a name or a pattern.
+void subject_key(Fields& io, const Key& key, Subjects::Quantifier quantifier, Subjects& who,
+                 const Context& context) {
+  io.needed_text(key, who.whose);
+  if (io.reading() == nullptr) return;
+  who.quantifier = quantifier;
+  if (!who.whose.empty())
+    who.agents = agents_meant(*io.reading(), key.name, who.whose, context.scenario);
+}
+
+void keys_of(Fields& io, Subjects& who, const Context& context) {
+  using Quantifier = Subjects::Quantifier;
+  const auto saying = [&](const Key& key, Quantifier quantifier) {
+    return Fields::Saying{
+        key.name, who.quantifier == quantifier,
+        [&, key, quantifier](Fields& one) { subject_key(one, key, quantifier, who, context); }};
+  };
+  const Key agent{"agent", "The agent that is meant; or any, or all, of a pattern.", "NAME0"};
+  const bool is_said = io.first_of(
+      {saying({"any", "At least one of the agents with such names.", "'NAME*'"}, Quantifier::kAny),
+       saying({"all", "Each of the agents with such names.", "'NAME*'"}, Quantifier::kAll),
+       saying(agent, Quantifier::kOne)});
+  if (!is_said) subject_key(io, agent, Quantifier::kOne, who, context);
 }
 
 /// `above` and `below`, at least one of them.
 template <class Limited>
-void read_limits(Mapping& in, std::string_view unit, Range range, Limited& limited) {
+void limit_keys(Fields& io, std::string_view unit, Range range, Limited& limited) {
   const bool is_part = unit == "1";
-  const GivenKeys keys(in);
-  const bool has_above = keys.has("above"), has_below = keys.has("below");
-  if (!has_above && !has_below) in.mistake("", "must have below or above, or both");
-  if (has_above) {
-    limited.above =
-        in.number({"above", "The value must be greater.", is_part ? "0.2" : "5 m"}, unit, range);
+  std::optional<double> above, below;
+  if (limited.above > -kInfinity) above = limited.above;
+  if (limited.below < kInfinity) below = limited.below;
+  io.given(
+      {"above", "The value must be greater.", is_part ? "0.2" : "5 m", "none if `below` is given"},
+      unit, range, above);
+  io.given(
+      {"below", "The value must be smaller.", is_part ? "0.2" : "10 m", "none if `above` is given"},
+      unit, range, below);
+  if (!above && !below) io.mistake("", "must have below or above, or both");
+  limited.above = above.value_or(-kInfinity);
+  limited.below = below.value_or(kInfinity);
+}
+
+/// Notes that the agents are asked for a state, for a check against what controllers declare.
+void state_key(Fields& io, std::string& state, const std::vector<hal::AgentId>& of,
+               const Context& context) {
+  io.needed_text({"state", "Their controllers are in this state, as they call it.", "FULFILLED"},
+                 state);
+  if (const Mapping* in = io.reading(); in != nullptr && !of.empty())
+    context.awaited.push_back({in->place("state"), in->path() + ".state", of, state});
+}
+
+void keys_of(Fields& io, Area& area) {
+  const auto box = [&](Fields& one) {
+    auto& [low, high] = as<Area::Box>(area.shape);
+    one.needed(
+        {"from", "Lower left corner of a box, world frame; a circle has `centre` and `radius`.",
+         "[0 m, 0 m]"},
+        "m", kCoordinate, low);
+    one.needed({"to", "Upper right corner of a box.", "[10 m, 5 m]"}, "m", kCoordinate, high);
+    if (high.x < low.x || high.y < low.y)
+      one.mistake("to", "must not be left of, or below, `from`");
+  };
+  const auto circle = [&](Fields& one) {
+    auto& [centre, radius] = as<Area::Circle>(area.shape);
+    one.needed({"centre", "Of a circle, world frame.", "[10 m, 5 m]"}, "m", kCoordinate, centre);
+    one.needed({"radius", "Of a circle.", "3 m"}, "m", kApart, radius);
+  };
+  const bool is_box = std::holds_alternative<Area::Box>(area.shape);
+  if (!io.first_of({{"radius", !is_box, circle}, {"from", is_box, box}})) box(io);
+}
+
+void keys_of(Fields& io, InArea& c, const Context& context) {
+  keys_of(io, c.who, context);
+  io.inside({"area", "They are inside: a circle or a box."},
+            [&](Fields& area) { keys_of(area, c.area); });
+}
+
+void keys_of(Fields& io, InState& c, const Context& context) {
+  keys_of(io, c.who, context);
+  state_key(io, c.state, c.who.agents, context);
+}
+
+void keys_of(Fields& io, TimeReached& c, const Context& /*context*/) {
+  io.needed({"time", "From this time on.", "60 s"}, kConditionTime, c.at);
+}
+
+void keys_of(Fields& io, BatteryLevel& c, const Context& context) {
+  keys_of(io, c.who, context);
+  for (const hal::AgentId agent : c.who.agents) {
+    if (!has_battery(declared(agent, context.scenario)))
+      io.mistake("battery", fmt::format("{} has none", declared(agent, context.scenario).name));
   }
-  if (has_below) {
-    limited.below =
-        in.number({"below", "The value must be smaller.", is_part ? "0.2" : "10 m"}, unit, range);
-  }
+  io.inside({"battery",
+             "State of charge of their first battery, share of the capacity; seen once per control "
+             "cycle."},
+            [&](Fields& limits) {
+              limit_keys(limits, "1", {0, 1}, c);
+            });
 }
 
-void await(Mapping& in, const std::string& state, const std::vector<hal::AgentId>& of,
-           Scenario& scenario) {
-  if (!of.empty()) scenario.awaited.push_back({in.place("state"), in.path() + ".state", of, state});
-}
-
-const Key kState{"state", "Their controllers are in this state, as they call it.", "FULFILLED"};
-
-InState read_state(Mapping& in, Scenario& scenario) {
-  InState it{read_subjects(in, scenario), in.text(kState)};
-  await(in, it.state, it.who.agents, scenario);
-  return it;
-}
-
-Area read_area(Mapping in) {
-  const GivenKeys keys(in);
-  Area area{Area::Circle{}};
-  const bool is_circle = keys.has("radius");
-  if (is_circle) {
-    area.shape = Area::Circle{
-        in.vec2({"centre", "Of a circle, world frame.", "[10 m, 5 m]"}, "m", kCoordinate),
-        in.number({"radius", "Of a circle.", "3 m"}, "m", kApart)};
-  }
-  if (!is_circle || keys.is_survey()) {
-    const Area::Box box{
-        in.vec2(
-            {"from", "Lower left corner of a box, world frame; a circle has `centre` and `radius`.",
-             "[0 m, 0 m]"},
-            "m", kCoordinate),
-        in.vec2({"to", "Upper right corner of a box.", "[10 m, 5 m]"}, "m", kCoordinate)};
-    if (box.high.x < box.low.x || box.high.y < box.low.y)
-      in.mistake("to", "must not be left of, or below, `from`");
-    area.shape = box;
-  }
-  in.finish();
-  return area;
-}
-
-InArea read_in_area(Mapping& in, const Scenario& scenario) {
-  return {read_subjects(in, scenario),
-          read_area(in.mapping({"area", "They are inside: a circle or a box."}))};
-}
-
-BatteryLevel read_battery(Mapping& in, const Scenario& scenario) {
-  BatteryLevel level;
-  level.who = read_subjects(in, scenario);
-  for (const hal::AgentId agent : level.who.agents) {
-    if (!has_battery(declared(agent, scenario)))
-      in.mistake("battery", fmt::format("{} has none", declared(agent, scenario).name));
-  }
-  Mapping limits =
-      in.mapping({"battery",
-                  "State of charge of their first battery, share of the capacity; seen once per "
-                  "control cycle."});
-  read_limits(limits, "1", {0, 1}, level);
-  limits.finish();
-  return level;
-}
-
-ApartBy read_distance(Mapping& in, const Scenario& scenario) {
-  ApartBy apart;
-  const auto names = in.texts({"distance", "True distance between two agents.", "[NAME0, NAME1]"});
-  if (names.size() == 2) {
-    apart.a = agent_named(in, "distance", names[0].text, scenario);
-    apart.b = agent_named(in, "distance", names[1].text, scenario);
+void keys_of(Fields& io, ApartBy& c, const Context& context) {
+  std::vector<std::string> names;
+  if (io.is_writing())
+    names = {declared(c.a, context.scenario).name, declared(c.b, context.scenario).name};
+  io.texts({"distance", "True distance between two agents.", "[NAME0, NAME1]"}, names);
+  if (Mapping* const in = io.reading(); in != nullptr && names.size() == 2) {
+    c.a = agent_named(*in, "distance", names[0], context.scenario);
+    c.b = agent_named(*in, "distance", names[1], context.scenario);
   } else {
-    in.mistake("distance", fmt::format("must name two agents, not {}", names.size()));
+    io.mistake("distance", fmt::format("must name two agents, not {}", names.size()));
   }
-  read_limits(in, "m", kApart, apart);
-  return apart;
+  limit_keys(io, "m", kApart, c);
 }
 
-CountOf read_count(Mapping& in, Scenario& scenario) {
-  CountOf count;
-  count.who.quantifier = Subjects::Quantifier::kAny;
-  count.who.whose =
-      in.text({"count",
-               "Agents of which those in a `state` are counted, or the messages `received` by "
-               "all of them together.",
-               "'NAME*'"});
-  if (!count.who.whose.empty())
-    count.who.agents = agents_meant(in, "count", count.who.whose, scenario);
-  const GivenKeys keys(in);
-  if (keys.has("received")) {
-    count.topic = in.text({"received", "With `count`: messages of this class.", "help"});
-    if (!keys.is_survey()) in.refuse("state", "cannot stand beside received");
+/// At least one of the limits is there.
+void count_keys(Fields& io, CountOf& c) {
+  std::optional<std::int64_t> least, most;
+  if (c.at_least > 0) least = c.at_least;
+  if (c.at_most < kNoLimit || !least) most = std::min(c.at_most, kMostCounted);
+  if (!io.is_writing()) most.reset();
+  io.given_count({"at_least", "With `count`: so many, or more.", "3", "none if `at_most` is given"},
+                 0, kMostCounted, least);
+  io.given_count(
+      {"at_most", "With `count`: so many, or fewer.", "3", "none if `at_least` is given"}, 0,
+      kMostCounted, most);
+  if (!least && !most) io.mistake("", "must have at_least or at_most, or both");
+  if (io.reading() == nullptr) return;
+  c.at_least = least.value_or(0);
+  c.at_most = most.value_or(kNoLimit);
+}
+
+void keys_of(Fields& io, CountOf& c, const Context& context) {
+  subject_key(io,
+              {"count",
+               "Agents of which those in a `state` are counted, or the messages `received` by all "
+               "of them together.",
+               "'NAME*'"},
+              Subjects::Quantifier::kAny, c.who, context);
+  const auto received = [&](Fields& one) {
+    one.needed_text({"received", "With `count`: messages of this class.", "help"}, c.topic);
+    one.unused("state", "cannot stand beside received");
+  };
+  const auto state = [&](Fields& one) { state_key(one, c.state, c.who.agents, context); };
+  if (!io.first_of({{"received", c.state.empty(), received}, {"state", !c.state.empty(), state}}))
+    state(io);
+  count_keys(io, c);
+}
+
+void read_list(Mapping& in, const Key& key, std::vector<Condition>& parts, const Context& context) {
+  (void)in.mappings(key);
+  for (Mapping& part : in.items(key.name)) parts.push_back(read(part, context));
+  if (parts.empty()) in.mistake(key.name, "must have at least one condition");
+}
+
+void read_not(Mapping& in, const Key& key, std::vector<Condition>& parts, const Context& context) {
+  (void)in.mapping(key);
+  if (in.has_scalar(key.name)) return;  // which has been said
+  parts.push_back(read(in.within(key.name), context));
+}
+
+void write_list(Writer& out, const Key& key, std::vector<Condition>& parts,
+                const Context& context) {
+  FieldWriter writer(out);
+  out.open_list(key.name);
+  for (Condition& part : parts) {
+    out.open_item();
+    keys_of(writer, part, context);
+    out.close();
   }
-  if (!keys.has("received") || keys.is_survey()) {
-    count.state = in.text(kState);
-    await(in, count.state, count.who.agents, scenario);
+  out.close();
+}
+
+/// Conditions in a condition: their keys have been described.
+void part_keys(Fields& io, const Key& key, Combination::Kind kind, Combination& c,
+               const Context& context) {
+  const bool is_not = kind == Combination::Kind::kNone;
+  if (!io.is_writing()) c.kind = kind;
+  io.own(
+      key, {.kind = is_not ? Form::Kind::kMapping : Form::Kind::kMappings},
+      [&](Mapping& in) { (is_not ? read_not : read_list)(in, key, c.parts, context); },
+      [&](Writer& out) {
+        if (!is_not) return write_list(out, key, c.parts, context);
+        FieldWriter writer(out);
+        out.open(key.name);
+        keys_of(writer, c.parts.front(), context);
+        out.close();
+      });
+}
+
+template <class Kind>
+Fields::Saying saying(const char* key, Condition& condition, const Context& context) {
+  return {key, std::holds_alternative<Kind>(condition.what),
+          [&](Fields& io) { keys_of(io, as<Kind>(condition.what), context); }};
+}
+
+Fields::Saying saying(const Key& key, Combination::Kind kind, Condition& condition,
+                      const Context& context) {
+  const auto* const said = std::get_if<Combination>(&condition.what);
+  return {key.name, said != nullptr && said->kind == kind, [&, key, kind](Fields& io) {
+            part_keys(io, key, kind, as<Combination>(condition.what), context);
+          }};
+}
+
+constexpr std::string_view kTwoConditions = "[{agent: NAME0, state: FULFILLED}, {time: 60 s}]";
+
+void keys_of(Fields& io, Condition& c, const Context& context) {
+  using Kind = Combination::Kind;
+  const std::vector<Fields::Saying> sayings{
+      saying<TimeReached>("time", c, context),
+      saying<ApartBy>("distance", c, context),
+      saying<CountOf>("count", c, context),
+      saying({"all_of", "Each of these conditions holds.", kTwoConditions}, Kind::kAll, c, context),
+      saying({"any_of", "At least one of these conditions holds.", kTwoConditions}, Kind::kAny, c,
+             context),
+      saying({"not", "This condition does not hold.", "{agent: NAME0, state: FULFILLED}"},
+             Kind::kNone, c, context),
+      saying<InArea>("area", c, context),
+      saying<BatteryLevel>("battery", c, context),
+      saying<InState>("state", c, context)};
+  if (Mapping* const in = io.reading()) c.place = in->place();
+  if (!io.first_of(sayings)) {
+    io.mistake("",
+               "must say a condition: time, distance, count, all_of, any_of, not; or state, area "
+               "or battery of an agent, of any or all of a pattern");
+    for (const Fields::Saying& one : sayings) io.reading()->has(one.key);
+    for (const char* key : {"agent", "any", "all", "below", "above"}) io.reading()->has(key);
   }
-  const bool has_least = keys.has("at_least"), has_most = keys.has("at_most");
-  if (!has_least && !has_most) in.mistake("", "must have at_least or at_most, or both");
-  if (has_least)
-    count.at_least =
-        in.integer({"at_least", "With `count`: so many, or more.", "3"}, 0, kMostCounted);
-  if (has_most)
-    count.at_most =
-        in.integer({"at_most", "With `count`: so many, or fewer.", "3"}, 0, kMostCounted);
-  return count;
+  io.only(!io.is_writing() || c.hold > hal::Duration{}, {}, "", [&](Fields& held) {
+    held.duration({"for", "It must have held for so long without a break.", "5 s"}, kConditionTime,
+                  c.hold);
+  });
 }
-
-struct CombinationKey {
-  Combination::Kind kind;
-  const char* name;
-  const char* meaning;
-};
-constexpr std::array<CombinationKey, 2> kLists{
-    {{Combination::Kind::kAll, "all_of", "Each of these conditions holds."},
-     {Combination::Kind::kAny, "any_of", "At least one of these conditions holds."}}};
-
-Combination read_list(Mapping& in, const CombinationKey& key, Scenario& scenario) {
-  Combination combination{key.kind, {}};
-  (void)in.mappings({key.name, key.meaning, "[{agent: NAME0, state: FULFILLED}, {time: 60 s}]"});
-  // Conditions in conditions: their keys have been described.
-  for (Mapping& part : in.items(key.name))
-    combination.parts.push_back(read_condition(part, scenario));
-  if (combination.parts.empty()) in.mistake(key.name, "must have at least one condition");
-  return combination;
-}
-
-Combination read_not(Mapping& in, Scenario& scenario) {
-  Combination combination{Combination::Kind::kNone, {}};
-  (void)in.mapping({"not", "This condition does not hold.", "{agent: NAME0, state: FULFILLED}"});
-  if (in.has_scalar("not")) return combination;  // which has been said
-  combination.parts.push_back(read_condition(in.within("not"), scenario));
-  return combination;
-}
-
-/// What a key says, and who reads it. The first of them that is there counts.
-struct ConditionKind {
-  const char* key;
-  void (*read)(Mapping& in, Scenario& scenario, Condition& condition);
-};
-constexpr std::array<ConditionKind, 9> kKinds{
-    {{"time",
-      [](Mapping& in, Scenario&, Condition& condition) {
-        condition.what =
-            TimeReached{in.duration({"time", "From this time on.", "60 s"}, kConditionTime)};
-      }},
-     {"distance", [](Mapping& in, Scenario& scenario,
-                     Condition& condition) { condition.what = read_distance(in, scenario); }},
-     {"count", [](Mapping& in, Scenario& scenario,
-                  Condition& condition) { condition.what = read_count(in, scenario); }},
-     {"all_of", [](Mapping& in, Scenario& scenario,
-                   Condition& condition) { condition.what = read_list(in, kLists[0], scenario); }},
-     {"any_of", [](Mapping& in, Scenario& scenario,
-                   Condition& condition) { condition.what = read_list(in, kLists[1], scenario); }},
-     {"not", [](Mapping& in, Scenario& scenario,
-                Condition& condition) { condition.what = read_not(in, scenario); }},
-     {"area", [](Mapping& in, Scenario& scenario,
-                 Condition& condition) { condition.what = read_in_area(in, scenario); }},
-     {"battery", [](Mapping& in, Scenario& scenario,
-                    Condition& condition) { condition.what = read_battery(in, scenario); }},
-     {"state", [](Mapping& in, Scenario& scenario, Condition& condition) {
-        condition.what = read_state(in, scenario);
-      }}}};
 
 }  // namespace
 
+void keys_of(Fields& io, Condition& condition, Scenario& scenario) {
+  keys_of(io, condition, Context{scenario, scenario.awaited});
+}
+
 Condition read_condition(Mapping in, Scenario& scenario) {
-  Condition condition;
-  condition.place = in.place();
-  const GivenKeys keys(in);
-  bool is_said = false;
-  for (const auto& [key, read] : kKinds) {
-    if (!keys.has(key) || (is_said && !keys.is_survey())) continue;
-    is_said = true;
-    read(in, scenario, condition);
-  }
-  if (!is_said) {
-    in.mistake("",
-               "must say a condition: time, distance, count, all_of, any_of, not; or state, area "
-               "or battery of an agent, of any or all of a pattern");
-    for (const ConditionKind& kind : kKinds) in.has(kind.key);
-    for (const char* key : {"agent", "any", "all", "below", "above"}) in.has(key);
-  }
-  condition.hold = in.duration({"for", "It must have held for so long without a break.", "5 s"},
-                               kConditionTime, hal::Duration{});
-  in.finish();
-  return condition;
+  return read(std::move(in), {scenario, scenario.awaited});
+}
+
+void write_condition(Writer& out, Condition condition, const Scenario& scenario) {
+  FieldWriter io(out);
+  decltype(Scenario::awaited) none;
+  keys_of(io, condition, {scenario, none});
 }
 
 }  // namespace sim::scenario

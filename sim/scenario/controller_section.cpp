@@ -12,16 +12,7 @@ namespace sim::scenario {
 namespace {
 
 using agents::AgentConfig;
-using hal::exchange::ParameterText;
-
-std::vector<ParameterText> read_parameters(Mapping in) {
-  std::vector<ParameterText> parameters;
-  for (hal::config::PlainValue& given : in.nested_values()) {
-    parameters.push_back({std::move(given.key), std::move(given.text), std::move(given.place),
-                          given.is_list, std::move(given.items)});
-  }
-  return parameters;
-}
+using hal::node::exchange::ParameterText;
 
 void set(std::vector<ParameterText>& parameters, const ParameterText& parameter) {
   const auto same = std::find_if(parameters.begin(), parameters.end(),
@@ -30,16 +21,6 @@ void set(std::vector<ParameterText>& parameters, const ParameterText& parameter)
     parameters.push_back(parameter);
   } else {
     *same = parameter;
-  }
-}
-
-void apply_override(Mapping& in, OverrideAgents& some) {
-  const std::vector<AgentConfig*> fitting = some.read(in);
-  const std::vector<ParameterText> parameters =
-      read_parameters(in.mapping({"parameters", "Those in which they differ.", "{help_at: 1 s}"}));
-  in.finish();
-  for (AgentConfig* const agent : fitting) {
-    for (const ParameterText& parameter : parameters) set(agent->parameters, parameter);
   }
 }
 
@@ -91,91 +72,116 @@ void write_values(Writer& out, const std::vector<ParameterText>& parameters) {
   }
 }
 
-void write_parameters(Writer& out, const std::vector<ParameterText>& parameters) {
-  out.open("parameters");
-  write_values(out, parameters);
-  out.close();
+void parameters_key(Fields& io, const Key& key, std::vector<ParameterText>& parameters) {
+  io.own(
+      key, {.kind = hal::files::config::Form::Kind::kMapping},
+      [&](Mapping& in) {
+        for (hal::files::config::PlainValue& given : in.mapping(key).nested_values()) {
+          parameters.push_back({std::move(given.key), std::move(given.text), std::move(given.place),
+                                given.is_list, std::move(given.items)});
+        }
+      },
+      [&](Writer& out) {
+        out.open(key.name);
+        write_values(out, parameters);
+        out.close();
+      });
 }
 
-const Key kProcesses{"processes",
-                     "Controller processes that share the agents; at most one for each, and one "
-                     "for each with `inside`.",
-                     "1"};
-
-/// Those that share `agents` agents.
-int read_processes(Mapping& in, std::size_t agents, bool inside) {
-  const auto most = std::max<std::int64_t>(1, static_cast<std::int64_t>(agents));
-  const bool is_given = in.has(kProcesses.name);
-  const std::int64_t processes = in.integer(kProcesses, 1, hal::kLastAddress, 1);
-  if (processes > most) {
-    in.mistake(kProcesses.name, fmt::format("{} is above the limit of {}", processes, most));
+/// @param is_given  whether the file says how many.
+void check_processes(Fields& io, Group& group, std::size_t agents, bool is_given) {
+  const int most = std::max(1, static_cast<int>(agents));
+  if (group.processes > most) {
+    io.mistake("processes", fmt::format("{} is above the limit of {}", group.processes, most));
+  } else if (group.inside && is_given && group.processes < most) {
+    io.mistake("processes", fmt::format("is {}, but with `inside` there is one for each of the {} "
+                                        "agents",
+                                        group.processes, most));
   }
-  if (!inside) return static_cast<int>(std::min(processes, most));
-  if (is_given && processes < most) {
-    in.mistake(kProcesses.name,
-               fmt::format("is {}, but with `inside` there is one for each of the {} agents",
-                           processes, most));
-  }
-  return static_cast<int>(most);
+  group.processes = group.inside ? most : std::min(group.processes, most);
 }
 
-bool read_inside(Mapping& in, std::span<const AgentConfig> agents) {
-  const bool inside = in.flag(
-      {"inside",
-       "Whether the controller runs inside its agent's network, where it may open sockets and DDS "
-       "participants of its own on wlan0; one process for each agent.",
-       "true"},
-      false);
-  if (!inside) return false;
-  if (agents.empty() || agents.front().network) return true;
-  in.mistake("inside", "needs `network` of the group, the interface that it is for");
-  return false;
+void process_keys(Fields& io, Group& group, std::span<const AgentConfig> agents) {
+  io.count({"processes",
+            "Controller processes that share the agents; at most one for each, and one for each "
+            "with `inside`.",
+            "1"},
+           1, hal::kLastAddress, group.processes);
+  io.written_if(group.inside, [&](Fields& written) {
+    written.flag({"inside",
+                  "Whether the controller runs inside its agent's network, where it may open "
+                  "sockets and DDS participants of its own on wlan0; one process for each agent.",
+                  "true"},
+                 group.inside);
+  });
+  if (io.reading() == nullptr) return;
+  if (group.inside && !agents.empty() && !agents.front().network) {
+    io.mistake("inside", "needs `network` of the group, the interface that it is for");
+    group.inside = false;
+  }
+  check_processes(io, group, agents.size(), io.reading()->has("processes"));
+}
+
+/// Parameters of some of the agents.
+struct Override {
+  std::string agents;
+  std::vector<ParameterText> parameters;
+};
+
+std::vector<Override> overrides_of(std::span<const AgentConfig> agents,
+                                   const std::vector<ParameterText>& common) {
+  std::vector<Override> overrides;
+  for (const AgentConfig& agent : agents) {
+    Override own{agent.name, agent.parameters};
+    std::erase_if(own.parameters, [&](const ParameterText& one) { return contains(common, one); });
+    if (!own.parameters.empty()) overrides.push_back(std::move(own));
+  }
+  return overrides;
+}
+
+void overrides_key(Fields& io, std::span<AgentConfig> agents,
+                   const std::vector<ParameterText>& common) {
+  std::vector<Override> overrides;
+  if (io.reading() == nullptr) overrides = overrides_of(agents, common);
+  OverrideAgents some(agents);
+  io.list<Override>({"overrides", "Parameters for some of the agents; no agent twice.",
+                     "[{agents: NAME0, parameters: {help_at: 1 s}}]"},
+                    overrides, [&](Fields& one, Override& c) {
+                      const std::vector<AgentConfig*> fitting = some.agents_key(one, c.agents);
+                      parameters_key(
+                          one, {"parameters", "Those in which they differ.", "{help_at: 1 s}"},
+                          c.parameters);
+                      for (AgentConfig* const agent : fitting) {
+                        for (const ParameterText& parameter : c.parameters)
+                          set(agent->parameters, parameter);
+                      }
+                    });
 }
 
 }  // namespace
 
-void read_controller(Mapping in, Group& group, std::span<AgentConfig> agents) {
-  group.program = in.text(
+void controller_keys(Fields& io, Group& group, std::span<AgentConfig> agents) {
+  io.needed_text(
       {"program", "The controller: one of ours, one of yours in BARAKA_CONTROLLER_PATH, or teleop.",
-       "help_mote"});
-  group.program_place = in.place("program");
-  group.inside = read_inside(in, agents);
-  group.processes = read_processes(in, agents.size(), group.inside);
-  const std::vector<ParameterText> parameters = read_parameters(in.mapping(
+       "help_mote"},
+      group.program);
+  process_keys(io, group, agents);
+  std::vector<ParameterText> common;
+  if (io.reading() == nullptr && !agents.empty()) common = common_to(agents);
+  parameters_key(
+      io,
       {"parameters", "Of the controller, for all agents; `baraka describe PROGRAM` shows them.",
-       "{help_at: 1 s}"}));
-  for (AgentConfig& agent : agents) {
-    agent.program = group.program;
-    agent.parameters = parameters;
-    agent.inside = group.inside;
+       "{help_at: 1 s}"},
+      common);
+  if (io.reading() != nullptr) {
+    group.program_place = io.reading()->place("program");
+    for (AgentConfig& agent : agents) {
+      agent.program = group.program;
+      agent.parameters = common;
+      agent.inside = group.inside;
+    }
   }
-  OverrideAgents some(agents);
-  for (Mapping& one :
-       in.mappings({"overrides", "Parameters for some of the agents; no agent twice.",
-                    "[{agents: NAME0, parameters: {help_at: 1 s}}]"}))
-    apply_override(one, some);
-  in.finish();
-}
-
-void write_controller(Writer& out, const Group& group, std::span<const AgentConfig> agents) {
-  out.open("controller");
-  out.text("program", group.program);
-  out.integer("processes", group.processes);
-  if (group.inside) out.flag("inside", true);
-  const std::vector<ParameterText> common = common_to(agents);
-  write_parameters(out, common);
-  out.open_list("overrides");
-  for (const AgentConfig& agent : agents) {
-    std::vector<ParameterText> own = agent.parameters;
-    std::erase_if(own, [&](const ParameterText& one) { return contains(common, one); });
-    if (own.empty()) continue;
-    out.open_item();
-    out.text("agents", agent.name);
-    write_parameters(out, own);
-    out.close();
-  }
-  out.close();
-  out.close();
+  overrides_key(io, agents, common);
 }
 
 }  // namespace sim::scenario

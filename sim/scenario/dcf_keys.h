@@ -23,8 +23,7 @@ inline constexpr std::array kProtections = {
     Option<radio::ProtectionKind>{"rts_cts", radio::ProtectionKind::kRtsCts},
     Option<radio::ProtectionKind>{"auto", radio::ProtectionKind::kAuto}};
 
-template <class Io>
-void keys_of(Io& io, radio::RateControlConfig& c) {
+inline void keys_of(Fields& io, radio::RateControlConfig& c) {
   constexpr Range kShare{0, 1};
   io.choice({"rate_control",
              "Of unicast data frames, for each destination: always `data_rate`; adaptive auto rate "
@@ -53,8 +52,7 @@ void keys_of(Io& io, radio::RateControlConfig& c) {
             "1", kShare, c.minstrel_sampling);
 }
 
-template <class Io>
-void keys_of(Io& io, radio::DcfConfig& c) {
+inline void keys_of(Fields& io, radio::DcfConfig& c) {
   common_keys_of(io, c);
   io.count({"long_retry_limit", "Transmissions of a data frame after RTS/CTS in all.", "4"}, 1, 255,
            c.long_retry_limit);
@@ -86,15 +84,13 @@ void keys_of(Io& io, radio::DcfConfig& c) {
   keys_of(io, c.rate_control);
 }
 
-template <class Io>
-void keys_of(Io& io, radio::Ieee80211bConfig& c) {
+inline void keys_of(Fields& io, radio::Ieee80211bConfig& c) {
   keys_of(io, static_cast<radio::DcfConfig&>(c));
   error_model(io, c.receiver.error_model);
   rounding(io, c.phy.rounding);
 }
 
-template <class Io>
-void keys_of(Io& io, radio::Ieee80211gConfig& c) {
+inline void keys_of(Fields& io, radio::Ieee80211gConfig& c) {
   keys_of(io, static_cast<radio::DcfConfig&>(c));
   io.choice({"protection",
              "Of frames in OFDM from agents that know 802.11b only: a CTS to oneself or RTS/CTS "

@@ -6,7 +6,6 @@
 #include "sim/scenario/action_section.h"
 #include "sim/scenario/agent_names.h"
 #include "sim/scenario/condition_section.h"
-#include "sim/scenario/given_keys.h"
 
 namespace sim::scenario {
 namespace {
@@ -19,70 +18,63 @@ using agents::ScriptedAction;
 using agents::ScriptedEvent;
 using agents::Whenever;
 
-constexpr Range kEventTime{0, hal::config::kLongestDuration};       // s
-constexpr Range kEventPeriod{1e-3, hal::config::kLongestDuration};  // s
+constexpr Range kEventTime{0, hal::files::config::kLongestDuration};       // s
+constexpr Range kEventPeriod{1e-3, hal::files::config::kLongestDuration};  // s
 
-Periodically read_period(Mapping& in) {
-  Periodically often;
-  often.every =
-      in.duration({"every", "It happens again and again, with this period.", "30 s"}, kEventPeriod);
-  often.from = in.duration({"from", "With `every`: the first time.", "10 s", "`every`"}, kEventTime,
-                           often.every);
-  if (GivenKeys(in).has("until")) {
-    often.until =
-        in.duration({"until", "With `every`: not after this time.", "600 s", "the end of the run"},
-                    kEventTime, hal::Duration{});
-    if (*often.until < often.from) in.mistake("until", "is before the first time");
-  }
-  if (GivenKeys(in).has("count")) {
-    often.count = in.integer({"count", "With `every`: at most so often.", "5", "no limit"}, 1,
-                             1'000'000'000, 1);
-  }
-  GivenKeys(in).offer(in, {"until", "count"});
-  return often;
+void keys_of(Fields& io, Periodically& c) {
+  io.needed({"every", "It happens again and again, with this period.", "30 s"}, kEventPeriod,
+            c.every);
+  if (!io.is_writing()) c.from = c.every;
+  io.duration({"from", "With `every`: the first time.", "10 s", "`every`"}, kEventTime, c.from);
+  const bool has_end =
+      io.given({"until", "With `every`: not after this time.", "600 s", "the end of the run"},
+               kEventTime, c.until);
+  if (has_end && *c.until < c.from) io.mistake("until", "is before the first time");
+  io.given_count({"count", "With `every`: at most so often.", "5", "no limit"}, 1, 1'000'000'000,
+                 c.count);
 }
 
-Whenever read_whenever(Mapping& in, Scenario& scenario) {
-  Whenever whenever;
-  whenever.condition = read_condition(
-      in.mapping({"when", "It happens at the instant at which this condition begins to hold."}),
-      scenario);
-  whenever.each_time = in.flag(
-      {"each_time",
-       "With `when`: whether it happens each time that the condition begins to hold, or only once.",
-       "true"},
-      false);
-  return whenever;
+void keys_of(Fields& io, Whenever& c, Scenario& scenario) {
+  io.inside({"when", "It happens at the instant at which this condition begins to hold."},
+            [&](Fields& when) { keys_of(when, c.condition, scenario); });
+  io.flag({"each_time",
+           "With `when`: whether it happens each time that the condition begins to hold, or only "
+           "once.",
+           "true"},
+          c.each_time);
 }
 
-void read_when(Mapping& in, Scenario& scenario, ScriptedEvent& event) {
+void when_keys(Fields& io, ScriptedEvent& event, Scenario& scenario) {
   constexpr const char* kOneOfThem = "must have either at or every or when";
-  const GivenKeys keys(in);
-  if (keys.has("every")) event.when = read_period(in);
-  if (keys.has("when") && (!keys.has("every") || keys.is_survey()))
-    event.when = read_whenever(in, scenario);
-  const bool is_otherwise = keys.has("every") || keys.has("when");
-  if (!is_otherwise) keys.offer(in, {"every", "when"});
-  if (!is_otherwise || keys.is_survey()) {
-    event.when =
-        AtTime{in.duration({"at", "When it happens; or `every`, or `when`.", "60 s"}, kEventTime)};
-  } else {
-    in.refuse("at", kOneOfThem);
-    if (keys.has("every")) in.refuse("when", kOneOfThem);
-  }
+  const auto at = [&](Fields& one) {
+    one.needed({"at", "When it happens; or `every`, or `when`.", "60 s"}, kEventTime,
+               as<AtTime>(event.when).at);
+  };
+  const auto every = [&](Fields& one) {
+    keys_of(one, as<Periodically>(event.when));
+    for (const char* other : {"at", "when"}) one.unused(other, kOneOfThem);
+  };
+  const auto when = [&](Fields& one) {
+    keys_of(one, as<Whenever>(event.when), scenario);
+    one.unused("at", kOneOfThem);
+  };
+  const bool is_said =
+      io.first_of({{"every", std::holds_alternative<Periodically>(event.when), every},
+                   {"when", std::holds_alternative<Whenever>(event.when), when},
+                   {"at", std::holds_alternative<AtTime>(event.when), at}});
+  if (is_said) return;
+  for (const char* other : {"every", "when"}) io.reading()->has(other);
+  at(io);
 }
 
-ScriptedEvent read_event(Mapping in, Scenario& scenario) {
-  ScriptedEvent event;
-  event.place = in.place();
-  read_when(in, scenario, event);
-  for (Mapping& action : in.mappings({"do", "What happens, in this order, all at that instant.",
-                                      "[{switch_off: NAME0}]", hal::config::kMustBeGiven})) {
-    event.actions.push_back(read_action(action, scenario));
-  }
-  if (event.actions.empty()) in.mistake("do", "must have at least one action");
-  in.finish();
-  return event;
+void keys_of(Fields& io, ScriptedEvent& event, Scenario& scenario) {
+  if (io.reading() != nullptr) event.place = io.reading()->place();
+  when_keys(io, event, scenario);
+  io.list<ScriptedAction>(
+      {"do", "What happens, in this order, all at that instant.", "[{switch_off: NAME0}]",
+       hal::files::config::kMustBeGiven},
+      event.actions, [&](Fields& one, ScriptedAction& action) { keys_of(one, action, scenario); });
+  if (event.actions.empty()) io.mistake("do", "must have at least one action");
 }
 
 bool adds(const ScriptedAction& action, hal::AgentId agent) {
@@ -102,55 +94,15 @@ void warn_of_never_added(Mapping& in, const Scenario& scenario) {
   }
 }
 
-/// Writes when an event happens.
-struct WriteWhen {
-  Writer& out;
-  const Scenario& scenario;
-
-  void operator()(const AtTime& at) const { out.duration("at", at.at); }
-  void operator()(const Periodically& often) const {
-    out.duration("every", often.every);
-    out.duration("from", often.from);
-    if (often.until) out.duration("until", *often.until);
-    if (often.count) out.integer("count", *often.count);
-  }
-  void operator()(const Whenever& whenever) const {
-    out.open("when");
-    write_condition(out, whenever.condition, scenario);
-    out.close();
-    out.flag("each_time", whenever.each_time);
-  }
-};
-
 }  // namespace
 
-void read_events(Mapping& in, Scenario& scenario) {
-  for (Mapping& event :
-       in.mappings({"events",
-                    "What happens to agents and to the air, and comes from nobody in "
-                    "the world.",
-                    "[{at: 60 s, do: [{switch_off: NAME0}]}]"})) {
-    scenario.simulation.script.push_back(read_event(event, scenario));
-  }
-  warn_of_never_added(in, scenario);
-}
-
-void write_events(Writer& out, const Scenario& scenario) {
-  if (scenario.simulation.script.empty()) return;
-  out.open_list("events");
-  for (const ScriptedEvent& event : scenario.simulation.script) {
-    out.open_item();
-    std::visit(WriteWhen{out, scenario}, event.when);
-    out.open_list("do");
-    for (const ScriptedAction& action : event.actions) {
-      out.open_item();
-      write_action(out, action);
-      out.close();
-    }
-    out.close();
-    out.close();
-  }
-  out.close();
+void event_keys(Fields& io, Scenario& scenario) {
+  io.list_if_any<ScriptedEvent>(
+      {"events", "What happens to agents and to the air, and comes from nobody in the world.",
+       "[{at: 60 s, do: [{switch_off: NAME0}]}]"},
+      scenario.simulation.script,
+      [&](Fields& one, ScriptedEvent& event) { keys_of(one, event, scenario); });
+  if (io.reading() != nullptr) warn_of_never_added(*io.reading(), scenario);
 }
 
 }  // namespace sim::scenario

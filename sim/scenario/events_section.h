@@ -5,10 +5,7 @@
 
 namespace sim::scenario {
 
-/// Reads `events:`. @param scenario  with its agents and its radio.
-void read_events(Mapping& in, Scenario& scenario);
-
-/// Nothing if there are none.
-void write_events(Writer& out, const Scenario& scenario);
+/// `events:`; not written if there are none. @param scenario  with its agents and its radio.
+void event_keys(Fields& io, Scenario& scenario);
 
 }  // namespace sim::scenario

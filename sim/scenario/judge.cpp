@@ -77,7 +77,7 @@ std::optional<std::string> Judge::unmet(const ExpectedDistance& expected,
                        expected.entered, wanted, name_of(expected.to, scenario_));
   }
   const hal::Vec2 apart = position(expected.to) - position(*who);
-  const double distance = std::sqrt(dot(apart, apart));
+  const double distance = std::sqrt(hal::dot(apart, apart));
   if (distance < expected.below.value) return std::nullopt;
   return fmt::format("{} is {:.3f} m from {}, {}", name_of(*who, scenario_), distance,
                      name_of(expected.to, scenario_), wanted);

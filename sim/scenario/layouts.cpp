@@ -2,15 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
 #include <map>
-#include <optional>
 #include <utility>
 
 #include "hal/types/agent_id.h"
 #include "hal/types/math.h"
 #include "hal/types/random.h"
-#include "sim/scenario/fields.h"
 
 namespace sim::scenario {
 namespace {
@@ -18,13 +17,63 @@ namespace {
 constexpr std::int64_t kMostAgents = hal::kLastAddress;
 constexpr Range kDistance{0, 1e6};  // m
 
-std::int64_t read_count(Mapping& in) {
-  return in.integer({"count", "Of the agents.", "10"}, 1, kMostAgents);
+void count_key(Fields& io, int& count) {
+  io.needed_count({"count", "Of the agents.", "10"}, 1, kMostAgents, count);
 }
 
-double read_yaw(Mapping& in) {
-  return in.number({"yaw", "Heading of all of them.", "90 deg"}, "rad", kAngle, 0);
+void yaw_key(Fields& io, double& yaw) {
+  io.number({"yaw", "Heading of all of them.", "90 deg"}, "rad", kAngle, yaw);
 }
+
+void origin_key(Fields& io, hal::Vec2& origin) {
+  io.vec2({"origin", "Where the first one stands, world frame.", "[0 m, 0 m]"}, "m", kCoordinate,
+          origin);
+}
+
+void keys_of(Fields& io, GridLayout& c) {
+  io.needed_count({"columns", "Agents side by side along x.", "5"}, 1, kMostAgents, c.columns);
+  io.needed_count({"rows", "Agents side by side along y.", "5"}, 1, kMostAgents, c.rows);
+  io.needed({"spacing", "Between neighbours along x and y.", "[125 m, 125 m]"}, "m",
+            {0, kCoordinate.high}, c.spacing);
+  origin_key(io, c.origin);
+  yaw_key(io, c.yaw);
+}
+
+void keys_of(Fields& io, CircleLayout& c) {
+  count_key(io, c.count);
+  io.needed({"radius", "Of the circle.", "5 m"}, "m", kDistance, c.radius);
+  io.vec2({"centre", "Of the circle, world frame.", "[0 m, 0 m]"}, "m", kCoordinate, c.centre);
+  yaw_key(io, c.yaw);
+}
+
+void keys_of(Fields& io, LineLayout& c) {
+  count_key(io, c.count);
+  io.needed({"spacing", "From one to the next.", "30 m"}, "m", kDistance, c.spacing);
+  origin_key(io, c.origin);
+  io.number({"heading", "Of the line, from x towards y.", "90 deg"}, "rad", kAngle, c.heading);
+  yaw_key(io, c.yaw);
+}
+
+void keys_of(Fields& io, UniformLayout& c) {
+  count_key(io, c.count);
+  io.needed({"from", "A corner of the area, world frame.", "[0 m, 0 m]"}, "m", kCoordinate, c.from);
+  io.needed({"to", "The opposite corner.", "[100 m, 100 m]"}, "m", kCoordinate, c.to);
+  io.number({"spacing", "Least distance of any two of the group.", "1 m"}, "m", kDistance,
+            c.spacing);
+  yaw_key(io, c.yaw);
+}
+
+const std::array kLayouts{
+    alternative<Placement, GridLayout>({"grid", "Places them row by row."}),
+    alternative<Placement, CircleLayout>(
+        {"circle", "Places them on a circle, the first one east."}),
+    alternative<Placement, LineLayout>({"line", "Places them on a straight line."}),
+    alternative<Placement, UniformLayout>(
+        {"uniform",
+         "Places them at random in a rectangle, by the run's seed and the group's name."})};
+
+/// Poses have no mapping of their own.
+void keys_of(Fields& /*io*/, std::vector<hal::Pose2>& /*poses*/) {}
 
 /// Points of a plane that keep a distance. Cells of that size: only the cells around are looked at.
 class SpacedPoints {
@@ -54,7 +103,7 @@ class SpacedPoints {
     const auto found = cells_.find(cell);
     if (found == cells_.end()) return false;
     for (const hal::Vec2& other : found->second) {
-      if (dot(point - other, point - other) < spacing_ * spacing_) return true;
+      if (hal::dot(point - other, point - other) < spacing_ * spacing_) return true;
     }
     return false;
   }
@@ -63,96 +112,90 @@ class SpacedPoints {
   std::map<Cell, std::vector<hal::Vec2>> cells_;
 };
 
-}  // namespace
+using Poses = std::vector<hal::Pose2>;
 
-/// Row by row from the origin: x first, then y.
-std::vector<hal::Pose2> read_grid(Mapping in) {
-  const std::int64_t columns =
-      in.integer({"columns", "Agents side by side along x.", "5"}, 1, kMostAgents);
-  const std::int64_t rows =
-      in.integer({"rows", "Agents side by side along y.", "5"}, 1, kMostAgents);
-  const hal::Vec2 spacing =
-      in.vec2({"spacing", "Between neighbours along x and y.", "[125 m, 125 m]"}, "m",
-              {0, kCoordinate.high});
-  const hal::Vec2 origin = in.vec2(
-      {"origin", "Where the first one stands, world frame.", "[0 m, 0 m]"}, "m", kCoordinate, {});
-  const double yaw = in.number({"yaw", "Heading of all of them.", "90 deg"}, "rad", kAngle, 0);
-  in.finish();
-  std::vector<hal::Pose2> poses;
-  if (columns * rows > kMostAgents) {
-    in.mistake("", fmt::format("{} x {} are {} agents; network addresses have 16 bits, which is "
-                               "enough for {}",
-                               columns, rows, columns * rows, kMostAgents));
+struct Expand {
+  std::uint64_t seed;
+  const std::string& stream;
+  LayoutMistake& mistake;
+
+  Poses operator()(const Poses& poses) const { return poses; }
+  Poses operator()(const GridLayout& c) const {
+    Poses poses;
+    const std::int64_t count = std::int64_t{c.columns} * c.rows;
+    if (count > kMostAgents) {
+      mistake.text = fmt::format(
+          "{} x {} are {} agents; network addresses have 16 bits, which is "
+          "enough for {}",
+          c.columns, c.rows, count, kMostAgents);
+      return poses;
+    }
+    poses.reserve(static_cast<std::size_t>(count));
+    for (int row = 0; row < c.rows; ++row) {
+      for (int column = 0; column < c.columns; ++column)
+        poses.push_back({c.origin.x + c.spacing.x * column, c.origin.y + c.spacing.y * row, c.yaw});
+    }
     return poses;
   }
-  for (std::int64_t row = 0; row < rows; ++row) {
-    for (std::int64_t column = 0; column < columns; ++column) {
-      poses.push_back({origin.x + spacing.x * static_cast<double>(column),
-                       origin.y + spacing.y * static_cast<double>(row), yaw});
+  Poses operator()(const CircleLayout& c) const {
+    Poses poses;
+    poses.reserve(static_cast<std::size_t>(c.count));
+    for (int i = 0; i < c.count; ++i) {
+      const double angle = 2 * hal::math::kPi * i / c.count;
+      poses.push_back({c.centre.x + c.radius * hal::math::cos(angle),
+                       c.centre.y + c.radius * hal::math::sin(angle), c.yaw});
     }
+    return poses;
   }
-  return poses;
+  Poses operator()(const LineLayout& c) const {
+    const hal::Vec2 step =
+        c.spacing * hal::Vec2{hal::math::cos(c.heading), hal::math::sin(c.heading)};
+    Poses poses;
+    poses.reserve(static_cast<std::size_t>(c.count));
+    for (int i = 0; i < c.count; ++i) {
+      const hal::Vec2 at = c.origin + static_cast<double>(i) * step;
+      poses.push_back({at.x, at.y, c.yaw});
+    }
+    return poses;
+  }
+  Poses operator()(const UniformLayout& c) const {
+    constexpr int kMostDraws = 1000;  // for one agent
+    const auto count = static_cast<std::size_t>(c.count);
+    hal::RandomStream random(seed, stream);
+    SpacedPoints taken(c.spacing);
+    Poses poses;
+    poses.reserve(count);
+    for (int draws = 0; poses.size() < count && draws < kMostDraws; ++draws) {
+      const double x = random.uniform(), y = random.uniform();
+      const hal::Vec2 at{c.from.x + x * (c.to.x - c.from.x), c.from.y + y * (c.to.y - c.from.y)};
+      if (!taken.add(at)) continue;
+      poses.push_back({at.x, at.y, c.yaw});
+      draws = 0;
+    }
+    if (poses.size() < count) {
+      mistake = {"spacing", fmt::format("{} m leave room for {} of {} agents", c.spacing,
+                                        poses.size(), count)};
+    }
+    return poses;
+  }
+};
+
+}  // namespace
+
+bool layout_keys(Fields& io, Placement& placement, const std::function<void(Fields&)>& otherwise) {
+  const auto keys = [](Fields& one, Placement& layout) {
+    std::visit([&one](auto& c) { keys_of(one, c); }, layout);
+  };
+  return io.one_of(kLayouts, placement, keys, otherwise);
 }
 
-std::vector<hal::Pose2> read_circle_layout(Mapping in) {
-  const std::int64_t count = read_count(in);
-  const double radius = in.number({"radius", "Of the circle.", "5 m"}, "m", kDistance);
-  const hal::Vec2 centre =
-      in.vec2({"centre", "Of the circle, world frame.", "[0 m, 0 m]"}, "m", kCoordinate, {});
-  const double yaw = read_yaw(in);
-  in.finish();
-  std::vector<hal::Pose2> poses;
-  for (std::int64_t i = 0; i < count; ++i) {
-    const double angle = 2 * hal::math::kPi * static_cast<double>(i) / static_cast<double>(count);
-    poses.push_back({centre.x + radius * hal::math::cos(angle),
-                     centre.y + radius * hal::math::sin(angle), yaw});
-  }
-  return poses;
+std::string name_of(const Placement& placement) {
+  return placement.index() == 0 ? "poses" : kLayouts[placement.index() - 1].key.name;
 }
 
-std::vector<hal::Pose2> read_line_layout(Mapping in) {
-  const std::int64_t count = read_count(in);
-  const double spacing = in.number({"spacing", "From one to the next.", "30 m"}, "m", kDistance);
-  const hal::Vec2 origin = in.vec2(
-      {"origin", "Where the first one stands, world frame.", "[0 m, 0 m]"}, "m", kCoordinate, {});
-  const double heading =
-      in.number({"heading", "Of the line, from x towards y.", "90 deg"}, "rad", kAngle, 0);
-  const double yaw = read_yaw(in);
-  in.finish();
-  const hal::Vec2 step = spacing * hal::Vec2{hal::math::cos(heading), hal::math::sin(heading)};
-  std::vector<hal::Pose2> poses;
-  for (std::int64_t i = 0; i < count; ++i) {
-    const hal::Vec2 at = origin + static_cast<double>(i) * step;
-    poses.push_back({at.x, at.y, yaw});
-  }
-  return poses;
-}
-
-std::vector<hal::Pose2> read_uniform(Mapping in, std::uint64_t seed, const std::string& stream) {
-  constexpr int kMostDraws = 1000;  // for one agent
-  const auto count = static_cast<std::size_t>(read_count(in));
-  const hal::Vec2 from =
-      in.vec2({"from", "A corner of the area, world frame.", "[0 m, 0 m]"}, "m", kCoordinate);
-  const hal::Vec2 to = in.vec2({"to", "The opposite corner.", "[100 m, 100 m]"}, "m", kCoordinate);
-  const double spacing =
-      in.number({"spacing", "Least distance of any two of the group.", "1 m"}, "m", kDistance, 0);
-  const double yaw = read_yaw(in);
-  in.finish();
-  hal::RandomStream random(seed, stream);
-  SpacedPoints taken(spacing);
-  std::vector<hal::Pose2> poses;
-  for (int draws = 0; poses.size() < count && draws < kMostDraws; ++draws) {
-    const double x = random.uniform(), y = random.uniform();
-    const hal::Vec2 at{from.x + x * (to.x - from.x), from.y + y * (to.y - from.y)};
-    if (!taken.add(at)) continue;
-    poses.push_back({at.x, at.y, yaw});
-    draws = 0;
-  }
-  if (poses.size() < count) {
-    in.mistake("spacing",
-               fmt::format("{} m leave room for {} of {} agents", spacing, poses.size(), count));
-  }
-  return poses;
+Poses poses_of(const Placement& placement, std::uint64_t seed, const std::string& stream,
+               LayoutMistake& mistake) {
+  return std::visit(Expand{seed, stream, mistake}, placement);
 }
 
 }  // namespace sim::scenario

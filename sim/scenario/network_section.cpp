@@ -22,22 +22,16 @@ using air::NetworkConfig;
 
 /// 10.77.hi.lo of the 16 bits of an agent's address in the scenario.
 constexpr std::uint32_t kDefaultNetwork = 10u << 24 | 77u << 16;
-constexpr int kDefaultPrefix = 16;
 
 constexpr std::uint32_t host_bits(int prefix) { return 0xffffffffu >> prefix; }
 
-struct Address {
-  std::uint32_t address = 0;
-  int prefix = kDefaultPrefix;
-};
-
 /// "10.77.0.3/16"; none: it is something else.
-std::optional<Address> parsed(const std::string& text) {
+std::optional<NetworkConfig> parsed(const std::string& text) {
   const std::size_t slash = text.find('/');
   if (slash == std::string::npos) return std::nullopt;
   in_addr address{};
   if (::inet_pton(AF_INET, text.substr(0, slash).c_str(), &address) != 1) return std::nullopt;
-  Address result{ntohl(address.s_addr)};
+  NetworkConfig result{.address = ntohl(address.s_addr)};
   const char* const end = text.data() + text.size();
   const auto [rest, error] = std::from_chars(text.data() + slash + 1, end, result.prefix);
   if (error != std::errc{} || rest != end) return std::nullopt;
@@ -45,7 +39,7 @@ std::optional<Address> parsed(const std::string& text) {
 }
 
 /// What is wrong with it as the address of a host; empty: nothing.
-std::string complaint(const Address& a) {
+std::string complaint(const NetworkConfig& a) {
   if (a.prefix < air::kLeastPrefix || a.prefix > air::kMostPrefix) {
     return fmt::format("the prefix must be from {} to {}", air::kLeastPrefix, air::kMostPrefix);
   }
@@ -58,27 +52,6 @@ std::string complaint(const Address& a) {
   return fmt::format("{} is the broadcast address of the network", dotted(a.address));
 }
 
-/// The first agent's. The others count on.
-Address read_address(Mapping& in, const std::string& otherwise) {
-  const std::string text =
-      in.text({"address",
-               "IPv4 address of the first agent's interface and the bits of it that name the "
-               "network; the others count on.",
-               "10.77.0.3/16", "10.77.h.l/16 with the agent's address, 256 h + l"},
-              otherwise);
-  const auto address = parsed(text);
-  if (!address) {
-    in.mistake("address",
-               fmt::format("'{}' is no IPv4 address with its prefix, as 10.77.0.3/16", text));
-    return *parsed(otherwise);
-  }
-  if (const std::string wrong = complaint(*address); !wrong.empty()) {
-    in.mistake("address", wrong);
-    return *parsed(otherwise);
-  }
-  return *address;
-}
-
 std::string text_of(const NetworkConfig& network) {
   return fmt::format("{}/{}", dotted(network.address), network.prefix);
 }
@@ -86,6 +59,33 @@ std::string text_of(const NetworkConfig& network) {
 /// Of the network itself, in host order.
 std::uint32_t network_of(const NetworkConfig& network) {
   return network.address & ~host_bits(network.prefix);
+}
+
+void take_address(Fields& io, const std::string& text, NetworkConfig& c) {
+  const auto address = parsed(text);
+  const std::string wrong =
+      address ? complaint(*address)
+              : fmt::format("'{}' is no IPv4 address with its prefix, as 10.77.0.3/16", text);
+  if (!wrong.empty()) return io.mistake("address", wrong);
+  c.address = address->address;
+  c.prefix = address->prefix;
+}
+
+/// Of the first agent.
+void interface_keys(Fields& io, NetworkConfig& c) {
+  io.spelled({"address",
+              "IPv4 address of the first agent's interface and the bits of it that name the "
+              "network; the others count on.",
+              "10.77.0.3/16", "10.77.h.l/16 with the agent's address, 256 h + l"},
+             c, text_of, [&](const std::string& text, NetworkConfig& network) {
+               take_address(io, text, network);
+             });
+  io.count({"mtu", "Bytes of an IP packet on the interface; IPv6 needs 1280.", "1500"},
+           air::kLeastMtu, air::kMostMtu, c.mtu);
+  if (io.reading() != nullptr && c.mtu < air::kLeastMtuOfIpv6) {
+    io.reading()->warn(
+        "mtu", fmt::format("{} is below {}: there is no IPv6", c.mtu, air::kLeastMtuOfIpv6));
+  }
 }
 
 bool reaches(const NetworkConfig& from, const NetworkConfig& to) {
@@ -96,10 +96,10 @@ bool reaches(const NetworkConfig& from, const NetworkConfig& to) {
 constexpr std::array<std::string_view, 4> kNamesOfHosts{"localhost", "ip6-localhost",
                                                         "ip6-loopback", "ip6-allnodes"};
 
-void check_names(Mapping& in, std::span<const AgentConfig> agents) {
+void check_names(Fields& io, std::span<const AgentConfig> agents) {
   for (const AgentConfig& agent : agents) {
     if (std::ranges::find(kNamesOfHosts, agent.name) == kNamesOfHosts.end()) continue;
-    in.mistake("", fmt::format("an agent with a network cannot be called '{}', which every host "
+    io.mistake("", fmt::format("an agent with a network cannot be called '{}', which every host "
                                "has for an address of its own",
                                agent.name));
   }
@@ -133,43 +133,25 @@ class NetworkCheck {
 
 }  // namespace
 
-void read_network(Mapping in, std::span<AgentConfig> agents) {
-  check_names(in, agents);
+void network_keys(Fields& io, std::span<AgentConfig> agents) {
   const std::uint32_t id = agents.empty() ? 1u : agents.front().id.value;
-  const Address first =
-      read_address(in, fmt::format("{}/{}", dotted(kDefaultNetwork | id), kDefaultPrefix));
-  const auto mtu = static_cast<int>(
-      in.integer({"mtu", "Bytes of an IP packet on the interface; IPv6 needs 1280.", "1500"},
-                 air::kLeastMtu, air::kMostMtu, NetworkConfig{}.mtu));
-  if (mtu < air::kLeastMtuOfIpv6) {
-    in.warn("mtu", fmt::format("{} is below {}: there is no IPv6", mtu, air::kLeastMtuOfIpv6));
+  NetworkConfig first{.address = kDefaultNetwork | id};
+  if (!agents.empty()) first = agents.front().network.value_or(first);
+  interface_keys(io, first);
+  if (io.reading() == nullptr) return;
+  check_names(io, agents);
+  NetworkConfig last = first;
+  for (AgentConfig& agent : agents) {
+    last.address = first.address + static_cast<std::uint32_t>(&agent - agents.data());
+    agent.network = last;
   }
-  for (std::size_t i = 0; i < agents.size(); ++i) {
-    agents[i].network = {.address = first.address + static_cast<std::uint32_t>(i),
-                         .prefix = first.prefix,
-                         .mtu = mtu};
+  const std::string wrong =
+      network_of(last) == network_of(first)
+          ? complaint(last)
+          : fmt::format("{} is not of the network any more", dotted(last.address));
+  if (!wrong.empty()) {
+    io.mistake("address", fmt::format("{}, for the last of {} agents", wrong, agents.size()));
   }
-  if (!agents.empty()) {
-    const Address last{agents.back().network->address, first.prefix};
-    const bool is_within =
-        (last.address & ~host_bits(last.prefix)) == (first.address & ~host_bits(first.prefix));
-    const std::string wrong =
-        is_within ? complaint(last)
-                  : fmt::format("{} is not of the network any more", dotted(last.address));
-    if (!wrong.empty()) {
-      in.mistake("address", fmt::format("{}, for the last of {} agents", wrong, agents.size()));
-    }
-  }
-  in.finish();
-}
-
-void write_network(Writer& out, std::span<const AgentConfig> agents) {
-  const auto& network = agents.front().network;
-  if (!network) return;
-  out.open("network");
-  out.text("address", text_of(*network));
-  out.integer("mtu", network->mtu);
-  out.close();
 }
 
 void check_networks(Mapping& in, const Scenario& scenario) {

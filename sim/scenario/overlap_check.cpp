@@ -155,7 +155,7 @@ std::string told(const Meeting& meeting, const std::vector<Body>& bodies, const 
   const agents::AgentConfig& earlier = directory.config(other);
   const hal::Vec2 apart{agent.pose.x - earlier.pose.x, agent.pose.y - earlier.pose.y};
   return fmt::format("{}: at the start {} overlaps {} by {:.3g} m; they are {:.3g} m apart", prefix,
-                     agent.name, earlier.name, meeting.depth, std::sqrt(dot(apart, apart)));
+                     agent.name, earlier.name, meeting.depth, std::sqrt(hal::dot(apart, apart)));
 }
 
 }  // namespace

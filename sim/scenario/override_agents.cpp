@@ -6,9 +6,10 @@
 
 namespace sim::scenario {
 
-std::vector<agents::AgentConfig*> OverrideAgents::read(hal::config::Mapping& in) {
-  const std::string pattern =
-      in.text({"agents", "Name of the agent, or a pattern with * of several.", "NAME0"});
+std::vector<agents::AgentConfig*> OverrideAgents::agents_key(Fields& io, std::string& pattern) {
+  io.needed_text({"agents", "Name of the agent, or a pattern with * of several.", "NAME0"},
+                 pattern);
+  if (io.reading() == nullptr) return {};
   std::vector<agents::AgentConfig*> fitting;
   std::string clash;
   for (agents::AgentConfig& agent : group_) {
@@ -18,9 +19,9 @@ std::vector<agents::AgentConfig*> OverrideAgents::read(hal::config::Mapping& in)
     if (is_new || !clash.empty()) continue;
     clash = fmt::format("'{}' and '{}' overlap: both match {}", first->second, pattern, agent.name);
   }
-  if (!clash.empty()) in.mistake("agents", clash);
+  if (!clash.empty()) io.mistake("agents", clash);
   if (fitting.empty() && !pattern.empty() && !group_.empty()) {
-    in.mistake("agents", fmt::format("unknown agent: '{}' matches none of this group, {} .. {}",
+    io.mistake("agents", fmt::format("unknown agent: '{}' matches none of this group, {} .. {}",
                                      pattern, group_.front().name, group_.back().name));
   }
   return fitting;

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "hal/config/mapping.h"
 #include "sim/agents/simulation_config.h"
+#include "sim/scenario/fields.h"
 
 namespace sim::scenario {
 
@@ -15,8 +15,9 @@ class OverrideAgents {
  public:
   explicit OverrideAgents(std::span<agents::AgentConfig> group) : group_(group) {}
 
-  /// Reads `agents` of the next entry. A pattern that fits nobody, or somebody again, is a mistake.
-  std::vector<agents::AgentConfig*> read(hal::config::Mapping& in);
+  /// `agents` of the next entry. A pattern that fits nobody, or somebody again, is a mistake.
+  /// @return those whom it fits, of what is read.
+  std::vector<agents::AgentConfig*> agents_key(Fields& io, std::string& pattern);
 
  private:
   std::span<agents::AgentConfig> group_;

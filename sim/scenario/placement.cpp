@@ -2,76 +2,62 @@
 
 #include <fmt/format.h>
 
-#include <optional>
 #include <utility>
 
-#include "hal/description/names.h"
-#include "sim/scenario/fields.h"
+#include "hal/files/description/names.h"
 #include "sim/scenario/layouts.h"
 
 namespace sim::scenario {
+
 namespace {
 
-using Poses = std::vector<hal::Pose2>;
-
-/// The layout that the group names; none: it has to list poses.
-std::optional<std::pair<std::string, Poses>> read_layout(Mapping& in, std::uint64_t seed,
-                                                         const std::string& group) {
-  if (in.has("grid")) return {{"grid", read_grid(in.mapping({"grid", "Places them row by row."}))}};
-  if (in.has("circle")) {
-    return {{"circle", read_circle_layout(in.mapping(
-                           {"circle", "Places them on a circle, the first one east."}))}};
-  }
-  if (in.has("line")) {
-    return {{"line", read_line_layout(in.mapping({"line", "Places them on a straight line."}))}};
-  }
-  if (in.has("uniform")) {
-    return {{"uniform",
-             read_uniform(in.mapping({"uniform",
-                                      "Places them at random in a rectangle, by the run's seed and "
-                                      "the group's name."}),
-                          seed, group + "/layout")}};
-  }
-  return std::nullopt;
+void pose_keys(Fields& io, Placement& placement, std::vector<std::string>& places) {
+  auto* const poses = std::get_if<std::vector<hal::Pose2>>(&placement);
+  io.list<hal::Pose2>(
+      {"poses", "Places them one by one.", "[{x: 0 m, y: 0 m}, {x: 100 m, y: 0 m}]",
+       hal::files::config::kMustBeGiven},
+      *poses, [&](Fields& one, hal::Pose2& pose) {
+        one.needed({"x", "World frame.", "8 m"}, "m", kCoordinate, pose.x);
+        one.needed({"y", "World frame.", "8 m"}, "m", kCoordinate, pose.y);
+        one.number({"yaw", "Heading, from x towards y.", "20 deg"}, "rad", kAngle, pose.theta);
+        if (one.reading() != nullptr) places.push_back(one.reading()->place());
+      });
+  if (poses->empty())
+    io.mistake("poses", "no agents: give poses, or a grid, circle, line or uniform");
 }
 
 }  // namespace
 
-std::vector<hal::Pose2> read_poses(Mapping& in, std::uint64_t seed, const std::string& group,
-                                   std::vector<std::string>& places) {
-  if (auto layout = read_layout(in, seed, group)) {
-    for (const std::string other : {"poses", "grid", "circle", "line", "uniform"}) {
-      if (other != layout->first) in.refuse(other, "cannot stand beside " + layout->first);
-    }
-    places.assign(layout->second.size(), in.place(layout->first));
-    return std::move(layout->second);
-  }
-  Poses poses;
-  for (Mapping& pose :
-       in.mappings({"poses", "Places them one by one.", "[{x: 0 m, y: 0 m}, {x: 100 m, y: 0 m}]",
-                    hal::config::kMustBeGiven})) {
-    poses.push_back(
-        {pose.number({"x", "World frame.", "8 m"}, "m", kCoordinate),
-         pose.number({"y", "World frame.", "8 m"}, "m", kCoordinate),
-         pose.number({"yaw", "Heading, from x towards y.", "20 deg"}, "rad", kAngle, 0)});
-    places.push_back(pose.place());
-    pose.finish();
-  }
-  if (poses.empty())
-    in.mistake("poses", "no agents: give poses, or a grid, circle, line or uniform");
+void placement_keys(Fields& io, Placement& placement, std::vector<std::string>& places) {
+  const bool is_layout =
+      layout_keys(io, placement, [&](Fields& listed) { pose_keys(listed, placement, places); });
+  if (is_layout) io.unused("poses", "cannot stand beside " + name_of(placement));
+}
+
+std::vector<hal::Pose2> poses_of(Mapping& in, const Placement& placement, std::uint64_t seed,
+                                 const std::string& group, std::vector<std::string>& places) {
+  LayoutMistake mistake;
+  std::vector<hal::Pose2> poses = poses_of(placement, seed, group + "/layout", mistake);
+  if (std::holds_alternative<std::vector<hal::Pose2>>(placement)) return poses;
+  const std::string layout = name_of(placement);
+  if (!mistake.text.empty()) in.within(layout).mistake(mistake.key, mistake.text);
+  places.assign(poses.size(), in.place(layout));
   return poses;
 }
 
-std::vector<std::string> read_names(Mapping& in, const std::string& group, std::size_t count) {
-  const std::string pattern = in.text({"name",
-                                       "Of the agents: letters, digits, '_' and '-' after a "
-                                       "letter, with {} for their numbers from 0.",
-                                       "'m{}'", "the group's with {} behind it"},
-                                      group + "{}");
+void name_key(Fields& io, std::string& pattern) {
+  io.text({"name",
+           "Of the agents: letters, digits, '_' and '-' after a letter, with {} for their numbers "
+           "from 0.",
+           "'m{}'", "the group's with {} behind it"},
+          pattern);
+}
+
+std::vector<std::string> names_of(Mapping& in, const std::string& pattern, std::size_t count) {
   const std::size_t hole = pattern.find("{}");
   std::string letters = pattern;
   if (hole != std::string::npos) letters.erase(hole, 2);
-  if (!hal::description::may_be_named(letters)) {
+  if (!hal::files::description::may_be_named(letters)) {
     in.mistake("name", fmt::format("'{}' must be letters, digits, '_' and '-' after a letter, with "
                                    "{{}} for a number",
                                    pattern));

@@ -4,20 +4,25 @@
 #include <string>
 #include <vector>
 
-#include "hal/config/mapping.h"
 #include "hal/types/geometry.h"
+#include "sim/scenario/layouts.h"
 
 namespace sim::scenario {
 
-/// Where the agents of a group stand: `poses`, or one of the layouts (layouts.h).
+/// `poses`, or one of the layouts.
+/// @param places  gets "file:line:column" of each pose that is read.
+void placement_keys(Fields& io, Placement& placement, std::vector<std::string>& places);
+
+/// Where the agents of a group stand; mistakes of a layout are noted.
 /// @param seed  of the run.   @param group  its name.
-/// @param places  gets "file:line:column" of each pose, or of the layout, for error messages.
-std::vector<hal::Pose2> read_poses(hal::config::Mapping& in, std::uint64_t seed,
-                                   const std::string& group, std::vector<std::string>& places);
+/// @param places  gets that of the layout for each agent that it places.
+std::vector<hal::Pose2> poses_of(Mapping& in, const Placement& placement, std::uint64_t seed,
+                                 const std::string& group, std::vector<std::string>& places);
 
 /// `name`: for one agent its name; for several a pattern with one {} for their numbers from 0.
-/// Absent: the group's name and {}.
-std::vector<std::string> read_names(hal::config::Mapping& in, const std::string& group,
-                                    std::size_t count);
+void name_key(Fields& io, std::string& pattern);
+
+/// The names of so many agents. A pattern that gives no names is a mistake.
+std::vector<std::string> names_of(Mapping& in, const std::string& pattern, std::size_t count);
 
 }  // namespace sim::scenario

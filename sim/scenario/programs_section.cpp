@@ -4,11 +4,10 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 
-#include "hal/description/names.h"
-#include "sim/scenario/fields.h"
+#include "hal/files/description/names.h"
 #include "sim/scenario/plan.h"
+#include "sim/scenario/result_file.h"
 
 namespace sim::scenario {
 namespace {
@@ -16,138 +15,109 @@ namespace {
 constexpr std::array kEnds = {Option<OnExit>{"ignore", OnExit::kIgnore},
                               Option<OnExit>{"fail", OnExit::kFail},
                               Option<OnExit>{"end", OnExit::kEnd}};
-const Key kOnExit{"on_exit",
-                  "What its end does to the run: nothing; `fail`: the run fails unless it ended "
-                  "with status 0; `end`: the same, and with status 0 the run ends with the "
-                  "program's name as its result.",
-                  "end"};
-constexpr Range kStart{0, hal::config::kLongestDuration};  // s
+constexpr Range kStart{0, hal::files::config::kLongestDuration};  // s
 constexpr std::string_view kLogEnding = ".log";
 
-bool is_log_name(std::string name) {
-  for (const std::string_view word : {kAgentWord, kNumberWord}) {
-    const std::size_t at = name.find(word);
-    if (at != std::string::npos) name.replace(at, word.size(), "x");
-  }
-  const bool allowed = std::ranges::all_of(name, [](char c) {
-    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-    return letter || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
+void environment_key(Fields& io, Program& c) {
+  const Key key{"environment", "Variables beside those that `baraka run` has; with the same words.",
+                "{CYCLONEDDS_URI: file:///etc/cyclone.xml}"};
+  io.own(
+      key, {.kind = hal::files::config::Form::Kind::kMapping},
+      [&](Mapping& in) {
+        Mapping variables = in.mapping(key);
+        for (const hal::files::config::PlainValue& given : variables.plain_values()) {
+          if (given.is_list) variables.mistake(given.key, "a variable has one value, not a list");
+          if (given.key.find('=') != std::string::npos)
+            variables.mistake(given.key, "has a '=' in its name");
+          c.environment.emplace_back(given.key, given.text);
+        }
+      },
+      [&](Writer& out) {
+        out.open(key.name);
+        for (const auto& [name, value] : c.environment) out.text(name, value);
+        out.close();
+      });
+}
+
+void shown_key(Fields& io, Program& c) {
+  io.written_if(!c.shown.empty(), [&](Fields& written) {
+    written.texts(
+        {"shown",
+         "Files and folders of this computer's /tmp, /run and /dev/shm that the program needs: "
+         "each agent has its own of these three, empty at first. Absolute; with the same words.",
+         "[/tmp/.X11-unix]", "[]"},
+        c.shown);
   });
-  return allowed && name.size() > kLogEnding.size() && name.ends_with(kLogEnding) &&
-         name.front() != '.';
+  for (const std::string& path : c.shown) {
+    if (!path.starts_with('/') && !path.starts_with(kResultsWord))
+      io.mistake("shown", fmt::format("'{}' must be an absolute path", path));
+  }
 }
 
-std::vector<std::pair<std::string, std::string>> read_environment(Mapping in) {
-  std::vector<std::pair<std::string, std::string>> environment;
-  for (const hal::config::PlainValue& given : in.plain_values()) {
-    if (given.is_list) in.mistake(given.key, "a variable has one value, not a list");
-    if (given.key.find('=') != std::string::npos) in.mistake(given.key, "has a '=' in its name");
-    environment.emplace_back(given.key, given.text);
+void log_key(Fields& io, Program& c, const Group& group) {
+  if (c.log.empty()) {
+    c.log = fmt::format("{}.{}{}", kAgentWord, c.name.empty() ? "x" : c.name, kLogEnding);
   }
-  return environment;
-}
-
-void read_log(Mapping& in, const Group& group, Program& program) {
-  const std::string otherwise =
-      fmt::format("{}.{}{}", kAgentWord, program.name.empty() ? "x" : program.name, kLogEnding);
-  program.log = in.text({"log",
-                         "File in the results' folder for what the program says; with {agent} or "
-                         "{number} where the group has several agents.",
-                         "'{agent}.talker.log'", "'{agent}.NAME.log'"},
-                        otherwise);
-  if (!is_log_name(program.log)) {
-    in.mistake("log", fmt::format("'{}' must be a name of letters, digits, '_', '-' and '.' that "
-                                  "ends in {}, without a folder: it goes to the results",
-                                  program.log, kLogEnding));
-  }
-  const bool differs = program.log.find(kAgentWord) != std::string::npos ||
-                       program.log.find(kNumberWord) != std::string::npos;
+  io.text({"log",
+           "File in the results' folder for what the program says; with {agent} or {number} where "
+           "the group has several agents.",
+           "'{agent}.talker.log'", "'{agent}.NAME.log'"},
+          c.log);
+  // Of the words only those that say whose it is may be in it.
+  check_result_file(io, "log", c.log, filled_in(c.log, {"x", "{}", "x", "{}"}), kLogEnding);
+  const bool differs =
+      c.log.find(kAgentWord) != std::string::npos || c.log.find(kNumberWord) != std::string::npos;
   if (!differs && group.agents.size() > 1) {
-    in.mistake("log", fmt::format("'{}' must contain {} or {}: {} agents run the program",
-                                  program.log, kAgentWord, kNumberWord, group.agents.size()));
+    io.mistake("log", fmt::format("'{}' must contain {} or {}: {} agents run the program", c.log,
+                                  kAgentWord, kNumberWord, group.agents.size()));
   }
 }
 
-std::vector<std::string> read_shown(Mapping& in) {
-  std::vector<std::string> shown;
-  for (hal::config::Scalar& path :
-       in.texts({"shown",
-                 "Files and folders of this computer's /tmp, /run and /dev/shm that the program "
-                 "needs: each agent has its own of these three, empty at first. Absolute; with the "
-                 "same words.",
-                 "[/tmp/.X11-unix]", "[]"})) {
-    if (!path.text.starts_with('/') && !path.text.starts_with(kResultsWord)) {
-      in.mistake("shown", fmt::format("'{}' must be an absolute path", path.text));
-    }
-    shown.push_back(std::move(path.text));
-  }
-  return shown;
-}
-
-Program read_program(Mapping& in, const Group& group) {
-  Program program;
-  program.place = in.place();
-  program.name = in.text({"name",
-                          "Of the program, for messages and results: letters, digits, '_' and '-' "
-                          "after a letter.",
-                          "talker"});
-  if (!hal::description::may_be_named(program.name)) {
-    in.mistake("name", fmt::format("'{}' must be letters, digits, '_' and '-' after a letter",
+void check_name(Fields& io, const Program& program, const Group& group) {
+  if (!hal::files::description::may_be_named(program.name)) {
+    io.mistake("name", fmt::format("'{}' must be letters, digits, '_' and '-' after a letter",
                                    program.name));
   }
-  for (hal::config::Scalar& word :
-       in.texts({"command",
-                 "The program, looked for in PATH, and its arguments. {agent} stands for the "
-                 "agent's name, {address} for its IPv4 address, {number} for its number in the "
-                 "group from 0, {results} for the folder of the results.",
-                 "[ping, -c, 10, 10.77.0.2]", hal::config::kMustBeGiven})) {
-    program.command.push_back(std::move(word.text));
+  if (std::ranges::count(group.programs, program.name, &Program::name) > 1) {
+    io.mistake("name", fmt::format("another program of the group is called '{}'", program.name));
   }
-  if (program.command.empty()) in.mistake("command", "no program: give it and its arguments");
-  program.start =
-      in.duration({"start", "Simulated time at which it starts.", "2 s"}, kStart, hal::Duration{});
-  program.environment = read_environment(in.mapping(
-      {"environment", "Variables beside those that `baraka run` has; with the same words.",
-       "{CYCLONEDDS_URI: file:///etc/cyclone.xml}"}));
-  program.shown = read_shown(in);
-  program.on_exit = in.choice(kOnExit, kEnds, OnExit::kIgnore);
-  read_log(in, group, program);
-  in.finish();
-  return program;
+}
+
+void program_keys(Fields& io, Program& c, const Group& group) {
+  if (io.reading() != nullptr) c.place = io.reading()->place();
+  io.needed_text({"name",
+                  "Of the program, for messages and results: letters, digits, '_' and '-' after a "
+                  "letter.",
+                  "talker"},
+                 c.name);
+  check_name(io, c, group);
+  io.texts({"command",
+            "The program, looked for in PATH, and its arguments. {agent} stands for the agent's "
+            "name, {address} for its IPv4 address, {number} for its number in the group from 0, "
+            "{results} for the folder of the results.",
+            "[ping, -c, 10, 10.77.0.2]", hal::files::config::kMustBeGiven},
+           c.command);
+  if (c.command.empty()) io.mistake("command", "no program: give it and its arguments");
+  io.duration({"start", "Simulated time at which it starts.", "2 s"}, kStart, c.start);
+  environment_key(io, c);
+  shown_key(io, c);
+  io.choice({"on_exit",
+             "What its end does to the run: nothing; `fail`: the run fails unless it ended with "
+             "status 0; `end`: the same, and with status 0 the run ends with the program's name as "
+             "its result.",
+             "end"},
+            kEnds, c.on_exit);
+  log_key(io, c, group);
 }
 
 }  // namespace
 
-void read_programs(Mapping& in, Group& group) {
-  std::set<std::string> names;
-  for (Mapping& one : in.mappings(
-           {"programs",
-            "Programs that run inside each agent of the group, with sockets on its `network`.",
-            "[{name: pinger, command: [ping, -c, 10, 10.77.0.2]}]"})) {
-    group.programs.push_back(read_program(one, group));
-    if (names.insert(group.programs.back().name).second) continue;
-    one.mistake("name", fmt::format("another program of the group is called '{}'",
-                                    group.programs.back().name));
-  }
-}
-
-void write_programs(Writer& out, const Group& group) {
-  if (group.programs.empty()) return;
-  out.open_list("programs");
-  for (const Program& program : group.programs) {
-    out.open_item();
-    out.text("name", program.name);
-    out.texts("command", program.command);
-    out.duration("start", program.start);
-    out.open("environment");
-    for (const auto& [name, value] : program.environment) out.text(name, value);
-    out.close();
-    if (!program.shown.empty()) out.texts("shown", program.shown);
-    FieldWriter(out).choice(kOnExit, kEnds, program.on_exit);
-    out.text("log", program.log);
-    out.close();
-  }
-  out.close();
+void programs_keys(Fields& io, Group& group) {
+  io.list_if_any<Program>(
+      {"programs",
+       "Programs that run inside each agent of the group, with sockets on its `network`.",
+       "[{name: pinger, command: [ping, -c, 10, 10.77.0.2]}]"},
+      group.programs, [&](Fields& one, Program& program) { program_keys(one, program, group); });
 }
 
 void check_logs(Mapping& in, const Scenario& scenario) {

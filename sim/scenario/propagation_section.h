@@ -2,16 +2,13 @@
 
 #include <vector>
 
-#include "hal/config/mapping.h"
-#include "hal/config/writer.h"
 #include "sim/radio/path_loss_config.h"
+#include "sim/scenario/fields.h"
 
 namespace sim::scenario {
 
-/// `propagation` of a radio: what the way does to a power, one after the other.
-/// @return `otherwise` if the file says nothing.
-std::vector<radio::PathLossConfig> read_propagation(hal::config::Mapping& in,
-                                                    std::vector<radio::PathLossConfig> otherwise);
-void write_propagation(hal::config::Writer& out, const std::vector<radio::PathLossConfig>& chain);
+/// `propagation` of a radio: what the way does to a power, one after the other. The chain stays as
+/// it is if the file says nothing.
+void chain_keys(Fields& io, std::vector<radio::PathLossConfig>& chain);
 
 }  // namespace sim::scenario

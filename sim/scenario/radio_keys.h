@@ -37,15 +37,13 @@ inline constexpr Range kShortTime{1e-6, 1e-2};     // s
 inline constexpr std::int64_t kMaxBits = 100'000;  // five times the longest MPDU
 inline constexpr std::int64_t kMaxWindow = 32'767;
 
-template <class Io>
-void antenna_height(Io& io, hal::Metres& height) {
+inline void antenna_height(Fields& io, hal::Metres& height) {
   io.quantity({"antenna_height",
                "Of the antennas above the origin of their body, the ground it stands on.", "1.5 m"},
               "m", kAntennaHeight, height);
 }
 
-template <class Io>
-void keys_of(Io& io, radio::PropagationConfig& c) {
+inline void keys_of(Fields& io, radio::PropagationConfig& c) {
   io.quantity(
       {"wavelength",
        "Of the carrier on the radio's `channel`. Where it is not given, that of the profile "
@@ -76,8 +74,7 @@ void keys_of(Io& io, radio::PropagationConfig& c) {
       "dBm", kPowerLevel, c.interference_floor);
 }
 
-template <class Io>
-void keys_of(Io& io, radio::ReceiverConfig& c) {
+inline void keys_of(Fields& io, radio::ReceiverConfig& c) {
   const auto level = [&io](const Key& key, Range range, hal::Dbm& value) {
     io.quantity(key, "dBm", range, value);
   };
@@ -110,14 +107,12 @@ void keys_of(Io& io, radio::ReceiverConfig& c) {
       {0, 1e-2}, c.capture_window);
 }
 
-template <class Io>
-void error_model(Io& io, radio::ErrorModel& model) {
+inline void error_model(Fields& io, radio::ErrorModel& model) {
   io.choice({"error_model", "When a frame is lost to noise and interference.", "dsss"},
             kErrorModels, model);
 }
 
-template <class Io>
-void data_rate(Io& io, hal::BitsPerSecond& rate) {
+inline void data_rate(Fields& io, hal::BitsPerSecond& rate) {
   io.quantity({"data_rate",
                "Of data frames; where waves are modelled 1, 2, 5.5 or 11 Mb/s, with `ieee80211g` "
                "also 6, 9, "
@@ -126,8 +121,7 @@ void data_rate(Io& io, hal::BitsPerSecond& rate) {
               "b/s", kBitRate, rate);
 }
 
-template <class Io>
-void keys_of(Io& io, radio::PhyConfig& c) {
+inline void keys_of(Fields& io, radio::PhyConfig& c) {
   io.count({"channel",
             "Its number in 2.4 GHz. Agents on different ones neither hear nor disturb each other; "
             "what leaks into the next channels is not modelled.",
@@ -145,8 +139,7 @@ void keys_of(Io& io, radio::PhyConfig& c) {
       kPreambles, c.preamble);
 }
 
-template <class Io>
-void rounding(Io& io, radio::Rounding& value) {
+inline void rounding(Fields& io, radio::Rounding& value) {
   io.choice(
       {"rounding",
        "Of airtimes: none below a nanosecond, or up to whole microseconds as in the standard.",
@@ -154,8 +147,7 @@ void rounding(Io& io, radio::Rounding& value) {
       kRoundings, value);
 }
 
-template <class Io>
-void keys_of(Io& io, radio::LengthsConfig& c) {
+inline void keys_of(Fields& io, radio::LengthsConfig& c) {
   io.choice(
       {"lengths", "Of frames: what the codec puts on the air, or the fixed ones below.", "bytes"},
       kLengths, c.lengths);
@@ -166,13 +158,11 @@ void keys_of(Io& io, radio::LengthsConfig& c) {
            c.payload_bits);
 }
 
-template <class Io>
-void queue_limit(Io& io, std::uint32_t& limit) {
+inline void queue_limit(Fields& io, std::uint32_t& limit) {
   io.count({"queue_limit", "Frames that may wait in a station.", "14"}, 1, 1'000'000, limit);
 }
 
-template <class Io>
-void keys_of(Io& io, radio::ContentionConfig& c) {
+inline void keys_of(Fields& io, radio::ContentionConfig& c) {
   io.duration({"slot", "Of the backoff.", "20 us"}, kShortTime, c.slot);
   io.duration({"sifs", "Short interframe space.", "10 us"}, kShortTime, c.sifs);
   io.count({"cw_min", "Smallest contention window, one less than a power of two.", "31"}, 0,
@@ -186,19 +176,16 @@ void keys_of(Io& io, radio::ContentionConfig& c) {
   queue_limit(io, c.queue_limit);
 }
 
-template <class Io>
-void tx_power(Io& io, hal::Milliwatts& power) {
+inline void tx_power(Fields& io, hal::Milliwatts& power) {
   io.quantity({"tx_power", "Of a transmitter.", "2 mW"}, "mW", kTxPower, power);
 }
 
-template <class Io>
-void range(Io& io, hal::Metres& range) {
+inline void range(Fields& io, hal::Metres& range) {
   io.quantity({"range", "Who is nearer hears every frame, who is farther none.", "250 m"}, "m",
               {1e-3, kUnlimited}, range);
 }
 
-template <class Io>
-void common_keys_of(Io& io, radio::WavesConfig& c) {
+inline void common_keys_of(Fields& io, radio::WavesConfig& c) {
   tx_power(io, c.tx_power);
   keys_of(io, c.propagation);
   keys_of(io, c.receiver);
@@ -207,8 +194,7 @@ void common_keys_of(Io& io, radio::WavesConfig& c) {
   keys_of(io, c.contention);
 }
 
-template <class Io>
-void keys_of(Io& io, radio::MobilityFrameworkConfig& c) {
+inline void keys_of(Fields& io, radio::MobilityFrameworkConfig& c) {
   common_keys_of(io, c);
   error_model(io, c.receiver.error_model);
   rounding(io, c.phy.rounding);
@@ -216,15 +202,13 @@ void keys_of(Io& io, radio::MobilityFrameworkConfig& c) {
            c.cw_broadcast);
 }
 
-template <class Io>
-void keys_of(Io& io, radio::ForeignProfileConfig& c) {
+inline void keys_of(Fields& io, radio::ForeignProfileConfig& c) {
   common_keys_of(io, c);
   error_model(io, c.receiver.error_model);
   rounding(io, c.phy.rounding);
 }
 
-template <class Io>
-void keys_of(Io& io, radio::DiskConfig& c) {
+inline void keys_of(Fields& io, radio::DiskConfig& c) {
   tx_power(io, c.tx_power);
   range(io, c.range);
   data_rate(io, c.data_rate);
@@ -232,8 +216,7 @@ void keys_of(Io& io, radio::DiskConfig& c) {
   queue_limit(io, c.queue_limit);
 }
 
-template <class Io>
-void keys_of(Io& io, radio::IdealConfig& c) {
+inline void keys_of(Fields& io, radio::IdealConfig& c) {
   range(io, c.range);
   keys_of(io, c.lengths);
 }

@@ -6,8 +6,9 @@
 #include <limits>
 #include <string>
 
-#include "sim/scenario/fields.h"
+#include "hal/files/description/names.h"
 #include "sim/scenario/observables_section.h"
+#include "sim/scenario/result_file.h"
 
 namespace sim::scenario {
 namespace {
@@ -22,15 +23,26 @@ constexpr std::array kDeaths = {Option<OnDeath>{"fail", OnDeath::kFail},
                                 Option<OnDeath>{"silence", OnDeath::kSilence}};
 constexpr std::array kLinks = {Option<LinkKind>{"mac", LinkKind::kMac},
                                Option<LinkKind>{"udp_like", LinkKind::kUdpLike}};
-constexpr std::array kDetails = {Option<record::Detail>{"none", record::Detail::kNone},
-                                 Option<record::Detail>{"counts", record::Detail::kCounts},
-                                 Option<record::Detail>{"all", record::Detail::kAll}};
+constexpr std::array kDetails = {Option<Detail>{"none", Detail::kNone},
+                                 Option<Detail>{"counts", Detail::kCounts},
+                                 Option<Detail>{"all", Detail::kAll}};
 
 /// What a file that says nothing gets: a controller 10 ms away.
 constexpr hal::Duration kDefaultLatency = 10ms;
 
-template <class Io>
-void run_keys(Io& io, Scenario& scenario) {
+/// The name becomes that of the results' folder.
+void head_keys(Fields& io, Scenario& scenario) {
+  int version = 1;
+  io.needed_count({"version", "Of the format of this file.", "1"}, 1, 1, version);
+  io.text(
+      {"name", "Of the scenario and of the folder of its results: letters, digits, '_' and '-'.",
+       "two_motes", "the file's without its ending"},
+      scenario.name);
+  if (!hal::files::description::are_name_characters(scenario.name))
+    io.mistake("name", fmt::format("'{}' must be letters, digits, '_' and '-'", scenario.name));
+}
+
+void simulation_keys(Fields& io, Scenario& scenario) {
   agents::SimulationConfig& c = scenario.simulation;
   io.count({"seed", "Of all random streams: equal files and seeds give equal runs.", "1"}, 0,
            std::numeric_limits<std::int64_t>::max(), c.seed);
@@ -78,18 +90,16 @@ void run_keys(Io& io, Scenario& scenario) {
             kLinks, c.link);
 }
 
-constexpr std::array kFrameDetails = {Option<record::Detail>{"none", record::Detail::kNone},
-                                      Option<record::Detail>{"counts", record::Detail::kCounts},
-                                      Option<record::Detail>{"sample", record::Detail::kSample},
-                                      Option<record::Detail>{"all", record::Detail::kAll}};
-constexpr std::array kRouteDetails = {Option<record::Detail>{"none", record::Detail::kNone},
-                                      Option<record::Detail>{"all", record::Detail::kAll}};
-constexpr std::array kReadingDetails = {Option<record::Detail>{"none", record::Detail::kNone},
-                                        Option<record::Detail>{"ranges", record::Detail::kSample},
-                                        Option<record::Detail>{"all", record::Detail::kAll}};
+constexpr std::array kFrameDetails = {
+    Option<Detail>{"none", Detail::kNone}, Option<Detail>{"counts", Detail::kCounts},
+    Option<Detail>{"sample", Detail::kSample}, Option<Detail>{"all", Detail::kAll}};
+constexpr std::array kRouteDetails = {Option<Detail>{"none", Detail::kNone},
+                                      Option<Detail>{"all", Detail::kAll}};
+constexpr std::array kReadingDetails = {Option<Detail>{"none", Detail::kNone},
+                                        Option<Detail>{"ranges", Detail::kSample},
+                                        Option<Detail>{"all", Detail::kAll}};
 
-template <class Io>
-void record_keys(Io& io, RecordOptions& c) {
+void detail_keys(Fields& io, RecordOptions& c) {
   io.choice({"frames",
              "Frames in the results: not at all, counted, or rows as well: for the first ones of "
              "each simulated second, up to 5000 rows with those of how they ended, or for each.",
@@ -127,95 +137,72 @@ constexpr std::string_view kNoCapture = "none";
 constexpr std::string_view kEar = "all";
 constexpr std::string_view kCaptureEnding = ".pcapng";
 
-bool is_capture_name(const std::string& name) {
-  const bool allowed = std::ranges::all_of(name, [](char c) {
-    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-    return letter || (c >= '0' && c <= '9') || c == '_' || c == '-' || c == '.';
-  });
-  return allowed && name.size() > kCaptureEnding.size() && name.ends_with(kCaptureEnding) &&
-         name.front() != '.';
-}
-
-void read_air(Mapping& in, Scenario& scenario) {
-  const std::string file = in.text(
+void air_key(Fields& io, std::string& air) {
+  io.spelled(
       {"air",
        "File in the results' folder for the frames as they are on the air (radiotap and IEEE "
        "802.11 in pcapng, for Wireshark); none: no such file.",
        "air.pcapng"},
-      std::string(kNoCapture));
-  const std::string station =
-      in.text({"air_heard_by",
-               "With `air`: the agent that sends and receives these frames; all: an ear "
-               "that hears whatever is sent.",
-               "all"},
-              std::string(kEar));
-  if (file == kNoCapture) {
-    if (in.has("air_heard_by") && station != kEar) {
-      in.mistake("air_heard_by", "needs `air`, the file for what is heard");
-    }
-    return;
-  }
-  scenario.record.air = file;
-  if (!is_capture_name(file)) {
-    in.mistake("air", fmt::format("'{}' must be a name of letters, digits, '_', '-' and '.' that "
-                                  "ends in {}, without a folder: it goes to the results",
-                                  file, kCaptureEnding));
-  }
-  const auto& agents = scenario.simulation.agents;
-  const auto agent = std::ranges::find(agents, station, &agents::AgentConfig::name);
-  if (agent != agents.end()) {
-    scenario.record.air_heard_by = agent->id;
-  } else if (station != kEar) {
-    in.mistake("air_heard_by", fmt::format("unknown agent '{}'", station));
-  }
+      air, [](const std::string& file) { return file.empty() ? std::string(kNoCapture) : file; },
+      [&](const std::string& text, std::string& file) {
+        file = text;
+        check_result_file(io, "air", file, file, kCaptureEnding);
+      });
 }
 
-void write_air(Writer& out, const Scenario& scenario) {
-  const RecordOptions& record = scenario.record;
-  out.text("air", record.air.empty() ? kNoCapture : std::string_view(record.air));
-  std::string_view heard_by = kEar;
-  for (const agents::AgentConfig& agent : scenario.simulation.agents) {
-    if (agent.id == record.air_heard_by) heard_by = agent.name;
-  }
-  out.text("air_heard_by", heard_by);
+void air_heard_by_key(Fields& io, Scenario& scenario) {
+  const auto& agents = scenario.simulation.agents;
+  io.spelled(
+      {"air_heard_by",
+       "With `air`: the agent that sends and receives these frames; all: an ear that hears "
+       "whatever is sent.",
+       "all"},
+      scenario.record.air_heard_by,
+      [&](const std::optional<hal::AgentId>& id) {
+        const auto agent = std::ranges::find(agents, id, &agents::AgentConfig::id);
+        return agent == agents.end() ? std::string(kEar) : agent->name;
+      },
+      [&](const std::string& text, std::optional<hal::AgentId>& id) {
+        const auto agent = std::ranges::find(agents, text, &agents::AgentConfig::name);
+        if (agent != agents.end()) id = agent->id;
+        if (scenario.record.air.empty()) {
+          io.mistake("air_heard_by", "needs `air`, the file for what is heard");
+        } else if (!id) {
+          io.mistake("air_heard_by", fmt::format("unknown agent '{}'", text));
+        }
+      });
 }
 
 }  // namespace
 
-void read_run(Mapping& in, Scenario& scenario) {
-  scenario.simulation.controller_latency = kDefaultLatency;
-  FieldReader reader(in);
-  run_keys(reader, scenario);
-  if (scenario.simulation.command_timeout < scenario.simulation.control_period) {
-    in.mistake("command_timeout",
+void run_keys(Fields& io, Scenario& scenario) {
+  agents::SimulationConfig& c = scenario.simulation;
+  if (io.reading() != nullptr) c.controller_latency = kDefaultLatency;
+  head_keys(io, scenario);
+  simulation_keys(io, scenario);
+  if (c.command_timeout < c.control_period) {
+    io.mistake("command_timeout",
                "must not be shorter than control_period: the wheels would stop between commands");
   }
-  scenario.simulation.world.seed = scenario.simulation.seed;
+  c.world.seed = c.seed;
 }
 
-void read_record(Mapping in, Scenario& scenario) {
-  const bool many = scenario.simulation.agents.size() > kAgentsOfListedMessages;
-  scenario.record.messages = many ? record::Detail::kCounts : record::Detail::kAll;
-  scenario.record.frames = many ? record::Detail::kCounts : record::Detail::kSample;
-  scenario.record.routes = many ? record::Detail::kNone : record::Detail::kAll;
-  scenario.record.readings = many ? record::Detail::kNone : record::Detail::kSample;
-  scenario.record.pose_period = many ? 1s : 100ms;
-  FieldReader reader(in);
-  record_keys(reader, scenario.record);
-  read_air(in, scenario);
-  read_observables(in, scenario);
-  in.finish();
-}
-
-void write_run(Writer& out, const Scenario& scenario) {
-  Scenario copy = scenario;
-  FieldWriter writer(out);
-  run_keys(writer, copy);
-  out.open("record");
-  record_keys(writer, copy.record);
-  write_air(out, scenario);
-  write_observables(out, scenario);
-  out.close();
+void record_keys(Fields& io, Scenario& scenario) {
+  RecordOptions& c = scenario.record;
+  if (io.reading() != nullptr) {
+    const bool many = scenario.simulation.agents.size() > kAgentsOfListedMessages;
+    c.messages = many ? Detail::kCounts : Detail::kAll;
+    c.frames = many ? Detail::kCounts : Detail::kSample;
+    c.routes = many ? Detail::kNone : Detail::kAll;
+    c.readings = many ? Detail::kNone : Detail::kSample;
+    c.pose_period = many ? 1s : 100ms;
+  }
+  io.inside({"record", "What goes into the results."}, [&](Fields& record) {
+    detail_keys(record, c);
+    air_key(record, c.air);
+    air_heard_by_key(record, scenario);
+    observables_keys(record, scenario);
+  });
 }
 
 }  // namespace sim::scenario

@@ -9,15 +9,16 @@
 #include <variant>
 #include <vector>
 
-#include "hal/config/mapping.h"
+#include "hal/files/config/mapping.h"
+#include "hal/files/description/fields.h"
 #include "hal/types/agent_id.h"
 #include "hal/types/quantity.h"
 #include "hal/types/time.h"
 #include "sim/agents/simulation_config.h"
-#include "sim/record/countable.h"
-#include "sim/record/detail.h"
-#include "sim/record/observable.h"
-#include "sim/report/plot_request.h"
+#include "sim/scenario/countable.h"
+#include "sim/scenario/detail.h"
+#include "sim/scenario/observable.h"
+#include "sim/scenario/plot_request.h"
 #include "sim/scenario/program.h"
 
 namespace sim::scenario {
@@ -74,19 +75,19 @@ struct Expectation {
 
 /// What goes into the results.
 struct RecordOptions {
-  record::Detail frames = record::Detail::kCounts;
-  record::Detail messages = record::Detail::kAll;
-  record::Detail samples = record::Detail::kCounts;
-  record::Detail routes = record::Detail::kNone;
-  record::Detail readings = record::Detail::kNone;
+  Detail frames = Detail::kCounts;
+  Detail messages = Detail::kAll;
+  Detail samples = Detail::kCounts;
+  Detail routes = Detail::kNone;
+  Detail readings = Detail::kNone;
   hal::Duration pose_period = 1s;
   std::string air{};                           ///< File of the captured frames; empty: none.
   std::optional<hal::AgentId> air_heard_by{};  ///< None: by an ear that hears all.
-  std::vector<record::ObservableRequest> observables{};
+  std::vector<ObservableRequest> observables{};
   std::vector<std::string> observable_places{};  ///< "file:line:column" of each one's name.
   /// Units of what controllers record, by controller and name, as far as they declare it.
   std::map<std::pair<std::string, std::string>, std::string> recorded_units{};
-  std::vector<record::Countable> declared{};  ///< States and records that controllers declare.
+  std::vector<Countable> declared{};  ///< States and records that controllers declare.
 };
 
 /// Whose figures a report shows beside those of the runs.
@@ -106,20 +107,24 @@ struct Scenario {
   std::optional<hal::Duration> reply_timeout = 10s;  ///< None: wait for ever.
   hal::Duration wait = 30s;                          ///< For the next controller, before the start.
   RecordOptions record;
-  std::vector<report::PlotRequest> report;  ///< What the report shows.
+  std::vector<PlotRequest> report;  ///< What the report shows.
   Published compare = Published::kNothing;
   std::vector<AwaitedState> awaited;  ///< For who knows which states controllers enter.
   std::vector<std::string> warnings;  ///< What is allowed and hardly meant, a line each.
 };
 
+/// The keys of a scenario file. A scenario that is read needs a name already, for a file without.
+void keys_of(hal::files::description::Fields& io, Scenario& scenario);
+
 /// Reads a scenario from the top level of its file; notes mistakes there.
-Scenario read_scenario(hal::config::Mapping in, const std::filesystem::path& file);
+Scenario read_scenario(hal::files::config::Mapping in, const std::filesystem::path& file);
 
 /// Reads a scenario.
 /// @param overrides  "dotted.path=value" in the file's value syntax; they win over the file, later
 ///   ones over earlier ones. A mapping on the right replaces the file's. `include` paths are
 ///   relative to the scenario's folder or, failing that, to the working directory.
-/// @throws hal::config::ConfigErrors with every mistake in all files or, if there is none, with the
+/// @throws hal::files::config::ConfigErrors with every mistake in all files or, if there is none,
+/// with the
 ///   bodies that overlap at the start.
 Scenario load_scenario(const std::filesystem::path& file,
                        const std::vector<std::string>& overrides = {});

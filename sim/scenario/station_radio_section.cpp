@@ -1,7 +1,10 @@
 #include "sim/scenario/station_radio_section.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <optional>
 #include <string>
 #include <variant>
@@ -23,25 +26,6 @@ constexpr const char* kOfRadio = "that of `radio`";
 constexpr std::array kStandards = {Option<Standard>{"ieee80211b", Standard::kIeee80211b},
                                    Option<Standard>{"ieee80211g", Standard::kIeee80211g}};
 
-const Key kStationPower{"tx_power", "Of the transmitters of these agents.", "10 mW", kOfRadio};
-const Key kStationHeight{"antenna_height", "Of these agents, above the origin of their body.",
-                         "1.5 m", kOfRadio};
-const Key kStationGain{"antenna_gain", "Of these agents, to all sides, sending and receiving.",
-                       "5 dB", kOfRadio};
-const Key kStationChannel{"channel",
-                          "Number of the channel of these agents. Who has another one neither "
-                          "hears nor disturbs them.",
-                          "6", kOfRadio};
-const Key kStandard{"standard",
-                    "With `profile: ieee80211g`: that these agents know 802.11b only. Frames in "
-                    "OFDM are noise to them, and they have the defaults of 802.11b.",
-                    "ieee80211b", "ieee80211g"};
-const Key kStationDataRate{"data_rate", "Of data frames of these agents.", "11 Mb/s", kOfRadio};
-const Key kStationControlRate{"control_rate", "Of RTS of these agents.", "2 Mb/s", kOfRadio};
-const Key kStationBss{"bss", "Of these agents, where they are not as `radio.bss` says."};
-const Key kStationBroadcastRate{"broadcast_rate", "Of broadcast frames of these agents.", "2 Mb/s",
-                                kOfRadio};
-
 bool has_power(const RadioConfig& config) {
   return std::visit(
       [](const auto& one) {
@@ -50,126 +34,113 @@ bool has_power(const RadioConfig& config) {
       config);
 }
 
-/// Of a group, or of one entry of its `overrides`.
-class StationReader {
- public:
-  StationReader(Mapping& in, const RadioConfig& config) : in_(in), config_(config) {}
+/// Keys that a profile uses or not.
+void used_keys(Fields& io, bool is_used, const RadioConfig& config,
+               const std::function<void(Fields&)>& body) {
+  io.only(is_used, {"profile", {}},
+          fmt::format("is not used by the profile '{}'", profile_name(config)), body);
+}
 
-  /// What is not there keeps its value.
-  void read(StationConfig& station) {
-    quantity(kStationPower, "mW", kTxPower, has_power(config_), station.tx_power);
-    const bool has_waves = waves_of(config_) != nullptr;
-    quantity(kStationHeight, "m", kAntennaHeight, has_waves, station.antenna_height);
-    quantity(kStationGain, "dB", kAntennaGain, has_waves, station.antenna_gain);
-    channel(has_waves, station.channel);
-    standard(station.standard);
-    rate(kStationDataRate, has_waves, station);
-    rate(kStationControlRate, has_waves, station);
-    rate(kStationBroadcastRate, has_waves, station);
-    access_points(dcf_of(config_) != nullptr, station);
-  }
+void antenna_keys(Fields& io, StationConfig& c) {
+  io.given(
+      {"antenna_height", "Of these agents, above the origin of their body.", "1.5 m", kOfRadio},
+      "m", kAntennaHeight, c.antenna_height);
+  io.given(
+      {"antenna_gain", "Of these agents, to all sides, sending and receiving.", "5 dB", kOfRadio},
+      "dB", kAntennaGain, c.antenna_gain);
+  io.given_count({"channel",
+                  "Number of the channel of these agents. Who has another one neither hears nor "
+                  "disturbs them.",
+                  "6", kOfRadio},
+                 1, radio::kChannels, c.channel);
+}
 
- private:
-  void refuse(const Key& key) {
-    in_.refuse(key.name, "is not used by the profile '" + std::string(profile_name(config_)) + "'");
-  }
+void standard_key(Fields& io, StationConfig& c) {
+  io.given_choice({"standard",
+                   "With `profile: ieee80211g`: that these agents know 802.11b only. Frames in "
+                   "OFDM are noise to them, and they have the defaults of 802.11b.",
+                   "ieee80211b", "ieee80211g"},
+                  kStandards, c.standard);
+}
 
-  template <class Q>
-  void quantity(const Key& key, std::string_view unit, Range range, bool is_used,
-                std::optional<Q>& value) {
-    if (!is_used) return refuse(key);
-    const double given = in_.number(key, unit, range, range.low);
-    if (in_.has(key.name)) value = Q{given};
-  }
-
-  void channel(bool is_used, std::optional<std::uint32_t>& value) {
-    if (!is_used) return refuse(kStationChannel);
-    const std::int64_t given = in_.integer(kStationChannel, 1, radio::kChannels, 1);
-    if (in_.has(kStationChannel.name)) value = static_cast<std::uint32_t>(given);
-  }
-
-  void access_points(bool is_used, StationConfig& station) {
-    if (!is_used) return refuse(kStationBss);
-    const auto given = read_own_access_points(in_.mapping(kStationBss));
-    if (given) station.access_points = given;
-  }
-
-  void standard(std::optional<Standard>& value) {
-    if (!std::holds_alternative<radio::Ieee80211gConfig>(config_)) return refuse(kStandard);
-    const Standard given = in_.choice(kStandard, kStandards, Standard::kIeee80211g);
-    if (in_.has(kStandard.name)) value = given;
-  }
-
-  void rate(const Key& key, bool is_used, StationConfig& station) {
-    std::optional<hal::BitsPerSecond> given;
-    quantity(key, "b/s", kBitRate, is_used, given);
-    if (!given) return;
-    const Standard rates = station.standard.value_or(*rates_of(config_));
-    if (!is_rate(rates, *given)) {
-      return in_.mistake(key.name, "must be " + std::string(rates_of(rates)));
+void rate_keys(Fields& io, StationConfig& c, const RadioConfig& config) {
+  const auto rate = [&](const Key& key, std::optional<hal::BitsPerSecond>& value) {
+    std::optional<hal::BitsPerSecond> given = value;
+    if (!io.given(key, "b/s", kBitRate, given)) return;
+    const Standard rates = c.standard.value_or(*rates_of(config));
+    if (is_rate(rates, *given)) {
+      value = given;
+    } else {
+      io.mistake(key.name, fmt::format("must be {}", rates_of(rates)));
     }
-    if (key.name == kStationDataRate.name) station.data_rate = given;
-    if (key.name == kStationControlRate.name) station.control_rate = given;
-    if (key.name == kStationBroadcastRate.name) station.broadcast_rate = given;
-  }
+  };
+  rate({"data_rate", "Of data frames of these agents.", "11 Mb/s", kOfRadio}, c.data_rate);
+  rate({"control_rate", "Of RTS of these agents.", "2 Mb/s", kOfRadio}, c.control_rate);
+  rate({"broadcast_rate", "Of broadcast frames of these agents.", "2 Mb/s", kOfRadio},
+       c.broadcast_rate);
+}
 
-  Mapping& in_;
-  const RadioConfig& config_;
+/// Of a group, or of one entry of its `overrides`. What is not there keeps its value.
+/// @param config  which keys there are.
+void keys_of(Fields& io, StationConfig& c, const RadioConfig& config) {
+  const bool has_waves = waves_of(config) != nullptr;
+  used_keys(io, has_power(config), config, [&](Fields& used) {
+    used.given({"tx_power", "Of the transmitters of these agents.", "10 mW", kOfRadio}, "mW",
+               kTxPower, c.tx_power);
+  });
+  used_keys(io, has_waves, config, [&](Fields& used) { antenna_keys(used, c); });
+  used_keys(io, std::holds_alternative<radio::Ieee80211gConfig>(config), config,
+            [&](Fields& used) { standard_key(used, c); });
+  used_keys(io, has_waves, config, [&](Fields& used) { rate_keys(used, c, config); });
+  used_keys(io, dcf_of(config) != nullptr, config,
+            [&](Fields& used) { own_access_points_key(used, c.access_points); });
+}
+
+/// What the radios of some of the agents have of their own.
+struct RadioOverride {
+  std::string agents;
+  StationConfig radio;
 };
 
-void write_fields(Writer& out, const StationConfig& station) {
-  const auto number = [&out](const Key& key, const auto& value, std::string_view unit) {
-    if (value) out.number(key.name, value->value, unit);
-  };
-  number(kStationPower, station.tx_power, "mW");
-  number(kStationHeight, station.antenna_height, "m");
-  number(kStationGain, station.antenna_gain, "dB");
-  if (station.channel) out.integer(kStationChannel.name, *station.channel);
-  if (station.standard) FieldWriter(out).choice(kStandard, kStandards, *station.standard);
-  number(kStationDataRate, station.data_rate, "b/s");
-  number(kStationControlRate, station.control_rate, "b/s");
-  number(kStationBroadcastRate, station.broadcast_rate, "b/s");
-  write_own_access_points(out, station.access_points);
+void override_keys(Fields& io, std::span<AgentConfig> agents, const StationConfig& common,
+                   std::vector<RadioOverride> overrides, const RadioConfig& config) {
+  OverrideAgents some(agents);
+  io.list_if_any<RadioOverride>({"overrides", "The same for some of the agents; no agent twice.",
+                                 "[{agents: NAME0, channel: 11}]"},
+                                overrides,
+                                [&](Fields& one, RadioOverride& c) {
+                                  const auto fitting = some.agents_key(one, c.agents);
+                                  keys_of(one, c.radio, config);
+                                  for (AgentConfig* const agent : fitting) agent->radio = c.radio;
+                                },
+                                {{}, common});
 }
 
 }  // namespace
 
-void read_station_radios(Mapping in, const RadioConfig& config, std::span<AgentConfig> agents) {
-  StationConfig common;
-  StationReader(in, config).read(common);
-  for (AgentConfig& agent : agents) agent.radio = common;
-  OverrideAgents some(agents);
-  for (Mapping& one : in.mappings({"overrides", "The same for some of the agents; no agent twice.",
-                                   "[{agents: NAME0, channel: 11}]"})) {
-    const std::vector<AgentConfig*> fitting = some.read(one);
-    StationConfig own = common;
-    StationReader(one, config).read(own);
-    one.finish();
-    for (AgentConfig* const agent : fitting) agent->radio = own;
-  }
-  in.finish();
-}
-
-void write_station_radios(Writer& out, std::span<const AgentConfig> agents) {
-  const StationConfig& first = agents.front().radio;
+void station_radio_key(Fields& io, std::span<AgentConfig> agents, const RadioConfig& config) {
+  const auto has_own = [](const AgentConfig& agent) { return agent.radio != StationConfig{}; };
   const bool are_equal = std::ranges::all_of(
-      agents, [&first](const AgentConfig& agent) { return agent.radio == first; });
-  if (are_equal && first == StationConfig{}) return;
-  out.open("radio");
-  if (are_equal) {
-    write_fields(out, first);
-  } else {
-    out.open_list("overrides");
-    for (const AgentConfig& agent : agents) {
-      if (agent.radio == StationConfig{}) continue;
-      out.open_item();
-      out.text("agents", agent.name);
-      write_fields(out, agent.radio);
-      out.close();
+      agents, [&](const AgentConfig& agent) { return agent.radio == agents.front().radio; });
+  StationConfig common;
+  std::vector<RadioOverride> overrides;
+  if (io.is_writing()) {
+    if (are_equal) {
+      common = agents.front().radio;
+    } else {
+      for (const AgentConfig& agent : agents)
+        if (has_own(agent)) overrides.push_back({agent.name, agent.radio});
     }
-    out.close();
   }
-  out.close();
+  io.written_if(std::ranges::any_of(agents, has_own), [&](Fields& written) {
+    written.inside({"radio", "What the radios of the group's agents have of their own."},
+                   [&](Fields& radio) {
+                     keys_of(radio, common, config);
+                     if (radio.reading() != nullptr)
+                       for (AgentConfig& agent : agents) agent.radio = common;
+                     override_keys(radio, agents, common, overrides, config);
+                   });
+  });
 }
 
 }  // namespace sim::scenario

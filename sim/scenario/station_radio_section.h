@@ -2,15 +2,13 @@
 
 #include <span>
 
-#include "hal/config/mapping.h"
-#include "hal/config/writer.h"
 #include "sim/agents/simulation_config.h"
+#include "sim/scenario/fields.h"
 
 namespace sim::scenario {
 
 /// `radio:` of a group of agents: what their radios have of their own, and `overrides` for some.
-void read_station_radios(hal::config::Mapping in, const radio::RadioConfig& config,
-                         std::span<agents::AgentConfig> agents);
-void write_station_radios(hal::config::Writer& out, std::span<const agents::AgentConfig> agents);
+void station_radio_key(Fields& io, std::span<agents::AgentConfig> agents,
+                       const radio::RadioConfig& config);
 
 }  // namespace sim::scenario

@@ -11,7 +11,7 @@ namespace sim::scenario {
 namespace {
 
 using agents::AgentConfig;
-using hal::config::Mapping;
+using hal::files::config::Mapping;
 using radio::PropagationConfig;
 
 bool has_two_rays(const PropagationConfig& propagation) {

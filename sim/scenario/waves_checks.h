@@ -1,12 +1,12 @@
 #pragma once
 
-#include "hal/config/mapping.h"
+#include "hal/files/config/mapping.h"
 #include "sim/scenario/scenario.h"
 
 namespace sim::scenario {
 
 /// Notes antennas on the ground, whose two rays extinguish each other, and warns of obstacles
 /// where nothing can be one. @param in  the top level of the file.
-void check_waves(hal::config::Mapping& in, const Scenario& scenario);
+void check_waves(hal::files::config::Mapping& in, const Scenario& scenario);
 
 }  // namespace sim::scenario

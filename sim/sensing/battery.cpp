@@ -3,15 +3,15 @@
 namespace sim::sensing {
 namespace {
 
-class Gauge final : public hal::devices::Sensor {
+class Gauge final : public hal::node::devices::Sensor {
  public:
-  Gauge(const hal::devices::Battery& battery, const SensorSite& site)
+  Gauge(const hal::node::devices::Battery& battery, const SensorSite& site)
       : battery_(battery), site_(site) {}
 
   hal::Channel describe() const override { return battery_.describe(); }
 
   std::optional<std::vector<double>> sample(hal::Time at) override {
-    const hal::devices::Discharge now = site_.battery();
+    const hal::node::devices::Discharge now = site_.battery();
     if (at > read_at_) {
       current_ = (now.coulombs() - coulombs_) / hal::to_seconds(at - read_at_);
       coulombs_ = now.coulombs();
@@ -22,7 +22,7 @@ class Gauge final : public hal::devices::Sensor {
   }
 
  private:
-  hal::devices::Battery battery_;
+  hal::node::devices::Battery battery_;
   SensorSite site_;
   double current_ = 0;   ///< A, mean before it was read last.
   double coulombs_ = 0;  ///< A s until then.
@@ -31,8 +31,8 @@ class Gauge final : public hal::devices::Sensor {
 
 }  // namespace
 
-std::unique_ptr<hal::devices::Sensor> simulated(const hal::devices::Battery& battery,
-                                                const SensorSite& site) {
+std::unique_ptr<hal::node::devices::Sensor> simulated(const hal::node::devices::Battery& battery,
+                                                      const SensorSite& site) {
   return std::make_unique<Gauge>(battery, site);
 }
 

@@ -2,14 +2,14 @@
 
 #include <memory>
 
-#include "hal/devices/battery.h"
-#include "hal/devices/sensor.h"
+#include "hal/node/devices/battery.h"
+#include "hal/node/devices/sensor.h"
 #include "sim/sensing/sensor_site.h"
 
 namespace sim::sensing {
 
 /// The gauge of the agent's battery, which SensorSite::battery shows. Reading it changes nothing.
-std::unique_ptr<hal::devices::Sensor> simulated(const hal::devices::Battery& battery,
-                                                const SensorSite& site);
+std::unique_ptr<hal::node::devices::Sensor> simulated(const hal::node::devices::Battery& battery,
+                                                      const SensorSite& site);
 
 }  // namespace sim::sensing

@@ -3,9 +3,9 @@
 namespace sim::sensing {
 namespace {
 
-class SimulatedBumper final : public hal::devices::Sensor {
+class SimulatedBumper final : public hal::node::devices::Sensor {
  public:
-  SimulatedBumper(const hal::devices::Bumper& bumper, const SensorSite& site)
+  SimulatedBumper(const hal::node::devices::Bumper& bumper, const SensorSite& site)
       : bumper_(bumper), site_(site) {}
 
   hal::Channel describe() const override { return bumper_.describe(); }
@@ -19,15 +19,15 @@ class SimulatedBumper final : public hal::devices::Sensor {
   }
 
  private:
-  hal::devices::Bumper bumper_;
+  hal::node::devices::Bumper bumper_;
   SensorSite site_;
   std::uint64_t touched_ = 0;  ///< Physics steps with a touch, when it was read last.
 };
 
 }  // namespace
 
-std::unique_ptr<hal::devices::Sensor> simulated(const hal::devices::Bumper& bumper,
-                                                const SensorSite& site) {
+std::unique_ptr<hal::node::devices::Sensor> simulated(const hal::node::devices::Bumper& bumper,
+                                                      const SensorSite& site) {
   return std::make_unique<SimulatedBumper>(bumper, site);
 }
 

@@ -72,7 +72,7 @@ double ConeSection::roomiest(double from, double to) const {
 
 double ConeSection::distance() const {
   const Vec2 nearest = to_nearest(shape_, apex());
-  const Vec2 seen{dot(cone_.axis, nearest), dot(side_, nearest)};
+  const Vec2 seen{hal::dot(cone_.axis, nearest), hal::dot(side_, nearest)};
   const double straight = seen.x * seen.x + seen.y * seen.y + height_ * height_;
   const double beside = seen.y * seen.y + height_ * height_;
   if (seen.x >= 0 && beside <= seen.x * seen.x * slope_ * slope_) return std::sqrt(straight);

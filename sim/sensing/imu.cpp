@@ -34,15 +34,15 @@ Quaternion turned_on(const Quaternion& q, double heading) {
 
 /// A vector turned about another one by its length, rad.
 Vec3 turned_about(const Vec3& v, const Vec3& turn) {
-  const double angle = std::sqrt(dot(turn, turn));
+  const double angle = std::sqrt(hal::dot(turn, turn));
   if (angle == 0) return v;
   const double s = hal::math::sin(angle / 2) / angle;
   return rotated(v, {hal::math::cos(angle / 2), s * turn.x, s * turn.y, s * turn.z});
 }
 
-class SimulatedImu final : public hal::devices::Sensor {
+class SimulatedImu final : public hal::node::devices::Sensor {
  public:
-  SimulatedImu(const hal::devices::ImuSensor& imu, const SensorSite& site)
+  SimulatedImu(const hal::node::devices::ImuSensor& imu, const SensorSite& site)
       : imu_(imu),
         site_(site),
         random_(site.run_seed, fmt::format("{}/{}", site.agent_name, imu.mount.name)) {}
@@ -51,7 +51,7 @@ class SimulatedImu final : public hal::devices::Sensor {
   std::optional<std::vector<double>> sample(hal::Time at) override;
 
  private:
-  hal::devices::ImuSensor imu_;
+  hal::node::devices::ImuSensor imu_;
   SensorSite site_;
   hal::RandomStream random_;
   std::optional<Vec3> velocity_;  ///< Of its place at the reading before; none: not read yet.
@@ -90,8 +90,8 @@ std::array<double, 6> inertial_values(const InertialMotion& motion, const Quater
   return {rate.x, rate.y, rate.z, force.x, force.y, force.z};
 }
 
-std::unique_ptr<hal::devices::Sensor> simulated(const hal::devices::ImuSensor& imu,
-                                                const SensorSite& site) {
+std::unique_ptr<hal::node::devices::Sensor> simulated(const hal::node::devices::ImuSensor& imu,
+                                                      const SensorSite& site) {
   return std::make_unique<SimulatedImu>(imu, site);
 }
 

@@ -3,8 +3,8 @@
 #include <array>
 #include <memory>
 
-#include "hal/devices/imu.h"
-#include "hal/devices/sensor.h"
+#include "hal/node/devices/imu.h"
+#include "hal/node/devices/sensor.h"
 #include "sim/sensing/sensor_site.h"
 
 namespace sim::sensing {
@@ -25,7 +25,7 @@ std::array<double, 6> inertial_values(const InertialMotion& motion,
                                       const std::array<double, 4>& attitude);
 
 /// Inertial sensor at its place on the body.
-std::unique_ptr<hal::devices::Sensor> simulated(const hal::devices::ImuSensor& imu,
-                                                const SensorSite& site);
+std::unique_ptr<hal::node::devices::Sensor> simulated(const hal::node::devices::ImuSensor& imu,
+                                                      const SensorSite& site);
 
 }  // namespace sim::sensing

@@ -12,7 +12,7 @@ namespace sim::sensing {
 
 using hal::Duration;
 using hal::Time;
-using hal::devices::InfraredSensor;
+using hal::node::devices::InfraredSensor;
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "hal/devices/robot_description.h"
+#include "hal/node/devices/robot_description.h"
 #include "hal/types/agent_id.h"
 #include "hal/types/random.h"
 #include "hal/types/time.h"
@@ -29,7 +29,7 @@ struct InfraredReading {
 class InfraredArray {
  public:
   /// @param agent_name, run_seed  name the random stream "<agent>/infrared": phases and noise.
-  InfraredArray(hal::AgentId agent, std::vector<hal::devices::InfraredSensor> sensors,
+  InfraredArray(hal::AgentId agent, std::vector<hal::node::devices::InfraredSensor> sensors,
                 std::uint64_t run_seed, std::string_view agent_name);
 
   /// Brings the readings up to `now`. @pre proximity was updated at `now`; `now` never decreases.
@@ -38,7 +38,7 @@ class InfraredArray {
   /// One per sensor, in the order of the robot's file; empty before the first sample.
   std::span<const InfraredReading> readings() const { return readings_; }
 
-  const std::vector<hal::devices::InfraredSensor>& sensors() const { return sensors_; }
+  const std::vector<hal::node::devices::InfraredSensor>& sensors() const { return sensors_; }
 
  private:
   hal::Time last_instant(std::size_t sensor, hal::Time now) const;
@@ -60,7 +60,7 @@ class InfraredArray {
                       const physics::BodyVelocity& velocity, hal::Duration age) const;
 
   hal::AgentId agent_;
-  std::vector<hal::devices::InfraredSensor> sensors_;
+  std::vector<hal::node::devices::InfraredSensor> sensors_;
   std::vector<View> views_;
   hal::RandomStream random_;
   std::vector<hal::Duration> phases_;

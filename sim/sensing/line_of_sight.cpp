@@ -44,7 +44,8 @@ double share_inside(const Shape& shape, const Vec3& from, const Vec3& slope) {
   const Vec2 start{from.x, from.y};
   const Vec2 direction{slope.x, slope.y};
   const double tiny = 1e-12;
-  if (dot(direction, direction) < tiny) {  // A vertical line: inside all the way or not at all.
+  if (hal::dot(direction, direction) <
+      tiny) {  // A vertical line: inside all the way or not at all.
     const auto line = inside(shape, start, {1, 0});
     return line && line->from < 0 && line->to > 0 ? part.to - part.from : 0;
   }
@@ -57,7 +58,7 @@ double share_inside(const Shape& shape, const Vec3& from, const Vec3& slope) {
 
 double length_inside(const Shape& shape, const Vec3& from, const Vec3& to) {
   const Vec3 slope = to - from;
-  return share_inside(shape, from, slope) * std::sqrt(dot(slope, slope));
+  return share_inside(shape, from, slope) * std::sqrt(hal::dot(slope, slope));
 }
 
 class LineOfSight::Implementation {

@@ -8,9 +8,9 @@
 namespace sim::sensing {
 namespace {
 
-class SimulatedPose final : public hal::devices::Sensor {
+class SimulatedPose final : public hal::node::devices::Sensor {
  public:
-  SimulatedPose(const hal::devices::PoseSensor& sensor, const SensorSite& site)
+  SimulatedPose(const hal::node::devices::PoseSensor& sensor, const SensorSite& site)
       : sensor_(sensor),
         site_(site),
         random_(site.run_seed, fmt::format("{}/{}", site.agent_name, sensor.mount.name)),
@@ -31,7 +31,7 @@ class SimulatedPose final : public hal::devices::Sensor {
  private:
   double noise(double sigma) { return sigma > 0 ? sigma * random_.normal() : 0; }
 
-  hal::devices::PoseSensor sensor_;
+  hal::node::devices::PoseSensor sensor_;
   SensorSite site_;
   hal::RandomStream random_;
   MeasuringInstants instants_;
@@ -40,8 +40,8 @@ class SimulatedPose final : public hal::devices::Sensor {
 
 }  // namespace
 
-std::unique_ptr<hal::devices::Sensor> simulated(const hal::devices::PoseSensor& sensor,
-                                                const SensorSite& site) {
+std::unique_ptr<hal::node::devices::Sensor> simulated(const hal::node::devices::PoseSensor& sensor,
+                                                      const SensorSite& site) {
   return std::make_unique<SimulatedPose>(sensor, site);
 }
 

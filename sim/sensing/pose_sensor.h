@@ -2,14 +2,14 @@
 
 #include <memory>
 
-#include "hal/devices/pose_sensor.h"
-#include "hal/devices/sensor.h"
+#include "hal/node/devices/pose_sensor.h"
+#include "hal/node/devices/sensor.h"
 #include "sim/sensing/sensor_site.h"
 
 namespace sim::sensing {
 
 /// The body's pose with its noise. Between two fixes the last one holds.
-std::unique_ptr<hal::devices::Sensor> simulated(const hal::devices::PoseSensor& sensor,
-                                                const SensorSite& site);
+std::unique_ptr<hal::node::devices::Sensor> simulated(const hal::node::devices::PoseSensor& sensor,
+                                                      const SensorSite& site);
 
 }  // namespace sim::sensing

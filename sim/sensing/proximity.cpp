@@ -33,7 +33,7 @@ std::size_t end_of_body(std::span<const Shape> shapes, std::size_t first) {
 /// m, of a circle around the centre that holds the shape, seen from above.
 double radius_of(const Shape& shape) {
   if (shape.kind == Shape::Kind::kCylinder) return shape.radius;
-  return std::sqrt(dot(shape.half, shape.half));
+  return std::sqrt(hal::dot(shape.half, shape.half));
 }
 
 }  // namespace
@@ -51,7 +51,7 @@ class Proximity::Implementation {
     const std::size_t end = end_of_body(shapes, first);
     for (std::size_t i = first; i < end; ++i) {
       const hal::Vec2 away = shapes[i].centre - place;
-      largest = std::max(largest, std::sqrt(dot(away, away)) + radius_of(shapes[i]));
+      largest = std::max(largest, std::sqrt(hal::dot(away, away)) + radius_of(shapes[i]));
     }
     moving.put(static_cast<CellGrid::Member>(first), place);
     return end;

@@ -11,7 +11,7 @@ std::vector<AgentPosition> localise(const hal::Pose2& self, hal::AgentId own,
   std::vector<AgentPosition> found;
   for (const AgentPosition& other : agents) {
     const hal::Vec2 offset = other.position - hal::Vec2{self.x, self.y};
-    if (other.agent == own || dot(offset, offset) > range * range) continue;
+    if (other.agent == own || hal::dot(offset, offset) > range * range) continue;
     found.push_back({other.agent, {c * offset.x + s * offset.y, c * offset.y - s * offset.x}});
   }
   return found;

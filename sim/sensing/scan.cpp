@@ -11,9 +11,9 @@
 namespace sim::sensing {
 namespace {
 
-using hal::devices::ScanSensor;
+using hal::node::devices::ScanSensor;
 
-class SimulatedScan final : public hal::devices::Sensor {
+class SimulatedScan final : public hal::node::devices::Sensor {
  public:
   SimulatedScan(const ScanSensor& scan, const SensorSite& site)
       : scan_(scan),
@@ -85,7 +85,8 @@ std::vector<double> ray_ranges(const hal::Vec3& origin, std::span<const hal::Vec
   return ranges;
 }
 
-std::unique_ptr<hal::devices::Sensor> simulated(const ScanSensor& scan, const SensorSite& site) {
+std::unique_ptr<hal::node::devices::Sensor> simulated(const ScanSensor& scan,
+                                                      const SensorSite& site) {
   return std::make_unique<SimulatedScan>(scan, site);
 }
 

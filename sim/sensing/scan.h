@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "hal/devices/scan.h"
-#include "hal/devices/sensor.h"
+#include "hal/node/devices/scan.h"
+#include "hal/node/devices/sensor.h"
 #include "sim/sensing/sensor_site.h"
 
 namespace sim::sensing {
@@ -20,7 +20,7 @@ std::vector<double> ray_ranges(const hal::Vec3& origin, std::span<const hal::Vec
 
 /// A laser scanner: all rays at one instant, at its height above the body's origin. Ranges are
 /// exact but for the noise.
-std::unique_ptr<hal::devices::Sensor> simulated(const hal::devices::ScanSensor& scan,
-                                                const SensorSite& site);
+std::unique_ptr<hal::node::devices::Sensor> simulated(const hal::node::devices::ScanSensor& scan,
+                                                      const SensorSite& site);
 
 }  // namespace sim::sensing

@@ -14,10 +14,10 @@ using hal::Vec2;
 using physics::Shape;
 
 double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
-double length(Vec2 a) { return std::sqrt(dot(a, a)); }
+double length(Vec2 a) { return std::sqrt(hal::dot(a, a)); }
 
 /// A vector in the frame of a box's own axes, and back.
-Vec2 to_box(const Shape& box, Vec2 v) { return {dot(v, box.axis), cross(box.axis, v)}; }
+Vec2 to_box(const Shape& box, Vec2 v) { return {hal::dot(v, box.axis), cross(box.axis, v)}; }
 Vec2 from_box(const Shape& box, Vec2 v) {
   return {v.x * box.axis.x - v.y * box.axis.y, v.x * box.axis.y + v.y * box.axis.x};
 }
@@ -27,7 +27,7 @@ std::optional<Interval> inside_circle(const Shape& shape, Vec2 origin, Vec2 dire
   const Vec2 to_centre = shape.centre - origin;
   const double miss = cross(direction, to_centre) / size;
   if (std::abs(miss) > shape.radius) return std::nullopt;
-  const double middle = dot(direction, to_centre) / size;
+  const double middle = hal::dot(direction, to_centre) / size;
   const double half_chord = std::sqrt(shape.radius * shape.radius - miss * miss);
   return Interval{(middle - half_chord) / size, (middle + half_chord) / size};
 }
@@ -75,7 +75,7 @@ Vec2 to_nearest(const Shape& shape, Vec2 origin) {
 }
 
 Interval extent_along(const Shape& shape, Vec2 origin, Vec2 direction) {
-  const double middle = dot(shape.centre - origin, direction);
+  const double middle = hal::dot(shape.centre - origin, direction);
   const Vec2 own = to_box(shape, direction);
   const double half = shape.kind == Shape::Kind::kCylinder
                           ? shape.radius
@@ -108,7 +108,7 @@ SectorQuery::SectorQuery(const hal::Vec3& from, Vec2 middle, Vec2 half_angle, do
 }
 
 bool SectorQuery::contains_bearing(Vec2 point) const {
-  const double along = dot(middle_, point);
+  const double along = hal::dot(middle_, point);
   return along > 0 && std::abs(cross(middle_, point)) * half_.x <= along * half_.y;
 }
 

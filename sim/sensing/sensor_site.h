@@ -4,7 +4,7 @@
 #include <functional>
 #include <string_view>
 
-#include "hal/devices/battery.h"
+#include "hal/node/devices/battery.h"
 #include "hal/types/agent_id.h"
 #include "hal/types/time.h"
 #include "sim/physics/world.h"
@@ -18,8 +18,8 @@ struct SensorSite {
   std::string_view agent_name;
   std::uint64_t run_seed = 0;
   const physics::World& world;
-  std::function<const Proximity&()> proximity;         ///< As of the last physics step.
-  std::function<hal::devices::Discharge()> battery{};  ///< As of now, if the agent has one.
+  std::function<const Proximity&()> proximity;               ///< As of the last physics step.
+  std::function<hal::node::devices::Discharge()> battery{};  ///< As of now, if the agent has one.
 };
 
 /// The instants phase + k * period at which a sensor measures; the phase is its own.

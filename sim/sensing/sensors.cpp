@@ -9,8 +9,8 @@
 
 namespace sim::sensing {
 
-std::unique_ptr<hal::devices::Sensor> make_sensor(const hal::devices::SensorDescription& sensor,
-                                                  const SensorSite& site) {
+std::unique_ptr<hal::node::devices::Sensor> make_sensor(
+    const hal::node::devices::SensorDescription& sensor, const SensorSite& site) {
   return std::visit([&](const auto& one) { return simulated(one, site); }, sensor);
 }
 

@@ -2,14 +2,14 @@
 
 #include <memory>
 
-#include "hal/devices/sensor.h"
-#include "hal/devices/sensors.h"
+#include "hal/node/devices/sensor.h"
+#include "hal/node/devices/sensors.h"
 #include "sim/sensing/sensor_site.h"
 
 namespace sim::sensing {
 
 /// A sensor of a simulated agent. @param site  what it refers to outlives the sensor.
-std::unique_ptr<hal::devices::Sensor> make_sensor(const hal::devices::SensorDescription& sensor,
-                                                  const SensorSite& site);
+std::unique_ptr<hal::node::devices::Sensor> make_sensor(
+    const hal::node::devices::SensorDescription& sensor, const SensorSite& site);
 
 }  // namespace sim::sensing

@@ -11,9 +11,9 @@
 namespace sim::sensing {
 namespace {
 
-class SimulatedSonar final : public hal::devices::Sensor {
+class SimulatedSonar final : public hal::node::devices::Sensor {
  public:
-  SimulatedSonar(const hal::devices::Sonar& sonar, const SensorSite& site)
+  SimulatedSonar(const hal::node::devices::Sonar& sonar, const SensorSite& site)
       : sonar_(sonar),
         site_(site),
         random_(site.run_seed, fmt::format("{}/{}", site.agent_name, sonar.mount.name)),
@@ -28,7 +28,7 @@ class SimulatedSonar final : public hal::devices::Sensor {
   Cone cone_at(const hal::Pose2& body) const;
   double range_in(const Cone& cone) const;
 
-  hal::devices::Sonar sonar_;
+  hal::node::devices::Sonar sonar_;
   SensorSite site_;
   hal::RandomStream random_;
   MeasuringInstants instants_;
@@ -71,8 +71,8 @@ double SimulatedSonar::range_in(const Cone& cone) const {
 
 }  // namespace
 
-std::unique_ptr<hal::devices::Sensor> simulated(const hal::devices::Sonar& sonar,
-                                                const SensorSite& site) {
+std::unique_ptr<hal::node::devices::Sensor> simulated(const hal::node::devices::Sonar& sonar,
+                                                      const SensorSite& site) {
   return std::make_unique<SimulatedSonar>(sonar, site);
 }
 

@@ -38,36 +38,36 @@ FIGURES = ["discovery, quartile 1 ms", "discovery, median ms", "discovery, quart
 PAPER = [2.11, 10.27, 60.72, 10020, 0.7, 2.52, 8.7, 5660]
 COPIES = "class = 'broadcast' AND addressed = 1"
 ONE_MS = "jitter 1 ms, no retry jitter"
-HEAD = """# What brings back the tail of seconds
+HEAD = """# What causes the paper's tail of seconds
 
 <!-- Written by tests/bench/case_study_tail.py -->
 
-The paper's longest route discovery is 10.02 s, its longest delay 5.66 s; the case study as it ships stays near 0.1 s. A search that
-fails is repeated after 5 s, 3.75 s at the earliest with the retry jitter as it ships. So seconds mean searches whose ants were all
+The paper's longest route discovery is 10.02 s, its longest delay 5.66 s; in the shipped case study both stay near 0.1 s. A search that
+fails is repeated after 5 s, 3.75 s at the earliest with the shipped retry jitter. Times of seconds therefore mean searches whose ants were all
 lost. There are two ways to lose them:
 
-* **Frames are lost** (`radio.loss`). As the case study ships, none is: a link is perfect up to its range.
-* **Copies of the same flood collide.** All 26 agents pass a first ant on, each once, within `routing.jitter_max`; a copy is on the air
-  for 0.27 ms, and agents more than 250 m apart do not hear each other, so that their copies meet at those between them. With 100 ms
-  for 26 copies {lost_shipped:.1f} % of their receptions fail, with 1 ms {lost_short:.1f} %; then now and then not one copy comes through to the
+* **Frames are lost** (`radio.loss`). In the shipped case study none is lost: a link is perfect up to its range.
+* **Copies of the same flood collide.** All 26 agents forward a first ant, each once, within `routing.jitter_max`; a copy is on the air
+  for 0.27 ms, and agents more than 250 m apart do not hear each other, so their copies collide at agents between them. With 100 ms
+  for 26 copies {lost_shipped:.1f} % of their receptions fail, with 1 ms {lost_short:.1f} %; then sometimes no copy reaches the
   mote ({long_short} of {searches_short} searches), and the search is repeated 5 s later. No frame needs to be lost for that.
 
 {seeds} runs of each setting, seeds 1 to {seeds}, the settings on top of `config/scenarios/case_study.yaml`. Quartiles and maxima are of all
 messages and searches of the runs together, in ms. *Copies lost*: of all receptions of broadcast frames (first ants, calls for help,
-hellos), those that collided, came while the radio was busy, or were taken by the loss. *Near*: of the eight figures beside it, those
+hellos), those that collided, arrived while the radio was busy, or were dropped by `radio.loss`. *Near*: how many of the eight figures in the row are
 within a factor of two of the paper's.
 
 | setting | arrived | given up | copies lost | searches above 1 s | discovery Q1 | median | Q3 | max | delay Q1 | median | Q3 | max | near |
 |---|---|---|---|---|---|---|---|---|---|---|---|---|---|
 """
 END = """
-The longest discovery is above a second with: {found}. With the others it is not.
+The longest discovery exceeds a second with: {found}. It does not with the others.
 
 {trade}
 
-What may have lost ants in the paper's runs, it does not say. The case study's jitter stays 100 ms: it was calibrated on all quartiles
-together, and a maximum over some hundred searches is an event or two. Its loss stays 0, for nothing in the paper states a rate. What
-the other values that were chosen do to each figure: [sensitivity.md](sensitivity.md).
+The paper does not say why ants were lost in its runs. The case study's jitter stays 100 ms: it was calibrated on all quartiles
+together, and a maximum over some hundred searches depends on one or two events. Its loss stays 0, because the paper states no rate.
+[sensitivity.md](sensitivity.md) shows the effect of the other chosen values on each figure.
 """
 
 
@@ -128,9 +128,9 @@ def end(rows):
     far = [row for row in rows if row.values[3] > 1000]
     shipped, best = rows[0], max(rows, key=lambda row: near(row.values))
     both = [row for row in far if near(row.values) >= near(shipped.values)]
-    trade = (f"As it ships {near(shipped.values)} of the eight figures are within a factor of two of the paper's; the most are "
+    trade = (f"As shipped, {near(shipped.values)} of the eight figures are within a factor of two of the paper's; the highest number is "
              f"{near(best.values)}, with: {'; '.join(row.name for row in rows if near(row.values) == near(best.values))}.\n")
-    trade += (f"Of the settings with a tail of seconds these have as many near as the case study as it ships, or more: "
+    trade += (f"Of the settings with a tail of seconds these have at least as many near figures as the shipped case study: "
               f"{'; '.join(row.name for row in both)}." if both else
               "Every setting with a tail of seconds has fewer figures near than the case study as it ships.")
     return END.format(found="; ".join(row.name for row in far) or "none of these", trade=trade)

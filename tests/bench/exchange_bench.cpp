@@ -3,7 +3,7 @@
 //
 //   exchange_bench [EXCHANGES [PROCESSES AGENTS [guests]]]
 //
-// Guests are in network and pid namespaces of their own (hal/dds/invitation.h).
+// Guests are in network and pid namespaces of their own (gateway/domain/invitation.h).
 
 #include <fmt/core.h>
 
@@ -17,11 +17,11 @@
 #include <string>
 #include <vector>
 
-#include "hal/dds/exchange/controller_process.h"
-#include "hal/dds/exchange/server.h"
-#include "tests/unit/hal/dds/exchange/child.h"
-#include "tests/unit/hal/dds/exchange/echo_controller.h"
-#include "tests/unit/hal/dds/exchange/guest_child.h"
+#include "gateway/exchange/controller_process.h"
+#include "gateway/exchange/server.h"
+#include "tests/unit/gateway/exchange/child.h"
+#include "tests/unit/gateway/exchange/echo_controller.h"
+#include "tests/unit/gateway/exchange/guest_child.h"
 
 namespace {
 
@@ -33,14 +33,14 @@ constexpr std::uint16_t kChannel = 1;
 
 /// Controller processes with `agents` motes each, linked up.
 struct Processes {
-  hal::dds::Server server{hal::dds::take_domain(std::nullopt)};
+  gateway::exchange::Server server{gateway::process::take_domain(std::nullopt)};
   std::vector<std::unique_ptr<Child>> children;
   std::vector<std::unique_ptr<GuestChild>> guests;
-  std::vector<std::unique_ptr<hal::dds::ProcessLink>> links;
+  std::vector<std::unique_ptr<gateway::exchange::ProcessLink>> links;
 };
 
-hal::exchange::Session session_of(const hal::exchange::Hello& hello, int agents) {
-  hal::exchange::Session session = session_for(hello, 1);
+hal::node::exchange::Session session_of(const hal::node::exchange::Hello& hello, int agents) {
+  hal::node::exchange::Session session = session_for(hello, 1);
   // Described, or the controller would log each reading as an error.
   hal::Channel channel;
   channel.id = kChannel;
@@ -83,7 +83,7 @@ void require(const hal::Result<T>& result) {
   if (!result) throw std::runtime_error(result.error().message);
 }
 
-void exchange_once(Processes& processes, const hal::exchange::Step& step) {
+void exchange_once(Processes& processes, const hal::node::exchange::Step& step) {
   for (const auto& link : processes.links) require(link->begin(step));
   for (const auto& link : processes.links) require(link->finish());
 }
@@ -102,7 +102,7 @@ double datagrams() {
 void measure(int count, int agents, int exchanges, bool as_guests = false) {
   Processes processes;
   start(processes, count, agents, as_guests);
-  hal::exchange::Step step = step_with(hal::exchange::Cause::kControl, 1);
+  hal::node::exchange::Step step = step_with(hal::node::exchange::Cause::kControl, 1);
   step.events.resize(static_cast<std::size_t>(agents), step.events[0]);
   for (std::size_t i = 0; i < step.events.size(); ++i) {
     step.events[i].agent.value = static_cast<std::uint16_t>(i + 1);
@@ -131,7 +131,7 @@ int main(int argc, char** argv) {
   if (argc == 4 && argv[1] == std::string("controller")) {  // The role of a Child.
     const hal::ControllerKind kind = echo_kind();
     const auto outcome =
-        hal::dds::run_controllers(kind, options_for(std::stoi(argv[2]), "m1", argv[3]));
+        gateway::exchange::run_controllers(kind, options_for(std::stoi(argv[2]), "m1", argv[3]));
     return static_cast<int>(outcome);
   }
   const int exchanges = argc > 1 ? std::stoi(argv[1]) : 5000;

@@ -25,11 +25,11 @@ double user_seconds() {
 }
 
 /// A frame and its retries, from the interface of its sender to those of the receivers.
-std::uint64_t send(air::Ledger& ledger, const air::test::Packet& packet, std::uint64_t id,
+std::uint64_t send(sim::air::Ledger& ledger, const sim::air::test::Packet& packet, std::uint64_t id,
                    std::uint16_t radios) {
   constexpr int kTransmissions = 3;
   const hal::Time at{std::chrono::milliseconds{id}};
-  radio::Frame frame;
+  sim::radio::Frame frame;
   frame.transmitter = packet.source;
   frame.receiver = packet.destination;
   frame.ethertype = packet.type;
@@ -64,8 +64,8 @@ std::uint64_t send(air::Ledger& ledger, const air::test::Packet& packet, std::ui
 int main(int argc, char** argv) {
   const auto radios = static_cast<std::uint16_t>(argc > 1 ? std::atoi(argv[1]) : 39);
   const int rounds = argc > 2 ? std::atoi(argv[2]) : 200;
-  const auto packets = air::test::read_capture("cyclone_v4");
-  air::Ledger ledger;
+  const auto packets = sim::air::test::read_capture("cyclone_v4");
+  sim::air::Ledger ledger;
   std::uint64_t frames = 0;
   std::uint64_t id = 0;
   const double start = user_seconds();

@@ -23,8 +23,8 @@
 namespace sim::physics::test {
 namespace {
 
-using hal::devices::RobotDescription;
-using hal::devices::WheelLevel;
+using hal::node::devices::RobotDescription;
+using hal::node::devices::WheelLevel;
 
 double thread_cpu_seconds() {
   timespec t{};

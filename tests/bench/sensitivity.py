@@ -157,7 +157,7 @@ def moves(points):
         nearest = min(points, key=lambda one: abs(math.log(one.value(figure) / paper)))
         lines.append(f"| {figure} | {paper} | {digits(shipped.value(figure))} | {digits(nearest.value(figure))}: {nearest.name} | "
                      f"{len(sure)} of {len(points) - 1}{': ' if sure else ''}{'; '.join(sure)} |")
-    return "\n".join(["| figure | the paper | as shipped | nearest | moved by (99.9 %) |", "|---|---|---|---|---|", *lines])
+    return "\n".join(["| figure | the paper | as shipped | closest | changed by (99.9 %) |", "|---|---|---|---|---|", *lines])
 
 
 def points_of(file):
@@ -198,12 +198,12 @@ def phase_table(values):
     return "\n".join(rows)
 
 
-HEAD = """# What the values that were chosen do to the paper's figures
+HEAD = """# Effect of the chosen values on the paper's figures
 
 <!-- Written by tests/bench/sensitivity.py -->
 
-The paper does not say how long first ants wait, how often a robot says that it is coming, how searches are repeated, which radio and
-grid it had. `config/scenarios/case_study.yaml` has values that were calibrated (jitter, keep-alive, grid, range, the mote that calls),
+The paper does not state how long first ants wait, how often a robot announces that it is coming, how searches are repeated, and which radio and
+grid it used. `config/scenarios/case_study.yaml` has values that were calibrated (jitter, keep-alive, grid, range, the mote that calls),
 inferred from the two least times (bit rate, RTS/CTS, frames without length), or chosen. Here each is varied alone, with seeds 1 to {runs}:
 
 ```
@@ -215,22 +215,22 @@ A cell is the geometric mean over {runs} runs of the run's own value with its 95
 quartiles are of all ten runs together. *max* is the longest of all {runs} runs; *above 1 s* has Wilson's 95 % interval. **Bold**: the ratios to
 the case study as it is shipped, seed by seed (of a maximum, those of the runs' maxima), have a 99.9 % interval without 1; of {cells}
 comparisons {chance:.1f} would be marked by chance. *Misfit*: mean |ln(ours / paper)| of the six quartiles. The values shipped were chosen by
-these figures: that they are near shows nothing, and that others are nearer in one figure is no reason to prefer them.
+these figures: their closeness shows nothing, and other values that are closer in one figure are not preferable for that.
 """
 PHASES = """## Phase of control, with twelve robots
 
 `config/campaigns/phases.yaml`: the hour of `many_robots.yaml` (25 motes, twelve robots) with `control_phase: aligned`, all control cycles
-at the same instants, and `uniform`, each agent's at a phase of its own; {runs} seeds, the same for both. Paired t test and the exact test of
+at the same instants, and `uniform`, each agent's cycles at a phase of its own; {runs} seeds, the same for both. Paired t test and the exact test of
 the signs of the differences, two-sided:
 
 {table}
 
 {verdict}
 
-Why: all robots hear a call at the same time and ask for the task at their next control instant. In aligned phase that is one instant
-for all twelve. Their first ants leave together and collide, searches are repeated seconds later, and the task goes to whoever comes
-through, not to one nearby, so that it takes more hops to drive there. In uniform phase the robots ask one after the other within
-100 ms. Jitter does not part them: it delays what passes an ant on, not who begins the search.
+The reason: all robots hear a call at the same time and ask for the task at their next control instant. With aligned phase that is one instant
+for all twelve. Their first ants are sent together and collide, searches are repeated seconds later, and the task goes to the robot whose
+request gets through, not to one nearby, so it takes more hops to drive there. With uniform phase the robots ask one after the other within
+100 ms. Jitter does not separate them: it delays agents that forward an ant, not those that start a search.
 """
 
 
@@ -239,8 +239,8 @@ def verdict_of(values):
     mean, half, p = pairs.paired(aligned, uniform)
     share = 100 * mean / statistics.fmean(aligned)
     if p <= 0.05:
-        return (f"With uniform phase a robot drives {abs(share):.0f} % {'less' if mean < 0 else 'more'} (p = {p:.2g}): the phase is not a "
-                "matter of taste.\nA comparison of controllers of several robots should say which phase it was made with.")
+        return (f"With uniform phase a robot drives {abs(share):.0f} % {'less' if mean < 0 else 'more'} (p = {p:.2g}): the phase matters.\n"
+                "A comparison of controllers of several robots should state its phase.")
     return f"A difference in the robots' paths is not shown (p = {p:.2g}); its interval allows {mean - half:.3g} to {mean + half:.3g} m."
 
 
@@ -252,8 +252,8 @@ def main():
     cells = (len(points) - 1) * (len(PAPER) + len(OURS))
     print(HEAD.format(runs=runs, cells=cells, chance=cells * (1 - SURE)))
     same = [one.name for one in points[1:] if one.is_as(points[0])]
-    print("## Which value moves which figure\n\n" + moves(points) + "\n")
-    print(f"No figure of any run moves by a thousandth with: {'; '.join(same) or 'none of these'}.\n")
+    print("## Which value changes which figure\n\n" + moves(points) + "\n")
+    print(f"No figure of any run changes by a thousandth or more with: {'; '.join(same) or 'none of these'}.\n")
     for title, figures in TABLES.items():
         print(table(title, figures, points) + "\n")
     print(PHASES.format(runs=len(phases["path of a robot, m"][0]), table=phase_table(phases), verdict=verdict_of(phases)), end="")

@@ -8,7 +8,7 @@
 #include <chrono>
 #include <string>
 
-#include "hal/dds/datagram_filter.h"
+#include "gateway/guard/datagram_filter.h"
 #include "hal/rtps/walk.h"
 #include "tests/unit/hal/rtps/datagrams.h"
 
@@ -31,8 +31,8 @@ int main(int argc, char** argv) {
   for (hal::rtps::Datagram& one : hal::rtps::recorded("fast_dds")) {
     if (is_of_an_exchange(one)) datagrams.push_back(std::move(one));
   }
-  hal::dds::DatagramFilter filter(
-      {.networks = hal::dds::networks_of({"127.0.0.1"}), .is_star = true});
+  gateway::guard::DatagramFilter filter(
+      {.networks = gateway::guard::networks_of({"127.0.0.1"}), .is_star = true});
   int good = 0;
   const auto begin = std::chrono::steady_clock::now();
   for (int i = 0; i < rounds; ++i) {

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "hal/config/errors.h"
-#include "hal/config/shared_folders.h"
+#include "hal/files/config/errors.h"
+#include "hal/files/config/shared_folders.h"
 #include "sim/scenario/scenario.h"
 
 /// Each file in config/invalid says in its first lines what is wrong with it:
@@ -63,14 +63,14 @@ std::string without(std::string text, const std::string& part) {
 Lines messages(const fs::path& file, const Lines& overrides) {
   try {
     load_scenario(file, overrides);
-  } catch (const hal::config::ConfigErrors& errors) {
+  } catch (const hal::files::config::ConfigErrors& errors) {
     Lines lines;
     for (const std::string& message : errors.messages()) {
       const std::string own = file.string() + ":";
       const bool is_own = message.rfind(own, 0) == 0;
       const std::string line =
           without(is_own ? message.substr(own.size()) : message, kFolder.string() + "/");
-      lines.push_back(without(line, hal::config::listed_shared_folders()));
+      lines.push_back(without(line, hal::files::config::listed_shared_folders()));
     }
     return lines;
   }

@@ -10,16 +10,17 @@
 #include <string>
 #include <vector>
 
-#include "hal/config/document.h"
-#include "hal/config/errors.h"
-#include "hal/config/survey.h"
-#include "hal/description/body_section.h"
-#include "hal/hardware/robot_file.h"
+#include "hal/files/config/document.h"
+#include "hal/files/config/errors.h"
+#include "hal/files/config/survey.h"
+#include "hal/files/description/body_section.h"
+#include "hal/files/description/key_describer.h"
+#include "hal/robot/agent/robot_file.h"
 #include "sim/scenario/radio_section.h"
 #include "sim/scenario/scenario.h"
 
 /// Every key of every kind of file is described, and the examples of the descriptions are true.
-namespace hal::config {
+namespace hal::files::config {
 namespace {
 
 namespace fs = std::filesystem;
@@ -27,16 +28,16 @@ using Lines = std::vector<std::string>;
 
 const fs::path kConfig = CONFIG_DIR, kTests = TESTS_DIR;
 
-void read_scenario(Mapping in) { sim::scenario::read_scenario(in, "a.yaml"); }
-void read_hardware(Mapping in) { hardware::RobotFile::read(in); }
-void read_robot(Mapping in) { description::read_robot(in); }
-void read_mote(Mapping in) { description::read_mote(in); }
-void read_radio(Mapping in) { sim::scenario::read_radio(in); }
+void read_scenario(files::config::Mapping in) { sim::scenario::read_scenario(in, "a.yaml"); }
+void read_hardware(files::config::Mapping in) { robot::agent::RobotFile::read(in); }
+void read_robot(files::config::Mapping in) { files::description::read_robot(in); }
+void read_mote(files::config::Mapping in) { files::description::read_mote(in); }
+void read_radio(files::config::Mapping in) { sim::scenario::read_radio(in); }
 
 /// A kind of file with files in which its examples may be put, each in at least one of them.
 struct Kind {
   std::string name;
-  void (*read)(Mapping);
+  void (*read)(files::config::Mapping);
   std::vector<fs::path> files;
 };
 
@@ -61,10 +62,10 @@ const std::vector<Kind> kKinds = {
 /// Mistakes of a file with overrides.
 Lines mistakes(const Kind& kind, const fs::path& file, const Lines& overrides) {
   try {
-    Document document = Document::load(file, overrides);
+    files::config::Document document = files::config::Document::load(file, overrides);
     kind.read(document.root());
     document.finish();
-  } catch (const ConfigErrors& errors) {
+  } catch (const files::config::ConfigErrors& errors) {
     return errors.messages();
   }
   return {};
@@ -73,10 +74,10 @@ Lines mistakes(const Kind& kind, const fs::path& file, const Lines& overrides) {
 class Keys : public testing::TestWithParam<Kind> {};
 
 TEST_P(Keys, HaveAMeaningThatIsASentenceAndAnExample) {
-  for (const KeyDescription& key : survey(GetParam().read).keys) {
+  for (const files::config::KeyDescription& key : files::config::survey(GetParam().read).keys) {
     EXPECT_FALSE(key.meaning.empty()) << key.path;
     EXPECT_TRUE(key.meaning.ends_with('.')) << key.path << ": " << key.meaning;
-    const bool has_keys = key.form.kind == Form::Kind::kMapping;
+    const bool has_keys = key.form.kind == files::config::Form::Kind::kMapping;
     EXPECT_TRUE(has_keys || !key.example.empty()) << key.path << " has no example";
   }
 }
@@ -88,7 +89,7 @@ TEST_P(Keys, ThatAreLookedForAreReadSomewhere) {
 
 TEST_P(Keys, OfTheTopLevelAreFoundAlone) {
   std::set<std::string> expected;
-  for (const KeyDescription& key : survey(GetParam().read).keys) {
+  for (const files::config::KeyDescription& key : files::config::survey(GetParam().read).keys) {
     if (key.path.find('.') == std::string::npos) expected.insert(key.path);
   }
   EXPECT_EQ(top_level_keys(GetParam().read), expected);
@@ -96,36 +97,37 @@ TEST_P(Keys, OfTheTopLevelAreFoundAlone) {
 }
 
 /// Reads a key by the call that its form stands for.
-void read_as(Mapping& in, const Key& key, const Form& form) {
+void read_as(files::config::Mapping& in, const files::config::Key& key,
+             const files::config::Form& form) {
   switch (form.kind) {
-    case Form::Kind::kNumber:
+    case files::config::Form::Kind::kNumber:
       in.number(key, form.unit, form.range);
       break;
-    case Form::Kind::kWhole:
+    case files::config::Form::Kind::kWhole:
       in.integer(key, form.low, form.high);
       break;
-    case Form::Kind::kFlag:
+    case files::config::Form::Kind::kFlag:
       in.flag(key, false);
       break;
-    case Form::Kind::kText:
+    case files::config::Form::Kind::kText:
       in.text(key);
       break;
-    case Form::Kind::kVector:
+    case files::config::Form::Kind::kVector:
       form.size == 2 ? (void)in.vec2(key, form.unit, form.range)
                      : (void)in.vec3(key, form.unit, form.range);
       break;
-    case Form::Kind::kNumbers:  // of parameters of controllers only
+    case files::config::Form::Kind::kNumbers:  // of parameters of controllers only
       break;
-    case Form::Kind::kTexts:
+    case files::config::Form::Kind::kTexts:
       in.texts(key);
       break;
-    case Form::Kind::kMapping:
+    case files::config::Form::Kind::kMapping:
       in.mapping(key);
       break;
-    case Form::Kind::kMappings:
+    case files::config::Form::Kind::kMappings:
       in.mappings(key);
       break;
-    case Form::Kind::kChoice:
+    case files::config::Form::Kind::kChoice:
       EXPECT_NE(std::find(form.options.begin(), form.options.end(), key.example),
                 form.options.end());
       break;
@@ -135,10 +137,11 @@ void read_as(Mapping& in, const Key& key, const Form& form) {
 TEST_P(Keys, HaveExamplesOfTheirFormAndRange) {
   const fs::path empty = fs::path(testing::TempDir()) / ("empty_" + std::to_string(::getpid()));
   std::ofstream(empty) << "{}\n";
-  for (const KeyDescription& key : survey(GetParam().read).keys) {
+  for (const files::config::KeyDescription& key : files::config::survey(GetParam().read).keys) {
     if (key.example.empty()) continue;
-    Document document = Document::load(empty, {"example=" + key.example});
-    Mapping root = document.root();
+    files::config::Document document =
+        files::config::Document::load(empty, {"example=" + key.example});
+    files::config::Mapping root = document.root();
     read_as(root, {"example", "Of a test.", key.example}, key.form);
     EXPECT_NO_THROW(document.finish()) << key.path << ": " << key.example;
   }
@@ -159,12 +162,12 @@ struct Way {
 };
 
 /// What the command line must say.
-Lines overrides_for(const KeyDescription& key, const std::vector<KeyDescription>& all,
-                    const Way& way) {
+Lines overrides_for(const files::config::KeyDescription& key,
+                    const std::vector<files::config::KeyDescription>& all, const Way& way) {
   Lines overrides;
-  for (const KeyDescription& outer : all) {
+  for (const files::config::KeyDescription& outer : all) {
     const bool holds = key.path == outer.path || key.path.starts_with(outer.path + ".");
-    for (const Condition& condition : outer.conditions) {
+    for (const files::config::Condition& condition : outer.conditions) {
       if (!holds || condition.presence || !way.value) continue;
       overrides.push_back(named(condition.path, way.group) + "=" +
                           condition.values.at(*way.value % condition.values.size()));
@@ -179,8 +182,8 @@ Lines overrides_for(const KeyDescription& key, const std::vector<KeyDescription>
 }
 
 /// Whether one of the kind's files accepts the example in one of those ways.
-testing::AssertionResult is_accepted(const Kind& kind, const KeyDescription& key,
-                                     const std::vector<KeyDescription>& all) {
+testing::AssertionResult is_accepted(const Kind& kind, const files::config::KeyDescription& key,
+                                     const std::vector<files::config::KeyDescription>& all) {
   constexpr std::array<std::optional<std::size_t>, 3> kValues = {std::nullopt, 0, 1};
   Lines found;
   for (const fs::path& file : kind.files) {
@@ -198,16 +201,44 @@ testing::AssertionResult is_accepted(const Kind& kind, const KeyDescription& key
 }
 
 TEST_P(Keys, HaveExamplesThatTheReaderAcceptsInAFile) {
-  const auto keys = survey(GetParam().read).keys;
-  for (const KeyDescription& key : keys) {
+  const auto keys = files::config::survey(GetParam().read).keys;
+  for (const files::config::KeyDescription& key : keys) {
     const bool in_list = key.path.find("[]") != std::string::npos;  // its list's example has it
     if (in_list || key.example.empty()) continue;
     EXPECT_TRUE(is_accepted(GetParam(), key, keys)) << key.path << ": " << key.example;
   }
 }
 
+/// A line each: path, form, defaults and what it hangs on.
+Lines told(const std::vector<files::config::KeyDescription>& keys) {
+  Lines lines;
+  for (const auto& key : keys) {
+    std::string line = key.path + ": " + key.meaning + " " + expected(key.form) + " " + key.example;
+    for (const auto& variant : key.variants)
+      line += " <" + variant.with + ": " + variant.otherwise + ", " + variant.limits + ">";
+    for (const auto& condition : key.conditions) {
+      line += " [" + condition.path + (condition.presence ? "?" : "");
+      for (const std::string& value : condition.values) line += " " + value;
+      line += "]";
+    }
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+/// The description tells of the keys that reading asks for, on every way through it.
+TEST(DescribedKeys, AreThoseThatASurveyOfTheReaderFinds) {
+  files::description::KeyDescriber radio_keys, mote_keys;
+  sim::radio::RadioConfig radio;
+  sim::scenario::keys_of(radio_keys, radio);
+  node::devices::MoteDescription mote;
+  keys_of(mote_keys, mote);
+  EXPECT_EQ(told(radio_keys.keys()), told(files::config::survey(read_radio).keys));
+  EXPECT_EQ(told(mote_keys.keys()), told(files::config::survey(read_mote).keys));
+}
+
 INSTANTIATE_TEST_SUITE_P(Kinds, Keys, testing::ValuesIn(kKinds),
                          [](const auto& c) { return c.param.name; });
 
 }  // namespace
-}  // namespace hal::config
+}  // namespace hal::files::config

@@ -12,10 +12,10 @@
 namespace contract {
 
 using namespace std::chrono_literals;
-using hal::exchange::Action;
-using hal::exchange::ActionKind;
-using hal::exchange::Cause;
-using hal::exchange::Event;
+using hal::node::exchange::Action;
+using hal::node::exchange::ActionKind;
+using hal::node::exchange::Cause;
+using hal::node::exchange::Event;
 
 inline const hal::AgentId kNobody{99};
 inline constexpr hal::Duration kPatience =

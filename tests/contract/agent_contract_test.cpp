@@ -40,7 +40,7 @@ class AgentContract : public testing::TestWithParam<Implementation> {
   }
 
   /// Who is who, as the controllers of both agents were told.
-  std::vector<std::vector<hal::exchange::AgentName>> directories() const {
+  std::vector<std::vector<hal::node::exchange::AgentName>> directories() const {
     if (!host_->domain()) return {host_->directory(kRobot), host_->directory(kMote)};
     return dynamic_cast<const RemoteBrain&>(*brain_).directories();
   }
@@ -230,7 +230,7 @@ TEST_P(AgentContract, SpeedsThatNoWheelCanTurnAtAreRefused) {
   EXPECT_EQ(host_->end().refused, 4u);
 }
 
-/// The neighbours that a controller knows after all it was told, as hal/runtime keeps them. An
+/// The neighbours that a controller knows after all it was told, as gateway/runtime keeps them. An
 /// event has one word on a neighbour: it is there, or it was lost.
 std::set<hal::AgentId> neighbours(const Brain& brain, hal::AgentId agent) {
   std::set<hal::AgentId> known;
@@ -300,11 +300,12 @@ TEST_P(AgentContract, RangesAreShownWhetherOrNotAControllerAsksForThem) {
 TEST_P(AgentContract, EveryControllerThatAsksIsToldWhoIsWho) {
   brain({}, {.names = true});
   ASSERT_TRUE(pass(1));
-  std::vector<std::vector<hal::exchange::AgentName>> told = directories();
+  std::vector<std::vector<hal::node::exchange::AgentName>> told = directories();
   ASSERT_FALSE(told.empty());
   for (auto& directory : told) {
-    std::ranges::sort(directory, {}, &hal::exchange::AgentName::agent);
-    EXPECT_EQ(directory, (std::vector<hal::exchange::AgentName>{{kRobot, "r0"}, {kMote, "m0"}}));
+    std::ranges::sort(directory, {}, &hal::node::exchange::AgentName::agent);
+    EXPECT_EQ(directory,
+              (std::vector<hal::node::exchange::AgentName>{{kRobot, "r0"}, {kMote, "m0"}}));
   }
 }
 
@@ -366,7 +367,7 @@ TEST_P(AgentContract, EachKindOfSensorGivesTheValuesOfItsChannelToWhoAsksForIt) 
     std::vector<double> values;
     ASSERT_TRUE(until([&] {
       for (const Event& control : both.seen(kRobot, Cause::kControl))
-        for (const hal::exchange::Reading& reading : control.readings)
+        for (const hal::node::exchange::Reading& reading : control.readings)
           if (reading.channel == sensor.channel && !reading.lost) values = reading.values;
       return !values.empty();
     }));
@@ -385,7 +386,8 @@ TEST_P(AgentContract, ASensorThatNobodyAskedForGivesNothing) {
                                [](const Event& control) { return !control.readings.empty(); });
   }));
   for (const Event& control : both.seen(kRobot, Cause::kControl))
-    for (const hal::exchange::Reading& reading : control.readings) EXPECT_EQ(reading.channel, 17);
+    for (const hal::node::exchange::Reading& reading : control.readings)
+      EXPECT_EQ(reading.channel, 17);
 }
 
 INSTANTIATE_TEST_SUITE_P(Hosts, AgentContract,

@@ -8,13 +8,13 @@ namespace contract {
 namespace {
 
 using namespace std::chrono_literals;
-using hal::exchange::Event;
-using hal::exchange::Reply;
-using hal::exchange::Step;
+using hal::node::exchange::Event;
+using hal::node::exchange::Reply;
+using hal::node::exchange::Step;
 
-hal::exchange::Hello hello_of(const std::string& process, std::vector<std::string> agents,
-                              const hal::Wants& wants, std::uint32_t version) {
-  hal::exchange::Hello hello;
+hal::node::exchange::Hello hello_of(const std::string& process, std::vector<std::string> agents,
+                                    const hal::Wants& wants, std::uint32_t version) {
+  hal::node::exchange::Hello hello;
   hello.version = version;
   hello.process = process;
   hello.program = "contract";
@@ -39,7 +39,7 @@ Reply Brain::answer(const Step& step, const std::string& server) {
     seen_.insert(seen_.end(), step.events.begin(), step.events.end());
   }
   for (std::uint32_t i = 0; i < step.events.size() && rule_; ++i) {
-    for (hal::exchange::Action& action : rule_(step.events[i])) {
+    for (hal::node::exchange::Action& action : rule_(step.events[i])) {
       if (action.agent == hal::AgentId{}) {
         action.agent = step.events[i].agent;
         action.event = i;
@@ -59,7 +59,7 @@ std::vector<Event> Brain::seen(hal::AgentId agent) const {
   return found;
 }
 
-std::vector<Event> Brain::seen(hal::AgentId agent, hal::exchange::Cause cause) const {
+std::vector<Event> Brain::seen(hal::AgentId agent, hal::node::exchange::Cause cause) const {
   std::vector<Event> found = seen(agent);
   std::erase_if(found, [&](const Event& event) { return event.cause != cause; });
   return found;
@@ -89,13 +89,13 @@ RemoteBrain::~RemoteBrain() {
 
 void RemoteBrain::run() {
   while (!stop_) {
-    const hal::dds::Arrival arrival = client_.next(100ms);
-    if (const auto* session = std::get_if<hal::exchange::Session>(&arrival)) on(*session);
+    const gateway::exchange::Arrival arrival = client_.next(100ms);
+    if (const auto* session = std::get_if<hal::node::exchange::Session>(&arrival)) on(*session);
     if (const auto* step = std::get_if<Step>(&arrival)) on(*step);
   }
 }
 
-void RemoteBrain::on(const hal::exchange::Session& session) {
+void RemoteBrain::on(const hal::node::exchange::Session& session) {
   const std::lock_guard lock(mutex_);
   if (!session.refusal.empty()) {
     refusal_ = session.refusal;
@@ -118,7 +118,7 @@ std::string RemoteBrain::refusal() const {
   return refusal_;
 }
 
-std::vector<std::vector<hal::exchange::AgentName>> RemoteBrain::directories() const {
+std::vector<std::vector<hal::node::exchange::AgentName>> RemoteBrain::directories() const {
   const std::lock_guard lock(mutex_);
   return directories_;
 }

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-#include "hal/exchange/ports.h"
+#include "hal/node/exchange/ports.h"
 #include "hal/types/agent_id.h"
 #include "hal/types/time.h"
 
@@ -86,14 +86,14 @@ class ContractHost {
   virtual ~ContractHost() = default;
   virtual const Sight& sight() const = 0;
   /// What the robot's motors can do.
-  virtual hal::exchange::DriveLimits limits() const = 0;
+  virtual hal::node::exchange::DriveLimits limits() const = 0;
   /// Serves controllers through the gateway in this domain; none: in process, by connect().
   virtual std::optional<int> domain() const = 0;
   /// The controller of an agent, called on the host's thread; outlives the host. @pre no domain
-  virtual void connect(std::shared_ptr<hal::exchange::ControllerPort> port, hal::AgentId agent,
-                       const hal::Wants& wants) = 0;
+  virtual void connect(std::shared_ptr<hal::node::exchange::ControllerPort> port,
+                       hal::AgentId agent, const hal::Wants& wants) = 0;
   /// Whom the host of the agent knows by name. @pre no domain
-  virtual std::vector<hal::exchange::AgentName> directory(hal::AgentId agent) const = 0;
+  virtual std::vector<hal::node::exchange::AgentName> directory(hal::AgentId agent) const = 0;
   /// Ends it, if it has not ended.
   virtual End end() = 0;
 };

@@ -7,26 +7,26 @@
 #include <thread>
 #include <utility>
 
-#include "gateway/server.h"
-#include "hal/dds/domains.h"
-#include "hal/hardware/drivers/iio.h"
-#include "hal/hardware/drivers/iio_imu.h"
-#include "hal/hardware/drivers/power_supply.h"
-#include "hal/hardware/hardware_agent.h"
+#include "gateway/process/domains.h"
+#include "gateway/server/server.h"
+#include "hal/robot/agent/hardware_agent.h"
+#include "hal/robot/drivers/iio.h"
+#include "hal/robot/drivers/iio_imu.h"
+#include "hal/robot/drivers/power_supply.h"
 #include "tests/contract/contract_host.h"
 #include "tests/support/sysfs_folder.h"
 #include "tests/support/test_domain.h"
-#include "tests/unit/hal/hardware/fakes.h"
+#include "tests/unit/hal/robot/agent/fakes.h"
 
 namespace contract {
 namespace {
 
 using namespace std::chrono_literals;
-using hal::hardware::EventLoop;
+using hal::robot::platform::EventLoop;
 
-hal::hardware::RobotFile file_of(hal::AgentId agent, const std::string& name,
-                                 hal::Duration control_period) {
-  hal::hardware::RobotFile file;
+hal::robot::agent::RobotFile file_of(hal::AgentId agent, const std::string& name,
+                                     hal::Duration control_period) {
+  hal::robot::agent::RobotFile file;
   file.name = name;
   file.address = agent;
   file.program = "contract";
@@ -38,12 +38,13 @@ hal::hardware::RobotFile file_of(hal::AgentId agent, const std::string& name,
   if (agent == kRobot) {
     file.kind = hal::AgentKind::kRobot;
     file.robot.emplace();
-    file.robot->wheels = hal::hardware::three_wheels();
+    file.robot->wheels = hal::robot::drivers::three_wheels();
     file.robot->infrared.resize(1);
-    file.infrared = std::make_shared<
-        hal::hardware::ChosenDriver<hal::hardware::InfraredDriver, hal::hardware::IioSettings>>(
-        hal::hardware::IioSettings{}, hal::hardware::make_iio_infrared);
-    file.robot->sensors = {hal::devices::Battery{}, hal::devices::ImuSensor{}};
+    file.infrared =
+        std::make_shared<hal::robot::drivers::ChosenDriver<hal::robot::drivers::InfraredDriver,
+                                                           hal::robot::drivers::IioSettings>>(
+            hal::robot::drivers::IioSettings{}, hal::robot::drivers::make_iio_infrared);
+    file.robot->sensors = {hal::node::devices::Battery{}, hal::node::devices::ImuSensor{}};
   }
   return file;
 }
@@ -63,8 +64,8 @@ class RobotSensors {
   }
 
   /// @pre the file has a robot.
-  void add_to(hal::hardware::RobotFile& file) const {
-    using namespace hal::hardware;
+  void add_to(hal::robot::agent::RobotFile& file) const {
+    using namespace hal::robot::drivers;
     const DeviceTimes times{10ms, 100ms, 60s};
     file.sensors = {{0, std::make_shared<ChosenSensor<PowerSupplySettings>>(
                             PowerSupplySettings{supply_.path(), times, 1000}, make_power_supply)},
@@ -77,9 +78,9 @@ class RobotSensors {
 };
 
 /// One agent with its radio and, in a domain, its server, as a daemon has them.
-class Daemon final : public hal::agent::AgentObserver {
+class Daemon final : public hal::node::agent::AgentObserver {
  public:
-  Daemon(hal::hardware::RobotFile file, std::uint16_t port, EventLoop& loop,
+  Daemon(hal::robot::agent::RobotFile file, std::uint16_t port, EventLoop& loop,
          std::optional<int> domain, Sight& sight)
       : file_(std::move(file)),
         sensors_(make_sensors(file_)),
@@ -93,21 +94,22 @@ class Daemon final : public hal::agent::AgentObserver {
         agent_(file_, {loop, link_, devices(), *this}) {
     if (!domain) return;
     server_.emplace(
-        hal::dds::join_domain(*domain), agent_,
-        gateway::ServerSettings{
-            .run = 1, .reply_timeout = {}, .attendance = gateway::Attendance::kAnyTime});
+        gateway::process::join_domain(*domain), agent_,
+        gateway::server::ServerSettings{
+            .run = 1, .reply_timeout = {}, .attendance = gateway::server::Attendance::kAnyTime});
     attend();
   }
 
-  void connect(std::shared_ptr<hal::exchange::ControllerPort> controller, const hal::Wants& wants) {
+  void connect(std::shared_ptr<hal::node::exchange::ControllerPort> controller,
+               const hal::Wants& wants) {
     agent_.connect(std::move(controller), {file_.address}, wants);
   }
 
   std::uint16_t port() const { return link_.port(); }
-  std::vector<hal::exchange::AgentName> directory() const { return agent_.directory(); }
+  std::vector<hal::node::exchange::AgentName> directory() const { return agent_.directory(); }
   void stop() { agent_.stop(); }
   bool is_over() const { return agent_.is_over(); }
-  hal::hardware::AgentCounts counts() const { return agent_.counts(); }
+  hal::robot::agent::AgentCounts counts() const { return agent_.counts(); }
 
   void on_state(hal::Time, hal::AgentId agent, std::string_view state) override {
     sight_.on_state(agent, std::string(state));
@@ -128,9 +130,9 @@ class Daemon final : public hal::agent::AgentObserver {
   }
 
  private:
-  hal::hardware::Devices devices() {
+  hal::robot::agent::Devices devices() {
     if (!file_.robot) return {};
-    hal::hardware::Devices devices{.wheels = &wheels_, .infrared = &infrared_};
+    hal::robot::agent::Devices devices{.wheels = &wheels_, .infrared = &infrared_};
     for (const auto& sensor : sensors_) devices.sensors.push_back(sensor.get());
     return devices;
   }
@@ -142,15 +144,15 @@ class Daemon final : public hal::agent::AgentObserver {
     }
   }
 
-  hal::hardware::RobotFile file_;
-  std::vector<std::unique_ptr<hal::hardware::SensorDriver>> sensors_;
+  hal::robot::agent::RobotFile file_;
+  std::vector<std::unique_ptr<hal::robot::drivers::SensorDriver>> sensors_;
   EventLoop& loop_;
   Sight& sight_;
-  hal::hardware::RecordedWheels wheels_;
-  hal::hardware::FixedInfrared infrared_;
-  hal::hardware::UdpLink link_;
-  hal::hardware::HardwareAgent agent_;
-  std::optional<gateway::AgentServer> server_;
+  hal::robot::agent::RecordedWheels wheels_;
+  hal::robot::agent::FixedInfrared infrared_;
+  hal::robot::radio::UdpLink link_;
+  hal::robot::agent::HardwareAgent agent_;
+  std::optional<gateway::server::AgentServer> server_;
   std::vector<EventLoop::Watch> watches_;
 };
 
@@ -164,15 +166,15 @@ class DaemonHost final : public ContractHost {
 
   std::optional<int> domain() const override { return domain_; }
   const Sight& sight() const override { return sight_; }
-  hal::exchange::DriveLimits limits() const override {
-    return hal::hardware::RecordedWheels().limits();
+  hal::node::exchange::DriveLimits limits() const override {
+    return hal::robot::agent::RecordedWheels().limits();
   }
-  void connect(std::shared_ptr<hal::exchange::ControllerPort> controller, hal::AgentId agent,
+  void connect(std::shared_ptr<hal::node::exchange::ControllerPort> controller, hal::AgentId agent,
                const hal::Wants& wants) override {
     const std::lock_guard lock(mutex_);
     waiting_.push_back({std::move(controller), agent, wants});
   }
-  std::vector<hal::exchange::AgentName> directory(hal::AgentId agent) const override {
+  std::vector<hal::node::exchange::AgentName> directory(hal::AgentId agent) const override {
     return directories_.at(agent);
   }
   End end() override {
@@ -185,7 +187,7 @@ class DaemonHost final : public ContractHost {
   void run(hal::Duration control_period) {
     EventLoop loop;
     const RobotSensors sensors;
-    hal::hardware::RobotFile file = file_of(kRobot, "r0", control_period);
+    hal::robot::agent::RobotFile file = file_of(kRobot, "r0", control_period);
     sensors.add_to(file);
     Daemon robot(std::move(file), 0, loop, domain_, sight_);
     Daemon mote(file_of(kMote, "m0", control_period), robot.port(), loop, domain_, sight_);
@@ -206,7 +208,7 @@ class DaemonHost final : public ContractHost {
   }
 
   struct Newcomer {
-    std::shared_ptr<hal::exchange::ControllerPort> controller;
+    std::shared_ptr<hal::node::exchange::ControllerPort> controller;
     hal::AgentId agent;
     hal::Wants wants;
   };
@@ -221,7 +223,8 @@ class DaemonHost final : public ContractHost {
   std::atomic<bool> stop_ = false;
   End end_;  ///< Of the thread until it has ended.
   std::optional<int> domain_;
-  std::map<hal::AgentId, std::vector<hal::exchange::AgentName>> directories_;  ///< Once ready.
+  std::map<hal::AgentId, std::vector<hal::node::exchange::AgentName>>
+      directories_;  ///< Once ready.
   std::promise<void> ready_;
   std::thread thread_;
 };

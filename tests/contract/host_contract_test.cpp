@@ -7,9 +7,9 @@
 #include <thread>
 #include <utility>
 
-#include "hal/exchange/courier.h"
+#include "hal/node/exchange/courier.h"
 #include "tests/contract/actions.h"
-#include "tests/unit/hal/dds/exchange/child.h"
+#include "tests/unit/gateway/exchange/child.h"
 
 namespace contract {
 namespace {
@@ -22,7 +22,7 @@ class HostContract : public testing::TestWithParam<Implementation> {
   int domain() const { return host_->domain().value(); }
   RemoteBrain& brain(const std::string& process, std::vector<std::string> agents,
                      Brain::Rule rule = {},
-                     std::uint32_t version = hal::exchange::kProtocolVersion) {
+                     std::uint32_t version = hal::node::exchange::kProtocolVersion) {
     brains_.push_back(std::make_unique<RemoteBrain>(domain(), process, std::move(agents),
                                                     std::move(rule), hal::Wants{}, version));
     return *brains_.back();
@@ -48,7 +48,7 @@ TEST_P(HostContract, RefusesWhoAsksForWhatIsNotThereOrTakenOrSpeaksAnotherVersio
   ASSERT_TRUE(until([&] { return !first.seen(kMote).empty() && !robot.seen(kRobot).empty(); }));
   const RemoteBrain& unknown = brain("unknown", {"x9"});
   const RemoteBrain& taken = brain("taken", {"m0"});
-  const RemoteBrain& other = brain("other", {"m0"}, {}, hal::exchange::kProtocolVersion + 1);
+  const RemoteBrain& other = brain("other", {"m0"}, {}, hal::node::exchange::kProtocolVersion + 1);
   for (const RemoteBrain* refused : {&taken, &other}) {
     EXPECT_TRUE(until([&] { return !refused->refusal().empty(); }));
     EXPECT_EQ(refused->steps(), 0u);
@@ -132,7 +132,7 @@ TEST_P(HostContract, WhatComesWhileAControllerIsBusyReachesItInOrder) {
 }
 
 TEST_P(HostContract, WhatFindsNoRoomWhileAControllerIsHaltedIsCounted) {
-  constexpr std::size_t kTimers = hal::exchange::Courier::kCapacity + 500;
+  constexpr std::size_t kTimers = hal::node::exchange::Courier::kCapacity + 500;
   const auto to_halt = std::make_shared<std::atomic<RemoteBrain*>>(nullptr);
   const auto due = std::make_shared<std::atomic<hal::Time>>();
   RemoteBrain& robot = brain("robot", {"r0"}, [to_halt, due](const Event& event) {

@@ -2,8 +2,8 @@
 
 #include <string>
 
+#include "gateway/exchange/controller_process.h"
 #include "hal/api/controller.h"
-#include "hal/dds/exchange/controller_process.h"
 #include "hal/types/log.h"
 
 namespace {
@@ -20,11 +20,11 @@ class Driver : public hal::Controller {
 
 int be_driver(int domain, const std::string& name) {
   const hal::ControllerKind kind{.name = "contract", .make_for_robot = hal::make_for_robot<Driver>};
-  hal::runtime::ControllerOptions options;
+  gateway::runtime::ControllerOptions options;
   options.agents = {"r0"};
   options.domain = domain;
   options.name = name;
-  return static_cast<int>(hal::dds::run_controllers(kind, options));
+  return static_cast<int>(gateway::exchange::run_controllers(kind, options));
 }
 
 }  // namespace

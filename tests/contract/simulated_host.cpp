@@ -4,9 +4,9 @@
 #include <optional>
 #include <thread>
 
-#include "gateway/server.h"
-#include "hal/dds/domains.h"
-#include "hal/dds/waiting.h"
+#include "gateway/process/domains.h"
+#include "gateway/process/waiting.h"
+#include "gateway/server/server.h"
 #include "sim/agents/simulation.h"
 #include "sim/scenario/scenario.h"
 #include "tests/contract/contract_host.h"
@@ -64,7 +64,8 @@ class Stoppable final : public sim::agents::Pace, public sim::agents::FollowedCl
   bool wait(hal::Time until, std::span<const int> descriptors,
             const sim::agents::Progress&) override {
     const hal::Duration left = until - now();
-    if (left > 0ns) hal::dds::wait_readable(descriptors, std::min<hal::Duration>(left, 50ms));
+    if (left > 0ns)
+      gateway::process::wait_readable(descriptors, std::min<hal::Duration>(left, 50ms));
     return !stop_;
   }
 
@@ -80,8 +81,8 @@ class SimulatedHost final : public ContractHost {
       : scenario_(sim::scenario::load_scenario(TESTS_DIR "/contract/contract.yaml", overrides)),
         simulation_(scenario_.simulation, {&observer_}) {
     if (domain) {
-      server_.emplace(hal::dds::take_domain(*domain), simulation_,
-                      gateway::ServerSettings{.run = 1});
+      server_.emplace(gateway::process::take_domain(*domain), simulation_,
+                      gateway::server::ServerSettings{.run = 1});
     }
     thread_ = std::thread([this, lock_step] { run(lock_step); });
   }
@@ -91,16 +92,16 @@ class SimulatedHost final : public ContractHost {
     return server_ ? std::optional(server_->domain()) : std::nullopt;
   }
   const Sight& sight() const override { return sight_; }
-  hal::exchange::DriveLimits limits() const override {
+  hal::node::exchange::DriveLimits limits() const override {
     return simulation_.offers().front().session.limits;
   }
-  void connect(std::shared_ptr<hal::exchange::ControllerPort> controller, hal::AgentId agent,
+  void connect(std::shared_ptr<hal::node::exchange::ControllerPort> controller, hal::AgentId agent,
                const hal::Wants& wants) override {
     const std::lock_guard lock(mutex_);
     simulation_.connect(std::move(controller), {agent}, wants);
     ++connected_;
   }
-  std::vector<hal::exchange::AgentName> directory(hal::AgentId) const override {
+  std::vector<hal::node::exchange::AgentName> directory(hal::AgentId) const override {
     return simulation_.directory();
   }
   End end() override {
@@ -141,7 +142,7 @@ class SimulatedHost final : public ContractHost {
   End end_;  ///< Of the thread until it has ended.
   sim::scenario::Scenario scenario_;
   Simulation simulation_;
-  std::optional<gateway::AgentServer> server_;
+  std::optional<gateway::server::AgentServer> server_;
   std::mutex mutex_;
   std::size_t connected_ = 0;  ///< Agents, in process.
   std::thread thread_;

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "hal/runtime/controller_host.h"
-#include "hal/runtime/in_process_port.h"
-#include "hal/runtime/plugin.h"
+#include "gateway/runtime/controller_host.h"
+#include "gateway/runtime/in_process_port.h"
+#include "gateway/runtime/plugin.h"
 #include "sim/agents/fingerprint_feed.h"
 #include "sim/agents/simulation.h"
 #include "sim/scenario/plan.h"
@@ -24,21 +24,21 @@ using sim::agents::Simulation;
 using sim::scenario::Scenario;
 
 void connect_in_process(const Scenario& scenario, Simulation& simulation) {
-  std::map<hal::AgentId, hal::exchange::AgentOffer> offers;
+  std::map<hal::AgentId, hal::node::exchange::AgentOffer> offers;
   for (const auto& offer : simulation.offers()) offers[offer.session.agent] = offer;
   for (const auto& plan : sim::scenario::plan_processes(scenario)) {
-    const auto kind = hal::runtime::load_plugin(plan.program, {BIN_DIR});
+    const auto kind = gateway::runtime::load_plugin(plan.program, {BIN_DIR});
     ASSERT_TRUE(kind) << kind.error().message;
-    hal::exchange::Session session;
+    hal::node::exchange::Session session;
     for (const hal::AgentId agent : plan.agents) {
       session.agents.push_back(
-          hal::exchange::session_for(offers.at(agent), (*kind)->wants).value());
+          hal::node::exchange::session_for(offers.at(agent), (*kind)->wants).value());
     }
-    auto host = hal::runtime::ControllerHost::create(**kind, session);
+    auto host = gateway::runtime::ControllerHost::create(**kind, session);
     ASSERT_TRUE(host) << host.error().message;
     simulation.connect(
-        std::make_shared<hal::runtime::InProcessPort>(plan.process, std::move(*host)), plan.agents,
-        (*kind)->wants);
+        std::make_shared<gateway::runtime::InProcessPort>(plan.process, std::move(*host)),
+        plan.agents, (*kind)->wants);
   }
 }
 
@@ -55,7 +55,7 @@ std::string fingerprint(const std::string& profile, int seed) {
   std::string line = fmt::format("{} seed {}:", profile, seed);
   for (int p = 0; p < sim::kPartCount; ++p) {
     const auto part = static_cast<sim::Part>(p);
-    line += fmt::format(" {} {}", name(part), sim::to_hex(feed.fingerprint().part(part)));
+    line += fmt::format(" {} {}", sim::name(part), sim::to_hex(feed.fingerprint().part(part)));
   }
   return line;
 }

@@ -312,7 +312,7 @@ class Programs(Air):
 
 class Icmp(Air):
     """The kernel sends ICMP of all namespaces through one socket per processor, which is full of errors that wait for the
-    addresses of neighbours that nobody has (gateway/netns/icmp.h)."""
+    addresses of neighbours that nobody has (programs/netns/icmp.h)."""
     STRANGERS = """
 import socket, struct, time
 s = socket.socket(socket.AF_INET, socket.SOCK_RAW, socket.IPPROTO_RAW)
@@ -405,7 +405,9 @@ class Runs(Air):
             station("a", 0, program("ping", "ping", "-c", "5", "-i", "0.1", "b", on_exit="end")), station("b", 5))
         finished = self.run_baraka(scenario, "--set", "lateness_limit=1 us")
         self.assertLess(int(finished["entering_frames"]), 100)
-        self.assertGreater(float(finished["entering_late_share"]), 0.5)
+        # Of the 10 frames of the pings; what the kernels sent before the run began, however much that is, is not late.
+        late = float(finished["entering_late_share"]) * int(finished["entering_frames"])
+        self.assertGreater(late, 5)
         self.assertRegex(finished.err, r"\d+ of the \d+ frames that programs sent were more than 0.001 ms late")
         self.assertNotIn("too slow", finished.err)
 

@@ -52,6 +52,19 @@ class Finished:
         return f"status {self.status}\n--- stdout\n{self.out}\n--- stderr\n{self.err}"
 
 
+def threads_of(pid):
+    """Name, state, processor time in ticks and what each thread of a process waits for: of one that does not end."""
+    lines = []
+    for task in sorted(pathlib.Path(f"/proc/{pid}/task").glob("*")):
+        try:
+            name, _, rest = (task / "stat").read_text().partition("(")[2].rpartition(")")
+            state = rest.split()
+            lines.append(f"{task.name} {name}: {state[0]}, user {state[11]}, system {state[12]}, {(task / 'wchan').read_text()}")
+        except OSError:
+            continue  # it ended
+    return "\n".join(lines)
+
+
 class Program:
     """A program under way. It has no terminal."""
 
@@ -64,9 +77,10 @@ class Program:
         try:
             out, err = self.process.communicate(timeout=timeout)
         except subprocess.TimeoutExpired:
+            threads = threads_of(self.process.pid)
             self.process.kill()
             out, err = self.process.communicate()
-            raise AssertionError(f"did not end within {timeout} s\n{out}\n{err}") from None
+            raise AssertionError(f"did not end within {timeout} s\n{out}\n{err}\n{threads}") from None
         return Finished(self.process.returncode, out, err)
 
     def clean_up(self):

@@ -307,7 +307,7 @@ class EndedEarly(Campaigns):
         send(program.process.pid, "SIGINT")
         finished = program.finish()
         self.assertEqual(finished.status, 130, str(finished))
-        self.assertIn("the same command goes on", finished.err)
+        self.assertIn("repeat the command to continue", finished.err)
         self.assertEqual(int(finished["finished"]), self.done())
         self.assertEqual(self.campaign(self.content, "--status")["under_way"], "no")
         self.assertEqual(self.campaign(self.content)["finished"], "8")
@@ -351,7 +351,7 @@ class EndedEarly(Campaigns):
         self.assertEqual(done.returncode, 0, done.stderr + first)
         self.assertIn("status 1", done.stdout, first)
         self.assertIn("the disk is full", first)
-        self.assertIn("the same command goes on", first)
+        self.assertIn("repeat the command to continue", first)
         self.assertRegex(done.stdout, r"(?m)^kept: [1-7]$")
         self.assertEqual(self.ask(ENDED, kept), self.ask(ENDED, self.folder / "undisturbed"))
 

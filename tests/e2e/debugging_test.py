@@ -48,7 +48,7 @@ class Faults(Case):
               ("overflow_at", 11, r"controller of r0: SIGSEGV \(Segmentation fault\) at address 0x[0-9a-f]+ in step\(\)"),
               ("abort_at", 6, r"controller of r0: SIGABRT \(Aborted\) in step\(\)"),
               ("raise_at", 10, r"controller of r0: SIGUSR1 \(User defined signal 1\) in step\(\)"),
-              ("thread_throw_at", 6, r"exception std::runtime_error that nobody caught: \\x1b\[2Jthe antenna has come off "
+              ("thread_throw_at", 6, r"uncaught exception std::runtime_error: \\x1b\[2Jthe antenna has come off "
                                      r"on another thread during step\(\) of controller of r0"),
               ("thread_null_at", 11, r"SIGSEGV .* on another thread during step\(\) of controller of r0"))
 

@@ -3,7 +3,7 @@
 
 BARAKA_GARBAGE datagrams are sent, by default 100,000; `ctest -L slow` sends a million. They are random,
 have a stranger's header, or are real ones of this very run, cut anywhere or with changed bytes. Fast DDS
-2.9 can be crashed with the last (CVE-2024-28231 and others): hal/dds drops them before it sees them.
+2.9 can be crashed with the last (CVE-2024-28231 and others): gateway/guard drops them before it sees them.
 """
 import os
 import pathlib

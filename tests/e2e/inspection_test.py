@@ -184,7 +184,8 @@ class Inspection(Case):
         self.assertGreater(far, 100)
 
     def fingerprint(self, *arguments):
-        finished = self.run_baraka(CASE_STUDY, "--until", UNTIL, *arguments)
+        # How long this takes on a busy computer is no claim of these tests.
+        finished = self.run_baraka(CASE_STUDY, "--until", UNTIL, *arguments, timeout=400)
         return finished["fingerprint"], finished
 
     @needs_peer

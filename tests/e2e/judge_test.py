@@ -115,9 +115,9 @@ class Warnings(Case):
                 (["agents.sources.controller.parameters.pattern=periodic"],
                  r"warning: backlog: has no effect: `pattern` is periodic, it is for saturated"),
                 (["agents.sources.controller.parameters.topic=T"],
-                 r"warning: topic: nobody hears the topic 'T'; heard is: 't'"),
+                 r"warning: topic: no agent receives the topic 'T'; agents receive: 't'"),
                 (["agents.sink.controller.parameters.topic=other"],
-                 r"warning: topic: nobody hears the topic 't'; heard is: 'other'")):
+                 r"warning: topic: no agent receives the topic 't'; agents receive: 'other'")):
             with self.subTest(overrides=overrides):
                 checked = Program("baraka", "check", SATURATION, *sets(overrides)).finish()
                 self.assertEqual(checked.status, 0, str(checked))

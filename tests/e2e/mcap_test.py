@@ -101,7 +101,7 @@ class Mcap(Exported):
         known = {"octet": "uint8", "boolean": "bool", "double": "float64", "unsigned short": "uint16",
                  "unsigned long": "uint32", "builtin_interfaces::msg::dds_::Time_": "builtin_interfaces/Time",
                  "builtin_interfaces::msg::dds_::Duration_": "builtin_interfaces/Duration"}
-        shown = pathlib.Path(ROOT / "sim/report/ros_schemas.cpp").read_text()
+        shown = pathlib.Path(ROOT / "idl/ros/schemas.cpp").read_text()
         for name in ("Frame", "MessageFate", "ControllerState", "Route", "Value"):
             members = idl.split(f"@final struct {name}_ {{", 1)[1].split("};", 1)[0].splitlines()
             declared = [line.split(";")[0].strip().rpartition(" ") for line in members if ";" in line]

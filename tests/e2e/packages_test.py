@@ -12,7 +12,9 @@ import unittest
 
 from baraka import BIN, ROOT, Case, Finished
 
-PACKAGES = ("baraka", "libbaraka-dev", "baraka-agentd")
+SITE = BIN.parent / "site"
+SITE_WAS_BUILT = (SITE / "index.html").exists()
+PACKAGES = ("baraka", "libbaraka-dev", "baraka-agentd", *(["baraka-doc"] if SITE_WAS_BUILT else []))
 
 
 def output(*command, **options):
@@ -47,7 +49,7 @@ class Packages(Case):
                               timeout=300)
         return Finished(done.returncode, done.stdout, done.stderr)
 
-    def test_are_three_with_nothing_twice(self):
+    def test_are_all_there_with_nothing_twice(self):
         self.assertEqual(sorted(self.debs), sorted(PACKAGES))
         files = [path for of_one in self.files.values() for path in of_one if not path.endswith("/")]
         self.assertEqual(len(files), len(set(files)))
@@ -60,8 +62,11 @@ class Packages(Case):
                 ("baraka", "share/baraka/radios/ieee80211b.yaml"), ("baraka", "share/baraka/hardware/robotino.yaml"),
                 ("baraka", "share/baraka/idl/inspect.idl"), ("baraka", "share/baraka/idl/exchange.idl"),
                 ("baraka", "share/baraka/templates/any/CMakeLists.txt.in"), ("baraka", "share/doc/baraka/README.md"),
-                ("libbaraka-dev", "lib/baraka/libhal_dds.a"), ("libbaraka-dev", "include/baraka/hal/api/robot.h"),
+                ("libbaraka-dev", "lib/baraka/libgateway_exchange.a"), ("libbaraka-dev", "include/baraka/hal/api/robot.h"),
                 ("libbaraka-dev", "lib/cmake/baraka/barakaConfig.cmake"),
+                ("baraka", "share/man/man1/baraka-run.1.gz"), ("baraka", "share/bash-completion/completions/baraka"),
+                ("baraka-agentd", "share/man/man1/baraka-agentd.1.gz"),
+                ("baraka-agentd", "share/bash-completion/completions/baraka-agentd"),
                 ("baraka-agentd", "bin/baraka-agentd"),
                 ("baraka-agentd", "lib/systemd/system/baraka-agentd@.service"),
                 ("baraka-agentd", "lib/sysusers.d/baraka.conf")):
@@ -72,6 +77,15 @@ class Packages(Case):
             self.assertIn(f"/usr/share/doc/{package}/copyright", self.files[package])
         page_was_built = (BIN / "report_page.html").exists()
         self.assertEqual("/usr/share/baraka/report_page.html" in self.files["baraka"], page_was_built)
+
+    @unittest.skipUnless(SITE_WAS_BUILT, "./setup docs builds the site")
+    def test_the_site_is_a_package_for_every_architecture(self):
+        self.assertEqual(self.field("baraka-doc", "Architecture"), "all")
+        self.assertEqual(self.field("baraka-doc", "Depends"), "")
+        built = {str(path.relative_to(SITE)) for path in SITE.rglob("*") if path.is_file()}
+        html = "/usr/share/doc/baraka-doc/html/"
+        packed = {path.removeprefix(html) for path in self.files["baraka-doc"] if path.startswith(html) and not path.endswith("/")}
+        self.assertEqual(packed, built)
 
     def test_depend_on_the_libraries_their_programs_were_linked_with(self):
         for package, library in (("baraka", "libode"), ("baraka", "libfcl"), ("baraka", "libfastrtps"),

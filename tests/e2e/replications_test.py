@@ -82,7 +82,7 @@ class KilledAndResumed(Replications):
     def test_ctrl_c_ends_it_at_once_and_says_how_to_go_on(self):
         finished = self.kill_after(1, "SIGINT")
         self.assertEqual(finished.status, 130, str(finished))
-        self.assertIn("the same command goes on", finished.err)
+        self.assertIn("repeat the command to continue", finished.err)
         self.assertEqual(int(finished["finished"]), len(self.ended_well()))
 
     def ended_well(self):

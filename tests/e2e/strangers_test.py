@@ -17,7 +17,7 @@ OWNER, OTHER, NOBODY, ROOT_USER, SERVICE = 1001, 1002, 65534, 0, 997
 UNTIL = 8  # simulated s, at twice that of the wall
 TRIALS = int(os.environ.get("BARAKA_TRIALS", "1"))  # of each kind
 MODES = ("refuse", "grant", "step", "hello")
-VERSION = re.search(r"kProtocolVersion = (\d+)", (ROOT / "hal/exchange/session.h").read_text()).group(1)
+VERSION = re.search(r"kProtocolVersion = (\d+)", (ROOT / "hal/node/exchange/session.h").read_text()).group(1)
 
 
 def as_user(user, *command):

@@ -52,7 +52,7 @@ class Topics(Case):
         return {name: (kind, int(writers), int(readers)) for name, kind, writers, readers in rows}
 
     def test_list_of_an_empty_domain_says_so(self):
-        self.assertIn(f"error: nobody shows a topic in domain {self.domain}; ", self.topic("list", status=1).err)
+        self.assertIn(f"error: no topic is published in domain {self.domain}; ", self.topic("list", status=1).err)
 
     def test_list_shows_every_topic_of_a_run_with_its_type(self):
         self.start_run(5)
@@ -109,7 +109,7 @@ class Topics(Case):
         self.start_run(5)
         wait_for(lambda: "rt/clock" in self.list(), timeout=40)
         finished = self.topic("echo", "clokc", "--timeout", "3", status=1)
-        self.assertIn(f"nobody writes a topic 'clokc' in domain {self.domain}; there are:\n",
+        self.assertIn(f"no topic 'clokc' is published in domain {self.domain}; there are:\n",
                       finished.err)
         for name in TOPICS:
             self.assertIn(f"  {name}\n", finished.err)
@@ -177,10 +177,10 @@ class WithoutDomain(Case):
                 echoed = self.topic("echo", "clock", "--count", "1", "--timeout", "60", ROS_DOMAIN_ID="8")
                 self.assertEqual(echoed.returncode, 0, echoed.stderr)
                 self.assertIn("clock:\n", echoed.stdout)
-                self.assertIn("nobody shows a topic in domain 8; ", self.topic("list", BARAKA_DOMAIN="8").stderr)
+                self.assertIn("no topic is published in domain 8; ", self.topic("list", BARAKA_DOMAIN="8").stderr)
                 run.send_signal(signal.SIGINT)
                 run.wait()
-                self.assertIn("nobody shows a topic in domain 1; ", self.topic("list").stderr)
+                self.assertIn("no topic is published in domain 1; ", self.topic("list").stderr)
 
     def test_of_two_runs_one_has_to_be_chosen(self):
         self.start_run("--inspect-domain", 9, "--controllers", "in-process")

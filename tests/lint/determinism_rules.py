@@ -7,8 +7,7 @@ import pathlib
 import re
 import sys
 
-FOLDERS = ["hal/types", "hal/devices", "hal/description", "hal/exchange", "hal/runtime",
-           "hal/routing", "controllers", "sim"]
+FOLDERS = ["hal/types", "hal/node", "hal/files/description", "gateway/runtime", "controllers", "sim", "results"]
 FUNCTIONS = ("sin|cos|tan|asin|acos|atan|atan2|sinh|cosh|tanh|exp|exp2|expm1|log|log2|log10|log1p|"
              "pow|hypot|cbrt|erf|erfc|tgamma|lgamma|fma")
 RULES = [

@@ -2,7 +2,7 @@
 """Fails when README.md or a page of docs names what is not there: a file, a command of baraka, an option, a class, a
 function or a constant.
 
-What is looked at: code spans and indented or fenced code. A file is a span that begins with one of TOPS, or that is a bare
+What is looked at: code spans and indented or fenced code. A file is a span that begins with the name of a top folder, or that is a bare
 name with a suffix of SUFFIXES (it must be somewhere in the tree). `a.h`, `.cpp` names a.cpp, too. An option must be in
 the help of the command that stands before it, or of some command of baraka, or be a word of one of our scripts or programs.
 A function named right after a file (`a/b.cpp`, `f()`) must be in it. Words in capitals (DIR), with … or in <> are places for names.
@@ -13,7 +13,10 @@ import re
 import subprocess
 import sys
 
-TOPS = ("hal", "sim", "gateway", "controllers", "config", "tests", "docs", "idl", "templates", "cmake", ".ci")
+NO_TOPS = ("build", "node_modules")  # made; of hidden folders only .ci is looked into
+# What a run writes below the folder where it was started, beside the sources of that name.
+OUTPUT = re.compile(r"results/(?!.*\.(cpp|h|js)$)")
+TOPIC = re.compile(r"baraka/\w+")  # of DDS, if some source names it
 SUFFIXES = ("cpp", "h", "py", "yaml", "idl", "cc", "c", "sh", "mjs", "md")
 MORE = ("", "txt", "cmake", "html", "js", "css")  # of sources
 # Pages that baraka writes itself and tests compare.
@@ -57,7 +60,8 @@ class Tree:
 
     def __init__(self, root):
         self.root = root
-        self.files = [path for top in TOPS if (root / top).exists() for path in (root / top).rglob("*") if path.is_file()]
+        self.tops = [".ci", *(path.name for path in root.iterdir() if path.is_dir() and path.name[0] != "." and path.name not in NO_TOPS)]
+        self.files = [path for top in self.tops if (root / top).exists() for path in (root / top).rglob("*") if path.is_file()]
         self.files += [path for path in root.iterdir() if path.is_file()]
         self.names = {path.name for path in self.files}
         # Not this folder: its tests name what there is not.
@@ -98,9 +102,11 @@ def missing_files(tree, code, after):
 
 
 def missing_file(tree, word, after):
-    if is_place(word) or word.startswith("--") or word in NOT_OURS:
+    if is_place(word) or word.startswith("--") or word in NOT_OURS or OUTPUT.match(word):
         return
-    if re.match(rf"({'|'.join(map(re.escape, TOPS))})/", word) and re.fullmatch(r"[\w./*{},+-]+", word):
+    if TOPIC.fullmatch(word) and any(f'{word}"' in text for text in tree.sources.values()):
+        return
+    if re.match(rf"({'|'.join(map(re.escape, tree.tops))})/", word) and re.fullmatch(r"[\w./*{},+-]+", word):
         wanted = braces(word)
         beside = re.match(r"^, `(\.[a-z]+)`", after)
         if beside:

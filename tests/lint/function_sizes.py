@@ -8,12 +8,13 @@ import pathlib
 import subprocess
 import sys
 
+from house import sources
+
 HARD_LIMIT, SOFT_LIMIT, SOFT_SHARE = 50, 40, 0.02
 
 
 def functions(root):
-    files = [p.as_posix() for top in ("hal", "sim", "gateway", "controllers", "tests")
-             for p in sorted((root / top).rglob("*")) if p.suffix in (".h", ".cpp")]
+    files = [path.as_posix() for path in sources(root)]
     tags = subprocess.run(
         ["ctags", "-L", "-", "--languages=C++", "--c++-kinds=f", "--fields=+ne",
          "--output-format=json", "-f", "-"],

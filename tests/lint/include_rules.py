@@ -7,6 +7,8 @@ import pathlib
 import re
 import sys
 
+from house import sources
+
 PAGE = "docs/architecture.md"
 
 
@@ -37,6 +39,38 @@ def folder_of(name):
     return max(matching, key=len, default=None)
 
 
+def below(name):
+    """The folders of the table that a name in it stands for."""
+    return [f for f in MAY_INCLUDE if f == name or (name not in MAY_INCLUDE and f.startswith(name + "/"))]
+
+
+def circles(may_include):
+    """A way back to where it began, for each of the folders that have one."""
+    for start in may_include:
+        ways, seen = [[start]], set()
+        while ways:
+            way = ways.pop()
+            for to in may_include.get(way[-1], ()):
+                if to == start:
+                    yield f"{PAGE}: {' -> '.join(way + [start])}: folders that need each other"
+                    ways = []
+                    break
+                if to not in seen:
+                    seen.add(to)
+                    ways.append(way + [to])
+
+
+def check_table():
+    """No two folders need each other, and no two top folders do."""
+    folders = {f: [t for name in allowed for t in below(name) if t != f] for f, allowed in MAY_INCLUDE.items()}
+    yield from circles(folders)
+    tops = {}
+    for f, allowed in folders.items():
+        top = f.split("/")[0]
+        tops.setdefault(top, set()).update(t.split("/")[0] for t in allowed if t.split("/")[0] != top)
+    yield from circles(tops)
+
+
 def check_line(name, folder, target, idl_stems):
     project = [f.split("/")[0] for f in MAY_INCLUDE]
     if target.split("/")[0] in project:
@@ -57,23 +91,20 @@ def check_line(name, folder, target, idl_stems):
 
 def check(root):
     idl_stems = {p.stem for p in (root / "idl").glob("*.idl")}
-    for top in ("hal", "sim", "gateway", "controllers", "tests", "idl"):
-        for file in sorted((root / top).rglob("*")):
-            if file.suffix not in (".h", ".cpp"):
-                continue
-            name = file.relative_to(root).as_posix()
-            folder = folder_of(name)
-            if folder is None:
-                yield f"{name}:1: the folder has no row in {PAGE}"
-                continue
-            for number, line in enumerate(file.read_text().splitlines(), 1):
-                match = re.match(r'\s*#\s*include\s*[<"]([^>"]+)[>"]', line)
-                if match:
-                    for error in check_line(name, folder, match.group(1), idl_stems):
-                        yield f"{name}:{number}: {error}"
+    for file in sources(root):
+        name = file.relative_to(root).as_posix()
+        folder = folder_of(name)
+        if folder is None:
+            yield f"{name}:1: the folder has no row in {PAGE}"
+            continue
+        for number, line in enumerate(file.read_text().splitlines(), 1):
+            match = re.match(r'\s*#\s*include\s*[<"]([^>"]+)[>"]', line)
+            if match:
+                for error in check_line(name, folder, match.group(1), idl_stems):
+                    yield f"{name}:{number}: {error}"
 
 
 if __name__ == "__main__":
-    found = list(check(pathlib.Path(sys.argv[1])))
+    found = list(check_table()) + list(check(pathlib.Path(sys.argv[1])))
     print("\n".join(found) or "include rules: ok")
     sys.exit(1 if found else 0)

@@ -9,6 +9,8 @@ import pathlib
 import re
 import sys
 
+from house import sources
+
 MOST = 2
 DEFINITION = re.compile(r"(?:template <[^;{]*>\s*)?(?:struct|class|enum class|union) ([A-Z]\w*)(?: final)?\s*(?::[^:]|{)")
 
@@ -16,13 +18,10 @@ DEFINITION = re.compile(r"(?:template <[^;{]*>\s*)?(?:struct|class|enum class|un
 def main():
     root = pathlib.Path(sys.argv[1])
     places = collections.defaultdict(set)
-    for top in ("hal", "sim", "gateway", "controllers"):
-        for path in sorted((root / top).rglob("*")):
-            if path.suffix not in (".h", ".cpp"):
-                continue
-            for line in path.read_text(encoding="utf-8").splitlines():
-                if found := DEFINITION.match(line):
-                    places[found[1]].add(path.parent.relative_to(root).as_posix())
+    for path in sources(root, without=("tests",)):
+        for line in path.read_text(encoding="utf-8").splitlines():
+            if found := DEFINITION.match(line):
+                places[found[1]].add(path.parent.relative_to(root).as_posix())
     wrong = {name: folders for name, folders in places.items() if len(folders) > MOST}
     for name, folders in sorted(wrong.items()):
         print(f"{name} is a type in {len(folders)} folders: {', '.join(sorted(folders))}")

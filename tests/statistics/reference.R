@@ -1,7 +1,7 @@
-# The reference values of sim/statistics: what R makes of the same data. Run once, by hand, where R
+# The reference values of results/statistics: what R makes of the same data. Run once, by hand, where R
 # is (Debian: r-base-core); the tests need none. Only base R; formulas are written out again here.
 #
-#   BARAKA_WRITE_RESAMPLES=1 build/release/tests/unit_sim_statistics_test --gtest_filter='*Resamples*'
+#   BARAKA_WRITE_RESAMPLES=1 build/release/tests/unit_results_statistics_test --gtest_filter='*Resamples*'
 #   Rscript tests/statistics/reference.R
 #
 # Reads resamples_12.csv and resamples_50.csv beside it, which the first line writes; writes

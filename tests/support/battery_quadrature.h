@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "hal/devices/battery.h"
+#include "hal/node/devices/battery.h"
 
 namespace tests {
 
@@ -12,7 +12,7 @@ namespace tests {
 /// over its square root, in which it is smooth: E = kink +- s^2.
 class BatteryQuadrature {
  public:
-  BatteryQuadrature(const hal::devices::Battery& one, double watts)
+  BatteryQuadrature(const hal::node::devices::Battery& one, double watts)
       : one_(one),
         watts_(watts),
         slope_((one.full_voltage - one.empty_voltage) / one.capacity),
@@ -47,7 +47,7 @@ class BatteryQuadrature {
     return h / 3 * sum;
   }
 
-  hal::devices::Battery one_;
+  hal::node::devices::Battery one_;
   double watts_, slope_, kink_;
 };
 

@@ -5,14 +5,14 @@
 #include <span>
 #include <utility>
 
-#include "hal/routing/ports.h"
+#include "hal/node/routing/ports.h"
 #include "hal/types/clock.h"
 
 namespace tests {
 
 /// Time, and its events in order of (time, insertion). It passes by run_until(), and while somebody
 /// waits for what is not there.
-class FakeClock final : public hal::routing::Timers, public hal::Clock {
+class FakeClock final : public hal::node::routing::Timers, public hal::Clock {
  public:
   hal::Time now() const override { return now_; }
   Handle schedule(hal::Time at, std::function<void()> handler) override {

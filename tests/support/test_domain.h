@@ -8,7 +8,7 @@
 #include <filesystem>
 #include <stdexcept>
 
-#include "hal/dds/domains.h"
+#include "gateway/process/domains.h"
 
 /// A DDS domain that this process has to its end, and no other test. Not one of take_domain(): that
 /// is free again as soon as its server is gone, and a controller that ends a moment later would
@@ -21,7 +21,7 @@ inline int test_domain() {
       const int lock = open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
       if (lock >= 0 && flock(lock, LOCK_EX | LOCK_NB) == 0) {
         try {
-          return hal::dds::take_domain(candidate).domain();  // and let go: it can be had
+          return gateway::process::take_domain(candidate).domain();  // and let go: it can be had
         } catch (const std::runtime_error&) {  // somebody is on its ports who knows no lock
         }
       }

@@ -11,59 +11,59 @@ from runs import OWN, ROOT
 NAME = "aodv"
 TITLE = "AODV"
 FILE = "aodv_ns3.csv"
-TEXT = """25 stations with AODV, in a grid, 40 m apart, of which those side by side hear each other (51.3 m at 1 Mb/s, log-distance,
-exponent 3), or on random waypoint paths in 200 x 60 m, each at a speed of its own between 1 and 5 m/s with 5 s of pause,
+TEXT = """25 stations with AODV are in a grid, 40 m apart, in which adjacent stations hear each other (51.3 m at 1 Mb/s, log-distance,
+exponent 3), or on random waypoint paths in 200 x 60 m, each at a constant speed between 1 and 5 m/s with 5 s of pause,
 the same paths on both sides; 2 to 8 flows of 64 bytes at 4 Hz between stations drawn at random, from 5 to 10 s until 100
 s (`tests/validation/aodv.yaml`, `tests/validation/aodv_fields.py`, `tests/peer/ns3/aodv.cc`). Ten draws, the same on both
-sides; means of what arrived, of the medians of the delays (searches included) and of the transmissions of AODV, with the
-interval of 95 % of the mean (Student's t). The last row is three stations in a row without hellos, of which one walks
+sides; means of the delivery, of the medians of the delays (searches included) and of the transmissions of AODV, with the
+interval of 95 % of the mean (Student's t). The last row is three stations in a row without hellos, of which one moves
 away after 20 s.
 
-The third column says how many hellos in a row ns-3 may miss (AllowedHelloLoss; stock 2) and who answers a search: any
-node that knows a way, as by default, or the destination only (`destination_only` on both sides). In rows with 6 and the
-destination the two do the same, so that their messages are compared, too; in the others the counts show what the
-defaults do. Tolerances: 3 points of what arrives, 6 for the moving stations with the defaults, where single flows of ns-3
-die (its intervals are 4 points to either side); 20 % of the delay; where both do the same, 15 % of the RREQ, 20 % of the
-RREP, 40 % and 2 messages of the RERR: of the moving stations ns-3's intervals are 21, 31 and 32 % to either side, and on
-the grid a lost hello of ours is up to two RERR. In the last row there is one RERR on either side.
+The third column states how many hellos in a row ns-3 may miss (AllowedHelloLoss; stock 2) and who answers a search: any
+node that knows a route, as by default, or the destination only (`destination_only` on both sides). In rows with 6 and the
+destination both behave alike, so their messages are compared, too; in the others the counts show the effect of the
+defaults. Tolerances: 3 points of the delivery, 6 for the moving stations with the defaults, where single flows of ns-3
+fail (its intervals are 4 points to either side); 20 % of the delay; where both behave alike, 15 % of the RREQ, 20 % of the
+RREP, 40 % and 2 messages of the RERR: for the moving stations ns-3's intervals are 21, 31 and 32 % to either side, and on
+the grid a lost hello of ours causes up to two RERR. In the last row there is one RERR on either side.
 
-Equal on both sides: 1 Mb/s for all frames, no RTS, 7 tries, 500 frames of queue and 500 ms of life there, the energy
-threshold, the length of frames of data, flows and starts, and AODV's parameters, those of RFC 3561, section 10 (in
+Equal on both sides: 1 Mb/s for all frames, no RTS, 7 tries, a queue of 500 frames with a lifetime of 500 ms, the energy
+threshold, the length of data frames, flows and starts, and AODV's parameters, those of RFC 3561, section 10 (in
 ns-3 MyRouteTimeout is set to the RFC's 6 s, stock is 11.2 s); hellos, gratuitous replies and feedback of the link on,
 local repair off; rebroadcasts of requests wait up to 10 ms; messages wait up to 30 s for a route. ns-3 has no ARP
 here: each station has a permanent entry of each other one.
 
-What differs, and what it does:
+Differences, and their effects:
 
-- *Feedback of the link.* ns-3's AODV finds out whose frame the MAC gave up by the MAC address that it looked up in ARP's
-  entries, of which it takes those that are alive or permanent. Those that `NeighborCacheHelper::PopulateNeighborCache`
-  makes are neither, so that with them, as this page had it until now, no frame that is given up tells AODV anything: in
+- *Feedback of the link.* ns-3's AODV determines the receiver of a frame that the MAC gave up by its MAC address in ARP's
+  entries, of which it uses those that are alive or permanent. Those that `NeighborCacheHelper::PopulateNeighborCache`
+  makes are neither. With them, as on this page earlier, no frame that is given up reaches AODV: in
   the last row its relay then gives up 313 frames and sends no RERR, with permanent entries 1 and 1. On the grid no link
   breaks and little changes; of the moving stations' packets 70.0 ± 7.3 % arrived then, and 82.0 ± 6.3 % with ARP (defaults
   of AODV, `tests/analytic/radio/aodv_ns3.csv`).
 
-- *Lost hellos.* ns-3 takes a neighbour for lost after 2 s without a hello (AllowedHelloLoss 2), ours after 2.5
-  intervals in which it heard nothing of it at all, data included. Hellos collide, so ns-3 reports (RERR) and repairs
+- *Lost hellos.* ns-3 regards a neighbour as lost after 2 s without a hello (AllowedHelloLoss 2), ours after 2.5
+  intervals without any frame of it, data included. Hellos collide, so ns-3 reports (RERR) and repairs
   (RREQ, RREP) routes that are not broken: with `--hello_loss=6` its means of 2 flows are 0.2 RERR, 24.1 RREQ and 10.5
   RREP.
 
-- *Who answers.* A node counts the sequence number of a destination up when the way to it breaks (RFC 3561, 6.11), so
-  that only those who have heard of it since can answer the next search. ns-3 does not, and whoever has an old route
-  answers, often over the broken link, each with a gratuitous reply besides: 953 RREP of the moving stations where ours
+- *Who answers.* A node increments the sequence number of a destination when the route to it breaks (RFC 3561, 6.11), so
+  that only nodes with newer information can answer the next search. ns-3 does not, and nodes with an old route
+  answer, often over the broken link, each with a gratuitous reply in addition: 953 RREP of the moving stations where ours
   send 132, and 113 and 99 where only destinations answer.
 
-- *A relay.* ns-3's sends DIFS after the acknowledgment that it sent itself: it is handed the packet in the SIFS
+- *A relay* of ns-3 sends DIFS after its own acknowledgment: it gets the packet in the SIFS
   before, when its medium is idle, and draws no backoff. Ours finds the medium busy with its own acknowledgment and
-  draws one. With `cw_min: 1` the excess is gone (last columns): three hops of draw 1 of 2 flows take 5.00 ms
+  draws one. With `cw_min: 1` the difference vanishes (last columns): three hops of draw 1 of 2 flows take 5.00 ms
   (median), with `cw_min: 1` 4.40 ms, in ns-3 4.43 ms.
 
-- *A loop.* In draw 2 of 8 flows a flow of ns-3's loses 260 of 379 packets: source and next hop name each other as the
+- *A loop.* In draw 2 of 8 flows a flow of ns-3 loses 260 of 379 packets: source and next hop name each other as the
   next hop to the destination for 64 s, and the source drops its own packets that come back. It has no such loop with
-  `--seed=3`, nor with `--hello_loss=3`. In ours a route is exchanged for none that is older or as old and longer (RFC
+  `--seed=3`, nor with `--hello_loss=3`. In ours a route is never replaced by one that is older, or as old and longer (RFC
   3561, 6.2; `aodv_loops_test.cpp`).
 
-- *Hellos.* ns-3's stations send them always; ours only on active routes (RFC 3561, 6.9), hence fewer, most so with
-  few flows. Without hellos ns-3 is no peer: its list of neighbours runs out, which it takes for broken links.
+- *Hellos.* ns-3's stations always send them; ours only on active routes (RFC 3561, 6.9), and therefore fewer, especially with
+  few flows. Without hellos a comparison is impossible: ns-3's list of neighbours expires, which it regards as broken links.
 
 - *Lengths.* Messages of AODV are 25 bytes shorter than over UDP and IP: 0.2 ms at 1 Mb/s."""
 COLUMNS = ["stations", "flows", "ns-3's losses of hellos; who answers", "delivered, ns-3", "ours", "points off",

@@ -11,12 +11,12 @@ from runs import OWN
 NAME = "beacons"
 TITLE = "Beacons in a dense field"
 FILE = "beacons_ns3.csv"
-TEXT = """300 stations, uniformly at random, that broadcast 64 bytes ten times a second at 1 Mb/s for 3 s, with 12 to 96 neighbours
-within the 51.3 m at which frames end (log-distance, exponent 3; `tests/validation/beacons.yaml`): beacons received per
-beacon sent, mean of three fields, which are the same on both sides. Stock ns-3 (its CcaEdThreshold, -62 dBm, holds only
-while no frame is on the air) compares the sum of all power with -82 dBm as soon as there is one, as
+TEXT = """300 stations, placed uniformly at random, broadcast 64 bytes ten times a second at 1 Mb/s for 3 s, with 12 to 96 neighbours
+within the range of 51.3 m (log-distance, exponent 3; `tests/validation/beacons.yaml`). The table shows beacons received per
+beacon sent, mean of three fields, which are the same on both sides. Stock ns-3 (its CcaEdThreshold, -62 dBm, applies only
+while no frame is on the air) compares the sum of all power with -82 dBm as soon as there is a frame, as
 `energy_detection: -82 dBm` does; with that key the tolerance is 1 %. The default is the standard's -70 dBm (16.3.8.5), with
-which stations sense less of what is far away, and lose more to it."""
+which stations sense fewer distant transmissions, and lose more beacons to them."""
 COLUMNS = ["neighbours", "ns-3", "-82 dBm", "off", "-70 dBm, the default", "off"]
 STATIONS = 300
 RANGE = 10 ** ((16.0206 - 46.6777 + 82) / 30)  # m

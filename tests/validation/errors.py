@@ -8,9 +8,9 @@ from document import Row, pyplot
 NAME = "errors"
 TITLE = "Packet error rates"
 FILE = "per_ns3.csv"
-TEXT = """Of the library's error models (`tests/validation/radio_probe.cpp`) beside ns-3.37's DsssErrorRateModel and
-NistErrorRateModel at every SNR of the table (0.5 dB steps, 20 MHz); SNR at which half of the packets are lost, by linear
-interpolation. Asked for: 0.005."""
+TEXT = """The library's error models (`tests/validation/radio_probe.cpp`) compared with ns-3.37's DsssErrorRateModel and
+NistErrorRateModel at every SNR of the table (0.5 dB steps, 20 MHz), and the SNR at which half of the packets are lost, by linear
+interpolation. Tolerance: 0.005."""
 COLUMNS = ["model", "mode", "bytes", "SNRs", "dB at PER 0.5", "ns-3", "largest difference of PER"]
 
 

@@ -11,9 +11,9 @@ NAME = "hidden"
 TITLE = "Hidden terminals"
 FILE = "hidden_ns3.csv"
 TEXT = """Goodput in Mb/s, 1000 bytes, of two saturated senders A and C towards B between them; hidden: a wall between A and C
-(`tests/validation/hidden.yaml`). Levels are those at B; slot 9 us with OFDM. Mean of five seeds beside that of ns-3.37's
-two or three. Asked for: 1.5 %, or half of the spread of ns-3's own seeds where that is more (such pairs live from rare
-gaps)."""
+(`tests/validation/hidden.yaml`). Levels are those at B; slot 9 us with OFDM. Mean of five seeds, compared with that of
+ns-3.37's two or three. Tolerance: 1.5 %, or half of the spread of ns-3's own seeds where that is more (goodput of such pairs
+comes from rare gaps without a collision)."""
 COLUMNS = ["case", "A and C", "senders", "RTS", "dBm at B", "ours", "ns-3", "off", "spread of ns-3"]
 KEYS = ("data", "ctl", "hidden", "senders", "rtscts", "payload", "rx_dbm_A", "rx_dbm_C")
 

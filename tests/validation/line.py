@@ -10,9 +10,9 @@ NAME = "line"
 TITLE = "Two stations on a line"
 FILE = "line_ns3.csv"
 TEXT = """Saturated senders at d and 2 d on one side of the receiver (`tests/validation/line.yaml`; 802.11b, 11 Mb/s, 1500 bytes,
-Friis): the share of data frames that begin within a slot of one of the other sender's, three seeds of 8 s, the same ones
-at every distance. Overlaps come in pairs, so that the interval of a share is 2 standard deviations of a binomial of half
-as many; ours must be within twice that of ns-3's mean of all distances."""
+Friis): the share of data frames that begin within a slot of a frame of the other sender, three seeds of 8 s, the same
+at every distance. Overlaps come in pairs, so the interval of a share is 2 standard deviations of a binomial distribution
+with half as many trials; ours must be within twice that of ns-3's mean over all distances."""
 COLUMNS = ["d, m", "frames", "ours", "interval", "ns-3", "interval"]
 SLOT = 20_000  # ns
 

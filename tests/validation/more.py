@@ -10,10 +10,10 @@ from runs import OWN, SCENARIOS, cell_seconds, radio_like
 NAME = "more"
 TITLE = "More cells"
 FILE = "cells_ns3.csv"
-TEXT = """Cases that nobody asked for, from the same scenario files with other `--set`: other rates, lengths, numbers of senders
-and preambles; n senders round a receiver (n), or two hidden from each other (hidden, -59 dBm at the receiver). Five seeds
-on both sides. Allowed: 1.5 % from 1000 bytes on, 2.5 % below, or half of the spread of ns-3's seeds where that is more. (At 2 Mb/s
-ns-3.37 never has the short preamble, so that short rows are answered at 5.5 Mb/s.)"""
+TEXT = """Further cases, from the same scenario files with other `--set`: other rates, lengths, numbers of senders
+and preambles; n senders around a receiver (n), or two hidden from each other (hidden, -59 dBm at the receiver). Five seeds
+on both sides. Tolerance: 1.5 % from 1000 bytes on, 2.5 % below, or half of the spread of ns-3's seeds where that is more. (At 2 Mb/s
+ns-3.37 never uses the short preamble, so frames of rows with short preambles are answered at 5.5 Mb/s.)"""
 COLUMNS = ["case", "slot, us", "preamble", "bytes", "RTS", "cell", "ours", "ns-3", "off", "spread of ns-3"]
 KEYS = ("layout", "data", "control", "slot_us", "rts", "short", "size", "n")
 

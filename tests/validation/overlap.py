@@ -17,8 +17,8 @@ TEXT = f"""Goodput in Mb/s, 1000 bytes, of saturated flows (`tests/validation/hi
 3): a sender at 5 m (flow 0) and two at 40 m, hidden from each other, send to one receiver; or each of five stations 40 m apart sends
 to the next. Stations between the hidden ones hear their frames overlap. *As ns-3* has `eifs_start: frame_end` and
 `header_error: forgotten`, *standard* the defaults (docs/models.md, 10); {len(SEEDS)} seeds of {SECONDS} s from the start, 95 % intervals of
-the means; *off* is that of the difference of ours as ns-3 (Welch). Asked for: that interval within {OFF} %; below {STARVED} Mb/s a flow starves,
-and must on both sides. ns-3.37 forgets at the start of a PHY header that the medium is busy beyond it. With that mended in a copy
+the means; *off* is the interval of the difference between *as ns-3* and ns-3 (Welch). Tolerance: that interval within {OFF} %; a flow below {STARVED} Mb/s starves,
+and must do so on both sides. ns-3.37 forgets at the start of a PHY header that the medium is busy beyond it. With that corrected in a copy
 (`NotifyCcaBusyStartNow` keeps the later end), twelve seeds of the chain at 12 Mb/s have 5.61, 1.50 and 7.63, and ours with `frame_end`
 and without EIFS after wrong headers 5.61, 1.48 and 7.62 (twenty seeds of 11 s)."""
 COLUMNS = ["cell", "flow", "ns-3", "as ns-3", "off", "standard"]

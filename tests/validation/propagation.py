@@ -7,11 +7,11 @@ from document import Row, pyplot, within
 
 NAME = "propagation"
 TITLE = "Propagation"
-TEXT = """What the library makes of a link (`tests/validation/radio_probe.cpp`) beside the closed forms, which are computed here once
-more: two-ray ground (Rappaport 2002, 4.6; heights 1.5 m, 2.412 GHz), also beside figures of ns-3.37's
+TEXT = """The library's propagation models (`tests/validation/radio_probe.cpp`) compared with the closed forms, which are computed here
+independently: two-ray ground (Rappaport 2002, 4.6; heights 1.5 m, 2.412 GHz), also compared with figures of ns-3.37
 (`tests/analytic/radio/two_ray_ns3.csv`; three pairs of heights), log-distance, log-normal shadowing (sigma 6 dB, cut at 3 sigma: 0.9975 sigma;
 Gudmundson's correlation, 20 m), moments of the power of fading links, and the rate at which Rayleigh fading crosses a
-level (Rice; Jakes 1974, 1.3-35), per wavelength of the way. Statistics are those of 20,000 links, rates those of 150
+level (Rice; Jakes 1974, 1.3-35), per wavelength travelled. Statistics are those of 20,000 links, rates those of 150
 links of 12 wavelengths; each tolerance is 4 standard errors or more."""
 COLUMNS = ["what", "ours", "closed form", "tolerance"]
 WAVELENGTH = 299792458 / 2.412e9  # m

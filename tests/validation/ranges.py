@@ -9,9 +9,9 @@ NAME = "ranges"
 TITLE = "Ranges"
 FILE = "range_ns3.csv"
 TEXT = """Share of broadcasts that arrive, over distance, log-distance with exponent 3 (`tests/validation/range.yaml`,
-2000 broadcasts, all receivers in one run), and where it is one half, by linear interpolation. Asked for: 0.7 %. With
-ns-3's detector of preambles -82 dBm and 4 dB are the end of the slow rates; without it a frame can be as weak as the
-interference floor. Further modes: `range_more_ns3.csv`."""
+2000 broadcasts, all receivers in one run), and the distance at which it is one half, by linear interpolation. Tolerance:
+0.7 %. With ns-3's preamble detector -82 dBm and 4 dB limit the range of the slow rates; without it a frame can be as weak as
+the interference floor. Further modes: `range_more_ns3.csv`."""
 COLUMNS = ["mode", "bytes", "detector", "range, m", "ns-3, m", "off", "largest difference of the shares"]
 FRAMES = 2000
 

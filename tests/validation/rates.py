@@ -12,18 +12,18 @@ FILE = "rates_ns3.csv"
 SEEDS = range(1, 11)
 TEXT = """Goodput in Mb/s, 1500 bytes, of a saturated sender with rate control (`tests/validation/rates.yaml`; log-distance, exponent 3,
 frames received at every level; 802.11g up to 54 Mb/s with slot 9 us, 802.11b up to 11 Mb/s): ten seeds of 10 s, 95 % intervals. *ns-3* is
-stock ns-3.37, *changed* the same with one thing changed, which shows where it leaves the published algorithm; ours is compared
-with the last column that the row has. Asked for: the interval of the difference within 5 %.
+stock ns-3.37, *changed* is a copy with one change, which shows where it deviates from the published algorithm; ours is compared
+with the last column that the row has. Tolerance: the interval of the difference within 5 %.
 
-AARF: stock ns-3 climbs its rates in the order in which a station has told them, 11 Mb/s before 6 Mb/s, and so goes to and fro below
-11 Mb/s where that fails (*ascending*: told in ascending order). Its threshold goes to 60, the paper's to 50, and its timer doubles
-without end; at 105 m a threshold of 50 makes 0.1 % and a timer that does not grow 2.3 % (`threshold_50` and `timer_1` in the table of ns-3).
-With the stock basic rates of its ad hoc networks, where ACKs go at up to 11 Mb/s, ns-3 has 6.37 Mb/s at 60 m and 1.70 at 105 m (three
+AARF: stock ns-3 increases its rates in the order in which a station announced them, 11 Mb/s before 6 Mb/s, and so alternates below
+11 Mb/s where that rate fails (*ascending*: announced in ascending order). Its threshold grows to 60, the paper's to 50, and its timer doubles
+without limit; at 105 m a threshold of 50 changes goodput by 0.1 % and a timer that does not grow by 2.3 % (`threshold_50` and `timer_1` in the table of ns-3).
+With the stock basic rates of its ad hoc networks, where ACKs use up to 11 Mb/s, ns-3 has 6.37 Mb/s at 60 m and 1.70 at 105 m (three
 seeds), ours with `basic_rates: [1 Mb/s, 2 Mb/s, 5.5 Mb/s, 11 Mb/s]` 6.38 and 1.70 (one seed).
 
-Minstrel: ns-3 does not count frames that look at a slower rate and do not get to it, so it goes on looking, at faster
-rates as often as it may: at 28 m in 8 of 100 frames at 48 and 54 Mb/s, which fail. Linux counts each frame that looks (*counted*: a copy of ns-3
-in which `UpdatePacketCounters` does), as ours does. Frames at rates down to 1 Mb/s are those after 20 intervals without: both have them."""
+Minstrel: ns-3 does not count frames that sample a slower rate but succeed before they reach it, so it continues to sample, at faster
+rates as often as permitted: at 28 m in 8 of 100 frames at 48 and 54 Mb/s, which fail. Linux counts each sampling frame (*counted*: a copy of ns-3
+in which `UpdatePacketCounters` does), as ours does. Frames at rates down to 1 Mb/s sample rates not tried in 20 intervals: both have them."""
 COLUMNS = ["radio", "rates", "m", "ours", "ns-3", "off", "changed", "ns-3 changed", "off"]
 KEYS = ("phy", "manager", "distance_m")
 CHANGED = {("g", "aarf"): "ascending", ("g", "minstrel"): "counted", ("b", "minstrel"): "counted"}

@@ -6,14 +6,14 @@ from runs import SCENARIOS, cell_seconds, radio_like
 NAME = "saturation"
 TITLE = "Saturation"
 FILE = "saturation_ns3.csv"
-TEXT = """Goodput in Mb/s of MAC payload (`config/scenarios/saturation.yaml`), mean of five seeds, beside ns-3.37's, and
+TEXT = """Goodput in Mb/s of MAC payload (`config/scenarios/saturation.yaml`), mean of five seeds, compared with ns-3.37's, and
 Bianchi's closed form (IEEE JSAC 2000) with the same constants; failures: the share of first frames of exchanges
-without an answer. Asked for: 1.5 % (1500 bytes), 2.5 % (100 bytes), failures 0.012. Bianchi knows no lost time of
-colliders and no retry limit: it is above both with short frames. Out of what was asked for are the rows of 50 senders of
-100 bytes at 54 Mb/s; 3.5 % and 0.015 hold there. With all stations within 0.3 m of one another, where nobody hears one of two
+without an answer. Tolerances: 1.5 % (1500 bytes), 2.5 % (100 bytes), failures 0.012. Bianchi's form has no lost time of
+colliding stations and no retry limit: it exceeds both with short frames. The rows of 50 senders of 100 bytes at 54 Mb/s exceed
+these tolerances; 3.5 % and 0.015 hold there. With all stations within 0.3 m of one another, where no station hears one of two
 frames better than the other, ours and ns-3's goodput are equal (4.095 and 4.093). On the circle of 5 m some stations of ns-3 whose
-backoff ends in the very slot in which two others start to send hold back, and start with the next frame; ours send. The
-row of 50 senders with ACK at 2 Mb/s, allowed 2 %, has two seeds of ns-3's: 5.194; five of 10 s with `tests/peer/ns3/cell`
+backoff ends in the slot in which two others start to send defer, and start with the next frame; ours send. The
+row of 50 senders with ACK at 2 Mb/s, tolerance 2 %, uses two seeds of ns-3's: 5.194; five of 10 s with `tests/peer/ns3/cell`
 have 5.248."""
 COLUMNS = ["case", "slot, us", "bytes", "RTS", "n", "ours", "ns-3", "off", "Bianchi", "failures", "ns-3"]
 

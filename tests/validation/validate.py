@@ -33,12 +33,12 @@ FIGURES = runs.ROOT / "docs/validation"
 SECTIONS = (saturation, hidden, overlap, more, rates, ranges, errors, propagation, line, beacons, aodv)
 HEAD = """# Validation
 
-<!-- Written by `.ci/validate`; the words stand in tests/validation. -->
+<!-- Written by `.ci/validate`; the texts are in tests/validation. -->
 
-The radio beside ns-3.37 (Debian's libns3-dev 3.37-2) and beside closed forms. Figures of ours come from `baraka run` with
-controllers in process, of seeds 1 to 5 unless said otherwise; ns-3's from the tables named under each heading, whose
-first lines say with which parameters they were made. Programs for ns-3 are in `tests/peer/ns3`. A short form of this is
-the test `validation.short`.
+After this page you know how far the radio agrees with ns-3.37 (Debian's libns3-dev 3.37-2) and with closed forms. Figures
+marked *ours* come from `baraka run` with controllers in process, of seeds 1 to 5 unless said otherwise; ns-3's come from the
+tables named under each heading, whose first lines state the parameters. Programs for ns-3 are in `tests/peer/ns3`. The test
+`validation.short` repeats a part of it.
 """
 
 

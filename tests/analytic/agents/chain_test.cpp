@@ -17,7 +17,7 @@ using namespace std::chrono_literals;
 using hal::AgentId;
 using hal::Duration;
 using hal::Time;
-using hal::exchange::Action;
+using hal::node::exchange::Action;
 using sim::agents::SimulationConfig;
 
 constexpr int kHops = 8;
@@ -35,7 +35,7 @@ SimulationConfig chain(std::uint64_t seed) {
     config.agents.push_back({.id = node(i),
                              .name = "m" + std::to_string(i),
                              .pose = {kSpacing * i, 0, 0},
-                             .body = hal::devices::MoteDescription{},
+                             .body = hal::node::devices::MoteDescription{},
                              .program = {},
                              .parameters = {}});
   }
@@ -44,13 +44,13 @@ SimulationConfig chain(std::uint64_t seed) {
 
 /// The controller of the first mote: at 10 h seconds it sends a message to the node h hops away,
 /// which finds the route, and 5 s later, when all is silent, another one.
-std::vector<Action> calls(const hal::exchange::Event& event, hal::MessageId& sent) {
+std::vector<Action> calls(const hal::node::exchange::Event& event, hal::MessageId& sent) {
   std::vector<Action> actions;
-  if (event.agent != node(0) || event.cause != hal::exchange::Cause::kControl) return actions;
+  if (event.agent != node(0) || event.cause != hal::node::exchange::Cause::kControl) return actions;
   for (int h = 1; h <= kHops; ++h) {
     if (event.time != Time{h * 10s} && event.time != Time{h * 10s + 5s}) continue;
     Action& send = actions.emplace_back();
-    send.kind = hal::exchange::ActionKind::kSend;
+    send.kind = hal::node::exchange::ActionKind::kSend;
     send.message_id = ++sent;
     send.destination = node(h);
     send.topic = "test";

@@ -10,13 +10,13 @@
 namespace sim::physics::test {
 namespace {
 
-using hal::devices::RobotDescription;
-using hal::devices::WheelLevel;
 using hal::math::kPi;
+using hal::node::devices::RobotDescription;
+using hal::node::devices::WheelLevel;
 
 constexpr AgentId kRobot{1};
-constexpr double kSlope = 5 * kPi / 180;  // rad
-constexpr double kMass = 11.6;            // kg: 9 + 2 + three wheels of 0.2
+constexpr double kSlope = 5 * hal::math::kPi / 180;  // rad
+constexpr double kMass = 11.6;                       // kg: 9 + 2 + three wheels of 0.2
 constexpr int kSteps = 100;
 
 double gravity_along() { return 9.81 * hal::math::sin(kSlope); }
@@ -60,7 +60,7 @@ TEST_P(Coasting, FrictionlessRollersGiveTheClosedFormWithTheWheelsInertia) {
   RobotDescription smooth = robertino(GetParam());
   for (auto& wheel : smooth.wheels) wheel.mu2 = 0;
   const double a = gravity_along() * kMass / moving_mass(GetParam());
-  for (const double heading : {0.0, kPi / 2}) {  // along the robot's x, across it
+  for (const double heading : {0.0, hal::math::kPi / 2}) {  // along the robot's x, across it
     const Coasted coasted = coast(smooth, heading);
     EXPECT_NEAR(coasted.velocity.linear.x, a, 5e-4 * a) << heading;  // m/s after 1 s
     EXPECT_NEAR(coasted.pose.position.x, a * 1.01 / 2, 5e-4 * a) << heading;
@@ -74,7 +74,7 @@ TEST_P(Coasting, FrictionlessRollersGiveTheClosedFormWithTheWheelsInertia) {
 // shift load between the wheels by about 2 % of it: 0.3 % of the acceleration.
 TEST_P(Coasting, RollersBrakeWithTheirFriction) {
   const double root3 = std::sqrt(3.0);
-  for (const auto& [heading, share] : {std::pair{0.0, 2.0 / 3}, {kPi / 2, root3 / 3}}) {
+  for (const auto& [heading, share] : {std::pair{0.0, 2.0 / 3}, {hal::math::kPi / 2, root3 / 3}}) {
     const double force = gravity_along() - 0.02 * share * gravity_across();
     const double a = force * kMass / moving_mass(GetParam());
     EXPECT_NEAR(coast(robertino(GetParam()), heading).velocity.linear.x, a, 5e-3 * a) << heading;

@@ -6,9 +6,9 @@
 #include <tuple>
 #include <vector>
 
-#include "hal/config/document.h"
-#include "hal/description/body_section.h"
-#include "hal/devices/odometry.h"
+#include "hal/files/config/document.h"
+#include "hal/files/description/body_section.h"
+#include "hal/node/devices/odometry.h"
 #include "hal/types/math.h"
 #include "sim/physics/world.h"
 
@@ -17,15 +17,15 @@ namespace sim::physics::test {
 namespace {
 
 using hal::Twist2;
-using hal::devices::RobotDescription;
-using hal::devices::WheelLevel;
+using hal::node::devices::RobotDescription;
+using hal::node::devices::WheelLevel;
 
 constexpr AgentId kRobot{1};
 
 RobotDescription shipped(const std::string& name, WheelLevel level) {
   auto document =
-      hal::config::Document::load(std::string(CONFIG_DIR) + "/robots/" + name + ".yaml");
-  RobotDescription robot = hal::description::read_robot(document.root());
+      hal::files::config::Document::load(std::string(CONFIG_DIR) + "/robots/" + name + ".yaml");
+  RobotDescription robot = hal::files::description::read_robot(document.root());
   document.finish();
   robot.wheel_level = level;
   return robot;
@@ -104,7 +104,7 @@ TEST_P(Drives, SteadyVelocitiesAreTheCommandedOnesWithinHalfAPercent) {
 TEST_P(Drives, OtherFrictionThanTheWheelsOwnIsNoticed) {
   // A mecanum wheel that does not give way, a fixed one that does: the second drifts in a turn.
   RobotDescription wrong = robot();
-  const bool has_rollers = wrong.wheels.front().type == hal::devices::WheelType::kMecanum;
+  const bool has_rollers = wrong.wheels.front().type == hal::node::devices::WheelType::kMecanum;
   for (auto& wheel : wrong.wheels)
     if (wheel.is_driven()) wheel.mu2 = has_rollers ? wheel.mu : 0;
   double worst = 0;
@@ -154,7 +154,7 @@ Eight drive_eight(const RobotDescription& robot, double radius) {
   constexpr double kSpeed = 0.15;  // m/s; the outer wheel of the smaller circle: 0.174
   World world(WorldConfig{});
   world.add_robot(kRobot, robot, {});
-  hal::devices::WheelOdometry odometry(world.drive(kRobot), robot.encoder_steps);
+  hal::node::devices::WheelOdometry odometry(world.drive(kRobot), robot.encoder_steps);
   const double around = 2 * hal::math::kPi * radius / kSpeed;  // s
   const int steps = static_cast<int>(std::lround(around / 0.01));
   Eight eight{.path = 4 * hal::math::kPi * radius};

@@ -11,9 +11,9 @@ namespace sim::physics::test {
 namespace {
 
 using hal::Twist2;
-using hal::devices::RobotDescription;
-using hal::devices::WheelLevel;
 using hal::math::kPi;
+using hal::node::devices::RobotDescription;
+using hal::node::devices::WheelLevel;
 
 constexpr AgentId kRobot{1};
 constexpr double kMass = 11.6;  // kg
@@ -129,9 +129,10 @@ TEST_P(EnergyOf, JamsGainAtMostAPercent) {
   constexpr int kRobots = 10;
   World world(WorldConfig{});
   for (int i = 0; i < kRobots; ++i) {
-    const double angle = 2 * kPi * i / kRobots;
-    world.add_robot(member(i), robertino(GetParam()),
-                    {1.5 * hal::math::cos(angle), 1.5 * hal::math::sin(angle), angle + kPi});
+    const double angle = 2 * hal::math::kPi * i / kRobots;
+    world.add_robot(
+        member(i), robertino(GetParam()),
+        {1.5 * hal::math::cos(angle), 1.5 * hal::math::sin(angle), angle + hal::math::kPi});
     ASSERT_TRUE(world.set_body_velocity(member(i), {0.9, 0, 0}));
   }
   for (int i = 0; i < 125; ++i) world.step();

@@ -5,7 +5,7 @@
 namespace sim::physics::test {
 namespace {
 
-using hal::devices::WheelLevel;
+using hal::node::devices::WheelLevel;
 
 class HeapOfTwenty : public testing::TestWithParam<WheelLevel> {};
 INSTANTIATE_TEST_SUITE_P(Levels, HeapOfTwenty, kLevels, level_name);

@@ -10,8 +10,8 @@ namespace sim::physics::test {
 namespace {
 
 using hal::Twist2;
-using hal::devices::RobotDescription;
-using hal::devices::WheelLevel;
+using hal::node::devices::RobotDescription;
+using hal::node::devices::WheelLevel;
 
 constexpr AgentId kRobot{1};
 constexpr double kMass = 11.6;  // kg
@@ -21,7 +21,7 @@ constexpr double kSpeed = 0.9;  // m/s
 RobotDescription fed(WheelLevel level, double stall_power) {
   RobotDescription robot = robertino(level);
   for (auto& wheel : robot.wheels) wheel.stall_power = stall_power;
-  robot.sensors.emplace_back(hal::devices::Battery{});
+  robot.sensors.emplace_back(hal::node::devices::Battery{});
   return robot;
 }
 

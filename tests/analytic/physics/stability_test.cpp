@@ -1,4 +1,4 @@
-#include "hal/description/stability.h"
+#include "hal/files/description/stability.h"
 
 #include <fmt/core.h>
 #include <gtest/gtest.h>
@@ -10,14 +10,14 @@
 #include "sim/physics/world.h"
 #include "tests/unit/sim/physics/robertino.h"
 
-/// What hal/description says of a robot's stability, against the physics that it drives in.
+/// What hal/files/description says of a robot's stability, against the physics that it drives in.
 namespace sim::physics::test {
 namespace {
 
-using hal::description::Stability;
-using hal::description::stability_of;
-using hal::devices::RobotDescription;
-using hal::devices::WheelLevel;
+using hal::files::description::Stability;
+using hal::files::description::stability_of;
+using hal::node::devices::RobotDescription;
+using hal::node::devices::WheelLevel;
 
 constexpr AgentId kRobot{1};
 constexpr double kGravity = 9.81;  // m/s^2
@@ -37,7 +37,7 @@ RobotDescription loaded(const Load& load) {
   RobotDescription robot = robertino();
   robot.boxes.push_back({{0.05, 0.05, 0.05}, {load.ahead, 0, load.height}, 0, 9});
   robot.acceleration = {0.6 * load.braking, load.braking, 1.6, 3.14};
-  for (hal::devices::Wheel& wheel : robot.wheels) {
+  for (hal::node::devices::Wheel& wheel : robot.wheels) {
     wheel.max_torque = load.torque;
     wheel.max_speed = load.wheel_speed;
   }
@@ -112,7 +112,7 @@ TEST(Stability, OnTheMoonASixthOfTheAccelerationLiftsTheWheels) {
 
 TEST(Stability, CountsOnlyWheelsThatSpanTheAreaBetweenAll) {
   RobotDescription robot = robertino();
-  hal::devices::Wheel inner = robot.wheels[0];
+  hal::node::devices::Wheel inner = robot.wheels[0];
   inner.position = {0.01, 0.02};
   robot.wheels.push_back(inner);
   EXPECT_NEAR(stability_of(robot, kGravity).inside, 0.066, 1e-3);

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "hal/devices/odometry.h"
+#include "hal/node/devices/odometry.h"
 #include "hal/types/math.h"
 #include "sim/physics/world.h"
 #include "tests/unit/sim/physics/robertino.h"
@@ -12,8 +12,8 @@ namespace sim::physics::test {
 namespace {
 
 using hal::Twist2;
-using hal::devices::RobotDescription;
-using hal::devices::WheelLevel;
+using hal::node::devices::RobotDescription;
+using hal::node::devices::WheelLevel;
 
 /// The commands of docs/models.md, 5. m/s, m/s, rad/s
 constexpr std::array<Twist2, 11> kCommands{{{.3, 0, 0},
@@ -127,7 +127,7 @@ TEST(TrackingJointed, ReversalsWithoutAccelerationLimitsTurnTheRobot) {
 TEST_P(Tracking, WheelAnglesLeadOdometryToTheTruePose) {
   World world(WorldConfig{});
   world.add_robot(robot(0), robertino(GetParam()), {});
-  hal::devices::WheelOdometry odometry(world.drive(robot(0)));
+  hal::node::devices::WheelOdometry odometry(world.drive(robot(0)));
   for (int k = 0; k < 1000; ++k) {
     if (k % 200 == 0) {
       const Twist2& command = kCommands[static_cast<std::size_t>(k / 200) + 6];
@@ -148,7 +148,7 @@ double rolled_against_a_wall(const RobotDescription& description) {
   World world(WorldConfig{});
   world.add_wall({"wall", {1, 0, 0.5}, {0.2, 4, 1}, 0});
   world.add_robot(robot(0), description, {});
-  hal::devices::WheelOdometry odometry(world.drive(robot(0)));
+  hal::node::devices::WheelOdometry odometry(world.drive(robot(0)));
   EXPECT_TRUE(world.set_body_velocity(robot(0), {0.5, 0, 0}));
   for (int k = 0; k < 1000; ++k) world.step();
   odometry.update(world.wheel_angles(robot(0)), world.now() - hal::Time{});

@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string>
 
-#include "hal/hardware/robot_file.h"
+#include "hal/robot/agent/robot_file.h"
 
 /// The drivers of a ROBOT.yaml by hand: one command a line on standard input, one answer a line.
 ///
@@ -19,15 +19,17 @@
 namespace {
 
 using namespace hal;
-using namespace hal::hardware;
+using namespace hal::robot::agent;
+using namespace hal::robot::drivers;
+using namespace hal::robot::platform;
 
-double age(BootTime stamp) { return to_seconds(Duration{BootClock::now() - stamp}); }
+double age(BootTime stamp) { return hal::to_seconds(hal::Duration{BootClock::now() - stamp}); }
 
-std::string error(const Error& e) {
+std::string error(const hal::Error& e) {
   return fmt::format("error {} {}", static_cast<int>(e.code), e.message);
 }
 
-std::string done(const Result<void>& result) { return result ? "ok" : error(result.error()); }
+std::string done(const hal::Result<void>& result) { return result ? "ok" : error(result.error()); }
 
 /// @tparam Driver  WheelDriver or InfraredDriver.
 template <class Driver>
@@ -68,7 +70,7 @@ std::string obey(const std::string& line, WheelDriver* wheels, InfraredDriver* s
     const double vx = number(words);
     const double vy = number(words);
     // Limited as DriveGuard does it.
-    const Twist2 twist =
+    const hal::Twist2 twist =
         limited({vx, vy, number(words)}, wheels->kinematics(), wheels->speed_limits()).twist;
     return done(wheels->drive(twist, BootClock::now()));
   }
@@ -81,7 +83,7 @@ std::string obey(const std::string& line, WheelDriver* wheels, InfraredDriver* s
     return "ok";
   }
   if (command == "stop_and_wait") {
-    return done(wheels->stop_and_wait(from_seconds(number(words))));
+    return done(wheels->stop_and_wait(hal::from_seconds(number(words))));
   }
   if (command == "state") return state(*wheels);
   if (command == "wheels") return condition(*wheels);

@@ -27,16 +27,16 @@
 #include <string>
 #include <vector>
 
-#include "gateway/netns/namespaces.h"
+#include "programs/netns/namespaces.h"
 
 namespace {
 
-using gateway::netns::Namespaces;
+using programs::netns::Namespaces;
 using Clock = std::chrono::steady_clock;
 using Frame = std::vector<unsigned char>;
 
 struct Line {
-  gateway::netns::Settings settings;
+  programs::netns::Settings settings;
   double rate = 0;  // bit/s of wall time; 0: at once
   std::size_t queue = 64;
 };
@@ -60,14 +60,14 @@ std::vector<std::string> words_of(const std::string& line) {
   return words;
 }
 
-gateway::netns::AgentNetwork network_of(const std::string& text, std::size_t index) {
+programs::netns::AgentNetwork network_of(const std::string& text, std::size_t index) {
   const std::size_t equals = text.find('='), slash = text.find('/');
   in_addr address{};
   if (slash == std::string::npos ||
       inet_pton(AF_INET, text.substr(equals + 1, slash - equals - 1).c_str(), &address) != 1) {
     throw std::runtime_error("not NAME=ADDRESS/PREFIX: " + text);
   }
-  gateway::netns::AgentNetwork network;
+  programs::netns::AgentNetwork network;
   network.agent = text.substr(0, equals);
   network.id = static_cast<std::uint16_t>(index + 1);
   network.address = ntohl(address.s_addr);
@@ -216,7 +216,7 @@ class Wire {
     if (words[0] == "loaded") say(fmt::format("{}", run_.room(agent).loaded()));
     if (words[0] == "refusals") say(fmt::format("{}", stations_.at(agent).refusals));
     if (words[0] != "start") return;
-    gateway::netns::Command command;
+    programs::netns::Command command;
     command.log = words.at(2);
     command.arguments.assign(words.begin() + 3, words.end());
     try {

@@ -3,18 +3,18 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "gateway/view/radio_range.h"
-#include "gateway/view/run.h"
+#include "results/record/recorder.h"
+#include "results/report/report.h"
 #include "sim/agents/fingerprint_feed.h"
 #include "sim/agents/simulation.h"
-#include "sim/record/recorder.h"
-#include "sim/report/report.h"
 #include "sim/scenario/resolved.h"
 #include "sim/scenario/scenario.h"
 #include "tests/support/no_pace.h"
 #include "tests/support/scripted_port.h"
 #include "tests/unit/extension/foreign.h"
-#include "tests/unit/sim/record/test_run.h"
+#include "tests/unit/results/record/test_run.h"
+#include "view/server/radio_range.h"
+#include "view/server/run.h"
 
 /// A law of propagation, a radio profile and a routing protocol that no list of the product knows
 /// are classified, and named in records, reports and the view, as they say themselves.
@@ -23,11 +23,11 @@ namespace {
 
 using namespace std::chrono_literals;
 using hal::AgentId;
-using hal::exchange::Action;
-using hal::exchange::ActionKind;
-using hal::exchange::Cause;
-using hal::exchange::Event;
-using sim::record::test::ask;
+using hal::node::exchange::Action;
+using hal::node::exchange::ActionKind;
+using hal::node::exchange::Cause;
+using hal::node::exchange::Event;
+using results::record::test::ask;
 using sim::scenario::Scenario;
 
 constexpr AgentId kA{1}, kB{2};
@@ -69,11 +69,11 @@ class Extension : public testing::Test {
   std::filesystem::path run(const std::string& name = "result") {
     auto folder = folder_.path() / name;
     std::filesystem::create_directories(folder);
-    sim::record::Recorder recorder(folder / sim::record::kResultsFile, scenario.simulation,
-                                   {.pose_period = scenario.record.pose_period,
-                                    .frames = scenario.record.frames,
-                                    .messages = scenario.record.messages,
-                                    .routes = scenario.record.routes});
+    results::record::Recorder recorder(folder / results::record::kResultsFile, scenario.simulation,
+                                       {.pose_period = scenario.record.pose_period,
+                                        .frames = scenario.record.frames,
+                                        .messages = scenario.record.messages,
+                                        .routes = scenario.record.routes});
     recorder.add_settings(sim::scenario::resolved_values(scenario));
     recorder.set("scenario", scenario.name);
     recorder.set("run_id", name);
@@ -89,13 +89,13 @@ class Extension : public testing::Test {
   }
 
   static std::string asked(const std::filesystem::path& folder, const std::string& sql) {
-    return ask(folder / sim::record::kResultsFile, sql);
+    return results::record::test::ask(folder / results::record::kResultsFile, sql);
   }
   static std::string setting(const std::filesystem::path& folder, const std::string& key) {
     return asked(folder, "SELECT value FROM settings WHERE key = '" + key + "'");
   }
   static std::string report(const std::vector<std::filesystem::path>& folders) {
-    return sim::report::report(sim::report::read_sources(folders), std::nullopt);
+    return results::report::report(results::report::read_sources(folders), std::nullopt);
   }
   static bool has(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
@@ -104,7 +104,7 @@ class Extension : public testing::Test {
   Scenario scenario;
 
  private:
-  sim::record::test::Folder folder_;
+  results::record::test::Folder folder_;
 };
 
 TEST_F(Extension, AForeignLawIsOfTheKindItSays) {
@@ -150,7 +150,7 @@ TEST_F(Extension, AForeignLawActsAndIsNamed) {
   EXPECT_TRUE(has(text, "test_law")) << text;
   EXPECT_TRUE(has(text, "power_law")) << text;
   const auto range =
-      gateway::view::radio_range(scenario.simulation, scenario.simulation.agents.front());
+      view::server::radio_range(scenario.simulation, scenario.simulation.agents.front());
   EXPECT_NEAR(range.value_or(0), 6339.57, 0.01);
 }
 
@@ -167,7 +167,7 @@ TEST_F(Extension, AForeignProfileIsNamedInRecordReportAndView) {
   const std::string text = report({folder});
   EXPECT_TRUE(has(text, "test_profile")) << text;
   EXPECT_FALSE(has(text, "mobility_framework")) << text;
-  gateway::view::Run view(folder);
+  view::server::Run view(folder);
   EXPECT_TRUE(has(view.answer("world").value(), R"("profile":"test_profile")"));
 }
 
@@ -182,7 +182,7 @@ TEST_F(Extension, AForeignProtocolNamesItsPacketsAndTellsItsWeights) {
             "test call -,test message 1/1");
   EXPECT_EQ(asked(folder, "SELECT group_concat(destination || ' ' || weight) FROM routes"),
             "2 7.0");
-  gateway::view::Run view(folder);
+  view::server::Run view(folder);
   const std::string frames = view.answer("frames/13/0").value();
   EXPECT_TRUE(has(frames, R"("test call")") && has(frames, R"("test message")")) << frames;
   const std::string routes = view.answer("routes/1").value();
@@ -192,7 +192,7 @@ TEST_F(Extension, AForeignProtocolNamesItsPacketsAndTellsItsWeights) {
 
 // Agents of one network may speak several protocols: each frame is named by who sent it.
 TEST_F(Extension, EachAgentsFramesAreNamedByItsOwnProtocol) {
-  scenario.simulation.routing.algorithm = hal::routing::Algorithm::kAodv;
+  scenario.simulation.routing.algorithm = hal::node::routing::Algorithm::kAodv;
   const auto aodv = run("aodv");
   EXPECT_EQ(asked(aodv, "SELECT COUNT(*) > 0 FROM frames WHERE packet = 'RREQ'"), "1");
   EXPECT_EQ(asked(aodv, "SELECT group_concat(DISTINCT weight) FROM routes WHERE weight NOT NULL"),

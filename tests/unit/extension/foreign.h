@@ -7,8 +7,8 @@
 #include <utility>
 #include <vector>
 
-#include "hal/routing/byte_order.h"
-#include "hal/routing/protocol.h"
+#include "hal/node/routing/byte_order.h"
+#include "hal/node/routing/protocol.h"
 #include "sim/radio/mac_parts.h"
 #include "sim/radio/mobility_framework_mac.h"
 #include "sim/radio/path_loss.h"
@@ -68,13 +68,14 @@ inline sim::radio::ForeignProfileConfig test_profile() {
 }
 
 /// One hop, in bytes that no other protocol knows: a message, or a call before the first one.
-class TestProtocol final : public hal::routing::Protocol {
+class TestProtocol final : public hal::node::routing::Protocol {
  public:
   static constexpr std::uint8_t kMessage = 0xE1, kCall = 0xE2;
   static constexpr double kWeightOfHop = 7;
 
-  TestProtocol(hal::AgentId self, const hal::routing::RoutingConfig&,
-               const hal::routing::RouterStreams&, const hal::routing::RouterPorts& ports)
+  TestProtocol(hal::AgentId self, const hal::node::routing::RoutingConfig&,
+               const hal::node::routing::RouterStreams&,
+               const hal::node::routing::RouterPorts& ports)
       : self_(self), ports_(ports) {}
 
   void send(const hal::Message& message) override {
@@ -82,7 +83,7 @@ class TestProtocol final : public hal::routing::Protocol {
     const hal::Route route{message.topic, message.destination, message.destination, {.hops = 1}};
     routes_.push_back(route);
     ports_.observer.on_route_change({route, false});
-    hal::routing::ByteWriter out;
+    hal::node::routing::ByteWriter out;
     out.u8(kMessage);
     out.u32(message.id);
     out.bytes({message.topic.begin(), message.topic.end()});
@@ -93,7 +94,7 @@ class TestProtocol final : public hal::routing::Protocol {
   std::vector<hal::Route> routes() const override { return routes_; }
   std::vector<hal::Neighbour> neighbours() const override { return {}; }
 
-  bool on_frame(const hal::routing::Reception& reception,
+  bool on_frame(const hal::node::routing::Reception& reception,
                 std::span<const std::uint8_t> bytes) override {
     const auto id = id_in(bytes);
     if (!id) return !bytes.empty() && bytes.front() == kCall;
@@ -105,7 +106,7 @@ class TestProtocol final : public hal::routing::Protocol {
                                   1);
     return true;
   }
-  void on_transmitted(const hal::routing::Transmission& transmission) override {
+  void on_transmitted(const hal::node::routing::Transmission& transmission) override {
     if (transmission.tag == 0) return;
     ports_.application.on_fate(static_cast<hal::MessageId>(transmission.tag),
                                transmission.verdict == hal::Verdict::kDelivered
@@ -114,27 +115,27 @@ class TestProtocol final : public hal::routing::Protocol {
   }
 
   static std::optional<hal::MessageId> id_in(std::span<const std::uint8_t> bytes) {
-    hal::routing::ByteReader in(bytes);
+    hal::node::routing::ByteReader in(bytes);
     if (bytes.size() < 5 || in.u8() != kMessage) return std::nullopt;
     return in.u32();
   }
 
  private:
   hal::AgentId self_;
-  hal::routing::RouterPorts ports_;
+  hal::node::routing::RouterPorts ports_;
   std::vector<hal::Route> routes_;
 };
 
-inline constinit const hal::routing::ProtocolKind kTestProtocol{
+inline constinit const hal::node::routing::ProtocolKind kTestProtocol{
     .name = "test_protocol",
-    .make = hal::routing::make_as<TestProtocol>,
-    .name_frame = [](const hal::routing::SentFrame& frame) -> hal::routing::FrameName {
+    .make = hal::node::routing::make_as<TestProtocol>,
+    .name_frame = [](const hal::node::routing::SentFrame& frame) -> hal::node::routing::FrameName {
       if (const auto id = TestProtocol::id_in(frame.bytes)) {
-        return {"test message", hal::routing::FrameName::MessageName{frame.from, *id}};
+        return {"test message", hal::node::routing::FrameName::MessageName{frame.from, *id}};
       }
       return {frame.bytes.front() == TestProtocol::kCall ? "test call" : ""};
     },
-    .weigh = [](const hal::routing::RoutingConfig&, const hal::Route& route)
+    .weigh = [](const hal::node::routing::RoutingConfig&, const hal::Route& route)
         -> std::optional<double> { return TestProtocol::kWeightOfHop * route.path.hops; }};
 
 }  // namespace tests

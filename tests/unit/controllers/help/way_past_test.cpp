@@ -19,7 +19,8 @@ const Vec2 kAhead{1, 0};
 double distance(Vec2 way, Vec2 point) { return std::abs(way.x * point.y - way.y * point.x); }
 
 TEST(WayPast, IsTheWayItselfIfNobodyStandsInIt) {
-  const std::vector<double> clear{3, 1.0, 0.36, 4, -0.5, 0.0, 5, kLookAhead + 0.01, 0.0};
+  const std::vector<double> clear{3,  1.0, 0.36, 4, -0.5, 0.0, 5, controllers::kLookAhead + 0.01,
+                                  0.0};
   EXPECT_EQ(way_past(kAhead, clear, kClearance), kAhead);
   EXPECT_EQ(way_past(kAhead, {}, kClearance), kAhead);
 }
@@ -44,10 +45,10 @@ TEST(WayPast, KeepsItsDistanceFromAMoteOnTheWayToAGoalBehindIt) {
     double nearest = 10;
     for (int step = 0; step < 120 && distance({0, 1}, goal - robot) > 0.1; ++step) {
       const Vec2 to = goal - robot, seen = mote - robot;
-      const Vec2 way = 1 / std::sqrt(dot(to, to)) * to;
+      const Vec2 way = 1 / std::sqrt(hal::dot(to, to)) * to;
       const std::vector<double> localised{3, seen.x, seen.y};
-      robot = robot + 0.094 * way_past(way, localised, kClearance);
-      nearest = std::min(nearest, std::sqrt(dot(mote - robot, mote - robot)));
+      robot = robot + 0.094 * controllers::way_past(way, localised, kClearance);
+      nearest = std::min(nearest, std::sqrt(hal::dot(mote - robot, mote - robot)));
     }
     EXPECT_GT(nearest, kClearance - 0.02) << "offset " << offset;
     EXPECT_NEAR(robot.x, goal.x, 0.2);

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "controllers/help_message.h"
-#include "tests/unit/hal/runtime/one_agent.h"
+#include "tests/unit/gateway/runtime/one_agent.h"
 
 namespace {
 
@@ -9,7 +9,7 @@ using namespace std::chrono_literals;
 using controllers::HelpMessage;
 using controllers::HelpWord;
 using hal::AgentId;
-using hal::exchange::ActionKind;
+using hal::node::exchange::ActionKind;
 using tests::Actions;
 using States = std::vector<std::string>;
 
@@ -17,7 +17,7 @@ constexpr AgentId kRobot{26};
 constexpr AgentId kOther{27};
 
 hal::Bytes bytes_of(const HelpMessage& message) {
-  const auto bytes = encode(message);
+  const auto bytes = controllers::encode(message);
   return {bytes.begin(), bytes.end()};
 }
 
@@ -57,7 +57,7 @@ class HelpMote : public testing::Test {
     make({{"help_at", "1 s", "test:1:1"}, {"repeat_jitter", "0", "test:2:1"}});
   }
 
-  void make(std::vector<hal::exchange::ParameterText> parameters) {
+  void make(std::vector<hal::node::exchange::ParameterText> parameters) {
     auto session = tests::mote_session();
     session.parameters = std::move(parameters);
     mote_ = std::make_unique<tests::OneAgent>(*baraka_controller(), session);

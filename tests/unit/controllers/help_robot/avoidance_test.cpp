@@ -4,7 +4,7 @@
 #include <cmath>
 #include <limits>
 
-#include "hal/devices/motor_profile.h"
+#include "hal/node/devices/motor_profile.h"
 #include "hal/types/random.h"
 #include "tests/unit/controllers/help_robot/robot_bench.h"
 
@@ -60,7 +60,7 @@ struct Box {
 /// How real the robot is.
 struct Realism {
   const char* name;
-  hal::devices::AccelerationLimits acceleration;
+  hal::node::devices::AccelerationLimits acceleration;
   double noise = 0;  ///< m, standard deviation of a range.
 };
 
@@ -121,7 +121,7 @@ class World {
   Vec2 position_;
   Vec2 hop_;
   double heading_;
-  hal::devices::MotorProfile motors_;
+  hal::node::devices::MotorProfile motors_;
   double clearance_ = kInfinity;
   hal::RandomStream random_{1, "ranges"};
 };
@@ -139,7 +139,7 @@ std::optional<double> drive_to_hop(World& world) {
     bench.ranges = world.ranges();
     bench.positions = {{6, world.hop_in_body_frame()}};
     for (const auto& action : bench.control()) {
-      if (action.kind == hal::exchange::ActionKind::kDriveBody) command = action.twist;
+      if (action.kind == hal::node::exchange::ActionKind::kDriveBody) command = action.twist;
     }
     world.move(command);
     if (world.distance_to_hop() < 4.0) return 0.1 * cycle;

@@ -9,7 +9,7 @@ namespace {
 
 using namespace std::chrono_literals;
 using controllers::HelpWord;
-using hal::exchange::ActionKind;
+using hal::node::exchange::ActionKind;
 using tests::Actions;
 using Said = tests::RobotBench::Said;
 using States = std::vector<std::string>;

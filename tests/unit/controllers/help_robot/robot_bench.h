@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "controllers/help_message.h"
-#include "tests/unit/hal/runtime/one_agent.h"
+#include "tests/unit/gateway/runtime/one_agent.h"
 
 namespace tests {
 
@@ -15,15 +15,15 @@ class RobotBench {
  public:
   using Said = std::vector<std::pair<int, controllers::HelpWord>>;
 
-  explicit RobotBench(std::vector<hal::exchange::ParameterText> parameters = {},
-                      std::vector<hal::exchange::AgentName> directory = {}) {
+  explicit RobotBench(std::vector<hal::node::exchange::ParameterText> parameters = {},
+                      std::vector<hal::node::exchange::AgentName> directory = {}) {
     auto session = robot_session();
     session.parameters = std::move(parameters);
     agent = std::make_unique<OneAgent>(*baraka_controller(), session, std::move(directory));
   }
 
   Actions hear(int from, controllers::HelpWord word) {
-    const auto bytes = encode(controllers::HelpMessage{.word = word});
+    const auto bytes = controllers::encode(controllers::HelpMessage{.word = word});
     return agent->hear(hal::AgentId{static_cast<std::uint16_t>(from)}, "help",
                        {bytes.begin(), bytes.end()});
   }
@@ -33,7 +33,7 @@ class RobotBench {
     learn(destination, next_hop, {.hops = static_cast<std::uint16_t>(hops)}, removed);
   }
   void learn(int destination, int next_hop, const hal::PathStatistics& path, bool removed = false) {
-    auto event = agent->event(hal::exchange::Cause::kLink);
+    auto event = agent->event(hal::node::exchange::Cause::kLink);
     hal::RouteChange change;
     change.route.topic = "help";
     change.route.destination = hal::AgentId{static_cast<std::uint16_t>(destination)};
@@ -47,9 +47,9 @@ class RobotBench {
   /// One control cycle later, with everything sensed.
   Actions control() {
     agent->now += std::chrono::milliseconds{100};
-    auto event = agent->event(hal::exchange::Cause::kControl);
+    auto event = agent->event(hal::node::exchange::Cause::kControl);
     event.readings.push_back({.channel = 0, .values = ranges});
-    hal::exchange::Reading localisation{.channel = 1, .values = {}};
+    hal::node::exchange::Reading localisation{.channel = 1, .values = {}};
     for (const auto& [id, at] : positions) {
       localisation.values.insert(localisation.values.end(), {double(id), at.x, at.y});
     }
@@ -68,7 +68,7 @@ class RobotBench {
   static Said said(const Actions& actions) {
     Said words;
     for (const auto& action : actions) {
-      if (action.kind != hal::exchange::ActionKind::kSend) continue;
+      if (action.kind != hal::node::exchange::ActionKind::kSend) continue;
       words.emplace_back(action.destination.value,
                          controllers::decode(action.payload).value().word);
     }

@@ -6,7 +6,7 @@
 
 #include "controllers/help_message.h"
 #include "controllers/labour/sample_message.h"
-#include "tests/unit/hal/runtime/one_agent.h"
+#include "tests/unit/gateway/runtime/one_agent.h"
 
 namespace {
 
@@ -14,19 +14,19 @@ using namespace std::chrono_literals;
 using controllers::HelpWord;
 using controllers::SampleMessage;
 using hal::AgentId;
-using hal::exchange::ActionKind;
-using hal::exchange::Cause;
+using hal::node::exchange::ActionKind;
+using hal::node::exchange::Cause;
 using tests::Actions;
-using Parameters = std::vector<hal::exchange::ParameterText>;
+using Parameters = std::vector<hal::node::exchange::ParameterText>;
 
 constexpr AgentId kSelf{17};
 constexpr AgentId kSink{9};
 constexpr AgentId kRobot{26};
 
-hal::exchange::ParameterText list(const char* name, std::vector<std::string> items) {
+hal::node::exchange::ParameterText list(const char* name, std::vector<std::string> items) {
   return {.name = name, .value = {}, .place = "test:1:1", .is_list = true, .items = items};
 }
-hal::exchange::ParameterText value(const char* name, const char* text) {
+hal::node::exchange::ParameterText value(const char* name, const char* text) {
   return {.name = name, .value = text, .place = "test:1:1"};
 }
 
@@ -38,7 +38,7 @@ class LabourMote : public testing::Test {
     session.parameters = std::move(parameters);
     mote_ = std::make_unique<tests::OneAgent>(
         *baraka_controller(), session,
-        std::vector<hal::exchange::AgentName>{{kSelf, "m17"}, {kSink, "m9"}});
+        std::vector<hal::node::exchange::AgentName>{{kSelf, "m17"}, {kSink, "m9"}});
     return take(mote_->start());
   }
 
@@ -79,7 +79,7 @@ class LabourMote : public testing::Test {
   Actions run_until_sent() {
     for (;;) {
       Actions actions = run_until(mote_->now.time_since_epoch() + 100ms);
-      if (std::ranges::count(actions, ActionKind::kSend, &hal::exchange::Action::kind) > 0) {
+      if (std::ranges::count(actions, ActionKind::kSend, &hal::node::exchange::Action::kind) > 0) {
         return actions;
       }
     }
@@ -89,7 +89,7 @@ class LabourMote : public testing::Test {
     return take(mote_->hear(from, topic, std::move(payload)));
   }
   Actions hear_help(HelpWord word) {
-    const auto bytes = encode(controllers::HelpMessage{.word = word});
+    const auto bytes = controllers::encode(controllers::HelpMessage{.word = word});
     return hear(kRobot, "help", {bytes.begin(), bytes.end()});
   }
 
@@ -205,7 +205,8 @@ TEST_F(LabourMote, HasOneNeedForAllThatARestartMadeItMiss) {
 TEST_F(LabourMote, AsTheSinkAnswersEveryBurstOnceAndHasItsOwnAtOnce) {
   make({list("tasks", {"temperature", "help"}), value("sink", "m17"), value("rest", "1 h")});
   const auto say = [&](std::uint16_t index, std::uint32_t burst) {
-    const auto bytes = encode(SampleMessage{.burst = burst, .index = index, .needed = 2}, 100);
+    const auto bytes =
+        controllers::encode(SampleMessage{.burst = burst, .index = index, .needed = 2}, 100);
     int receipts = 0;
     for (const auto& action : hear(AgentId{3}, "audio", bytes)) {
       if (action.kind != ActionKind::kSend) continue;

@@ -10,10 +10,10 @@ namespace {
 using namespace std::chrono_literals;
 using controllers::HelpWord;
 using hal::AgentId;
-using hal::exchange::ActionKind;
-using hal::exchange::Cause;
+using hal::node::exchange::ActionKind;
+using hal::node::exchange::Cause;
 using tests::Actions;
-using Parameters = std::vector<hal::exchange::ParameterText>;
+using Parameters = std::vector<hal::node::exchange::ParameterText>;
 using Said = tests::RobotBench::Said;
 using States = std::vector<std::string>;
 
@@ -21,10 +21,10 @@ constexpr int kMote = 17;
 constexpr int kPost = 6;
 constexpr AgentId kSink{9};
 
-hal::exchange::ParameterText list(const char* name, std::vector<std::string> items) {
+hal::node::exchange::ParameterText list(const char* name, std::vector<std::string> items) {
   return {.name = name, .value = {}, .place = "test:1:1", .is_list = true, .items = items};
 }
-hal::exchange::ParameterText value(const char* name, const char* text) {
+hal::node::exchange::ParameterText value(const char* name, const char* text) {
   return {.name = name, .value = text, .place = "test:1:1"};
 }
 
@@ -33,7 +33,7 @@ class LabourRobot : public testing::Test {
   Actions make(Parameters parameters) {
     bench_ = std::make_unique<tests::RobotBench>(
         std::move(parameters),
-        std::vector<hal::exchange::AgentName>{
+        std::vector<hal::node::exchange::AgentName>{
             {AgentId{26}, "r0"}, {kSink, "m9"}, {AgentId{kPost}, "m6"}, {AgentId{kMote}, "m17"}});
     return take(bench_->agent->start());
   }
@@ -174,7 +174,8 @@ TEST_F(LabourRobot, ReportsFromItsPostAndStaysThere) {
   bench_->positions = {{kPost, {3.9, 0}}};
   const Actions there = control();
   EXPECT_EQ(tests::states(there), States{"GATEWAY"});
-  const auto report = std::ranges::find(there, ActionKind::kSend, &hal::exchange::Action::kind);
+  const auto report =
+      std::ranges::find(there, ActionKind::kSend, &hal::node::exchange::Action::kind);
   ASSERT_NE(report, there.end());
   EXPECT_EQ(report->topic, "patrol");
   EXPECT_EQ(report->destination, kSink);

@@ -13,12 +13,12 @@
 #include "hal/types/printable.h"
 #include "inspectPubSubTypes.h"
 #include "tests/support/test_domain.h"
-#include "tests/unit/hal/runtime/one_agent.h"
+#include "tests/unit/gateway/runtime/one_agent.h"
 
 namespace {
 
 using namespace std::chrono_literals;
-using hal::exchange::ActionKind;
+using hal::node::exchange::ActionKind;
 using tests::Actions;
 namespace api = eprosima::fastdds::dds;
 
@@ -68,8 +68,8 @@ class Commander {
   api::DataWriter* writer_;
 };
 
-hal::exchange::AgentSession session(const std::string& interface,
-                                    std::vector<hal::exchange::ParameterText> parameters) {
+hal::node::exchange::AgentSession session(
+    const std::string& interface, std::vector<hal::node::exchange::ParameterText> parameters) {
   auto session = tests::robot_session();
   session.air_interface = interface;
   session.parameters = std::move(parameters);
@@ -84,9 +84,9 @@ hal::Twist2 driven(const Actions& actions) {
   return twist;
 }
 
-std::string mistake_of(const hal::exchange::AgentSession& agent) {
+std::string mistake_of(const hal::node::exchange::AgentSession& agent) {
   const auto host =
-      hal::runtime::ControllerHost::create(*baraka_controller(), tests::session_of(agent));
+      gateway::runtime::ControllerHost::create(*baraka_controller(), tests::session_of(agent));
   return host ? "" : host.error().message;
 }
 

@@ -15,13 +15,13 @@
 
 #include "inspectPubSubTypes.h"
 #include "tests/support/test_domain.h"
-#include "tests/unit/hal/runtime/one_agent.h"
+#include "tests/unit/gateway/runtime/one_agent.h"
 
 namespace {
 
 using namespace std::chrono_literals;
 using geometry_msgs::msg::dds_::Twist_;
-using hal::exchange::ActionKind;
+using hal::node::exchange::ActionKind;
 using tests::Actions;
 namespace api = eprosima::fastdds::dds;
 
@@ -91,15 +91,15 @@ class Base {
   api::DataWriter* writer_;
 };
 
-hal::exchange::AgentSession session(const std::string& interface,
-                                    std::vector<hal::exchange::ParameterText> parameters) {
+hal::node::exchange::AgentSession session(
+    const std::string& interface, std::vector<hal::node::exchange::ParameterText> parameters) {
   auto session = tests::mote_session();
   session.air_interface = interface;
   session.parameters = std::move(parameters);
   return session;
 }
 
-hal::exchange::ParameterText robots(std::vector<std::string> names) {
+hal::node::exchange::ParameterText robots(std::vector<std::string> names) {
   return {.name = "robots",
           .value = {},
           .place = "s.yaml:1:1",
@@ -107,9 +107,9 @@ hal::exchange::ParameterText robots(std::vector<std::string> names) {
           .items = std::move(names)};
 }
 
-std::string mistake_of(const hal::exchange::AgentSession& agent) {
+std::string mistake_of(const hal::node::exchange::AgentSession& agent) {
   const auto host =
-      hal::runtime::ControllerHost::create(*baraka_controller(), tests::session_of(agent));
+      gateway::runtime::ControllerHost::create(*baraka_controller(), tests::session_of(agent));
   return host ? "" : host.error().message;
 }
 
@@ -159,7 +159,7 @@ TEST(RosOperator, CommandsEachRobotAtItsRateAndCountsWhatTheyTell) {
   int sent = 1;
   for (std::optional<Twist_> first, second; !first || !second; ++sent) {
     station.now += 250ms;
-    auto due = station.event(hal::exchange::Cause::kTimer);
+    auto due = station.event(hal::node::exchange::Cause::kTimer);
     due.timer = 1;
     station.feed(due);
     std::this_thread::sleep_for(10ms);

@@ -3,7 +3,7 @@
 #include <map>
 
 #include "controllers/traffic_stamp.h"
-#include "tests/unit/hal/runtime/one_agent.h"
+#include "tests/unit/gateway/runtime/one_agent.h"
 
 namespace {
 
@@ -14,13 +14,14 @@ using hal::Time;
 
 std::map<std::string, double> stop(tests::OneAgent& sink) {
   std::map<std::string, double> recorded;
-  for (const auto& action : sink.feed(sink.event(hal::exchange::Cause::kStop))) {
-    if (action.kind == hal::exchange::ActionKind::kRecord) recorded[action.text] = action.value;
+  for (const auto& action : sink.feed(sink.event(hal::node::exchange::Cause::kStop))) {
+    if (action.kind == hal::node::exchange::ActionKind::kRecord)
+      recorded[action.text] = action.value;
   }
   return recorded;
 }
 
-tests::OneAgent sink(std::vector<hal::exchange::ParameterText> parameters) {
+tests::OneAgent sink(std::vector<hal::node::exchange::ParameterText> parameters) {
   auto session = tests::mote_session();
   session.parameters = std::move(parameters);
   return {*baraka_controller(), session};
@@ -34,7 +35,7 @@ TEST(TrafficSink, CountsMessagesOfItsTopicBetweenItsTimes) {
   mote.start();
   const auto hear = [&](hal::Duration at, const char* topic, hal::Duration age) {
     mote.now = Time{at};
-    mote.hear(AgentId{2}, topic, stamped({.sent = Time{at - age}, .number = 1}, 93));
+    mote.hear(AgentId{2}, topic, controllers::stamped({.sent = Time{at - age}, .number = 1}, 93));
   };
   hear(900ms, "x", 1ms);
   hear(1s, "x", 10ms);

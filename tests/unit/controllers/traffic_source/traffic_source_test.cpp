@@ -6,7 +6,7 @@
 #include <memory>
 
 #include "controllers/traffic_stamp.h"
-#include "tests/unit/hal/runtime/one_agent.h"
+#include "tests/unit/gateway/runtime/one_agent.h"
 
 namespace {
 
@@ -14,11 +14,11 @@ using namespace std::chrono_literals;
 using hal::AgentId;
 using hal::Fate;
 using hal::Time;
-using hal::exchange::Action;
-using hal::exchange::ActionKind;
-using hal::exchange::Cause;
+using hal::node::exchange::Action;
+using hal::node::exchange::ActionKind;
+using hal::node::exchange::Cause;
 using tests::Actions;
-using Parameters = std::vector<hal::exchange::ParameterText>;
+using Parameters = std::vector<hal::node::exchange::ParameterText>;
 
 /// A source and its clock: timers run when they are due, sends are kept with their times.
 class Source {
@@ -26,9 +26,10 @@ class Source {
   explicit Source(Parameters parameters) {
     auto session = tests::mote_session();
     session.parameters = std::move(parameters);
-    mote_ = std::make_unique<tests::OneAgent>(
-        *baraka_controller(), session,
-        std::vector<hal::exchange::AgentName>{{session.agent, session.name}, {AgentId{9}, "sink"}});
+    mote_ =
+        std::make_unique<tests::OneAgent>(*baraka_controller(), session,
+                                          std::vector<hal::node::exchange::AgentName>{
+                                              {session.agent, session.name}, {AgentId{9}, "sink"}});
     take(mote_->start());
   }
 

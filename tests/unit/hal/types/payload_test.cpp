@@ -30,7 +30,7 @@ TEST(Payload, HasTheLeastSignificantOctetFirstAndNoPadding) {
 }
 
 TEST(Payload, GivesBackWhatWasPut) {
-  const Bytes bytes = PayloadWriter()
+  const Bytes bytes = hal::PayloadWriter()
                           .put(std::numeric_limits<std::int64_t>::min())
                           .put(std::int8_t{-1})
                           .put(-0.0)

@@ -78,7 +78,8 @@ TEST(Time, SecondsRoundToTheNearestNanosecond) {
 
 TEST(Verdict, EveryOneHasItsOwnName) {
   std::set<std::string_view> names;
-  for (int v = 0; v < hal::kVerdictCount; ++v) names.insert(name(static_cast<hal::Verdict>(v)));
+  for (int v = 0; v < hal::kVerdictCount; ++v)
+    names.insert(hal::name(static_cast<hal::Verdict>(v)));
   EXPECT_EQ(names.size(), static_cast<std::size_t>(hal::kVerdictCount));
 }
 

@@ -5,23 +5,23 @@
 #include <utility>
 #include <vector>
 
-#include "hal/devices/channels.h"
+#include "hal/node/devices/channels.h"
 #include "sim/radio/frame.h"
 #include "tests/unit/sim/agents/two_motes.h"
 
 namespace tests {
 
-inline hal::devices::Battery battery(double joules) {
-  hal::devices::Battery one;
+inline hal::node::devices::Battery battery(double joules) {
+  hal::node::devices::Battery one;
   one.capacity = joules;
   one.full_voltage = one.empty_voltage = 10;
   return one;
 }
 
 /// One that switches its agent off. @param joules  when full
-inline hal::devices::Battery last_battery(double joules) {
-  hal::devices::Battery one = battery(joules);
-  one.when_empty = hal::devices::WhenEmpty::kOff;
+inline hal::node::devices::Battery last_battery(double joules) {
+  hal::node::devices::Battery one = battery(joules);
+  one.when_empty = hal::node::devices::WhenEmpty::kOff;
   return one;
 }
 
@@ -60,7 +60,7 @@ class Seen final : public sim::agents::Observer {
 /// Two motes, next to each other, with batteries.
 class Batteries : public TwoMotes {
  protected:
-  void give(AgentId agent, const hal::devices::Battery& one) {
+  void give(AgentId agent, const hal::node::devices::Battery& one) {
     std::visit([&](auto& body) { body.sensors = {one}; }, config.agents.at(agent.value - 1u).body);
   }
 
@@ -87,7 +87,7 @@ class Batteries : public TwoMotes {
   }
 
   /// J that a battery's loads take, by how long the radio was in each state.
-  double load_of(const hal::devices::Battery& one, AgentId agent) const {
+  double load_of(const hal::node::devices::Battery& one, AgentId agent) const {
     const sim::radio::RadioUse& use = used.at(agent).radio;
     return one.idle_power * hal::to_seconds(on_air(agent)) +
            one.radio.transmit * hal::to_seconds(use.transmitting) +
@@ -96,9 +96,9 @@ class Batteries : public TwoMotes {
   }
 
   /// The last reading of a channel that a controller got, lost or not.
-  std::optional<hal::exchange::Reading> last_reading(
-      AgentId agent, std::uint16_t channel = hal::devices::kFirstSensor) const {
-    std::optional<hal::exchange::Reading> last;
+  std::optional<hal::node::exchange::Reading> last_reading(
+      AgentId agent, std::uint16_t channel = hal::node::devices::kFirstSensor) const {
+    std::optional<hal::node::exchange::Reading> last;
     for (const Step& step : port->steps)
       for (const Event& event : step.events)
         for (const auto& reading : event.readings)
@@ -134,13 +134,13 @@ class EmptyBattery : public Batteries {
   /// 802.11b, without a search for routes.
   void use_dcf() {
     config.radio = sim::radio::profile_defaults(sim::radio::Profile::kIeee80211b);
-    for (auto& agent : config.agents) agent.routing = hal::routing::Algorithm::kNone;
+    for (auto& agent : config.agents) agent.routing = hal::node::routing::Algorithm::kNone;
   }
 };
 
 /// 0.5 W idle, and 0.5 W while its radio listens.
-inline hal::devices::Battery one_watt(double joules) {
-  hal::devices::Battery one = last_battery(joules);
+inline hal::node::devices::Battery one_watt(double joules) {
+  hal::node::devices::Battery one = last_battery(joules);
   one.idle_power = one.radio.listen = 0.5;
   return one;
 }

@@ -1,4 +1,4 @@
-#include "hal/devices/battery.h"
+#include "hal/node/devices/battery.h"
 
 #include <gtest/gtest.h>
 
@@ -11,21 +11,22 @@
 namespace {
 
 using namespace tests;
-using hal::devices::Battery;
-using hal::devices::WhenEmpty;
+using hal::node::devices::Battery;
+using hal::node::devices::WhenEmpty;
 
 constexpr Time kLastReading{2s};
 
 // Two stations that hear each other and nobody else: what one sends, the other receives.
 TEST_F(Batteries, FallByWhatComputerAndRadioDrewForTheFramesOnTheAir) {
   config.radio = sim::radio::profile_defaults(sim::radio::Profile::kIeee80211b);
-  Battery one = battery(100);
+  Battery one = tests::battery(100);
   one.idle_power = 0.5;
   one.radio = {.transmit = 700, .receive = 300, .listen = 0.2, .off = 0};
-  give(kA, one);
-  give(kB, one);
-  run(kLastReading, send_always);
-  const double sent = seen.airtime(kA, kLastReading), answered = seen.airtime(kB, kLastReading);
+  give(tests::kA, one);
+  give(tests::kB, one);
+  run(kLastReading, tests::send_always);
+  const double sent = seen.airtime(tests::kA, kLastReading),
+               answered = seen.airtime(tests::kB, kLastReading);
   ASSERT_GT(sent, 0.005);
   ASSERT_GT(answered, 0.003);
   const double quiet = 2 - sent - answered;
@@ -39,10 +40,10 @@ TEST_F(Batteries, FallByWhatComputerAndRadioDrewForTheFramesOnTheAir) {
 }
 
 TEST_F(Batteries, AnAgentThatStaysUpSendsOnAfterItsBatteryIsEmpty) {
-  Battery one = battery(1);
+  Battery one = tests::battery(1);
   one.idle_power = 1;
-  give(kA, one);
-  run(Time{2s}, send_always);
+  give(tests::kA, one);
+  run(Time{2s}, tests::send_always);
   EXPECT_EQ(last(kA).at(0), 0);
   EXPECT_TRUE(last(kB).empty()) << "it has none";
   EXPECT_EQ(messages(), 21);
@@ -53,22 +54,22 @@ TEST_F(Batteries, AnAgentThatStaysUpSendsOnAfterItsBatteryIsEmpty) {
 }
 
 TEST_F(Batteries, ARobotThatGoesOffRollsOutAndCannotBeSwitchedOnAgain) {
-  auto robot = sim::physics::test::robertino(hal::devices::WheelLevel::kContact);
+  auto robot = sim::physics::test::robertino(hal::node::devices::WheelLevel::kContact);
   robot.infrared.clear();
   config.agents[0].body = robot;
-  Battery one = battery(2);
+  Battery one = tests::battery(2);
   one.idle_power = 1;
   one.when_empty = WhenEmpty::kOff;
-  give(kA, one);
+  give(tests::kA, one);
   run(Time{8s}, [](const Event& event) -> std::vector<Action> {
-    if (event.agent != kA || event.cause != Cause::kControl) return {};
+    if (event.agent != tests::kA || event.cause != Cause::kControl) return {};
     Action drive;
     drive.kind = ActionKind::kDriveBody;
     drive.twist = {0.5, 0, 0};
     Action on;
     on.kind = ActionKind::kRadio;
     on.radio_on = true;
-    std::vector<Action> actions = send_always(event);
+    std::vector<Action> actions = tests::send_always(event);
     actions.push_back(drive);
     actions.push_back(on);
     return actions;

@@ -15,8 +15,8 @@ namespace {
 
 using hal::AgentId;
 using hal::Time;
-using hal::exchange::Action;
-using hal::exchange::Event;
+using hal::node::exchange::Action;
+using hal::node::exchange::Event;
 using sim::agents::Controllers;
 using tests::ScriptedPort;
 

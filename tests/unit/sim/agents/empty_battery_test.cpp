@@ -9,7 +9,7 @@
 namespace tests {
 namespace {
 
-using hal::devices::Battery;
+using hal::node::devices::Battery;
 using sim::agents::Befall;
 using sim::agents::Drain;
 using sim::agents::Fortune;
@@ -108,7 +108,7 @@ TEST_F(EmptyBattery, CutsTheFrameThatItsRadioIsSending) {
 // What ends at that very instant has ended: the frame gets through, its acknowledgement does not.
 TEST_F(EmptyBattery, LetsAFrameEndThatEndsAtThatInstant) {
   config.radio = sim::radio::profile_defaults(sim::radio::Profile::kDisk);
-  for (auto& agent : config.agents) agent.routing = hal::routing::Algorithm::kNone;
+  for (auto& agent : config.agents) agent.routing = hal::node::routing::Algorithm::kNone;
   const auto once = [](const Event& event) -> std::vector<Action> {
     if (event.agent != kA || event.cause != Cause::kControl || event.time != Time{1s}) return {};
     return {send(kB)};
@@ -189,7 +189,7 @@ TEST_F(EmptyBattery, ThatIsEmptyAtTheStartIsOffFromTheStart) {
 }
 
 TEST_F(EmptyBattery, EndsTheSensorsButTheGaugeAndNotTheController) {
-  auto robot = sim::physics::test::robertino(hal::devices::WheelLevel::kContact);
+  auto robot = sim::physics::test::robertino(hal::node::devices::WheelLevel::kContact);
   config.agents[0].body = robot;
   give(kA, one_watt(1.05));
   run(Time{2s}, nothing, {.channels = {"infrared", "odometry", "localisation", "battery"}});
@@ -198,7 +198,7 @@ TEST_F(EmptyBattery, EndsTheSensorsButTheGaugeAndNotTheController) {
     if (event.agent != kA) continue;
     ASSERT_EQ(event.readings.size(), 4u) << "its controller lives on";
     for (const auto& reading : event.readings) {
-      const bool is_gauge = reading.channel == hal::devices::kFirstSensor;
+      const bool is_gauge = reading.channel == hal::node::devices::kFirstSensor;
       EXPECT_EQ(reading.lost, !is_gauge && event.time >= Time{1050ms});
       lost += reading.lost ? 1 : 0;
     }

@@ -16,8 +16,8 @@ namespace {
 using namespace std::chrono_literals;
 using hal::AgentId;
 using hal::Time;
-using hal::exchange::Action;
-using hal::exchange::Event;
+using hal::node::exchange::Action;
+using hal::node::exchange::Event;
 using sim::agents::BodyState;
 using sim::agents::FingerprintFeed;
 using sim::radio::Frame;
@@ -52,7 +52,7 @@ struct Observations {
     frame.payload = std::make_shared<const hal::Bytes>(hal::Bytes{1, 2, 3});
     event = {.agent = AgentId{1},
              .time = at,
-             .cause = hal::exchange::Cause::kMessage,
+             .cause = hal::node::exchange::Cause::kMessage,
              .readings = {{.channel = 3, .values = {0.25, 0.5}}},
              .message = hal::Message{AgentId{2}, AgentId{1}, 9, "help", {4}},
              .timer = 1,
@@ -63,7 +63,7 @@ struct Observations {
              .lost_neighbours = {AgentId{5}}};
     action = {.agent = AgentId{1},
               .event = 0,
-              .kind = hal::exchange::ActionKind::kSend,
+              .kind = hal::node::exchange::ActionKind::kSend,
               .twist = {0.1, 0.2, 0.3},
               .wheel_speeds = {1, 2, 3},
               .message_id = 4,
@@ -139,7 +139,7 @@ std::vector<Mutation> event_mutations() {
       [](auto& o) { o.swap = true; },
       [](auto& o) { o.event.agent.value ^= 1; },
       [](auto& o) { o.event.time += 1ns; },
-      [](auto& o) { o.event.cause = hal::exchange::Cause::kNotice; },
+      [](auto& o) { o.event.cause = hal::node::exchange::Cause::kNotice; },
       [](auto& o) { o.event.readings[0].channel ^= 1; },
       [](auto& o) { nudge(o.event.readings[0].values[1]); },
       [](auto& o) { o.event.message->source.value ^= 1; },
@@ -160,7 +160,7 @@ std::vector<Mutation> event_mutations() {
 std::vector<Mutation> action_and_route_mutations() {
   return {
       [](auto& o) { o.action.agent.value ^= 1; },
-      [](auto& o) { o.action.kind = hal::exchange::ActionKind::kTimer; },
+      [](auto& o) { o.action.kind = hal::node::exchange::ActionKind::kTimer; },
       [](auto& o) { nudge(o.action.twist.vx); },
       [](auto& o) { nudge(o.action.twist.vy); },
       [](auto& o) { nudge(o.action.twist.omega); },
@@ -209,7 +209,7 @@ TEST(FingerprintFeed, OneBitOfARecordedValueChangesItAndOfNothingElse) {
   Observations sends, records, other;
   nudge(sends.action.value);
   EXPECT_EQ(sends.total(), Observations().total()) << "it belongs to the other kind of action";
-  records.action.kind = other.action.kind = hal::exchange::ActionKind::kRecord;
+  records.action.kind = other.action.kind = hal::node::exchange::ActionKind::kRecord;
   nudge(other.action.value);
   EXPECT_NE(records.total(), other.total());
 }

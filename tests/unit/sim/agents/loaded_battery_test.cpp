@@ -11,7 +11,7 @@
 namespace tests {
 namespace {
 
-using hal::devices::Battery;
+using hal::node::devices::Battery;
 
 TEST_F(EmptyBattery, WithResistanceIsSoWhenANumericalIntegrationSays) {
   Battery one = one_watt(5);
@@ -57,7 +57,7 @@ double emptied_after(const Battery& one, const std::vector<Seen::Air>& frames) {
 
 TEST_F(EmptyBattery, WithResistanceFollowsEachFrame) {
   config.radio = sim::radio::profile_defaults(sim::radio::Profile::kDisk);
-  for (auto& agent : config.agents) agent.routing = hal::routing::Algorithm::kNone;
+  for (auto& agent : config.agents) agent.routing = hal::node::routing::Algorithm::kNone;
   Battery one = last_battery(2);
   one.full_voltage = 4.2;
   one.empty_voltage = 3;
@@ -79,7 +79,7 @@ TEST_F(EmptyBattery, WithResistanceFollowsEachFrame) {
 
 // The motors take from the battery in each step of the physics what they took in the step before.
 class EmptyBatteryOfARobot : public EmptyBattery,
-                             public testing::WithParamInterface<hal::devices::WheelLevel> {
+                             public testing::WithParamInterface<hal::node::devices::WheelLevel> {
  protected:
   void give_robot(const Battery& one) {
     auto robot = sim::physics::test::robertino(GetParam());

@@ -50,7 +50,7 @@ class Scripted : public TwoMotes {
   /// With this radio, and no search for routes.
   void hop_over(sim::radio::Profile profile) {
     config.radio = sim::radio::profile_defaults(profile);
-    for (auto& agent : config.agents) agent.routing = hal::routing::Algorithm::kNone;
+    for (auto& agent : config.agents) agent.routing = hal::node::routing::Algorithm::kNone;
   }
   void at(hal::Duration when, ScriptedAction action) {
     config.script.push_back({AtTime{when}, {std::move(action)}, {}});
@@ -69,13 +69,13 @@ class Scripted : public TwoMotes {
     return one.run(until, pace_);
   }
   void give_batteries() {
-    hal::devices::Battery battery;
+    hal::node::devices::Battery battery;
     battery.capacity = 1000;
     battery.full_voltage = battery.empty_voltage = 10;
     battery.idle_power = 10;
     battery.radio = {.transmit = 1, .receive = 1, .listen = 0.8, .off = 0.5};
     for (auto& agent : config.agents)
-      std::get<hal::devices::MoteDescription>(agent.body).sensors.emplace_back(battery);
+      std::get<hal::node::devices::MoteDescription>(agent.body).sensors.emplace_back(battery);
   }
   double x_at(hal::Duration when) const {
     for (const auto& [time, x] : whereabouts.track)
@@ -163,7 +163,7 @@ TEST_F(Scripted, AnAgentThatIsNotPresentTakesNoPartUntilItIsAdded) {
 }
 
 TEST_F(Scripted, ARestartedControllerFindsItsWheelsAtRest) {
-  auto robot = sim::physics::test::robertino(hal::devices::WheelLevel::kContact);
+  auto robot = sim::physics::test::robertino(hal::node::devices::WheelLevel::kContact);
   robot.infrared.clear();
   config.agents[1].body = robot;
   at(1s, befall(Fortune::kRestart, kB));

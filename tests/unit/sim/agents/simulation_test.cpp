@@ -13,7 +13,7 @@ using namespace tests;
 TEST_F(TwoMotes, BodyThatIsLostIsAVerdictOfTheRun) {
   EXPECT_TRUE(run(Time{1s}, nothing).bodies_lost.empty());
   config.agents[1].pose.x = 100'001;  // farther away than any robot drives
-  const Outcome outcome = run(Time{1s}, nothing);
+  const Outcome outcome = run(Time{1s}, tests::nothing);
   EXPECT_EQ(outcome.bodies_lost,
             (std::vector<std::string>{"b lost: it is farther than 100 km away at 0.010000000 s"}));
   EXPECT_EQ(effects.lost, std::vector<AgentId>{kB});
@@ -23,9 +23,9 @@ TEST_F(TwoMotes, TopicsBeyondTheLimitOfAnAgentAreRefusedWhateverItsProcessSays) 
   std::uint32_t messages = 0;
   const Outcome outcome = run(Time{450ms}, [&](const Event& event) {
     std::vector<Action> actions;
-    if (event.agent != kA || event.cause != Cause::kControl) return actions;
+    if (event.agent != tests::kA || event.cause != Cause::kControl) return actions;
     for (int i = 0; i < 100; ++i) {
-      Action action = send(kB);
+      Action action = tests::send(tests::kB);
       action.message_id = ++messages;
       action.topic = "topic " + std::to_string(messages);
       actions.push_back(action);
@@ -37,7 +37,7 @@ TEST_F(TwoMotes, TopicsBeyondTheLimitOfAnAgentAreRefusedWhateverItsProcessSays) 
 }
 
 TEST_F(TwoMotes, StartAndTheFirstControlCycleAreOneExchangeByAgentThenCause) {
-  run(Time{50ms}, nothing);
+  run(Time{50ms}, tests::nothing);
   ASSERT_EQ(port->steps.size(), 2u) << "time 0, and the stop";
   std::vector<std::pair<AgentId, Cause>> seen;
   for (const Event& event : port->steps[0].events) seen.emplace_back(event.agent, event.cause);
@@ -56,8 +56,8 @@ TEST_F(TwoMotes, AlignedControlCyclesAreOneExchangeEach) {
 
 TEST_F(TwoMotes, AMessageSentAtAnInstantArrivesInALaterRoundOfThatInstant) {
   run(Time{2s}, [](const Event& event) -> std::vector<Action> {
-    if (event.agent == kA && event.cause == Cause::kControl && event.time == Time{1s}) {
-      return {send(kB)};
+    if (event.agent == tests::kA && event.cause == Cause::kControl && event.time == Time{1s}) {
+      return {tests::send(tests::kB)};
     }
     return {};
   });
@@ -106,7 +106,8 @@ TEST_F(TwoMotes, AUdpLikeLinkHidesWhatTheMacKnowsAndMessagesArriveAllTheSame) {
     run(Time{4s},
         [](const Event& event) -> std::vector<Action> {
           const bool is_time = event.cause == Cause::kControl && event.time == Time{3s};
-          return event.agent == kA && is_time ? std::vector{send(kB)} : std::vector<Action>{};
+          return event.agent == tests::kA && is_time ? std::vector{tests::send(tests::kB)}
+                                                     : std::vector<Action>{};
         },
         {.neighbours = true});
     const Heard result = heard(port->steps);
@@ -127,7 +128,7 @@ TEST_F(TwoMotes, AUdpLikeLinkHidesWhatTheMacKnowsAndMessagesArriveAllTheSame) {
 TEST_F(TwoMotes, WithALatencyActionsTakeEffectThatMuchLater) {
   config.controller_latency = 10ms;
   run(Time{300ms}, [](const Event& event) -> std::vector<Action> {
-    return event.cause == Cause::kControl ? std::vector{state("x")} : std::vector<Action>{};
+    return event.cause == Cause::kControl ? std::vector{tests::state("x")} : std::vector<Action>{};
   });
   ASSERT_GE(effects.actions.size(), 4u);
   EXPECT_EQ(effects.actions[0].first, Time{10ms});
@@ -137,9 +138,9 @@ TEST_F(TwoMotes, WithALatencyActionsTakeEffectThatMuchLater) {
 // Phases 10 ms apart or more are exchanges of their own without latency; a window holds them all.
 TEST_F(TwoMotes, AWindowOfLatencyIsOneExchange) {
   config.control_phase = sim::agents::ControlPhase::kUniform;
-  const auto without = run(Time{10s}, nothing).exchanges;
+  const auto without = run(Time{10s}, tests::nothing).exchanges;
   config.controller_latency = 100ms;
-  const auto with = run(Time{10s}, nothing).exchanges;
+  const auto with = run(Time{10s}, tests::nothing).exchanges;
   EXPECT_GE(without, 200u);
   EXPECT_LE(with, 102u);
   for (const Step& step : port->steps) {
@@ -149,26 +150,27 @@ TEST_F(TwoMotes, AWindowOfLatencyIsOneExchange) {
 }
 
 TEST_F(TwoMotes, EndsTheGivenTimeAfterAState) {
-  config.ends = {{.agent = kB, .state = "DONE", .after = 250ms, .result = "done"},
+  config.ends = {{.agent = tests::kB, .state = "DONE", .after = 250ms, .result = "done"},
                  {.agent = {}, .state = {}, .after = 5s, .result = "timeout"}};
   const auto rule = [](AgentId who) {
     return [who](const Event& event) -> std::vector<Action> {
-      return event.agent == who && event.time == Time{1s} ? std::vector{state("DONE")}
+      return event.agent == who && event.time == Time{1s} ? std::vector{tests::state("DONE")}
                                                           : std::vector<Action>{};
     };
   };
-  const Outcome done = run(Time{10s}, rule(kB));
+  const Outcome done = run(Time{10s}, rule(tests::kB));
   EXPECT_EQ(done.result, "done");
   EXPECT_EQ(done.ended_at, Time{1250ms});
-  const Outcome timeout = run(Time{10s}, rule(kA));
+  const Outcome timeout = run(Time{10s}, rule(tests::kA));
   EXPECT_EQ(timeout.result, "timeout");
   EXPECT_EQ(timeout.ended_at, Time{5s});
 }
 
 TEST_F(TwoMotes, ActionsBeyondTheRulesAreRefusedCountedAndTheRunGoesOn) {
   const Outcome outcome = run(Time{1s}, [](const Event& event) -> std::vector<Action> {
-    if (event.cause != Cause::kStart || event.agent != kA) return {};
-    Action drive, to_itself = send(kA), nameless = send(kB), endless = send(kB);
+    if (event.cause != Cause::kStart || event.agent != tests::kA) return {};
+    Action drive, to_itself = tests::send(tests::kA), nameless = tests::send(tests::kB),
+                  endless = tests::send(tests::kB);
     drive.kind = ActionKind::kDriveBody;
     nameless.topic.clear();
     endless.payload.resize(hal::kMaxPayload + 1);
@@ -183,8 +185,8 @@ TEST_F(TwoMotes, AControllerThatThrowsEndsTheRunAndIsNamed) {
     Action error;
     error.kind = ActionKind::kError;
     error.text = "no more";
-    return event.agent == kB && event.time == Time{300ms} ? std::vector{error}
-                                                          : std::vector<Action>{};
+    return event.agent == tests::kB && event.time == Time{300ms} ? std::vector{error}
+                                                                 : std::vector<Action>{};
   });
   EXPECT_EQ(outcome.kind, Outcome::Kind::kFailed);
   EXPECT_EQ(outcome.error, "the controller of b (process script) failed at 0.300000000 s: no more");
@@ -192,7 +194,7 @@ TEST_F(TwoMotes, AControllerThatThrowsEndsTheRunAndIsNamed) {
 
 TEST_F(TwoMotes, TimersCallBackOnceAndMayBeMoved) {
   run(Time{2s}, [](const Event& event) -> std::vector<Action> {
-    if (event.agent != kA || event.cause != Cause::kStart) return {};
+    if (event.agent != tests::kA || event.cause != Cause::kStart) return {};
     Action first, moved;
     first.kind = moved.kind = ActionKind::kTimer;
     first.timer = moved.timer = 7;

@@ -38,7 +38,7 @@ TEST_F(TwoMotes, WithAUniformPhaseAgentsStartWithTheirOwnControlCycleAndTimersDi
   const auto starts = times_of(Cause::kStart, port->steps);
   const auto cycles = times_of(Cause::kControl, port->steps);
   const auto timers = times_of(Cause::kTimer, port->steps);
-  for (const AgentId agent : {kA, kB}) {
+  for (const AgentId agent : {tests::kA, tests::kB}) {
     ASSERT_EQ(starts.at(agent).size(), 1u);
     EXPECT_EQ(starts.at(agent)[0], cycles.at(agent)[0]);
     EXPECT_GT(starts.at(agent)[0], Time{});
@@ -53,7 +53,7 @@ TEST_F(TwoMotes, AlignedAgentsStartAtZeroAndTimersMeet) {
     if (event.cause == Cause::kStart) return {timer_at(event.time + 200ms)};
     return {};
   });
-  for (const AgentId agent : {kA, kB}) {
+  for (const AgentId agent : {tests::kA, tests::kB}) {
     EXPECT_EQ(times_of(Cause::kStart, port->steps).at(agent), std::vector{Time{}});
     EXPECT_EQ(times_of(Cause::kTimer, port->steps).at(agent), std::vector{Time{200ms}});
   }
@@ -64,11 +64,12 @@ TEST_F(TwoMotes, AlignedAgentsStartAtZeroAndTimersMeet) {
 TEST_F(TwoMotes, WhatArrivesBeforeTheStartIsHandedOverWithIt) {
   config.control_phase = sim::agents::ControlPhase::kUniform;
   run(Time{1s}, [](const Event& event) -> std::vector<Action> {
-    if (event.cause == Cause::kStart) return {send(event.agent == kA ? kB : kA)};
+    if (event.cause == Cause::kStart)
+      return {tests::send(event.agent == tests::kA ? tests::kB : tests::kA)};
     return {};
   });
   const auto starts = times_of(Cause::kStart, port->steps);
-  const AgentId later = starts.at(kA) < starts.at(kB) ? kB : kA;
+  const AgentId later = starts.at(tests::kA) < starts.at(kB) ? tests::kB : tests::kA;
   std::vector<Cause> causes;
   for (const Step& step : port->steps) {
     for (const Event& event : step.events) {
@@ -85,7 +86,7 @@ TEST_F(TwoMotes, WhatArrivesBeforeTheStartIsHandedOverWithIt) {
 
 TEST_F(TwoMotes, AControllerThatTheRunLeftNoTimeForIsStartedAndStopped) {
   config.control_phase = sim::agents::ControlPhase::kUniform;
-  run(Time{}, nothing);
+  run(Time{}, tests::nothing);
   ASSERT_EQ(port->steps.size(), 1u);
   std::vector<std::pair<AgentId, Cause>> seen;
   for (const Event& event : port->steps[0].events) seen.emplace_back(event.agent, event.cause);

@@ -21,7 +21,7 @@ class Bodies final : public Observer {
 };
 
 /// A mote at 10 m, and a station that starts at 20 m and drives away along x at 5 m/s.
-class Stations : public TwoMotes {
+class Stations : public tests::TwoMotes {
  protected:
   Stations() {
     config.agents[1].body = Station{.path = LinePath{.speed = 5}};
@@ -37,7 +37,7 @@ TEST_F(Stations, AreLocalisedWhereTheyAreNow) {
         for (const auto& reading : event.readings) {
           EXPECT_EQ(reading.values.size(), 3u);
           const double between = 10 + 5 * hal::to_seconds(event.time);
-          const double expected = event.agent == kA ? between : -between;
+          const double expected = event.agent == tests::kA ? between : -between;
           EXPECT_NEAR(reading.values.at(1), expected, 1e-6) << hal::to_seconds(event.time);
           ++looked;
         }
@@ -50,10 +50,11 @@ TEST_F(Stations, AreLocalisedWhereTheyAreNow) {
 TEST_F(Stations, HaveNoBodyAndAreRecordedAtControlInstants) {
   Bodies bodies;
   Simulation simulation(config, {&bodies});
-  simulation.connect(std::make_shared<ScriptedPort>(nothing), {kA, kB}, {});
-  NoPace pace;
+  simulation.connect(std::make_shared<tests::ScriptedPort>(tests::nothing), {tests::kA, tests::kB},
+                     {});
+  tests::NoPace pace;
   simulation.run(Time{1s}, pace);
-  const auto& seen = bodies.seen.at(kB);
+  const auto& seen = bodies.seen.at(tests::kB);
   ASSERT_EQ(seen.size(), 11u);
   for (const auto& [at, body] : seen) {
     EXPECT_NEAR(body.x, 20 + 5 * hal::to_seconds(at), 1e-9);
@@ -67,8 +68,9 @@ TEST_F(Stations, HaveNoBodyAndAreRecordedAtControlInstants) {
 TEST_F(Stations, AloneNeedNoPhysicsSteps) {
   const auto events = [this] {
     Simulation simulation(config, {});
-    simulation.connect(std::make_shared<ScriptedPort>(nothing), {kA, kB}, {});
-    NoPace pace;
+    simulation.connect(std::make_shared<tests::ScriptedPort>(tests::nothing),
+                       {tests::kA, tests::kB}, {});
+    tests::NoPace pace;
     return simulation.run(Time{10s}, pace).events;
   };
   const auto with_a_body = events();
@@ -78,12 +80,12 @@ TEST_F(Stations, AloneNeedNoPhysicsSteps) {
 
 // Ideal radio, 250 m: it leaves at 230 m / 5 m/s.
 TEST_F(Stations, HearOnlyWithinTheRangeOfWhereTheyAreNow) {
-  config.routing.algorithm = hal::routing::Algorithm::kNone;
+  config.routing.algorithm = hal::node::routing::Algorithm::kNone;
   std::vector<double> heard;
   run(Time{60s}, [&](const Event& event) -> std::vector<Action> {
     if (event.cause == Cause::kMessage) heard.push_back(hal::to_seconds(event.time));
-    if (event.cause != Cause::kControl || event.agent != kA) return {};
-    Action action = send(hal::kNeighbours);
+    if (event.cause != Cause::kControl || event.agent != tests::kA) return {};
+    Action action = tests::send(hal::kNeighbours);
     static hal::MessageId id = 0;
     action.message_id = ++id;
     return {action};

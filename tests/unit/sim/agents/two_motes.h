@@ -17,11 +17,11 @@ namespace tests {
 using namespace std::chrono_literals;
 using hal::AgentId;
 using hal::Time;
-using hal::exchange::Action;
-using hal::exchange::ActionKind;
-using hal::exchange::Cause;
-using hal::exchange::Event;
-using hal::exchange::Step;
+using hal::node::exchange::Action;
+using hal::node::exchange::ActionKind;
+using hal::node::exchange::Cause;
+using hal::node::exchange::Event;
+using hal::node::exchange::Step;
 using sim::agents::Outcome;
 using sim::agents::SimulationConfig;
 
@@ -62,7 +62,7 @@ class TwoMotes : public testing::Test {
       config.agents.push_back({.id = id,
                                .name = id == kA ? "a" : "b",
                                .pose = {10.0 * id.value, 0, 0},
-                               .body = hal::devices::MoteDescription{},
+                               .body = hal::node::devices::MoteDescription{},
                                .program = {},
                                .parameters = {}});
     }

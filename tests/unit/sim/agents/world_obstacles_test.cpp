@@ -35,7 +35,7 @@ double way_inside(const sim::physics::StaticBox& box, const Vec3& from, const Ve
     leave = std::min(leave, std::max(t1, t2));
   }
   const Vec3 way = to - from;
-  return leave > enter ? (leave - enter) * std::sqrt(dot(way, way)) : 0;
+  return leave > enter ? (leave - enter) * std::sqrt(hal::dot(way, way)) : 0;
 }
 
 // 1000 placements of antennas among 30 walls of different size, turn and loss. dB: rounding only.
@@ -109,7 +109,7 @@ SimulationConfig divided(double thickness) {
     config.agents.push_back({.id = hal::AgentId{static_cast<std::uint16_t>(i + 1)},
                              .name = "m" + std::to_string(i),
                              .pose = {10.0 * i, 0, 0},
-                             .body = hal::devices::MoteDescription{},
+                             .body = hal::node::devices::MoteDescription{},
                              .program = {},
                              .parameters = {}});
   }

@@ -80,7 +80,7 @@ TEST(Fingerprint, RowsTellTheAgentAndSecondApart) {
 std::string places(const std::vector<Feed>& feeds) {
   std::string text;
   for (const auto& row : rows(feeds)) {
-    text += fmt::format("{}{} {} {}{}", text.empty() ? "" : ", ", row.second, name(row.part),
+    text += fmt::format("{}{} {} {}{}", text.empty() ? "" : ", ", row.second, sim::name(row.part),
                         row.agent.value, row.hash ? "+" : "-");
   }
   return text;

@@ -10,7 +10,7 @@
 namespace sim::physics::test {
 namespace {
 
-using hal::devices::MoteDescription;
+using hal::node::devices::MoteDescription;
 
 constexpr AgentId kRobot{1};
 constexpr std::uint16_t kFirstMote = 2;
@@ -47,7 +47,7 @@ TEST(AwakeList, WhoWasLetGoOfCanComeBack) {
 class AwakeWorld : public testing::TestWithParam<int> {
  protected:
   AwakeWorld() {
-    world.add_robot(kRobot, robertino(hal::devices::WheelLevel::kContact), {-1, 0, 0});
+    world.add_robot(kRobot, robertino(hal::node::devices::WheelLevel::kContact), {-1, 0, 0});
     for (int i = 0; i < GetParam(); ++i) {
       const auto mote = static_cast<std::uint16_t>(kFirstMote + i);
       world.add_mote(AgentId{mote}, MoteDescription{}, {0.5 * (i / 10), 0.5 * (i % 10), 0});
@@ -113,7 +113,7 @@ TEST_P(AwakeWorld, MotorsThatAreSwitchedOffWakeARobot) {
 class Pairs {
  public:
   explicit Pairs(int far_away) {
-    world.add_robot(kRobot, robertino(hal::devices::WheelLevel::kContact), {-1, 0.05, 0});
+    world.add_robot(kRobot, robertino(hal::node::devices::WheelLevel::kContact), {-1, 0.05, 0});
     const double side = MoteDescription{}.size.x - 1e-5;  // m: they touch
     for (std::uint16_t i = 0; i < kPairs; ++i) {
       add({1.0 * i, 0, 0});

@@ -15,7 +15,7 @@ class Heap {
  public:
   static constexpr int kRobots = 20;
 
-  explicit Heap(hal::devices::WheelLevel level) : world_(WorldConfig{}) {
+  explicit Heap(hal::node::devices::WheelLevel level) : world_(WorldConfig{}) {
     for (int i = 0; i < kRobots; ++i) {
       const double angle = 2 * hal::math::kPi * i / kRobots;
       const double radius = i % 2 == 0 ? 1.3 : 1.8;

@@ -27,8 +27,8 @@ void add_hash(Hash& hash, const BodyPose& pose) {
 void add_heap(World& world) {
   world.add_robot(AgentId{kHeap + 1}, robertino(), {0.01, 0.02, 0});
   for (std::uint16_t i = 0; i < kHeap; ++i) {
-    const double angle = 2 * kPi * i / kHeap;
-    const hal::Pose2 pose{hal::math::cos(angle), hal::math::sin(angle), angle + kPi};
+    const double angle = 2 * hal::math::kPi * i / kHeap;
+    const hal::Pose2 pose{hal::math::cos(angle), hal::math::sin(angle), angle + hal::math::kPi};
     world.add_robot(AgentId{static_cast<std::uint16_t>(i + 1)}, robertino(), pose);
   }
   for (std::uint16_t i = 0; i < 3; ++i)

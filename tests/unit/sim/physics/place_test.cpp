@@ -9,7 +9,7 @@
 namespace sim::physics::test {
 namespace {
 
-using hal::devices::WheelLevel;
+using hal::node::devices::WheelLevel;
 
 constexpr AgentId kMoved{1}, kOther{2};
 

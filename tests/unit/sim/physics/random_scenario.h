@@ -88,9 +88,9 @@ class RandomScenario {
   }
 
   /// Three or four wheels, light to heavy, weak to strong, but not top-heavy.
-  hal::devices::RobotDescription drawn_robot() {
-    hal::devices::RobotDescription robot;
-    using hal::devices::WheelLevel;
+  hal::node::devices::RobotDescription drawn_robot() {
+    hal::node::devices::RobotDescription robot;
+    using hal::node::devices::WheelLevel;
     robot.wheel_level = random_.below(2) == 0 ? WheelLevel::kJointed : WheelLevel::kContact;
     const double radius = between(0.12, 0.3);
     const double top = between(0.1, 0.8) * radius + 0.02;
@@ -102,16 +102,16 @@ class RandomScenario {
     robot.friction = between(0, 0.6);
     const std::uint32_t wheels = 3 + random_.below(2);
     const double turn = between(0, 2);
-    const hal::devices::Wheel common{{},
-                                     0,
-                                     between(0.025, 0.06),
-                                     between(0.1, 0.5),
-                                     between(0.3, 0.8),
-                                     between(0, 0.05),
-                                     between(0.1, 2),
-                                     between(5, 30)};
+    const hal::node::devices::Wheel common{{},
+                                           0,
+                                           between(0.025, 0.06),
+                                           between(0.1, 0.5),
+                                           between(0.3, 0.8),
+                                           between(0, 0.05),
+                                           between(0.1, 2),
+                                           between(5, 30)};
     for (std::uint32_t i = 0; i < wheels; ++i) {
-      hal::devices::Wheel wheel = common;
+      hal::node::devices::Wheel wheel = common;
       wheel.axle_heading = turn + 2 * hal::math::kPi * i / wheels;
       wheel.position =
           0.8 * radius *
@@ -138,7 +138,7 @@ class RandomScenario {
       const BodyVelocity v = world_.velocity(agent);
       // No part of a body is farther than 0.4 m from its origin.
       const double speed =
-          std::sqrt(dot(v.linear, v.linear)) + 0.4 * std::sqrt(dot(v.angular, v.angular));
+          std::sqrt(hal::dot(v.linear, v.linear)) + 0.4 * std::sqrt(hal::dot(v.angular, v.angular));
       if (speed > first)
         second = std::exchange(first, speed);
       else

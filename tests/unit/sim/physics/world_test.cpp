@@ -16,9 +16,9 @@ namespace {
 
 using hal::Errc;
 using hal::Twist2;
-using hal::devices::MoteDescription;
-using hal::devices::RobotDescription;
 using hal::math::kPi;
+using hal::node::devices::MoteDescription;
+using hal::node::devices::RobotDescription;
 
 constexpr AgentId kRobot{1};
 constexpr AgentId kMote{2};
@@ -268,7 +268,7 @@ TEST(World, PartsThatAreNotPossibleAreRefused) {
 
 TEST(World, ShapesFollowTheBodies) {
   World world(WorldConfig{});
-  world.add_wall({"wall", {5, 5, 0.5}, {2, 0.2, 1}, kPi / 2});
+  world.add_wall({"wall", {5, 5, 0.5}, {2, 0.2, 1}, hal::math::kPi / 2});
   world.add_robot(kRobot, robertino(), {});
   ASSERT_EQ(world.shapes().size(), 3U);
   const Shape& wall = world.shapes()[0];

@@ -54,7 +54,7 @@ class NeighbourhoodTest : public testing::Test {
     const hal::Vec3 here = positions.antennas.position(agents_[from].agent, events.now());
     for (StationIndex i = 0; i < agents_.size(); ++i) {
       const hal::Vec3 there = positions.antennas.position(agents_[i].agent, events.now());
-      const double d2 = dot(there - here, there - here);
+      const double d2 = hal::dot(there - here, there - here);
       if (i != from && d2 <= propagation.reach(kTxPower) * propagation.reach(kTxPower)) {
         found.push_back(i);
       }

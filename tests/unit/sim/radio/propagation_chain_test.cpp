@@ -125,7 +125,7 @@ TEST(PropagationChain, TheIndexFindsWhomAGainReaches) {
       if (arrival.power.value == 0) continue;
       expected.insert(to);
       const hal::Vec3 way = site(to).position - site(from).position;
-      far += dot(way, way) > 223.0 * 223.0;  // reach of the mean: 223 m at -101 dBm
+      far += hal::dot(way, way) > 223.0 * 223.0;  // reach of the mean: 223 m at -101 dBm
     }
     const Links& links = neighbourhood.links_from(from);
     for (const AudibleLink& link : links.audible) found.insert(link.receiver);

@@ -35,7 +35,7 @@ TEST_F(RadioUseTest, IsTheAirtimeOfTheFramesOfAnExchange) {
   const auto use = use_at(900ms);
   ASSERT_EQ(air.log.story(), "DATA1 ACK2");
   ASSERT_EQ(use.size(), 3u);
-  const hal::Duration data = test::kData, ack = test::kAck;
+  const hal::Duration data = kData, ack = kAck;
   expect_use(use[0], {data, ack, 900ms - data - ack, 0ms});
   expect_use(use[1], {ack, data, 900ms - data - ack, 0ms});
   expect_use(use[2], {0ms, ack, 900ms - ack, 0ms});

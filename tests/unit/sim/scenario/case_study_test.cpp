@@ -86,11 +86,11 @@ TEST(CaseStudy, EndsWithArrivalOrAfterAnHour) {
 
 TEST(Robertino, IsTheRobotOfTheSpecification) {
   const Scenario scenario = case_study();
-  const auto& robot = std::get<hal::devices::RobotDescription>(agent(scenario, "r0").body);
+  const auto& robot = std::get<hal::node::devices::RobotDescription>(agent(scenario, "r0").body);
   ASSERT_EQ(robot.cylinders.size(), 2u);
-  EXPECT_EQ(robot.cylinders[0], (hal::devices::BodyCylinder{0.185, 0.02, 0.21, {}, 9}));
-  EXPECT_EQ(robot.cylinders[1], (hal::devices::BodyCylinder{0.10, 0.21, 0.42, {}, 2}));
-  EXPECT_EQ(robot.acceleration, (hal::devices::AccelerationLimits{0.8, 1.5, 1.6, 3.14}));
+  EXPECT_EQ(robot.cylinders[0], (hal::node::devices::BodyCylinder{0.185, 0.02, 0.21, {}, 9}));
+  EXPECT_EQ(robot.cylinders[1], (hal::node::devices::BodyCylinder{0.10, 0.21, 0.42, {}, 2}));
+  EXPECT_EQ(robot.acceleration, (hal::node::devices::AccelerationLimits{0.8, 1.5, 1.6, 3.14}));
   ASSERT_EQ(robot.wheels.size(), 3u);
   for (const auto& wheel : robot.wheels) {
     EXPECT_EQ(wheel.radius, 0.040);
@@ -109,7 +109,7 @@ TEST(Robertino, IsTheRobotOfTheSpecification) {
 
 TEST(Robertino, LooksAroundWithSixInfraredSensors) {
   const Scenario scenario = case_study();
-  const auto& robot = std::get<hal::devices::RobotDescription>(agent(scenario, "r0").body);
+  const auto& robot = std::get<hal::node::devices::RobotDescription>(agent(scenario, "r0").body);
   ASSERT_EQ(robot.infrared.size(), 6u);
   for (std::size_t i = 0; i < 6; ++i) {
     const auto& sensor = robot.infrared[i];
@@ -119,15 +119,15 @@ TEST(Robertino, LooksAroundWithSixInfraredSensors) {
     EXPECT_NEAR(sensor.position.y, 0.185 * std::sin(heading), 1e-15);
     EXPECT_EQ(sensor.position.z, 0.04);
     EXPECT_DOUBLE_EQ(sensor.half_angle, 2.5 * 3.14159265358979323846 / 180);
-    EXPECT_EQ(sensor.curve, hal::devices::InfraredCurve::gp2d12());
+    EXPECT_EQ(sensor.curve, hal::node::devices::InfraredCurve::gp2d12());
     EXPECT_EQ(sensor.hold_period, 38'300us);
-    EXPECT_EQ(sensor.converter, (hal::devices::Converter{10, 5}));
+    EXPECT_EQ(sensor.converter, (hal::node::devices::Converter{10, 5}));
   }
 }
 
 TEST(Mote, IsACubeOfFiveCentimetresAndFiftyGrams) {
   const Scenario scenario = case_study();
-  const auto& mote = std::get<hal::devices::MoteDescription>(agent(scenario, "m0").body);
+  const auto& mote = std::get<hal::node::devices::MoteDescription>(agent(scenario, "m0").body);
   EXPECT_EQ(mote.size, (hal::Vec3{0.05, 0.05, 0.05}));
   EXPECT_EQ(mote.mass, 0.05);
 }
@@ -145,7 +145,7 @@ TEST(Overrides, ReachWhatUsersVary) {
   EXPECT_EQ(scenario.groups.at(0).processes, 5);
   EXPECT_EQ(scenario.simulation.routing.jitter_max, 50ms);
   const auto& robot = agent(scenario, "r0");
-  EXPECT_EQ(std::get<hal::devices::RobotDescription>(robot.body).infrared[3].noise_sigma, 0);
+  EXPECT_EQ(std::get<hal::node::devices::RobotDescription>(robot.body).infrared[3].noise_sigma, 0);
   EXPECT_EQ(robot.parameters.at(0).value, "0.5 m/s");
   EXPECT_EQ(robot.parameters.at(0).place, "--set agents.robots.controller.parameters.speed");
 }

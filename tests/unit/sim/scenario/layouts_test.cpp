@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "hal/config/errors.h"
+#include "hal/files/config/errors.h"
 #include "sim/scenario/resolved.h"
 #include "sim/scenario/scenario.h"
 
@@ -90,7 +90,7 @@ TEST(Layouts, UniformFollowsTheSeed) {
 std::string mistake(const std::string& layout) {
   try {
     poses(layout);
-  } catch (const hal::config::ConfigErrors& errors) {
+  } catch (const hal::files::config::ConfigErrors& errors) {
     return errors.messages().front();
   }
   return "none";
@@ -136,8 +136,8 @@ TEST(Stations, AndTheirRoutingAreWrittenAsTheyWereRead) {
     const auto& read = second.simulation.agents;
     ASSERT_EQ(read.size(), agents.size());
     EXPECT_EQ(std::get<agents::Station>(read[1].body), std::get<agents::Station>(agents[1].body));
-    EXPECT_EQ(read[1].routing, hal::routing::Algorithm::kAnts);
-    EXPECT_EQ(second.simulation.routing.algorithm, hal::routing::Algorithm::kNone);
+    EXPECT_EQ(read[1].routing, hal::node::routing::Algorithm::kAnts);
+    EXPECT_EQ(second.simulation.routing.algorithm, hal::node::routing::Algorithm::kNone);
   }
 }
 

@@ -192,9 +192,9 @@ TEST_F(Resolved, KeepsTheRun) {
   EXPECT_EQ(scenario.reply_timeout, std::nullopt);
   EXPECT_EQ(scenario.wait, 12s);
   EXPECT_EQ(c.link, agents::LinkKind::kUdpLike);
-  EXPECT_EQ(scenario.record.frames, sim::record::Detail::kAll);
-  EXPECT_EQ(scenario.record.messages, sim::record::Detail::kNone);
-  EXPECT_EQ(scenario.record.samples, sim::record::Detail::kAll);
+  EXPECT_EQ(scenario.record.frames, Detail::kAll);
+  EXPECT_EQ(scenario.record.messages, Detail::kNone);
+  EXPECT_EQ(scenario.record.samples, Detail::kAll);
   EXPECT_EQ(scenario.record.pose_period, 250ms);
   EXPECT_EQ(scenario.record.air, "heard.pcapng");
   EXPECT_EQ(scenario.record.air_heard_by, c.agents.at(1).id);
@@ -406,7 +406,7 @@ TEST_F(Resolved, KeepsTheOtherProtocols) {
         " controller: {program: help_mote}}}\nend: [{at: 1 s, result: done}]\n";
     return load(resolved_yaml(load(text))).simulation.routing;
   };
-  using hal::routing::Algorithm;
+  using hal::node::routing::Algorithm;
   const auto flooding = routing_of("{algorithm: flooding, jitter_max: 7 ms, hop_limit: 9}");
   EXPECT_EQ(flooding.algorithm, Algorithm::kFlooding);
   EXPECT_EQ(flooding.jitter_max, 7ms);
@@ -446,15 +446,15 @@ TEST_F(Resolved, KeepsEveryBody) {
   const auto again = load(resolved_yaml(load(kEverything))).simulation.agents;
   ASSERT_EQ(again.size(), 7u);
   for (std::size_t i = 0; i < again.size(); ++i) EXPECT_EQ(again[i].body, first[i].body) << i;
-  const auto& robot = std::get<hal::devices::RobotDescription>(again[0].body);
+  const auto& robot = std::get<hal::node::devices::RobotDescription>(again[0].body);
   EXPECT_EQ(robot.boxes.at(0).size, (hal::Vec3{0.1, 0.2, 0.3}));
   EXPECT_EQ(robot.wheels.at(1).mu, 0.55);
   EXPECT_EQ(robot.wheels.at(2).max_torque, 3);
   EXPECT_EQ(robot.wheels.at(2).max_speed, 9);
   EXPECT_EQ(robot.encoder_steps, 2048);
   EXPECT_EQ(robot.infrared.at(0).curve.points().size(), 2u);
-  EXPECT_EQ(robot.infrared.at(1).curve, hal::devices::InfraredCurve::gp2d120());
-  EXPECT_EQ(robot.infrared.at(0).converter, (hal::devices::Converter{12, 3.3}));
+  EXPECT_EQ(robot.infrared.at(1).curve, hal::node::devices::InfraredCurve::gp2d120());
+  EXPECT_EQ(robot.infrared.at(0).converter, (hal::node::devices::Converter{12, 3.3}));
 }
 
 TEST_F(Resolved, KeepsAgentsAndTheirParameters) {

@@ -40,9 +40,10 @@ TEST(PoseSensor, TellsThePoseIn10000RandomPlacements) {
   for (int k = 0; k < 10'000; ++k) {
     World world(physics::WorldConfig{});
     const hal::Pose2 pose{between(random, -1e3, 1e3), between(random, -1e3, 1e3),
-                          between(random, -kPi, kPi)};
-    world.add_robot(kRobot, robertino(), pose);
-    const auto values = simulated(hal::devices::PoseSensor{}, site(world))->sample(hal::Time{});
+                          between(random, -hal::math::kPi, hal::math::kPi)};
+    world.add_robot(kRobot, physics::test::robertino(), pose);
+    const auto values =
+        simulated(hal::node::devices::PoseSensor{}, site(world))->sample(hal::Time{});
     ASSERT_TRUE(values);
     EXPECT_NEAR((*values)[0], pose.x, 1e-9);
     EXPECT_NEAR((*values)[1], pose.y, 1e-9);
@@ -52,8 +53,8 @@ TEST(PoseSensor, TellsThePoseIn10000RandomPlacements) {
 
 TEST(PoseSensor, NoiseHasTheSigmasOfTheFile) {
   World world(physics::WorldConfig{});
-  world.add_robot(kRobot, robertino(), {1, 2, 3});
-  hal::devices::PoseSensor description;
+  world.add_robot(kRobot, physics::test::robertino(), {1, 2, 3});
+  hal::node::devices::PoseSensor description;
   description.position_sigma = 0.05;
   description.heading_sigma = 0.02;
   const auto sensor = simulated(description, site(world));
@@ -72,8 +73,8 @@ TEST(PoseSensor, NoiseHasTheSigmasOfTheFile) {
 
 TEST(PoseSensor, HoldsAFixForItsPeriod) {
   World world(physics::WorldConfig{});
-  world.add_robot(kRobot, robertino(), {});
-  hal::devices::PoseSensor description;
+  world.add_robot(kRobot, physics::test::robertino(), {});
+  hal::node::devices::PoseSensor description;
   description.period = 1s;
   const auto sensor = simulated(description, site(world));
   int fixes = 0;
@@ -83,17 +84,17 @@ TEST(PoseSensor, HoldsAFixForItsPeriod) {
 
 TEST(Bumper, ClosesWhereTheBodyTouchesAWallIn10000RandomPlacements) {
   hal::RandomStream random(1, "touches");
-  hal::devices::RobotDescription robot = robertino();
-  robot.wheel_level = hal::devices::WheelLevel::kContact;
+  hal::node::devices::RobotDescription robot = physics::test::robertino();
+  robot.wheel_level = hal::node::devices::WheelLevel::kContact;
   int pressed = 0;
   for (int k = 0; k < 10'000; ++k) {
     World world(physics::WorldConfig{});
-    const double yaw = between(random, -kPi, kPi);
+    const double yaw = between(random, -hal::math::kPi, hal::math::kPi);
     world.add_wall({"wall", {0, 0, 0.5}, {0.4, 0.2, 1}, yaw});
     world.add_robot(kRobot, robot, {between(random, -0.5, 0.5), between(random, -0.5, 0.5), 0});
     const double depth = std::max(overlap(world.shapes()[0], world.shapes()[1]).level,
                                   overlap(world.shapes()[0], world.shapes()[2]).level);
-    const auto sensor = simulated(hal::devices::Bumper{}, site(world));
+    const auto sensor = simulated(hal::node::devices::Bumper{}, site(world));
     EXPECT_EQ(sensor->sample(hal::Time{})->front(), 0) << "nothing has happened yet";
     world.step();
     const bool told = sensor->sample(hal::Time{} + 10ms)->front() != 0;
@@ -108,8 +109,8 @@ TEST(Bumper, ClosesWhereTheBodyTouchesAWallIn10000RandomPlacements) {
 TEST(Bumper, OpensAgainWhenTheBodyIsFree) {
   World world(physics::WorldConfig{});
   world.add_wall({"wall", {0.5, 0, 0.5}, {0.2, 4, 1}, 0});
-  world.add_robot(kRobot, robertino(), {});
-  const auto sensor = simulated(hal::devices::Bumper{}, site(world));
+  world.add_robot(kRobot, physics::test::robertino(), {});
+  const auto sensor = simulated(hal::node::devices::Bumper{}, site(world));
   ASSERT_TRUE(world.set_body_velocity(kRobot, {0.3, 0, 0}));
   for (int k = 0; k < 200; ++k) world.step();
   EXPECT_EQ(sensor->sample({})->front(), 1);
@@ -126,7 +127,8 @@ TEST(Imu, TellsRotationAndCentripetalForceOf10000RandomCircles) {
   for (int k = 0; k < 10'000; ++k) {
     // A point on a circle of radius r at angle phi; the sensor's x axis is turned by psi from it.
     const double r = between(random, 0.1, 10), omega = between(random, -3, 3);
-    const double phi = between(random, -kPi, kPi), psi = between(random, -kPi, kPi);
+    const double phi = between(random, -hal::math::kPi, hal::math::kPi),
+                 psi = between(random, -hal::math::kPi, hal::math::kPi);
     const double dt = between(random, 0.001, 0.2);
     const auto velocity = [&](double angle) {
       return Vec3{-r * omega * hal::math::sin(angle), r * omega * hal::math::cos(angle), 0};
@@ -149,7 +151,8 @@ TEST(Imu, AtRestTellsGravityInAnyAttitude) {
   hal::RandomStream random(1, "attitudes");
   for (int k = 0; k < 10'000; ++k) {
     // Pitched by p about y, then turned by h about z: gravity's reaction seen from the sensor.
-    const double p = between(random, -1.5, 1.5), h = between(random, -kPi, kPi);
+    const double p = between(random, -1.5, 1.5),
+                 h = between(random, -hal::math::kPi, hal::math::kPi);
     const double cp = hal::math::cos(p / 2), sp = hal::math::sin(p / 2);
     const double ch = hal::math::cos(h / 2), sh = hal::math::sin(h / 2);
     const std::array<double, 4> attitude{ch * cp, -sh * sp, ch * sp, sh * cp};
@@ -162,9 +165,9 @@ TEST(Imu, AtRestTellsGravityInAnyAttitude) {
 
 TEST(Imu, OfADrivingRobotTellsItsTurnAndItsAcceleration) {
   World world(physics::WorldConfig{});
-  world.add_robot(kRobot, robertino(), {0, 0, 1});
-  hal::devices::ImuSensor description;
-  description.mount.heading = kPi / 2;  // its x axis is the robot's y axis
+  world.add_robot(kRobot, physics::test::robertino(), {0, 0, 1});
+  hal::node::devices::ImuSensor description;
+  description.mount.heading = hal::math::kPi / 2;  // its x axis is the robot's y axis
   const auto sensor = simulated(description, site(world));
   for (int k = 0; k < 100; ++k) world.step();
   EXPECT_TRUE(sensor->sample({}));
@@ -188,8 +191,8 @@ TEST(Imu, OfADrivingRobotTellsItsTurnAndItsAcceleration) {
 std::vector<std::array<double, 6>> noise_of(double gyro_sigma, double accelerometer_sigma,
                                             int samples) {
   World world(physics::WorldConfig{});
-  world.add_robot(kRobot, robertino(), {});
-  hal::devices::ImuSensor description;
+  world.add_robot(kRobot, physics::test::robertino(), {});
+  hal::node::devices::ImuSensor description;
   const auto exact = simulated(description, site(world));
   description.gyro_sigma = gyro_sigma;
   description.accelerometer_sigma = accelerometer_sigma;

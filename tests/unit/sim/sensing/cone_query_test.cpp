@@ -35,14 +35,14 @@ struct Face {
   bool holds(Vec2 p) const {
     return p.x >= 0 && p.x * sine >= std::sqrt(p.y * p.y + height * height) * cosine * (1 - 1e-12);
   }
-  double distance(Vec2 p) const { return std::sqrt(dot(p, p) + height * height); }
+  double distance(Vec2 p) const { return std::sqrt(hal::dot(p, p) + height * height); }
 
   double sine, cosine, height;
 };
 
 Vec2 seen(const Cone& cone, Vec2 world) {
   const Vec2 from_apex = world - Vec2{cone.apex.x, cone.apex.y};
-  return {dot(cone.axis, from_apex), dot(across(cone.axis), from_apex)};
+  return {hal::dot(cone.axis, from_apex), hal::dot(across(cone.axis), from_apex)};
 }
 
 void offer_if_held(double& best, const Face& face, Vec2 point) {
@@ -57,7 +57,7 @@ void offer_segment(double& best, const Face& face, Vec2 from, Vec2 to) {
     if (share >= 0 && share <= 1) offer_if_held(best, face, from + share * way);
   };
   offer_at(0);
-  offer_at(-dot(from, way) / dot(way, way));
+  offer_at(-hal::dot(from, way) / hal::dot(way, way));
   const double s = face.sine * face.sine, c = face.cosine * face.cosine;
   const double two = way.x * way.x * s - way.y * way.y * c;
   const double one = from.x * way.x * s - from.y * way.y * c;
@@ -69,9 +69,9 @@ void offer_segment(double& best, const Face& face, Vec2 from, Vec2 to) {
 
 bool is_over(const Shape& shape, Vec2 point) {
   const Vec2 to = point - shape.centre;
-  if (shape.kind == Shape::Kind::kCylinder) return dot(to, to) <= shape.radius * shape.radius;
-  return std::abs(dot(to, shape.axis)) <= shape.half.x &&
-         std::abs(dot(to, across(shape.axis))) <= shape.half.y;
+  if (shape.kind == Shape::Kind::kCylinder) return hal::dot(to, to) <= shape.radius * shape.radius;
+  return std::abs(hal::dot(to, shape.axis)) <= shape.half.x &&
+         std::abs(hal::dot(to, across(shape.axis))) <= shape.half.y;
 }
 
 /// What comes first on the axis's bearing, above or below it: the vertex of the hyperbola.
@@ -98,10 +98,10 @@ double disc_by_closed_form(const Cone& cone, const Shape& disc) {
   const Vec2 centre = seen(cone, disc.centre);
   double best = kNowhere;
   offer_vertex(best, face, cone, disc);
-  const double away = std::sqrt(dot(centre, centre));
+  const double away = std::sqrt(hal::dot(centre, centre));
   if (away > disc.radius) offer_if_held(best, face, (1 - disc.radius / away) * centre);
   for (const Vec2 edge : {Vec2{face.cosine, face.sine}, Vec2{face.cosine, -face.sine}}) {
-    const double ahead = dot(edge, centre), beside = dot(across(edge), centre);
+    const double ahead = hal::dot(edge, centre), beside = hal::dot(across(edge), centre);
     const double half = disc.radius * disc.radius - beside * beside;
     if (half >= 0 && ahead >= std::sqrt(half)) best = std::min(best, ahead - std::sqrt(half));
   }
@@ -148,7 +148,7 @@ class Placements {
 
   Cone cone() {
     return {.apex = {between(-1, 1), between(-1, 1), between(0, 0.5)},
-            .axis = unit(between(-kPi, kPi)),
+            .axis = unit(between(-hal::math::kPi, hal::math::kPi)),
             .half_angle = unit(between(0.02, 1.4)),
             .range = kReach};
   }
@@ -157,7 +157,7 @@ class Placements {
     Shape shape;
     shape.kind = kind;
     shape.centre = {between(-5, 5), between(-5, 5)};
-    shape.axis = unit(between(-kPi, kPi));
+    shape.axis = unit(between(-hal::math::kPi, hal::math::kPi));
     shape.half = {between(0.01, 1), between(0.01, 1)};
     shape.radius = between(0.01, 1);
     shape.z_low = beside ? cone.apex.z - between(0, 1) : between(-1, 1.5);
@@ -223,7 +223,8 @@ TEST(ConeQuery, FindsCylindersAboveAndBelowBearingByBearing) {
 }
 
 TEST(ConeQuery, MissesWhatIsBehindOrOutOfReachOrBetweenAxisAndCone) {
-  const Cone cone{.apex = {0, 0, 0.1}, .axis = {1, 0}, .half_angle = unit(kPi / 6), .range = 2};
+  const Cone cone{
+      .apex = {0, 0, 0.1}, .axis = {1, 0}, .half_angle = unit(hal::math::kPi / 6), .range = 2};
   Shape low;  // its top is 0.1 m below the axis, which the cone reaches 0.1 m / tan(30 deg) ahead
   low.half = {0.05, 0.05};
   const double reached = 0.1 * std::sqrt(3.0);

@@ -23,8 +23,8 @@ using namespace std::chrono_literals;
 constexpr AgentId kRobot{1};
 constexpr double kCount = 5.0 / 1023;  // V per count of the converter
 
-std::vector<hal::devices::InfraredSensor> quiet_sensors() {
-  auto sensors = robertino().infrared;
+std::vector<hal::node::devices::InfraredSensor> quiet_sensors() {
+  auto sensors = physics::test::robertino().infrared;
   for (auto& sensor : sensors) sensor.noise_sigma = 0;
   return sensors;
 }
@@ -32,7 +32,7 @@ std::vector<hal::devices::InfraredSensor> quiet_sensors() {
 /// A robot whose front sensor is `gap` metres from a wall.
 void face_wall(World& world, double gap) {
   world.add_wall({"wall", {0.185 + gap + 0.1, 0, 0.5}, {0.2, 10, 1}, 0});
-  world.add_robot(kRobot, robertino(), {});
+  world.add_robot(kRobot, physics::test::robertino(), {});
 }
 
 TEST(Infrared, FrontSensorReadsTheWallAndTheRearOneNothing) {
@@ -58,7 +58,7 @@ TEST(Infrared, ObliqueSensorsReadTheEdgeOfTheirSector) {
   InfraredArray array(kRobot, quiet_sensors(), 1, "r0");
   array.sample(hal::Time{}, world, proximity);
   // Sensor at 60 degrees, x = 0.0925 m; wall at x = 0.385: the edge ray at 57.5 degrees is nearer.
-  const double expected = (0.385 - 0.0925) / hal::math::cos(57.5 * kPi / 180);
+  const double expected = (0.385 - 0.0925) / hal::math::cos(57.5 * hal::math::kPi / 180);
   // One count there is 67.87 / 120^2 = 5 mm.
   EXPECT_NEAR(array.readings()[1].metres, expected, 0.005);
   EXPECT_NEAR(array.readings()[5].metres, expected, 0.005);
@@ -68,7 +68,7 @@ TEST(Infrared, NoiseHasTheSigmaOfTheFile) {
   World world(physics::WorldConfig{});
   face_wall(world, 0.3);
   const Proximity proximity(world);
-  auto sensors = robertino().infrared;
+  auto sensors = physics::test::robertino().infrared;
   for (auto& sensor : sensors) {
     sensor.hold_period = {};
     sensor.converter.bits = 0;
@@ -77,7 +77,7 @@ TEST(Infrared, NoiseHasTheSigmaOfTheFile) {
   double sum = 0;
   double squares = 0;
   constexpr int kSamples = 4000;
-  const double exact = hal::devices::InfraredCurve::gp2d12().volts(0.3);
+  const double exact = hal::node::devices::InfraredCurve::gp2d12().volts(0.3);
   for (int i = 0; i < kSamples; ++i) {
     array.sample(hal::Time{i * 1ms}, world, proximity);
     const double error = array.readings()[0].volts - exact;
@@ -95,13 +95,13 @@ double chi_square(std::uint64_t seed, double sigma) {
   World world(physics::WorldConfig{});
   face_wall(world, 0.3);
   const Proximity proximity(world);
-  auto sensors = robertino().infrared;
+  auto sensors = physics::test::robertino().infrared;
   for (auto& sensor : sensors) {
     sensor.hold_period = {};
     sensor.converter.bits = 0;
   }
   InfraredArray array(kRobot, sensors, seed, "r0");
-  const double exact = hal::devices::InfraredCurve::gp2d12().volts(0.3);
+  const double exact = hal::node::devices::InfraredCurve::gp2d12().volts(0.3);
   constexpr std::array kDeciles{-1.281552, -0.841621, -0.524401, -0.253347, 0.0,
                                 0.253347,  0.524401,  0.841621,  1.281552};
   std::array<int, 10> counts{};
@@ -132,7 +132,7 @@ TEST(Infrared, ValueIsHeldBetweenTheInstantsOfASensor) {
   World world(physics::WorldConfig{});
   face_wall(world, 0.3);
   const Proximity proximity(world);
-  InfraredArray array(kRobot, robertino().infrared, 1, "r0");
+  InfraredArray array(kRobot, physics::test::robertino().infrared, 1, "r0");
   int changes = 0;
   double previous = -1;
   for (hal::Time t{}; t < hal::Time{3830ms}; t += 1ms) {
@@ -176,7 +176,7 @@ TEST(Infrared, SameSeedAndNameGiveTheSameBitsAndOthersDoNot) {
   face_wall(world, 0.3);
   const Proximity proximity(world);
   const auto volts = [&](std::uint64_t seed, const char* name) {
-    InfraredArray array(kRobot, robertino().infrared, seed, name);
+    InfraredArray array(kRobot, physics::test::robertino().infrared, seed, name);
     double sum = 0;
     for (hal::Time t{}; t < hal::Time{2s}; t += 100ms) {
       array.sample(t, world, proximity);
@@ -192,7 +192,7 @@ TEST(Infrared, SameSeedAndNameGiveTheSameBitsAndOthersDoNot) {
 TEST(Localisation, OthersWithinRangeAppearInTheBodyFrame) {
   const std::vector<AgentPosition> agents{
       {AgentId{1}, {1, 1}}, {AgentId{2}, {1, 4}}, {AgentId{3}, {6, 1}}, {AgentId{4}, {1, 4.001}}};
-  const auto found = localise({1, 1, kPi / 2}, AgentId{1}, agents, 3);
+  const auto found = localise({1, 1, hal::math::kPi / 2}, AgentId{1}, agents, 3);
   ASSERT_EQ(found.size(), 1U);
   EXPECT_EQ(found[0].agent, AgentId{2});
   EXPECT_NEAR(found[0].position.x, 3, 1e-15);  // ahead: the body looks along y

@@ -76,7 +76,7 @@ TEST(LineOfSight, AgreesWithPointsSampledAlongTheLine) {
     world.add_wall({"w",
                     {between(-8, 8), between(-8, 8), 0.5},
                     {between(1, 6), between(0.1, 1), 1},
-                    between(-kPi, kPi)});
+                    between(-hal::math::kPi, hal::math::kPi)});
   const LineOfSight sight(world);
   for (int k = 0; k < 40; ++k) {
     const Vec3 from{between(-9, 9), between(-9, 9), between(0, 1.5)};
@@ -87,12 +87,12 @@ TEST(LineOfSight, AgreesWithPointsSampledAlongTheLine) {
       const Vec3 p = from + ((s + 0.5) / kSamples) * (to - from);
       for (const physics::Shape& w : world.shapes()) {
         const hal::Vec2 d{p.x - w.centre.x, p.y - w.centre.y};
-        hits += std::abs(dot(d, w.axis)) < w.half.x && p.z < 1 &&
+        hits += std::abs(hal::dot(d, w.axis)) < w.half.x && p.z < 1 &&
                 std::abs(w.axis.x * d.y - w.axis.y * d.x) < w.half.y;
       }
     }
     const Vec3 way = to - from;
-    const double length = std::sqrt(dot(way, way));
+    const double length = std::sqrt(hal::dot(way, way));
     // m: a sample stands for length / 2000; every wall can be off by one sample.
     EXPECT_NEAR(sight.between(from, to).thickness, hits * length / kSamples,
                 13 * length / kSamples);

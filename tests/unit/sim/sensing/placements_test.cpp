@@ -130,19 +130,19 @@ class Scene {
   }
   void add_wall(double half_x, double half_y) {
     const hal::Vec2 at{between(-2, 2), between(-2, 2)};
-    const double yaw = between(-kPi, kPi);
+    const double yaw = between(-hal::math::kPi, hal::math::kPi);
     world_.add_wall({"wall", {at.x, at.y, 0.5}, {2 * half_x, 2 * half_y, 1}, yaw});
     outline_box(at, half_x, half_y, yaw);
   }
   void add_mote() {
-    const hal::Pose2 pose{between(-1, 1), between(-1, 1), between(-kPi, kPi)};
+    const hal::Pose2 pose{between(-1, 1), between(-1, 1), between(-hal::math::kPi, hal::math::kPi)};
     world_.add_mote(next(), {}, pose);
     outline_box({pose.x, pose.y}, 0.025, 0.025, pose.theta);
   }
   void add_robot() {
-    hal::devices::RobotDescription robot = physics::test::robertino();
+    hal::node::devices::RobotDescription robot = physics::test::robertino();
     robot.cylinders = {{between(0.1, 0.4), 0.02, 0.2, {}, 5}};
-    const hal::Pose2 pose{between(-2, 2), between(-2, 2), between(-kPi, kPi)};
+    const hal::Pose2 pose{between(-2, 2), between(-2, 2), between(-hal::math::kPi, hal::math::kPi)};
     world_.add_robot(next(), robot, pose);
     Outline outline;
     outline.is_round = true;
@@ -164,8 +164,8 @@ struct Tally {
 void look_around(const Scene& scene, hal::RandomStream& random, Tally& tally) {
   const Proximity proximity(scene.world());
   for (int i = 0; i < kLooks; ++i) {
-    const double heading = 2 * kPi * random.uniform() - kPi;
-    const double half = random.below(2) == 0 ? 2.5 * kPi / 180 : 0.01 + random.uniform();
+    const double heading = 2 * hal::math::kPi * random.uniform() - hal::math::kPi;
+    const double half = random.below(2) == 0 ? 2.5 * hal::math::kPi / 180 : 0.01 + random.uniform();
     const Look look{unit(heading + half), unit(heading - half)};
     const Range expected = scene.nearest(look);
     const auto range = proximity.nearest({{0, 0, 0.04}, heading, half, kReach}, AgentId{1000});

@@ -33,9 +33,10 @@ std::optional<double> over_all(const World& world, const Sector& sector, AgentId
 void furnish(World& world, hal::RandomStream& random) {
   const auto place = [&] { return 6 * random.uniform() - 3; };
   for (int i = 0; i < 4; ++i)
-    world.add_wall({"wall", {place(), place(), 0.5}, {1.5, 0.1, 1}, 2 * kPi * random.uniform()});
+    world.add_wall(
+        {"wall", {place(), place(), 0.5}, {1.5, 0.1, 1}, 2 * hal::math::kPi * random.uniform()});
   for (std::uint16_t i = 1; i <= 6; ++i)
-    world.add_robot(AgentId{i}, robertino(), {i - 3.0, 6.0 + place() / 10, 0});
+    world.add_robot(AgentId{i}, physics::test::robertino(), {i - 3.0, 6.0 + place() / 10, 0});
   for (std::uint16_t i = 7; i <= 16; ++i) world.add_mote(AgentId{i}, {}, {place(), place(), 0});
 }
 
@@ -53,7 +54,7 @@ int compare_beams(const World& world, const Proximity& proximity, AgentId robot)
   int hits = 0;
   for (int beam = 0; beam < 6; ++beam) {
     const hal::Vec3 origin{pose.position.x, pose.position.y, 0.04};
-    const Sector sector{origin, pose.heading + beam * kPi / 3, 0.05, 1.5};
+    const Sector sector{origin, pose.heading + beam * hal::math::kPi / 3, 0.05, 1.5};
     const auto found = proximity.nearest(sector, robot);
     EXPECT_EQ(found, over_all(world, sector, robot));
     hits += found ? 1 : 0;
@@ -78,8 +79,8 @@ TEST(Proximity, FindsWhatASearchOverAllShapesFindsWhileBodiesMove) {
 
 TEST(Proximity, OwnBodyIsTransparentAndOthersAreNot) {
   World world(physics::WorldConfig{});
-  world.add_robot(AgentId{1}, robertino(), {});
-  world.add_robot(AgentId{2}, robertino(), {1, 0, 0});
+  world.add_robot(AgentId{1}, physics::test::robertino(), {});
+  world.add_robot(AgentId{2}, physics::test::robertino(), {1, 0, 0});
   const Proximity proximity(world);
   const Sector ahead{{0.185, 0, 0.04}, 0, 0.04, 2};
   EXPECT_NEAR(*proximity.nearest(ahead, AgentId{1}), 1 - 2 * 0.185, 1e-12);
@@ -89,7 +90,7 @@ TEST(Proximity, OwnBodyIsTransparentAndOthersAreNot) {
 
 TEST(Proximity, MovesAreSeenAfterAnUpdate) {
   World world(physics::WorldConfig{});
-  world.add_robot(AgentId{1}, robertino(), {5, 0, 0});
+  world.add_robot(AgentId{1}, physics::test::robertino(), {5, 0, 0});
   Proximity proximity(world);
   ASSERT_TRUE(world.set_body_velocity(AgentId{1}, {-0.9, 0, 0}));
   for (int i = 0; i < 500; ++i) world.step();

@@ -19,8 +19,8 @@ namespace {
 
 using hal::AgentId;
 using hal::Vec2;
-using hal::devices::ScanSensor;
 using hal::math::kPi;
+using hal::node::devices::ScanSensor;
 using physics::Shape;
 using physics::World;
 using namespace std::chrono_literals;
@@ -43,7 +43,7 @@ double to_segment(Vec2 origin, Vec2 direction, Vec2 a, Vec2 b) {
 /// The least non-negative root of |origin + t direction - centre| = radius.
 double to_circle(Vec2 origin, Vec2 direction, Vec2 centre, double radius) {
   const Vec2 to = origin - centre;
-  const double b = dot(to, direction), c = dot(to, to) - radius * radius;
+  const double b = hal::dot(to, direction), c = hal::dot(to, to) - radius * radius;
   if (b * b < c) return kFar;
   const double root = std::sqrt(b * b - c);
   if (-b - root >= 0) return -b - root;
@@ -66,8 +66,8 @@ double closed_form(const Shape& shape, Vec2 origin, Vec2 direction) {
 
 bool is_within(const Shape& shape, Vec2 point) {
   const Vec2 to = point - shape.centre;
-  if (shape.kind == Shape::Kind::kCylinder) return dot(to, to) <= shape.radius * shape.radius;
-  return std::abs(dot(to, shape.axis)) <= shape.half.x &&
+  if (shape.kind == Shape::Kind::kCylinder) return hal::dot(to, to) <= shape.radius * shape.radius;
+  return std::abs(hal::dot(to, shape.axis)) <= shape.half.x &&
          std::abs(cross(shape.axis, to)) <= shape.half.y;
 }
 
@@ -78,7 +78,7 @@ class Random {
     Shape shape;
     shape.kind = random_.uniform() < 0.5 ? Shape::Kind::kBox : Shape::Kind::kCylinder;
     shape.centre = {between(-5, 5), between(-5, 5)};
-    shape.axis = unit(between(-kPi, kPi));
+    shape.axis = unit(between(-hal::math::kPi, hal::math::kPi));
     shape.half = {between(0.01, 2), between(0.01, 2)};
     shape.radius = between(0.01, 1);
     shape.z_low = between(-0.5, 0.3);
@@ -98,7 +98,8 @@ TEST(RayRanges, AreThoseOfTheClosedFormIn10000RandomPlacements) {
     for (int i = 0; i < 4; ++i) shapes.push_back(random.shape());
     const hal::Vec3 origin{random.between(-3, 3), random.between(-3, 3), random.between(0, 0.5)};
     std::vector<Vec2> directions;
-    for (int i = 0; i < 8; ++i) directions.push_back(unit(random.between(-kPi, kPi)));
+    for (int i = 0; i < 8; ++i)
+      directions.push_back(unit(random.between(-hal::math::kPi, hal::math::kPi)));
     std::vector<std::size_t> all(shapes.size());
     std::iota(all.begin(), all.end(), 0);
     const auto ranges = ray_ranges(origin, directions, shapes, all, kRobot);
@@ -126,7 +127,7 @@ TEST(RayRanges, AreThoseOfTheClosedFormIn10000RandomPlacements) {
 ScanSensor scanner() {
   ScanSensor scan;
   scan.mount.position = {0, 0, 0.15};
-  scan.field = 2 * kPi;
+  scan.field = 2 * hal::math::kPi;
   scan.rays = 4;
   scan.min_range = 0.3;
   scan.max_range = 3;
@@ -148,7 +149,7 @@ struct Room {
   }
   World world;
   std::optional<Proximity> proximity;
-  std::unique_ptr<hal::devices::Sensor> sensor;
+  std::unique_ptr<hal::node::devices::Sensor> sensor;
 };
 
 TEST(Scan, TellsWallsNothingAndTooNear) {
@@ -164,9 +165,9 @@ TEST(Scan, TellsWallsNothingAndTooNear) {
 
 TEST(Scan, LooksWhereItsMountSays) {
   ScanSensor scan = scanner();
-  scan.mount.heading = kPi / 2;
+  scan.mount.heading = hal::math::kPi / 2;
   scan.mount.position = {0.1, 0.2, 0.15};
-  scan.field = kPi;  // rays at -90, -30, 30, 90 degrees from the left
+  scan.field = hal::math::kPi;  // rays at -90, -30, 30, 90 degrees from the left
   Room room(scan);
   const auto values = room.sensor->sample(hal::Time{});
   ASSERT_TRUE(values);
@@ -208,7 +209,7 @@ TEST(ScanSensor, FullTurnDoesNotRepeatItsFirstRay) {
   const auto turn = scan.headings();
   EXPECT_NEAR(turn.front(), -kPi, 1e-12);
   EXPECT_NEAR(turn.back(), kPi - kPi / 180, 1e-12);
-  scan.field = kPi;
+  scan.field = hal::math::kPi;
   scan.rays = 181;
   const auto half = scan.headings();
   EXPECT_NEAR(half.front(), -kPi / 2, 1e-12);

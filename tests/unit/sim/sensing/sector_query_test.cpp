@@ -21,7 +21,7 @@ constexpr int kPlacements = 3000;
 
 Vec2 unit(double heading) { return {hal::math::cos(heading), hal::math::sin(heading)}; }
 double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
-double length(Vec2 a) { return std::sqrt(dot(a, a)); }
+double length(Vec2 a) { return std::sqrt(hal::dot(a, a)); }
 
 Shape box(Vec2 centre, Vec2 half, double yaw) {
   Shape shape;
@@ -59,8 +59,8 @@ std::optional<double> ray_to_edge(Vec2 o, Vec2 d, Vec2 a, Vec2 b) {
 
 std::optional<double> ray_to_circle(Vec2 o, Vec2 d, const Shape& c) {
   const Vec2 m = o - c.centre;
-  const double b = dot(m, d);
-  const double discriminant = b * b - dot(m, m) + c.radius * c.radius;
+  const double b = hal::dot(m, d);
+  const double discriminant = b * b - hal::dot(m, m) + c.radius * c.radius;
   if (discriminant < 0) return std::nullopt;
   const double t = -b - std::sqrt(discriminant);
   if (t < 0) return std::nullopt;
@@ -100,7 +100,7 @@ std::vector<Vec2> extreme_points(Vec2 o, const Shape& shape) {
   const auto c = corners(shape);
   for (std::size_t i = 0; i < 4; ++i) {
     const Vec2 edge = c[(i + 1) % 4] - c[i];
-    const double foot = dot(o - c[i], edge) / dot(edge, edge);
+    const double foot = hal::dot(o - c[i], edge) / hal::dot(edge, edge);
     points.push_back(c[i] - o);
     if (foot > 0 && foot < 1) points.push_back(c[i] + foot * edge - o);
   }
@@ -127,7 +127,7 @@ std::optional<double> candidates(const Sector& s, const Shape& shape) {
 bool is_inside(Vec2 o, const Shape& shape) {
   const Vec2 m = o - shape.centre;
   if (shape.kind == Shape::Kind::kCylinder) return length(m) <= shape.radius;
-  return std::abs(dot(m, shape.axis)) <= shape.half.x &&
+  return std::abs(hal::dot(m, shape.axis)) <= shape.half.x &&
          std::abs(cross(shape.axis, m)) <= shape.half.y;
 }
 
@@ -141,13 +141,14 @@ Placement place(hal::RandomStream& random) {
   const auto between = [&](double a, double b) { return a + (b - a) * random.uniform(); };
   const Vec2 centre{between(-2, 2), between(-2, 2)};
   Placement p;
-  p.shape = random.below(2) == 0
-                ? cylinder(centre, between(0.05, 0.4))
-                : box(centre, {between(0.02, 1), between(0.02, 0.3)}, between(-kPi, kPi));
-  const double half_angle = random.below(2) == 0 ? 2.5 * kPi / 180 : between(0.01, 1.2);
+  p.shape = random.below(2) == 0 ? cylinder(centre, between(0.05, 0.4))
+                                 : box(centre, {between(0.02, 1), between(0.02, 0.3)},
+                                       between(-hal::math::kPi, hal::math::kPi));
+  const double half_angle = random.below(2) == 0 ? 2.5 * hal::math::kPi / 180 : between(0.01, 1.2);
   // Half of the sectors look roughly at the shape, so that hits, edges and misses all happen often.
   const double towards = hal::math::atan2(centre.y, centre.x);
-  const double heading = random.below(2) == 0 ? towards + between(-0.3, 0.3) : between(-kPi, kPi);
+  const double heading = random.below(2) == 0 ? towards + between(-0.3, 0.3)
+                                              : between(-hal::math::kPi, hal::math::kPi);
   p.sector = {{0, 0, 0.5}, heading, half_angle, between(0.5, 2)};
   return p;
 }
@@ -213,7 +214,7 @@ TEST(SectorQuery, ObliqueWallIsMetByTheNearerEdgeRay) {
   const SectorQuery query({{0, 0, 0.5}, 0, 0.1, 5});
   const double depth = 0.2;
   const double shift = 1 + depth / std::sqrt(2.0);
-  const auto range = query.nearest(box({shift, shift}, {depth, 10}, kPi / 4));
+  const auto range = query.nearest(box({shift, shift}, {depth, 10}, hal::math::kPi / 4));
   EXPECT_NEAR(*range, 2 / (hal::math::cos(0.1) + hal::math::sin(0.1)), 1e-12);
 }
 
@@ -232,7 +233,7 @@ TEST(SectorQuery, OriginInsideAShapeReadsZero) {
 
 TEST(SectorQuery, BoundsTouchTheSectorAndNothingMore) {
   // 60 degrees either side of +x: reaches x = r ahead, y = r sin 60, x = 0 at its tip.
-  const SectorQuery query({{1, 2, 0}, 0, kPi / 3, 2});
+  const SectorQuery query({{1, 2, 0}, 0, hal::math::kPi / 3, 2});
   EXPECT_NEAR(query.bounds().low.x, 1, 1e-15);
   EXPECT_NEAR(query.bounds().high.x, 3, 1e-15);
   EXPECT_NEAR(query.bounds().low.y, 2 - std::sqrt(3.0), 1e-14);

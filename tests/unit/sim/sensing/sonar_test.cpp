@@ -13,8 +13,8 @@ namespace sim::sensing::test {
 namespace {
 
 using hal::AgentId;
-using hal::devices::Sonar;
 using hal::math::kPi;
+using hal::node::devices::Sonar;
 using namespace std::chrono_literals;
 
 constexpr AgentId kDriver{1}, kOther{2};
@@ -23,7 +23,7 @@ constexpr double kTooNear = -std::numeric_limits<double>::infinity();
 Sonar ranger() {
   Sonar sonar;
   sonar.mount.position = {0, 0, 0.15};
-  sonar.half_angle = kPi / 12;
+  sonar.half_angle = hal::math::kPi / 12;
   sonar.min_range = 0.3;
   sonar.max_range = 3;
   return sonar;
@@ -47,7 +47,7 @@ struct Yard {
 
   physics::World world;
   std::optional<Proximity> proximity;
-  std::unique_ptr<hal::devices::Sensor> sensor;
+  std::unique_ptr<hal::node::devices::Sensor> sensor;
 };
 
 double range_at(double heading) {

@@ -11,12 +11,12 @@
 #include <string>
 #include <vector>
 
+#include "results/record/air_capture.h"
+#include "results/record/recorder.h"
 #include "sim/agents/observer_list.h"
 #include "sim/air/ip_packet.h"
-#include "sim/record/air_capture.h"
-#include "sim/record/recorder.h"
+#include "tests/unit/results/record/test_run.h"
 #include "tests/unit/sim/radio/air.h"
-#include "tests/unit/sim/record/test_run.h"
 
 namespace sim::air::test {
 
@@ -76,8 +76,8 @@ class Replay {
   explicit Replay(radio::RadioConfig radio, std::uint16_t stations = 3)
       : folder(testing::UnitTest::GetInstance()->current_test_info()->name()), stations_(stations) {
     config.radio = std::move(radio);
-    options.frames = record::Detail::kAll;
-    options.samples = record::Detail::kAll;
+    options.frames = scenario::Detail::kAll;
+    options.samples = scenario::Detail::kAll;
     for (std::uint16_t i = 1; i <= stations; ++i) {
       agents::AgentConfig agent;
       agent.id = hal::AgentId{i};
@@ -91,10 +91,10 @@ class Replay {
 
   /// Before the first packet.
   void build() {
-    recorder = std::make_unique<record::Recorder>(folder.file(), config, options);
-    capture = std::make_unique<record::AirCapture>(folder.path() / "air.pcapng",
-                                                   record::AirCapture::Air{config.radio, {}},
-                                                   std::nullopt, "air");
+    recorder = std::make_unique<results::record::Recorder>(folder.file(), config, options);
+    capture = std::make_unique<results::record::AirCapture>(
+        folder.path() / "air.pcapng", results::record::AirCapture::Air{config.radio, {}},
+        std::nullopt, "air");
     observers = std::make_unique<agents::ObserverList>(
         std::vector<agents::Observer*>{recorder.get(), capture.get()});
     std::vector<radio::RadioNetwork::Station> all;
@@ -140,17 +140,19 @@ class Replay {
   }
 
   Ledger& ledger() { return *recorder->ledger(); }
-  std::string ask(const std::string& sql) const { return record::test::ask(folder.file(), sql); }
+  std::string ask(const std::string& sql) const {
+    return results::record::test::ask(folder.file(), sql);
+  }
   std::uint16_t stations() const { return stations_; }
 
-  record::test::Folder folder;
+  results::record::test::Folder folder;
   agents::SimulationConfig config;
-  record::RecorderOptions options;
+  results::record::RecorderOptions options;
   EventQueue events;
   radio::test::PlacedAntennas antennas;
   radio::test::Wall wall;
-  std::unique_ptr<record::Recorder> recorder;
-  std::unique_ptr<record::AirCapture> capture;
+  std::unique_ptr<results::record::Recorder> recorder;
+  std::unique_ptr<results::record::AirCapture> capture;
   std::unique_ptr<agents::ObserverList> observers;
   std::unique_ptr<radio::RadioNetwork> network;
   std::vector<radio::RadioUse> use;  ///< By station, from 1 on.

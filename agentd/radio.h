@@ -1,0 +1,20 @@
+#pragma once
+
+#include "hal/robot/agent/robot_file.h"
+#include "hal/robot/radio/udp_link.h"
+
+namespace agentd {
+
+/// The radio that a file asks for.
+/// @param file, loop  outlive it.
+/// @throws hal::files::config::ConfigErrors  what this computer does not have, with its place in
+/// the file:
+///   trying again would not help.  @throws std::runtime_error  what may pass: the port is taken.
+hal::robot::radio::UdpLink open_radio(const hal::robot::agent::RobotFile& file,
+                                      hal::robot::platform::EventLoop& loop);
+
+/// That the interface on which a file lets the controller open sockets is there, if it names one.
+/// @throws hal::files::config::ConfigErrors
+void require_air_interface(const hal::robot::agent::RobotFile& file);
+
+}  // namespace agentd

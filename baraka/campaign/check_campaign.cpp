@@ -1,0 +1,161 @@
+#include "baraka/campaign/check_campaign.h"
+
+#include <fmt/format.h>
+
+#include <limits>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "baraka/campaign/default_levels.h"
+#include "baraka/campaign/program_digests.h"
+#include "baraka/run/check/check_scenario.h"
+#include "hal/files/config/document.h"
+#include "hal/files/config/errors.h"
+#include "hal/files/config/shared_folders.h"
+#include "results/campaign/latin_hypercube.h"
+#include "sim/scenario/resolved.h"
+#include "sim/scenario/scenario.h"
+
+namespace baraka::campaign {
+namespace {
+
+namespace fs = std::filesystem;
+
+using hal::files::config::ConfigErrors;
+using results::campaign::CampaignFile;
+using results::campaign::DesignPoint;
+using results::campaign::FactorValue;
+using results::campaign::PointRow;
+using results::campaign::RunControllers;
+using sim::scenario::Scenario;
+
+/// Beside the campaign file, or where scenarios are looked for.
+fs::path scenario_file(const CampaignFile& campaign, const fs::path& file) {
+  const fs::path beside = file.parent_path() / campaign.scenario;
+  if (fs::exists(beside)) return beside.lexically_normal();
+  try {
+    return hal::files::config::named_file(campaign.scenario, {"scenarios"});
+  } catch (const ConfigErrors& e) {
+    throw ConfigErrors({fmt::format("{}: scenario: {}", campaign.scenario_place, e.what())});
+  }
+}
+
+std::uint64_t seed_in(const fs::path& scenario) {
+  auto document = hal::files::config::Document::load(scenario);
+  return static_cast<std::uint64_t>(document.root().integer(
+      {"seed", "As of a scenario.", "1"}, 0, std::numeric_limits<std::int64_t>::max(), 1));
+}
+
+/// As ConfigErrors writes it: a key may hold a tab, which mistakes show as \x09.
+std::string as_told(const std::string& words) { return ConfigErrors({words}).messages().front(); }
+
+/// Mistakes of the points, so that each is told once, where its cause stands.
+class PointMistakes {
+ public:
+  explicit PointMistakes(std::size_t points) : points_(points) {}
+
+  void add(const DesignPoint& point, const PointRow& row, const std::vector<std::string>& lines) {
+    const std::string which =
+        row.label.empty() ? "" : fmt::format("point {}: {}", row.point, row.label);
+    for (const std::string& line : lines) {
+      if (const auto own = of_a_value(point, line)) {
+        note(*own, which);
+      } else {
+        const std::string& place = point.empty() ? std::string() : point.front().place;
+        others_[line].push_back({place, which});
+      }
+    }
+  }
+
+  std::vector<std::string> lines() const {
+    std::vector<std::string> all;
+    for (const auto& [line, where] : others_) {
+      // Of the scenario itself if no point is without it.
+      if (where.size() == points_) {
+        all.push_back(line);
+      } else {
+        all.push_back(fmt::format("{}: {} ({})", where.front().place, line, where.front().which));
+      }
+    }
+    for (const auto& [line, which] : of_values_) all.push_back(fmt::format("{} ({})", line, which));
+    return all;
+  }
+
+ private:
+  struct Where {
+    std::string place, which;
+  };
+
+  void note(const std::string& line, const std::string& which) {
+    if (seen_.insert(line).second) of_values_.emplace_back(line, which);
+  }
+
+  /// A mistake "--set KEY: …" with the place of that value; none: it is of another kind.
+  static std::optional<std::string> of_a_value(const DesignPoint& point, const std::string& line) {
+    for (const FactorValue& value : point) {
+      const std::string start = as_told("--set " + value.key + ": ");
+      if (!line.starts_with(start)) continue;
+      const std::string what = line.substr(start.size());
+      const std::string last = value.key.substr(value.key.rfind('.') + 1);
+      // Of something inside the value, or of a parameter, it says the key itself.
+      const bool says_key =
+          what.starts_with(as_told(value.key + ".")) || what.starts_with(last + ": ");
+      return fmt::format("{}: {}{}", value.place, says_key ? "" : as_told(value.key + ": "), what);
+    }
+    return std::nullopt;
+  }
+
+  std::size_t points_;
+  std::map<std::string, std::vector<Where>> others_;
+  std::set<std::string> seen_;
+  std::vector<std::pair<std::string, std::string>> of_values_;
+};
+
+std::vector<std::string> overrides_of(const DesignPoint& point, std::uint64_t seed) {
+  std::vector<std::string> overrides{fmt::format("seed={}", seed)};
+  for (const FactorValue& value : point) overrides.push_back(value.key + "=" + value.yaml);
+  return overrides;
+}
+
+}  // namespace
+
+CheckedCampaign check_campaign(const std::string& path, const std::vector<std::string>& overrides) {
+  const fs::path file = hal::files::config::named_file(path, {"campaigns"});
+  CheckedCampaign campaign;
+  campaign.file = results::campaign::load_campaign(file, overrides);
+  const fs::path scenario = scenario_file(campaign.file, file);
+  campaign.seed = campaign.file.seed ? *campaign.file.seed : seed_in(scenario);
+  const std::vector<DesignPoint> points =
+      results::campaign::points_of(campaign.file, campaign.seed);
+  campaign.table = results::campaign::factor_table(campaign.file.keys, points);
+  const run::check::RunMode mode{.controllers =
+                                     campaign.file.controllers == RunControllers::kInProcess
+                                         ? run::controllers::ControllersFrom::kInProcess
+                                         : run::controllers::ControllersFrom::kSpawn};
+  PointMistakes mistakes(points.size());
+  std::set<std::string> warnings;
+  std::vector<std::vector<std::string>> defaults(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    PointRow& row = campaign.table.points[i];
+    try {
+      const run::check::CheckedScenario checked =
+          run::check::check_scenario(scenario, overrides_of(points[i], campaign.seed), mode);
+      const Scenario& one = checked.scenario;
+      warnings.insert(checked.remarks.begin(), checked.remarks.end());
+      row.scenario = sim::scenario::resolved_yaml(one);
+      campaign.controllers.merge(controllers_of(one));
+      const bool sets_all = points[i].size() == campaign.file.keys.size();
+      if (!sets_all) defaults[i] = values_in(one, campaign.file.keys);
+    } catch (const ConfigErrors& errors) {
+      mistakes.add(points[i], row, errors.messages());
+    }
+  }
+  std::vector<std::string> lines = mistakes.lines();
+  if (!lines.empty()) throw ConfigErrors(std::move(lines));
+  results::campaign::set_defaults(campaign.table, defaults);
+  campaign.warnings.assign(warnings.begin(), warnings.end());
+  return campaign;
+}
+
+}  // namespace baraka::campaign

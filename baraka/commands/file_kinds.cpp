@@ -1,0 +1,210 @@
+#include "baraka/commands/file_kinds.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "baraka/campaign/check_campaign.h"
+#include "baraka/run/check/check_scenario.h"
+#include "gateway/server/kind_of_file.h"
+#include "hal/files/config/document.h"
+#include "hal/files/config/errors.h"
+#include "hal/files/config/survey.h"
+#include "hal/files/description/body_section.h"
+#include "hal/files/description/key_describer.h"
+#include "hal/robot/agent/robot_file.h"
+#include "hal/types/terminal_colours.h"
+#include "sim/scenario/radio_section.h"
+#include "sim/scenario/scenario.h"
+
+namespace baraka::commands {
+namespace {
+
+using hal::files::config::Document;
+using hal::files::config::Mapping;
+using hal::files::description::Fields;
+using Overrides = std::vector<std::string>;
+
+void read_scenario(Mapping in) { sim::scenario::read_scenario(std::move(in), "scenario.yaml"); }
+void check_scenario(const std::string& path, const Overrides& overrides,
+                    const run::check::RunMode& mode) {
+  (void)run::check::load_checked(path, overrides, mode);
+}
+void read_campaign(Mapping in) { results::campaign::read_campaign(std::move(in), "campaign.yaml"); }
+void read_hardware(Mapping in) { hal::robot::agent::RobotFile::read(std::move(in)); }
+void tell(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) hal::print_line(hal::Tone::kWarning, warning);
+}
+
+void check_campaign(const std::string& path, const Overrides& overrides,
+                    const run::check::RunMode&) {
+  tell(campaign::check_campaign(path, overrides).warnings);
+}
+
+void check_hardware(const std::string& path, const Overrides& overrides,
+                    const run::check::RunMode&) {
+  tell(hal::robot::agent::RobotFile::load(path, overrides).warnings);
+}
+void read_robot(Mapping in) { hal::files::description::read_robot(std::move(in)); }
+void read_mote(Mapping in) { hal::files::description::read_mote(std::move(in)); }
+void read_radio(Mapping in) { sim::scenario::read_radio(std::move(in)); }
+
+void mote_keys(Fields& io) {
+  hal::node::devices::MoteDescription mote;
+  keys_of(io, mote);
+}
+void radio_keys(Fields& io) {
+  sim::radio::RadioConfig radio;
+  sim::scenario::keys_of(io, radio);
+}
+
+/// For files that need nothing but their reader.
+template <void (*kRead)(Mapping)>
+void check_file(const std::string& path, const Overrides& overrides, const run::check::RunMode&) {
+  Document document = Document::load(path, overrides);
+  kRead(document.root());
+  document.finish();
+  tell(document.warnings());
+}
+
+constexpr const char* kScenario = R"(version: 1
+name: my_scenario
+radio: {profile: ieee80211b}
+agents:
+  motes:
+    name: m{}
+    mote: {include: robots/mote.yaml}        # of those that come with BARAKA
+    grid: {columns: 3, rows: 1, spacing: [50 m, 50 m]}
+    controller:
+      program: help_mote
+      overrides:
+        - {agents: m2, parameters: {help_at: 1 s}}
+  robots:
+    name: r{}
+    robot: {include: robots/robertino.yaml}
+    poses:
+      - {x: 3 m, y: 3 m, yaw: 90 deg}
+    controller: {program: help_robot, parameters: {speed: 0.5 m/s}}
+end:
+  - {agent: m2, state: FULFILLED, after: 1 s, result: arrived}
+  - {at: 600 s, result: timeout}
+expect:
+  - {result: arrived}
+)";
+
+constexpr const char* kCampaign = R"(version: 1
+name: speeds
+scenario: scenarios/case_study.yaml
+replications: 5
+vary:
+  agents.robots.controller.parameters.speed: [0.3 m/s, 0.6 m/s]
+  radio.profile: [mobility_framework, ideal]
+keep: failed
+)";
+
+constexpr const char* kHardware = R"(version: 1
+agent: {name: r0, address: 26, kind: robot}
+controller: {program: help_robot, parameters: {speed: 0.5 m/s}}
+radio: {interface: wlan0, port: 7300}
+localisation: {driver: pose_topic, topic: /mocap/r0/pose}
+robot: {include: robots/robotino.yaml}
+wheels: {driver: robotino_rest, host: 192.168.0.1}
+infrared: {driver: robotino_rest, host: 192.168.0.1}
+limits: {linear: 0.6 m/s, angular: 1.5 rad/s}
+)";
+
+constexpr const char* kRobot = R"(version: 1
+model: cart
+link:
+  collision:
+    - {cylinder: {radius: 18 cm, bottom: 2 cm, top: 21 cm}, mass: 9 kg}
+wheels:
+  wheel: {radius: 4 cm, mass: 200 g, limit: {effort: 1 N m, velocity: 23 rad/s}}
+  joints:
+    - {distance: 13 cm, bearing: 60 deg}
+    - {distance: 13 cm, bearing: 180 deg}
+    - {distance: 13 cm, bearing: 300 deg}
+)";
+
+constexpr const char* kMote = R"(version: 1
+model: cube
+size: [5 cm, 5 cm, 5 cm]
+mass: 50 g
+)";
+
+constexpr const char* kRadio = R"(version: 1
+profile: disk
+range: 100 m
+data_rate: 1 Mb/s
+)";
+
+/// Known keys of the top level.
+std::size_t known(const FileKind& kind, const std::vector<std::string>& keys) {
+  const std::set<std::string> of_kind = hal::files::config::top_level_keys(kind.read);
+  return static_cast<std::size_t>(
+      std::ranges::count_if(keys, [&](const std::string& key) { return of_kind.contains(key); }));
+}
+
+}  // namespace
+
+const std::vector<FileKind>& file_kinds() {
+  static const std::vector<FileKind> kinds = {
+      {"scenario", "What `baraka run` runs: a world, a radio, agents and their controllers.",
+       gateway::server::use_of("scenario"), kScenario, read_scenario, check_scenario},
+      {"campaign",
+       "What `baraka campaign` runs: a scenario many times, over the values of its keys.",
+       gateway::server::use_of("campaign"), kCampaign, read_campaign, check_campaign},
+      {"hardware", "A real robot or mote: what `baraka-agentd` drives.",
+       gateway::server::use_of("hardware"), kHardware, read_hardware, check_hardware},
+      {"robot",
+       "Body, wheels and sensors of a kind of robot, simulated or real; included by the "
+       "other two.",
+       gateway::server::use_of("robot"), kRobot, read_robot, check_file<read_robot>},
+      {"mote", "Body of a kind of mote; included by scenarios.", gateway::server::use_of("mote"),
+       kMote, read_mote, check_file<read_mote>, mote_keys},
+      {"radio", "A radio; included by scenarios.", gateway::server::use_of("radio"), kRadio,
+       read_radio, check_file<read_radio>, radio_keys}};
+  return kinds;
+}
+
+const hal::files::config::KeyTable& keys_of(const FileKind& kind) {
+  static std::map<std::string, hal::files::config::KeyTable> tables;
+  const auto [found, is_new] = tables.try_emplace(kind.name);
+  if (is_new && kind.keys == nullptr) found->second = hal::files::config::survey(kind.read);
+  if (is_new && kind.keys != nullptr) {
+    hal::files::description::KeyDescriber describer;
+    kind.keys(describer);
+    found->second.keys = describer.keys();
+  }
+  return found->second;
+}
+
+const FileKind& recognised(const std::string& path, const std::vector<std::string>& overrides) {
+  const std::vector<std::string> keys = Document::load(path, overrides).root().keys();
+  std::vector<const FileKind*> best;
+  std::size_t most = 0;
+  for (const FileKind& kind : file_kinds()) {
+    const std::size_t count = known(kind, keys);
+    if (count > most) best.clear();
+    if (count >= most) best.push_back(&kind);
+    most = std::max(most, count);
+  }
+  if (best.size() == 1) return *best.front();
+  std::vector<std::string> names;
+  names.reserve(best.size());
+  for (const FileKind* kind : best) names.push_back(kind->name);
+  if (keys.empty()) {
+    throw hal::files::config::ConfigErrors(
+        {fmt::format("{}: is empty: it has no key of any kind of file; `baraka describe scenario` "
+                     "shows a scenario",
+                     path)});
+  }
+  throw hal::files::config::ConfigErrors(
+      {fmt::format("{}:1:1: may be a file of the kinds {}: it has {}; say which by --kind", path,
+                   fmt::join(names, ", "), most == 0 ? "no key of any" : "as many keys of each")});
+}
+
+}  // namespace baraka::commands

@@ -1,0 +1,119 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <map>
+#include <vector>
+
+#include "baraka/commands/describe_command.h"
+#include "baraka/commands/file_kinds.h"
+#include "baraka/commands/key_words.h"
+
+namespace baraka::commands {
+namespace {
+
+using hal::files::config::Form;
+using hal::files::config::KeyDescription;
+
+constexpr const char* kIntroduction = R"(# Every key of BARAKA's files
+
+<!-- Written by `baraka describe --markdown`; the words stand where the keys are read. -->
+
+Files are YAML. A value has its unit beside it (`250 ms`, `-45 deg`, `11 Mb/s`) unless it is a plain
+number. `include: other.yaml` in any mapping puts that file's keys under the mapping's own; the path is
+relative to the file it stands in, and what is not there is looked for in the folders of
+`BARAKA_CONFIG_PATH` and in `share/baraka` of the installation. `--set a.b=value` replaces a value
+from the command line. `NAME` is a name of your own; `[]` marks the items of a list.
+
+`baraka describe KEY` shows one key, `baraka describe CONTROLLER` a controller's parameters,
+`baraka check FILE` finds every mistake in a file of any kind.
+)";
+
+bool has_own_section(const KeyDescription& key) {
+  return key.form.kind == Form::Kind::kMapping || key.form.kind == Form::Kind::kMappings;
+}
+
+std::string code(const std::string& text) { return text.empty() ? "" : "`" + text + "`"; }
+
+/// @param further  sentence behind the meaning.
+std::string row(const KeyDescription& key, const std::string& further) {
+  std::string meaning = key.meaning + further;
+  if (std::string words = condition_words(key); !words.empty()) {
+    words.front() = 'O';
+    meaning += " " + words + ".";
+  }
+  return fmt::format("| {} | {} | {} | {} | {} |\n", code(last_part(key.path)), meaning,
+                     value_words(key), default_words(key), code(key.example));
+}
+
+/// The path below that mapping or item; empty if it is not below it.
+std::string below(const std::string& path, const std::string& mapping) {
+  return path.starts_with(mapping + ".") ? path.substr(mapping.size() + 1) : "";
+}
+
+/// What is said of the keys below a mapping, without where it is.
+std::vector<std::string> said_below(const std::vector<KeyDescription>& keys,
+                                    const std::string& mapping) {
+  std::vector<std::string> result;
+  for (const KeyDescription& key : keys) {
+    const std::string path = mapping.empty() ? key.path : below(key.path, mapping);
+    if (path.empty()) continue;
+    result.push_back(path + key.meaning + value_words(key) + default_words(key));
+  }
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+/// The kind of file whose keys are those of the mapping; null: none.
+const FileKind* kind_of(const std::vector<KeyDescription>& keys, const std::string& mapping) {
+  const auto said = said_below(keys, mapping);
+  for (const FileKind& kind : file_kinds()) {
+    if (!said.empty() && said_below(keys_of(kind).keys, "") == said) return &kind;
+  }
+  return nullptr;
+}
+
+std::string heading(const FileKind& kind, const std::string& mapping) {
+  return mapping.empty() ? fmt::format("\n### Top level of a {} file\n\n", kind.name)
+                         : fmt::format("\n### `{}` of a {} file\n\n", mapping, kind.name);
+}
+
+constexpr const char* kHead =
+    "| key | meaning | value | default | example |\n|---|---|---|---|---|\n";
+
+/// One heading and table for each mapping; another kind's keys are not said again.
+std::string sections(const FileKind& kind) {
+  const auto& keys = keys_of(kind).keys;
+  std::string page, last = "?";
+  std::vector<std::string> elsewhere;
+  for (const KeyDescription& key : keys) {
+    const std::string mapping = mapping_of(key.path);
+    const auto said = [&](const std::string& other) { return !below(key.path, other).empty(); };
+    if (std::any_of(elsewhere.begin(), elsewhere.end(), said)) continue;
+    if (mapping != last) page += heading(kind, mapping) + kHead;
+    last = mapping;
+    std::string further;
+    if (const FileKind* other = has_own_section(key) ? kind_of(keys, key.path) : nullptr) {
+      elsewhere.push_back(key.path);
+      further = fmt::format(" Its keys are those of a [{0} file](#{0}-files).", other->name);
+    }
+    page += row(key, further);
+  }
+  return page;
+}
+
+}  // namespace
+
+std::string keys_page() {
+  std::string page = kIntroduction;
+  for (const FileKind& kind : file_kinds()) {
+    std::string title = kind.name + " files";
+    title.front() = static_cast<char>(title.front() - 'a' + 'A');
+    page += fmt::format("\n## {}\n\n{} For example:\n\n```yaml\n{}```\n", title, kind.about,
+                        kind.example);
+    page += sections(kind);
+  }
+  return page;
+}
+
+}  // namespace baraka::commands

@@ -1,0 +1,420 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "baraka/campaign/campaign_command.h"
+#include "baraka/commands/check_command.h"
+#include "baraka/commands/describe_command.h"
+#include "baraka/commands/exec_command.h"
+#include "baraka/commands/export_command.h"
+#include "baraka/commands/file_kinds.h"
+#include "baraka/commands/list_command.h"
+#include "baraka/commands/new_controller.h"
+#include "baraka/commands/observables_page.h"
+#include "baraka/commands/report_command.h"
+#include "baraka/commands/topic_command.h"
+#include "baraka/commands/topic_domain.h"
+#include "baraka/commands/view_command.h"
+#include "baraka/commands/wrong_kind.h"
+#include "baraka/run/domain_range.h"
+#include "baraka/run/run_command.h"
+#include "gateway/process/command_line.h"
+#include "gateway/process/domains.h"
+#include "gateway/process/exit_status.h"
+#include "gateway/process/manual.h"
+#include "gateway/process/standard_output.h"
+#include "gateway/process/status_of_command.h"
+
+namespace {
+
+using baraka::run::RunOptions;
+using baraka::run::controllers::ControllersFrom;
+using gateway::process::plain_number;
+using gateway::process::seconds;
+using gateway::process::whole_number;
+
+constexpr std::int64_t kMostSeed = std::numeric_limits<std::int64_t>::max();
+constexpr std::int64_t kMostReplications = 1'000'000, kMostJobs = 1000,
+                       kMostSamples = 1'000'000'000;
+constexpr double kLeastSpeed = 1e-6, kMostSpeed = 1e9;
+constexpr double kLeastTimeout = 1e-3;  // s
+constexpr std::int64_t kMostPort = 65535, kMostPageSize = 2000;
+
+/// For an option that takes a DDS domain, "7", or a range of them, "7-9".
+CLI::Validator domains() {
+  return {[](std::string& text) {
+            return baraka::run::is_domain_range(text)
+                       ? std::string{}
+                       : fmt::format(
+                             "'{}' is no DDS domain from 0 to {}, nor a range of them such as 7-9",
+                             text, gateway::process::kLastDomain);
+          },
+          fmt::format("0 to {}", gateway::process::kLastDomain)};
+}
+
+/// An option that takes one of some words, each of which means a value.
+template <class Value>
+void add_choice(CLI::App* command, const std::string& name, const std::string& about,
+                std::optional<Value>& chosen, const std::map<std::string, Value>& values) {
+  std::vector<std::string> words;
+  words.reserve(values.size());
+  for (const auto& [word, value] : values) words.push_back(word);
+  command
+      ->add_option_function<std::string>(
+          name, [&chosen, values](const std::string& word) { chosen = values.at(word); }, about)
+      ->transform(gateway::process::one_of(words));
+}
+
+/// Which domains and files it uses.
+void add_surroundings(CLI::App* run, RunOptions& options) {
+  run->add_option("--domain", options.domain,
+                  "DDS domain; default: the first free one. With --jobs the first of as many, or "
+                  "FIRST-LAST")
+      ->transform(domains());
+  run->add_option("--inspect-domain", options.inspect_domain,
+                  "DDS domain to show the run in; default: the run's")
+      ->transform(whole_number(0, gateway::process::kLastDomain));
+  run->add_flag_callback(
+      "--no-inspect", [&] { options.inspect = false; }, "Do not show the run to DDS tools");
+  run->add_option("--out", options.out, "Folder for the results; default: results/<name>");
+  run->add_flag("--overwrite", options.overwrite,
+                "Remove an earlier result there; default: keep it as <name>.1, .2, ...");
+  run->add_flag("--once", options.once,
+                "Keep a finished result of this seed there, and wait for another run that is "
+                "writing there");
+  run->add_option("--set", options.overrides, "KEY=VALUE, the key as a dotted path")
+      ->allow_extra_args(false);
+  run->add_option("--log", options.log, "Lowest level in run.log; default: info")
+      ->transform(gateway::process::one_of({"debug", "info", "warning", "error"}));
+}
+
+/// @return --view.
+CLI::Option* add_live_view(CLI::App* run, baraka::run::live::LiveViewOptions& view) {
+  CLI::Option* shown = run->add_flag("--view", view.shown, "Show the run in a browser");
+  run->add_flag("--paused", view.paused, "With --view: wait for the page to start the run")
+      ->needs(shown);
+  run->add_option("--view-port", view.port, "With --view: on this port; default: a free one")
+      ->transform(whole_number(1, kMostPort))
+      ->needs(shown);
+  run->add_flag_callback(
+         "--no-open", [&] { view.open = false; }, "With --view: do not open a browser")
+      ->needs(shown);
+  return shown;
+}
+
+/// @param of_what  before the words of each choice.
+void add_controllers(CLI::App& command, ControllersFrom& controllers, const std::string& of_what) {
+  const std::map<std::string, ControllersFrom> from{{"spawn", ControllersFrom::kSpawn},
+                                                    {"external", ControllersFrom::kExternal},
+                                                    {"in-process", ControllersFrom::kInProcess}};
+  command
+      .add_option_function<std::string>(
+          "--controllers",
+          [&controllers, from](const std::string& how) { controllers = from.at(how); },
+          of_what + "spawn: start them (default); external: wait for them; in-process: load them")
+      ->transform(gateway::process::one_of({"spawn", "external", "in-process"}));
+}
+
+void add_run(CLI::App& app, RunOptions& options, std::string& seed) {
+  CLI::App* run = app.add_subcommand("run", "Run a scenario");
+  run->add_option("SCENARIO", options.scenario, "Scenario file")->required();
+  run->add_option("--seed", seed, "Seed, instead of the scenario's")
+      ->transform(whole_number(0, kMostSeed));
+  run->add_option("--until", options.until, "End at this simulated time: 90 or 1.5 min")
+      ->transform(seconds(0));
+  add_controllers(*run, options.controllers, "");
+  run->add_option(
+         "--max-speed", options.max_speed,
+         "At most this many simulated seconds per second; changes nothing else; default: as "
+         "fast as possible, with --view 1")
+      ->transform(plain_number(kLeastSpeed, kMostSpeed));
+  CLI::Option* pace = run->add_option("--pace", options.pace,
+                                      "lockstep: wait for controllers; realtime[:F]: follow the "
+                                      "wall clock, F times as fast, and never wait");
+  CLI::Option* repeat =
+      run->add_option(
+             "--repeat", options.repeat,
+             "Folder of a run in real time, or with input from outside: repeat it from its record, "
+             "without a clock")
+          ->excludes(pace);
+  add_surroundings(run, options);
+  CLI::Option* view = add_live_view(run, options.view);
+  CLI::Option* replications =
+      run->add_option("--replications", options.replications,
+                      "Number of runs, with seeds from the scenario's upwards; runs that have "
+                      "ended are kept")
+          ->transform(whole_number(1, kMostReplications))
+          ->excludes(pace)
+          ->excludes(repeat)
+          ->excludes(view);
+  run->add_option("--jobs", options.jobs, "Replications at a time; default: 1")
+      ->transform(whole_number(1, kMostJobs))
+      ->needs(replications);
+}
+
+void add_campaign(CLI::App& app, baraka::campaign::CampaignOptions& options) {
+  CLI::App* campaign = app.add_subcommand(
+      "campaign",
+      "Run a scenario many times, over the values of its keys; continues where it ended");
+  campaign->add_option("FILE", options.file, "Campaign file")->required();
+  campaign->add_option("--out", options.out, "Folder for the results; default: results/<name>");
+  campaign->add_flag("--overwrite", options.overwrite,
+                     "Remove an earlier result of a single run there");
+  campaign
+      ->add_option("--jobs", options.jobs,
+                   "Runs at a time; default: as the file says, else one for each processor")
+      ->transform(whole_number(1, kMostJobs));
+  campaign->add_option("--set", options.overrides, "KEY=VALUE of the campaign file")
+      ->allow_extra_args(false);
+  campaign
+      ->add_option("--engine", options.engine,
+                   "Where runs execute: local (default); slurm: the nodes of a cluster")
+      ->transform(gateway::process::one_of({"local", "slurm"}));
+  campaign->add_flag("--cancel", options.cancel, "Only cancel its jobs in Slurm");
+  campaign->add_flag("--retry-failed", options.retry_failed, "Repeat the runs that failed");
+  campaign->add_flag("--status", options.status, "Only show its progress");
+}
+
+void add_new_controller(CLI::App& app, baraka::commands::NewControllerOptions& options) {
+  CLI::App* add =
+      app.add_subcommand("new-controller", "Write a project for a controller of your own");
+  add->add_option("NAME", options.name, "Name of the program: a-z, 0-9 and _")->required();
+  CLI::Option* mote = add->add_flag("--mote", options.for_mote, "It drives motes");
+  add->add_flag("--robot")->description("It drives robots (the default)")->excludes(mote);
+  add->add_option(
+         "--from", options.from,
+         "Begin with a working example: two_turtlebots, robots that search and communicate")
+      ->transform(gateway::process::one_of(baraka::commands::new_controller_models()))
+      ->excludes(mote);
+  add->add_option("--to", options.to, "Folder for the project's folder; default: this one");
+}
+
+void add_check(CLI::App& app, baraka::commands::CheckOptions& options) {
+  CLI::App* check = app.add_subcommand(
+      "check", "Find every mistake in scenario, campaign, hardware, robot, mote or radio files");
+  check->add_option("FILE", options.files, "Files")->required();
+  check->add_option("--set", options.overrides, "KEY=VALUE, the key as a dotted path")
+      ->allow_extra_args(false);
+  std::vector<std::string> kinds;
+  for (const auto& kind : baraka::commands::file_kinds()) kinds.push_back(kind.name);
+  add_controllers(*check, options.mode.controllers, "How a scenario is to be run; ");
+  check->add_option("--kind", options.kind, "Kind of the files; default: recognised by their keys")
+      ->transform(gateway::process::one_of(kinds));
+}
+
+struct DescribeOptions {
+  std::string what;
+  bool markdown = false;
+
+  int act() const {
+    if (!markdown) return baraka::commands::describe(what);
+    if (!what.empty() && what != "observables") {
+      throw gateway::process::UsageError(
+          "describe: --markdown is for all keys, or for observables");
+    }
+    std::fputs((what.empty() ? baraka::commands::keys_page() : baraka::commands::observables_page())
+                   .c_str(),
+               stdout);
+    return gateway::process::kDone;
+  }
+};
+
+void add_describe(CLI::App& app, DescribeOptions& options) {
+  CLI::App* describe =
+      app.add_subcommand("describe", "Explain keys of files and parameters of controllers");
+  describe->add_option("WHAT", options.what, "A kind of file, a key, a controller, or observables");
+  describe->add_flag("--markdown", options.markdown,
+                     "All keys of all files as the page docs/keys.md; of observables "
+                     "docs/observables.md");
+}
+
+void add_list(CLI::App& app, std::string& kind) {
+  app.add_subcommand("list",
+                     "List available scenarios, robots, radios, controllers …, one per line")
+      ->add_option("KIND", kind, "Default: all")
+      ->transform(gateway::process::one_of(baraka::commands::listed_kinds()));
+}
+
+void add_report(CLI::App& app, baraka::commands::ReportOptions& options) {
+  using sim::scenario::IntervalKind;
+  using sim::scenario::PlotKind;
+  CLI::App* add = app.add_subcommand("report", "Tables and figures of results or of a campaign");
+  add->add_option("DIR", options.folders, "Folders of results, or of a campaign")->required();
+  add->add_option("-o", options.file,
+                  "Write to this file, print no tables: a page with all figures (.html), one "
+                  "figure (.svg) or its data (.csv)");
+  add->add_option("--figure", options.figure,
+                  "One quantity of `baraka describe observables`, or one of the scenario's report");
+  add->add_option("--versus", options.versus, "Key of the setting along the axis");
+  add->add_option("--by", options.by, "Key of the setting with a curve for each value");
+  add->add_option("--agent", options.agent, "Agent, for a quantity of agents");
+  add_choice(add, "--as", "What the figure shows", options.as,
+             {{"points", PlotKind::kPoints},
+              {"table", PlotKind::kTable},
+              {"histogram", PlotKind::kHistogram},
+              {"time", PlotKind::kTime}});
+  add_choice(add, "--interval", "Interval of means over runs", options.interval,
+             {{"student", IntervalKind::kStudent}, {"bootstrap", IntervalKind::kBootstrap}});
+  add->add_option("--scenario", options.scenario,
+                  "Use `report:` of this scenario file as it is now, not as the runs had it");
+  add->add_option("--resamples", options.resamples,
+                  "Write the resamples of bootstrap intervals to this file");
+}
+
+void add_export(CLI::App& app, baraka::commands::ExportOptions& options) {
+  CLI::App* add =
+      app.add_subcommand("export", "Tables of a result as CSV, or all of it for other viewers");
+  add->add_option("DIR", options.folder, "Folder of a result or of a campaign");
+  add->add_option("TABLE", options.table, "Table to print; default: list them");
+  add->add_option("-o", options.file, "Write to this file; with --format csv into this folder");
+  add->add_option("--format", options.format,
+                  "csv: every table; mcap: messages of ROS 2 for Foxglove, PlotJuggler and RViz")
+      ->transform(gateway::process::one_of({"csv", "mcap"}));
+  add->add_flag("--describe", options.describe,
+                "Describe the tables and columns of a result, or of this campaign");
+}
+
+void add_exec(CLI::App& app, baraka::commands::ExecOptions& options) {
+  CLI::App* exec = app.add_subcommand(
+      "exec", "Run a command inside an agent of a run under way: baraka exec r0 -- ping r1");
+  exec->add_option("AGENT", options.agent, "An agent with a network")->required();
+  exec->add_option("--run", options.run, "Folder of its results; default: the only run under way");
+  exec->add_option("COMMAND", options.command, "After --; default: a shell");
+}
+
+void add_view(CLI::App& app, baraka::commands::ViewOptions& options) {
+  CLI::App* add = app.add_subcommand(
+      "view", "See results, or a scenario, in a browser: world, network and time");
+  add->add_option("DIR|SCENARIO", options.what,
+                  "Folders of results, shown side by side; or one scenario file")
+      ->required();
+  add->add_option("--port", options.port, "Port of 127.0.0.1; default: a free one")
+      ->transform(whole_number(1, kMostPort));
+  add->add_flag_callback(
+      "--no-open", [&] { options.open = false; }, "Do not open a browser");
+  CLI::Option* to_file = add->add_option("--export", options.file,
+                                         "Write a self-contained page to this file, do not serve");
+  add->add_option("--most-mb", options.most_mb,
+                  "Most megabytes of data in it; the finest details are left out. Default: 64")
+      ->transform(whole_number(1, kMostPageSize))
+      ->needs(to_file);
+}
+
+struct TopicCommand {
+  CLI::App* app;
+  int (*act)(const baraka::commands::TopicOptions&);
+};
+
+/// @return the commands of `baraka topic`.
+std::vector<TopicCommand> add_topic(CLI::App& app, baraka::commands::TopicOptions& options) {
+  CLI::App* topic = app.add_subcommand("topic", "Inspect the topics of a run or a robot");
+  topic->require_subcommand(1);
+  std::vector<TopicCommand> commands{
+      {topic->add_subcommand("list", "All topics"), baraka::commands::list_topics},
+      {topic->add_subcommand("info", "Type and endpoints"), baraka::commands::topic_info},
+      {topic->add_subcommand("echo", "Samples"), baraka::commands::echo_topic},
+      {topic->add_subcommand("hz", "Rate of samples"), baraka::commands::topic_rate},
+      {topic->add_subcommand("bw", "Bandwidth of samples"), baraka::commands::topic_bandwidth}};
+  for (const TopicCommand& command : commands) {
+    command.app
+        ->add_option("--domain", options.domain,
+                     "DDS domain; default: BARAKA_DOMAIN, else the one in which a run or daemon "
+                     "publishes its topics, else ROS_DOMAIN_ID, else 1")
+        ->transform(whole_number(0, gateway::process::kLastDomain));
+    if (command.act == baraka::commands::list_topics) continue;
+    command.app->add_option("TOPIC", options.topic, "As listed, or as in ROS 2: /clock")
+        ->required();
+    command.app->add_option("--timeout", options.timeout, "Longest wait for the topic and a sample")
+        ->transform(seconds(kLeastTimeout));
+    if (command.act == baraka::commands::topic_info) continue;
+    command.app->add_option("--count", options.count, "End after this number of samples")
+        ->transform(whole_number(1, kMostSamples));
+  }
+  return commands;
+}
+
+/// What the commands are asked for.
+struct Asked {
+  RunOptions run;
+  std::string seed;
+  std::string listed;
+  baraka::campaign::CampaignOptions campaign;
+  baraka::commands::CheckOptions check;
+  DescribeOptions describe;
+  baraka::commands::ReportOptions report;
+  baraka::commands::ViewOptions view;
+  baraka::commands::ExportOptions export_;
+  baraka::commands::ExecOptions exec;
+  baraka::commands::TopicOptions topic;
+  baraka::commands::NewControllerOptions controller;
+};
+
+/// @return exit status. @throws std::exception
+int act(const CLI::App& app, Asked& asked) {
+  if (!asked.seed.empty()) asked.run.overrides.push_back("seed=" + asked.seed);
+  if (app.got_subcommand("campaign")) {
+    return baraka::commands::with_file_of(
+        "campaign", {asked.campaign.file, {"campaigns"}, asked.campaign.overrides},
+        [&] { return baraka::campaign::run_campaign(asked.campaign); });
+  }
+  if (app.got_subcommand("check")) return baraka::commands::check(asked.check);
+  if (app.got_subcommand("describe")) return asked.describe.act();
+  if (app.got_subcommand("exec")) baraka::commands::exec_inside(asked.exec);
+  if (app.got_subcommand("export")) return baraka::commands::export_results(asked.export_);
+  if (app.got_subcommand("list")) return baraka::commands::list(asked.listed);
+  if (app.got_subcommand("report")) return baraka::commands::report(asked.report);
+  if (app.got_subcommand("view")) {
+    return baraka::commands::with_file_of("scenario", {asked.view.what.front(), {"scenarios"}},
+                                          [&] { return baraka::commands::show_view(asked.view); });
+  }
+  if (app.got_subcommand("new-controller"))
+    return baraka::commands::new_controller(asked.controller);
+  return baraka::commands::with_file_of(
+      "scenario", {asked.run.scenario, {"scenarios"}, asked.run.overrides}, [&] {
+        return asked.run.replications ? baraka::campaign::run_replications(asked.run)
+                                      : baraka::run::run(asked.run);
+      });
+}
+
+/// @return exit status. @throws std::exception
+int command(int argc, char** argv) {
+  CLI::App app(
+      "BARAKA: robots and motes that communicate by IEEE 802.11, with controllers over DDS");
+  app.require_subcommand(1);
+  Asked asked;
+  add_run(app, asked.run, asked.seed);
+  add_campaign(app, asked.campaign);
+  add_check(app, asked.check);
+  add_describe(app, asked.describe);
+  add_list(app, asked.listed);
+  add_report(app, asked.report);
+  add_view(app, asked.view);
+  add_export(app, asked.export_);
+  add_exec(app, asked.exec);
+  const std::vector<TopicCommand> topic_commands = add_topic(app, asked.topic);
+  add_new_controller(app, asked.controller);
+  gateway::process::complete(app, "baraka");
+  gateway::process::add_manual(app, "baraka");
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return gateway::process::end_of_parsing(app, e);
+  }
+  for (const TopicCommand& topic : topic_commands) {
+    if (!*topic.app) continue;
+    asked.topic.domain = baraka::commands::topic_domain(asked.topic.domain);
+    return topic.act(asked.topic);
+  }
+  return act(app, asked);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  return gateway::process::with_output_written(
+      gateway::process::status_of_command([&] { return command(argc, argv); }));
+}

@@ -1,0 +1,49 @@
+#include "baraka/run/check/check_programs.h"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <set>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "programs/netns/loadable.h"
+#include "sim/scenario/plan.h"
+
+namespace baraka::run::check {
+namespace {
+
+/// Where a program is looked for.
+std::string path_of(const sim::scenario::Program& program) {
+  for (const auto& [name, value] : program.environment) {
+    if (name == "PATH") return value;
+  }
+  const char* const ours = std::getenv("PATH");
+  return ours == nullptr ? "" : ours;
+}
+
+}  // namespace
+
+std::vector<std::string> unusable_programs(const sim::scenario::Scenario& scenario, double factor) {
+  std::vector<std::string> mistakes;
+  std::set<std::string> said;
+  for (const sim::scenario::PlannedProgram& planned : sim::scenario::plan_programs(scenario)) {
+    const sim::scenario::Program& program = *planned.program;
+    const std::string& name = program.command.front();
+    if (name.find(sim::scenario::kResultsWord) != std::string::npos) continue;
+    const auto words = sim::scenario::words_of(planned, scenario, {});
+    try {
+      programs::netns::require_preloaded(
+          programs::netns::program_file(filled_in(name, words), filled_in(path_of(program), words)),
+          factor);
+    } catch (const std::runtime_error& e) {
+      std::string line = fmt::format("{}: command: {}", program.place, e.what());
+      if (said.insert(line).second) mistakes.push_back(std::move(line));
+    }
+  }
+  return mistakes;
+}
+
+}  // namespace baraka::run::check

@@ -1,0 +1,13 @@
+#include "baraka/run/check/config_of.h"
+
+#include <algorithm>
+
+namespace baraka::run::check {
+
+const sim::agents::AgentConfig& config_of(const sim::scenario::Scenario& scenario,
+                                          hal::AgentId id) {
+  const auto& agents = scenario.simulation.agents;
+  return *std::ranges::lower_bound(agents, id, {}, &sim::agents::AgentConfig::id);  // by address
+}
+
+}  // namespace baraka::run::check

@@ -1,0 +1,236 @@
+#include "baraka/run/controllers/controllers_of_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <stdexcept>
+#include <utility>
+
+#include "baraka/run/controllers/missing_controllers_notice.h"
+#include "baraka/run/pace/interrupts.h"
+#include "gateway/process/exit_status.h"
+#include "gateway/process/find_program.h"
+#include "gateway/process/limits.h"
+#include "gateway/runtime/controller_host.h"
+#include "gateway/runtime/in_process_port.h"
+#include "gateway/runtime/plugin.h"
+#include "gateway/server/teleop_port.h"
+
+namespace baraka::run::controllers {
+namespace {
+
+using sim::scenario::ProcessPlan;
+using sim::scenario::Scenario;
+
+constexpr std::uint64_t kOnlyRun = 1;  // a server of `baraka run` serves one run
+
+const hal::node::exchange::AgentOffer& offer_of(
+    const std::vector<hal::node::exchange::AgentOffer>& offers, hal::AgentId agent) {
+  // They are in order of address.
+  return *std::ranges::lower_bound(offers, agent, {},
+                                   [](const auto& offer) { return offer.session.agent; });
+}
+
+/// A host without the agents whose controllers are not looked for.
+class ServedAgents final : public hal::node::exchange::AgentHost {
+ public:
+  ServedAgents(hal::node::exchange::AgentHost& host, InsideControllers& inside)
+      : host_(host), inside_(inside) {}
+
+  std::vector<hal::node::exchange::AgentOffer> offers() const override {
+    std::vector<hal::node::exchange::AgentOffer> offers = host_.offers();
+    std::erase_if(offers, [this](const auto& offer) {
+      return offer.program == gateway::server::kTeleop || offer.program.empty() ||
+             inside_.is_repeated(offer.session.agent);
+    });
+    return offers;
+  }
+  std::vector<hal::node::exchange::AgentName> directory() const override {
+    return host_.directory();
+  }
+  void connect(std::shared_ptr<hal::node::exchange::ControllerPort> port,
+               const std::vector<hal::AgentId>& agents, const hal::Wants& wants) override {
+    inside_.connect_before(agents.front());
+    host_.connect(inside_.recorded(std::move(port), agents.front()), agents, wants);
+  }
+
+ private:
+  hal::node::exchange::AgentHost& host_;
+  InsideControllers& inside_;
+};
+
+/// Of the program of a controller process.
+std::vector<std::string> arguments_for(const ProcessPlan& plan, const Scenario& scenario) {
+  std::vector<std::string> arguments{"--name", plan.process, "--wait", "none"};  // it dies with us
+  for (const hal::AgentId agent : plan.agents) {
+    const auto config = std::ranges::lower_bound(scenario.simulation.agents, agent, {},
+                                                 &sim::agents::AgentConfig::id);  // by address
+    arguments.insert(arguments.end(), {"--agents", config->name});
+  }
+  return arguments;
+}
+
+/// @throws UsageError  a controller is inside its agent's network, where only a process can be that
+///   the run starts.
+void refuse_inside(const std::vector<ProcessPlan>& plans, ControllersFrom from) {
+  const auto inside = std::ranges::find_if(plans, [](const ProcessPlan& p) { return p.inside; });
+  if (inside == plans.end() || from == ControllersFrom::kSpawn) return;
+  const char* const option = from == ControllersFrom::kExternal ? "external" : "in-process";
+  throw gateway::process::UsageError(fmt::format(
+      "--controllers {}: '{}' is inside its agent's network, and so a process that the run starts",
+      option, inside->process));
+}
+
+/// None: the first free one.
+std::optional<int> domain_for(const ControllersOfRun::Settings& settings) {
+  if (settings.domain || settings.from != ControllersFrom::kExternal) return settings.domain;
+  return gateway::process::default_domain();
+}
+
+template <class T>
+T value_or_throw(hal::Result<T> result) {
+  if (!result) throw std::runtime_error(result.error().message);
+  return std::move(*result);
+}
+
+}  // namespace
+
+ControllersOfRun::ControllersOfRun(const Scenario& scenario, sim::agents::Simulation& simulation,
+                                   const Settings& settings) {
+  std::vector<ProcessPlan> plans = sim::scenario::plan_processes(scenario);
+  std::erase_if(plans,
+                [](const ProcessPlan& plan) { return plan.program == gateway::server::kTeleop; });
+  inside_.emplace(plans, scenario, simulation, settings.replies);
+  if (settings.replies != nullptr) {
+    std::erase_if(plans, [](const ProcessPlan& plan) { return plan.inside; });
+  }
+  refuse_inside(plans, settings.from);
+  if (plans.empty() && settings.from == ControllersFrom::kExternal) {
+    throw gateway::process::UsageError(
+        "--controllers external: no agent of this scenario has a controller");
+  }
+  if (settings.from == ControllersFrom::kInProcess) {
+    connect_in_process(plans, simulation);
+  } else {
+    serve(plans, scenario, simulation, settings);
+  }
+  inside_->connect_before(hal::kEveryone);
+}
+
+ControllersOfRun::~ControllersOfRun() = default;
+
+std::optional<int> ControllersOfRun::domain() const {
+  return server_ ? std::optional(server_->domain()) : std::nullopt;
+}
+
+void ControllersOfRun::connect_in_process(const std::vector<ProcessPlan>& plans,
+                                          sim::agents::Simulation& simulation) {
+  const auto offers = simulation.offers();
+  for (const ProcessPlan& plan : plans) {
+    const hal::ControllerKind& kind = *value_or_throw(
+        gateway::runtime::load_plugin(plan.program, gateway::runtime::controller_folders()));
+    hal::node::exchange::Session session;
+    session.server = "in process";
+    session.run = kOnlyRun;
+    if (kind.wants.names) session.directory = simulation.directory();
+    for (const hal::AgentId agent : plan.agents) {
+      session.agents.push_back(
+          value_or_throw(hal::node::exchange::session_for(offer_of(offers, agent), kind.wants)));
+    }
+    auto host = value_or_throw(gateway::runtime::ControllerHost::create(kind, session));
+    inside_->connect_before(plan.agents.front());
+    simulation.connect(
+        std::make_shared<gateway::runtime::InProcessPort>(plan.process, std::move(host)),
+        plan.agents, kind.wants);
+  }
+}
+
+void ControllersOfRun::serve(const std::vector<ProcessPlan>& plans, const Scenario& scenario,
+                             sim::agents::Simulation& simulation, const Settings& settings) {
+  const bool external = settings.from == ControllersFrom::kExternal;
+  served_ = std::make_unique<ServedAgents>(simulation, *inside_);
+  server_ = std::make_unique<gateway::server::AgentServer>(
+      gateway::process::take_domain(domain_for(settings)), *served_,
+      gateway::server::ServerSettings{kOnlyRun, scenario.wait, scenario.reply_timeout});
+  fmt::print(stderr, "domain: {}\n", server_->domain());
+  if (!external) spawn(plans, scenario, settings);
+  std::optional<MissingControllersNotice> notice;
+  if (external) notice.emplace(plans, simulation.offers(), server_->domain(), scenario.wait);
+  const auto keep_waiting = [&]() -> hal::Result<void> {
+    if (pace::interrupted()) return hal::fail(hal::Errc::kNotConnected, "interrupted");
+    if (notice) notice->say(server_->missing());
+    return check_started(settings);
+  };
+  if (notice) notice->say(server_->missing());
+  if (const auto gathered = server_->gather(keep_waiting); !gathered) {
+    const std::string& why = gathered.error().message;
+    if (pace::interrupted())
+      throw gateway::process::Interrupted(why + " while waiting for controllers");
+    throw std::runtime_error(why);
+  }
+  processes_ = server_->summary().processes.size();
+}
+
+hal::Result<void> ControllersOfRun::check_started(const Settings& settings) const {
+  if (settings.inside != nullptr) {
+    if (auto inside = settings.inside->check(); !inside) return inside;
+  }
+  return spawner_.check();
+}
+
+void ControllersOfRun::spawn(const std::vector<ProcessPlan>& plans, const Scenario& scenario,
+                             const Settings& settings) {
+  gateway::process::make_room_for(plans.size());
+  for (const ProcessPlan& plan : plans) {
+    const auto program =
+        gateway::process::find_program(plan.program, gateway::runtime::controller_folders());
+    if (!program) {
+      throw std::runtime_error(fmt::format("{}: program: '{}' is not there to be started",
+                                           plan.program_place, plan.program));
+    }
+    std::vector<std::string> arguments = arguments_for(plan, scenario);
+    if (plan.inside) {
+      arguments.insert(arguments.begin(), program->string());
+      start_inside(plan, std::move(arguments), settings);
+    } else {
+      spawner_.start({.program = *program,
+                      .arguments = std::move(arguments),
+                      .domain = server_->domain(),
+                      .log = settings.logs / (plan.process + ".log")});
+    }
+  }
+}
+
+void ControllersOfRun::start_inside(const ProcessPlan& plan, std::vector<std::string> arguments,
+                                    const Settings& settings) {
+  if (settings.inside == nullptr) {
+    throw std::runtime_error(
+        fmt::format("{}: program: '{}' is to run inside its agent's network, and there is none",
+                    plan.program_place, plan.program));
+  }
+  const gateway::domain::Invitation invitation = server_->invite();
+  settings.inside->start(
+      plan.agents.front(),
+      {.arguments = std::move(arguments),
+       .environment = {invitation.variable(), {"BARAKA_DOMAIN", std::to_string(server_->domain())}},
+       .log = settings.logs / (plan.process + ".log"),
+       .inherited = invitation.descriptors()});
+}
+
+std::vector<std::string> ControllersOfRun::finish(bool stopped, const std::filesystem::path& logs) {
+  using namespace std::chrono_literals;
+  std::vector<std::string> lines;
+  if (!server_) return lines;
+  lines = gateway::server::complaints(server_->summary());
+  if (!stopped) std::ranges::move(spawner_.killed(logs), std::back_inserter(lines));
+  if (stopped) spawner_.wait_all(2s);
+  for (const gateway::process::Ending& ending : spawner_.stop_all()) {
+    if (stopped && ending.status != 0) {
+      lines.push_back(fmt::format("{} (pid {}) {}", ending.name, ending.pid, ending.cause));
+    }
+  }
+  return lines;
+}
+
+}  // namespace baraka::run::controllers

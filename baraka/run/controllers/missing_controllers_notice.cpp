@@ -1,0 +1,82 @@
+#include "baraka/run/controllers/missing_controllers_notice.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "gateway/process/find_program.h"
+#include "gateway/runtime/plugin.h"
+#include "hal/types/pattern.h"
+
+namespace baraka::run::controllers {
+namespace {
+
+constexpr std::chrono::seconds kSayEvery{5};
+
+/// The first letters that all of some names have in common. @pre not empty.
+std::string common_beginning(const std::vector<std::string>& names) {
+  std::string common = names.front();
+  for (const std::string& name : names) {
+    const auto [end, ignored] = std::ranges::mismatch(common, name);
+    common.erase(end, common.end());
+  }
+  return common;
+}
+
+std::string path_of(const std::string& program) {
+  const auto found =
+      gateway::process::find_program(program, gateway::runtime::controller_folders());
+  return found ? found->string() : program;
+}
+
+}  // namespace
+
+MissingControllersNotice::MissingControllersNotice(
+    std::vector<sim::scenario::ProcessPlan> plans,
+    const std::vector<hal::node::exchange::AgentOffer>& offers, int domain, hal::Duration wait,
+    const hal::Clock& clock)
+    : plans_(std::move(plans)), domain_(domain), wait_(wait), clock_(clock) {
+  for (const auto& offer : offers) agents_.push_back({offer.session.agent, offer.session.name});
+}
+
+void MissingControllersNotice::say(const std::vector<hal::AgentId>& missing) {
+  const hal::Time now = clock_.now();
+  if (missing.empty() || (said_ && now - *said_ < kSayEvery)) return;
+  fmt::print(stderr, "{} for controllers of {} agent{}, {} s for the next to come; type:\n",
+             said_ ? "still waiting" : "waiting", missing.size(), missing.size() == 1 ? "" : "s",
+             hal::to_seconds(wait_));
+  for (const std::string& command : commands(missing)) fmt::print(stderr, "  {}\n", command);
+  said_ = now;
+}
+
+std::vector<std::string> MissingControllersNotice::commands(
+    const std::vector<hal::AgentId>& missing) const {
+  std::vector<std::string> lines;
+  for (const sim::scenario::ProcessPlan& plan : plans_) {
+    std::vector<std::string> wanted;
+    for (const auto& [id, name] : agents_) {
+      const bool is_its = std::ranges::find(plan.agents, id) != plan.agents.end();
+      if (is_its && std::ranges::find(missing, id) != missing.end()) wanted.push_back(name);
+    }
+    if (wanted.empty()) continue;
+    lines.push_back(
+        fmt::format("{} --domain {}{}", path_of(plan.program), domain_, agents_option(wanted)));
+  }
+  return lines;
+}
+
+/// As a pattern, if there is one that fits these and no others.
+std::string MissingControllersNotice::agents_option(const std::vector<std::string>& wanted) const {
+  const std::string pattern = common_beginning(wanted) + "*";
+  const auto fitting = std::ranges::count_if(
+      agents_, [&](const Agent& agent) { return hal::matches(pattern, agent.name); });
+  if (wanted.size() > 1 && static_cast<std::size_t>(fitting) == wanted.size()) {
+    return fmt::format(" --agents '{}'", pattern);
+  }
+  std::string options;
+  for (const std::string& name : wanted) options += " --agents " + name;
+  return options;
+}
+
+}  // namespace baraka::run::controllers

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "baraka/run/network/network_of_run.h"
+#include "sim/agents/real_time.h"
+
+namespace baraka::run::network {
+
+/// What speaks against the result of a run with networks, a line each.
+/// @param factor  simulated seconds per second.  @param limit  of lateness.
+std::vector<std::string> network_warnings(const sim::agents::AirSummary& air,
+                                          const NetworkSummary& network, double factor,
+                                          hal::Duration limit);
+
+/// The numbers, as "key: value" lines on standard output.
+void print_network(const sim::agents::AirSummary& air, const NetworkSummary& network);
+
+}  // namespace baraka::run::network

@@ -1,0 +1,150 @@
+#include "baraka/run/network/tap_bridge.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <limits>
+#include <stdexcept>
+
+#include "hal/types/check.h"
+#include "sim/radio/mac_sap.h"
+
+namespace baraka::run::network {
+namespace {
+
+/// Ethernet header and the largest payload, and more, so that what is too long is seen to be.
+constexpr std::size_t kBuffer = 64 + 2 * sim::radio::kMaxMsdu;
+
+std::uint32_t clamped(std::size_t frames) {
+  constexpr std::size_t kMost = std::numeric_limits<std::uint32_t>::max() / 2;
+  return static_cast<std::uint32_t>(std::min(frames, kMost));
+}
+
+[[noreturn]] void fail(const char* what) {
+  throw std::runtime_error(fmt::format("{}: {}", what, std::strerror(errno)));
+}
+
+}  // namespace
+
+TapBridge::TapBridge(const std::vector<Tap>& taps, pace::RealTimeClock& clock)
+    : clock_(clock),
+      epoll_(::epoll_create1(EPOLL_CLOEXEC)),
+      buffer_(kBuffer),
+      events_(std::max<std::size_t>(1, taps.size())) {
+  if (epoll_ < 0) fail("the agents' interfaces");
+  for (const Tap& tap : taps) ports_.push_back({.tap = tap});
+  std::ranges::sort(ports_, {}, [](const Port& port) { return port.tap.agent; });
+  for (std::size_t i = 0; i < ports_.size(); ++i) {
+    epoll_event event{};
+    event.events = EPOLLIN;
+    event.data.u64 = i;
+    if (::epoll_ctl(epoll_, EPOLL_CTL_ADD, ports_[i].tap.descriptor, &event) != 0) {
+      fail("an agent's interface");
+    }
+    ports_[i].empty_at = clock_.wall().now();
+  }
+}
+
+TapBridge::~TapBridge() {
+  if (epoll_ >= 0) ::close(epoll_);
+}
+
+TapBridge::Port& TapBridge::port_of(hal::AgentId agent) {
+  const auto port =
+      std::ranges::lower_bound(ports_, agent, {}, [](const Port& one) { return one.tap.agent; });
+  BARAKA_CHECK(port != ports_.end() && port->tap.agent == agent);
+  return *port;
+}
+
+void TapBridge::on_frame(hal::AgentId agent, hal::Time, std::span<const std::uint8_t> ethernet) {
+  const int tap = port_of(agent).tap.descriptor;
+  const ssize_t written = ::write(tap, ethernet.data(), ethernet.size());
+  if (written != static_cast<ssize_t>(ethernet.size())) ++not_taken_;
+}
+
+void TapBridge::on_room(hal::AgentId agent, const Room& room) {
+  Port& port = port_of(agent);
+  if (port.tap.room == nullptr) return;
+  const bool has_changed =
+      !port.is_told || port.sent != port.told_sent || room.free != port.told_room;
+  // Also one that has only begun: it may have been killed since.
+  const bool is_one_sending = port.is_one_sending || port.tap.room->is_between(port.sent);
+  if (!has_changed && !is_one_sending) return;
+  port.is_one_sending = port.tap.room->publish(port.sent, clamped(room.free),
+                                               std::max<std::uint32_t>(1, clamped(room.capacity)));
+  port.told_sent = port.sent;
+  port.told_room = room.free;
+  port.is_told = true;
+}
+
+bool TapBridge::is_one_sending() const {
+  return std::ranges::any_of(ports_, [](const Port& port) { return port.is_one_sending; });
+}
+
+void TapBridge::after_wait() {
+  wake_up_.after_wait();
+  // Had something been there before, it would not have slept.
+  if (const auto ago = wake_up_.at_most()) nothing_until_ = clock_.wall().now() - *ago;
+}
+
+/// In turns, so that one that sends without end does not keep the others from theirs.
+void TapBridge::read(std::size_t most, const std::function<void(sim::air::SentFrame)>& take) {
+  constexpr std::size_t kMostOfOne = 64;
+  look();
+  while (!ready_.empty() && most > 0) {
+    const std::size_t share = std::clamp<std::size_t>(most / ready_.size(), 1, kMostOfOne);
+    std::erase_if(ready_, [&](std::size_t i) {
+      const std::size_t wanted = std::min(share, most);
+      const std::size_t count = read(ports_[i], wanted, take);
+      most -= count;
+      return count < wanted;
+    });
+  }
+}
+
+/// Sees which TAPs have something.
+void TapBridge::look() {
+  const hal::Time now = clock_.wall().now();
+  for (Port& port : ports_) {
+    port.sent_before = port.tap.room ? port.tap.room->sent() : 0;
+    port.is_ready = false;
+  }
+  ready_.clear();
+  const int count = ::epoll_wait(epoll_, events_.data(), static_cast<int>(events_.size()), 0);
+  if (count < 0 && errno != EINTR) fail("the agents' interfaces");
+  if (count < 0) return;
+  for (const epoll_event& event : std::span(events_).first(static_cast<std::size_t>(count))) {
+    ports_[event.data.u64].is_ready = true;
+    ready_.push_back(event.data.u64);
+  }
+  std::ranges::sort(ready_);  // by address
+  for (Port& port : ports_) {
+    if (port.is_ready) continue;
+    port.empty_at = now;
+    port.sent = port.sent_before;
+  }
+}
+
+std::size_t TapBridge::read(Port& port, std::size_t most,
+                            const std::function<void(sim::air::SentFrame)>& take) {
+  const std::uint64_t sent = port.tap.room != nullptr ? port.tap.room->sent() : 0;
+  const hal::Time since = clock_.simulated(std::max(port.empty_at, nothing_until_));
+  for (std::size_t count = 0; count < most; ++count) {
+    const hal::Time now = clock_.wall().now();
+    const ssize_t size = ::read(port.tap.descriptor, buffer_.data(), buffer_.size());
+    if (size < 0) {
+      if (errno == EINTR) continue;
+      if (errno != EAGAIN && errno != EWOULDBLOCK) fail("an agent's interface");
+      port.empty_at = now;
+      port.sent = sent;
+      return count;
+    }
+    take({port.tap.agent, since, {buffer_.begin(), buffer_.begin() + size}});
+  }
+  return most;
+}
+
+}  // namespace baraka::run::network

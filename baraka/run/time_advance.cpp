@@ -1,0 +1,164 @@
+#include "baraka/run/time_advance.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <string_view>
+
+#include "baraka/run/controllers/inside_controllers.h"
+#include "baraka/run/pace/real_time_clock.h"
+#include "gateway/process/exit_status.h"
+#include "hal/files/config/value.h"
+#include "sim/scenario/resolved.h"
+
+namespace baraka::run {
+namespace {
+
+constexpr double kLeastFactor = 1e-3, kMostFactor = 1e5;
+constexpr double kLeastFactorOfPrograms = 0.01;
+
+/// @return none: in lock-step.
+std::optional<double> real_time_factor(const std::string& pace) {
+  if (pace == "lockstep") return std::nullopt;
+  if (pace == "realtime") return 1;
+  constexpr std::string_view kPrefix = "realtime:";
+  const std::string_view text = pace;
+  const auto factor = hal::files::config::parse_value(
+      text.substr(std::min(kPrefix.size(), text.size())), "1", kLeastFactor, kMostFactor);
+  if (!text.starts_with(kPrefix) || !factor) {
+    throw gateway::process::UsageError(fmt::format(
+        "--pace: '{}' is not one of lockstep, realtime, realtime:F with F from {} to {}", pace,
+        kLeastFactor, kMostFactor));
+  }
+  return *factor;
+}
+
+/// Programs need real time, and cannot be faster than that.
+std::string pace_of(const RunOptions& options, const sim::scenario::Scenario& scenario) {
+  if (!options.repeat.empty()) return "repeated";
+  if (!network::has_network(scenario)) return options.pace.empty() ? "lockstep" : options.pace;
+  if (std::isfinite(options.max_speed)) {
+    throw gateway::process::UsageError(
+        "--max-speed: agents with a network follow the clock; --pace realtime:F makes a run and "
+        "its programs slower");
+  }
+  if (options.pace.empty()) return "realtime";
+  const std::optional<double> factor = real_time_factor(options.pace);
+  if (!factor) {
+    throw gateway::process::UsageError(
+        "--pace: lockstep: agents with a network need realtime, for programs do not wait for the "
+        "simulator; --repeat plays such a run without a clock");
+  }
+  if (*factor >= kLeastFactorOfPrograms && *factor <= 1) return options.pace;
+  throw gateway::process::UsageError(fmt::format(
+      "--pace: realtime:{}: with agents that have a network, F must be from {} to 1: their "
+      "programs can be slowed, not hastened",
+      *factor, kLeastFactorOfPrograms));
+}
+
+/// Keys of stations' groups behind "agents.<group>." that place them.
+constexpr std::array<std::string_view, 2> kPlacing{"poses.", "station."};
+
+/// Whether a run whose programs' frames are recorded can be repeated with another value of the key:
+/// of the radio, and of where stations are. The doors stay the same.
+bool may_differ(const std::string& key, const sim::scenario::Scenario& scenario) {
+  constexpr std::string_view kAgents = "agents.", kRadio = "radio.";
+  if (key.starts_with(kRadio)) return true;
+  if (!key.starts_with(kAgents)) return false;
+  for (const sim::scenario::Group& group : scenario.groups) {
+    const std::string own = std::string(kAgents) + group.name + ".";
+    if (!key.starts_with(own)) continue;
+    const std::string_view rest = std::string_view(key).substr(own.size());
+    const auto agent = std::ranges::find(scenario.simulation.agents, group.agents.front(),
+                                         &sim::agents::AgentConfig::id);
+    return rest.starts_with(kRadio) ||
+           (!has_body(*agent) && std::ranges::any_of(kPlacing, [&](std::string_view placing) {
+             return rest.starts_with(placing);
+           }));
+  }
+  return false;
+}
+
+using Values = std::map<std::string, std::string>;
+
+/// "radio.data_rate: 11 Mb/s instead of 2 Mb/s", for each key.
+std::vector<std::string> differences(const Values& now, const Values& then,
+                                     const std::vector<std::string>& keys) {
+  std::vector<std::string> lines;
+  lines.reserve(keys.size());
+  const auto value = [](const Values& values, const std::string& key) {
+    const auto found = values.find(key);
+    return found == values.end() ? std::string("nothing") : found->second;
+  };
+  for (const std::string& key : keys) {
+    lines.push_back(fmt::format("{}: {} instead of {}", key, value(now, key), value(then, key)));
+  }
+  return lines;
+}
+
+/// In what the scenario differs from that of the record. @throws UsageError  it must not in that.
+std::vector<std::string> open_loop_of(const std::filesystem::path& folder,
+                                      const sim::scenario::Scenario& scenario) {
+  const auto file = folder / "scenario.resolved.yaml";
+  std::ifstream resolved(file);
+  const std::string text{std::istreambuf_iterator<char>(resolved), {}};
+  if (text == sim::scenario::resolved_yaml(scenario)) return {};
+  const auto listed = sim::scenario::resolved_values(scenario);
+  const Values now(listed.begin(), listed.end());
+  Values then;
+  if (network::has_network(scenario)) then = results::record::read_settings(folder);
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : now) {
+    if (!then.contains(key) || then.at(key) != value) keys.push_back(key);
+  }
+  for (const auto& [key, value] : then) {
+    if (!now.contains(key) && !key.starts_with("--")) keys.push_back(key);
+  }
+  const auto wrong = std::ranges::find_if(
+      keys, [&](const std::string& key) { return !may_differ(key, scenario); });
+  if (!then.empty() && wrong == keys.end()) return differences(now, then, keys);
+  const std::string first =
+      then.empty() ? "" : fmt::format(" ({})", differences(now, then, {*wrong}).front());
+  throw gateway::process::UsageError(
+      fmt::format("--repeat: {} is not of this scenario with these settings{}: see {}",
+                  folder.string(), first, file.string()));
+}
+
+}  // namespace
+
+double factor_of_programs(const std::string& pace) {
+  return pace.empty() ? 1 : real_time_factor(pace).value_or(1);
+}
+
+TimeAdvance::TimeAdvance(const RunOptions& options, const sim::scenario::Scenario& scenario)
+    : pace_(pace_of(options, scenario)) {
+  if (options.repeat.empty()) factor_ = real_time_factor(pace_);
+  if (options.until) until_ = hal::Time{hal::from_seconds(*options.until)};
+  if (options.repeat.empty()) return;
+  open_loop_ = open_loop_of(options.repeat, scenario);
+  record_ = results::record::read_course(options.repeat);
+  replies_ = controllers::take_replies(record_->arrivals);
+  until_ = std::min(until_.value_or(record_->ended_at), record_->ended_at);
+}
+
+sim::agents::Outcome TimeAdvance::play(sim::agents::Simulation& simulation, pace::WallPace& pace,
+                                       network::NetworkOfRun* network) const {
+  if (record_) {
+    simulation.outside().replay(record_->arrivals);
+    if (record_->in_real_time) {
+      return simulation.repeat(until_, record_->turns, pace, !open_loop_.empty());
+    }
+    return simulation.run(until_, pace);
+  }
+  if (!factor_) return simulation.run(until_, pace);
+  pace::RealTimeClock clock(*factor_, pace);
+  if (network != nullptr) network->connect(simulation, clock);
+  return simulation.follow(until_, clock);
+}
+
+}  // namespace baraka::run

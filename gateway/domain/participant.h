@@ -1,0 +1,94 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gateway/guard/datagram_filter.h"
+#include "gateway/guard/fastdds.h"
+#include "gateway/guard/handed_sockets.h"
+#include "hal/types/time.h"
+
+namespace gateway::domain {
+
+/// This process's participant in a DDS domain: UDP on 127.0.0.1, no multicast, discovery in the
+/// form of a star. Servers use the ports of the participant ids 0..7; controllers use any others
+/// and announce themselves to those eight. Controllers therefore never discover each other, which
+/// keeps the effort of discovery linear in their number.
+///
+/// In the star each participant sends from a SendingSocket and accepts data of the users that Trust
+/// permits, as the kernel tells the user of a port. A participant with passed sockets accepts data
+/// of the process that passed them.
+class Participant {
+ public:
+  /// @param place  0..7.
+  /// @throws std::runtime_error  if DDS cannot be opened, e.g. because the port is taken.
+  /// @throws NoSuchUser  of BARAKA_TRUST; controller() likewise.
+  static Participant server(int domain, int place);
+  /// @param handed  sockets of another network namespace, and the only process to communicate with;
+  ///   outlives it. Null: sockets of its own.
+  static Participant controller(int domain, const guard::HandedSockets* handed = nullptr);
+  /// Outside the star: ordinary discovery by multicast, for standard tools.
+  /// @param addresses  IPv4, of the interfaces to use.  @param name  for people.
+  /// @param listener  told of the endpoints of others; may be null.
+  /// @throws std::runtime_error
+  static Participant inspection(int domain, const std::vector<std::string>& addresses,
+                                const std::string& name,
+                                guard::api::DomainParticipantListener* listener = nullptr);
+  ~Participant();
+  Participant(Participant&& other) noexcept;
+  Participant(const Participant&) = delete;
+  Participant& operator=(const Participant&) = delete;
+  Participant& operator=(Participant&&) = delete;
+
+  /// A topic of a type; no two endpoints of a participant share one.
+  /// @throws std::runtime_error
+  guard::api::Topic* add_topic(const std::string& name, const guard::api::TypeSupport& type);
+  void remove_topic(guard::api::Topic* topic);
+
+  /// The filter of received datagrams.
+  guard::DatagramFilter& filter() { return *filter_; }
+  const guard::DatagramFilter& filter() const { return *filter_; }
+
+  /// The UDP port from which a server() sends.
+  std::uint16_t port() const { return port_; }
+
+  guard::api::Publisher& publisher() { return *publisher_; }
+  guard::api::Subscriber& subscriber() { return *subscriber_; }
+
+ private:
+  Participant(int domain, const guard::api::DomainParticipantQos& qos,
+              std::shared_ptr<guard::DatagramFilter> filter,
+              guard::api::DomainParticipantListener* listener = nullptr);
+
+  std::shared_ptr<guard::DatagramFilter> filter_;
+  guard::api::DomainParticipant* participant_;
+  guard::api::Publisher* publisher_;
+  guard::api::Subscriber* subscriber_;
+  std::uint16_t port_ = 0;
+};
+
+/// Longest silence of a process on another host before it counts as dead, and the period of its
+/// announcements. On the same host ProcessWatch decides.
+inline constexpr hal::Duration kLivelinessLease = std::chrono::milliseconds{1500};
+inline constexpr hal::Duration kLivelinessPeriod = std::chrono::milliseconds{300};
+
+/// Most samples that wait for a reader in this process.
+inline constexpr std::int32_t kMaxInstances = 4096;
+/// Most writers' last samples that a reader of DDS keeps. Those whose writers are gone make room;
+/// those behind a lost one do not, which a participant that is not heard any more never repairs.
+inline constexpr std::int32_t kMaxRead = 1 << 16;
+/// The same of a writer. Those that were disposed of stay until every reader knows, also those of
+/// processes that were killed, which DDS forgets late.
+inline constexpr std::int32_t kMaxWritten = 1 << 20;
+
+/// Whether the readers of a topic notice the silence of its writers. Not for what is written often:
+/// every sample would wake up the thread that keeps the time of the lease (measured: 3 of 13
+/// context switches per exchange).
+enum class Presence { kWatched, kIgnored };
+
+/// The settings of every endpoint; each of them was measured to matter.
+guard::api::DataWriterQos writer_qos(Presence presence);
+guard::api::DataReaderQos reader_qos(Presence presence);
+
+}  // namespace gateway::domain

@@ -1,0 +1,335 @@
+#include "gateway/exchange/client.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <atomic>
+#include <deque>
+#include <map>
+#include <mutex>
+#include <optional>
+#include <set>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "gateway/exchange/link_parts.h"
+#include "gateway/guard/socket_table.h"
+#include "gateway/guard/speaker_check.h"
+#include "hal/types/log.h"
+
+namespace gateway::exchange {
+namespace {
+
+hal::node::exchange::Hello completed(hal::node::exchange::Hello hello) {
+  static std::atomic<int> next{1};
+  const process::ProcessIdentity identity = process::this_process();
+  hello.host = identity.host;
+  hello.pid = identity.pid;
+  hello.pid_start_time = identity.start_time;
+  hello.instance =
+      fmt::format("{}/{}/{}/{}", identity.host, identity.pid, identity.start_time, next++);
+  return hello;
+}
+
+std::set<std::string> names_in(const hal::node::exchange::Session& session) {
+  std::set<std::string> names;
+  for (const hal::node::exchange::AgentSession& agent : session.agents) names.insert(agent.name);
+  return names;
+}
+
+}  // namespace
+
+class Client::Implementation {
+ public:
+  Implementation(int domain, hal::node::exchange::Hello hello)
+      : hello_(completed(std::move(hello))),
+        handed_(guard::take_handed_sockets()),
+        participant_(domain::Participant::controller(domain, handed_ ? &*handed_ : nullptr)),
+        sessions_(participant_, kSessionTopic, signal_),
+        hellos_(participant_, kHelloTopic) {
+    if (handed_) handed_->announce(hello_.instance);
+    wire::Hello sample = to_wire(hello_);
+    if (!hellos_.write(sample)) throw std::runtime_error("Fast DDS refuses a Hello");
+  }
+
+  Arrival next(hal::Duration timeout);
+  hal::Result<void> reply(const std::string& server, const hal::node::exchange::Reply& reply);
+  void answer(const std::string& server, Answerer answerer);
+
+  hal::node::exchange::Hello hello_;
+  process::Signal signal_;
+  std::atomic<bool> interrupted_{false};
+  std::atomic<bool> woken_{false};
+  std::optional<guard::HandedSockets> handed_;
+  domain::Participant participant_;
+  Reader<wire::Session> sessions_;
+  Writer<wire::Hello> hellos_;
+  std::optional<Writer<wire::Reply>> replies_;
+
+ private:
+  /// A server that granted agents.
+  struct Granted {
+    std::uint64_t run = 0;
+    Origin origin;
+    std::set<std::string> agents;  ///< Their names.
+    std::unique_ptr<process::ProcessWatch> watch;
+    bool gone = false;
+    Answerer answerer{};
+  };
+
+  std::optional<Arrival> arrived();
+  std::optional<hal::node::exchange::Session> take_session();
+  std::optional<hal::node::exchange::Step> take_step();
+  std::unique_ptr<process::ProcessWatch> watch_of(const wire::Session& session) const;
+  bool is_good(const hal::node::exchange::Session& session, const process::ProcessIdentity& server);
+  bool is_of_rival(const hal::node::exchange::Session& session) const;
+  bool speaks(const Granted& server) const;
+  void take_in(const wire::Step& sample, const Origin& origin);
+  void complain(const std::string& what, const Origin& origin);
+  void hand_over(const Answerer& answerer, const hal::node::exchange::Step& step);
+  std::optional<ServerGone> take_departure();
+  void forget_reply_to(const std::string& server);
+  bool is_gone(const Granted& server, const std::vector<Origin>& left,
+               const std::vector<Origin>& silent) const;
+  bool wait(hal::Duration timeout);
+
+  /// Guards what the thread that receives Steps looks at. That thread holds locks of DDS when it
+  /// takes this one: nothing of DDS but the writing of Replies is called with it.
+  std::mutex mutex_;
+  std::map<std::string, Granted> granted_;         ///< Changed by the thread of next() only.
+  std::deque<hal::node::exchange::Step> waiting_;  ///< Steps for next().
+  hal::node::exchange::Step step_;  ///< The last one that came; its memory is used again.
+  /// Guards the Reply that was written last, whose memory is used again.
+  std::mutex reply_mutex_;
+  wire::Reply reply_;
+  std::mutex strangers_mutex_;
+  std::set<hal::rtps::GuidPrefix> strangers_;  ///< That were complained of.
+  std::optional<HandlingReader<wire::Step>> steps_;
+};
+
+Arrival Client::Implementation::next(hal::Duration timeout) {
+  const process::Deadline deadline(timeout);
+  while (true) {
+    if (interrupted_) return Interrupted{};
+    signal_.lower();
+    if (auto arrival = arrived()) return std::move(*arrival);
+    if (woken_.exchange(false)) return Woken{};
+    if (deadline.has_passed()) return Silence{};
+    wait(deadline.left());
+  }
+}
+
+std::optional<Arrival> Client::Implementation::arrived() {
+  if (auto session = take_session()) return Arrival(std::move(*session));
+  if (auto step = take_step()) return Arrival(std::move(*step));
+  if (auto departure = take_departure()) return Arrival(std::move(*departure));
+  return std::nullopt;
+}
+
+bool Client::Implementation::wait(hal::Duration timeout) {
+  std::vector<int> descriptors{signal_.descriptor()};
+  for (const auto& [name, server] : granted_) descriptors.push_back(server.watch->descriptor());
+  return process::wait_readable(descriptors, timeout);
+}
+
+std::optional<hal::node::exchange::Session> Client::Implementation::take_session() {
+  while (const wire::Session* sample = sessions_.take()) {
+    if (sample->instance() != hello_.instance) continue;
+    hal::Result<hal::node::exchange::Session> session = from_wire(*sample);
+    if (!session || !is_good(*session, from_wire(sample->identity()))) continue;
+    if (!session->refusal.empty()) return std::move(*session);
+    const auto known = granted_.find(session->server);
+    if (known != granted_.end() && known->second.run == session->run) continue;  // Sent twice.
+    // Only now: until a server has agreed to it, another process may use these topics.
+    if (!replies_) replies_.emplace(participant_, reply_topic(hello_.process));
+    auto watch = watch_of(*sample);
+    {
+      const std::lock_guard lock(mutex_);
+      granted_[session->server] = {session->run, sessions_.origin(), names_in(*session),
+                                   std::move(watch)};
+    }
+    if (!steps_) {
+      steps_.emplace(
+          participant_, step_topic(hello_.process),
+          [this](const wire::Step& step, const Origin& origin) { take_in(step, origin); });
+    }
+    return std::move(*session);
+  }
+  return std::nullopt;
+}
+
+/// Of the server. A guest does not know it by its pid.
+std::unique_ptr<process::ProcessWatch> Client::Implementation::watch_of(
+    const wire::Session& session) const {
+  if (handed_) return std::make_unique<process::ProcessWatch>(handed_->channel.number());
+  return std::make_unique<process::ProcessWatch>(from_wire(session.identity()));
+}
+
+std::optional<hal::node::exchange::Step> Client::Implementation::take_step() {
+  const std::lock_guard lock(mutex_);
+  if (waiting_.empty()) return std::nullopt;
+  std::optional<hal::node::exchange::Step> step(std::move(waiting_.front()));
+  waiting_.pop_front();
+  return step;
+}
+
+/// Whether a Session is from the server that it names, as far as that can be known.
+bool Client::Implementation::is_good(const hal::node::exchange::Session& session,
+                                     const process::ProcessIdentity& server) {
+  const Origin& origin = sessions_.origin();
+  const auto known = granted_.find(session.server);
+  if (known != granted_.end() && known->second.origin != origin) {
+    complain("sends a Session of another server", origin);
+    return false;
+  }
+  const auto sender = participant_.filter().sender_of(participant_of(origin));
+  const auto checked = guard::check_speaker(server, sender, participant_.filter().trust());
+  if (!checked) {
+    complain("sends a Session: " + checked.error().message, origin);
+    return false;
+  }
+  if (!is_of_rival(session)) return true;
+  complain("sends a Session for agents of another server", origin);
+  return false;
+}
+
+/// Whether another server, which is still there, has granted an agent of a Session. Different
+/// agents may have different servers.
+bool Client::Implementation::is_of_rival(const hal::node::exchange::Session& session) const {
+  const std::set<std::string> names = names_in(session);
+  return std::ranges::any_of(granted_, [&](const auto& entry) {
+    const Granted& server = entry.second;
+    // A server that ended and began anew within its process is the same participant.
+    return participant_of(server.origin) != participant_of(sessions_.origin()) &&
+           std::ranges::any_of(names, [&](const auto& n) { return server.agents.contains(n); }) &&
+           speaks(server);
+  });
+}
+
+/// Whether a server has the port it was heard from. One that was killed has not, before anything
+/// else tells so.
+bool Client::Implementation::speaks(const Granted& server) const {
+  if (server.gone || server.watch->is_dead()) return false;
+  const auto sender = participant_.filter().sender_of(participant_of(server.origin));
+  const auto sockets = sender ? guard::sockets_behind(*sender) : std::nullopt;
+  return sockets && !sockets->empty();
+}
+
+/// Once of each.
+void Client::Implementation::complain(const std::string& what, const Origin& origin) {
+  constexpr std::size_t kMost = 100;
+  const hal::rtps::GuidPrefix participant = participant_of(origin);
+  const std::lock_guard lock(strangers_mutex_);
+  if (strangers_.size() == kMost || !strangers_.insert(participant).second) return;
+  hal::log::warning(hal::Time{}, hello_.process, "participant {} {}; it is not listened to",
+                    text_of(participant), what);
+}
+
+void Client::Implementation::take_in(const wire::Step& sample, const Origin& origin) {
+  const std::lock_guard lock(mutex_);
+  const auto server = granted_.find(sample.server());
+  if (server == granted_.end() || server->second.run != sample.run()) return;
+  if (participant_of(origin) != participant_of(server->second.origin)) {
+    return complain("sends a Step of another server", origin);
+  }
+  if (!from_wire(sample, step_)) return;
+  if (server->second.answerer) return hand_over(server->second.answerer, step_);
+  // As in DDS itself, the newest win over a reader that cannot keep up.
+  if (waiting_.size() == domain::kMaxInstances) waiting_.pop_front();
+  waiting_.push_back(step_);
+  signal_.raise();
+}
+
+void Client::Implementation::hand_over(const Answerer& answerer,
+                                       const hal::node::exchange::Step& step) {
+  if (!answerer(step)) return;
+  woken_ = true;
+  signal_.raise();
+}
+
+void Client::Implementation::answer(const std::string& server, Answerer answerer) {
+  const std::lock_guard lock(mutex_);
+  const auto granted = granted_.find(server);
+  if (granted == granted_.end()) return;
+  granted->second.answerer = std::move(answerer);
+  if (!granted->second.answerer) return;
+  const auto is_its = [&](const hal::node::exchange::Step& step) { return step.server == server; };
+  for (const hal::node::exchange::Step& step : waiting_) {
+    if (is_its(step)) hand_over(granted->second.answerer, step);
+  }
+  std::erase_if(waiting_, is_its);
+}
+
+std::optional<ServerGone> Client::Implementation::take_departure() {
+  const std::vector<Origin> left = sessions_.presence().take_left();
+  const std::vector<Origin> silent = sessions_.presence().take_silent();
+  for (auto& [name, server] : granted_) server.gone = server.gone || is_gone(server, left, silent);
+  const auto first =
+      std::ranges::find_if(granted_, [](const auto& entry) { return entry.second.gone; });
+  if (first == granted_.end()) return std::nullopt;
+  ServerGone departure{first->first};
+  forget_reply_to(departure.server);
+  const std::lock_guard lock(mutex_);
+  granted_.erase(first);
+  return departure;
+}
+
+/// The last Reply to a server that is gone is kept for nobody.
+void Client::Implementation::forget_reply_to(const std::string& server) {
+  if (!replies_) return;
+  wire::Reply key;
+  key.server(server);
+  // It is not there if no Step came.
+  [[maybe_unused]] const bool was_there = replies_->dispose(key);
+}
+
+bool Client::Implementation::is_gone(const Granted& server, const std::vector<Origin>& left,
+                                     const std::vector<Origin>& silent) const {
+  if (server.watch->is_dead()) return true;
+  if (std::ranges::find(left, server.origin) != left.end()) return true;
+  return !server.watch->is_local() && std::ranges::find(silent, server.origin) != silent.end();
+}
+
+hal::Result<void> Client::Implementation::reply(const std::string& server,
+                                                const hal::node::exchange::Reply& reply) {
+  const std::lock_guard lock(reply_mutex_);
+  to_wire(reply, server, reply_);
+  reply_.process(hello_.process);
+  if (replies_ && replies_->write(reply_)) return {};
+  return hal::fail(hal::Errc::kNotConnected, "Fast DDS refuses a Reply");
+}
+
+Client::Client(int domain, hal::node::exchange::Hello hello)
+    : implementation_(std::make_unique<Implementation>(domain, std::move(hello))) {}
+Client::~Client() = default;
+
+const hal::node::exchange::Hello& Client::hello() const { return implementation_->hello_; }
+int Client::servers() const { return implementation_->sessions_.presence().writers(); }
+Arrival Client::next(hal::Duration timeout) { return implementation_->next(timeout); }
+
+hal::Result<void> Client::reply(const std::string& server,
+                                const hal::node::exchange::Reply& reply) {
+  return implementation_->reply(server, reply);
+}
+
+void Client::answer(const std::string& server, Answerer answerer) {
+  implementation_->answer(server, std::move(answerer));
+}
+
+void Client::withdraw() {
+  wire::Hello sample = to_wire(implementation_->hello_);
+  // Refused or not, the process ends.
+  [[maybe_unused]] const bool is_disposed = implementation_->hellos_.dispose(sample);
+}
+
+void Client::flush(hal::Duration timeout) {
+  if (implementation_->replies_) implementation_->replies_->flush(timeout);
+}
+
+void Client::interrupt() noexcept {
+  implementation_->interrupted_ = true;
+  implementation_->signal_.raise();
+}
+
+}  // namespace gateway::exchange

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <variant>
+
+#include "hal/node/exchange/session.h"
+#include "hal/node/exchange/step.h"
+#include "hal/types/result.h"
+#include "hal/types/time.h"
+
+namespace gateway::exchange {
+
+/// A server has left the domain, or its process died.
+struct ServerGone {
+  std::string server;
+};
+/// Nothing came in time.
+struct Silence {};
+/// The function that answers Steps asked for attention.
+struct Woken {};
+/// Client::interrupt() was called.
+struct Interrupted {};
+
+using Arrival = std::variant<hal::node::exchange::Session, hal::node::exchange::Step, ServerGone,
+                             Silence, Woken, Interrupted>;
+
+/// The DDS end of a controller process: sends Hello to every server of a domain, receives Sessions
+/// and Steps, sends Replies. ControllerProcess interprets them. One thread at a time, except for
+/// interrupt() and for calls by an Answerer.
+class Client {
+ public:
+  /// Completes `hello` with the identity of this process and an instance id, and sends it: over
+  /// the sockets of an Invitation, if the process was started with one, to who invited it.
+  /// @throws std::runtime_error  if DDS cannot be opened.
+  Client(int domain, hal::node::exchange::Hello hello);
+  ~Client();
+  Client(const Client&) = delete;
+  Client& operator=(const Client&) = delete;
+
+  const hal::node::exchange::Hello& hello() const;
+  /// Servers in sight, whether they have answered or not.
+  int servers() const;
+
+  /// Waits for what comes next. After a Session that grants agents, Steps of that server and run
+  /// come; Steps of others are dropped. Sessions come before Steps.
+  /// @param timeout  Duration::max(): for ever.
+  Arrival next(hal::Duration timeout);
+
+  /// Answers a Step on the thread that received it, which saves the switch to another one: measured
+  /// 10 to 20 us of an exchange. May call reply(). @returns whether next() is to return Woken.
+  using Answerer = std::function<bool(const hal::node::exchange::Step&)>;
+
+  /// From now on the Steps of a server that has granted agents go to `answerer`, those that have
+  /// arrived before at once and on this thread, and no longer to next(). Calls of all answerers of
+  /// a client exclude each other; none is under way after this returns.
+  /// @param answerer  empty: next() again.
+  void answer(const std::string& server, Answerer answerer);
+
+  /// @param server, reply.run, reply.sequence  those of the Step; reply.process is not looked at.
+  /// Errors: kNotConnected (DDS refuses the sample).
+  hal::Result<void> reply(const std::string& server, const hal::node::exchange::Reply& reply);
+
+  /// Withdraws the Hello: servers that start from now on do not see it. For a process that is about
+  /// to end, so that no server grants it agents meanwhile.
+  void withdraw();
+
+  /// Waits until every server has the last Reply, up to `timeout`.
+  void flush(hal::Duration timeout);
+
+  /// Makes next() return Interrupted, now and for ever. Any thread, also from a signal handler.
+  void interrupt() noexcept;
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace gateway::exchange

@@ -1,0 +1,31 @@
+#pragma once
+
+#include "gateway/exchange/client.h"
+#include "gateway/runtime/controller_host.h"
+#include "gateway/runtime/controller_options.h"
+
+namespace gateway::exchange {
+
+/// Result of a controller process; the exit status of its program.
+enum class Outcome {
+  kDone = 0,           ///< The run ended.
+  kFailed = 1,         ///< No server answered, or the server died.
+  kRefused = 2,        ///< Every server refused, or a parameter is wrong.
+  kInterrupted = 130,  ///< SIGINT or SIGTERM.
+};
+
+/// Runs the controllers of one process until the run ends: Hello, Session, then Step by Step.
+/// With options.stay it then waits for the next run. Says on standard error what goes wrong.
+/// SIGINT and SIGTERM end it; a second one kills a controller that hangs.
+/// @throws std::runtime_error  if DDS cannot be opened.
+Outcome run_controllers(const hal::ControllerKind& kind, const runtime::ControllerOptions& options);
+
+/// The same for a client that has said hello_of(kind, options) already. Leaves signals alone.
+Outcome run_controllers(const hal::ControllerKind& kind, const runtime::ControllerOptions& options,
+                        Client& client);
+
+/// How a process with these options introduces itself.
+hal::node::exchange::Hello hello_of(const hal::ControllerKind& kind,
+                                    const runtime::ControllerOptions& options);
+
+}  // namespace gateway::exchange

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gateway/exchange/endpoints.h"
+#include "gateway/exchange/process_link.h"
+#include "gateway/process/process_watch.h"
+#include "hal/node/exchange/session.h"
+#include "hal/types/time.h"
+
+namespace gateway::exchange {
+
+/// "baraka/<process>/step" and "baraka/<process>/reply".
+std::string step_topic(const std::string& process);
+std::string reply_topic(const std::string& process);
+inline constexpr const char* kHelloTopic = "baraka/hello";
+inline constexpr const char* kSessionTopic = "baraka/session";
+
+/// What a link is made from.
+struct LinkSettings {
+  std::string server;
+  hal::node::exchange::Hello hello;
+  hal::rtps::GuidPrefix participant;  ///< Whose Hello it was, and whose Replies count.
+  std::uint64_t run = 0;
+  std::optional<hal::Duration> reply_timeout;
+  /// Whether the process was not heard for the liveliness lease. Asked if it is on another host.
+  std::function<bool()> is_silent;
+};
+
+class ProcessLink::Implementation {
+ public:
+  Implementation(domain::Participant& participant, LinkSettings settings);
+
+  hal::Result<void> begin(const hal::node::exchange::Step& step);
+  hal::Result<hal::node::exchange::Reply> finish();
+  hal::Result<std::optional<hal::node::exchange::Reply>> try_finish();
+  std::vector<int> descriptors() const { return {signal_.descriptor(), watch_.descriptor()}; }
+  hal::Result<void> check_alive();
+
+  const std::string& name() const { return settings_.hello.process; }
+  const DroppedReplies& dropped() const { return dropped_; }
+  int death_descriptor() const { return watch_.descriptor(); }
+
+ private:
+  /// The Reply that is waited for, if it is there. Drops others.
+  std::optional<hal::node::exchange::Reply> take_reply();
+  bool answers_step(const wire::Reply& reply) const;
+  bool is_of_the_process(const Origin& origin);
+  hal::Result<void> write();
+  void wait(const process::Deadline& deadline) const;
+  bool is_dead() const;
+  tl::unexpected<hal::Error> death() const;
+
+  LinkSettings settings_;
+  process::ProcessWatch watch_;
+  process::Signal signal_;
+  Writer<wire::Step> steps_;
+  Reader<wire::Reply> replies_;
+  wire::Step step_;           ///< The Step under way, as it was written …
+  process::Deadline resend_;  ///< … and when it is written again.
+  hal::Time at_{};            ///< Of the Step under way.
+  DroppedReplies dropped_;
+};
+
+}  // namespace gateway::exchange

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "hal/node/exchange/ports.h"
+
+namespace gateway::exchange {
+
+/// Replies that a link did not hand on.
+struct DroppedReplies {
+  std::uint64_t stale = 0;      ///< An old or unknown sequence number, another run or process.
+  std::uint64_t malformed = 0;  ///< Values outside their enumerations.
+  std::uint64_t foreign = 0;    ///< Of another participant than the one that was granted agents …
+  std::string first_foreign;    ///< … such as this one.
+};
+
+/// The server's end of the exchange with one controller process: topics baraka/<process>/step and
+/// baraka/<process>/reply. Made by Server::link, which must outlive it. One thread at a time.
+///
+///   begin ──▶ under way ──▶ finish: reply, death or timeout, whichever comes first
+///                 │ ▲
+///                 └─┘ no reply for kResendAfter: the same Step is written again; the process
+///                     answers a Step it has seen from its memory
+class ProcessLink : public hal::node::exchange::ControllerPort {
+ public:
+  ~ProcessLink() override;
+
+  const std::string& name() const override;
+  /// Steps are numbered 1, 2, 3, … on the wire whatever their own number is; the Reply carries the
+  /// number of the Step given here.
+  hal::Result<void> begin(const hal::node::exchange::Step& step) override;
+  hal::Result<hal::node::exchange::Reply> finish() override;
+  hal::Result<std::optional<hal::node::exchange::Reply>> try_finish() override;
+  std::vector<int> descriptors() const override;
+  hal::Result<void> check_alive() override;
+
+  const DroppedReplies& dropped() const;
+  /// Wakes up poll() when the process dies; -1 if it runs on another host.
+  int death_descriptor() const;
+
+ private:
+  friend class Server;
+  class Implementation;
+  explicit ProcessLink(std::unique_ptr<Implementation> implementation);
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace gateway::exchange

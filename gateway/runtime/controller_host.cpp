@@ -1,0 +1,88 @@
+#include "gateway/runtime/controller_host.h"
+
+#include <fmt/core.h>
+
+#include <utility>
+
+#include "gateway/runtime/agent.h"
+#include "gateway/runtime/outbox.h"
+
+namespace gateway::runtime {
+
+ControllerHost::ControllerHost(const hal::ControllerKind& kind,
+                               const hal::node::exchange::Session& session)
+    : kind_(kind), directory_(session.directory), outbox_(std::make_unique<Outbox>()) {}
+ControllerHost::~ControllerHost() = default;
+
+hal::Result<std::unique_ptr<ControllerHost>> ControllerHost::create(
+    const hal::ControllerKind& kind, const hal::node::exchange::Session& session) {
+  std::unique_ptr<ControllerHost> host(new ControllerHost(kind, session));
+  std::string mistakes;
+  hal::Errc code = hal::Errc::kInvalidArgument;
+  for (const hal::node::exchange::AgentSession& one : session.agents) {
+    auto agent = Agent::create(kind, one, host->directory_, *host->outbox_);
+    if (agent) {
+      host->agents_[one.agent] = std::move(*agent);
+      continue;
+    }
+    code = agent.error().code;
+    mistakes += (mistakes.empty() ? "" : "\n") + agent.error().message;
+  }
+  if (!mistakes.empty()) return hal::fail(code, std::move(mistakes));
+  return host;
+}
+
+namespace {
+
+void cut_at_zero(std::string& text) {
+  const std::size_t zero = text.find('\0');
+  if (zero != std::string::npos) text.resize(zero);
+}
+
+}  // namespace
+
+/// If that fails, the constructor threw; the old one stays and is handed nothing more.
+void ControllerHost::make_anew(std::unique_ptr<Agent>& agent) {
+  const hal::node::exchange::AgentSession session = agent->session();
+  auto made = Agent::create(kind_, session, directory_, *outbox_);
+  if (made) {
+    agent = std::move(*made);
+  } else {
+    agent->die(made.error().message.c_str());
+  }
+}
+
+hal::node::exchange::Reply ControllerHost::answer(const hal::node::exchange::Step& step) {
+  for (std::size_t i = 0; i < step.events.size(); ++i) {
+    const hal::node::exchange::Event& event = step.events[i];
+    outbox_->answer(event.agent, static_cast<std::uint32_t>(i));
+    if (auto* agent = agents_.find(event.agent); agent != nullptr) {
+      if (event.cause == hal::node::exchange::Cause::kStart && (*agent)->has_started())
+        make_anew(*agent);
+      (*agent)->handle(event);
+      continue;
+    }
+    outbox_->add(hal::node::exchange::ActionKind::kError).text =
+        fmt::format("step {} has an event for agent {}, which is not of the session", step.sequence,
+                    event.agent.value);
+  }
+  return gathered(step);
+}
+
+hal::node::exchange::Reply ControllerHost::broken_off(const hal::node::exchange::Step& step,
+                                                      std::string message) {
+  outbox_->add(hal::node::exchange::ActionKind::kError).text = std::move(message);
+  return gathered(step);
+}
+
+hal::node::exchange::Reply ControllerHost::gathered(const hal::node::exchange::Step& step) {
+  hal::node::exchange::Reply reply;
+  reply.run = step.run;
+  reply.sequence = step.sequence;
+  reply.actions = outbox_->take();
+  // DDS ends strings at a zero byte; in process they must not be longer.
+  for (hal::node::exchange::Action& action : reply.actions) cut_at_zero(action.text);
+  return reply;
+}
+
+}  // namespace gateway::runtime

@@ -1,0 +1,29 @@
+#include "gateway/runtime/network_object.h"
+
+namespace gateway::runtime {
+
+std::vector<hal::Route> NetworkObject::routes(std::string_view topic,
+                                              hal::AgentId destination) const {
+  context_.guard.check("routes");
+  return context_.routes.routes(topic, destination);
+}
+
+const std::vector<hal::Neighbour>& NetworkObject::neighbours() const {
+  context_.guard.check("neighbours");
+  return context_.routes.neighbours();
+}
+
+hal::Result<void> NetworkObject::invalidate(std::string_view topic, hal::AgentId destination) {
+  context_.guard.check("invalidate");
+  hal::node::exchange::Action& action =
+      context_.outbox.add(hal::node::exchange::ActionKind::kInvalidate);
+  action.topic = topic;
+  action.destination = destination;
+  if (auto good = context_.judge_last(); !good) return good;
+  // At once, so that the controller does not find again what it has just thrown away; the agent's
+  // own table follows when the action takes effect.
+  context_.routes.forget(topic, destination);
+  return {};
+}
+
+}  // namespace gateway::runtime

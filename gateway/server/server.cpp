@@ -1,0 +1,265 @@
+#include "gateway/server/server.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "gateway/exchange/server.h"
+#include "gateway/process/waiting.h"
+#include "gateway/server/admission.h"
+#include "gateway/server/remote_port.h"
+#include "hal/types/log.h"
+
+namespace gateway::server {
+namespace {
+
+using hal::node::exchange::Hello;
+using hal::node::exchange::Session;
+
+/// How often gather() asks whether to go on.
+constexpr hal::Duration kAskEvery = std::chrono::milliseconds{100};
+/// Refusals and processes that a summary tells of: a daemon runs for months.
+constexpr std::size_t kMostRemembered = 1000;
+
+void log(hal::log::Level level, hal::Time at, const std::string& text) {
+  hal::log::write(level, at, "gateway", text);
+}
+
+void log_session(const Hello& hello, const Session& session) {
+  if (!hal::log::is_on(hal::log::Level::kDebug)) return;
+  std::vector<std::string> names;
+  for (const auto& agent : session.agents) names.push_back(agent.name);
+  log(hal::log::Level::kDebug, hal::Time{},
+      fmt::format("session: process '{}' (pid {} on {}, program {}) drives {}", hello.process,
+                  hello.pid, hello.host, hello.program, fmt::join(names, ", ")));
+}
+
+}  // namespace
+
+class AgentServer::Implementation {
+ public:
+  Implementation(process::DomainHold hold, hal::node::exchange::AgentHost& host,
+                 const ServerSettings& settings)
+      : host_(host),
+        settings_(settings),
+        server_(std::move(hold)),
+        admission_(host.offers(), settings.run,
+                   settings.attendance == Attendance::kAnyTime ? Admission::Offered::kSome
+                                                               : Admission::Offered::kAll) {}
+  ~Implementation() {
+    for (const Connected& one : connected_) one.port->disconnect();
+  }
+  Implementation(const Implementation&) = delete;
+  Implementation& operator=(const Implementation&) = delete;
+
+  int domain() const { return server_.domain(); }
+  domain::Invitation invite() { return server_.invite(); }
+  hal::Result<void> gather(const std::function<hal::Result<void>()>& keep_waiting);
+  void attend(hal::Time now);
+  std::vector<int> descriptors() const;
+  std::vector<hal::AgentId> missing() const { return admission_.free_agents(); }
+  GatewaySummary summary() const;
+
+ private:
+  /// A process that was granted agents, until the run begins.
+  struct Candidate {
+    Hello hello;
+    Session session;
+    std::unique_ptr<exchange::ProcessLink> link;
+  };
+
+  void answer_hellos(hal::Duration timeout, hal::Time now);
+  void answer(const Hello& hello, hal::Time now);
+  void send(Session session, const Hello& hello, hal::Time now);
+  void note_refusal(const Hello& hello, const std::string& reason, hal::Time now);
+  void release_dead();
+  void connect_all();
+  void connect(Candidate candidate);
+  void let_go_of_dead(hal::Time now);
+  std::vector<int> death_descriptors() const;
+
+  hal::node::exchange::AgentHost& host_;
+  ServerSettings settings_;
+  exchange::Server server_;
+  Admission admission_;
+  std::map<std::string, Candidate> candidates_;  ///< By instance.
+  /// A process whose agents are connected.
+  struct Connected {
+    std::string instance;
+    std::vector<hal::AgentId> agents;
+    std::shared_ptr<RemotePort> port;
+  };
+  std::vector<Connected> connected_;
+  std::vector<ProcessSummary> past_;             ///< Of processes that were let go.
+  std::map<std::string, std::string> refusals_;  ///< The last that was told, by instance.
+};
+
+hal::Result<void> AgentServer::Implementation::gather(
+    const std::function<hal::Result<void>()>& keep_waiting) {
+  process::Deadline deadline(settings_.wait);
+  std::size_t joined = 0;
+  while (!admission_.is_complete()) {
+    answer_hellos(std::min(deadline.left(), kAskEvery), hal::Time{});
+    release_dead();
+    if (admission_.is_complete()) break;
+    if (auto allowed = keep_waiting(); !allowed) return allowed;
+    // Many processes take long to start: as long as they come there is no reason to give up.
+    if (candidates_.size() > joined) deadline = process::Deadline(settings_.wait);
+    joined = candidates_.size();
+    if (!deadline.has_passed()) continue;
+    return hal::fail(hal::Errc::kTimeout, fmt::format("no controller within {} s for {}",
+                                                      hal::to_seconds(settings_.wait),
+                                                      fmt::join(admission_.missing(), ", ")));
+  }
+  connect_all();
+  return {};
+}
+
+void AgentServer::Implementation::attend(hal::Time now) {
+  let_go_of_dead(now);
+  answer_hellos(hal::Duration::zero(), now);
+}
+
+void AgentServer::Implementation::answer_hellos(hal::Duration timeout, hal::Time now) {
+  for (const Hello& hello : server_.hellos(timeout, death_descriptors())) answer(hello, now);
+  for (const std::string& refusal : server_.take_refusals()) {
+    log(hal::log::Level::kWarning, now, "refused " + refusal);
+  }
+}
+
+void AgentServer::Implementation::answer(const Hello& hello, hal::Time now) {
+  if (hal::log::is_on(hal::log::Level::kDebug)) {
+    log(hal::log::Level::kDebug, now,
+        fmt::format("Hello of process '{}' (pid {}) for {}", hello.process, hello.pid,
+                    fmt::join(hello.patterns, ", ")));
+  }
+  if (admission_.is_for_others(hello)) return;
+  const Session session = admission_.decide(hello);
+  const bool is_known =
+      candidates_.contains(hello.instance) ||
+      std::ranges::find(connected_, hello.instance, &Connected::instance) != connected_.end();
+  if (!session.refusal.empty()) {
+    note_refusal(hello, session.refusal, now);
+  } else if (!is_known) {
+    Candidate candidate{hello, session,
+                        server_.link(hello, settings_.run, settings_.reply_timeout)};
+    if (settings_.attendance == Attendance::kAnyTime) {
+      send(session, hello, now);
+      return connect(std::move(candidate));
+    }
+    candidates_[hello.instance] = std::move(candidate);
+  }
+  send(session, hello, now);
+}
+
+/// The directory is put in here, so that it is not kept once for each process.
+void AgentServer::Implementation::send(Session session, const Hello& hello, hal::Time now) {
+  const bool is_granted = session.refusal.empty();
+  if (is_granted && hello.wants.names) session.directory = host_.directory();
+  if (auto sent = server_.answer(std::move(session)); !sent) {
+    log(hal::log::Level::kWarning, now, sent.error().message);
+  }
+}
+
+void AgentServer::Implementation::note_refusal(const Hello& hello, const std::string& reason,
+                                               hal::Time now) {
+  if (refusals_.size() >= kMostRemembered) refusals_.clear();
+  if (std::exchange(refusals_[hello.instance], reason) == reason) return;
+  log(hal::log::Level::kWarning, now,
+      fmt::format("refused process '{}' (pid {}): {}", hello.process, hello.pid, reason));
+}
+
+void AgentServer::Implementation::release_dead() {
+  std::erase_if(candidates_, [this](const auto& entry) {
+    const auto alive = entry.second.link->check_alive();
+    if (alive) return false;
+    log(hal::log::Level::kWarning, hal::Time{},
+        alive.error().message + "; its agents are free again");
+    admission_.release(entry.first);
+    return true;
+  });
+}
+
+std::vector<int> AgentServer::Implementation::death_descriptors() const {
+  std::vector<int> descriptors;
+  for (const auto& [instance, candidate] : candidates_) {
+    descriptors.push_back(candidate.link->death_descriptor());
+  }
+  return descriptors;
+}
+
+std::vector<int> AgentServer::Implementation::descriptors() const {
+  std::vector<int> descriptors{server_.descriptor()};
+  for (const Connected& one : connected_) descriptors.push_back(one.port->death_descriptor());
+  return descriptors;
+}
+
+void AgentServer::Implementation::let_go_of_dead(hal::Time now) {
+  std::erase_if(connected_, [&](const Connected& one) {
+    const auto alive = one.port->check_alive();
+    if (alive) return false;
+    log(hal::log::Level::kWarning, now, alive.error().message + "; its agents are free again");
+    host_.disconnect(one.agents);
+    if (past_.size() < kMostRemembered) past_.push_back(one.port->summary());
+    one.port->disconnect();
+    admission_.release(one.instance);
+    return true;
+  });
+}
+
+void AgentServer::Implementation::connect_all() {
+  admission_.close();
+  std::vector<Candidate> candidates;
+  for (auto& [instance, candidate] : candidates_) candidates.push_back(std::move(candidate));
+  candidates_.clear();
+  // Not by arrival: the run must not depend on which process was first.
+  std::ranges::sort(candidates, {},
+                    [](const Candidate& c) { return c.session.agents.front().agent; });
+  for (Candidate& candidate : candidates) connect(std::move(candidate));
+}
+
+void AgentServer::Implementation::connect(Candidate candidate) {
+  std::vector<hal::AgentId> agents;
+  for (const auto& agent : candidate.session.agents) agents.push_back(agent.agent);
+  // Latecomers are refused between exchanges, on this thread: no locks, and no process waits
+  // longer for its answer than one exchange takes.
+  const bool is_closed = settings_.attendance == Attendance::kBeforeTheRun;
+  log_session(candidate.hello, candidate.session);
+  auto port = std::make_shared<RemotePort>(std::move(candidate.link), candidate.hello,
+                                           candidate.session, [this, is_closed](hal::Time now) {
+                                             if (is_closed && server_.has_hellos())
+                                               answer_hellos(hal::Duration::zero(), now);
+                                           });
+  connected_.push_back({candidate.hello.instance, agents, port});
+  host_.connect(std::move(port), agents, candidate.hello.wants);
+}
+
+GatewaySummary AgentServer::Implementation::summary() const {
+  GatewaySummary summary;
+  summary.processes = past_;
+  for (const Connected& one : connected_) summary.processes.push_back(one.port->summary());
+  return summary;
+}
+
+AgentServer::AgentServer(process::DomainHold hold, hal::node::exchange::AgentHost& host,
+                         const ServerSettings& settings)
+    : implementation_(std::make_unique<Implementation>(std::move(hold), host, settings)) {}
+AgentServer::~AgentServer() = default;
+
+int AgentServer::domain() const { return implementation_->domain(); }
+domain::Invitation AgentServer::invite() { return implementation_->invite(); }
+
+hal::Result<void> AgentServer::gather(const std::function<hal::Result<void>()>& keep_waiting) {
+  return implementation_->gather(keep_waiting);
+}
+
+void AgentServer::attend(hal::Time now) { implementation_->attend(now); }
+std::vector<int> AgentServer::descriptors() const { return implementation_->descriptors(); }
+
+std::vector<hal::AgentId> AgentServer::missing() const { return implementation_->missing(); }
+
+GatewaySummary AgentServer::summary() const { return implementation_->summary(); }
+
+}  // namespace gateway::server

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace hal::files::config {
+
+/// Every mistake in a set of files, in the order of their positions. what(): one per line. Control
+/// characters of the files are written as \x1b, what is very long is shortened.
+class ConfigErrors : public std::runtime_error {
+ public:
+  explicit ConfigErrors(std::vector<std::string> messages);
+
+  /// "file:line:column: key: what is wrong"; from the command line: "--set key: what is wrong".
+  const std::vector<std::string>& messages() const { return messages_; }
+
+ private:
+  std::vector<std::string> messages_;
+};
+
+}  // namespace hal::files::config

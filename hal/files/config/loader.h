@@ -1,0 +1,90 @@
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "hal/files/config/document_limits.h"
+#include "hal/files/config/node.h"
+#include "hal/files/config/problems.h"
+
+namespace hal::files::config {
+
+/// Which file includes which, to find circles.
+class IncludeGraph {
+ public:
+  /// Notes that `from` includes `to`. @return the files from `to` back to `to` if that closes a
+  /// circle, which is then not noted; else empty.
+  std::vector<std::string> add(const std::string& from, const std::string& to) {
+    std::vector<std::string> circle = way(to, from);
+    if (circle.empty()) {
+      edges_[from].insert(to);
+    } else {
+      circle.push_back(to);
+    }
+    return circle;
+  }
+
+ private:
+  std::vector<std::string> way(const std::string& from, const std::string& to) const {
+    if (from == to) return {to};
+    const auto targets = edges_.find(from);
+    if (targets == edges_.end()) return {};
+    for (const std::string& next : targets->second) {
+      std::vector<std::string> rest = way(next, to);
+      if (rest.empty()) continue;
+      rest.insert(rest.begin(), from);
+      return rest;
+    }
+    return {};
+  }
+
+  std::map<std::string, std::set<std::string>> edges_;
+};
+
+/// A file that another one, or the command line, includes.
+struct Included {
+  std::string file;
+  std::string path;   ///< Of the mapping that it is put into, "agents.robots.robot"; "": the top.
+  std::string place;  ///< Of the word after `include`: "file:line:column", or "--set a.b".
+};
+
+/// Reads files and puts what they include in place.
+class Loader {
+ public:
+  /// @param first  the file whose folder counts for includes of the command line.
+  Loader(const std::filesystem::path& first, Problems& problems);
+
+  /// False as soon as a file could not be read: the keys in it would all seem to be missing.
+  bool complete() const { return complete_; }
+
+  /// What has been included, in the order of reading.
+  const std::vector<Included>& included() const { return included_; }
+
+  /// The file's mapping, includes not yet resolved. @param path  where it goes, for messages.
+  Node load(const std::filesystem::path& file, Layer layer, const std::string& path);
+
+  /// Replaces each `include` in and under the node, outermost first: what an outer mapping says
+  /// about an inner one's `include` counts.
+  /// @param depth  mappings and lists around the node.
+  void resolve(Node& node, const std::string& path, int depth = 0);
+
+ private:
+  void check_repeated(Node& node, const std::string& path);
+  void include(Node& mapping, const Node& target, const std::string& path);
+  void refuse_items(Node& list, const std::string& path);
+  void give_up(const Node& target, const std::string& path, std::string why);
+  std::filesystem::path located(const Node& target) const;
+
+  std::filesystem::path folder_;  ///< Of the first file.
+  Problems& problems_;
+  IncludeGraph graph_;
+  std::vector<Included> included_;
+  int files_ = 0;
+  std::size_t values_left_ = kMostValues;
+  bool complete_ = true;
+};
+
+}  // namespace hal::files::config

@@ -1,0 +1,217 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "hal/files/config/key.h"
+#include "hal/types/check.h"
+#include "hal/types/geometry.h"
+#include "hal/types/time.h"
+
+namespace hal::files::config {
+
+struct Node;
+struct Entry;
+struct Place;
+class Problems;
+class Survey;
+
+/// Longest time a file may name, s: some 31 years, well within Duration.
+inline constexpr double kLongestDuration = 1e9;
+
+/// A scalar as it stands in the file.
+struct Scalar {
+  std::string key;  ///< Empty in a list.
+  std::string text;
+  std::string place;  ///< "file:line:column".
+};
+
+/// The value of a key in a mapping whose keys are names: one scalar, or a list of them. The keys of
+/// mappings inside are joined with dots: "temperature.size".
+struct PlainValue {
+  std::string key;
+  std::string text;   ///< Of a scalar.
+  std::string place;  ///< "file:line:column".
+  bool is_list = false;
+  std::vector<std::string> items{};  ///< Of a list.
+};
+
+/// A value of any kind, for somebody else to read.
+struct WrittenValue {
+  std::string text;   ///< For people: a single value as it stands, others as `yaml`.
+  std::string yaml;   ///< On one line, as it may stand behind the `=` of an override.
+  std::string place;  ///< "file:line:column".
+};
+
+/// The value of a key in a mapping whose keys are names, whatever it is.
+struct WrittenEntry {
+  std::string key;
+  WrittenValue value;
+  bool is_list = false;
+  std::vector<WrittenValue> items{};  ///< Of a list.
+};
+
+/// One name of an enumeration.
+template <class E>
+struct Option {
+  std::string_view name;
+  E value;
+};
+
+/// One mapping of a document, read key by key. Every call notes its key as known; a mistake is
+/// noted with its place and the call returns something harmless, so that reading goes on and all
+/// mistakes are found. A call without `otherwise` requires the key; one with it returns that for a
+/// wrong value, so that a mistake does not make others that are none.
+///
+/// Each reading call takes a Key, which describes it: survey() calls the readers with a mapping
+/// that writes down what they ask for.
+class Mapping {
+ public:
+  Mapping(const Node& node, std::string path, Problems& problems, Survey* survey = nullptr);
+
+  /// A value with a unit (see value.h), in that unit.
+  double number(const Key& key, std::string_view unit, Range range);
+  double number(const Key& key, std::string_view unit, Range range, double otherwise);
+
+  /// A whole plain number.
+  std::int64_t integer(const Key& key, std::int64_t low, std::int64_t high);
+  std::int64_t integer(const Key& key, std::int64_t low, std::int64_t high, std::int64_t otherwise);
+
+  /// A time, to the nanosecond; limits in seconds.
+  Duration duration(const Key& key, Range seconds);
+  Duration duration(const Key& key, Range seconds, Duration otherwise);
+  /// The same without an upper limit: "none" and "never" give nothing.
+  std::optional<Duration> optional_duration(const Key& key, double low,
+                                            std::optional<Duration> otherwise);
+
+  /// true or false, nothing else.
+  bool flag(const Key& key, bool otherwise);
+
+  /// Text that is not empty.
+  std::string text(const Key& key);
+  std::string text(const Key& key, const std::string& otherwise);
+
+  /// Two, or three, values of one unit: [1 m, 2 m].
+  Vec2 vec2(const Key& key, std::string_view unit, Range range);
+  Vec2 vec2(const Key& key, std::string_view unit, Range range, Vec2 otherwise);
+  Vec3 vec3(const Key& key, std::string_view unit, Range range);
+
+  /// A list of texts; absent: empty.
+  std::vector<Scalar> texts(const Key& key);
+
+  /// One of several names; nothing if it is missing or none of them.
+  template <class E, std::size_t kSize>
+  std::optional<E> choice(const Key& key, const std::array<Option<E>, kSize>& options) {
+    const auto index = chosen(key, names(options), std::nullopt);
+    return index ? std::optional<E>{options[*index].value} : std::nullopt;
+  }
+  template <class E, std::size_t kSize>
+  E choice(const Key& key, const std::array<Option<E>, kSize>& options, E otherwise) {
+    const auto other = std::ranges::find(options, otherwise, &Option<E>::value);
+    BARAKA_CHECK(other != options.end());  // files cannot say what they get when they say nothing
+    const auto index =
+        chosen(key, names(options), static_cast<std::size_t>(other - options.begin()));
+    return index ? options[*index].value : otherwise;
+  }
+
+  /// The number of one of several names.
+  std::size_t choice(const Key& key, std::vector<std::string> names, std::size_t otherwise) {
+    return chosen(key, std::move(names), otherwise).value_or(otherwise);
+  }
+  /// Nothing if it is missing or none of them.
+  std::optional<std::size_t> choice(const Key& key, std::vector<std::string> names) {
+    return chosen(key, std::move(names), std::nullopt);
+  }
+
+  /// A mapping inside; absent: an empty one, all of whose required keys are missing.
+  Mapping mapping(const Key& key);
+  /// A list of mappings; absent: empty.
+  std::vector<Mapping> mappings(const Key& key);
+
+  /// The same of keys that were read before.
+  Mapping within(const std::string& key);
+  std::vector<Mapping> items(const std::string& key);
+
+  /// Whether the key is there. It counts as known from now on.
+  bool has(const std::string& key);
+
+  /// Whether the key is there and its value is a single one, not a mapping or a list: of keys that
+  /// may have either.
+  bool has_scalar(const std::string& key);
+
+  /// All keys in order, for mappings whose keys are names.
+  std::vector<std::string> keys() const;
+  /// All entries, for mappings whose keys are names and whose values are scalars or lists of them.
+  std::vector<PlainValue> plain_values();
+  /// The same, where values may also be mappings of such values.
+  std::vector<PlainValue> nested_values();
+
+  /// The same with values of any kind.
+  std::vector<WrittenEntry> written_values();
+
+  /// "file:line:column" of a key's value, or of the mapping if the key is not there.
+  std::string place(const std::string& key) const;
+  std::string place() const;
+  /// Dotted path of the mapping: "agents.motes"; empty for the top level.
+  const std::string& path() const { return path_; }
+
+  /// Notes a mistake of a key's value; at the mapping's place if the key is not there.
+  void mistake(const std::string& key, std::string what);
+  /// Notes what is allowed and hardly meant. It is told, and nothing is refused.
+  void warn(const std::string& key, std::string what);
+  /// Notes that nobody reads `key` here, saying why, if it is there.
+  void refuse(const std::string& key, const std::string& why);
+
+  /// Of the keys that nobody has asked for nothing is to be said, after a mistake.
+  void leave_rest() { leaves_rest_ = true; }
+  bool leaves_rest() const { return leaves_rest_; }
+
+  /// Notes every key that nobody asked for.
+  void finish();
+
+ private:
+  template <class E, std::size_t kSize>
+  static std::vector<std::string> names(const std::array<Option<E>, kSize>& options) {
+    std::vector<std::string> result;
+    result.reserve(kSize);
+    for (const Option<E>& option : options) result.emplace_back(option.name);
+    return result;
+  }
+
+  Mapping inner(const Node& node, const std::string& path, Survey* survey);
+  Mapping inner_of(const std::string& key, Survey* survey);
+  std::vector<Mapping> inner_list(const std::string& key);
+  std::string path_of(const std::string& key) const;
+  const Entry* find(const std::string& key);
+  /// Tells the survey, if there is one. @param otherwise  empty: the key must be there.
+  void note(const Key& key, const Form& form, const std::string& otherwise = {});
+  const Node* required(const Key& key, const Form& form);
+  const std::string* scalar(const Node& node, const std::string& key, std::string_view expected);
+  std::optional<PlainValue> plain_value(const Node& node, const std::string& key,
+                                        std::string_view expected);
+  void add_nested(const Node& mapping, const std::string& prefix, std::vector<PlainValue>& values);
+  std::optional<double> parsed(const Node& node, const Key& key, const Form& form);
+  std::optional<std::int64_t> whole(const Node& node, const Key& key, const Form& form);
+  std::vector<double> vector(const Key& key, const Form& form, const Node* node);
+  std::optional<std::size_t> chosen(const Key& key, std::vector<std::string> names,
+                                    std::optional<std::size_t> otherwise);
+
+  const Node* node_;
+  std::string path_;
+  Problems* problems_;
+  Survey* survey_;
+  std::set<std::string> known_;
+  std::vector<std::string>
+      order_;  ///< Of reading: the known keys but those that mean nothing here.
+  bool leaves_rest_ = false;
+  bool broken_ = false;  ///< Stands in for something else, which was noted: nothing is missing.
+};
+
+}  // namespace hal::files::config

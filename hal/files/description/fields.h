@@ -1,0 +1,423 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "hal/files/config/mapping.h"
+#include "hal/files/config/writer.h"
+#include "hal/types/check.h"
+#include "hal/types/geometry.h"
+#include "hal/types/time.h"
+
+namespace hal::files::description {
+
+using config::Form;
+using config::Key;
+using config::kUnlimited;
+using config::Mapping;
+using config::Option;
+using config::Range;
+using config::Writer;
+
+constexpr Range kAngle{-10, 10};   ///< rad, more than a full turn either way.
+constexpr Range kOffset{-10, 10};  ///< m, from a body's origin.
+
+/// The keys of a struct, each described once, in the call that names its member: what it is called
+/// and means (Key), its unit and limits or its options. A function over Fields describes a struct:
+/// a FieldReader reads it from a file, a FieldWriter writes it so that it reads back to the same
+/// bits, FieldNames lists its keys, KeyDescriber tells of them.
+///
+///   void keys_of(Fields& io, Sonar& c) {
+///     io.needed({"max_range", "What is farther is not seen.", "4 m"}, "m", {0, 9}, c.max_range);
+///     io.duration({"period", "Between two measurements.", "60 ms"}, {0, 10}, c.period);
+///   }
+///
+/// A key that is absent leaves its member as it is, unless the key is `needed`.
+class Fields {
+ public:
+  /// Describes the keys of a T.
+  template <class T>
+  using BodyOf = std::type_identity_t<std::function<void(Fields&, T&)>>;
+
+  virtual ~Fields() = default;
+
+  void number(const Key& key, std::string_view unit, Range range, double& value) {
+    field({key, unit, range, &value});
+  }
+  void vec2(const Key& key, std::string_view unit, Range range, Vec2& value) {
+    field({key, unit, range, &value});
+  }
+  void vec3(const Key& key, std::string_view unit, Range range, Vec3& value) {
+    field({key, unit, range, &value});
+  }
+  /// Must be there: a double, a Vec2 or a Vec3.
+  template <class T>
+  void needed(const Key& key, std::string_view unit, Range range, T& value) {
+    field({key, unit, range, &value, Presence::kNeeded});
+  }
+  /// A Quantity or a Dbm.
+  template <class Q>
+  void quantity(const Key& key, std::string_view unit, Range range, Q& value) {
+    number(key, unit, range, value.value);
+  }
+  /// "none" gives nothing.
+  template <class Q>
+  void optional(const Key& key, std::string_view unit, double low, std::optional<Q>& value) {
+    double given = value ? value->value : kUnlimited;
+    number(key, unit, {low, kUnlimited}, given);
+    value = given == kUnlimited ? std::nullopt : std::optional<Q>{given};
+  }
+  template <class Integer>
+  void count(const Key& key, std::int64_t low, std::int64_t high, Integer& value) {
+    auto given = static_cast<std::int64_t>(value);
+    field({key, "", {}, Whole{low, high, &given}});
+    value = static_cast<Integer>(given);
+  }
+  template <class Integer>
+  void needed_count(const Key& key, std::int64_t low, std::int64_t high, Integer& value) {
+    auto given = static_cast<std::int64_t>(value);
+    field({key, "", {}, Whole{low, high, &given}, Presence::kNeeded});
+    value = static_cast<Integer>(given);
+  }
+  void duration(const Key& key, Range seconds, Duration& value) {
+    field({key, "s", seconds, &value});
+  }
+  void needed(const Key& key, Range seconds, Duration& value) {
+    field({key, "s", seconds, &value, Presence::kNeeded});
+  }
+  /// "none" gives nothing.
+  void optional_duration(const Key& key, double low, std::optional<Duration>& value) {
+    field({key, "s", {low, kUnlimited}, &value});
+  }
+  void flag(const Key& key, bool& value) { field({key, "", {}, &value}); }
+  /// Text that is not empty.
+  void text(const Key& key, std::string& value) { field({key, "", {}, &value}); }
+  void needed_text(const Key& key, std::string& value) {
+    field({key, "", {}, &value, Presence::kNeeded});
+  }
+  /// A list of texts.
+  void texts(const Key& key, std::vector<std::string>& values) { field({key, "", {}, &values}); }
+  template <class E, std::size_t kSize>
+  void choice(const Key& key, const std::array<Option<E>, kSize>& options, E& value) {
+    const auto found = std::ranges::find(options, value, &Option<E>::value);
+    BARAKA_CHECK(found != options.end());  // what a file cannot say cannot be written to one
+    auto index = static_cast<std::size_t>(found - options.begin());
+    field({key, "", {}, Choice{names(options), &index}});
+    value = options[index].value;
+  }
+
+  /// What is only there where the key is: a Quantity, a Duration, an integer or an option. Without
+  /// the key it stays as it is, and what is nothing is not written. Each returns whether it was
+  /// read.
+  template <class Q>
+  bool given(const Key& key, std::string_view unit, Range range, std::optional<Q>& value) {
+    double given = value ? value->value : range.low;
+    const bool is_read = field_given({key, unit, range, &given}, value.has_value());
+    if (is_read) value = Q{given};
+    return is_read;
+  }
+  bool given(const Key& key, std::string_view unit, Range range, std::optional<double>& value) {
+    double given = value.value_or(range.low);
+    const bool is_read = field_given({key, unit, range, &given}, value.has_value());
+    if (is_read) value = given;
+    return is_read;
+  }
+  bool given(const Key& key, std::string_view unit, Range range, std::optional<Vec2>& value) {
+    Vec2 given = value.value_or(Vec2{});
+    const bool is_read = field_given({key, unit, range, &given}, value.has_value());
+    if (is_read) value = given;
+    return is_read;
+  }
+  bool given(const Key& key, Range seconds, std::optional<Duration>& value) {
+    Duration given = value.value_or(Duration{});
+    const bool is_read = field_given({key, "s", seconds, &given}, value.has_value());
+    if (is_read) value = given;
+    return is_read;
+  }
+  template <class Integer>
+  bool given_count(const Key& key, std::int64_t low, std::int64_t high,
+                   std::optional<Integer>& value) {
+    auto given = value ? static_cast<std::int64_t>(*value) : low;
+    const bool is_read = field_given({key, "", {}, Whole{low, high, &given}}, value.has_value());
+    if (is_read) value = static_cast<Integer>(given);
+    return is_read;
+  }
+  template <class E, std::size_t kSize>
+  bool given_choice(const Key& key, const std::array<Option<E>, kSize>& options,
+                    std::optional<E>& value) {
+    const auto found = std::ranges::find(options, value, &Option<E>::value);
+    BARAKA_CHECK(!value || found != options.end());
+    auto index = found == options.end() ? 0 : static_cast<std::size_t>(found - options.begin());
+    const bool is_read =
+        field_given({key, "", {}, Choice{names(options), &index}}, value.has_value());
+    if (is_read) value = options[index].value;
+    return is_read;
+  }
+  /// Text; empty: it is not there.
+  bool given_text(const Key& key, std::string& value) {
+    return field_given({key, "", {}, &value}, !value.empty());
+  }
+
+  /// A value that files have as text with a form of its own, which `spell` gives. `parse` takes
+  /// the text of a file that says something else, and notes what is wrong with it.
+  template <class T, class Spell, class Parse>
+  void spelled(const Key& key, T& value, Spell&& spell, Parse&& parse) {
+    const std::string before = spell(std::as_const(value));
+    std::string text = before;
+    this->text(key, text);
+    if (reading() != nullptr && text != before) parse(text, value);
+  }
+
+  /// A mapping inside, whose keys `body` has.
+  virtual void inside(const Key& key, const std::function<void(Fields&)>& body) = 0;
+
+  /// A mapping that is there or not. Returns whether it is.
+  bool inside_given(const Key& key, bool is_there, const std::function<void(Fields&)>& body) {
+    if (reading() != nullptr) is_there = reading()->has(key.name);
+    if (is_describing()) {
+      inside_if_there(key, body);
+    } else if (is_there) {
+      inside(key, body);
+    }
+    return is_there;
+  }
+
+  /// Mappings under names of the user's own.
+  /// @param each  what each of them is; its name stands for theirs. @param names  to be written.
+  virtual void named(const Key& each, const std::vector<std::string>& names,
+                     const std::function<void(Fields&, const std::string&)>& body) = 0;
+
+  /// A list of mappings, whose keys `body` has. What is of no known kind is left out. Items
+  /// that are read take the place of what was there.
+  /// @param like  what an item is before it is read.
+  template <class T>
+  void list(const Key& key, std::vector<T>& items, const BodyOf<T>& body, const T& like = {}) {
+    bool is_first = true;
+    each(key, items.size(), [&](Fields& io, std::size_t index) {
+      if (io.reading() != nullptr && std::exchange(is_first, false)) items.clear();
+      if (index >= items.size()) {
+        index = items.size();
+        items.push_back(like);
+      }
+      body(io, items[index]);
+      if (io.reading() != nullptr && io.reading()->leaves_rest()) items.pop_back();
+    });
+  }
+  /// The same; if there is none, the key is not written.
+  template <class T>
+  void list_if_any(const Key& key, std::vector<T>& items, const BodyOf<T>& body,
+                   const T& like = {}) {
+    written_if(!items.empty(), [&](Fields& io) { io.list<T>(key, items, body, like); });
+  }
+
+  /// Keys whose defaults are not worth a line of a file that is written.
+  void written_if(bool is_written, const std::function<void(Fields&)>& body) {
+    only(reading() != nullptr || is_written, {}, "", body);
+  }
+
+  /// One of several mappings, by whose key a file says which alternative of a variant it means;
+  /// none of them: the variant stays as it is, and what `otherwise` describes is there. `body`
+  /// describes the alternative. Returns whether there is one.
+  template <class V>
+  struct Alternative {
+    Key key;
+    V (*make)();
+  };
+  template <class V, std::size_t kSize>
+  bool one_of(
+      const std::array<Alternative<V>, kSize>& alternatives, V& value, const BodyOf<V>& body,
+      const std::function<void(Fields&)>& otherwise = [](Fields&) {}) {
+    if (is_describing()) return describe_from<V>(alternatives, body, otherwise);
+    const auto found = std::ranges::find_if(alternatives, [&](const Alternative<V>& one) {
+      return reading() != nullptr ? reading()->has(one.key.name)
+                                  : one.make().index() == value.index();
+    });
+    if (found == alternatives.end()) {
+      otherwise(*this);
+      return false;
+    }
+    if (reading() != nullptr) value = found->make();
+    inside(found->key, [&](Fields& io) { body(io, value); });
+    for (const Alternative<V>& other : alternatives) {
+      if (&other != &*found) unused(other.key.name, "cannot stand beside " + found->key.name);
+    }
+    return true;
+  }
+
+  /// Keys that only count when another key has one of certain values, or is there ("there"), or is
+  /// not ("absent"), which `applies` says. Otherwise they are refused, with the reason, and not
+  /// written.
+  struct When {
+    std::string key;
+    std::vector<std::string> values;
+  };
+  virtual void only(bool applies, const When& when, const std::string& why,
+                    const std::function<void(Fields&)>& body) = 0;
+
+  /// What a mapping says, by the key that is there. `is_it`: of what is written.
+  struct Saying {
+    std::string key;
+    bool is_it;
+    std::function<void(Fields&)> body;
+  };
+  /// Of several that it may say it is the first whose key is there; those of the others are not
+  /// known beside it. @return false: none is there.
+  virtual bool first_of(const std::vector<Saying>& sayings) = 0;
+
+  /// The kinds of a variant, by their names under `key`, which must be there; `body` describes the
+  /// alternative. An unknown name is one mistake: nothing is said of the other keys.
+  template <class V>
+  struct Kind {
+    std::string_view name;
+    V (*make)();
+  };
+  template <class V, std::size_t kSize>
+  void kinds(const Key& key, const std::array<Kind<V>, kSize>& all, V& value,
+             const BodyOf<V>& body) {
+    std::vector<std::string> names;
+    names.reserve(kSize);
+    std::optional<std::size_t> index;
+    for (const Kind<V>& one : all) {
+      if (reading() == nullptr && one.make().index() == value.index()) index = names.size();
+      names.emplace_back(one.name);
+    }
+    kind_field(key, std::move(names), index, [&](Fields& io, std::size_t kind) {
+      if (!is_writing()) value = all[kind].make();
+      body(io, value);
+    });
+  }
+
+  /// A key whose value has a form of its own in files.
+  /// @param form  a list of texts, unless told otherwise.
+  void own(const Key& key, const std::function<void(Mapping&)>& read,
+           const std::function<void(Writer&)>& write) {
+    own(key, {.kind = Form::Kind::kTexts}, read, write);
+  }
+  virtual void own(const Key& key, const Form& form, const std::function<void(Mapping&)>& read,
+                   const std::function<void(Writer&)>& write) = 0;
+
+  /// A key that has no meaning here.
+  virtual void unused(const std::string& key, const std::string& why) = 0;
+
+  /// The mapping that is read, for what only a file has; null while nothing is read.
+  virtual Mapping* reading() { return nullptr; }
+
+  /// Whether values are written, for what is written otherwise than it is read.
+  virtual bool is_writing() const { return false; }
+
+  /// Notes a mistake of what was read.
+  void mistake(const std::string& key, std::string what) {
+    if (Mapping* in = reading(); in != nullptr && !in->leaves_rest())
+      in->mistake(key, std::move(what));
+  }
+
+ protected:
+  enum class Presence : std::uint8_t {
+    kOtherwise,  ///< Absent, the member stays as it is.
+    kNeeded,
+    kGiven,  ///< `is_there` says whether it is.
+  };
+  struct Whole {
+    std::int64_t low, high;
+    std::int64_t* value;
+  };
+  struct Choice {
+    std::vector<std::string> names;
+    std::size_t* value;
+  };
+  struct Field {
+    const Key& key;
+    std::string_view unit;
+    Range range;
+    std::variant<double*, Vec2*, Vec3*, Whole, Duration*, std::optional<Duration>*, bool*,
+                 std::string*, std::vector<std::string>*, Choice>
+        value;
+    Presence presence = Presence::kOtherwise;
+    bool* is_there = nullptr;
+  };
+
+ private:
+  template <class E, std::size_t kSize>
+  static std::vector<std::string> names(const std::array<Option<E>, kSize>& options) {
+    std::vector<std::string> result;
+    result.reserve(kSize);
+    for (const Option<E>& option : options) result.emplace_back(option.name);
+    return result;
+  }
+  template <class V>
+  bool describe_from(std::span<const Alternative<V>> alternatives, const BodyOf<V>& body,
+                     const std::function<void(Fields&)>& otherwise) {
+    if (alternatives.empty()) {
+      otherwise(*this);
+      return true;
+    }
+    const Alternative<V>& first = alternatives.front();
+    V made = first.make();
+    inside_if_there(first.key, [&](Fields& io) { body(io, made); });
+    only(true, {first.key.name, {"absent"}}, "",
+         [&](Fields& io) { io.describe_from<V>(alternatives.subspan(1), body, otherwise); });
+    return true;
+  }
+  /// @return whether it was read.
+  bool field_given(Field f, bool is_there) {
+    f.presence = Presence::kGiven;
+    f.is_there = &is_there;
+    field(f);
+    return reading() != nullptr && is_there;
+  }
+  /// Whether keys are told of, whatever they hang on.
+  virtual bool is_describing() const { return false; }
+  /// A mapping that is one of several.
+  virtual void inside_if_there(const Key& key, const std::function<void(Fields&)>& body) {
+    inside(key, body);
+  }
+  virtual void field(const Field& field) = 0;
+  /// @param kind  to be written. @param keys  of the kind with that number.
+  virtual void kind_field(const Key& key, std::vector<std::string> names,
+                          std::optional<std::size_t> kind,
+                          const std::function<void(Fields&, std::size_t)>& keys) = 0;
+  /// @param count  of the items, to be written.
+  virtual void each(const Key& key, std::size_t count,
+                    const std::function<void(Fields&, std::size_t)>& body) = 0;
+};
+
+/// One alternative of a variant, under the key that a file says it by.
+template <class V, class T>
+Fields::Alternative<V> alternative(Key key) {
+  return {std::move(key), []() -> V { return T{}; }};
+}
+
+/// The alternatives of a variant, but those behind the first `kCount`, as kinds.
+/// @param name_of  gives the name of an alternative, which it is handed.
+template <class V, std::size_t kCount = std::variant_size_v<V>, class Name>
+auto kinds_of(Name name_of) {
+  return [&]<std::size_t... kIndex>(std::index_sequence<kIndex...> /*all*/) {
+    return std::array<Fields::Kind<V>, kCount>{
+        {{name_of(std::variant_alternative_t<kIndex, V>{}),
+          +[]() -> V { return std::variant_alternative_t<kIndex, V>{}; }}...}};
+  }
+  (std::make_index_sequence<kCount>{});
+}
+
+/// An alternative of a variant, which it is from then on.
+template <class T, class V>
+T& as(V& variant) {
+  if (T* const there = std::get_if<T>(&variant)) return *there;
+  variant = T{};
+  return std::get<T>(variant);
+}
+
+/// `version` of a file, which it may say.
+void version_key(Fields& io);
+
+}  // namespace hal::files::description

@@ -1,0 +1,41 @@
+#include "hal/files/description/sensor_keys.h"
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "hal/files/description/names.h"
+
+namespace hal::files::description {
+namespace {
+
+/// Channels of devices that are not in `sensors:`, topics that every robot has, and the name that
+/// tells the one battery.
+constexpr std::array<std::string_view, 11> kTaken{
+    "localisation", "odometry",  "infrared", "infrared_volts", "odom",   "range",
+    "cmd_vel",      "base_link", "base",     "emergency_stop", "battery"};
+
+}  // namespace
+
+void name_key(Fields& io, node::devices::Mount& mount) {
+  const std::string usual = mount.name;
+  io.text({"name", "Of the sensor's channel, topic and frame.", usual}, mount.name);
+  if (!may_be_named(mount.name)) {
+    io.mistake("name", "must be a letter, then letters, digits, '_' or '-'");
+  } else if (mount.name != usual && std::ranges::find(kTaken, mount.name) != kTaken.end()) {
+    io.mistake("name",
+               "'" + mount.name + "' is the name of another channel or topic of every robot");
+  }
+}
+
+void keys_of(Fields& io, node::devices::Mount& mount) {
+  name_key(io, mount);
+  io.vec3({"position", "Of the sensor, seen from the body's origin on the ground.",
+           "[-3.2 cm, 0 m, 18.2 cm]", "[0 m, 0 m, 0 m]"},
+          "m", kOffset, mount.position);
+  io.number({"heading", "Where the sensor looks; the body's x axis is 0.", "180 deg"}, "rad",
+            kAngle, mount.heading);
+}
+
+}  // namespace hal::files::description

@@ -1,0 +1,54 @@
+#include "hal/node/agent/inbox.h"
+
+#include <algorithm>
+#include <iterator>
+#include <tuple>
+#include <utility>
+
+namespace hal::node::agent {
+namespace {
+
+/// Moves what happened up to `until` to the end of `to`.
+template <class At, class T>
+void move_until(Time until, std::vector<At>& from, std::vector<T>& to) {
+  auto rest = from.begin();
+  for (; rest != from.end() && rest->time <= until; ++rest) to.push_back(std::move(rest->value));
+  from.erase(from.begin(), rest);
+}
+
+}  // namespace
+
+void Inbox::take(std::vector<exchange::Event>& to) {
+  // What is taken is given back: the next agent's events find that memory in the cache.
+  std::vector<exchange::Event> events = std::exchange(events_, {});
+  const auto before = [](const auto& a, const auto& b) {
+    return std::tie(a.time, a.cause) < std::tie(b.time, b.cause);
+  };
+  if (!std::is_sorted(events.begin(), events.end(), before))
+    std::stable_sort(events.begin(), events.end(), before);
+  for (exchange::Event& event : events) {
+    move_until(event.time, routes_, event.routes);
+    if (!neighbours_.empty()) move_neighbours(event);
+  }
+  to.insert(to.end(), std::make_move_iterator(events.begin()),
+            std::make_move_iterator(events.end()));
+}
+
+void Inbox::move_neighbours(exchange::Event& event) {
+  std::vector<NeighbourChange> changes;
+  move_until(event.time, neighbours_, changes);
+  const auto id = [](const NeighbourChange& change) { return change.neighbour.id; };
+  std::ranges::stable_sort(changes, {}, id);
+  for (auto change = changes.begin(); change != changes.end(); ++change) {
+    const auto next = std::next(change);
+    const bool is_last_word = next == changes.end() || id(*next) != id(*change);
+    if (!is_last_word) continue;
+    if (change->lost) {
+      event.lost_neighbours.push_back(id(*change));
+    } else {
+      event.neighbours.push_back(change->neighbour);
+    }
+  }
+}
+
+}  // namespace hal::node::agent

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <vector>
+
+#include "hal/node/exchange/step.h"
+#include "hal/types/route.h"
+#include "hal/types/time.h"
+
+namespace hal::node::agent {
+
+/// What waits for the next exchange with one agent's controller: events, and the changes of its
+/// network that travel with the first event at or after them.
+class Inbox {
+ public:
+  void add(exchange::Event event) { events_.push_back(std::move(event)); }
+  void add(Time at, RouteChange change) { routes_.push_back({at, std::move(change)}); }
+  void add(Time at, const Neighbour& neighbour) { neighbours_.push_back({at, {neighbour, false}}); }
+  void add_lost(Time at, AgentId neighbour) {
+    neighbours_.push_back({at, {{.id = neighbour, .last_heard = {}, .rssi_dbm = 0}, true}});
+  }
+
+  bool empty() const { return events_.empty(); }
+
+  /// The events by (time, cause, arrival), with the changes in them. Of a neighbour an event has
+  /// the last word: as it was heard last, or that it was lost. Changes later than the last event
+  /// stay.
+  /// @param to  they are appended.
+  void take(std::vector<exchange::Event>& to);
+
+ private:
+  template <class T>
+  struct At {
+    Time time;
+    T value;
+  };
+  struct NeighbourChange {
+    Neighbour neighbour;
+    bool lost = false;
+  };
+
+  void move_neighbours(exchange::Event& event);
+
+  std::vector<exchange::Event> events_;
+  std::vector<At<RouteChange>> routes_;
+  std::vector<At<NeighbourChange>> neighbours_;
+};
+
+}  // namespace hal::node::agent

@@ -1,0 +1,30 @@
+#pragma once
+
+#include "hal/node/devices/robot_description.h"
+#include "hal/types/geometry.h"
+#include "hal/types/time.h"
+
+namespace hal::node::devices {
+
+/// Lets the velocity asked of the motors approach a command within the acceleration limits.
+///
+/// The linear velocity moves on a straight line from the old to the commanded vector: at the
+/// braking limit while its length shrinks, then at the speeding-up limit. The rotation does the
+/// same in one dimension. Else a step reversal yaws a three-wheeled base (docs/models.md, 1).
+class MotorProfile {
+ public:
+  explicit MotorProfile(const AccelerationLimits& limits) : limits_(limits) {}
+
+  /// @param target  commanded velocity, body frame. @param step  > 0.
+  /// @return the velocity to ask of the motors from now on.
+  Twist2 advance(const Twist2& target, Duration step);
+
+  const Twist2& velocity() const { return velocity_; }
+  void reset(const Twist2& velocity) { velocity_ = velocity; }
+
+ private:
+  AccelerationLimits limits_;
+  Twist2 velocity_;
+};
+
+}  // namespace hal::node::devices

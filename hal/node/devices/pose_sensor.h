@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string_view>
+
+#include "hal/node/devices/mount.h"
+#include "hal/types/channel.h"
+#include "hal/types/time.h"
+
+namespace hal::node::devices {
+
+/// Where the body is in the world: a compass with a position fix, by whatever method.
+struct PoseSensor {
+  static constexpr std::string_view kKind = "pose";
+
+  Mount mount{"pose", {}, 0};  ///< Only its name counts.
+  double position_sigma = 0;   ///< m, >= 0, standard deviation of x and of y
+  double heading_sigma = 0;    ///< rad, >= 0
+  Duration period{};           ///< between two fixes; 0: it measures when asked.
+
+  /// Kind "pose": x, y [m] and heading [rad, (-pi, pi]] in the frame "world".
+  Channel describe() const;
+
+  bool operator==(const PoseSensor&) const = default;
+};
+
+}  // namespace hal::node::devices

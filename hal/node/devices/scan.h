@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "hal/node/devices/mount.h"
+#include "hal/types/channel.h"
+#include "hal/types/time.h"
+
+namespace hal::node::devices {
+
+/// A planar laser scanner: rays in a horizontal plane, all measured at one instant.
+struct ScanSensor {
+  static constexpr std::string_view kKind = "scan";
+
+  Mount mount{"scan", {}, 0};
+  double field = 0;        ///< rad, > 0, at most a full turn; its middle is the mount's heading.
+  int rays = 0;            ///< >= 1
+  double min_range = 0;    ///< m, >= 0; what is nearer reads -infinity.
+  double max_range = 0;    ///< m, > min_range; what is farther reads NaN.
+  double noise_sigma = 0;  ///< m, >= 0, standard deviation of a range
+  Duration period{};       ///< between two scans; 0: it measures when asked.
+
+  /// rad in the sensor's frame, ascending. They include both ends of the field, or with a full turn
+  /// the first one only: the last would be the same ray.
+  std::vector<double> headings() const;
+
+  /// Kind "scan", m: one range per ray, at its heading in the channel's frame.
+  Channel describe() const;
+
+  bool operator==(const ScanSensor&) const = default;
+};
+
+}  // namespace hal::node::devices

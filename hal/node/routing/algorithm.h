@@ -1,0 +1,89 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+
+#include "hal/node/routing/protocol_event.h"
+#include "hal/types/agent_id.h"
+#include "hal/types/message.h"
+#include "hal/types/route.h"
+
+namespace hal::node::routing {
+
+class Protocol;
+struct RouterPorts;
+struct RouterStreams;
+struct RoutingConfig;
+
+/// A frame of routing as one node transmits it to another, or to all (kEveryone).
+struct SentFrame {
+  AgentId from, to;
+  std::span<const std::uint8_t> bytes;
+};
+
+/// Kind of such a frame, for records.
+struct FrameName {
+  struct MessageName {
+    AgentId sender;
+    MessageId id = 0;
+    bool operator==(const MessageName&) const = default;
+  };
+  std::string_view kind;                 ///< "data", "RREQ", "hello", …; "": not the protocol's.
+  std::optional<MessageName> message{};  ///< Which it carries for agents.
+};
+
+/// Description of a routing protocol, defined beside its Protocol.
+struct ProtocolKind {
+  using Make = std::unique_ptr<Protocol> (*)(AgentId self, const RoutingConfig& config,
+                                             const RouterStreams& streams,
+                                             const RouterPorts& ports);
+  using NameFrame = FrameName (*)(const SentFrame& frame);
+  using Weigh = std::optional<double> (*)(const RoutingConfig& config, const Route& route);
+
+  std::string_view name;  ///< In files and records.
+  Make make;              ///< The end of one node. @pre as make_protocol()
+  NameFrame name_frame;   ///< Of its nodes' frames.
+  /// Weight of a route: a message takes it with the probability weight / sum of the weights of all
+  /// routes of its topic and destination. None: the protocol chooses by another rule.
+  Weigh weigh;
+  /// Events that its nodes can count, besides a lost neighbour and, over a link without transmit
+  /// status, a hello. Counts of these are 0 if they did not occur; counts of others do not exist.
+  /// Empty: nodes only pass messages to the link.
+  std::span<const ProtocolEvent> events{};
+};
+
+/// Choice of the routing protocol: one of these, or any other ProtocolKind.
+class Algorithm {
+ public:
+  /// @param kind  outlives everything that uses it.
+  // NOLINTNEXTLINE(google-explicit-constructor): a kind of protocol is an algorithm
+  constexpr Algorithm(const ProtocolKind& kind) : kind_(&kind) {}
+
+  static const Algorithm kAnts;
+  static const Algorithm kNone;       ///< No routing: one hop, directly by the link (one_hop.h).
+  static const Algorithm kFlooding;   ///< Floods every message (flood_routing.h).
+  static const Algorithm kAodv;       ///< RFC 3561 (aodv_routing.h).
+  static const Algorithm kAntHocNet;  ///< AntHocNet in full (anthocnet.h).
+
+  const ProtocolKind& kind() const { return *kind_; }
+  std::string_view name() const { return kind_->name; }
+  /// The same kind.
+  constexpr bool operator==(const Algorithm&) const = default;
+
+ private:
+  const ProtocolKind* kind_;
+};
+
+extern const ProtocolKind kAntRoutingKind, kOneHopKind, kFloodRoutingKind, kAodvKind,
+    kAntHocNetKind;
+
+inline constexpr Algorithm Algorithm::kAnts{kAntRoutingKind};
+inline constexpr Algorithm Algorithm::kNone{kOneHopKind};
+inline constexpr Algorithm Algorithm::kFlooding{kFloodRoutingKind};
+inline constexpr Algorithm Algorithm::kAodv{kAodvKind};
+inline constexpr Algorithm Algorithm::kAntHocNet{kAntHocNetKind};
+
+}  // namespace hal::node::routing

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string_view>
+
+#include "hal/node/routing/algorithm.h"
+#include "hal/node/routing/packet.h"
+
+namespace hal::node::routing {
+
+/// What the protocol calls a control packet of its own; "" if it is not its own.
+using NameControl = std::string_view (*)(const Control& control);
+
+/// The name of a frame of frame.h.
+FrameName frame_name(std::span<const std::uint8_t> bytes, NameControl name_control);
+
+/// Of protocols without control packets.
+inline std::string_view no_control(const Control&) { return {}; }
+
+/// Of protocols that choose otherwise than by weights.
+inline std::optional<double> no_weight(const RoutingConfig&, const Route&) { return std::nullopt; }
+
+}  // namespace hal::node::routing

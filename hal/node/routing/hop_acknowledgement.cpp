@@ -1,0 +1,109 @@
+#include "hal/node/routing/hop_acknowledgement.h"
+
+#include <utility>
+#include <vector>
+
+namespace hal::node::routing {
+namespace {
+
+/// Of frames that nobody misses. Without transmit status a tag is never given back.
+constexpr LinkTag kUnwatched = 0;
+
+}  // namespace
+
+HopAcknowledgement::HopAcknowledgement(const RoutingConfig& config, Link& link, Timers& timers,
+                                       Report report)
+    : config_(config),
+      link_(link),
+      timers_(timers),
+      report_(std::move(report)),
+      last_number_(config.first_sequence) {}
+
+LinkCapabilities HopAcknowledgement::capabilities() const {
+  return {.tx_status = true, .rssi = link_.capabilities().rssi};
+}
+
+void HopAcknowledgement::transmit(AgentId next_hop, Bytes packet, LinkTag tag) {
+  if (next_hop == kEveryone) {
+    link_.transmit(kEveryone, std::move(packet), kUnwatched);
+    return report_soon(tag, Verdict::kDelivered);
+  }
+  Lane& lane = lanes_[next_hop];
+  const bool has_room =
+      lane.in_flight.size() < kWindow || lane.waiting.size() < config_.buffer_limit;
+  if (!has_room) return report_soon(tag, Verdict::kQueueFull);
+  lane.waiting.push_back({std::move(packet), tag});
+  fill(next_hop);
+}
+
+void HopAcknowledgement::report_soon(LinkTag tag, Verdict verdict) {
+  timers_.schedule(timers_.now(), [this, tag, verdict] { report_({tag, verdict}); });
+}
+
+/// Sends what waits for the neighbour, as far as the window allows.
+void HopAcknowledgement::fill(AgentId next_hop) {
+  const auto found = lanes_.find(next_hop);
+  if (found == lanes_.end()) return;
+  Lane& lane = found->second;
+  while (!lane.waiting.empty() && lane.in_flight.size() < kWindow) {
+    const Waiting next = std::move(lane.waiting.front());
+    lane.waiting.pop_front();
+    const HopNumber number = ++last_number_;
+    InFlight& sent = lane.in_flight[number];
+    sent.frame = encode_numbered(number, next.packet);
+    sent.tag = next.tag;
+    sent.timeout = config_.ack_timeout;
+    attempt(next_hop, number, sent);
+  }
+  if (lane.in_flight.empty()) lanes_.erase(found);
+}
+
+void HopAcknowledgement::attempt(AgentId next_hop, HopNumber number, InFlight& sent) {
+  ++sent.attempts;
+  sent.timer = timers_.schedule(timers_.now() + sent.timeout,
+                                [this, next_hop, number] { on_timeout(next_hop, number); });
+  sent.timeout *= 2;
+  link_.transmit(next_hop, sent.frame, kUnwatched);
+}
+
+void HopAcknowledgement::on_timeout(AgentId next_hop, HopNumber number) {
+  InFlight& sent = lanes_.at(next_hop).in_flight.at(number);
+  if (sent.attempts < config_.ack_attempts) {
+    attempt(next_hop, number, sent);
+  } else {
+    give_up(next_hop);
+  }
+}
+
+void HopAcknowledgement::give_up(AgentId neighbour) {
+  const auto lane = lanes_.extract(neighbour);
+  if (lane.empty()) return;
+  std::vector<LinkTag> failed;
+  for (const auto& [number, sent] : lane.mapped().in_flight) {
+    timers_.cancel(sent.timer);
+    failed.push_back(sent.tag);
+  }
+  for (const Waiting& waiting : lane.mapped().waiting) failed.push_back(waiting.tag);
+  // Who hears of one may send the next: nothing of the lane is used any more.
+  for (const LinkTag tag : failed) report_({tag, Verdict::kRetryLimit});
+}
+
+bool HopAcknowledgement::on_numbered(AgentId from, HopNumber number) {
+  return received_.note({from, number}, timers_.now()).second;
+}
+
+void HopAcknowledgement::acknowledge(AgentId neighbour, HopNumber number) {
+  link_.transmit(neighbour, encode(HopAck{number}), kUnwatched);
+}
+
+void HopAcknowledgement::on_ack(AgentId from, HopNumber number) {
+  const auto lane = lanes_.find(from);
+  if (lane == lanes_.end()) return;
+  const auto sent = lane->second.in_flight.extract(number);
+  if (sent.empty()) return;
+  timers_.cancel(sent.mapped().timer);
+  fill(from);
+  report_({sent.mapped().tag, Verdict::kDelivered});
+}
+
+}  // namespace hal::node::routing

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "hal/files/config/mapping.h"
+#include "hal/types/time.h"
+
+namespace hal::robot::drivers {
+
+/// What a driver may assume of its device: how long it waits for an answer, how often it asks, and
+/// which age of a reading is too old: the channel is lost then.
+struct DeviceTimes {
+  Duration period{};       ///< > 0
+  Duration timeout{};      ///< > 0
+  Duration stale_after{};  ///< > period
+  bool operator==(const DeviceTimes&) const = default;
+};
+
+/// `period`, `timeout` and `stale_after` of a device.
+/// @param times  what absent keys mean. @param longest_period  s
+DeviceTimes read_times(files::config::Mapping& in, DeviceTimes times, double longest_period);
+
+}  // namespace hal::robot::drivers

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <memory>
+
+#include "hal/files/config/mapping.h"
+#include "hal/node/devices/robot_description.h"
+#include "hal/robot/drivers/driver_choice.h"
+#include "hal/robot/drivers/infrared.h"
+#include "hal/robot/drivers/wheels.h"
+
+namespace hal::robot::drivers {
+
+/// `wheels:` and `infrared:` of a robot's file: `driver` and the keys of that driver. Null: "none",
+/// or a mistake, which is noted.
+std::shared_ptr<const DriverChoice<WheelDriver>> read_wheels(
+    files::config::Mapping in, const node::devices::RobotDescription& robot);
+std::shared_ptr<const DriverChoice<InfraredDriver>> read_infrared(
+    files::config::Mapping in, const node::devices::RobotDescription& robot);
+
+}  // namespace hal::robot::drivers

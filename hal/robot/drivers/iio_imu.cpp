@@ -1,0 +1,59 @@
+#include "hal/robot/drivers/iio_imu.h"
+
+#include <fmt/format.h>
+
+#include "hal/robot/drivers/attributes.h"
+#include "hal/robot/drivers/polled_sensor.h"
+
+namespace hal::robot::drivers {
+namespace {
+
+using namespace std::chrono_literals;
+
+class IioImu {
+ public:
+  explicit IioImu(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+  /// Rates x, y, z, then accelerations.
+  Result<std::vector<double>> measure() const {
+    std::vector<double> values;
+    for (const char* quantity : {"anglvel", "accel"}) {
+      for (const char axis : {'x', 'y', 'z'}) {
+        const auto value = component(quantity, axis);
+        if (!value) return tl::unexpected<Error>(value.error());
+        values.push_back(*value);
+      }
+    }
+    return values;
+  }
+
+ private:
+  Result<double> component(const char* quantity, char axis) const {
+    const auto raw = read_attribute(folder_ / fmt::format("in_{}_{}_raw", quantity, axis));
+    if (!raw) return tl::unexpected<Error>(raw.error());
+    const std::filesystem::path own = folder_ / fmt::format("in_{}_{}_scale", quantity, axis);
+    const auto scale =
+        read_attribute(has_attribute(own) ? own : folder_ / fmt::format("in_{}_scale", quantity));
+    if (!scale) return tl::unexpected<Error>(scale.error());
+    return *raw * *scale;
+  }
+
+  std::filesystem::path folder_;
+};
+
+}  // namespace
+
+std::unique_ptr<SensorDriver> make_iio_imu(const IioImuSettings& settings) {
+  return std::make_unique<PolledSensor<IioImu>>(IioImu(settings.folder), settings.times);
+}
+
+std::shared_ptr<const SensorChoice> read_iio_imu(files::config::Mapping& in,
+                                                 const node::devices::SensorDescription*) {
+  IioImuSettings settings;
+  settings.folder = in.text({"folder", "Of the device in sysfs (Linux Industrial I/O).",
+                             "'/sys/bus/iio/devices/iio:device1'"});
+  settings.times = read_times(in, {20ms, 150ms, 500ms}, 1);
+  return std::make_shared<ChosenSensor<IioImuSettings>>(std::move(settings), make_iio_imu);
+}
+
+}  // namespace hal::robot::drivers

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "hal/files/config/mapping.h"
+#include "hal/robot/drivers/sensor_choice.h"
+
+namespace hal::robot::drivers {
+
+/// Gyroscopes and accelerometers of Linux's Industrial I/O subsystem (Linux kernel,
+/// Documentation/ABI/testing/sysfs-bus-iio): in_anglvel_x_raw … z and in_accel_x_raw … z, times
+/// in_anglvel_scale [rad/s] and in_accel_scale [m/s^2], or a scale of each axis.
+struct IioImuSettings {
+  std::filesystem::path folder;  ///< E.g. "/sys/bus/iio/devices/iio:device1".
+  DeviceTimes times;
+};
+
+std::unique_ptr<SensorDriver> make_iio_imu(const IioImuSettings& settings);
+
+/// Its keys in a robot's file, of a sensor of the kind imu.
+std::shared_ptr<const SensorChoice> read_iio_imu(files::config::Mapping& in,
+                                                 const node::devices::SensorDescription* sensor);
+
+}  // namespace hal::robot::drivers

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "hal/node/devices/wheel_drive.h"
+#include "hal/types/geometry.h"
+
+namespace hal::robot::drivers {
+
+/// What the operator allows a robot, below what its motors can do. Infinite: no limit of its own.
+struct SpeedLimits {
+  double linear;   ///< m/s, > 0, of the velocity's length
+  double angular;  ///< rad/s, > 0
+  SpeedLimits();
+  SpeedLimits(double linear_limit, double angular_limit)
+      : linear(linear_limit), angular(angular_limit) {}
+  bool operator==(const SpeedLimits&) const = default;
+};
+
+/// The fastest velocity in the direction of `body` (all three components scaled by one factor) that
+/// keeps the limits and lets no wheel run beyond its own. `saturated`: it was scaled.
+/// @pre every component is finite.
+node::devices::WheelDrive::Limited limited(const Twist2& body,
+                                           const node::devices::WheelDrive& wheels,
+                                           const SpeedLimits& limits);
+
+}  // namespace hal::robot::drivers

@@ -1,0 +1,242 @@
+#include "hal/robot/radio/udp_link.h"
+
+#include <fmt/format.h>
+#include <net/if.h>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <chrono>
+#include <cstring>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "hal/robot/radio/datagram.h"
+#include "hal/types/log.h"
+
+namespace hal::robot::radio {
+namespace {
+
+constexpr int kOn = 1;
+constexpr const char* kWhere = "radio";
+constexpr std::size_t kBitsPerByte = 8;
+/// Without a network it is looked for this often, though the kernel tells when there is one.
+constexpr Duration kRetryAfter = std::chrono::seconds{1};
+/// Bytes that travel with a datagram: Ethernet 18, IPv4 20 (RFC 791), UDP 8 (RFC 768).
+constexpr std::size_t kHeadersBelow = 46;
+/// Datagrams taken in one go, so that a flood of them does not hold up timers.
+constexpr int kAtOnce = 64;
+
+sockaddr_in socket_address(in_addr address, std::uint16_t port) {
+  sockaddr_in in{};
+  in.sin_family = AF_INET;
+  in.sin_port = htons(port);
+  in.sin_addr = address;
+  return in;
+}
+
+// The sockets API takes every kind of address as a sockaddr.
+const sockaddr* generic(const sockaddr_in& address) {
+  return reinterpret_cast<const sockaddr*>(&address);
+}
+sockaddr* generic(sockaddr_in& address) { return reinterpret_cast<sockaddr*>(&address); }
+
+[[noreturn]] void give_up(int socket, const std::string& what) {
+  const int error = errno;
+  if (socket >= 0) ::close(socket);
+  throw std::system_error(error, std::generic_category(), what);
+}
+
+std::uint16_t port_of(int socket) {
+  sockaddr_in bound{};
+  socklen_t size = sizeof bound;
+  if (getsockname(socket, generic(bound), &size) != 0) return 0;
+  return ntohs(bound.sin_port);
+}
+
+}  // namespace
+
+UdpLink::UdpLink(const UdpLinkConfig& config, platform::EventLoop& loop)
+    : config_(config), loop_(loop) {
+  try {
+    open(find_addresses(config_.interface, config_.address));
+  } catch (const NoAddressYet& error) {
+    trouble_ = error.what();
+    retry_ = loop_.schedule(loop_.now() + kRetryAfter, [this] { renew(); });
+  }
+  try {
+    interface_watch_.emplace(loop, [this] { renew(); });
+  } catch (...) {
+    loop_.cancel(retry_);
+    close();
+    throw;
+  }
+}
+
+UdpLink::~UdpLink() {
+  loop_.cancel(retry_);
+  close();
+}
+
+/// @throws std::runtime_error  and nothing is open.
+void UdpLink::open(const UdpAddresses& addresses) {
+  addresses_ = addresses;
+  own_ = open_socket(addresses.own, false);
+  if (config_.port == 0) config_.port = port_of(own_);
+  try {
+    broadcast_ = open_socket(addresses.broadcast, true);
+  } catch (...) {
+    close();
+    throw;
+  }
+  watches_ = {loop_.watch(own_, [this] { receive(own_); }),
+              loop_.watch(broadcast_, [this] { receive(broadcast_); })};
+}
+
+void UdpLink::close() {
+  for (platform::EventLoop::Watch& watch : watches_) loop_.unwatch(std::exchange(watch, 0));
+  for (int* socket : {&own_, &broadcast_}) {
+    if (*socket >= 0) ::close(std::exchange(*socket, -1));
+  }
+}
+
+/// Interfaces have changed; not always this one.
+void UdpLink::renew() {
+  loop_.cancel(std::exchange(retry_, 0));
+  const bool was_open = own_ >= 0;
+  try {
+    const UdpAddresses now = find_addresses(config_.interface, config_.address);
+    if (was_open && now == addresses_) return;
+    close();
+    open(now);
+    trouble_.clear();
+    log::info(loop_.now(), kWhere, "{} is at {}", config_.interface, own_address());
+  } catch (const std::runtime_error& error) {
+    close();
+    trouble_ = error.what();
+    if (was_open) log::warning(loop_.now(), kWhere, "{}", trouble_);
+    retry_ = loop_.schedule(loop_.now() + kRetryAfter, [this] { renew(); });
+  }
+}
+
+/// @param shared  with other nodes of this machine: each gets its copy of a broadcast (socket(7)).
+int UdpLink::open_socket(in_addr address, bool shared) const {
+  const int socket = ::socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+  if (socket < 0) give_up(socket, "no UDP socket");
+  setsockopt(socket, SOL_SOCKET, SO_BROADCAST, &kOn, sizeof kOn);
+  if (shared) setsockopt(socket, SOL_SOCKET, SO_REUSEADDR, &kOn, sizeof kOn);
+  // Tells two interfaces of one network apart. Not everywhere allowed, and the address will do.
+  setsockopt(socket, SOL_SOCKET, SO_BINDTODEVICE, config_.interface.c_str(),
+             static_cast<socklen_t>(config_.interface.size()));
+  const sockaddr_in bound = socket_address(address, config_.port);
+  if (bind(socket, generic(bound), sizeof bound) != 0) {
+    give_up(socket,
+            fmt::format("cannot use {}:{} for the radio", to_string(address), config_.port));
+  }
+  return socket;
+}
+
+void UdpLink::transmit(AgentId next_hop, Bytes frame, node::routing::LinkTag) {
+  last_size_ = frame.size();
+  if (!radio_on_) {
+    ++counts_.radio_off;
+    return;
+  }
+  sockaddr_in to = socket_address(addresses_.broadcast, config_.port);
+  if (next_hop != kEveryone) {
+    const auto known = neighbours_.find(next_hop);
+    if (known == neighbours_.end()) {
+      ++counts_.unknown_neighbour;
+      return;
+    }
+    to = known->second;
+  }
+  if (frame.size() > kMaxFrame || own_ < 0) {
+    ++counts_.not_sent;
+    return;
+  }
+  const Bytes datagram = to_datagram(config_.self, frame);
+  const auto sent = sendto(own_, datagram.data(), datagram.size(), MSG_DONTWAIT | MSG_NOSIGNAL,
+                           generic(to), sizeof to);
+  sent < 0 ? ++counts_.not_sent : ++counts_.sent;
+  note_error(sent < 0 ? errno : 0);
+}
+
+/// A full queue is everyday life; another error is worth a line when it comes and when it goes.
+void UdpLink::note_error(int error) {
+  if (error == EAGAIN || error == ENOBUFS || error == EINTR || error == last_error_) return;
+  last_error_ = error;
+  if (error == 0) {
+    log::info(loop_.now(), kWhere, "{} sends again", config_.interface);
+  } else {
+    log::warning(loop_.now(), kWhere, "{} does not send: {}", config_.interface,
+                 std::strerror(error));
+  }
+}
+
+void UdpLink::receive(int socket) {
+  std::array<std::uint8_t, kDatagramHeader + kMaxFrame> buffer{};
+  for (int i = 0; i < kAtOnce; ++i) {
+    sockaddr_in from{};
+    socklen_t size = sizeof from;
+    const auto length = recvfrom(socket, buffer.data(), buffer.size(), MSG_DONTWAIT | MSG_TRUNC,
+                                 generic(from), &size);
+    if (length < 0) return;  // nothing left; or the network is down, which sending reports
+    if (static_cast<std::size_t>(length) > buffer.size()) {
+      ++counts_.malformed;
+      continue;
+    }
+    take({buffer.data(), static_cast<std::size_t>(length)}, from);
+  }
+}
+
+bool UdpLink::is_from_here(const sockaddr_in& from) const {
+  return from.sin_addr.s_addr == addresses_.own.s_addr && ntohs(from.sin_port) == config_.port;
+}
+
+void UdpLink::take(std::span<const std::uint8_t> datagram, const sockaddr_in& from) {
+  if (is_from_here(from)) {
+    ++counts_.own;
+    return;
+  }
+  const auto frame = from_datagram(datagram);
+  if (!frame) {
+    ++counts_.malformed;
+    return;
+  }
+  if (ntohs(from.sin_port) != config_.port) {
+    ++counts_.foreign;
+    return;
+  }
+  if (frame->from == config_.self) {
+    if (counts_.address_clashes++ == 0) {
+      log::warning(loop_.now(), kWhere, "{} also has the agent address {}",
+                   to_string(from.sin_addr), config_.self.value);
+    }
+    return;
+  }
+  if (!radio_on_) {
+    ++counts_.radio_off;
+    return;
+  }
+  neighbours_[frame->from] = from;
+  ++counts_.received;
+  if (on_frame_) on_frame_({.from = frame->from}, frame->bytes);
+}
+
+double UdpLink::airtime(std::size_t bytes) const {
+  const std::size_t bits = kBitsPerByte * (bytes + kDatagramHeader + kHeadersBelow);
+  return static_cast<double>(bits) / config_.bit_rate;
+}
+
+Duration UdpLink::expected_delay() const { return from_seconds(airtime(last_size_)); }
+
+double UdpLink::transmit_energy(std::size_t bytes) const { return config_.power * airtime(bytes); }
+
+std::string UdpLink::own_address() const {
+  return own_ < 0 ? "nowhere yet" : fmt::format("{}:{}", to_string(addresses_.own), config_.port);
+}
+
+}  // namespace hal::robot::radio

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+
+namespace results::campaign {
+
+/// What is in `campaign.sqlite`, as Markdown: every table, column and key with its unit and
+/// meaning. docs/campaign_tables.md is this text.
+std::string describe_campaign();
+
+}  // namespace results::campaign

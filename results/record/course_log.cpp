@@ -1,0 +1,84 @@
+#include "results/record/course_log.h"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "results/record/hexadecimal.h"
+#include "results/record/run_reader.h"
+
+namespace results::record {
+
+namespace {
+
+/// Of the row's first column. Turns and arrivals are in order of time: the queue of events relies
+/// on it.
+hal::Time time_of(const Statement& row, hal::Time after) {
+  const hal::Time at{hal::Duration{row.integer(0)}};
+  if (at < after) row.refuse(0, fmt::format("before {} ns of the row above", hal::to_ns(after)));
+  return at;
+}
+
+void read_turns(RunReader& run, RecordedCourse& course) {
+  Statement query =
+      run.query("SELECT at_ns, process, replied, began, rowid FROM turns ORDER BY rowid");
+  hal::Time last{};
+  while (query.next()) {
+    last = time_of(query, last);
+    course.turns.push_back({last, static_cast<std::size_t>(query.integer(1)), query.integer(2) != 0,
+                            query.integer(3) != 0});
+  }
+}
+
+void read_arrivals(RunReader& run, RecordedCourse& course) {
+  Statement query = run.query("SELECT at_ns, door, bytes, rowid FROM arrivals ORDER BY rowid");
+  hal::Time last{};
+  while (query.next()) {
+    last = time_of(query, last);
+    auto bytes = from_hexadecimal(query.text(2));
+    if (!bytes) query.refuse(2, "not hexadecimal");
+    course.arrivals.push_back({last, query.text(1), std::move(*bytes)});
+  }
+}
+
+}  // namespace
+
+std::map<std::string, std::string> read_settings(const std::filesystem::path& folder) {
+  RunReader run(folder);
+  std::map<std::string, std::string> settings;
+  Statement query = run.query("SELECT key, value FROM settings");
+  while (query.next()) settings[query.text(0)] = query.text(1);
+  return settings;
+}
+
+RecordedCourse read_course(const std::filesystem::path& folder) {
+  RunReader run(folder);
+  const std::string file = (folder / kResultsFile).string();
+  const std::string pace = run.value("pace");
+  RecordedCourse course;
+  course.in_real_time = pace.starts_with("realtime");
+  if (!course.in_real_time && pace != "lockstep") {
+    throw std::runtime_error(
+        fmt::format("{}: table run, row pace: not a run in real time, but itself {}", file,
+                    pace.empty() ? "without a pace" : pace));
+  }
+  const std::optional<std::int64_t> ended = run.integer("ended_ns");
+  if (!ended) {
+    throw std::runtime_error(
+        fmt::format("{}: table run, row ended_ns: this run did not end", file));
+  }
+  course.ended_at = hal::time_from_ns(*ended);
+  read_turns(run, course);
+  read_arrivals(run, course);
+  if (course.in_real_time || !course.arrivals.empty()) return course;
+  throw std::runtime_error(fmt::format(
+      "{}: not a run in real time, and nothing came into it from outside: its scenario and seed "
+      "alone repeat it",
+      file));
+}
+
+}  // namespace results::record

@@ -1,0 +1,39 @@
+#include "results/record/frames_in_the_air.h"
+
+namespace results::record {
+
+FramesInTheAir::FramesInTheAir(Database& database, hal::Duration tail)
+    : clear_(database, "DELETE FROM in_the_air"),
+      clear_ended_(database, "DELETE FROM in_the_air_ended"),
+      insert_(database, "INSERT INTO in_the_air VALUES (?, ?, ?)"),
+      insert_ended_(database, "INSERT INTO in_the_air_ended VALUES (?, ?)"),
+      tail_(tail) {}
+
+void FramesInTheAir::on_frame_start(hal::Time at, const sim::radio::Frame& frame) {
+  if (frame.transmitter.value >= last_.size()) last_.resize(frame.transmitter.value + 1u);
+  Last& last = last_[frame.transmitter.value];
+  last.frame = frame.id;
+  last.receiver = frame.receiver;
+  last.kind = sim::radio::frame_class(frame);
+  last.end = at + frame.airtime;
+  last.ended_at.clear();
+}
+
+void FramesInTheAir::on_frame_cut(hal::Time at, const sim::radio::Frame& frame) {
+  if (frame.transmitter.value >= last_.size()) return;
+  Last& last = last_[frame.transmitter.value];
+  if (last.frame == frame.id) last.end = at;
+}
+
+void FramesInTheAir::write(hal::Time now) {
+  clear_.run();
+  clear_ended_.run();
+  for (std::size_t agent = 0; agent < last_.size(); ++agent) {
+    const Last& last = last_[agent];
+    if (last.frame == 0 || last.end + tail_ < now) continue;
+    insert_.run(agent, last.receiver.value, sim::radio::name(last.kind));
+    for (const hal::AgentId receiver : last.ended_at) insert_ended_.run(receiver.value, agent);
+  }
+}
+
+}  // namespace results::record

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "hal/types/message.h"
+#include "hal/types/time.h"
+#include "hal/types/verdict.h"
+#include "results/record/database.h"
+#include "results/record/delivery_totals.h"
+
+namespace results::record {
+
+/// The tables counted_ends, counted_fates and counted_deliveries: of messages that are not listed.
+///
+/// Of each message its class, its time and how it ended so far are kept, 16 bytes: until both its
+/// verdict and its fate are there and another kKept of simulated time is over, and somewhat longer:
+/// they are looked at now and then. What is delivered later still is counted, without its delay,
+/// and changes no verdict.
+class MessageCounts {
+ public:
+  static constexpr hal::Duration kKept = std::chrono::seconds{10};
+
+  explicit MessageCounts(Database& database);
+
+  void on_sent(hal::Time at, const hal::Message& message);
+  /// @param transmissions  on its way.
+  void on_message_delivered(hal::Time at, hal::AgentId receiver, const hal::Message& message,
+                            int transmissions);
+  void on_fate(hal::AgentId sender, hal::MessageId id, hal::Fate fate);
+  void on_end(hal::AgentId sender, hal::MessageId id, hal::Verdict verdict);
+
+  /// Writes a row for each count that changed since the last call.
+  void write();
+
+  std::uint64_t counted() const { return counted_; }  ///< Since the last write(), and
+  std::uint64_t rows() const { return changed_; }     ///< no fewer than it would write.
+
+ private:
+  static constexpr std::uint8_t kNothingYet = 0xff;
+
+  struct Sent {
+    hal::Time at{};
+    std::uint32_t kind = 0;   ///< Place in Sender::kinds.
+    std::uint16_t bytes = 0;  ///< Of the payload.
+    std::uint8_t verdict = kNothingYet;
+    std::uint8_t fate = kNothingYet;
+
+    bool is_settled() const { return verdict != kNothingYet && fate != kNothingYet; }
+  };
+  /// Of one verdict or fate.
+  struct Count {
+    std::uint64_t messages = 0;
+    std::uint64_t bytes = 0;
+    std::uint8_t key = 0;
+    bool changed = false;
+  };
+  using Counts = std::vector<Count>;  ///< Few; in the order in which they came.
+  /// Messages of one sender with one destination and topic.
+  struct Kind {
+    std::uint32_t topic = 0;
+    hal::AgentId destination{};
+    Counts ends{}, fates{};
+    bool changed = false;
+  };
+  struct Sender {
+    std::vector<Kind> kinds;
+    std::map<std::pair<std::uint32_t, std::uint16_t>, std::uint32_t> places;  ///< Of the kinds.
+    std::uint32_t last_kind = 0;
+    std::deque<Sent> sent;                     ///< One after the other.
+    hal::MessageId first = 1;                  ///< Number of sent.front().
+    std::map<hal::MessageId, Sent> unsettled;  ///< Older ones.
+    DeliveryTotals deliveries;
+  };
+
+  Sender& sender(hal::AgentId agent);
+  static Sent* find(Sender& sender, hal::MessageId id);
+  std::uint32_t kind_of(Sender& sender, const hal::Message& message);
+  static Count& count_of(Counts& counts, std::uint8_t key);
+  void count(Kind& kind, Counts& counts, std::uint8_t key, const Sent& sent);
+  static void forget(Sender& sender, hal::Time now);
+  void write(std::uint16_t address, Sender& sender);
+  void write_kind(std::uint16_t address, Kind& kind);
+
+  Statement put_end_, put_fate_, put_delivery_;
+  std::vector<std::string> topics_;
+  std::map<std::string, std::uint32_t, std::less<>> topic_numbers_;
+  std::vector<Sender> senders_;  ///< By address.
+  std::uint64_t counted_ = 0;
+  std::uint64_t changed_ = 0;
+};
+
+}  // namespace results::record

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <vector>
+
+#include "results/record/schema.h"
+
+namespace results::record {
+
+/// The tables of what `record: {observables: ...}` asks for.
+std::vector<Table> observable_tables();
+
+}  // namespace results::record

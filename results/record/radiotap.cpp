@@ -1,0 +1,95 @@
+#include "results/record/radiotap.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sim/radio/codec.h"
+
+namespace results::record {
+namespace {
+
+// Numbers of the fields; each begins at a multiple of its size.
+constexpr int kTsft = 0;
+constexpr int kFlags = 1;
+constexpr int kRate = 2;
+constexpr int kChannel = 3;
+constexpr int kSignal = 5;
+constexpr int kNoise = 6;
+
+constexpr std::uint8_t kShortPreamble = 0x02;
+constexpr std::uint8_t kFcsAtEnd = 0x10;
+
+constexpr std::uint16_t kCck = 0x0020;
+constexpr std::uint16_t kOfdm = 0x0040;
+constexpr std::uint16_t k2GHz = 0x0080;
+constexpr std::uint16_t k5GHz = 0x0100;
+
+/// Preambles of DSSS: 144 and 72 us (IEEE Std 802.11-2016, 16.2.2).
+constexpr hal::Duration kShortDsssPreamble = std::chrono::microseconds{72};
+
+template <class Integer>
+void put_field(hal::Bytes& out, Integer value) {
+  for (std::size_t i = 0; i < sizeof(Integer); ++i) {
+    out.push_back(static_cast<std::uint8_t>(static_cast<std::uint64_t>(value) >> (8 * i)));
+  }
+}
+
+sim::radio::ModulationClass modulation_of(const sim::radio::Frame& frame) {
+  return frame.mode == nullptr ? sim::radio::ModulationClass::kNone
+                               : frame.mode->modulation_class();
+}
+
+std::uint8_t flags_of(const sim::radio::Frame& frame) {
+  const bool is_short = modulation_of(frame) == sim::radio::ModulationClass::kDsss &&
+                        frame.mode->preamble() == kShortDsssPreamble;
+  return static_cast<std::uint8_t>(kFcsAtEnd | (is_short ? kShortPreamble : 0));
+}
+
+/// In 500 kb/s; none: it is not such a multiple.
+std::optional<std::uint8_t> rate_of(const sim::radio::Frame& frame) {
+  const double units = frame.rate.value / 500e3;
+  if (units < 1 || units > 127 || units != std::floor(units)) return std::nullopt;
+  return static_cast<std::uint8_t>(units);
+}
+
+std::uint16_t channel_flags(const sim::radio::Frame& frame, std::uint16_t frequency) {
+  std::uint16_t flags = frequency < 4000 ? k2GHz : k5GHz;
+  if (modulation_of(frame) == sim::radio::ModulationClass::kDsss) flags |= kCck;
+  if (modulation_of(frame) == sim::radio::ModulationClass::kOfdm) flags |= kOfdm;
+  return flags;
+}
+
+std::uint8_t whole_dbm(double dbm) {
+  return static_cast<std::uint8_t>(
+      static_cast<std::int8_t>(std::clamp(std::round(dbm), -128.0, 127.0)));
+}
+
+}  // namespace
+
+hal::Bytes with_radiotap(const sim::radio::Frame& frame, const RadiotapFields& fields) {
+  const auto rate = rate_of(frame);
+  std::uint32_t present = 1U << kTsft | 1U << kFlags | 1U << kChannel;
+  if (rate) present |= 1U << kRate;
+  if (fields.signal_dbm) present |= 1U << kSignal;
+  if (fields.noise_dbm) present |= 1U << kNoise;
+
+  hal::Bytes out{0, 0, 0, 0};  // version, padding, length
+  put_field(out, present);
+  put_field(
+      out,
+      std::chrono::floor<std::chrono::microseconds>(fields.mpdu_start.time_since_epoch()).count());
+  out.push_back(flags_of(frame));
+  if (rate) out.push_back(*rate);
+  if (out.size() % 2 != 0) out.push_back(0);
+  put_field(out, fields.frequency);
+  put_field(out, channel_flags(frame, fields.frequency));
+  if (fields.signal_dbm) out.push_back(whole_dbm(*fields.signal_dbm));
+  if (fields.noise_dbm) out.push_back(whole_dbm(*fields.noise_dbm));
+  out[2] = static_cast<std::uint8_t>(out.size());
+
+  const hal::Bytes mpdu = sim::radio::encode(frame);
+  out.insert(out.end(), mpdu.begin(), mpdu.end());
+  return out;
+}
+
+}  // namespace results::record

@@ -1,0 +1,86 @@
+#include "results/record/relay_counts.h"
+
+#include <algorithm>
+#include <string_view>
+
+#include "sim/radio/mac_sap.h"
+
+namespace results::record {
+namespace {
+
+/// Of a frame that came to whom it is for: that station, or the source, is associated nowhere.
+constexpr hal::Verdict kUnused = hal::Verdict::kNoRoute;
+
+/// What is for the station itself, or its own, is not passed on; the table also has what came to it
+/// and cannot be used there.
+bool is_counted(const sim::radio::Msdu& msdu, const sim::radio::MsduEnd& end) {
+  const bool is_used = msdu.request.destination == msdu.station && end.verdict != kUnused;
+  return msdu.source != msdu.station && !is_used;
+}
+
+}  // namespace
+
+RelayCounts::RelayCounts(Database& database)
+    : put_relay_(database, "REPLACE INTO relays VALUES (?, ?, ?, ?, ?)"),
+      forget_waiting_(database, "DELETE FROM relays WHERE verdict = 'waiting'"),
+      put_queue_(database, "REPLACE INTO relay_queues VALUES (?, ?, ?, ?, ?, ?)") {}
+
+void RelayCounts::on_queued(hal::Time at, const sim::radio::Msdu& msdu) {
+  changed_ = true;
+  ++flows_[{msdu.station, msdu.source, msdu.request.destination}].waiting;
+  Queue& queue = queues_[{msdu.station, msdu.request.destination}];
+  queue.wait_until(at);
+  ++queue.frames;
+  queue.most = std::max(queue.most, ++queue.waiting);
+}
+
+void RelayCounts::on_end(hal::Time at, const sim::radio::Msdu& msdu,
+                         const sim::radio::MsduEnd& end) {
+  if (!is_counted(msdu, end)) return;
+  changed_ = true;
+  const hal::AgentId destination = msdu.request.destination;
+  Flow& flow = flows_[{msdu.station, msdu.source, destination}];
+  auto outcome = static_cast<std::size_t>(end.verdict);
+  const bool is_group = destination == hal::kEveryone;
+  if (end.went_over_wire) {
+    outcome = kOverWire;
+  } else if (is_group && end.verdict == hal::Verdict::kDelivered) {
+    outcome = kTransmitted;
+  }
+  ++flow.ended[outcome];
+  if (!end.has_waited) return;
+  --flow.waiting;
+  Queue& queue = queues_[{msdu.station, destination}];
+  queue.wait_until(at);
+  --queue.waiting;
+}
+
+void RelayCounts::write_flows() {
+  forget_waiting_.run();
+  for (const auto& [key, flow] : flows_) {
+    const auto put = [this, &key = key](std::string_view verdict, std::uint64_t count) {
+      const auto& [agent, source, destination] = key;
+      if (count > 0) put_relay_.run(agent.value, source.value, destination.value, verdict, count);
+    };
+    for (std::size_t i = 0; i < kTransmitted; ++i)
+      put(hal::name(static_cast<hal::Verdict>(i)), flow.ended[i]);
+    put("transmitted", flow.ended[kTransmitted]);
+    put("over the wire", flow.ended[kOverWire]);
+    put("waiting", flow.waiting);
+  }
+}
+
+void RelayCounts::write(hal::Time now) {
+  if (!changed_) return;
+  changed_ = false;
+  write_flows();
+  for (auto& [key, queue] : queues_) {
+    // What waits goes on waiting: it is looked at again.
+    changed_ = changed_ || queue.waiting > 0;
+    queue.wait_until(std::max(now, queue.since));
+    put_queue_.run(key.first.value, key.second.value, queue.frames, queue.waiting, queue.most,
+                   queue.waited.count());
+  }
+}
+
+}  // namespace results::record

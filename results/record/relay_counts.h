@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "hal/types/agent_id.h"
+#include "hal/types/time.h"
+#include "hal/types/verdict.h"
+#include "results/record/database.h"
+#include "sim/radio/observer.h"
+
+namespace results::record {
+
+/// The tables relays and relay_queues: what access points did with what stations sent through them,
+/// and what waits in them, by destination.
+class RelayCounts {
+ public:
+  explicit RelayCounts(Database& database);
+
+  void on_queued(hal::Time at, const sim::radio::Msdu& msdu);
+  void on_end(hal::Time at, const sim::radio::Msdu& msdu, const sim::radio::MsduEnd& end);
+
+  /// Writes all rows anew. @param now  until when what waits has waited.
+  void write(hal::Time now);
+
+ private:
+  static constexpr std::size_t kTransmitted = hal::kVerdictCount, kOverWire = kTransmitted + 1,
+                               kOutcomes = kOverWire + 1;
+  struct Flow {
+    std::array<std::uint64_t, kOutcomes> ended{};
+    std::uint64_t waiting = 0;
+  };
+  struct Queue {
+    std::uint64_t frames = 0, waiting = 0, most = 0;
+    hal::Duration waited{};  ///< Of all frames, up to `since`.
+    hal::Time since{};
+
+    void wait_until(hal::Time at) {
+      waited += static_cast<std::int64_t>(waiting) * (at - since);
+      since = at;
+    }
+  };
+  using FlowKey = std::tuple<hal::AgentId, hal::AgentId, hal::AgentId>;  ///< At, from, to.
+  using QueueKey = std::pair<hal::AgentId, hal::AgentId>;                ///< At, to.
+
+  void write_flows();
+
+  Statement put_relay_, forget_waiting_, put_queue_;
+  std::map<FlowKey, Flow> flows_;
+  std::map<QueueKey, Queue> queues_;
+  bool changed_ = false;
+};
+
+}  // namespace results::record

@@ -1,0 +1,92 @@
+#include <algorithm>
+#include <array>
+
+#include "results/record/schema.h"
+
+namespace results::record {
+namespace {
+
+/// Of runs whose agents have networks.
+std::vector<RunKey> network_run_keys() {
+  return {
+      {"entering_frames", "", "with networks: frames that came from programs"},
+      {"entering_late_frames", "", "with networks: of those, later than lateness_limit"},
+      {"entering_lateness_median_s", "s",
+       "with networks, simulated time: upper bound of how long frames waited before they entered"},
+      {"entering_lateness_p99_s", "s", "99 % are not later"},
+      {"entering_lateness_max_s", "s", "greatest"},
+      {"leaving_frames", "", "with networks: frames that went to programs"},
+      {"leaving_late_frames", "", "with networks: of those, later than lateness_limit"},
+      {"leaving_lateness_median_s", "s",
+       "with networks, simulated time: from the end of a frame's reception to its program"},
+      {"leaving_lateness_p99_s", "s", "99 % are not later"},
+      {"leaving_lateness_max_s", "s", "greatest"},
+      {"frames_dropped", "", "with networks: by the kernel before they came in; must be 0"},
+      {"frames_not_taken", "", "with networks: off the air, by an interface that was shut down"},
+      {"icmp_not_sent", "",
+       "with networks: ICMP messages that the kernel was to send and did not, see warnings"},
+      {"cpu_load", "", "with networks: processor time of baraka over wall time"},
+      {"cpu_load_programs", "", "with networks: of all that ran inside agents over wall time"},
+      {"warnings", "", "with networks: what speaks against this result, a line each"},
+      {"open_loop", "", "of a repetition: settings that differ from those of the recorded run"},
+  };
+}
+
+std::vector<RunKey> all_run_keys() {
+  std::vector<RunKey> keys = {
+      {"run_id", "", "128 random bits; the marker of the folder has them, too"},
+      {"result", "",
+       "'running' until the run has ended; then as the scenario calls it, 'until', 'interrupted', "
+       "'failed', or 'not started'"},
+      {"error", "", "why it failed or did not start"},
+      {"exit_status", "", "of the program; not there until the run has ended"},
+      {"scenario", "", "its name"},
+      {"version", "", "of baraka"},
+      {"seed", "", "of the random streams"},
+      {"profile", "", "of the radio"},
+      {"pace", "", "'lockstep', 'realtime', 'realtime:<factor>', or 'repeated' from a record"},
+      {"controller_latency_s", "s", "until an action takes effect"},
+      {"control_phase", "", "'aligned' or 'uniform'"},
+      {"control_period_s", "s", "of the scenario"},
+      {"ended_ns", "ns", "simulated time"},
+      {"simulated_s", "s", "the same"},
+      {"wall_s", "s", "real time from START to the last event"},
+      {"events", "", "of the simulator"},
+      {"exchanges", "", "with controllers"},
+      {"refused_actions", "", "of controllers, dropped"},
+      {"ode_messages", "", "complaints of the physics engine"},
+      {"fingerprint", "", "of everything observed, 64 bits in hexadecimal"},
+      {"fingerprint_air", "", "of frames and receptions"},
+      {"fingerprint_bodies", "", "of poses at control instants"},
+      {"fingerprint_exchange", "", "of events and actions"},
+      {"fingerprint_routing", "", "of route changes"},
+      {"overruns", "", "in real time: steps that came too late"},
+      {"missed_cycles", "", "in real time: control cycles without an answer in time"},
+      {"command_timeouts", "", "in real time: wheels stopped for want of an action"},
+      {"lost_events", "", "in real time: found no room while a controller was busy"},
+      {"control_jitter_median_s", "s", "in real time: lateness of control cycles"},
+      {"control_jitter_p99_s", "s", "99 % are not later"},
+      {"control_jitter_max_s", "s", "greatest"},
+  };
+  const std::vector<RunKey> networks = network_run_keys();
+  keys.insert(keys.end(), networks.begin(), networks.end());
+  return keys;
+}
+
+}  // namespace
+
+const std::vector<RunKey>& run_keys() {
+  static const std::vector<RunKey> keys = all_run_keys();
+  return keys;
+}
+
+bool is_count(const RunKey& key) {
+  static constexpr std::array<std::string_view, 15> kCounts{
+      "exit_status",         "events",          "exchanges",       "refused_actions",
+      "ode_messages",        "overruns",        "missed_cycles",   "command_timeouts",
+      "lost_events",         "entering_frames", "leaving_frames",  "entering_late_frames",
+      "leaving_late_frames", "frames_dropped",  "frames_not_taken"};
+  return std::ranges::find(kCounts, key.name) != kCounts.end();
+}
+
+}  // namespace results::record

@@ -1,0 +1,403 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+
+#include "results/report/paper.h"
+#include "results/report/report_format.h"
+#include "results/report/report_sections.h"
+#include "results/report/text_table.h"
+
+namespace results::report {
+namespace {
+
+/// One line of the comparison: what it is, the paper's figure, ours.
+struct Figure {
+  std::string name;
+  std::string paper;
+  std::function<std::string(const Group&)> ours;
+  paper::Basis basis = paper::Basis::kNone;
+  double theirs = 0;  ///< As a number, of the unit of `value`; 0: not to be compared.
+  std::function<std::optional<double>(const Group&)> value{};
+  bool is_of_the_paper = false;  ///< Nobody else needs it.
+};
+
+std::optional<double> mean(const std::vector<double>& values) {
+  if (values.empty()) return std::nullopt;
+  double sum = 0;
+  for (const double value : values) sum += value;
+  return sum / static_cast<double>(values.size());
+}
+
+template <class Read>
+std::vector<double> of_runs(const Group& group, Read read) {
+  std::vector<double> values;
+  for (const RunResult* run : group.runs) values.push_back(static_cast<double>(read(*run)));
+  return values;
+}
+
+template <class Read>
+std::vector<double> of_drives(const Group& group, Read read) {
+  std::vector<double> values;
+  for (const RobotDrive& drive : group.all_drives()) {
+    if (const std::optional<double> value = read(drive)) values.push_back(*value);
+  }
+  return values;
+}
+
+double sum(const std::vector<double>& values) {
+  double total = 0;
+  for (const double value : values) total += value;
+  return total;
+}
+
+/// Of the runs that count such a thing; none: no run does.
+template <class Counts, class Read>
+std::optional<double> counted(const Group& group, Counts counts, Read read) {
+  std::optional<double> total;
+  for (const RunResult* run : group.runs) {
+    if (std::invoke(counts, *run)) {
+      total = total.value_or(0) + static_cast<double>(std::invoke(read, *run));
+    }
+  }
+  return total;
+}
+
+/// Likewise, as it stands in a table.
+template <class Counts, class Read>
+std::function<std::string(const Group&)> count_of(Counts counts, Read read) {
+  return [counts, read](const Group& group) { return number(counted(group, counts, read), 0); };
+}
+
+std::string results_of(const Group& group) {
+  std::map<std::string, int> results;
+  for (const RunResult* run : group.runs) ++results[run->value("result")];
+  std::string text;
+  for (const auto& [result, count] : results) {
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, result);
+  }
+  return text.empty() ? "-" : text;
+}
+
+std::string range_of(const std::vector<double>& values, int decimals) {
+  if (values.empty()) return "-";
+  const auto [least, most] = std::minmax_element(values.begin(), values.end());
+  return fmt::format("{} .. {}", number(*least, decimals), number(*most, decimals));
+}
+
+std::optional<double> delivery_ratio(const Group& group) {
+  const double sent = sum(of_runs(group, [](const RunResult& run) { return run.messages; }));
+  const double arrived = sum(of_runs(group, [](const RunResult& run) { return run.delivered; }));
+  return sent > 0 ? std::optional(100 * arrived / sent) : std::nullopt;
+}
+
+/// Agents that got one of such messages, mean.
+std::function<std::string(const Group&)> reach_of(std::uint64_t RunResult::*sent,
+                                                  std::uint64_t RunResult::*received) {
+  return [sent, received](const Group& group) {
+    const double all = sum(of_runs(group, [sent](const RunResult& run) { return run.*sent; }));
+    const double reached =
+        sum(of_runs(group, [received](const RunResult& run) { return run.*received; }));
+    return number(all > 0 ? std::optional(reached / all) : std::nullopt, 2);
+  };
+}
+
+/// A figure per simulated second: of a value in the table run.
+std::string per_second(const Group& group, const char* key) {
+  const double counted =
+      sum(of_runs(group, [key](const RunResult& run) { return run.number(key); }));
+  const double time =
+      sum(of_runs(group, [](const RunResult& run) { return run.number("simulated_s"); }));
+  return time > 0 ? number(counted / time, 1) : "-";
+}
+
+std::string real_time_factor(const Group& group) {
+  const double simulated =
+      sum(of_runs(group, [](const RunResult& run) { return run.number("simulated_s"); }));
+  const double wall =
+      sum(of_runs(group, [](const RunResult& run) { return run.number("wall_s"); }));
+  return wall > 0 ? number(simulated / wall, 1) : "-";
+}
+
+std::vector<Figure> run_figures() {
+  const auto time = [](const Group& g) {
+    return of_runs(g, [](const RunResult& run) { return run.number("simulated_s"); });
+  };
+  return {
+      {"runs", std::to_string(paper::kRuns),
+       [](const Group& g) { return std::to_string(g.runs.size()); }, paper::Basis::kStated},
+      {"runs left out (broken off, copies)", "",
+       [](const Group& g) { return std::to_string(g.left_out); }},
+      {"results", "", results_of},
+      {"run time, mean s", "", [time](const Group& g) { return number(mean(time(g)), 1); }},
+      {"run time, range s", "", [time](const Group& g) { return range_of(time(g), 1); }},
+      {"real-time factor", "> 1", real_time_factor, paper::Basis::kStated},
+      {"exchanges per s", "", [](const Group& g) { return per_second(g, "exchanges"); }},
+      {"events per s", "", [](const Group& g) { return per_second(g, "events"); }},
+  };
+}
+
+std::vector<Figure> drive_figures() {
+  const auto path = [](const Group& g) {
+    return of_drives(g, [](const RobotDrive& d) { return std::optional(d.path); });
+  };
+  const auto ratio = [](const Group& g) {
+    return of_drives(g, [](const RobotDrive& d) { return d.ratio(); });
+  };
+  const auto clearance = [](const Group& g) {
+    return of_drives(g, [](const RobotDrive& d) { return d.clearance; });
+  };
+  const auto contacts = [](const Group& g) {
+    return of_drives(g, [](const RobotDrive& d) -> std::optional<double> {
+      return d.wall_steps ? std::optional(static_cast<double>(*d.wall_steps)) : std::nullopt;
+    });
+  };
+  return {
+      {"path, mean m", "", [path](const Group& g) { return number(mean(path(g)), 1); }},
+      {"path / straight, mean", "", [ratio](const Group& g) { return number(mean(ratio(g)), 2); }},
+      {"path / straight, range", "", [ratio](const Group& g) { return range_of(ratio(g), 2); }},
+      {"clearance to walls, range m", "",
+       [clearance](const Group& g) { return range_of(clearance(g), 2); }},
+      {"wall contacts, sum", "",
+       [contacts](const Group& g) -> std::string {
+         const auto all = contacts(g);
+         return all.empty() ? "-" : number(sum(all), 0);
+       }},
+  };
+}
+
+/// A message to everyone without routing is one frame, so there it counts as a broadcast.
+bool may_flood(const RunResult& run) { return run.counts_messages() && run.has_routing(); }
+
+std::vector<Figure> message_figures() {
+  const auto counts = &RunResult::counts_messages;
+  const auto routes = &RunResult::has_routing;
+  const auto found = [](const RunResult& run) { return run.discoveries_ns.size(); };
+  return {
+      {"messages to one agent", "", count_of(counts, &RunResult::messages)},
+      {"delivered %", "", [](const Group& g) { return number(delivery_ratio(g), 2); }},
+      {"floods", "", count_of(may_flood, &RunResult::floods)},
+      {"agents reached per flood", "", reach_of(&RunResult::floods, &RunResult::flood_deliveries)},
+      {"broadcasts to neighbours", "", count_of(counts, &RunResult::broadcasts)},
+      {"agents reached per broadcast", "",
+       reach_of(&RunResult::broadcasts, &RunResult::broadcast_deliveries)},
+      {"routes found", "", count_of(routes, found)},
+      {"routes given up", "", count_of(routes, &RunResult::discoveries_failed)},
+  };
+}
+
+/// Of a sample of a group.
+std::function<std::optional<double>(const Group&)> value_of(std::vector<double> (Group::*sample)()
+                                                                const,
+                                                            double Quantiles::*member) {
+  return [sample, member](const Group& group) -> std::optional<double> {
+    const auto ours = quantiles((group.*sample)());
+    return ours ? std::optional((*ours).*member) : std::nullopt;
+  };
+}
+
+/// Six lines for minimum, quartiles and maximum.
+std::vector<Figure> quantile_figures(const std::string& name, const Quantiles& theirs,
+                                     std::vector<double> (Group::*sample)() const) {
+  using paper::Basis;
+  const auto line = [&](const char* which, double Quantiles::*member, Basis basis) -> Figure {
+    const auto value = value_of(sample, member);
+    return {fmt::format("{}, {} ms", name, which),
+            milliseconds(theirs.*member),
+            [value](const Group& group) {
+              const auto ours = value(group);
+              return ours ? milliseconds(*ours) : std::string("-");
+            },
+            basis,
+            theirs.*member,
+            value};
+  };
+  const auto least = value_of(sample, &Quantiles::min);
+  return {{name + ", minimum ns", number(theirs.min * 1e9, 0),
+           [least](const Group& group) {
+             const auto ours = least(group);
+             return ours ? number(*ours * 1e9, 0) : std::string("-");
+           },
+           Basis::kInferred, theirs.min, least, true},
+          line("minimum", &Quantiles::min, Basis::kInferred),
+          line("quartile 1", &Quantiles::q1, Basis::kCalibrated),
+          line("median", &Quantiles::median, Basis::kCalibrated),
+          line("quartile 3", &Quantiles::q3, Basis::kCalibrated),
+          line("maximum", &Quantiles::max, Basis::kStated)};
+}
+
+/// Of the motes, mean per run, fewest first.
+std::vector<double> packets_of_motes(const Group& group) {
+  std::vector<double> values;
+  if (group.runs.empty()) return values;
+  const auto packets = group.packets();
+  const auto runs = static_cast<double>(group.runs.size());
+  for (const RunResult::Agent& agent : group.runs.front()->agents) {
+    if (!agent.is_robot) values.push_back(static_cast<double>(packets.at(agent.agent)) / runs);
+  }
+  std::sort(values.begin(), values.end());
+  return values;
+}
+
+std::optional<double> most_packets(const Group& group) {
+  const auto values = packets_of_motes(group);
+  return values.empty() ? std::nullopt : std::optional(values.back());
+}
+
+std::optional<double> least_packets(const Group& group) {
+  const auto values = packets_of_motes(group);
+  return values.empty() ? std::nullopt : std::optional(values.front());
+}
+
+std::optional<double> packets_ratio(const Group& group) {
+  const auto values = packets_of_motes(group);
+  if (values.empty() || values.front() <= 0) return std::nullopt;
+  return values.back() / values.front();
+}
+
+/// Per run, so that groups of any number of runs stand beside the paper's ten.
+std::vector<Figure> packet_figures() {
+  const auto line = [](const char* name, double theirs, int decimals,
+                       std::optional<double> (*value)(const Group&)) -> Figure {
+    return {name,
+            number(theirs, decimals),
+            [value, decimals](const Group& g) { return number(value(g), decimals); },
+            paper::Basis::kCalibrated,
+            theirs,
+            value,
+            true};
+  };
+  return {
+      line("packets per run, most of a mote", paper::kMostPackets / paper::kRuns, 1, most_packets),
+      line("packets per run, least of a mote", paper::kLeastPackets / paper::kRuns, 1,
+           least_packets),
+      line("packets, ratio", paper::kMostPackets / paper::kLeastPackets, 2, packets_ratio)};
+}
+
+std::vector<Figure> all_figures(bool has_paper) {
+  std::vector<Figure> all = run_figures();
+  for (const auto& part :
+       {drive_figures(), message_figures(),
+        quantile_figures("discovery", paper::kDiscovery, &Group::discoveries),
+        quantile_figures("delay", paper::kDelay, &Group::delays), packet_figures()}) {
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  if (!has_paper) return all;
+  all.push_back({"replica score", "0",
+                 [](const Group& g) -> std::string {
+                   if (!g.is_the_papers()) return "-";
+                   return number(replica_score(quantiles(g.discoveries()), quantiles(g.delays())),
+                                 3);
+                 },
+                 paper::Basis::kCalibrated});
+  return all;
+}
+
+std::optional<double> times_paper(const Figure& figure, const Group& group) {
+  if (!group.is_the_papers() || figure.theirs == 0 || !figure.value) return std::nullopt;
+  const auto ours = figure.value(group);
+  return ours ? std::optional(*ours / figure.theirs) : std::nullopt;
+}
+
+/// Which columns the paper's does not belong beside.
+std::string why_no_paper(const std::vector<Group>& groups) {
+  std::string text;
+  for (const Group& group : groups) {
+    if (group.not_the_papers.empty()) continue;
+    text += fmt::format("{}: not the paper's case study: {}\n", group.name, group.not_the_papers);
+  }
+  return text;
+}
+
+/// What the shortened names stand for.
+std::string legend(const std::vector<Group>& groups) {
+  std::string text;
+  for (const Group& group : groups) {
+    if (!group.full_name.empty()) text += fmt::format("{}: {}\n", group.name, group.full_name);
+  }
+  return text;
+}
+
+std::string far_off_text(const std::vector<ComparisonRow>& rows, const std::vector<Group>& groups) {
+  std::string text;
+  for (const ComparisonRow& row : rows) {
+    if (row.figure.ends_with(" ns")) continue;  // its line in ms says the same
+    for (std::size_t i = 0; i < groups.size(); ++i) {
+      if (!is_far_off(row.times_paper[i])) continue;
+      text += fmt::format("  {}, {}: {}, {:.2g} times the paper's\n", groups[i].name, row.figure,
+                          row.ours[i], *row.times_paper[i]);
+    }
+  }
+  return text.empty() ? "" : "More than a factor of two off\n" + text;
+}
+
+std::string about_the_paper(const std::vector<ComparisonRow>& rows,
+                            const std::vector<Group>& groups) {
+  return fmt::format("{}\n{}{}\n", paper::kBasisMeaning, far_off_text(rows, groups),
+                     paper::kNoTail);
+}
+
+}  // namespace
+
+bool is_far_off(const std::optional<double>& times_paper) {
+  return times_paper && (*times_paper > 2 || *times_paper < 0.5);
+}
+
+/// Nothing but "-": no group has such a thing. A count of 0 is a value.
+static bool is_missing(const ComparisonRow& row) {
+  return std::ranges::all_of(row.ours, [](const std::string& cell) { return cell == "-"; });
+}
+
+std::vector<ComparisonRow> comparison_rows(const std::vector<Group>& groups) {
+  const bool has_paper = has_the_papers(groups);
+  std::vector<ComparisonRow> rows;
+  for (const Figure& figure : all_figures(has_paper)) {
+    if (figure.is_of_the_paper && !has_paper) continue;
+    ComparisonRow& row = rows.emplace_back();
+    row.figure = figure.name;
+    if (has_paper) row.paper = figure.paper;
+    if (has_paper) row.basis = figure.basis;
+    for (const Group& group : groups) {
+      row.ours.push_back(figure.ours(group));
+      row.times_paper.push_back(times_paper(figure, group));
+    }
+    if (!has_paper && is_missing(row)) rows.pop_back();
+  }
+  return rows;
+}
+
+std::string comparison_section(const std::vector<Group>& groups) {
+  const bool has_paper = has_the_papers(groups);
+  std::vector<std::string> head = {"figure"};
+  if (has_paper) head.insert(head.end(), {"paper", "basis"});
+  for (const Group& group : groups) head.push_back(group.name);
+  TextTable table(head);
+  const std::vector<ComparisonRow> rows = comparison_rows(groups);
+  for (const ComparisonRow& row : rows) {
+    std::vector<std::string> cells = {row.figure};
+    if (has_paper) cells.insert(cells.end(), {row.paper, paper::name_of(row.basis)});
+    cells.insert(cells.end(), row.ours.begin(), row.ours.end());
+    table.add_row(cells);
+  }
+  return fmt::format(
+      "Figures, pooled over the runs of the same settings but for the seed (quartiles of type 7; "
+      "delay: of\nmessages to one agent, waiting for a route included{})\n{}{}{}{}",
+      has_paper ? "; replica score: mean |ln(ours / paper's)| of the\nsix quartiles" : "",
+      table.text(), legend(groups), why_no_paper(groups),
+      has_paper ? about_the_paper(rows, groups) : "");
+}
+
+std::string differences_section(const std::vector<Group>& groups) {
+  std::vector<std::string> head = {"setting"};
+  for (const Group& group : groups) head.push_back(group.name);
+  TextTable table(head);
+  for (const Difference& difference : differences(groups)) {
+    std::vector<std::string> cells = {difference.key};
+    cells.insert(cells.end(), difference.values.begin(), difference.values.end());
+    table.add_row(cells);
+  }
+  return "Settings in which these differ\n" + table.text();
+}
+
+}  // namespace results::report

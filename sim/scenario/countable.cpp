@@ -1,0 +1,89 @@
+#include "sim/scenario/countable.h"
+
+#include <algorithm>
+#include <array>
+#include <set>
+
+#include "hal/node/routing/possible_events.h"
+#include "hal/types/verdict.h"
+#include "sim/radio/frame_class.h"
+#include "sim/radio/possible_verdicts.h"
+
+namespace sim::scenario {
+namespace {
+
+using hal::Verdict;
+
+/// How messages to one agent can end, whatever carries them.
+constexpr std::array kMessageVerdicts{Verdict::kDelivered, Verdict::kRetryLimit,
+                                      Verdict::kQueueFull, Verdict::kRadioOff,
+                                      Verdict::kNoRoute,   Verdict::kExpired};
+
+bool has_access_points(const agents::SimulationConfig& config) {
+  const radio::DcfConfig* const dcf = radio::dcf_of(config.radio);
+  if (dcf == nullptr) return false;
+  return !dcf->bss.access_points.empty() ||
+         std::ranges::any_of(config.agents, [](const agents::AgentConfig& agent) {
+           return agent.radio.access_points && !agent.radio.access_points->empty();
+         });
+}
+
+std::vector<radio::FrameClass> frame_classes(const agents::SimulationConfig& config) {
+  std::vector<radio::FrameClass> classes = {radio::FrameClass::kBroadcast,
+                                            radio::FrameClass::kUnicast};
+  if (radio::waves_of(config.radio) == nullptr) return classes;
+  classes.insert(classes.end(),
+                 {radio::FrameClass::kRts, radio::FrameClass::kCts, radio::FrameClass::kAck});
+  if (!has_access_points(config)) return classes;
+  classes.insert(classes.end(), {radio::FrameClass::kBeacon, radio::FrameClass::kManagement});
+  return classes;
+}
+
+class Words {
+ public:
+  void add(const char* family, std::string_view word) {
+    all_.push_back({family, "", std::string(word)});
+  }
+  template <class Verdicts>
+  void add_verdicts(const char* family, const Verdicts& verdicts) {
+    for (const Verdict verdict : verdicts) add(family, hal::name(verdict));
+  }
+  std::vector<Countable> take() { return std::move(all_); }
+
+ private:
+  std::vector<Countable> all_;
+};
+
+void add_frames(const agents::SimulationConfig& config, Words& words) {
+  for (const radio::FrameClass one : frame_classes(config)) words.add("frames", radio::name(one));
+  words.add_verdicts("receptions", radio::reception_verdicts(config.radio));
+  words.add("receptions", "under way");
+  words.add_verdicts("requests", radio::request_verdicts(config.radio, has_access_points(config)));
+  words.add("requests", "transmitted");
+}
+
+void add_routing(const agents::SimulationConfig& config, Words& words) {
+  std::set<hal::node::routing::ProtocolEvent> events;
+  for (const agents::AgentConfig& agent : config.agents) {
+    const auto of = hal::node::routing::possible_events(
+        agent.routing.value_or(config.routing.algorithm), config.link == agents::LinkKind::kMac);
+    events.insert(of.begin(), of.end());
+  }
+  for (const auto event : events) words.add("routing.events", hal::node::routing::name(event));
+}
+
+}  // namespace
+
+std::vector<Countable> countable_of(const agents::SimulationConfig& config, bool frames,
+                                    bool messages) {
+  Words words;
+  if (frames) add_frames(config, words);
+  if (messages) {
+    words.add_verdicts("messages.ends", kMessageVerdicts);
+    words.add("messages.ends", "under way");
+  }
+  add_routing(config, words);
+  return words.take();
+}
+
+}  // namespace sim::scenario

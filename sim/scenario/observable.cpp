@@ -1,0 +1,159 @@
+#include "sim/scenario/observable.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "hal/types/pattern.h"
+#include "sim/agents/agent_offer.h"
+
+namespace sim::scenario {
+namespace {
+
+constexpr std::string_view kSensorsDomain = "sensors";
+constexpr std::string_view kBatteryKind = "battery";
+
+using Names = std::vector<std::pair<std::string, std::string>>;
+
+/// By the kind of a channel: see hal/types/channel.h.
+const std::map<std::string, Names, std::less<>>& names_by_kind() {
+  static const std::map<std::string, Names, std::less<>> names = {
+      {"odometry",
+       {{"x", "m"}, {"y", "m"}, {"yaw", "rad"}, {"vx", "m/s"}, {"vy", "m/s"}, {"omega", "rad/s"}}},
+      {"pose", {{"x", "m"}, {"y", "m"}, {"yaw", "rad"}}},
+      {"bumper", {{"touched", "1"}}},
+      {"battery",
+       {{"charge", "1"}, {"voltage", "V"}, {"current", "A"}, {"energy", "J"}, {"capacity", "J"}}},
+      {"imu",
+       {{"rate_x", "rad/s"},
+        {"rate_y", "rad/s"},
+        {"rate_z", "rad/s"},
+        {"force_x", "m/s^2"},
+        {"force_y", "m/s^2"},
+        {"force_z", "m/s^2"}}}};
+  return names;
+}
+
+void add_readings(const hal::Channel& channel, std::vector<Observable>& to) {
+  const Names names = values_of(channel);
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    to.push_back({.domain = std::string(kSensorsDomain),
+                  .value = channel.name + "." + names[i].first,
+                  .unit = names[i].second,
+                  .source = ReadingValue{channel.name, i}});
+  }
+  if (channel.kind == kBatteryKind) {
+    to.push_back({.domain = "agents",
+                  .value = "battery",
+                  .unit = "1",
+                  .source = ReadingValue{channel.name, 0}});
+  }
+}
+
+void add_quantities(const agents::AgentConfig& agent, std::vector<Observable>& to) {
+  for (const agents::Quantity& quantity : agents::quantities()) {
+    for (std::size_t number = 0; quantity.has(agent, number); ++number) {
+      to.push_back({.domain = std::string(quantity.domain),
+                    .value = quantity.is_family ? fmt::format("{}.{}", quantity.name, number)
+                                                : std::string(quantity.name),
+                    .unit = std::string(quantity.unit),
+                    .source = QuantityValue{&quantity, number}});
+      if (!quantity.is_family) break;
+    }
+  }
+}
+
+}  // namespace
+
+std::string_view name(Keeps keeps) {
+  return std::ranges::find(kKeeps, keeps, &hal::files::config::Option<Keeps>::value)->name;
+}
+
+std::optional<ObservablePattern> ObservablePattern::of(std::string_view name) {
+  const std::size_t first = name.find('.');
+  if (first == std::string_view::npos) return std::nullopt;
+  const std::size_t second = name.find('.', first + 1);
+  if (second == std::string_view::npos) return std::nullopt;
+  ObservablePattern parts{std::string(name.substr(0, first)),
+                          std::string(name.substr(first + 1, second - first - 1)),
+                          std::string(name.substr(second + 1))};
+  if (parts.domain.empty() || parts.agents.empty() || parts.value.empty()) return std::nullopt;
+  return parts;
+}
+
+bool ObservablePattern::has_agent(std::string_view agent) const {
+  return hal::matches(agents, agent);
+}
+
+bool ObservablePattern::has_value(std::string_view value_name) const {
+  return hal::matches(value, value_name);
+}
+
+Names values_of(const hal::Channel& channel) {
+  const auto named = names_by_kind().find(channel.kind);
+  if (named != names_by_kind().end()) return named->second;
+  Names numbers;
+  for (std::uint32_t i = 0; i < channel.length; ++i) {
+    numbers.emplace_back(std::to_string(i), channel.unit);
+  }
+  return numbers;
+}
+
+std::vector<Observable> observables_of(const agents::AgentConfig& agent,
+                                       const agents::SimulationConfig& config) {
+  std::vector<Observable> all;
+  add_quantities(agent, all);
+  for (const TallyKind& kind : tally_kinds()) {
+    all.push_back({.domain = std::string(kind.domain),
+                   .value = std::string(kind.name),
+                   .unit = std::string(kind.unit),
+                   .source = kind.tally});
+  }
+  for (const hal::Channel& channel : agents::offer_of(agent, config).session.channels) {
+    add_readings(channel, all);
+  }
+  return all;
+}
+
+std::vector<std::string> observable_domains() {
+  std::vector<std::string> domains;
+  const auto add = [&domains](std::string_view domain) {
+    if (std::ranges::find(domains, domain) == domains.end()) domains.emplace_back(domain);
+  };
+  for (const agents::Quantity& quantity : agents::quantities()) add(quantity.domain);
+  for (const TallyKind& kind : tally_kinds()) add(kind.domain);
+  add(kSensorsDomain);
+  add(kControllersDomain);
+  return domains;
+}
+
+std::vector<ObservableKind> observable_kinds() {
+  std::vector<ObservableKind> kinds;
+  for (const agents::Quantity& one : agents::quantities()) {
+    kinds.push_back(
+        {fmt::format("{}.AGENT.{}{}", one.domain, one.name, one.is_family ? ".NUMBER" : ""),
+         std::string(one.unit), std::string(one.meaning)});
+  }
+  kinds.push_back({"agents.AGENT.battery", "1", "state of charge by its gauge, 0 to 1"});
+  for (const TallyKind& one : tally_kinds()) {
+    kinds.push_back({fmt::format("{}.AGENT.{}", one.domain, one.name), std::string(one.unit),
+                     std::string(one.meaning)});
+  }
+  kinds.push_back(
+      {"sensors.AGENT.CHANNEL.VALUE", "",
+       "a value of a reading, as of the agent's control instants, in the channel's "
+       "unit; VALUE is a number from 0 or, of odometry: x, y, yaw, vx, vy, omega; pose: "
+       "x, y, yaw; battery: charge, voltage, current, energy, capacity; imu: rate_x to rate_z, "
+       "force_x to force_z; bumper: touched"});
+  kinds.push_back({"controllers.AGENT.NAME", "",
+                   "what the agent's controller records under that name, in its unit: `baraka "
+                   "describe CONTROLLER` lists those that it declares"});
+  std::ranges::stable_sort(kinds, {}, [](const ObservableKind& kind) {
+    const std::vector<std::string> domains = observable_domains();
+    return std::ranges::find(domains, kind.name.substr(0, kind.name.find('.'))) - domains.begin();
+  });
+  return kinds;
+}
+
+}  // namespace sim::scenario
