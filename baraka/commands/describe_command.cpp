@@ -24,7 +24,6 @@ namespace {
 using hal::files::config::Condition;
 using hal::files::config::Form;
 using hal::files::config::KeyDescription;
-using hal::files::config::KeyTable;
 
 constexpr std::string_view kObservables = "observables";
 
@@ -57,7 +56,7 @@ std::string body(const KeyDescription& key) {
 
 void print_kind(const FileKind& kind) {
   fmt::print("{}\n\n{}\n", kind.about, kind.example);
-  for (const KeyDescription& key : keys_of(kind).keys) fmt::print("{}\n{}", key.path, body(key));
+  for (const KeyDescription& key : keys_of(kind)) fmt::print("{}\n{}", key.path, body(key));
 }
 
 std::vector<std::string> parts_of(const std::string& path) {
@@ -101,9 +100,9 @@ class Descriptions {
 };
 
 /// "    keys:    columns, rows", of a mapping or of a list's items; else nothing.
-std::string inner_keys(const KeyTable& table, const KeyDescription& key) {
+std::string inner_keys(const std::vector<KeyDescription>& keys, const KeyDescription& key) {
   std::vector<std::string> names;
-  for (const KeyDescription& other : table.keys) {
+  for (const KeyDescription& other : keys) {
     const std::string mapping = mapping_of(other.path);
     if (mapping == key.path || mapping == key.path + "[]") names.push_back(last_part(other.path));
   }
@@ -116,11 +115,11 @@ bool print_key(const std::string& what) {
   if (end.back().empty()) return false;
   Descriptions descriptions;
   for (const FileKind& kind : file_kinds()) {
-    const KeyTable& table = keys_of(kind);
-    for (const KeyDescription& key : table.keys) {
+    const std::vector<KeyDescription>& keys = keys_of(kind);
+    for (const KeyDescription& key : keys) {
       if (!ends_like(key.path, end) || last_part(key.path) == "NAME") continue;
       descriptions.add(fmt::format("{} ({} file)", key.path, kind.name),
-                       body(key) + inner_keys(table, key));
+                       body(key) + inner_keys(keys, key));
     }
   }
   return descriptions.print();
@@ -139,11 +138,11 @@ bool comes_with(const KeyDescription& key, const KeyDescription& choice, const s
 bool print_option(const std::string& what) {
   Descriptions descriptions;
   for (const FileKind& kind : file_kinds()) {
-    const KeyTable& table = keys_of(kind);
-    for (const KeyDescription& choice : table.keys) {
+    const std::vector<KeyDescription>& keys = keys_of(kind);
+    for (const KeyDescription& choice : keys) {
       if (std::ranges::find(choice.form.options, what) == choice.form.options.end()) continue;
       std::string text = fmt::format("    {}\n", choice.meaning);
-      for (const KeyDescription& key : table.keys)
+      for (const KeyDescription& key : keys)
         if (comes_with(key, choice, what)) text += last_part(key.path) + "\n" + body(key);
       descriptions.add(fmt::format("{}: {} ({} file)", choice.path, what, kind.name), text);
     }
@@ -176,7 +175,7 @@ std::vector<std::string> candidates() {
   std::vector<std::string> result{std::string(kObservables)};
   for (const FileKind& kind : file_kinds()) {
     result.push_back(kind.name);
-    for (const KeyDescription& key : keys_of(kind).keys) {
+    for (const KeyDescription& key : keys_of(kind)) {
       result.push_back(last_part(key.path));
       result.insert(result.end(), key.form.options.begin(), key.form.options.end());
     }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <utility>
 
 #include "baraka/campaign/check_campaign.h"
@@ -12,7 +11,6 @@
 #include "gateway/server/kind_of_file.h"
 #include "hal/files/config/document.h"
 #include "hal/files/config/errors.h"
-#include "hal/files/config/survey.h"
 #include "hal/files/description/body_section.h"
 #include "hal/files/description/key_describer.h"
 #include "hal/robot/agent/robot_file.h"
@@ -26,15 +24,14 @@ namespace {
 using hal::files::config::Document;
 using hal::files::config::Mapping;
 using hal::files::description::Fields;
+using hal::node::devices::MoteDescription;
+using hal::node::devices::RobotDescription;
 using Overrides = std::vector<std::string>;
 
-void read_scenario(Mapping in) { sim::scenario::read_scenario(std::move(in), "scenario.yaml"); }
 void check_scenario(const std::string& path, const Overrides& overrides,
                     const run::check::RunMode& mode) {
   (void)run::check::load_checked(path, overrides, mode);
 }
-void read_campaign(Mapping in) { results::campaign::read_campaign(std::move(in), "campaign.yaml"); }
-void read_hardware(Mapping in) { hal::robot::agent::RobotFile::read(std::move(in)); }
 void tell(const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) hal::print_line(hal::Tone::kWarning, warning);
 }
@@ -52,13 +49,11 @@ void read_robot(Mapping in) { hal::files::description::read_robot(std::move(in))
 void read_mote(Mapping in) { hal::files::description::read_mote(std::move(in)); }
 void read_radio(Mapping in) { sim::scenario::read_radio(std::move(in)); }
 
-void mote_keys(Fields& io) {
-  hal::node::devices::MoteDescription mote;
-  keys_of(io, mote);
-}
-void radio_keys(Fields& io) {
-  sim::radio::RadioConfig radio;
-  sim::scenario::keys_of(io, radio);
+template <class File>
+void describe(Fields& io) {
+  using sim::scenario::keys_of;
+  File file;
+  keys_of(io, file);
 }
 
 /// For files that need nothing but their reader.
@@ -143,9 +138,10 @@ data_rate: 1 Mb/s
 
 /// Known keys of the top level.
 std::size_t known(const FileKind& kind, const std::vector<std::string>& keys) {
-  const std::set<std::string> of_kind = hal::files::config::top_level_keys(kind.read);
-  return static_cast<std::size_t>(
-      std::ranges::count_if(keys, [&](const std::string& key) { return of_kind.contains(key); }));
+  const auto& of_kind = keys_of(kind);
+  return static_cast<std::size_t>(std::ranges::count_if(keys, [&](const std::string& key) {
+    return std::ranges::count(of_kind, key, &hal::files::config::KeyDescription::path) > 0;
+  }));
 }
 
 }  // namespace
@@ -153,31 +149,34 @@ std::size_t known(const FileKind& kind, const std::vector<std::string>& keys) {
 const std::vector<FileKind>& file_kinds() {
   static const std::vector<FileKind> kinds = {
       {"scenario", "What `baraka run` runs: a world, a radio, agents and their controllers.",
-       gateway::server::use_of("scenario"), kScenario, read_scenario, check_scenario},
+       gateway::server::use_of("scenario"), kScenario, check_scenario,
+       describe<sim::scenario::Scenario>},
       {"campaign",
        "What `baraka campaign` runs: a scenario many times, over the values of its keys.",
-       gateway::server::use_of("campaign"), kCampaign, read_campaign, check_campaign},
+       gateway::server::use_of("campaign"), kCampaign, check_campaign,
+       describe<results::campaign::CampaignFile>},
       {"hardware", "A real robot or mote: what `baraka-agentd` drives.",
-       gateway::server::use_of("hardware"), kHardware, read_hardware, check_hardware},
+       gateway::server::use_of("hardware"), kHardware, check_hardware,
+       describe<hal::robot::agent::RobotFile>},
       {"robot",
        "Body, wheels and sensors of a kind of robot, simulated or real; included by the "
        "other two.",
-       gateway::server::use_of("robot"), kRobot, read_robot, check_file<read_robot>},
+       gateway::server::use_of("robot"), kRobot, check_file<read_robot>,
+       describe<RobotDescription>},
       {"mote", "Body of a kind of mote; included by scenarios.", gateway::server::use_of("mote"),
-       kMote, read_mote, check_file<read_mote>, mote_keys},
+       kMote, check_file<read_mote>, describe<MoteDescription>},
       {"radio", "A radio; included by scenarios.", gateway::server::use_of("radio"), kRadio,
-       read_radio, check_file<read_radio>, radio_keys}};
+       check_file<read_radio>, describe<sim::radio::RadioConfig>}};
   return kinds;
 }
 
-const hal::files::config::KeyTable& keys_of(const FileKind& kind) {
-  static std::map<std::string, hal::files::config::KeyTable> tables;
+const std::vector<hal::files::config::KeyDescription>& keys_of(const FileKind& kind) {
+  static std::map<std::string, std::vector<hal::files::config::KeyDescription>> tables;
   const auto [found, is_new] = tables.try_emplace(kind.name);
-  if (is_new && kind.keys == nullptr) found->second = hal::files::config::survey(kind.read);
-  if (is_new && kind.keys != nullptr) {
+  if (is_new) {
     hal::files::description::KeyDescriber describer;
     kind.keys(describer);
-    found->second.keys = describer.keys();
+    found->second = describer.keys();
   }
   return found->second;
 }

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "hal/files/config/survey.h"
+#include "hal/files/config/key_table.h"
 
 namespace baraka::commands {
 

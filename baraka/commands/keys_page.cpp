@@ -68,7 +68,7 @@ std::vector<std::string> said_below(const std::vector<KeyDescription>& keys,
 const FileKind* kind_of(const std::vector<KeyDescription>& keys, const std::string& mapping) {
   const auto said = said_below(keys, mapping);
   for (const FileKind& kind : file_kinds()) {
-    if (!said.empty() && said_below(keys_of(kind).keys, "") == said) return &kind;
+    if (!said.empty() && said_below(keys_of(kind), "") == said) return &kind;
   }
   return nullptr;
 }
@@ -83,7 +83,7 @@ constexpr const char* kHead =
 
 /// One heading and table for each mapping; another kind's keys are not said again.
 std::string sections(const FileKind& kind) {
-  const auto& keys = keys_of(kind).keys;
+  const auto& keys = keys_of(kind);
   std::string page, last = "?";
   std::vector<std::string> elsewhere;
   for (const KeyDescription& key : keys) {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "hal/files/config/mapping.h"
+#include "hal/files/description/fields.h"
 #include "hal/types/time.h"
 #include "results/campaign/slurm_section.h"
 
@@ -70,6 +70,9 @@ struct CampaignFile {
 
 /// How many points and runs a campaign may have.
 inline constexpr std::int64_t kMostReplications = 1'000'000, kMostRuns = 1'000'000;
+
+/// Its keys. Nothing writes such a file.
+void keys_of(hal::files::description::Fields& io, CampaignFile& c);
 
 /// Reads a campaign from the top level of its file; notes mistakes there.
 CampaignFile read_campaign(hal::files::config::Mapping in, const std::filesystem::path& file);

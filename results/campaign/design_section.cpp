@@ -10,14 +10,19 @@
 
 #include "hal/files/config/units.h"
 #include "hal/files/config/value.h"
+#include "hal/files/description/field_io.h"
 
 namespace results::campaign {
 namespace {
 
+using hal::files::config::Form;
+using hal::files::config::Key;
 using hal::files::config::Mapping;
 using hal::files::config::Option;
 using hal::files::config::WrittenEntry;
 using hal::files::config::WrittenValue;
+using hal::files::description::FieldReader;
+using hal::files::description::Fields;
 
 constexpr std::array kScales = {Option<bool>{"linear", false}, Option<bool>{"log", true}};
 
@@ -122,71 +127,59 @@ void read_list(std::vector<Mapping> items, CampaignFile& campaign) {
   }
 }
 
-/// A limit of a range: a number with or without a unit.
-std::optional<hal::files::config::WrittenNumber> read_limit(Mapping& in,
-                                                            const hal::files::config::Key& key) {
-  const std::string text = in.text(key);
+using hal::files::config::WrittenNumber;
+
+/// A limit of a range: a number with or without a unit; none: a mistake.
+std::optional<WrittenNumber> limit_key(Fields& io, const Key& key) {
+  std::string text;
+  io.needed_text(key, text);
   auto number = hal::files::config::written_number(text);
   if (!number && !text.empty()) {
-    in.mistake(key.name, fmt::format("'{}' must be a number, with its unit if it has one", text));
+    io.mistake(key.name, fmt::format("'{}' must be a number, with its unit if it has one", text));
   }
   return number;
 }
 
-void read_limits(Mapping& in, SampledRange& range) {
-  const auto from = read_limit(in, {"from", "Least value, with its unit.", "0.1 m/s"});
-  const auto to =
-      read_limit(in, {"to", "Greatest value, with a unit of the same kind.", "0.9 m/s"});
-  range.logarithmic = in.choice({"scale",
-                                 "Whether equal steps are equally likely, or equal ratios: log is "
-                                 "for ranges over powers of ten.",
-                                 "log"},
-                                kScales, false);
-  range.whole = in.flag({"whole", "Whether only whole numbers are taken.", "true"}, false);
-  if (range.whole && range.logarithmic) in.mistake("whole", "is not for `scale: log`");
-  if (!from || !to) return;
-  const hal::files::config::Unit& wanted = *hal::files::config::find_unit(from->unit);
-  const hal::files::config::Unit& given = *hal::files::config::find_unit(to->unit);
+/// @param from, to  of the range.
+void check_limits(Fields& io, const WrittenNumber& from, const WrittenNumber& to,
+                  SampledRange& range) {
+  const hal::files::config::Unit& wanted = *hal::files::config::find_unit(from.unit);
+  const hal::files::config::Unit& given = *hal::files::config::find_unit(to.unit);
   if (wanted.dimension != given.dimension) {
-    in.mistake("to", fmt::format("must have a unit like that of `from`, {}", from->unit));
+    io.mistake("to", fmt::format("must have a unit like that of `from`, {}", from.unit));
     return;
   }
-  range.unit = from->unit;
-  range.from = from->number;
-  range.to = hal::files::config::converted(to->number, given, wanted);
+  range.unit = from.unit;
+  range.from = from.number;
+  range.to = hal::files::config::converted(to.number, given, wanted);
   if (range.from >= range.to) {
-    in.mistake("to", "must be greater than `from`");
+    io.mistake("to", "must be greater than `from`");
   } else if (range.whole && std::ceil(range.from) > std::floor(range.to)) {
-    in.mistake("whole", "there is no whole number between `from` and `to`");
+    io.mistake("whole", "there is no whole number between `from` and `to`");
   }
-  if (range.logarithmic && range.from <= 0) {
-    in.mistake("from", "must be greater than 0 with `scale: log`");
-  }
+  if (range.logarithmic && range.from <= 0)
+    io.mistake("from", "must be greater than 0 with `scale: log`");
 }
 
-SampledRange read_range(Mapping& ranges, const std::string& key) {
-  SampledRange range;
-  range.key = key;
-  range.place = ranges.place(key);
-  Mapping in = ranges.mapping({key,
-                               "Range of one key of the scenario (here NAME, a dotted path), or "
-                               "a list of values, each taken equally often."});
-  read_limits(in, range);
-  in.finish();
-  return range;
+void keys_of(Fields& io, SampledRange& range) {
+  const auto from = limit_key(io, {"from", "Least value, with its unit.", "0.1 m/s"});
+  const auto to = limit_key(io, {"to", "Greatest value, with a unit of the same kind.", "0.9 m/s"});
+  io.choice({"scale",
+             "Whether equal steps are equally likely, or equal ratios: log is for ranges over "
+             "powers of ten.",
+             "log"},
+            kScales, range.logarithmic);
+  io.flag({"whole", "Whether only whole numbers are taken.", "true"}, range.whole);
+  if (range.whole && range.logarithmic) io.mistake("whole", "is not for `scale: log`");
+  if (from && to) check_limits(io, *from, *to, range);
 }
 
-void read_hypercube(Mapping in, CampaignFile& campaign) {
-  campaign.design = Design::kLatinHypercube;
-  campaign.samples = static_cast<int>(in.integer(
-      {"latin_hypercube",
-       "How many points: each range is cut into as many equally likely parts, and each part of "
-       "each range is taken once (McKay, Beckman, Conover, 1979).",
-       "50"},
-      2, 100'000));
-  Mapping ranges =
-      in.mapping({"ranges", "What is sampled: ranges or lists, each under a key of the scenario.",
-                  "{agents.robots.controller.parameters.speed: {from: 0.1 m/s, to: 0.9 m/s}}"});
+const Key kRange{"NAME",
+                 "Range of one key of the scenario (here NAME, a dotted path), or a list of "
+                 "values, each taken equally often."};
+
+/// Ranges and lists of values.
+void read_ranges(Mapping& ranges, CampaignFile& campaign) {
   std::map<std::string, std::vector<WrittenValue>> lists;
   for (WrittenEntry& entry : ranges.written_values()) {
     if (entry.is_list) lists[entry.key] = std::move(entry.items);
@@ -194,48 +187,76 @@ void read_hypercube(Mapping in, CampaignFile& campaign) {
   for (const std::string& key : ranges.keys()) {
     if (!check_key(ranges, key)) continue;
     const auto list = lists.find(key);
+    SampledRange range{.key = key, .place = ranges.place(key), .unit = "1"};
     if (list == lists.end()) {
-      campaign.ranges.push_back(read_range(ranges, key));
+      FieldReader(ranges).inside({key, kRange.meaning}, [&](Fields& io) { keys_of(io, range); });
     } else if (list->second.empty()) {
       ranges.mistake(key, "must have values");
     } else {
-      campaign.ranges.push_back(
-          {.key = key, .place = ranges.place(key), .unit = "1", .choices = list->second});
+      range.choices = list->second;
     }
+    if (list == lists.end() || !list->second.empty()) campaign.ranges.push_back(std::move(range));
     campaign.keys.push_back(key);
   }
-  if (campaign.keys.empty()) in.mistake("ranges", "must have keys");
-  in.finish();
+}
+
+void sample_keys(Fields& io, CampaignFile& campaign) {
+  if (io.reading() != nullptr) campaign.design = Design::kLatinHypercube;
+  io.needed_count(
+      {"latin_hypercube",
+       "How many points: each range is cut into as many equally likely parts, and each part of "
+       "each range is taken once (McKay, Beckman, Conover, 1979).",
+       "50"},
+      2, 100'000, campaign.samples);
+  io.inside({"ranges", "What is sampled: ranges or lists, each under a key of the scenario.",
+             "{agents.robots.controller.parameters.speed: {from: 0.1 m/s, to: 0.9 m/s}}"},
+            [&](Fields& ranges) {
+              if (ranges.reading() != nullptr) return read_ranges(*ranges.reading(), campaign);
+              ranges.named(kRange, {}, [](Fields& range, const std::string& /*key*/) {
+                SampledRange any;
+                keys_of(range, any);
+              });
+            });
+  if (campaign.keys.empty()) io.mistake("ranges", "must have keys");
+}
+
+/// A key that is read when it is there, and is not written. @return whether it is there.
+bool read_if_there(Fields& io, const Key& key, Form::Kind form,
+                   const std::function<void(Mapping&)>& read) {
+  bool is_there = false;
+  io.own(
+      key, {.kind = form},
+      [&](Mapping& in) {
+        is_there = in.has(key.name);
+        if (is_there) read(in);
+      },
+      [](hal::files::config::Writer& /*out*/) {});
+  return is_there;
 }
 
 }  // namespace
 
-void read_design(Mapping& in, CampaignFile& campaign) {
-  const bool is_grid = in.has("vary"), is_list = in.has("points"), is_sample = in.has("sample");
+void design_keys(Fields& io, CampaignFile& campaign) {
   campaign.points = {DesignPoint{}};
-  if (is_grid) {
-    read_grid(
-        in.mapping({"vary",
-                    "Keys of the scenario, as dotted paths, each with a list of values: every "
-                    "combination is a point.",
-                    "{radio.tx_power: [2 mW, 10 mW, 50 mW]}"}),
-        campaign);
-  }
-  if (is_list) {
+  const Key vary{"vary",
+                 "Keys of the scenario, as dotted paths, each with a list of values: every "
+                 "combination is a point.",
+                 "{radio.tx_power: [2 mW, 10 mW, 50 mW]}"};
+  const bool is_grid = read_if_there(io, vary, Form::Kind::kMapping,
+                                     [&](Mapping& in) { read_grid(in.mapping(vary), campaign); });
+  const Key points{"points",
+                   "Points one by one, each with the keys of the scenario, as dotted paths, that "
+                   "it sets.",
+                   "[{radio.tx_power: 2 mW}, {radio.tx_power: 50 mW, radio.profile: disk}]"};
+  const bool is_list = read_if_there(io, points, Form::Kind::kMappings, [&](Mapping& in) {
     campaign.points.clear();
-    read_list(
-        in.mappings({"points",
-                     "Points one by one, each with the keys of the scenario, as dotted paths, "
-                     "that it sets.",
-                     "[{radio.tx_power: 2 mW}, {radio.tx_power: 50 mW, radio.profile: disk}]"}),
-        campaign);
-    if (campaign.points.empty()) in.mistake("points", "must have at least one");
-  }
-  if (is_sample) {
-    read_hypercube(in.mapping({"sample", "Points drawn at random from ranges."}), campaign);
-  }
+    read_list(in.mappings(points), campaign);
+    if (campaign.points.empty()) in.mistake(points.name, "must have at least one");
+  });
+  const bool is_sample = io.inside_given({"sample", "Points drawn at random from ranges."}, false,
+                                         [&](Fields& sample) { sample_keys(sample, campaign); });
   if (static_cast<int>(is_grid) + static_cast<int>(is_list) + static_cast<int>(is_sample) > 1) {
-    in.mistake(is_sample ? "sample" : "points",
+    io.mistake(is_sample ? "sample" : "points",
                "only one of `vary`, `points` and `sample` may be there");
   }
 }

@@ -1,11 +1,11 @@
 #pragma once
 
-#include "hal/files/config/mapping.h"
+#include "hal/files/description/fields.h"
 #include "results/campaign/campaign_file.h"
 
 namespace results::campaign {
 
 /// `vary`, `points` and `sample` of a campaign file: at most one of them.
-void read_design(hal::files::config::Mapping& in, CampaignFile& campaign);
+void design_keys(hal::files::description::Fields& io, CampaignFile& campaign);
 
 }  // namespace results::campaign

@@ -9,6 +9,8 @@
 namespace results::campaign {
 namespace {
 
+using hal::files::description::Fields;
+
 struct Reserved {
   std::string_view option, letter, why;
 };
@@ -40,37 +42,36 @@ std::string refusal(const std::string& argument) {
   return found == kReserved.end() ? "" : std::string(found->why);
 }
 
-SlurmSettings read_slurm(hal::files::config::Mapping& campaign) {
-  SlurmSettings settings;
-  hal::files::config::Mapping in =
-      campaign.mapping({"slurm", "How `--engine slurm` submits the runs, as one array job."});
-  settings.partition =
-      in.text({"partition", "Partition of the cluster.", "short", "the cluster's default"}, "");
-  settings.time = in.optional_duration(
+namespace {
+
+void slurm_keys(Fields& io, SlurmSettings& c) {
+  io.given_text({"partition", "Partition of the cluster.", "short", "the cluster's default"},
+                c.partition);
+  io.optional_duration(
       {"time",
        "Longest wall time of a run, after which Slurm ends it; none: as the partition has it.",
        "2 h"},
-      1, std::nullopt);
-  settings.poll =
-      in.duration({"poll", "Wall time between two looks at the queue (`squeue`).", "5 s"},
-                  {0.1, 3600}, settings.poll);
-  settings.settle = in.duration(
+      1, c.time);
+  io.duration({"poll", "Wall time between two looks at the queue (`squeue`).", "5 s"}, {0.1, 3600},
+              c.poll);
+  io.duration(
       {"settle",
        "How long after the end of a run its result may take to be seen on the shared file system.",
        "60 s"},
-      {0, 3600}, settings.settle);
-  std::size_t index = 0;
-  for (const hal::files::config::Scalar& argument :
-       in.texts({"arguments", "Further arguments of `sbatch`.", "[--account=swarm, --mem=500M]"})) {
-    const std::string why = refusal(argument.text);
-    if (!why.empty()) {
-      in.mistake("arguments", fmt::format("[{}]: '{}' {}", index, argument.text, why));
-    }
-    settings.arguments.push_back(argument.text);
-    ++index;
+      {0, 3600}, c.settle);
+  io.texts({"arguments", "Further arguments of `sbatch`.", "[--account=swarm, --mem=500M]"},
+           c.arguments);
+  for (std::size_t i = 0; i < c.arguments.size(); ++i) {
+    if (const std::string why = refusal(c.arguments[i]); !why.empty())
+      io.mistake("arguments", fmt::format("[{}]: '{}' {}", i, c.arguments[i], why));
   }
-  in.finish();
-  return settings;
+}
+
+}  // namespace
+
+void slurm_key(Fields& campaign, SlurmSettings& c) {
+  campaign.inside({"slurm", "How `--engine slurm` submits the runs, as one array job."},
+                  [&](Fields& io) { slurm_keys(io, c); });
 }
 
 }  // namespace results::campaign

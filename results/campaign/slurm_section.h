@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "hal/files/config/mapping.h"
+#include "hal/files/description/fields.h"
 #include "hal/types/time.h"
 
 namespace results::campaign {
@@ -20,8 +20,8 @@ struct SlurmSettings {
   hal::Duration settle = std::chrono::seconds{60};
 };
 
-/// Reads the key `slurm` of a campaign file; absent: as above.
-SlurmSettings read_slurm(hal::files::config::Mapping& campaign);
+/// The key `slurm` of a campaign file.
+void slurm_key(hal::files::description::Fields& campaign, SlurmSettings& c);
 
 /// Why an argument of `sbatch` cannot be given: the engine needs it itself; empty: it can.
 std::string refusal(const std::string& argument);

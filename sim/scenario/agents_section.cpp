@@ -194,7 +194,7 @@ void driver_keys(Fields& io, Group& group, std::span<AgentConfig> agents, const 
        "An interface `wlan0` for programs with sockets: their packets go through the agents' "
        "simulated radios. Such a run is in real time."},
       is_networked, [&](Fields& network) { network_keys(network, agents); });
-  io.only(has_network, {}, "needs `network`, the interface that programs use",
+  io.only(has_network, {"network", {"there"}}, "needs `network`, the interface that programs use",
           [&](Fields& networked) { programs_keys(networked, group); });
   const Key key{"controller",
                 "The program that drives the agents; may be absent of stations, and where they "

@@ -197,6 +197,14 @@ void keys_of(Fields& io, RadioConfig& config) {
       });
 }
 
+std::vector<std::string> profiles_with(bool (*has)(const RadioConfig& config)) {
+  std::vector<std::string> names;
+  for (const auto& profile : kProfileKinds) {
+    if (has(profile.make())) names.emplace_back(profile.name);
+  }
+  return names;
+}
+
 RadioConfig read_radio(Mapping in) {
   RadioConfig config;
   FieldReader reader(in);

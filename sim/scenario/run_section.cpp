@@ -32,8 +32,7 @@ constexpr hal::Duration kDefaultLatency = 10ms;
 
 /// The name becomes that of the results' folder.
 void head_keys(Fields& io, Scenario& scenario) {
-  int version = 1;
-  io.needed_count({"version", "Of the format of this file.", "1"}, 1, 1, version);
+  hal::files::description::needed_version_key(io);
   io.text(
       {"name", "Of the scenario and of the folder of its results: letters, digits, '_' and '-'.",
        "two_motes", "the file's without its ending"},
@@ -177,7 +176,7 @@ void air_heard_by_key(Fields& io, Scenario& scenario) {
 
 void run_keys(Fields& io, Scenario& scenario) {
   agents::SimulationConfig& c = scenario.simulation;
-  if (io.reading() != nullptr) c.controller_latency = kDefaultLatency;
+  if (!io.is_writing()) c.controller_latency = kDefaultLatency;
   head_keys(io, scenario);
   simulation_keys(io, scenario);
   if (c.command_timeout < c.control_period) {

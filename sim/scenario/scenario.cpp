@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "hal/files/config/document.h"
+#include "hal/files/description/routing_section.h"
 #include "sim/scenario/agents_section.h"
 #include "sim/scenario/bss_section.h"
 #include "sim/scenario/events_section.h"
@@ -31,13 +32,6 @@ void check_sections(Mapping& in, const Scenario& scenario) {
   check_loss_names(in.within("radio"), scenario);
 }
 
-void routing_key(Fields& io, agents::SimulationConfig& config) {
-  io.own(
-      {"routing", ""}, {.kind = Form::Kind::kMapping},
-      [&](Mapping& in) { config.routing = read_routing(in, link_capabilities(config)); },
-      [&](Writer& out) { write_routing(out, config.routing, link_capabilities(config)); });
-}
-
 }  // namespace
 
 void keys_of(Fields& io, Scenario& scenario) {
@@ -47,7 +41,7 @@ void keys_of(Fields& io, Scenario& scenario) {
             [&](Fields& world) { world_keys(world, config); });
   io.inside({"radio", "The radio that all agents have."},
             [&](Fields& radio) { keys_of(radio, config.radio); });
-  routing_key(io, config);
+  hal::files::description::routing_key(io, config.routing, link_capabilities(config));
   io.inside({"localisation", "What controllers are told of where the others are."},
             [&](Fields& own) { keys_of(own, config.localisation); });
   agents_key(io, scenario);

@@ -34,10 +34,16 @@ bool has_power(const RadioConfig& config) {
       config);
 }
 
+bool has_waves(const RadioConfig& config) { return waves_of(config) != nullptr; }
+bool has_dcf(const RadioConfig& config) { return dcf_of(config) != nullptr; }
+bool knows_ofdm(const RadioConfig& config) {
+  return std::holds_alternative<radio::Ieee80211gConfig>(config);
+}
+
 /// Keys that a profile uses or not.
-void used_keys(Fields& io, bool is_used, const RadioConfig& config,
+void used_keys(Fields& io, bool (*is_used)(const RadioConfig&), const RadioConfig& config,
                const std::function<void(Fields&)>& body) {
-  io.only(is_used, {"profile", {}},
+  io.only(is_used(config), {".radio.profile", profiles_with(is_used)},
           fmt::format("is not used by the profile '{}'", profile_name(config)), body);
 }
 
@@ -83,16 +89,14 @@ void rate_keys(Fields& io, StationConfig& c, const RadioConfig& config) {
 /// Of a group, or of one entry of its `overrides`. What is not there keeps its value.
 /// @param config  which keys there are.
 void keys_of(Fields& io, StationConfig& c, const RadioConfig& config) {
-  const bool has_waves = waves_of(config) != nullptr;
-  used_keys(io, has_power(config), config, [&](Fields& used) {
+  used_keys(io, has_power, config, [&](Fields& used) {
     used.given({"tx_power", "Of the transmitters of these agents.", "10 mW", kOfRadio}, "mW",
                kTxPower, c.tx_power);
   });
   used_keys(io, has_waves, config, [&](Fields& used) { antenna_keys(used, c); });
-  used_keys(io, std::holds_alternative<radio::Ieee80211gConfig>(config), config,
-            [&](Fields& used) { standard_key(used, c); });
+  used_keys(io, knows_ofdm, config, [&](Fields& used) { standard_key(used, c); });
   used_keys(io, has_waves, config, [&](Fields& used) { rate_keys(used, c, config); });
-  used_keys(io, dcf_of(config) != nullptr, config,
+  used_keys(io, has_dcf, config,
             [&](Fields& used) { own_access_points_key(used, c.access_points); });
 }
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hal/files/description/routing_section.h"
+#include "hal/node/routing/ports.h"
 #include "sim/agents/simulation_config.h"
 #include "sim/scenario/fields.h"
 
@@ -8,9 +8,6 @@ namespace sim::scenario {
 
 /// `world:` of a scenario: `physics`, and `walls` and `boxes`, which differ in name only.
 void world_keys(Fields& io, agents::SimulationConfig& config);
-
-using hal::files::description::read_routing;
-using hal::files::description::write_routing;
 
 /// What the agents' links tell their routers.
 inline hal::node::routing::LinkCapabilities link_capabilities(

@@ -6,16 +6,15 @@
 #include <filesystem>
 #include <fstream>
 #include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
 #include "hal/files/config/document.h"
 #include "hal/files/config/errors.h"
-#include "hal/files/config/survey.h"
 #include "hal/files/description/body_section.h"
 #include "hal/files/description/key_describer.h"
 #include "hal/robot/agent/robot_file.h"
+#include "results/campaign/campaign_file.h"
 #include "sim/scenario/radio_section.h"
 #include "sim/scenario/scenario.h"
 
@@ -29,32 +28,58 @@ using Lines = std::vector<std::string>;
 const fs::path kConfig = CONFIG_DIR, kTests = TESTS_DIR;
 
 void read_scenario(files::config::Mapping in) { sim::scenario::read_scenario(in, "a.yaml"); }
+void read_campaign(files::config::Mapping in) { results::campaign::read_campaign(in, "a.yaml"); }
 void read_hardware(files::config::Mapping in) { robot::agent::RobotFile::read(in); }
 void read_robot(files::config::Mapping in) { files::description::read_robot(in); }
 void read_mote(files::config::Mapping in) { files::description::read_mote(in); }
 void read_radio(files::config::Mapping in) { sim::scenario::read_radio(in); }
 
+template <class File>
+void describe(files::description::Fields& io) {
+  using sim::scenario::keys_of;
+  File file;
+  keys_of(io, file);
+}
+
 /// A kind of file with files in which its examples may be put, each in at least one of them.
 struct Kind {
   std::string name;
   void (*read)(files::config::Mapping);
+  void (*keys)(files::description::Fields&);
   std::vector<fs::path> files;
+
+  std::vector<files::config::KeyDescription> described() const {
+    files::description::KeyDescriber describer;
+    keys(describer);
+    return describer.keys();
+  }
 };
 
 const std::vector<Kind> kKinds = {
     {"scenario",
      read_scenario,
+     describe<sim::scenario::Scenario>,
      {kConfig / "scenarios/case_study.yaml", kTests / "config/stations.yaml",
       kTests / "config/random_stations.yaml", kTests / "config/networks.yaml",
       kConfig / "scenarios/anthocnet_base_field.yaml"}},
+    {"campaign",
+     read_campaign,
+     describe<results::campaign::CampaignFile>,
+     {kConfig / "campaigns/sensitivity.yaml", kConfig / "campaigns/phases.yaml",
+      kTests / "config/plain_campaign.yaml", kTests / "config/sampled_campaign.yaml"}},
     {"hardware",
      read_hardware,
+     describe<robot::agent::RobotFile>,
      {kConfig / "hardware/robotino.yaml", kConfig / "hardware/tmc200.yaml",
       kConfig / "hardware/mote.yaml"}},
-    {"robot", read_robot, {kConfig / "robots/robertino.yaml"}},
-    {"mote", read_mote, {kConfig / "robots/mote.yaml"}},
+    {"robot",
+     read_robot,
+     describe<node::devices::RobotDescription>,
+     {kConfig / "robots/robertino.yaml"}},
+    {"mote", read_mote, describe<node::devices::MoteDescription>, {kConfig / "robots/mote.yaml"}},
     {"radio",
      read_radio,
+     describe<sim::radio::RadioConfig>,
      {kConfig / "radios/ieee80211b.yaml", kConfig / "radios/mobility_framework.yaml",
       kConfig / "radios/ieee80211g.yaml", kConfig / "radios/disk.yaml",
       kConfig / "radios/ideal.yaml"}}};
@@ -74,26 +99,12 @@ Lines mistakes(const Kind& kind, const fs::path& file, const Lines& overrides) {
 class Keys : public testing::TestWithParam<Kind> {};
 
 TEST_P(Keys, HaveAMeaningThatIsASentenceAndAnExample) {
-  for (const files::config::KeyDescription& key : files::config::survey(GetParam().read).keys) {
+  for (const files::config::KeyDescription& key : GetParam().described()) {
     EXPECT_FALSE(key.meaning.empty()) << key.path;
     EXPECT_TRUE(key.meaning.ends_with('.')) << key.path << ": " << key.meaning;
     const bool has_keys = key.form.kind == files::config::Form::Kind::kMapping;
     EXPECT_TRUE(has_keys || !key.example.empty()) << key.path << " has no example";
   }
-}
-
-TEST_P(Keys, ThatAreLookedForAreReadSomewhere) {
-  EXPECT_EQ(survey(GetParam().read).never_read, Lines{})
-      << "describe them where they are read: {\"name\", \"What it means.\", \"example\"}";
-}
-
-TEST_P(Keys, OfTheTopLevelAreFoundAlone) {
-  std::set<std::string> expected;
-  for (const files::config::KeyDescription& key : files::config::survey(GetParam().read).keys) {
-    if (key.path.find('.') == std::string::npos) expected.insert(key.path);
-  }
-  EXPECT_EQ(top_level_keys(GetParam().read), expected);
-  EXPECT_TRUE(expected.contains("version"));
 }
 
 /// Reads a key by the call that its form stands for.
@@ -137,7 +148,7 @@ void read_as(files::config::Mapping& in, const files::config::Key& key,
 TEST_P(Keys, HaveExamplesOfTheirFormAndRange) {
   const fs::path empty = fs::path(testing::TempDir()) / ("empty_" + std::to_string(::getpid()));
   std::ofstream(empty) << "{}\n";
-  for (const files::config::KeyDescription& key : files::config::survey(GetParam().read).keys) {
+  for (const files::config::KeyDescription& key : GetParam().described()) {
     if (key.example.empty()) continue;
     files::config::Document document =
         files::config::Document::load(empty, {"example=" + key.example});
@@ -201,7 +212,7 @@ testing::AssertionResult is_accepted(const Kind& kind, const files::config::KeyD
 }
 
 TEST_P(Keys, HaveExamplesThatTheReaderAcceptsInAFile) {
-  const auto keys = files::config::survey(GetParam().read).keys;
+  const auto keys = GetParam().described();
   for (const files::config::KeyDescription& key : keys) {
     const bool in_list = key.path.find("[]") != std::string::npos;  // its list's example has it
     if (in_list || key.example.empty()) continue;
@@ -209,32 +220,43 @@ TEST_P(Keys, HaveExamplesThatTheReaderAcceptsInAFile) {
   }
 }
 
-/// A line each: path, form, defaults and what it hangs on.
-Lines told(const std::vector<files::config::KeyDescription>& keys) {
-  Lines lines;
-  for (const auto& key : keys) {
-    std::string line = key.path + ": " + key.meaning + " " + expected(key.form) + " " + key.example;
-    for (const auto& variant : key.variants)
-      line += " <" + variant.with + ": " + variant.otherwise + ", " + variant.limits + ">";
-    for (const auto& condition : key.conditions) {
-      line += " [" + condition.path + (condition.presence ? "?" : "");
-      for (const std::string& value : condition.values) line += " " + value;
-      line += "]";
-    }
-    lines.push_back(line);
-  }
-  return lines;
+/// The description of a key at a path in which names stand for NAME; null: there is none.
+const KeyDescription* description_at(const std::vector<KeyDescription>& all,
+                                     const std::string& path) {
+  const auto found = std::ranges::find(all, path, &KeyDescription::path);
+  return found == all.end() ? nullptr : &*found;
 }
 
-/// The description tells of the keys that reading asks for, on every way through it.
-TEST(DescribedKeys, AreThoseThatASurveyOfTheReaderFinds) {
-  files::description::KeyDescriber radio_keys, mote_keys;
-  sim::radio::RadioConfig radio;
-  sim::scenario::keys_of(radio_keys, radio);
-  node::devices::MoteDescription mote;
-  keys_of(mote_keys, mote);
-  EXPECT_EQ(told(radio_keys.keys()), told(files::config::survey(read_radio).keys));
-  EXPECT_EQ(told(mote_keys.keys()), told(files::config::survey(read_mote).keys));
+/// Paths of keys that stand in a mapping and are not described. @param path  of the mapping.
+void find_unknown(files::config::Mapping in, const std::string& path,
+                  const std::vector<KeyDescription>& all, Lines& unknown) {
+  const std::string prefix = path.empty() ? "" : path + ".";
+  const bool has_keys = path.empty() || std::ranges::any_of(all, [&](const KeyDescription& key) {
+                          return key.path.starts_with(prefix);
+                        });
+  if (!has_keys) return;  // its values have a form of their own
+  for (const std::string& name : in.keys()) {
+    const KeyDescription* key = description_at(all, prefix + name);
+    if (key == nullptr) key = description_at(all, prefix + "NAME");
+    if (key == nullptr) {
+      unknown.push_back(in.place(name) + ": " + prefix + name);
+    } else if (key->form.kind == Form::Kind::kMapping && !in.has_scalar(name)) {
+      find_unknown(in.within(name), key->path, all, unknown);
+    } else if (key->form.kind == Form::Kind::kMappings) {
+      for (files::config::Mapping& item : in.items(name))
+        find_unknown(item, key->path + "[]", all, unknown);
+    }
+  }
+}
+
+/// What readers take without a description would be seen here.
+TEST_P(Keys, OfFilesThatAreReadAreDescribed) {
+  const std::vector<KeyDescription> all = GetParam().described();
+  for (const fs::path& file : GetParam().files) {
+    Lines unknown;
+    find_unknown(files::config::Document::load(file, {}).root(), "", all, unknown);
+    EXPECT_EQ(unknown, Lines{}) << file;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, Keys, testing::ValuesIn(kKinds),

@@ -31,12 +31,4 @@ struct KeyDescription {
   std::vector<Condition> conditions;  ///< Those that its mapping does not have anyway.
 };
 
-/// All keys of a kind of file.
-struct KeyTable {
-  std::vector<KeyDescription> keys;  ///< In the order of reading, those of a mapping together.
-  /// Paths that the reader looks for but never reads, on no way through it: a mistake in the
-  /// reader.
-  std::vector<std::string> never_read;
-};
-
 }  // namespace hal::files::config

@@ -10,7 +10,6 @@
 #include "hal/files/config/node.h"
 #include "hal/files/config/problems.h"
 #include "hal/files/config/suggest.h"
-#include "hal/files/config/survey.h"
 #include "hal/files/config/value.h"
 #include "hal/files/config/writer.h"
 #include "hal/files/config/yaml.h"
@@ -20,8 +19,6 @@ namespace hal::files::config {
 using Kind = Node::Kind;
 
 namespace {
-
-constexpr std::size_t kThere = 0;  // of the options of a presence
 
 Form number_form(std::string_view unit, Range range) {
   return {.kind = Form::Kind::kNumber, .unit = unit, .range = range};
@@ -42,8 +39,8 @@ Form vector_form(std::string_view unit, Range range, std::size_t size) {
 
 }  // namespace
 
-Mapping::Mapping(const Node& node, std::string path, Problems& problems, Survey* survey)
-    : node_(&node), path_(std::move(path)), problems_(&problems), survey_(survey) {}
+Mapping::Mapping(const Node& node, std::string path, Problems& problems)
+    : node_(&node), path_(std::move(path)), problems_(&problems) {}
 
 std::string Mapping::path_of(const std::string& key) const { return joined(path_, key); }
 
@@ -52,20 +49,11 @@ const Entry* Mapping::find(const std::string& key) {
   return node_->find(key);
 }
 
-bool Mapping::has(const std::string& key) {
-  if (survey_ == nullptr) return find(key) != nullptr;
-  survey_->mention(path_of(key));
-  return survey_->decide({path_of(key), true, {"there", "absent"}, kThere}) == kThere;
-}
+bool Mapping::has(const std::string& key) { return find(key) != nullptr; }
 
 bool Mapping::has_scalar(const std::string& key) {
-  if (survey_ != nullptr) return false;
   const Entry* entry = find(key);
   return entry != nullptr && entry->value.kind == Kind::kScalar;
-}
-
-void Mapping::note(const Key& key, const Form& form, const std::string& otherwise) {
-  if (survey_ != nullptr) survey_->note(path_of(key.name), key, form, otherwise);
 }
 
 const Node* Mapping::required(const Key& key, const Form& form) {
@@ -94,14 +82,12 @@ std::optional<double> Mapping::parsed(const Node& node, const Key& key, const Fo
 
 double Mapping::number(const Key& key, std::string_view unit, Range range) {
   const Form form = number_form(unit, range);
-  note(key, form);
   const Node* node = required(key, form);
   return node == nullptr ? range.low : parsed(*node, key, form).value_or(range.low);
 }
 
 double Mapping::number(const Key& key, std::string_view unit, Range range, double otherwise) {
   const Form form = number_form(unit, range);
-  if (survey_ != nullptr) note(key, form, readable(otherwise, unit));
   const Entry* entry = find(key.name);
   return entry == nullptr ? otherwise : parsed(entry->value, key, form).value_or(otherwise);
 }
@@ -128,7 +114,6 @@ std::optional<std::int64_t> Mapping::whole(const Node& node, const Key& key, con
 
 std::int64_t Mapping::integer(const Key& key, std::int64_t low, std::int64_t high) {
   const Form form = whole_form(low, high);
-  note(key, form);
   const Node* node = required(key, form);
   return node == nullptr ? low : whole(*node, key, form).value_or(low);
 }
@@ -136,7 +121,6 @@ std::int64_t Mapping::integer(const Key& key, std::int64_t low, std::int64_t hig
 std::int64_t Mapping::integer(const Key& key, std::int64_t low, std::int64_t high,
                               std::int64_t otherwise) {
   const Form form = whole_form(low, high);
-  if (survey_ != nullptr) note(key, form, fmt::format("{}", otherwise));
   const Entry* entry = find(key.name);
   return entry == nullptr ? otherwise : whole(entry->value, key, form).value_or(otherwise);
 }
@@ -147,7 +131,6 @@ Duration Mapping::duration(const Key& key, Range seconds) {
 
 Duration Mapping::duration(const Key& key, Range seconds, Duration otherwise) {
   const Form form = number_form("s", seconds);
-  if (survey_ != nullptr) note(key, form, format_duration(otherwise));
   const Entry* entry = find(key.name);
   if (entry == nullptr) return otherwise;
   const auto value = parsed(entry->value, key, form);
@@ -157,7 +140,6 @@ Duration Mapping::duration(const Key& key, Range seconds, Duration otherwise) {
 std::optional<Duration> Mapping::optional_duration(const Key& key, double low,
                                                    std::optional<Duration> otherwise) {
   const Form form = number_form("s", {low, kUnlimited});
-  if (survey_ != nullptr) note(key, form, otherwise ? format_duration(*otherwise) : "none");
   const Entry* entry = find(key.name);
   if (entry == nullptr) return otherwise;
   const double seconds = parsed(entry->value, key, form).value_or(low);
@@ -169,7 +151,6 @@ std::optional<Duration> Mapping::optional_duration(const Key& key, double low,
 
 bool Mapping::flag(const Key& key, bool otherwise) {
   const Form form{.kind = Form::Kind::kFlag};
-  note(key, form, otherwise ? "true" : "false");
   const Entry* entry = find(key.name);
   if (entry == nullptr) return otherwise;
   const Node& node = entry->value;
@@ -183,7 +164,6 @@ bool Mapping::flag(const Key& key, bool otherwise) {
 
 std::string Mapping::text(const Key& key) {
   const Form form{.kind = Form::Kind::kText};
-  note(key, form);
   const Node* node = required(key, form);
   const std::string* text = node == nullptr ? nullptr : scalar(*node, key.name, expected(form));
   if (text == nullptr) return "";
@@ -192,7 +172,6 @@ std::string Mapping::text(const Key& key) {
 }
 
 std::string Mapping::text(const Key& key, const std::string& otherwise) {
-  note(key, {.kind = Form::Kind::kText}, otherwise);
   if (find(key.name) == nullptr) return otherwise;
   return text(key);
 }
@@ -216,17 +195,12 @@ std::vector<double> Mapping::vector(const Key& key, const Form& form, const Node
 
 Vec2 Mapping::vec2(const Key& key, std::string_view unit, Range range) {
   const Form form = vector_form(unit, range, 2);
-  note(key, form);
   const auto values = vector(key, form, required(key, form));
   return {values[0], values[1]};
 }
 
 Vec2 Mapping::vec2(const Key& key, std::string_view unit, Range range, Vec2 otherwise) {
   const Form form = vector_form(unit, range, 2);
-  if (survey_ != nullptr) {
-    note(key, form,
-         fmt::format("[{}, {}]", readable(otherwise.x, unit), readable(otherwise.y, unit)));
-  }
   const Entry* entry = find(key.name);
   if (entry == nullptr) return otherwise;
   const auto values = vector(key, form, &entry->value);
@@ -235,7 +209,6 @@ Vec2 Mapping::vec2(const Key& key, std::string_view unit, Range range, Vec2 othe
 
 Vec3 Mapping::vec3(const Key& key, std::string_view unit, Range range) {
   const Form form = vector_form(unit, range, 3);
-  note(key, form);
   const auto values = vector(key, form, required(key, form));
   return {values[0], values[1], values[2]};
 }
@@ -243,10 +216,6 @@ Vec3 Mapping::vec3(const Key& key, std::string_view unit, Range range) {
 std::optional<std::size_t> Mapping::chosen(const Key& key, std::vector<std::string> names,
                                            std::optional<std::size_t> otherwise) {
   const Form form{.kind = Form::Kind::kChoice, .options = std::move(names)};
-  if (survey_ != nullptr) {
-    note(key, form, otherwise ? form.options[*otherwise] : "");
-    return survey_->decide({path_of(key.name), false, form.options, otherwise.value_or(0)});
-  }
   const Entry* entry = find(key.name);
   if (otherwise && entry == nullptr) return std::nullopt;
   const Node* node = required(key, form);
@@ -261,7 +230,6 @@ std::optional<std::size_t> Mapping::chosen(const Key& key, std::vector<std::stri
 }
 
 std::vector<Scalar> Mapping::texts(const Key& key) {
-  note(key, {.kind = Form::Kind::kTexts}, "none");
   std::vector<Scalar> result;
   const Entry* entry = find(key.name);
   if (entry == nullptr) return result;
@@ -277,9 +245,9 @@ std::vector<Scalar> Mapping::texts(const Key& key) {
   return result;
 }
 
-Mapping Mapping::inner(const Node& node, const std::string& path, Survey* survey) {
-  if (node.kind == Kind::kMapping) return {node, path, *problems_, survey};
-  Mapping empty{problems_->empty_mapping(node.place), path, *problems_, survey};
+Mapping Mapping::inner(const Node& node, const std::string& path) {
+  if (node.kind == Kind::kMapping) return {node, path, *problems_};
+  Mapping empty{problems_->empty_mapping(node.place), path, *problems_};
   if (node.kind != Kind::kNull) {
     problems_->add(node.place, path, "must be a mapping, not " + kind_name(node));
     empty.broken_ = true;
@@ -287,10 +255,10 @@ Mapping Mapping::inner(const Node& node, const std::string& path, Survey* survey
   return empty;
 }
 
-Mapping Mapping::inner_of(const std::string& key, Survey* survey) {
+Mapping Mapping::inner_of(const std::string& key) {
   const Entry* entry = find(key);
-  if (entry != nullptr) return inner(entry->value, path_of(key), survey);
-  Mapping absent{problems_->empty_mapping(node_->place), path_of(key), *problems_, survey};
+  if (entry != nullptr) return inner(entry->value, path_of(key));
+  Mapping absent{problems_->empty_mapping(node_->place), path_of(key), *problems_};
   absent.broken_ = broken_;
   return absent;
 }
@@ -301,12 +269,11 @@ std::vector<Mapping> Mapping::inner_list(const std::string& key) {
   if (entry == nullptr) return result;
   const Node& list = entry->value;
   if (list.kind == Kind::kList) {
-    for (const Node& item : list.items) result.push_back(inner(item, path_of(key), nullptr));
+    for (const Node& item : list.items) result.push_back(inner(item, path_of(key)));
   } else if (is_list_edit(list)) {  // of a list that no included file has
     const Entry* const added = list.find("add");
     if (added != nullptr && added->value.kind == Kind::kList) {
-      for (const Node& item : added->value.items)
-        result.push_back(inner(item, path_of(key), nullptr));
+      for (const Node& item : added->value.items) result.push_back(inner(item, path_of(key)));
     }
     for (const Entry& left : edited({}, list).entries)
       problems_->add(left.place, path_of(key), list_mistake({}, left));
@@ -316,29 +283,15 @@ std::vector<Mapping> Mapping::inner_list(const std::string& key) {
   return result;
 }
 
-Mapping Mapping::mapping(const Key& key) {
-  note(key, {.kind = Form::Kind::kMapping}, "none");
-  return inner_of(key.name, survey_);
-}
+Mapping Mapping::mapping(const Key& key) { return inner_of(key.name); }
 
-std::vector<Mapping> Mapping::mappings(const Key& key) {
-  note(key, {.kind = Form::Kind::kMappings}, "none");
-  if (survey_ == nullptr) return inner_list(key.name);
-  return {Mapping{problems_->empty_mapping({}), path_of(key.name) + "[]", *problems_, survey_}};
-}
+std::vector<Mapping> Mapping::mappings(const Key& key) { return inner_list(key.name); }
 
-Mapping Mapping::within(const std::string& key) {
-  if (survey_ != nullptr) survey_->mention(path_of(key));
-  return inner_of(key, nullptr);
-}
+Mapping Mapping::within(const std::string& key) { return inner_of(key); }
 
-std::vector<Mapping> Mapping::items(const std::string& key) {
-  if (survey_ != nullptr) survey_->mention(path_of(key));
-  return inner_list(key);
-}
+std::vector<Mapping> Mapping::items(const std::string& key) { return inner_list(key); }
 
 std::vector<std::string> Mapping::keys() const {
-  if (survey_ != nullptr) return {"NAME"};
   std::vector<std::string> result;
   for (const Entry& entry : node_->entries) result.push_back(entry.key);
   return result;
@@ -427,7 +380,6 @@ void Mapping::warn(const std::string& key, std::string what) {
 }
 
 void Mapping::refuse(const std::string& key, const std::string& why) {
-  if (survey_ != nullptr) survey_->mention(path_of(key));
   known_.insert(key);  // but not into the order
   const Entry* entry = node_->find(key);
   if (entry != nullptr) problems_->add(entry->place, path_of(key), why);

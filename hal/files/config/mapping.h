@@ -21,7 +21,6 @@ struct Node;
 struct Entry;
 struct Place;
 class Problems;
-class Survey;
 
 /// Longest time a file may name, s: some 31 years, well within Duration.
 inline constexpr double kLongestDuration = 1e9;
@@ -70,11 +69,10 @@ struct Option {
 /// mistakes are found. A call without `otherwise` requires the key; one with it returns that for a
 /// wrong value, so that a mistake does not make others that are none.
 ///
-/// Each reading call takes a Key, which describes it: survey() calls the readers with a mapping
-/// that writes down what they ask for.
+/// Each reading call takes a Key, for the message where it is missing.
 class Mapping {
  public:
-  Mapping(const Node& node, std::string path, Problems& problems, Survey* survey = nullptr);
+  Mapping(const Node& node, std::string path, Problems& problems);
 
   /// A value with a unit (see value.h), in that unit.
   double number(const Key& key, std::string_view unit, Range range);
@@ -185,13 +183,11 @@ class Mapping {
     return result;
   }
 
-  Mapping inner(const Node& node, const std::string& path, Survey* survey);
-  Mapping inner_of(const std::string& key, Survey* survey);
+  Mapping inner(const Node& node, const std::string& path);
+  Mapping inner_of(const std::string& key);
   std::vector<Mapping> inner_list(const std::string& key);
   std::string path_of(const std::string& key) const;
   const Entry* find(const std::string& key);
-  /// Tells the survey, if there is one. @param otherwise  empty: the key must be there.
-  void note(const Key& key, const Form& form, const std::string& otherwise = {});
   const Node* required(const Key& key, const Form& form);
   const std::string* scalar(const Node& node, const std::string& key, std::string_view expected);
   std::optional<PlainValue> plain_value(const Node& node, const std::string& key,
@@ -206,7 +202,6 @@ class Mapping {
   const Node* node_;
   std::string path_;
   Problems* problems_;
-  Survey* survey_;
   std::set<std::string> known_;
   std::vector<std::string>
       order_;  ///< Of reading: the known keys but those that mean nothing here.

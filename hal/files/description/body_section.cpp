@@ -1,11 +1,14 @@
 #include "hal/files/description/body_section.h"
 
+#include <variant>
+#include <vector>
+
 #include "hal/files/description/field_io.h"
 #include "hal/files/description/infrared_section.h"
 #include "hal/files/description/robot_checks.h"
 #include "hal/files/description/sensors_section.h"
 #include "hal/files/description/wheels_section.h"
-#include "hal/types/math.h"
+#include "hal/types/overloaded.h"
 
 namespace hal::files::description {
 namespace {
@@ -60,60 +63,50 @@ void keys_of(Fields& io, BodyBox& c) {
             c.yaw);
 }
 
-void keys_of_cylinder(Fields& io, BodyCylinder& cylinder) {
-  io.inside({"cylinder", "An upright cylinder."}, [&](Fields& in) { keys_of(in, cylinder); });
+using Shape = std::variant<std::monostate, BodyCylinder, BodyBox>;  ///< The first: a mistake.
+
+const std::array kShapes{alternative<Shape, BodyCylinder>({"cylinder", "An upright cylinder."}),
+                         alternative<Shape, BodyBox>({"box", "A box."})};
+
+void shape_keys(Fields& io, Shape& shape) {
+  Mapping* const in = io.reading();
+  const bool are_two = in != nullptr && in->has("cylinder") && in->has("box");
+  const auto keys = [](Fields& one, Shape& any) {
+    std::visit(Overloaded{[](std::monostate& /*c*/) {}, [&one](auto& c) { keys_of(one, c); }}, any);
+  };
+  if (are_two || !io.one_of(kShapes, shape, keys))
+    io.mistake("", "must have either cylinder or box");
+  double none = 0;
+  const auto mass = Overloaded{[&none](std::monostate& /*c*/) -> double& { return none; },
+                               [](auto& c) -> double& { return c.mass; }};
+  io.needed(kShapeMass, "kg", kMass, std::visit(mass, shape));
 }
 
-void keys_of_box(Fields& io, BodyBox& box) {
-  io.inside({"box", "A box."}, [&](Fields& in) { keys_of(in, box); });
+/// Cylinders first, then boxes.
+std::vector<Shape> shapes_of(const RobotDescription& robot) {
+  std::vector<Shape> shapes(robot.cylinders.begin(), robot.cylinders.end());
+  shapes.insert(shapes.end(), robot.boxes.begin(), robot.boxes.end());
+  return shapes;
 }
 
-void read_shapes(Mapping& in, RobotDescription& robot) {
-  for (Mapping& shape : in.mappings(kCollision)) {
-    FieldReader reader(shape);
-    double mass = 0;
-    reader.needed(kShapeMass, "kg", kMass, mass);
-    const bool cylinder = shape.has("cylinder");
-    if (cylinder == shape.has("box")) {
-      shape.mistake("", "must have either cylinder or box");
-    } else if (cylinder) {
-      keys_of_cylinder(reader, robot.cylinders.emplace_back());
-      robot.cylinders.back().mass = mass;
-    } else {
-      keys_of_box(reader, robot.boxes.emplace_back());
-      robot.boxes.back().mass = mass;
-    }
-    shape.finish();
+void collision_key(Fields& io, RobotDescription& robot) {
+  std::vector<Shape> shapes = shapes_of(robot);
+  io.list<Shape>(kCollision, shapes, shape_keys);
+  if (io.reading() == nullptr) return;
+  for (const Shape& shape : shapes) {
+    std::visit(Overloaded{[](std::monostate /*c*/) {},
+                          [&](const BodyCylinder& c) { robot.cylinders.push_back(c); },
+                          [&](const BodyBox& c) { robot.boxes.push_back(c); }},
+               shape);
   }
-  if (robot.cylinders.empty() && robot.boxes.empty()) {
-    in.mistake(kCollision.name, "must have at least one shape");
-  }
-}
-
-void write_shapes(Writer& out, RobotDescription& robot) {
-  FieldWriter writer(out);
-  out.open_list(kCollision.name);
-  for (BodyCylinder& cylinder : robot.cylinders) {
-    out.open_item();
-    keys_of_cylinder(writer, cylinder);
-    writer.needed(kShapeMass, "kg", kMass, cylinder.mass);
-    out.close();
-  }
-  for (BodyBox& box : robot.boxes) {
-    out.open_item();
-    keys_of_box(writer, box);
-    writer.needed(kShapeMass, "kg", kMass, box.mass);
-    out.close();
-  }
-  out.close();
+  if (robot.cylinders.empty() && robot.boxes.empty())
+    io.mistake(kCollision.name, "must have at least one shape");
 }
 
 void link_keys(Fields& io, RobotDescription& robot) {
   io.number({"friction", "Coefficient of the body against walls, motes and other robots.", "0.3"},
             "1", kFriction, robot.friction);
-  io.own(
-      kCollision, [&](Mapping& in) { read_shapes(in, robot); },
-      [&](Writer& out) { write_shapes(out, robot); });
+  collision_key(io, robot);
 }
 
 }  // namespace
@@ -123,23 +116,14 @@ void keys_of(Fields& io, RobotDescription& robot) {
   io.needed_text({"model", "Name of the kind of robot.", "robertino"}, robot.model);
   io.inside({"link", "The body: shapes that touch things, and their mass."},
             [&](Fields& link) { link_keys(link, robot); });
-  io.own(
-      {"wheels", "What the robot stands and drives on."},
-      [&](Mapping& in) {
-        robot.wheels = read_wheels(in.mapping({"wheels", "What the robot stands and drives on."}));
-      },
-      [&](Writer& out) { write_wheels(out, robot.wheels); });
+  io.inside({"wheels", "What the robot stands and drives on."},
+            [&](Fields& wheels) { wheels_keys(wheels, robot.wheels); });
   io.inside({"acceleration", "How fast the motor controller lets a commanded velocity change."},
             [&](Fields& acceleration) { acceleration_keys(acceleration, robot.acceleration); });
   io.count({"encoder_steps", "Steps of the encoder per turn of a wheel; 0: continuous.", "4000"}, 0,
            1'000'000, robot.encoder_steps);
-  io.own(
-      {"infrared", "Infrared rangers around the body."},
-      [&](Mapping& in) {
-        robot.infrared =
-            read_infrared(in.mapping({"infrared", "Infrared rangers around the body."}));
-      },
-      [&](Writer& out) { write_infrared(out, robot.infrared); });
+  io.inside({"infrared", "Infrared rangers around the body."},
+            [&](Fields& infrared) { infrared_keys(infrared, robot.infrared); });
   sensor_keys(io, robot.sensors);
 }
 

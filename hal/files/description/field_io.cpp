@@ -10,6 +10,11 @@ void version_key(Fields& io) {
   io.count({"version", "Of the format of this file.", "1"}, 1, 1, version);
 }
 
+void needed_version_key(Fields& io) {
+  int version = 1;
+  io.needed_count({"version", "Of the format of this file.", "1"}, 1, 1, version);
+}
+
 void FieldReader::inside(const Key& key, const std::function<void(Fields&)>& body) {
   Mapping inner = in_.mapping(key);
   FieldReader reader(inner);
@@ -53,22 +58,21 @@ void FieldReader::named(const Key& each, const std::vector<std::string>& /*names
 
 bool FieldReader::first_of(const std::vector<Saying>& sayings) {
   const std::vector<std::string> keys = in_.keys();
-  const bool is_survey = keys == std::vector<std::string>{"NAME"};
-  bool is_said = false;
-  for (const Saying& saying : sayings) {
-    if (!is_survey && (is_said || std::ranges::count(keys, saying.key) == 0)) continue;
-    is_said = true;
-    saying.body(*this);
-  }
-  return is_said;
+  const auto said = std::ranges::find_if(
+      sayings, [&](const Saying& one) { return std::ranges::count(keys, one.key) > 0; });
+  if (said == sayings.end()) return false;
+  said->body(*this);
+  return true;
 }
 
 void FieldReader::kind_field(const Key& key, std::vector<std::string> names,
-                             std::optional<std::size_t> /*kind*/,
+                             std::optional<std::size_t> kind, Presence presence,
                              const std::function<void(Fields&, std::size_t)>& keys) {
-  const std::optional<std::size_t> kind = in_.choice(key, std::move(names));
-  if (!kind) return in_.leave_rest();  // which of the other keys are right depends on it
-  keys(*this, *kind);
+  if (kind && presence == Presence::kOtherwise)
+    return keys(*this, in_.choice(key, std::move(names), *kind));
+  const std::optional<std::size_t> named = in_.choice(key, std::move(names));
+  if (!named) return in_.leave_rest();  // which of the other keys are right depends on it
+  keys(*this, *named);
 }
 
 /// Reads a value of each form.
@@ -163,7 +167,7 @@ bool FieldWriter::first_of(const std::vector<Saying>& sayings) {
 }
 
 void FieldWriter::kind_field(const Key& key, std::vector<std::string> names,
-                             std::optional<std::size_t> kind,
+                             std::optional<std::size_t> kind, Presence /*presence*/,
                              const std::function<void(Fields&, std::size_t)>& keys) {
   BARAKA_CHECK(kind.has_value());  // what a file cannot say cannot be written to one
   out_.text(key.name, names[*kind]);

@@ -31,6 +31,7 @@ class FieldReader final : public Fields {
   struct ReadValue;
   void field(const Field& field) override;
   void kind_field(const Key& key, std::vector<std::string> names, std::optional<std::size_t> kind,
+                  Presence presence,
                   const std::function<void(Fields&, std::size_t)>& keys) override;
   void each(const Key& key, std::size_t count,
             const std::function<void(Fields&, std::size_t)>& body) override;
@@ -68,6 +69,7 @@ class FieldWriter final : public Fields {
  private:
   void field(const Field& field) override;
   void kind_field(const Key& key, std::vector<std::string> names, std::optional<std::size_t> kind,
+                  Presence presence,
                   const std::function<void(Fields&, std::size_t)>& keys) override;
   void each(const Key& key, std::size_t count,
             const std::function<void(Fields&, std::size_t)>& body) override;
@@ -105,7 +107,7 @@ class FieldNames final : public Fields {
   bool is_describing() const override { return true; }
   void field(const Field& field) override { add(field.key.name); }
   void kind_field(const Key& key, std::vector<std::string> /*names*/,
-                  std::optional<std::size_t> kind,
+                  std::optional<std::size_t> kind, Presence /*presence*/,
                   const std::function<void(Fields&, std::size_t)>& keys) override {
     add(key.name);
     if (kind) keys(*this, *kind);

@@ -116,6 +116,16 @@ class Fields {
     value = options[index].value;
   }
 
+  /// Must be there.
+  template <class E, std::size_t kSize>
+  void needed_choice(const Key& key, const std::array<Option<E>, kSize>& options, E& value) {
+    const auto found = std::ranges::find(options, value, &Option<E>::value);
+    BARAKA_CHECK(found != options.end());
+    auto index = static_cast<std::size_t>(found - options.begin());
+    field({key, "", {}, Choice{names(options), &index}, Presence::kNeeded});
+    value = options[index].value;
+  }
+
   /// What is only there where the key is: a Quantity, a Duration, an integer or an option. Without
   /// the key it stays as it is, and what is nothing is not written. Each returns whether it was
   /// read.
@@ -291,10 +301,33 @@ class Fields {
       if (reading() == nullptr && one.make().index() == value.index()) index = names.size();
       names.emplace_back(one.name);
     }
-    kind_field(key, std::move(names), index, [&](Fields& io, std::size_t kind) {
+    const std::optional<V> before = is_describing() ? std::optional(value) : std::nullopt;
+    kind_field(key, std::move(names), index, Presence::kNeeded, [&](Fields& io, std::size_t kind) {
       if (!is_writing()) value = all[kind].make();
       body(io, value);
     });
+    if (before) value = *before;
+  }
+
+  /// A choice on which other keys hang: `body` describes them for each of its values. Without the
+  /// key it stays as it is.
+  template <class E, std::size_t kSize>
+  void choice(const Key& key, const std::array<Option<E>, kSize>& options, E& value,
+              const std::function<void(Fields&)>& body) {
+    const auto found = std::ranges::find(options, value, &Option<E>::value);
+    BARAKA_CHECK(found != options.end());
+    const auto index = static_cast<std::size_t>(found - options.begin());
+    kind_field(key, names(options), index, Presence::kOtherwise, [&](Fields& io, std::size_t kind) {
+      value = options[kind].value;
+      body(io);
+    });
+    if (is_describing()) value = options[index].value;
+  }
+  /// A kind by its number in `names`, which must be there; `body` describes its keys. An unknown
+  /// name is one mistake, as above.
+  void kind(const Key& key, std::vector<std::string> names,
+            const std::function<void(Fields&, std::size_t)>& body) {
+    kind_field(key, std::move(names), std::nullopt, Presence::kNeeded, body);
   }
 
   /// A key whose value has a form of its own in files.
@@ -382,9 +415,10 @@ class Fields {
     inside(key, body);
   }
   virtual void field(const Field& field) = 0;
-  /// @param kind  to be written. @param keys  of the kind with that number.
+  /// @param kind  to be written, or that counts without the key. @param keys  of the kind with that
+  /// number.
   virtual void kind_field(const Key& key, std::vector<std::string> names,
-                          std::optional<std::size_t> kind,
+                          std::optional<std::size_t> kind, Presence presence,
                           const std::function<void(Fields&, std::size_t)>& keys) = 0;
   /// @param count  of the items, to be written.
   virtual void each(const Key& key, std::size_t count,
@@ -419,5 +453,7 @@ T& as(V& variant) {
 
 /// `version` of a file, which it may say.
 void version_key(Fields& io);
+/// The same where it must.
+void needed_version_key(Fields& io);
 
 }  // namespace hal::files::description

@@ -1,9 +1,9 @@
 #include "hal/files/description/infrared_section.h"
 
 #include <stdexcept>
+#include <utility>
 
-#include "hal/files/description/field_io.h"
-#include "hal/types/math.h"
+#include "hal/files/description/mounting.h"
 
 namespace hal::files::description {
 namespace {
@@ -34,34 +34,31 @@ void point_keys(Fields& io, CurvePoint& point) {
   io.needed({"output", "Of the sensor at that distance.", "2.3 V"}, "V", {0, 100}, point.volts);
 }
 
-InfraredCurve read_table(Mapping& in, const InfraredCurve& otherwise) {
-  std::vector<CurvePoint> points;
-  FieldReader(in).list<CurvePoint>(
-      {"table", "Points of the curve, by distance; the output falls.",
-       "[{distance: 10 cm, output: 2.3 V}, {distance: 40 cm, output: 0.7 V}]"},
-      points, point_keys);
+CurveName name_of(const InfraredCurve& curve) {
+  if (curve == InfraredCurve::gp2d12()) return CurveName::kGp2d12;
+  return curve == InfraredCurve::gp2d120() ? CurveName::kGp2d120 : CurveName::kTable;
+}
+
+void table_key(Fields& io, InfraredCurve& curve) {
+  std::vector<CurvePoint> points(curve.points().begin(), curve.points().end());
+  io.list<CurvePoint>({"table", "Points of the curve, by distance; the output falls.",
+                       "[{distance: 10 cm, output: 2.3 V}, {distance: 40 cm, output: 0.7 V}]"},
+                      points, point_keys);
+  if (io.reading() == nullptr) return;
   try {
-    return InfraredCurve::table(std::move(points));
+    curve = InfraredCurve::table(std::move(points));
   } catch (const std::invalid_argument& error) {
-    in.mistake("table", error.what());
-    return otherwise;
+    io.mistake("table", error.what());
   }
 }
 
-InfraredCurve read_curve(Mapping& in, const InfraredCurve& otherwise) {
-  if (!in.has(kCurve.name)) return otherwise;
-  const std::optional<CurveName> name = in.choice(kCurve, kCurves);
-  if (name == CurveName::kGp2d12) return InfraredCurve::gp2d12();
-  if (name == CurveName::kGp2d120) return InfraredCurve::gp2d120();
-  return name ? read_table(in, otherwise) : otherwise;
-}
-
-void write_curve(Writer& out, const InfraredCurve& curve) {
-  if (curve == InfraredCurve::gp2d12()) return out.text(kCurve.name, "gp2d12");
-  if (curve == InfraredCurve::gp2d120()) return out.text(kCurve.name, "gp2d120");
-  out.text(kCurve.name, "table");
-  std::vector<CurvePoint> points(curve.points().begin(), curve.points().end());
-  FieldWriter(out).list<CurvePoint>({"table", ""}, points, point_keys);
+void curve_keys(Fields& io, InfraredCurve& curve) {
+  CurveName name = name_of(curve);
+  io.choice(kCurve, kCurves, name, [&](Fields& keys) {
+    if (name == CurveName::kTable) return table_key(keys, curve);
+    keys.unused("table", "needs 'curve: table'");
+    curve = name == CurveName::kGp2d12 ? InfraredCurve::gp2d12() : InfraredCurve::gp2d120();
+  });
 }
 
 /// All but where it sits.
@@ -75,71 +72,34 @@ void sensor_keys(Fields& io, InfraredSensor& c) {
   io.duration({"hold_period",
                "Between two measurements of the sensor; 0 s: it measures when asked.", "38.3 ms"},
               {0, 10}, c.hold_period);
-  io.own(
-      kCurve, [&](Mapping& in) { c.curve = read_curve(in, c.curve); },
-      [&](Writer& out) { write_curve(out, c.curve); });
+  curve_keys(io, c.curve);
   io.inside({"converter", "The analog-to-digital converter behind the sensor."},
             [&](Fields& converter) { converter_keys(converter, c.converter); });
 }
 
-void write_sensor(Fields& io, InfraredSensor& sensor) {
-  Vec2 position{sensor.position.x, sensor.position.y};
-  io.vec2({"position", ""}, "m", kOffset, position);
-  io.number({"heading", ""}, "rad", kAngle, sensor.heading);
-  sensor_keys(io, sensor);
+void mount_keys(Fields& io, InfraredSensor& c) {
+  Vec2 position{c.position.x, c.position.y};
+  mounting_keys(
+      io,
+      {"heading", "Direction in which the sensor looks.", "60 deg", "the bearing of the position"},
+      position, c.heading);
+  c.position.x = position.x;
+  c.position.y = position.y;
+  sensor_keys(io, c);
 }
 
 }  // namespace
 
-Mounting read_mounting(Mapping& in, const config::Key& heading) {
-  Mounting mounting;
-  const bool polar = in.has("distance") || in.has("bearing");
-  double bearing = 0;
-  if (polar) {
-    const double distance =
-        in.number({"distance", "From the body's origin.", "13 cm"}, "m", {0, kOffset.high});
-    bearing =
-        in.number({"bearing", "Direction from the body's origin; x is 0, y is 90 deg.", "60 deg"},
-                  "rad", kAngle);
-    mounting.position = {distance * math::cos(bearing), distance * math::sin(bearing)};
-    in.refuse("position", "is given twice: also by distance and bearing");
-  } else {
-    mounting.position =
-        in.vec2({"position", "Seen from the body's origin.", "[10 cm, 5 cm]"}, "m", kOffset);
-    bearing = math::atan2(mounting.position.y, mounting.position.x);
-  }
-  mounting.heading = in.number(heading, "rad", kAngle, bearing);
-  return mounting;
-}
-
-std::vector<InfraredSensor> read_infrared(Mapping in) {
+void infrared_keys(Fields& io, std::vector<InfraredSensor>& sensors) {
   InfraredSensor common;
-  FieldReader reader(in);
-  reader.inside({"sensor", "What all sensors have in common."},
+  io.written_if(false, [&](Fields& read) {
+    read.inside({"sensor", "What all sensors have in common."},
                 [&](Fields& all) { sensor_keys(all, common); });
-  std::vector<InfraredSensor> sensors;
-  reader.list<InfraredSensor>(
+  });
+  io.list<InfraredSensor>(
       {"mounts", "The sensors, each where it is and how it differs from `sensor`.",
        "[{distance: 23 cm, bearing: 0 deg}, {distance: 23 cm, bearing: 60 deg}]"},
-      sensors,
-      [](Fields& io, InfraredSensor& sensor) {
-        sensor_keys(io, sensor);
-        const Mounting mounting =
-            read_mounting(*io.reading(), {"heading", "Direction in which the sensor looks.",
-                                          "60 deg", "the bearing of the position"});
-        sensor.position.x = mounting.position.x;
-        sensor.position.y = mounting.position.y;
-        sensor.heading = mounting.heading;
-      },
-      common);
-  in.finish();
-  return sensors;
-}
-
-void write_infrared(Writer& out, std::vector<InfraredSensor> sensors) {
-  FieldWriter(out).inside({"infrared", ""}, [&](Fields& io) {
-    io.list<InfraredSensor>({"mounts", ""}, sensors, write_sensor);
-  });
+      sensors, mount_keys, common);
 }
 
 }  // namespace hal::files::description

@@ -69,11 +69,12 @@ void KeyDescriber::only(bool /*applies*/, const When& when, const std::string& /
 }
 
 void KeyDescriber::kind_field(const Key& key, std::vector<std::string> names,
-                              std::optional<std::size_t> /*kind*/,
+                              std::optional<std::size_t> kind, Presence presence,
                               const std::function<void(Fields&, std::size_t)>& keys) {
-  note(key, {.kind = Form::Kind::kChoice, .options = names}, "");
-  for (std::size_t kind = 0; kind < names.size(); ++kind)
-    under({path_of(key.name), false, {names[kind]}}, [&](Fields& io) { keys(io, kind); });
+  const bool may_be_absent = kind && presence == Presence::kOtherwise;
+  note(key, {.kind = Form::Kind::kChoice, .options = names}, may_be_absent ? names[*kind] : "");
+  for (std::size_t i = 0; i < names.size(); ++i)
+    under({path_of(key.name), false, {names[i]}}, [&](Fields& io) { keys(io, i); });
 }
 
 void KeyDescriber::each(const Key& key, std::size_t count,

@@ -50,6 +50,7 @@ class KeyDescriber final : public Fields {
   void inside_if_there(const Key& key, const std::function<void(Fields&)>& body) override;
   void field(const Field& field) override;
   void kind_field(const Key& key, std::vector<std::string> names, std::optional<std::size_t> kind,
+                  Presence presence,
                   const std::function<void(Fields&, std::size_t)>& keys) override;
   void each(const Key& key, std::size_t count,
             const std::function<void(Fields&, std::size_t)>& body) override;

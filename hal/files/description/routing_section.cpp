@@ -58,14 +58,11 @@ void hello_keys(Fields& io, RoutingConfig& c) {
 /// AntHocNet's hellos carry pheromone: it sends them over any link.
 void hop_keys(Fields& io, RoutingConfig& c, const LinkCapabilities& link) {
   const char* unused = "is not used with 'link: mac', which reports what becomes of each frame";
-  const bool has_hellos = !link.tx_status || c.algorithm == Algorithm::kAntHocNet;
-  if (link.tx_status) {
-    for (const char* key : {"ack_timeout", "ack_attempts"}) io.unused(key, unused);
-  } else {
-    ack_keys(io, c);
-  }
-  if (has_hellos) return hello_keys(io, c);
-  for (const char* key : {"hello_period", "hello_limit"}) io.unused(key, unused);
+  const Fields::When when = link.tx_status ? Fields::When{".link", {"udp_like"}}
+                                           : Fields::When{};  // files without `link`
+  io.only(!link.tx_status, when, unused, [&](Fields& over_udp) { ack_keys(over_udp, c); });
+  if (c.algorithm == Algorithm::kAntHocNet) return hello_keys(io, c);
+  io.only(!link.tx_status, when, unused, [&](Fields& over_udp) { hello_keys(over_udp, c); });
 }
 
 void choice_keys(Fields& io, RouteChoice& c) {
@@ -124,33 +121,49 @@ bool has_buffer(Algorithm algorithm) {
          algorithm == Algorithm::kAodv;
 }
 
-PathMetric read_weights(Mapping& in, const PathMetric& otherwise, const LinkCapabilities& link) {
-  PathMetric metric{.hops = 0, .direct_weight = otherwise.direct_weight};
-  Mapping weights = in.mapping(kMetric);
-  const std::vector<std::string> given = weights.keys();
-  double total = 0;
-  for (const auto& [name, statistic] : kStatistics) {
-    // Where it can have no effect it is not offered; who gives it is told why.
-    const bool is_offered = statistic != PathStatistic::kMinSnr || link.rssi;
-    if (!is_offered && std::ranges::find(given, name) == given.end()) continue;
-    const Key key{std::string(name), "Exponent of this statistic's value in the product.", "0.5"};
-    const double weight = weights.number(key, "1", {0, 100}, 0);
-    metric.set_weight(statistic, weight);
-    total += weight;
+/// The one statistic that the metric is; none: it weighs several.
+std::optional<PathStatistic> single(const PathMetric& metric) {
+  for (const auto& one : kStatistics) {
+    if (metric == path_metric(one.value, metric.direct_weight)) return one.value;
   }
-  weights.finish();
-  if (total > 0) return metric;
-  in.mistake(kMetric.name, "must weigh at least one of hops, delay, min_snr, energy");
-  return otherwise;
+  return std::nullopt;
 }
 
-PathMetric read_metric(Mapping& in, const PathMetric& otherwise, const LinkCapabilities& link) {
-  PathMetric metric = otherwise;
-  if (in.has_scalar(kMetric.name)) {
-    const auto statistic = in.choice(kMetric, kStatistics, PathStatistic::kHops);
-    metric = path_metric(statistic, otherwise.direct_weight);
-  } else if (in.has(kMetric.name)) {
-    metric = read_weights(in, otherwise, link);
+void weight_key(Fields& io, const Option<PathStatistic>& statistic, PathMetric& metric) {
+  const bool is_snr = statistic.value == PathStatistic::kMinSnr;
+  double weight = io.is_writing() ? metric.weight(statistic.value) : 0;
+  io.written_if(weight > 0, [&](Fields& written) {
+    written.number({std::string(statistic.name),
+                    is_snr ? "Exponent of this statistic's value in the product; the radio must "
+                             "have waves."
+                           : "Exponent of this statistic's value in the product.",
+                    "0.5"},
+                   "1", {0, 100}, weight);
+  });
+  if (!io.is_writing()) metric.set_weight(statistic.value, weight);
+}
+
+/// Several statistics with their exponents. Where the ratio of signal to noise can have no effect
+/// it is not offered; who gives it is told why.
+void weight_keys(Fields& io, PathMetric& metric, const LinkCapabilities& link) {
+  if (!io.is_writing()) metric = {.hops = 0, .direct_weight = metric.direct_weight};
+  std::vector<std::string> given;
+  if (io.reading() != nullptr) given = io.reading()->keys();
+  for (const auto& one : kStatistics) {
+    const bool is_offered = one.value != PathStatistic::kMinSnr || link.rssi;
+    if (!is_offered && std::ranges::find(given, one.name) == given.end()) continue;
+    const bool hangs_on_link = one.value == PathStatistic::kMinSnr && link.rssi;
+    io.only(true, hangs_on_link ? Fields::When{".link", {"mac"}} : Fields::When{}, "",
+            [&](Fields& weight) { weight_key(weight, one, metric); });
+  }
+}
+
+void check_metric(Mapping& in, PathMetric& metric, const PathMetric& otherwise,
+                  const LinkCapabilities& link) {
+  if (std::ranges::all_of(kStatistics,
+                          [&](const auto& one) { return metric.weight(one.value) == 0; })) {
+    in.mistake(kMetric.name, "must weigh at least one of hops, delay, min_snr, energy");
+    metric = otherwise;
   }
   if (metric.min_snr > 0 && !link.rssi && in.has(kMetric.name)) {
     in.mistake(kMetric.name,
@@ -159,48 +172,40 @@ PathMetric read_metric(Mapping& in, const PathMetric& otherwise, const LinkCapab
     metric.min_snr = 0;
     metric.hops = 1;
   }
-  return metric;
 }
 
-void write_metric(Writer& out, const PathMetric& metric) {
-  for (const auto& [name, statistic] : kStatistics) {
-    if (metric == path_metric(statistic, metric.direct_weight)) {
-      return out.text(kMetric.name, name);
-    }
+/// A statistic by its name, or a mapping of several.
+void metric_key(Fields& io, PathMetric& metric, const LinkCapabilities& link) {
+  const PathMetric otherwise = metric;
+  std::optional<PathStatistic> statistic = single(metric);
+  Mapping* const in = io.reading();
+  if (in != nullptr ? in->has_scalar(kMetric.name) : io.is_writing() && statistic) {
+    PathStatistic named = in != nullptr ? PathStatistic::kHops : *statistic;
+    io.choice(kMetric, kStatistics, named);
+    metric = path_metric(named, otherwise.direct_weight);
+  } else {
+    io.inside_given(kMetric, io.is_writing(),
+                    [&](Fields& weights) { weight_keys(weights, metric, link); });
   }
-  out.open(kMetric.name);
-  for (const auto& [name, statistic] : kStatistics) {
-    if (metric.weight(statistic) > 0) out.number(name, metric.weight(statistic), "1");
-  }
-  out.close();
+  if (in != nullptr) check_metric(*in, metric, otherwise, link);
 }
 
 /// What a message class may choose for itself.
 void class_keys(Fields& io, RouteChoice& c, const LinkCapabilities& link) {
-  io.own(
-      kMetric, [&](Mapping& in) { c.metric = read_metric(in, c.metric, link); },
-      [&](Writer& out) { write_metric(out, c.metric); });
+  metric_key(io, c.metric, link);
   choice_keys(io, c);
 }
 
-void read_classes(Mapping& in, RoutingConfig& config, const LinkCapabilities& link) {
-  if (!in.has(kClasses.name)) return;
-  Mapping classes = in.mapping(kClasses);
-  for (const std::string& topic : classes.keys()) {
-    RouteChoice& own = config.classes.insert_or_assign(topic, config.choice).first->second;
-    FieldReader(classes).inside(
-        {topic, "A message class, by its topic; what it does not say is as for the others."},
-        [&](Fields& io) { class_keys(io, own, link); });
-  }
-  classes.finish();
-}
-
-void write_classes(Writer& out, RoutingConfig& config, const LinkCapabilities& link) {
-  if (config.classes.empty()) return;
-  FieldWriter(out).inside(kClasses, [&](Fields& io) {
-    for (auto& one : config.classes) {
-      io.inside({one.first, ""}, [&](Fields& own) { class_keys(own, one.second, link); });
-    }
+void classes_key(Fields& io, RoutingConfig& c, const LinkCapabilities& link) {
+  std::vector<std::string> topics;
+  for (const auto& one : c.classes) topics.push_back(one.first);
+  io.inside_given(kClasses, !topics.empty(), [&](Fields& classes) {
+    classes.named(
+        {"NAME", "A message class, by its topic; what it does not say is as for the others."},
+        topics, [&](Fields& keys, const std::string& topic) {
+          RouteChoice& own = c.classes.try_emplace(topic, c.choice).first->second;
+          class_keys(keys, own, link);
+        });
   });
 }
 
@@ -216,10 +221,7 @@ void algorithm_keys(Fields& io, RoutingConfig& c, const LinkCapabilities& link) 
   hop_limit_key(io, c);
   if (has_buffer(c.algorithm)) buffer_keys(io, c);
   hop_keys(io, c, link);
-  if (!is_by_ants) return;
-  io.own(
-      kClasses, [&](Mapping& in) { read_classes(in, c, link); },
-      [&](Writer& out) { write_classes(out, c, link); });
+  if (is_by_ants) classes_key(io, c, link);
 }
 
 FieldNames names_of(Algorithm algorithm, const LinkCapabilities& link) {
@@ -244,34 +246,40 @@ void refuse_others(Mapping& in, Algorithm algorithm, const LinkCapabilities& lin
   }
 }
 
-}  // namespace
-
-RoutingConfig read_routing(Mapping& in, const LinkCapabilities& link) {
-  const Key key{"routing",
-                "How messages find their way over several hops, with these keys; or `none`: "
-                "straight to the MAC, one hop."};
-  RoutingConfig config;
-  if (in.has_scalar(key.name)) {
-    config.algorithm = in.choice(key, kNoRouting, Algorithm::kNone);
-    return config;
-  }
-  Mapping keys = in.mapping(key);
-  config.algorithm = keys.choice(kAlgorithm, kAlgorithms, config.algorithm);
-  if (config.algorithm == Algorithm::kAodv) config.jitter_max = kAodvJitter;
-  if (config.algorithm == Algorithm::kAntHocNet) anthocnet_defaults(config);
-  FieldReader reader(keys);
-  algorithm_keys(reader, config, link);
-  refuse_others(keys, config.algorithm, link);
-  keys.finish();
+RoutingConfig defaults_of(Algorithm algorithm) {
+  RoutingConfig config{.algorithm = algorithm};
+  if (algorithm == Algorithm::kAodv) config.jitter_max = kAodvJitter;
+  if (algorithm == Algorithm::kAntHocNet) anthocnet_defaults(config);
   return config;
 }
 
-void write_routing(Writer& out, RoutingConfig config, const LinkCapabilities& link) {
-  if (config.algorithm == Algorithm::kNone) return out.text("routing", kNoRouting[0].name);
-  FieldWriter(out).inside({"routing", ""}, [&](Fields& io) {
-    out.text(kAlgorithm.name, config.algorithm.name());
-    algorithm_keys(io, config, link);
+void keys_of(Fields& io, RoutingConfig& c, const LinkCapabilities& link) {
+  if (io.is_writing()) {  // also algorithms that files cannot name
+    std::string name(c.algorithm.name());
+    io.text(kAlgorithm, name);
+    return algorithm_keys(io, c, link);
+  }
+  Algorithm algorithm = c.algorithm;
+  io.choice(kAlgorithm, kAlgorithms, algorithm, [&](Fields& keys) {
+    c = defaults_of(algorithm);
+    algorithm_keys(keys, c, link);
+    if (keys.reading() != nullptr) refuse_others(*keys.reading(), algorithm, link);
   });
+}
+
+}  // namespace
+
+void routing_key(Fields& io, RoutingConfig& c, const LinkCapabilities& link) {
+  const Key key{"routing",
+                "How messages find their way over several hops, with these keys; or `none`: "
+                "straight to the MAC, one hop."};
+  const bool is_none = io.reading() != nullptr ? io.reading()->has_scalar(key.name)
+                                               : c.algorithm == Algorithm::kNone;
+  if (is_none) {
+    c.algorithm = Algorithm::kNone;
+    return io.choice(key, kNoRouting, c.algorithm);
+  }
+  io.inside(key, [&](Fields& keys) { keys_of(keys, c, link); });
 }
 
 }  // namespace hal::files::description

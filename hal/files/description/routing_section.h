@@ -2,8 +2,7 @@
 
 #include <array>
 
-#include "hal/files/config/mapping.h"
-#include "hal/files/config/writer.h"
+#include "hal/files/description/fields.h"
 #include "hal/node/routing/ports.h"
 #include "hal/node/routing/routing_config.h"
 
@@ -20,12 +19,11 @@ inline const std::array kRoutingAlgorithms{
     option_of(node::routing::Algorithm::kNone)};
 
 /// `routing:` of a scenario, or of a real agent's file: a mapping, or `none`.
-/// @param link  what the link under the router tells of its frames. If it reports what becomes of
+/// @param c  of which the algorithm and what files say of it is written. @param link  what the link
+/// under the router tells of its frames. If it reports what becomes of
 ///              them, the keys of hop acknowledgements and hellos are refused; if it does not tell
 ///              how strong they were, so is the metric of the signal to noise ratio.
-node::routing::RoutingConfig read_routing(config::Mapping& in,
-                                          const node::routing::LinkCapabilities& link);
-void write_routing(config::Writer& out, node::routing::RoutingConfig config,
-                   const node::routing::LinkCapabilities& link);
+void routing_key(Fields& io, node::routing::RoutingConfig& c,
+                 const node::routing::LinkCapabilities& link);
 
 }  // namespace hal::files::description

@@ -1,7 +1,6 @@
 #include "hal/files/description/wheels_section.h"
 
-#include "hal/files/description/field_io.h"
-#include "hal/files/description/infrared_section.h"
+#include "hal/files/description/mounting.h"
 
 namespace hal::files::description {
 namespace {
@@ -63,128 +62,103 @@ const Key kRollerAngle{
     "above.",
     "-45 deg"};
 
-void read_roller(Mapping& in, Wheel& wheel) {
-  if (wheel.type != WheelType::kMecanum)
-    return in.refuse(kRollerAngle.name, "only a mecanum wheel has one");
-  wheel.roller_angle = in.number(kRollerAngle, "rad", kRoller);
-}
-
 /// @param glides  whether `mu2` was given for all wheels.
-void read_friction(Fields& io, Wheel& wheel, bool glides) {
-  grip_key(io, wheel);
-  const bool has_rollers = wheel.type == WheelType::kOmni || wheel.type == WheelType::kMecanum;
-  if (!glides) wheel.mu2 = has_rollers ? kGlideOfRollers : wheel.mu;
-  glide_key(io, wheel);
+void friction_keys(Fields& io, Wheel& c, bool glides) {
+  grip_key(io, c);
+  const bool has_rollers = c.type == WheelType::kOmni || c.type == WheelType::kMecanum;
+  if (!io.is_writing() && !glides) c.mu2 = has_rollers ? kGlideOfRollers : c.mu;
+  glide_key(io, c);
 }
 
-void motor_keys(Fields& io, Wheel& wheel) {
+void motor_keys(Fields& io, Wheel& c) {
   io.inside({"limit", "What the wheel's motor can do."},
-            [&](Fields& limit) { limit_keys(limit, wheel); });
+            [&](Fields& limit) { limit_keys(limit, c); });
 }
 
-void read_driven(Mapping& in, Wheel& wheel, bool glides) {
-  FieldReader reader(in);
-  size_keys(reader, wheel);
-  read_friction(reader, wheel, glides);
-  motor_keys(reader, wheel);
+/// What all driven wheels have in common.
+void common_keys(Fields& io, Wheel& c) {
+  static constexpr std::array kAlike{kTypes[0], kTypes[2]};
+  io.choice({"type",
+             "Of the `joints` that have none of their own; a mecanum wheel's stands beside its "
+             "`roller_angle`.",
+             "fixed"},
+            kAlike, c.type);
+  size_keys(io, c);
+  friction_keys(io, c, false);
+  motor_keys(io, c);
 }
 
-Wheel read_caster(Mapping& in) {
-  Wheel ball;
-  ball.type = WheelType::kCaster;
-  ball.mu = kGlideOfCaster;
-  FieldReader reader(in);
-  size_keys(reader, ball);
-  for (const std::string key : {"radius", "mass"})
-    if (!in.has(key)) in.mistake(key, "is missing: a caster takes nothing from wheel");
-  read_friction(reader, ball, false);
-  in.refuse("limit", "a caster has no motor");
-  return ball;
-}
-
-/// Every key is given for all wheels or for this one.
-void check_complete(Mapping& all, Mapping& joint) {
-  const auto check = [](Mapping common, Mapping own, const std::string& key) {
-    if (!common.has(key) && !own.has(key)) own.mistake(key, "is missing, here and in wheel");
+/// A caster has what it says itself, every driven wheel what it or `wheel` says.
+void check_complete(Mapping joint, Mapping all, bool is_driven) {
+  const auto check = [&](Mapping common, Mapping own, const std::string& key) {
+    if (own.has(key)) return;
+    if (!is_driven) own.mistake(key, "is missing: a caster takes nothing from wheel");
+    if (is_driven && !common.has(key)) own.mistake(key, "is missing, here and in wheel");
   };
   check(all, joint, "radius");
   check(all, joint, "mass");
+  if (!is_driven) return;
   check(all.within("limit"), joint.within("limit"), "effort");
   check(all.within("limit"), joint.within("limit"), "velocity");
 }
 
-WheelType read_common_type(Mapping& in) {
-  static constexpr std::array kAlike{kTypes[0], kTypes[2]};
-  return in.choice({"type",
-                    "Of the `joints` that have none of their own; a mecanum wheel's stands beside "
-                    "its `roller_angle`.",
-                    "fixed"},
-                   kAlike, WheelType::kOmni);
+/// Of a driven wheel or of a caster.
+void drive_keys(Fields& io, Wheel& c, bool glides) {
+  size_keys(io, c);
+  friction_keys(io, c, glides && c.is_driven());
+  if (c.type == WheelType::kMecanum) {
+    io.needed(kRollerAngle, "rad", kRoller, c.roller_angle);
+  } else {
+    io.unused(kRollerAngle.name, "only a mecanum wheel has one");
+  }
+  if (c.is_driven()) return motor_keys(io, c);
+  io.unused("limit", "a caster has no motor");
 }
 
-Wheel read_joint(Mapping& in, Mapping& all, const Wheel& common) {
-  Wheel wheel = common;
-  wheel.type = in.choice(
+/// It takes nothing from `wheel`.
+Wheel caster_at(const Wheel& place) {
+  return {.position = place.position,
+          .axle_heading = place.axle_heading,
+          .mu = kGlideOfCaster,
+          .type = WheelType::kCaster};
+}
+
+/// @param all  the robot's wheels in a file that is read; else null.
+void joint_keys(Fields& io, Wheel& c, Mapping* all) {
+  mounting_keys(io, {"axis", "Direction of the axle.", "60 deg", "the bearing of the position"},
+                c.position, c.axle_heading);
+  const bool glides = all != nullptr && all->within("wheel").has("mu2");
+  const auto keys = [&](Fields& one) {
+    if (!one.is_writing() && !c.is_driven()) c = caster_at(c);
+    drive_keys(one, c, glides);
+  };
+  io.choice(
       {"type",
        "omni: rollers let it give way along its axle; mecanum: at `roller_angle` to it; fixed: an "
        "ordinary wheel; caster: a ball without a motor, which carries and goes anywhere.",
        "fixed", "that of `wheel`, which is omni if it has none"},
-      kTypes, wheel.type);
-  read_roller(in, wheel);
-  if (wheel.is_driven()) {
-    read_driven(in, wheel, all.has("mu2"));
-    check_complete(all, in);
-  } else {
-    wheel = read_caster(in);
-  }
-  const Mounting mounting = read_mounting(
-      in, {"axis", "Direction of the axle.", "60 deg", "the bearing of the position"});
-  wheel.position = mounting.position;
-  wheel.axle_heading = mounting.heading;
-  return wheel;
-}
-
-void write_wheel(Fields& io, Wheel& wheel) {
-  io.choice({"type", ""}, kTypes, wheel.type);
-  io.vec2({"position", ""}, "m", kOffset, wheel.position);
-  io.number({"axis", ""}, "rad", kAngle, wheel.axle_heading);
-  size_keys(io, wheel);
-  grip_key(io, wheel);
-  glide_key(io, wheel);
-  if (wheel.type == WheelType::kMecanum)
-    io.number(kRollerAngle, "rad", kRoller, wheel.roller_angle);
-  if (wheel.is_driven()) motor_keys(io, wheel);
+      kTypes, c.type, keys);
+  if (all != nullptr) check_complete(*io.reading(), all->within("wheel"), c.is_driven());
 }
 
 }  // namespace
 
-std::vector<Wheel> read_wheels(Mapping in) {
+void wheels_keys(Fields& io, std::vector<Wheel>& wheels) {
   Wheel common;
   common.mu = kGripOfDriven;
-  Mapping all = in.mapping({"wheel", "What all driven wheels have in common."});
-  common.type = read_common_type(all);
-  read_driven(all, common, false);
-  all.finish();
-  std::vector<Wheel> wheels;
-  for (Mapping& joint :
-       in.mappings({"joints",
-                    "The wheels, casters included, at least three, each where it is and how it "
-                    "differs from `wheel`.",
-                    "[{distance: 13 cm, bearing: 60 deg}, {distance: 13 cm, bearing: 180 deg}, "
-                    "{distance: 13 cm, bearing: 300 deg}]",
-                    config::kMustBeGiven})) {
-    wheels.push_back(read_joint(joint, all, common));
-    joint.finish();
-  }
-  if (wheels.size() < 3) in.mistake("joints", "must have at least three wheels");
-  in.finish();
-  return wheels;
-}
-
-void write_wheels(Writer& out, std::vector<Wheel> wheels) {
-  FieldWriter(out).inside({"wheels", ""}, [&](Fields& io) {
-    io.list<Wheel>({"joints", ""}, wheels, write_wheel);
+  io.written_if(false, [&](Fields& read) {
+    read.inside({"wheel", "What all driven wheels have in common."},
+                [&](Fields& all) { common_keys(all, common); });
   });
+  io.list<Wheel>(
+      {"joints",
+       "The wheels, casters included, at least three, each where it is and how it differs from "
+       "`wheel`.",
+       "[{distance: 13 cm, bearing: 60 deg}, {distance: 13 cm, bearing: 180 deg}, "
+       "{distance: 13 cm, bearing: 300 deg}]",
+       config::kMustBeGiven},
+      wheels, [&](Fields& one, Wheel& wheel) { joint_keys(one, wheel, io.reading()); }, common);
+  if (wheels.size() < 3) io.mistake("joints", "must have at least three wheels");
 }
 
 }  // namespace hal::files::description

@@ -12,85 +12,85 @@ namespace hal::robot::agent {
 namespace {
 
 using namespace std::chrono_literals;
-using files::config::Mapping;
 using files::config::Option;
+using files::description::as;
+using files::description::Fields;
 
 constexpr files::config::Range kCoordinate{-1e6, 1e6};  // m
 constexpr files::config::Range kAngle{-10, 10};         // rad, more than a full turn either way
 
-enum class Driver : std::uint8_t { kNone, kPoseTopic, kStatic };
+enum class Driver : std::uint8_t { kNone, kPoseTopic, kStatic };  // as LocalisationSettings::source
 constexpr std::array kDrivers = {Option<Driver>{"none", Driver::kNone},
                                  Option<Driver>{"pose_topic", Driver::kPoseTopic},
                                  Option<Driver>{"static", Driver::kStatic}};
 
-Pose2 read_pose(Mapping in) {
-  const Pose2 pose{in.number({"x", "World frame.", "5 m"}, "m", kCoordinate),
-                   in.number({"y", "World frame.", "0 m"}, "m", kCoordinate),
-                   math::wrap_angle(in.number({"yaw", "Heading, from x towards y.", "90 deg"},
-                                              "rad", kAngle, 0))};
-  in.finish();
-  return pose;
+void pose_keys(Fields& io, Pose2& c) {
+  io.needed({"x", "World frame.", "5 m"}, "m", kCoordinate, c.x);
+  io.needed({"y", "World frame.", "0 m"}, "m", kCoordinate, c.y);
+  io.number({"yaw", "Heading, from x towards y.", "90 deg"}, "rad", kAngle, c.theta);
+  c.theta = math::wrap_angle(c.theta);
 }
 
-void read_source(Mapping& in, LocalisationSettings& settings) {
-  const Driver driver = in.choice({"driver",
-                                   "How the agent knows where it is: from a DDS topic, from this "
-                                   "file because it stands still, or not at all.",
-                                   "static"},
-                                  kDrivers, Driver::kNone);
-  if (driver == Driver::kPoseTopic) {
-    settings.source = PoseTopicSettings{
-        .topic = in.text({"topic", "Of geometry_msgs/PoseStamped, as in ROS 2.", "/mocap/r0/pose"}),
-        .stale_after =
-            in.duration({"stale_after", "An older pose is none.", "500 ms"}, {1e-3, 60}, 500ms)};
-  } else {
-    in.refuse("topic", "only driver 'pose_topic' has one");
-    in.refuse("stale_after", "only driver 'pose_topic' has one");
-  }
-  if (driver == Driver::kStatic) {
-    settings.source = read_pose(in.mapping({"pose", "Where the agent stands."}));
-  } else {
-    in.refuse("pose", "only driver 'static' has one");
-  }
+void topic_keys(Fields& io, PoseTopicSettings& c) {
+  io.needed_text({"topic", "Of geometry_msgs/PoseStamped, as in ROS 2.", "/mocap/r0/pose"},
+                 c.topic);
+  c.stale_after = 500ms;
+  io.duration({"stale_after", "An older pose is none.", "500 ms"}, {1e-3, 60}, c.stale_after);
 }
 
-void read_landmark(Mapping& in, LocalisationSettings& settings,
-                   std::map<AgentId, std::string>& known) {
-  Landmark landmark;
-  landmark.name = in.text({"name", "Of the agent.", "m0"});
-  landmark.agent = AgentId{static_cast<std::uint16_t>(
-      in.integer({"address", "Its network address.", "1"}, 1, kLastAddress))};
-  landmark.position = {in.number({"x", "World frame.", "5 m"}, "m", kCoordinate),
-                       in.number({"y", "World frame.", "0 m"}, "m", kCoordinate)};
-  const auto [taken, is_new] = known.emplace(landmark.agent, landmark.name);
-  if (!is_new) {
-    in.mistake("address",
-               fmt::format("the address {} is taken by '{}'", landmark.agent.value, taken->second));
+void source_keys(Fields& io, LocalisationSettings& c) {
+  auto driver = static_cast<Driver>(c.source.index());
+  io.choice({"driver",
+             "How the agent knows where it is: from a DDS topic, from this file because it stands "
+             "still, or not at all.",
+             "static"},
+            kDrivers, driver, [&](Fields& keys) {
+              if (driver == Driver::kPoseTopic) {
+                topic_keys(keys, as<PoseTopicSettings>(c.source));
+              } else {
+                keys.unused("topic", "only driver 'pose_topic' has one");
+                keys.unused("stale_after", "only driver 'pose_topic' has one");
+              }
+              if (driver != Driver::kStatic)
+                return keys.unused("pose", "only driver 'static' has one");
+              keys.inside({"pose", "Where the agent stands."},
+                          [&](Fields& pose) { pose_keys(pose, as<Pose2>(c.source)); });
+            });
+}
+
+void landmark_keys(Fields& io, Landmark& c) {
+  io.needed_text({"name", "Of the agent.", "m0"}, c.name);
+  io.needed_count({"address", "Its network address.", "1"}, 1, kLastAddress, c.agent.value);
+  io.needed({"x", "World frame.", "5 m"}, "m", kCoordinate, c.position.x);
+  io.needed({"y", "World frame.", "0 m"}, "m", kCoordinate, c.position.y);
+}
+
+void map_key(Fields& io, LocalisationSettings& c, const RobotFile& file) {
+  std::map<AgentId, std::string> known;
+  io.list<Landmark>({"map", "Agents that are known to stand somewhere.",
+                     "[{name: m0, address: 1, x: 0 m, y: 0 m}]"},
+                    c.map, [&](Fields& one, Landmark& landmark) {
+                      landmark_keys(one, landmark);
+                      const auto [taken, is_new] = known.emplace(landmark.agent, landmark.name);
+                      if (!is_new)
+                        one.mistake("address", fmt::format("the address {} is taken by '{}'",
+                                                           landmark.agent.value, taken->second));
+                    });
+  const auto self = known.find(file.address);
+  if (self != known.end() && self->second != file.name) {
+    io.mistake("map", fmt::format("gives the address {} of this agent to '{}'", file.address.value,
+                                  self->second));
   }
-  in.finish();
-  settings.map.push_back(std::move(landmark));
+  std::ranges::sort(c.map, {}, &Landmark::agent);
 }
 
 }  // namespace
 
-LocalisationSettings read_localisation(Mapping in, const RobotFile& file) {
-  LocalisationSettings settings;
-  read_source(in, settings);
-  settings.range = in.number({"range", "Agents of the map farther away are not reported.", "300 m"},
-                             "m", {0, files::config::kUnlimited}, settings.range);
-  std::map<AgentId, std::string> known;
-  for (Mapping& landmark : in.mappings({"map", "Agents that are known to stand somewhere.",
-                                        "[{name: m0, address: 1, x: 0 m, y: 0 m}]"}))
-    read_landmark(landmark, settings, known);
-  const auto self = known.find(file.address);
-  if (self != known.end() && self->second != file.name) {
-    in.mistake("map", fmt::format("gives the address {} of this agent to '{}'", file.address.value,
-                                  self->second));
-  }
-  std::sort(settings.map.begin(), settings.map.end(),
-            [](const Landmark& a, const Landmark& b) { return a.agent < b.agent; });
-  in.finish();
-  return settings;
+void localisation_keys(Fields& io, LocalisationSettings& c, const RobotFile& file) {
+  source_keys(io, c);
+  io.number({"range", "Agents of the map farther away are not reported.", "300 m"}, "m",
+            {0, files::config::kUnlimited}, c.range);
+  map_key(io, c, file);
 }
 
 }  // namespace hal::robot::agent

@@ -6,9 +6,10 @@
 #include <limits>
 
 #include "hal/files/config/document.h"
-#include "hal/files/config/mapping.h"
 #include "hal/files/description/body_section.h"
+#include "hal/files/description/field_io.h"
 #include "hal/files/description/names.h"
+#include "hal/files/description/robot_checks.h"
 #include "hal/files/description/routing_section.h"
 #include "hal/node/devices/channels.h"
 #include "hal/robot/agent/robot_file_sections.h"
@@ -16,115 +17,128 @@
 namespace hal::robot::agent {
 namespace {
 
-using files::config::Key;
 using files::config::Mapping;
 using files::config::Option;
+using files::description::FieldReader;
+using files::description::Fields;
 
 constexpr std::array kKinds = {Option<AgentKind>{"robot", AgentKind::kRobot},
                                Option<AgentKind>{"mote", AgentKind::kMote}};
 
-void read_agent(Mapping in, RobotFile& file) {
-  file.name = in.text({"name", "Of the agent: letters, digits, '_' and '-' after a letter.", "r0"});
+void agent_keys(Fields& io, RobotFile& file) {
+  io.needed_text({"name", "Of the agent: letters, digits, '_' and '-' after a letter.", "r0"},
+                 file.name);
   if (!file.name.empty() && !files::description::may_be_named(file.name)) {
-    in.mistake("name",
+    io.mistake("name",
                fmt::format("'{}' must be letters, digits, '_' and '-' after a letter", file.name));
   }
   // A mistaken address is nobody's: it must not seem to be taken by a landmark.
-  const Key address{"address", "Network address, the same as in the simulator's scenario.", "26",
-                    files::config::kMustBeGiven};
-  if (!in.has("address")) in.integer(address, 1, kLastAddress);
-  file.address = AgentId{static_cast<std::uint16_t>(in.integer(address, 1, kLastAddress, 0))};
-  file.kind = in.choice({"kind", "What the agent is.", "robot"}, kKinds).value_or(AgentKind::kMote);
-  in.finish();
+  file.address = {};
+  const files::config::Key address{"address",
+                                   "Network address, the same as in the simulator's scenario.",
+                                   "26", files::config::kMustBeGiven};
+  io.count(address, 1, kLastAddress, file.address.value);
+  if (Mapping* in = io.reading(); in != nullptr && !in->has(address.name))
+    in->integer(address, 1, kLastAddress);  // which is missing
+  io.needed_choice({"kind", "What the agent is.", "robot"}, kKinds, file.kind);
 }
 
-void read_controller(Mapping in, RobotFile& file) {
-  if (in.has("program"))
-    file.program =
-        in.text({"program", "The controller this agent is for; others are refused.", "help_robot"});
-  if (in.has("air_interface")) {
-    file.air_interface = in.text({"air_interface",
-                                  "Network interface on which the controller may open sockets and "
-                                  "DDS participants of its own.",
-                                  "wlan0"});
-    file.air_interface_place = in.place("air_interface");
-    if (file.air_interface.empty()) in.mistake("air_interface", "is empty");
-  }
-  Mapping parameters =
-      in.mapping({"parameters", "Of the controller; `baraka describe PROGRAM` shows them.",
-                  "{speed: 0.5 m/s}"});
-  for (files::config::PlainValue& given : parameters.nested_values()) {
-    file.parameters.push_back({std::move(given.key), std::move(given.text), std::move(given.place),
-                               given.is_list, std::move(given.items)});
-  }
-  in.finish();
+void controller_keys(Fields& io, RobotFile& file) {
+  io.given_text({"program", "The controller this agent is for; others are refused.", "help_robot"},
+                file.program);
+  const bool has_air = io.given_text({"air_interface",
+                                      "Network interface on which the controller may open sockets "
+                                      "and DDS participants of its own.",
+                                      "wlan0"},
+                                     file.air_interface);
+  if (has_air) file.air_interface_place = io.reading()->place("air_interface");
+  if (has_air && file.air_interface.empty()) io.mistake("air_interface", "is empty");
+  const files::config::Key parameters{
+      "parameters", "Of the controller; `baraka describe PROGRAM` shows them.", "{speed: 0.5 m/s}"};
+  io.own(
+      parameters, {.kind = files::config::Form::Kind::kMapping},
+      [&](Mapping& in) {
+        for (files::config::PlainValue& given : in.mapping(parameters).nested_values()) {
+          file.parameters.push_back({std::move(given.key), std::move(given.text),
+                                     std::move(given.place), given.is_list,
+                                     std::move(given.items)});
+        }
+      },
+      [](files::config::Writer& /*out*/) {});
 }
 
-RadioSettings read_radio(Mapping in, RadioPlaces& places) {
-  RadioSettings radio;
-  places = {in.place("interface"), in.place("address"), in.place("port")};
-  radio.interface =
-      in.text({"interface", "Network interface; the same network for all agents.", "wlan0"});
-  if (in.has("address"))
-    radio.address = in.text(
-        {"address", "One of the interface's addresses; absent: its first one.", "192.168.0.5"});
-  radio.port = static_cast<std::uint16_t>(
-      in.integer({"port", "UDP port, the same for all agents.", "7300"}, 1, 0xffff, radio.port));
-  radio.bit_rate = in.number({"bit_rate", "Nominal, for the delay statistics of routes.", "6 Mb/s"},
-                             "b/s", {1, 1e12}, radio.bit_rate);
-  radio.power =
-      in.number({"power", "Of the transmitter, for the energy statistics of routes.", "100 mW"},
-                "W", {0, 100}, radio.power);
-  in.finish();
-  return radio;
+void keys_of(Fields& io, RadioSettings& c) {
+  io.needed_text({"interface", "Network interface; the same network for all agents.", "wlan0"},
+                 c.interface);
+  io.given_text(
+      {"address", "One of the interface's addresses; absent: its first one.", "192.168.0.5"},
+      c.address);
+  io.count({"port", "UDP port, the same for all agents.", "7300"}, 1, 0xffff, c.port);
+  io.number({"bit_rate", "Nominal, for the delay statistics of routes.", "6 Mb/s"}, "b/s",
+            {1, 1e12}, c.bit_rate);
+  io.number({"power", "Of the transmitter, for the energy statistics of routes.", "100 mW"}, "W",
+            {0, 100}, c.power);
 }
 
-void read_times(Mapping& in, RobotFile& file) {
-  file.seed = static_cast<std::uint64_t>(
-      in.integer({"seed", "Of the controller's and the router's random streams.", "1"}, 0,
-                 std::numeric_limits<std::int64_t>::max(), 1));
-  file.control_period =
-      in.duration({"control_period", "Between two calls of the controller's step().", "100 ms"},
-                  {1e-3, 10}, file.control_period);
-  file.command_timeout = in.duration(
-      {"command_timeout",
-       "Without a command for so long the wheels stop; not shorter than `control_period`.",
-       "500 ms"},
-      {1e-3, 3600}, file.command_timeout);
+RadioPlaces places_of(const Mapping& in) {
+  return {in.place("interface"), in.place("address"), in.place("port")};
+}
+
+void times_keys(Fields& io, RobotFile& file) {
+  io.count({"seed", "Of the controller's and the router's random streams.", "1"}, 0,
+           std::numeric_limits<std::int64_t>::max(), file.seed);
+  io.duration({"control_period", "Between two calls of the controller's step().", "100 ms"},
+              {1e-3, 10}, file.control_period);
+  io.duration({"command_timeout",
+               "Without a command for so long the wheels stop; not shorter than `control_period`.",
+               "500 ms"},
+              {1e-3, 3600}, file.command_timeout);
   if (file.command_timeout < file.control_period) {
-    in.mistake("command_timeout",
+    io.mistake("command_timeout",
                "must not be shorter than control_period: the wheels would stop between commands");
   }
 }
 
 /// A robot has a body and devices, a mote has neither.
-void read_body(Mapping& in, RobotFile& file) {
-  if (file.kind == AgentKind::kRobot) {
-    file.robot = files::description::read_robot(in.mapping(
+void body_keys(Fields& io, RobotFile& file) {
+  const bool is_robot = file.kind == AgentKind::kRobot;
+  file.robot.emplace();
+  io.only(is_robot, {"agent.kind", {"robot"}}, "a mote has none", [&](Fields& robot) {
+    robot.inside(
         {"robot",
-         "Geometry of body, wheels and sensors, mostly {include: ../robots/robotino.yaml}."}));
-    read_devices(in, file);
-    return;
-  }
-  for (const std::string key :
-       {"robot", "wheels", "infrared", "sensors", "limits", "on_lost_sensor"}) {
-    in.refuse(key, "a mote has none");
-  }
+         "Geometry of body, wheels and sensors, mostly {include: ../robots/robotino.yaml}."},
+        [&](Fields& keys) {
+          keys_of(keys, *file.robot);
+          if (Mapping* in = keys.reading())
+            files::description::check_robot(*in, *file.robot, files::description::kEarthGravity);
+        });
+    device_keys(robot, file);
+  });
+  if (!is_robot) file.robot.reset();
 }
 
 }  // namespace
 
+void keys_of(Fields& io, RobotFile& file) {
+  files::description::needed_version_key(io);
+  io.inside({"agent", "Who the agent is."}, [&](Fields& agent) { agent_keys(agent, file); });
+  io.inside({"controller", "The program that drives it."},
+            [&](Fields& controller) { controller_keys(controller, file); });
+  times_keys(io, file);
+  io.inside({"radio", "The UDP radio."}, [&](Fields& radio) {
+    if (radio.reading() != nullptr) file.radio_places = places_of(*radio.reading());
+    keys_of(radio, file.radio);
+  });
+  files::description::routing_key(io, file.routing, node::routing::LinkCapabilities{});
+  io.inside({"localisation", "How the agent knows where it and the others are."},
+            [&](Fields& own) { localisation_keys(own, file.localisation, file); });
+  body_keys(io, file);
+}
+
 RobotFile RobotFile::read(Mapping in) {
   RobotFile file;
-  in.integer({"version", "Of the format of this file.", "1"}, 1, 1);
-  read_agent(in.mapping({"agent", "Who the agent is."}), file);
-  read_controller(in.mapping({"controller", "The program that drives it."}), file);
-  read_times(in, file);
-  file.radio = read_radio(in.mapping({"radio", "The UDP radio."}), file.radio_places);
-  file.routing = files::description::read_routing(in, node::routing::LinkCapabilities{});
-  file.localisation = read_localisation(
-      in.mapping({"localisation", "How the agent knows where it and the others are."}), file);
-  read_body(in, file);
+  FieldReader io(in);
+  keys_of(io, file);
   in.finish();
   return file;
 }

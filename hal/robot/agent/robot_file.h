@@ -8,7 +8,7 @@
 #include <variant>
 #include <vector>
 
-#include "hal/files/config/mapping.h"
+#include "hal/files/description/fields.h"
 #include "hal/node/devices/robot_description.h"
 #include "hal/node/exchange/session.h"
 #include "hal/node/routing/routing_config.h"
@@ -96,6 +96,9 @@ struct RobotFile {
   static RobotFile load(const std::filesystem::path& file,
                         const std::vector<std::string>& overrides = {});
 };
+
+/// Its keys. Nothing writes such a file.
+void keys_of(files::description::Fields& io, RobotFile& file);
 
 /// The drivers that a file asks for, their threads started; null: the file asks for none. A device
 /// that does not answer is no error: the driver goes on trying.

@@ -1,15 +1,16 @@
 #pragma once
 
-#include "hal/files/config/mapping.h"
+#include "hal/files/description/fields.h"
 #include "hal/robot/agent/robot_file.h"
 
 namespace hal::robot::agent {
 
 /// `wheels:`, `infrared:`, `sensors:`, `limits:` and `on_lost_sensor:` of a robot's file. @pre the
-/// file's `robot` is read.
-void read_devices(files::config::Mapping& in, RobotFile& file);
+/// file's `robot` is described.
+void device_keys(files::description::Fields& io, RobotFile& file);
 
-/// `localisation:`. @pre the file's address is read.
-LocalisationSettings read_localisation(files::config::Mapping in, const RobotFile& file);
+/// `localisation:`. @param file  whose address and name are known.
+void localisation_keys(files::description::Fields& io, LocalisationSettings& c,
+                       const RobotFile& file);
 
 }  // namespace hal::robot::agent

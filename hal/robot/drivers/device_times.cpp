@@ -2,19 +2,14 @@
 
 namespace hal::robot::drivers {
 
-DeviceTimes read_times(files::config::Mapping& in, DeviceTimes times, double longest_period) {
-  times.period =
-      in.duration({"period", "Between two commands to, or questions of, the device.", "50 ms"},
-                  {1e-3, longest_period}, times.period);
-  times.timeout = in.duration({"timeout", "How long to wait for an answer.", "150 ms"}, {1e-3, 10},
-                              times.timeout);
-  times.stale_after =
-      in.duration({"stale_after", "Older readings are not used; longer than `period`.", "500 ms"},
-                  {1e-3, 60}, times.stale_after);
-  if (times.stale_after <= times.period) {
-    in.mistake("stale_after", "must be longer than period: no reading would ever be fresh");
-  }
-  return times;
+void times_keys(files::description::Fields& io, DeviceTimes& times, double longest_period) {
+  io.duration({"period", "Between two commands to, or questions of, the device.", "50 ms"},
+              {1e-3, longest_period}, times.period);
+  io.duration({"timeout", "How long to wait for an answer.", "150 ms"}, {1e-3, 10}, times.timeout);
+  io.duration({"stale_after", "Older readings are not used; longer than `period`.", "500 ms"},
+              {1e-3, 60}, times.stale_after);
+  if (times.stale_after <= times.period)
+    io.mistake("stale_after", "must be longer than period: no reading would ever be fresh");
 }
 
 }  // namespace hal::robot::drivers

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "hal/files/config/mapping.h"
+#include "hal/files/description/fields.h"
 #include "hal/types/time.h"
 
 namespace hal::robot::drivers {
@@ -15,7 +15,7 @@ struct DeviceTimes {
 };
 
 /// `period`, `timeout` and `stale_after` of a device.
-/// @param times  what absent keys mean. @param longest_period  s
-DeviceTimes read_times(files::config::Mapping& in, DeviceTimes times, double longest_period);
+/// @param longest_period  s
+void times_keys(files::description::Fields& io, DeviceTimes& times, double longest_period);
 
 }  // namespace hal::robot::drivers

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <utility>
 
-#include "hal/files/config/mapping.h"
+#include "hal/files/description/fields.h"
 #include "hal/node/devices/robot_description.h"
 #include "hal/robot/drivers/driven_robot.h"
 #include "hal/types/time.h"
@@ -50,8 +50,8 @@ class ChosenDriver final : public DriverChoice<Driver> {
 template <class Driver>
 struct DriverKind {
   std::string_view name;  ///< In the file: `driver: <name>`.
-  /// Reads its keys and notes mistakes. @param robot  of the file.
-  std::shared_ptr<const DriverChoice<Driver>> (*read)(files::config::Mapping& in,
+  /// Describes its keys, and what they ask for. @param robot  of the file.
+  std::shared_ptr<const DriverChoice<Driver>> (*keys)(files::description::Fields& io,
                                                       const node::devices::RobotDescription& robot);
 };
 

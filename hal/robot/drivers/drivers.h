@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "hal/files/config/mapping.h"
+#include "hal/files/description/fields.h"
 #include "hal/node/devices/robot_description.h"
 #include "hal/robot/drivers/driver_choice.h"
 #include "hal/robot/drivers/infrared.h"
@@ -10,11 +10,11 @@
 
 namespace hal::robot::drivers {
 
-/// `wheels:` and `infrared:` of a robot's file: `driver` and the keys of that driver. Null: "none",
-/// or a mistake, which is noted.
-std::shared_ptr<const DriverChoice<WheelDriver>> read_wheels(
-    files::config::Mapping in, const node::devices::RobotDescription& robot);
-std::shared_ptr<const DriverChoice<InfraredDriver>> read_infrared(
-    files::config::Mapping in, const node::devices::RobotDescription& robot);
+/// `wheels:` and `infrared:` of a robot's file: `driver` and the keys of that driver.
+/// @return  null: "none", or a mistake, which is noted.
+std::shared_ptr<const DriverChoice<WheelDriver>> wheels_keys(
+    files::description::Fields& io, const node::devices::RobotDescription& robot);
+std::shared_ptr<const DriverChoice<InfraredDriver>> infrared_keys(
+    files::description::Fields& io, const node::devices::RobotDescription& robot);
 
 }  // namespace hal::robot::drivers

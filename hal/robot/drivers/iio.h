@@ -28,8 +28,8 @@ struct IioSettings {
 std::unique_ptr<InfraredDriver> make_iio_infrared(const IioSettings& settings,
                                                   const DrivenRobot& robot);
 
-/// Their keys in a robot's file.
-std::shared_ptr<const DriverChoice<InfraredDriver>> read_iio_infrared(
-    files::config::Mapping& in, const node::devices::RobotDescription& robot);
+/// Their keys in a robot's file, and what it asks for.
+std::shared_ptr<const DriverChoice<InfraredDriver>> iio_infrared_keys(
+    files::description::Fields& io, const node::devices::RobotDescription& robot);
 
 }  // namespace hal::robot::drivers

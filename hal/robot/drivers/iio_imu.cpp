@@ -47,12 +47,16 @@ std::unique_ptr<SensorDriver> make_iio_imu(const IioImuSettings& settings) {
   return std::make_unique<PolledSensor<IioImu>>(IioImu(settings.folder), settings.times);
 }
 
-std::shared_ptr<const SensorChoice> read_iio_imu(files::config::Mapping& in,
+std::shared_ptr<const SensorChoice> iio_imu_keys(files::description::Fields& io,
                                                  const node::devices::SensorDescription*) {
   IioImuSettings settings;
-  settings.folder = in.text({"folder", "Of the device in sysfs (Linux Industrial I/O).",
-                             "'/sys/bus/iio/devices/iio:device1'"});
-  settings.times = read_times(in, {20ms, 150ms, 500ms}, 1);
+  std::string folder;
+  io.needed_text({"folder", "Of the device in sysfs (Linux Industrial I/O).",
+                  "'/sys/bus/iio/devices/iio:device1'"},
+                 folder);
+  settings.folder = std::move(folder);
+  settings.times = {20ms, 150ms, 500ms};
+  times_keys(io, settings.times, 1);
   return std::make_shared<ChosenSensor<IioImuSettings>>(std::move(settings), make_iio_imu);
 }
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "hal/files/config/mapping.h"
+#include "hal/files/description/fields.h"
 #include "hal/robot/drivers/sensor_choice.h"
 
 namespace hal::robot::drivers {
@@ -19,7 +19,7 @@ struct IioImuSettings {
 std::unique_ptr<SensorDriver> make_iio_imu(const IioImuSettings& settings);
 
 /// Its keys in a robot's file, of a sensor of the kind imu.
-std::shared_ptr<const SensorChoice> read_iio_imu(files::config::Mapping& in,
+std::shared_ptr<const SensorChoice> iio_imu_keys(files::description::Fields& io,
                                                  const node::devices::SensorDescription* sensor);
 
 }  // namespace hal::robot::drivers

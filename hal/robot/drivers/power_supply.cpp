@@ -62,14 +62,17 @@ std::unique_ptr<SensorDriver> make_power_supply(const PowerSupplySettings& setti
       PowerSupply(settings.folder, settings.capacity), settings.times);
 }
 
-std::shared_ptr<const SensorChoice> read_power_supply(
-    files::config::Mapping& in, const node::devices::SensorDescription* sensor) {
+std::shared_ptr<const SensorChoice> power_supply_keys(
+    files::description::Fields& io, const node::devices::SensorDescription* sensor) {
   PowerSupplySettings settings;
   const auto* const battery =
       sensor == nullptr ? nullptr : std::get_if<node::devices::Battery>(sensor);
   if (battery != nullptr) settings.capacity = battery->capacity;
-  settings.folder = in.text({"folder", "Of the device in sysfs.", "/sys/class/power_supply/BAT0"});
-  settings.times = read_times(in, {1s, 150ms, 5s}, 60);
+  std::string folder;
+  io.needed_text({"folder", "Of the device in sysfs.", "/sys/class/power_supply/BAT0"}, folder);
+  settings.folder = std::move(folder);
+  settings.times = {1s, 150ms, 5s};
+  times_keys(io, settings.times, 60);
   return std::make_shared<ChosenSensor<PowerSupplySettings>>(std::move(settings),
                                                              make_power_supply);
 }

@@ -4,7 +4,7 @@
 #include <limits>
 #include <memory>
 
-#include "hal/files/config/mapping.h"
+#include "hal/files/description/fields.h"
 #include "hal/robot/drivers/sensor_choice.h"
 
 namespace hal::robot::drivers {
@@ -24,7 +24,7 @@ struct PowerSupplySettings {
 std::unique_ptr<SensorDriver> make_power_supply(const PowerSupplySettings& settings);
 
 /// Its keys in a robot's file, of a sensor of the kind battery. @param sensor  null: unknown.
-std::shared_ptr<const SensorChoice> read_power_supply(
-    files::config::Mapping& in, const node::devices::SensorDescription* sensor);
+std::shared_ptr<const SensorChoice> power_supply_keys(
+    files::description::Fields& io, const node::devices::SensorDescription* sensor);
 
 }  // namespace hal::robot::drivers

@@ -35,10 +35,10 @@ std::unique_ptr<WheelDriver> make_robotino_wheels(const RobotinoSettings& settin
 std::unique_ptr<InfraredDriver> make_robotino_infrared(const RobotinoSettings& settings,
                                                        const DrivenRobot& robot);
 
-/// Their keys in a robot's file.
-std::shared_ptr<const DriverChoice<WheelDriver>> read_robotino_wheels(
-    files::config::Mapping& in, const node::devices::RobotDescription& robot);
-std::shared_ptr<const DriverChoice<InfraredDriver>> read_robotino_infrared(
-    files::config::Mapping& in, const node::devices::RobotDescription& robot);
+/// Their keys in a robot's file, and what it asks for.
+std::shared_ptr<const DriverChoice<WheelDriver>> robotino_wheels_keys(
+    files::description::Fields& io, const node::devices::RobotDescription& robot);
+std::shared_ptr<const DriverChoice<InfraredDriver>> robotino_infrared_keys(
+    files::description::Fields& io, const node::devices::RobotDescription& robot);
 
 }  // namespace hal::robot::drivers

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
+#include <string>
 #include <string_view>
 
 #include "hal/robot/drivers/iio_imu.h"
@@ -12,64 +14,87 @@
 namespace hal::robot::drivers {
 namespace {
 
-using files::config::Mapping;
-using files::config::Option;
+using files::description::Fields;
 using node::devices::SensorDescription;
 
 struct SensorDriverKind {
   std::string_view name;  ///< In the file: `driver: <name>`.
   std::string_view kind;  ///< Of the sensors that it can feed.
   /// @param sensor  that it feeds; null: not known.
-  std::shared_ptr<const SensorChoice> (*read)(Mapping& in, const SensorDescription* sensor);
+  std::shared_ptr<const SensorChoice> (*keys)(Fields& io, const SensorDescription* sensor);
 };
 
 /// The one table of drivers of sensors.
 constexpr std::array kSensorDrivers{
-    SensorDriverKind{"power_supply", node::devices::Battery::kKind, read_power_supply},
-    SensorDriverKind{"iio_imu", node::devices::ImuSensor::kKind, read_iio_imu},
+    SensorDriverKind{"power_supply", node::devices::Battery::kKind, power_supply_keys},
+    SensorDriverKind{"iio_imu", node::devices::ImuSensor::kKind, iio_imu_keys},
 };
-constexpr std::array kNames{Option<std::size_t>{kSensorDrivers[0].name, 0},
-                            Option<std::size_t>{kSensorDrivers[1].name, 1}};
-static_assert(kNames.size() == kSensorDrivers.size());
 
-/// Which of the robot's sensors; none: no such, which is noted.
-std::optional<std::size_t> find_sensor(Mapping& in, const std::string& name,
-                                       const std::vector<SensorDescription>& sensors) {
+std::vector<std::string> names_of_drivers() {
+  std::vector<std::string> names;
+  for (const SensorDriverKind& one : kSensorDrivers) names.emplace_back(one.name);
+  return names;
+}
+
+/// A driver and the name of the sensor that it feeds.
+struct NamedDriver {
+  std::string sensor;
+  std::string_view kind;  ///< Of the sensors that it can feed.
+  std::shared_ptr<const SensorChoice> driver;
+};
+
+/// Which of the robot's sensors; none: no such.
+std::optional<std::size_t> index_of(const std::string& name,
+                                    const std::vector<SensorDescription>& sensors) {
   const auto found = std::ranges::find_if(
       sensors, [&](const SensorDescription& sensor) { return mount_of(sensor).name == name; });
-  if (found != sensors.end()) return static_cast<std::size_t>(found - sensors.begin());
-  if (!name.empty()) in.mistake("name", fmt::format("the robot has no sensor '{}'", name));
-  return std::nullopt;
+  if (found == sensors.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - sensors.begin());
+}
+
+/// @param driven  those before.
+void check(Fields& io, const NamedDriver& one, const std::vector<SensorDescription>& sensors,
+           const std::vector<DrivenSensor>& driven) {
+  const auto sensor = index_of(one.sensor, sensors);
+  if (!sensor && !one.sensor.empty())
+    io.mistake("name", fmt::format("the robot has no sensor '{}'", one.sensor));
+  if (!sensor || !one.driver) return;
+  const hal::Channel channel = node::devices::channel_of(sensors[*sensor]);
+  if (channel.kind != one.kind)
+    io.mistake("driver", fmt::format("feeds a sensor of the kind {}, but '{}' is of the kind {}",
+                                     one.kind, one.sensor, channel.kind));
+  if (std::ranges::find(driven, *sensor, &DrivenSensor::sensor) != driven.end())
+    io.mistake("name", fmt::format("'{}' has a driver already", one.sensor));
+}
+
+void keys_of(Fields& io, NamedDriver& c, const std::vector<SensorDescription>& sensors) {
+  io.needed_text({"name", "Of one of the sensors in `robot.sensors`.", "battery"}, c.sensor);
+  const auto sensor = index_of(c.sensor, sensors);
+  io.kind({"driver",
+           "power_supply: a battery's gauge in Linux's power supplies; iio_imu: gyroscopes and "
+           "accelerometers of Linux's Industrial I/O.",
+           "power_supply"},
+          names_of_drivers(), [&](Fields& keys, std::size_t kind) {
+            c.kind = kSensorDrivers.at(kind).kind;
+            c.driver = kSensorDrivers.at(kind).keys(keys, sensor ? &sensors[*sensor] : nullptr);
+          });
 }
 
 }  // namespace
 
-std::vector<DrivenSensor> read_driven_sensors(std::vector<Mapping> in,
-                                              const std::vector<SensorDescription>& sensors) {
+std::vector<DrivenSensor> driven_sensors_key(Fields& io,
+                                             const std::vector<SensorDescription>& sensors) {
   std::vector<DrivenSensor> driven;
-  for (Mapping& one : in) {
-    const std::string name =
-        one.text({"name", "Of one of the sensors in `robot.sensors`.", "battery"});
-    const auto sensor = find_sensor(one, name, sensors);
-    const auto driver = one.choice(
-        {"driver",
-         "power_supply: a battery's gauge in Linux's power supplies; iio_imu: gyroscopes and "
-         "accelerometers of Linux's Industrial I/O.",
-         "power_supply"},
-        kNames);
-    if (!driver) continue;
-    const SensorDriverKind& kind = kSensorDrivers.at(*driver);
-    auto choice = kind.read(one, sensor ? &sensors[*sensor] : nullptr);
-    one.finish();
-    if (!sensor) continue;
-    const hal::Channel channel = node::devices::channel_of(sensors[*sensor]);
-    if (channel.kind != kind.kind)
-      one.mistake("driver", fmt::format("feeds a sensor of the kind {}, but '{}' is of the kind {}",
-                                        kind.kind, name, channel.kind));
-    if (std::ranges::find(driven, *sensor, &DrivenSensor::sensor) != driven.end())
-      one.mistake("name", fmt::format("'{}' has a driver already", name));
-    driven.push_back({*sensor, std::move(choice)});
-  }
+  std::vector<NamedDriver> named;
+  io.list<NamedDriver>(
+      {"sensors", "Which drivers feed which sensors of the robot; others are not there.",
+       "[{name: battery, driver: power_supply, folder: /sys/class/power_supply/BAT0}]"},
+      named, [&](Fields& one, NamedDriver& driver) {
+        keys_of(one, driver, sensors);
+        check(one, driver, sensors, driven);
+        const auto sensor = index_of(driver.sensor, sensors);
+        if (sensor && driver.driver) driven.push_back({*sensor, driver.driver});
+      });
   return driven;
 }
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "hal/files/config/mapping.h"
+#include "hal/files/description/fields.h"
 #include "hal/node/devices/sensors.h"
 #include "hal/robot/drivers/device_times.h"
 #include "hal/robot/drivers/sensor_driver.h"
@@ -49,8 +49,7 @@ struct DrivenSensor {
 /// `sensors:` of a robot's file, beside `robot:`: which driver feeds which of the robot's sensors.
 /// The others are not offered.
 /// @param sensors  of the robot.
-std::vector<DrivenSensor> read_driven_sensors(
-    std::vector<files::config::Mapping> in,
-    const std::vector<node::devices::SensorDescription>& sensors);
+std::vector<DrivenSensor> driven_sensors_key(
+    files::description::Fields& io, const std::vector<node::devices::SensorDescription>& sensors);
 
 }  // namespace hal::robot::drivers

@@ -16,8 +16,8 @@ namespace hal::robot::drivers {
 std::unique_ptr<WheelDriver> make_tmc200_wheels(const Tmc200Settings& settings,
                                                 const DrivenRobot& robot);
 
-/// Their keys in a robot's file.
-std::shared_ptr<const DriverChoice<WheelDriver>> read_tmc200_wheels(
-    files::config::Mapping& in, const node::devices::RobotDescription& robot);
+/// Their keys in a robot's file, and what it asks for.
+std::shared_ptr<const DriverChoice<WheelDriver>> tmc200_wheels_keys(
+    files::description::Fields& io, const node::devices::RobotDescription& robot);
 
 }  // namespace hal::robot::drivers

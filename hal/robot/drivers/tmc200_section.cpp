@@ -8,31 +8,26 @@ namespace hal::robot::drivers {
 namespace {
 
 using namespace std::chrono_literals;
-using files::config::Mapping;
+using files::description::Fields;
 
-Tmc200Settings::Motor read_motor(Mapping in) {
-  Tmc200Settings::Motor motor;
-  motor.encoder_lines = static_cast<int>(in.integer(
-      {"encoder_lines", "Of the encoder, per turn of the motor shaft.", "500"}, 1, 25'000));
-  motor.gear =
-      in.number({"gear", "Turns of the motor per turn of the wheel.", "16"}, "1", {1e-2, 1e4});
-  motor.max_speed =
-      in.number({"max_speed", "Of the motor shaft: the controller's full scale.", "3600 rpm"},
-                "rad/s", {1, 2'000});
-  motor.inverted = in.flag(
-      {"inverted", "Whether the motors turn against the wheels' positive direction.", "true"},
-      false);
-  in.finish();
-  return motor;
+void motor_keys(Fields& io, Tmc200Settings::Motor& motor) {
+  io.needed_count({"encoder_lines", "Of the encoder, per turn of the motor shaft.", "500"}, 1,
+                  25'000, motor.encoder_lines);
+  io.needed({"gear", "Turns of the motor per turn of the wheel.", "16"}, "1", {1e-2, 1e4},
+            motor.gear);
+  io.needed({"max_speed", "Of the motor shaft: the controller's full scale.", "3600 rpm"}, "rad/s",
+            {1, 2'000}, motor.max_speed);
+  io.flag({"inverted", "Whether the motors turn against the wheels' positive direction.", "true"},
+          motor.inverted);
 }
 
 /// The controller drives three motors and cannot turn them faster than its full scale.
-void check_motor(Mapping& in, const Tmc200Settings& settings,
+void check_motor(Fields& io, const Tmc200Settings& settings,
                  const node::devices::RobotDescription& robot) {
   const auto& wheels = robot.wheels;
   const auto driven = std::ranges::count_if(wheels, &node::devices::Wheel::is_driven);
   if ((driven != 3 || wheels.size() != 3) && !wheels.empty()) {
-    in.mistake(
+    io.mistake(
         "driver",
         fmt::format("a TMC200 drives 3 motors, but the robot has {} wheels, {} of them driven",
                     wheels.size(), driven));
@@ -41,40 +36,42 @@ void check_motor(Mapping& in, const Tmc200Settings& settings,
   double wanted = 0;
   for (const auto& wheel : robot.wheels) wanted = std::max(wanted, wheel.max_speed);
   if (reached > 0 && reached < wanted) {
-    in.mistake("motor", fmt::format("turns the wheels at {:.2f} rad/s at most, but the robot's "
+    io.mistake("motor", fmt::format("turns the wheels at {:.2f} rad/s at most, but the robot's "
                                     "wheels are said to reach {:.2f} rad/s",
                                     reached, wanted));
   }
 }
 
-Tmc200Settings read_tmc200(Mapping& in, const node::devices::RobotDescription& robot) {
+Tmc200Settings tmc200_keys(Fields& io, const node::devices::RobotDescription& robot) {
   Tmc200Settings settings;
-  settings.device = in.text({"device", "The serial line.", "/dev/ttyUSB0"});
-  settings.motor =
-      read_motor(in.mapping({"motor", "All three are alike, in the order of the robot's wheels."}));
-  settings.cut_off = in.duration({"cut_off",
-                                  "The controller stops the motors after this silence: a multiple "
-                                  "of 10 ms, at least twice `period`.",
-                                  "200 ms"},
-                                 {0.01, 2.55}, 200ms);
+  io.needed_text({"device", "The serial line.", "/dev/ttyUSB0"}, settings.device);
+  io.inside({"motor", "All three are alike, in the order of the robot's wheels."},
+            [&](Fields& motor) { motor_keys(motor, settings.motor); });
+  settings.cut_off = 200ms;
+  io.duration({"cut_off",
+               "The controller stops the motors after this silence: a multiple of 10 ms, at least "
+               "twice `period`.",
+               "200 ms"},
+              {0.01, 2.55}, settings.cut_off);
   if (settings.cut_off % 10ms != 0ns) {
-    in.mistake("cut_off", "must be a multiple of 10 ms, which is what the controller counts in");
+    io.mistake("cut_off", "must be a multiple of 10 ms, which is what the controller counts in");
   }
-  settings.times = read_times(in, {40ms, 150ms, 500ms}, 1);
+  settings.times = {40ms, 150ms, 500ms};
+  times_keys(io, settings.times, 1);
   if (2 * settings.times.period > settings.cut_off) {
-    in.mistake("period",
+    io.mistake("period",
                "must be at most half of cut_off: one lost command must not stop the "
                "motors");
   }
-  check_motor(in, settings, robot);
+  check_motor(io, settings, robot);
   return settings;
 }
 
 }  // namespace
 
-std::shared_ptr<const DriverChoice<WheelDriver>> read_tmc200_wheels(
-    Mapping& in, const node::devices::RobotDescription& robot) {
-  return std::make_shared<ChosenDriver<WheelDriver, Tmc200Settings>>(read_tmc200(in, robot),
+std::shared_ptr<const DriverChoice<WheelDriver>> tmc200_wheels_keys(
+    Fields& io, const node::devices::RobotDescription& robot) {
+  return std::make_shared<ChosenDriver<WheelDriver, Tmc200Settings>>(tmc200_keys(io, robot),
                                                                      make_tmc200_wheels);
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "hal/files/config/document.h"
+#include "hal/files/description/field_io.h"
 
 namespace results::campaign {
 namespace {
@@ -21,7 +22,9 @@ SlurmSettings settings_in(const std::string& text) {
   auto document = hal::files::config::Document::load(file);
   std::filesystem::remove(file);
   hal::files::config::Mapping root = document.root();
-  SlurmSettings settings = read_slurm(root);
+  SlurmSettings settings;
+  hal::files::description::FieldReader io(root);
+  slurm_key(io, settings);
   root.finish();
   document.finish();
   return settings;
