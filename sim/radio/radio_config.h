@@ -245,8 +245,4 @@ bool is_dsss_rate(hal::BitsPerSecond rate);
 
 const LengthsConfig& lengths_of(const RadioConfig& config);
 
-/// @throws std::invalid_argument  a value that its comment excludes.
-void check(const RadioConfig& config);
-void check(const RadioConfig& config, const StationConfig& station);
-
 }  // namespace sim::radio

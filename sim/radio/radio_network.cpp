@@ -15,6 +15,7 @@
 #include "sim/radio/mac_parts.h"
 #include "sim/radio/mobility_framework_mac.h"
 #include "sim/radio/radio.h"
+#include "sim/radio/radio_rules.h"
 #include "sim/radio/random_loss.h"
 #include "sim/radio/station_profile.h"
 

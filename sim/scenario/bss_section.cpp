@@ -106,15 +106,7 @@ void keys_of(Fields& io, radio::BssConfig& c) {
       },
       [&](Writer& out) { out.texts(kAccessPoints.name, c.access_points); });
   io.text(kSsidKey, c.ssid);
-  if (c.ssid.size() > radio::kMaxSsid) {
-    io.mistake(kSsidKey.name,
-               fmt::format("{} bytes are above the limit of {}", c.ssid.size(), radio::kMaxSsid));
-  }
   bss_keys_of(io, c);
-  if (c.beacon_interval % radio::kTimeUnit != hal::Duration{}) {
-    io.mistake("beacon_interval", hal::files::config::format_duration(c.beacon_interval) +
-                                      " is not a multiple of 1.024 ms");
-  }
 }
 
 void own_access_points_key(Fields& io, std::optional<std::vector<std::string>>& names) {

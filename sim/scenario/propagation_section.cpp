@@ -22,15 +22,6 @@ static_assert(
 const auto kModelKinds =
     kinds_of<PathLossConfig, kModels>([](const auto& law) { return law.kModel; });
 
-/// "friis, rician and rayleigh", of those of a kind.
-std::string models_of(radio::PathLossKind kind) {
-  std::vector<std::string_view> names;
-  for (const auto& one : kModelKinds) {
-    if (radio::kind_of(one.make()) == kind) names.push_back(one.name);
-  }
-  return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
-}
-
 constexpr Range kLoss{0, 300};             // dB
 constexpr Range kSomeDistance{1e-3, 1e6};  // m
 constexpr Range kShape{0.5, 50};
@@ -88,17 +79,6 @@ void model_keys(Fields& io, radio::RicianConfig& c) {
 
 void model_keys(Fields& io, radio::RayleighConfig& c) { scatterer_speed(io, c); }
 
-void check_chain(Mapping& in, const std::vector<PathLossConfig>& chain) {
-  if (std::ranges::count_if(chain, radio::is_law_of_distance) != 1) {
-    in.mistake("propagation",
-               "must have exactly one of " + models_of(radio::PathLossKind::kLawOfDistance));
-  }
-  if (std::ranges::count_if(chain, radio::is_fading) > 1) {
-    in.mistake("propagation",
-               "must not have more than one of " + models_of(radio::PathLossKind::kFading));
-  }
-}
-
 }  // namespace
 
 void chain_keys(Fields& io, std::vector<PathLossConfig>& chain) {
@@ -123,11 +103,9 @@ void chain_keys(Fields& io, std::vector<PathLossConfig>& chain) {
                     std::visit([&keys](auto& c) { model_keys(keys, c); }, any);
                   });
       });
-  if (chain.empty()) {
-    chain = otherwise;
-  } else if (io.reading() != nullptr && io.reading()->items("propagation").size() == chain.size()) {
-    check_chain(*io.reading(), chain);
-  }
+  Mapping* const in = io.reading();
+  const bool has_mistakes = in != nullptr && in->items("propagation").size() != chain.size();
+  if (chain.empty() || has_mistakes) chain = otherwise;
 }
 
 }  // namespace sim::scenario

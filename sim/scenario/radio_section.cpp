@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -13,6 +12,7 @@
 #include <vector>
 
 #include "hal/files/config/value.h"
+#include "sim/radio/radio_rules.h"
 #include "sim/scenario/bss_section.h"
 #include "sim/scenario/dcf_keys.h"
 #include "sim/scenario/loss_section.h"
@@ -33,37 +33,9 @@ static_assert(std::is_same_v<std::variant_alternative_t<kProfiles, RadioConfig>,
 const auto kProfileKinds =
     kinds_of<RadioConfig, kProfiles>([](const auto& profile) { return profile.kProfile; });
 
-void check_rates(Mapping& in, Standard standard, const radio::PhyConfig& c) {
-  const auto check = [&](const char* key, hal::BitsPerSecond rate) {
-    if (!is_rate(standard, rate)) {
-      in.mistake(key, fmt::format("must be {}", rates_of(standard)));
-    }
-  };
-  check("data_rate", c.data_rate);
-  check("control_rate", c.control_rate);
-  check("broadcast_rate", c.broadcast_rate);
-}
-
-void check_windows(Mapping& in, const radio::ContentionConfig& c) {
-  if (c.cw_max < c.cw_min) {
-    in.mistake("cw_max", fmt::format("{} is below cw_min, {}", c.cw_max, c.cw_min));
-  }
-  const auto check = [&](const char* key, std::uint32_t window) {
-    if (!std::has_single_bit(window + 1)) {
-      in.mistake(key, fmt::format("{} is not one less than a power of two", window));
-    }
-  };
-  check("cw_min", c.cw_min);
-  check("cw_max", c.cw_max);
-}
-
-void check_levels(Mapping& in, const radio::WavesConfig& c) {
-  const hal::Dbm floor = c.propagation.interference_floor;
+/// What is allowed and hardly meant.
+void warn_of_levels(Mapping& in, const radio::WavesConfig& c) {
   const hal::Dbm noise = c.receiver.noise_floor, sensitivity = c.receiver.sensitivity;
-  if (floor > sensitivity) {
-    in.mistake("interference_floor", fmt::format("{} dBm is above the sensitivity, {} dBm",
-                                                 floor.value, sensitivity.value));
-  }
   if (c.propagation.obstacles && c.propagation.antenna_height.value == 0) {
     in.warn(
         "obstacles",
@@ -80,16 +52,16 @@ void check_levels(Mapping& in, const radio::WavesConfig& c) {
 void read_basic_rates(Mapping& in, const Key& key, Standard standard, radio::DcfConfig& c) {
   const auto texts = in.texts(key);
   if (!in.has(key.name)) return;
-  c.basic_rates.clear();
+  std::vector<hal::BitsPerSecond> rates;
   for (const hal::files::config::Scalar& text : texts) {
     const auto rate =
         hal::files::config::parse_value(text.text, "b/s", kBitRate.low, kBitRate.high);
     if (!rate || !is_rate(standard, hal::BitsPerSecond{rate.value()})) {
       return in.mistake(key.name, fmt::format("'{}' must be {}", text.text, rates_of(standard)));
     }
-    c.basic_rates.emplace_back(rate.value());
+    rates.emplace_back(rate.value());
   }
-  if (c.basic_rates.empty()) in.mistake(key.name, "must not be empty");
+  c.basic_rates = std::move(rates);
 }
 
 /// Those of a control response (IEEE Std 802.11-2016, 10.7.6.5).
@@ -110,20 +82,15 @@ void basic_rates_key(Fields& io, Standard standard, radio::DcfConfig& c) {
       });
 }
 
-void check_dcf(Mapping& in, const radio::DcfConfig& c) {
-  if (!radio::is_dsss_rate(c.protection_rate)) {
-    in.mistake("protection_rate", "must be 1, 2, 5.5 or 11 Mb/s");
+void check_rules(Mapping& in, const RadioConfig& config) {
+  for (const radio::BrokenRule& rule : radio::broken_rules(config)) {
+    const auto dot = rule.key.find('.');
+    if (dot == std::string::npos) {
+      in.mistake(rule.key, rule.what);
+    } else {
+      in.within(rule.key.substr(0, dot)).mistake(rule.key.substr(dot + 1), rule.what);
+    }
   }
-  if (c.rate_control.aarf_max_threshold < c.rate_control.aarf_threshold) {
-    in.mistake("aarf_max_threshold", "must not be below aarf_threshold");
-  }
-  if (c.cca_time >= c.contention.slot) in.mistake("cca_time", "must be shorter than the slot");
-}
-
-void check_waves(Mapping& in, Standard standard, const radio::WavesConfig& c) {
-  check_rates(in, standard, c.phy);
-  check_windows(in, c.contention);
-  check_levels(in, c);
 }
 
 /// Without a wavelength of its own the carrier follows the number of the channel.
@@ -141,16 +108,16 @@ void waves_keys(Fields& io, RadioConfig& config, radio::WavesConfig& waves) {
       [&](Fields& loss) { keys_of(loss, waves.receiver.loss); });
   if (radio::DcfConfig* const dcf = dcf_of(config)) {
     basic_rates_key(io, *rates_of(config), *dcf);
-    if (io.reading() != nullptr) check_dcf(*io.reading(), *dcf);
     io.inside({"bss", "Infrastructure mode: stations send to each other through access points."},
               [&](Fields& bss) { keys_of(bss, dcf->bss); });
   }
-  if (io.reading() != nullptr) check_waves(*io.reading(), *rates_of(config), waves);
+  if (io.reading() != nullptr) warn_of_levels(*io.reading(), waves);
 }
 
 void profile_keys(Fields& io, RadioConfig& config) {
   std::visit([&io](auto& one) { keys_of(io, one); }, config);
   if (radio::WavesConfig* const waves = waves_of(config)) waves_keys(io, config, *waves);
+  if (io.reading() != nullptr) check_rules(*io.reading(), config);
 }
 
 /// The keys of other profiles mean nothing in this one.

@@ -7,6 +7,7 @@
 #include "hal/types/random.h"
 #include "sim/radio/neighbourhood.h"
 #include "sim/radio/propagation.h"
+#include "sim/radio/radio_rules.h"
 #include "tests/unit/sim/radio/air.h"
 
 namespace sim::radio::test {

@@ -1,0 +1,207 @@
+#include "sim/radio/radio_rules.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <stdexcept>
+#include <utility>
+#include <variant>
+
+namespace sim::radio {
+namespace {
+
+/// Collects the rules that are broken.
+class Rules {
+ public:
+  void ask(bool holds, std::string_view key, std::string what) {
+    if (!holds) broken_.push_back({std::string(key), std::move(what)});
+  }
+  std::vector<BrokenRule> take() { return std::move(broken_); }
+
+ private:
+  std::vector<BrokenRule> broken_;
+};
+
+constexpr hal::Duration kNone{};
+
+void ask_rate(Rules& rules, Standard standard, std::string_view key, hal::BitsPerSecond rate) {
+  rules.ask(is_rate(standard, rate), key, fmt::format("must be {}", rates_of(standard)));
+}
+
+/// "friis, rician and rayleigh", of those of a kind.
+std::string models_of(PathLossKind kind) {
+  constexpr std::size_t kModels = std::variant_size_v<PathLossConfig> - 1;  // but foreign laws
+  std::vector<std::string_view> names;
+  const auto add = [&]<class Law>(const Law& law) {
+    if (Law::kKind == kind) names.push_back(law.kModel);
+  };
+  [&]<std::size_t... kIndex>(std::index_sequence<kIndex...> /*all*/) {
+    (add(std::variant_alternative_t<kIndex, PathLossConfig>{}), ...);
+  }
+  (std::make_index_sequence<kModels>{});
+  return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
+}
+
+void ask_chain(Rules& rules, const std::vector<PathLossConfig>& chain) {
+  rules.ask(std::ranges::count_if(chain, is_law_of_distance) == 1, "propagation",
+            "must have exactly one of " + models_of(PathLossKind::kLawOfDistance));
+  rules.ask(std::ranges::count_if(chain, is_fading) <= 1, "propagation",
+            "must not have more than one of " + models_of(PathLossKind::kFading));
+}
+
+void ask_channel(Rules& rules, std::uint32_t channel) {
+  rules.ask(channel >= 1 && channel <= kChannels, "channel",
+            fmt::format("must be 1 .. {}", kChannels));
+}
+
+void ask_loss(Rules& rules, const LossConfig& loss) {
+  const auto is_probability = [](double p) { return p >= 0 && p <= 1; };
+  rules.ask(is_probability(loss.probability), "loss.probability", "must be 0 .. 1");
+  rules.ask(std::ranges::all_of(loss.links, is_probability, &LossConfig::Link::probability),
+            "loss.links", "must have probabilities of 0 .. 1");
+}
+
+void ask_window(Rules& rules, std::string_view key, std::uint32_t window) {
+  rules.ask(window < (1u << 16) && std::has_single_bit(window + 1), key,
+            fmt::format("{} is not one less than a power of two", window));
+}
+
+void ask_contention(Rules& rules, const ContentionConfig& mac) {
+  rules.ask(mac.cw_min <= mac.cw_max, "cw_max",
+            fmt::format("{} is below cw_min, {}", mac.cw_max, mac.cw_min));
+  ask_window(rules, "cw_min", mac.cw_min);
+  ask_window(rules, "cw_max", mac.cw_max);
+  rules.ask(mac.short_retry_limit >= 1, "short_retry_limit", "must be 1 or more");
+  rules.ask(mac.queue_limit >= 1, "queue_limit", "must be 1 or more");
+  rules.ask(mac.slot > kNone, "slot", "must be positive");
+  rules.ask(mac.sifs > kNone, "sifs", "must be positive");
+}
+
+void ask_waves(Rules& rules, Standard rates, const WavesConfig& c) {
+  rules.ask(c.tx_power.value > 0, "tx_power", "must be positive");
+  rules.ask(c.propagation.wavelength.value > 0, "wavelength", "must be positive");
+  rules.ask(c.propagation.path_loss_exponent >= 1, "path_loss_exponent", "must be 1 or more");
+  rules.ask(c.propagation.antenna_height.value >= 0, "antenna_height", "must be 0 or more");
+  ask_chain(rules, c.propagation.chain);
+  ask_channel(rules, c.phy.channel);
+  ask_loss(rules, c.receiver.loss);
+  rules.ask(c.propagation.interference_floor <= c.receiver.sensitivity, "interference_floor",
+            fmt::format("{} dBm is above the sensitivity, {} dBm",
+                        c.propagation.interference_floor.value, c.receiver.sensitivity.value));
+  ask_rate(rules, rates, "data_rate", c.phy.data_rate);
+  ask_rate(rules, rates, "control_rate", c.phy.control_rate);
+  ask_rate(rules, rates, "broadcast_rate", c.phy.broadcast_rate);
+  ask_contention(rules, c.contention);
+}
+
+void ask_bss(Rules& rules, const BssConfig& c) {
+  rules.ask(!c.ssid.empty(), "bss.ssid", "must not be empty");
+  rules.ask(c.ssid.size() <= kMaxSsid, "bss.ssid",
+            fmt::format("{} bytes are above the limit of {}", c.ssid.size(), kMaxSsid));
+  const auto units = c.beacon_interval / kTimeUnit;
+  rules.ask(c.beacon_interval % kTimeUnit == kNone && units >= 1 && units <= 65535,
+            "bss.beacon_interval",
+            fmt::format("{:g} ms is not 1 to 65535 times 1.024 ms",
+                        hal::to_seconds(c.beacon_interval) * 1e3));
+  rules.ask(c.hysteresis.value >= 0, "bss.hysteresis", "must not be negative");
+  rules.ask(c.beacon_weight > 0 && c.beacon_weight <= 1, "bss.beacon_weight",
+            "must be above 0 and at most 1");
+  rules.ask(c.beacon_loss >= 1, "bss.beacon_loss", "must be 1 or more");
+  rules.ask(c.scan_time > kNone, "bss.scan_time", "must be positive");
+  rules.ask(c.answer_timeout > kNone, "bss.answer_timeout", "must be positive");
+  rules.ask(c.distribution_delay >= kNone, "bss.distribution_delay", "must not be negative");
+}
+
+void ask_rate_control(Rules& rules, const RateControlConfig& c) {
+  rules.ask(c.aarf_threshold >= 1, "aarf_threshold", "must be 1 or more");
+  rules.ask(c.aarf_max_threshold >= c.aarf_threshold, "aarf_max_threshold",
+            "must not be below aarf_threshold");
+  rules.ask(c.aarf_timeout >= 1, "aarf_timeout", "must be 1 or more");
+  rules.ask(c.minstrel_interval > kNone, "minstrel_interval", "must be positive");
+  rules.ask(c.minstrel_past >= 0 && c.minstrel_past < 1, "minstrel_past",
+            "must be 0 or more and below 1");
+  rules.ask(c.minstrel_sampling >= 0 && c.minstrel_sampling <= 1, "minstrel_sampling",
+            "must be 0 .. 1");
+}
+
+void ask_dcf(Rules& rules, Standard rates, const DcfConfig& c) {
+  ask_waves(rules, rates, c);
+  rules.ask(c.long_retry_limit >= 1, "long_retry_limit", "must be 1 or more");
+  rules.ask(!c.basic_rates.empty(), "basic_rates", "must not be empty");
+  for (const auto rate : c.basic_rates) ask_rate(rules, rates, "basic_rates", rate);
+  rules.ask(c.cca_time >= kNone, "cca_time", "must not be negative");
+  rules.ask(c.cca_time < c.contention.slot, "cca_time", "must be shorter than the slot");
+  ask_bss(rules, c.bss);
+  rules.ask(!c.msdu_lifetime || *c.msdu_lifetime > kNone, "msdu_lifetime", "must be positive");
+  rules.ask(is_dsss_rate(c.protection_rate), "protection_rate", "must be 1, 2, 5.5 or 11 Mb/s");
+  ask_rate_control(rules, c.rate_control);
+}
+
+void ask_one(Rules& rules, const MobilityFrameworkConfig& c) { ask_waves(rules, c.kRates, c); }
+
+void ask_one(Rules& rules, const ForeignProfileConfig& c) {
+  ask_waves(rules, c.kRates, c);
+  rules.ask(c.make_mac != nullptr, "profile", "must have a MAC");
+}
+
+void ask_one(Rules& rules, const Ieee80211bConfig& c) { ask_dcf(rules, c.kRates, c); }
+
+void ask_one(Rules& rules, const Ieee80211gConfig& c) {
+  ask_dcf(rules, c.kRates, c);
+  rules.ask(c.receiver.error_model == ErrorModel::kDsss, "error_model", "must be dsss");
+}
+
+void ask_one(Rules& rules, const DiskConfig& c) {
+  rules.ask(c.tx_power.value > 0, "tx_power", "must be positive");
+  rules.ask(c.range.value > 0, "range", "must be positive");
+  rules.ask(c.data_rate.value >= 1, "data_rate", "must be 1 bit/s or more");
+  rules.ask(c.queue_limit >= 1, "queue_limit", "must be 1 or more");
+}
+
+void ask_one(Rules& rules, const IdealConfig& c) {
+  rules.ask(c.range.value > 0, "range", "must be positive");
+}
+
+void throw_first(const std::vector<BrokenRule>& broken) {
+  if (!broken.empty())
+    throw std::invalid_argument(
+        fmt::format("radio: {} {}", broken.front().key, broken.front().what));
+}
+
+/// What a station may have of its own.
+void ask_station(Rules& rules, const RadioConfig& config, const StationConfig& c) {
+  const std::optional<Standard> known = rates_of(config);
+  rules.ask(!c.tx_power || c.tx_power->value > 0, "tx_power", "must be positive");
+  rules.ask(!c.antenna_height || c.antenna_height->value >= 0, "antenna_height",
+            "must be 0 or more");
+  rules.ask(known || (!c.channel && !c.antenna_gain && !c.data_rate && !c.control_rate &&
+                      !c.broadcast_rate),
+            "channel", "is not for stations without waves, nor are gain and rates");
+  rules.ask(!c.standard || std::holds_alternative<Ieee80211gConfig>(config), "standard",
+            "may differ in a network of ieee80211g only");
+  if (!known) return;
+  if (c.channel) ask_channel(rules, *c.channel);
+  const Standard rates = c.standard.value_or(*known);
+  if (c.data_rate) ask_rate(rules, rates, "data_rate", *c.data_rate);
+  if (c.control_rate) ask_rate(rules, rates, "control_rate", *c.control_rate);
+  if (c.broadcast_rate) ask_rate(rules, rates, "broadcast_rate", *c.broadcast_rate);
+}
+
+}  // namespace
+
+std::vector<BrokenRule> broken_rules(const RadioConfig& config) {
+  Rules rules;
+  std::visit([&](const auto& one) { ask_one(rules, one); }, config);
+  return rules.take();
+}
+
+void check(const RadioConfig& config) { throw_first(broken_rules(config)); }
+
+void check(const RadioConfig& config, const StationConfig& station) {
+  Rules rules;
+  ask_station(rules, config, station);
+  throw_first(rules.take());
+}
+
+}  // namespace sim::radio
