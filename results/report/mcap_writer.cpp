@@ -136,7 +136,7 @@ void McapWriter::add_metadata(std::string_view name, const Texts& texts) {
 }
 
 void McapWriter::emit(std::string_view bytes) {
-  crc_.add(bytes);
+  crc_.process_bytes(bytes.data(), bytes.size());
   offset_ += bytes.size();
   write_(bytes);
 }
@@ -148,7 +148,9 @@ void McapWriter::end_chunk() {
   put_number(content, chunk_span_.first_ns);
   put_number(content, chunk_span_.last_ns);
   put_number(content, size);
-  put_number(content, crc32(chunk_));
+  boost::crc_32_type chunk_crc;
+  chunk_crc.process_bytes(chunk_.data(), chunk_.size());
+  put_number(content, std::uint32_t{chunk_crc.checksum()});
   put_counted(content, "");  // no compression
   put_number(content, size);
   content += chunk_;
@@ -214,7 +216,7 @@ std::string McapWriter::statistics() const {
 }
 
 void McapWriter::write_summary() {
-  crc_ = {};
+  crc_.reset();
   const std::uint64_t begin = offset_;
   const std::array<std::pair<Opcode, std::string>, 5> groups{{{kSchema, schema_records_},
                                                               {kChannel, channel_records_},
@@ -240,14 +242,14 @@ void McapWriter::write_summary() {
   all.resize(all.size() - 4);
   emit(all);
   std::string crc;
-  put_number(crc, crc_.value());
+  put_number(crc, std::uint32_t{crc_.checksum()});
   emit(crc);
 }
 
 void McapWriter::finish() {
   end_chunk();
   std::string content;
-  put_number(content, crc_.value());
+  put_number(content, std::uint32_t{crc_.checksum()});
   emit(record(kDataEnd, content));
   write_summary();
   emit(kMagic);

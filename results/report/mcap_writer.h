@@ -1,13 +1,12 @@
 #pragma once
 
+#include <boost/crc.hpp>
 #include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
 #include <string_view>
 #include <vector>
-
-#include "results/report/crc32.h"
 
 namespace results::report {
 
@@ -73,7 +72,7 @@ class McapWriter {
   Write write_;
   std::size_t chunk_size_;
   std::uint64_t offset_ = 0;  ///< Bytes written.
-  Crc32 crc_;                 ///< Of them.
+  boost::crc_32_type crc_;    ///< Of them.
   std::string chunk_;         ///< Records of the chunk that is being made.
   Span chunk_span_, total_;
   std::map<std::uint16_t, Channel> channels_;
