@@ -141,7 +141,7 @@ TimeAdvance::TimeAdvance(const RunOptions& options, const sim::scenario::Scenari
   if (options.until) until_ = hal::Time{hal::from_seconds(*options.until)};
   if (options.repeat.empty()) return;
   open_loop_ = open_loop_of(options.repeat, scenario);
-  record_ = results::record::read_course(options.repeat);
+  record_ = results::record::read_replay_log(options.repeat);
   replies_ = controllers::take_replies(record_->arrivals);
   until_ = std::min(until_.value_or(record_->ended_at), record_->ended_at);
 }

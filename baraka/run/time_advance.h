@@ -7,7 +7,7 @@
 #include "baraka/run/network/network_of_run.h"
 #include "baraka/run/pace/wall_pace.h"
 #include "baraka/run/run_command.h"
-#include "results/record/course_log.h"
+#include "results/record/replay_log.h"
 #include "sim/agents/simulation.h"
 #include "sim/scenario/scenario.h"
 
@@ -44,9 +44,9 @@ class TimeAdvance {
   std::string pace_;
   std::vector<std::string> open_loop_;
   std::optional<hal::Time> until_;
-  std::optional<double> factor_;                           ///< In real time, so fast.
-  std::optional<results::record::RecordedCourse> record_;  ///< Without …
-  std::vector<sim::OutsideArrival> replies_;               ///< … these.
+  std::optional<double> factor_;                      ///< In real time, so fast.
+  std::optional<results::record::ReplayLog> record_;  ///< Without …
+  std::vector<sim::OutsideArrival> replies_;          ///< … these.
 };
 
 }  // namespace baraka::run

@@ -101,10 +101,10 @@ void Experiment::add_scalars(std::size_t run, const std::vector<record::Scalar>&
   }
 }
 
-void Experiment::add_series(std::size_t run, const std::vector<record::Series>& series) {
-  for (const record::Series& one : series) {
+void Experiment::add_series(std::size_t run, const std::vector<record::Series>& recorded) {
+  for (const record::Series& one : recorded) {
     units.emplace(one.name, one.unit);
-    courses[{one.name, one.agent}][run] = one.points;
+    series[{one.name, one.agent}][run] = one.points;
   }
 }
 

@@ -47,7 +47,7 @@ struct Experiment {
     std::string agent;  ///< "": of the run.
     auto operator<=>(const Quantity&) const = default;
   };
-  using Course = std::vector<std::pair<double, double>>;  ///< Simulated time [s], value.
+  using TimeSeries = std::vector<std::pair<double, double>>;  ///< Simulated time [s], value.
   template <class Value>
   using ByRun = std::map<Quantity, std::map<std::size_t, Value>>;
 
@@ -57,7 +57,7 @@ struct Experiment {
   std::vector<std::string> left_out;         ///< Runs that failed, were broken off or are copies.
   std::map<std::string, std::string> units;  ///< Of quantities, by name; "1": a count or a share.
   ByRun<double> values;
-  ByRun<Course> courses;
+  ByRun<TimeSeries> series;
   ByRun<std::vector<record::Bins::Bin>> bins;
   /// What its report shows; empty: what differs most.
   std::vector<sim::scenario::PlotRequest> requests;
@@ -84,7 +84,7 @@ struct Experiment {
   void complete_open_counts();
 
   void add_scalars(std::size_t run, const std::vector<record::Scalar>& scalars);
-  void add_series(std::size_t run, const std::vector<record::Series>& series);
+  void add_series(std::size_t run, const std::vector<record::Series>& recorded);
   void add_bins(std::size_t run, const std::vector<record::Bins>& all);
 };
 

@@ -86,8 +86,8 @@ void read_values(CampaignReader& reader, Experiment& experiment, const Places& r
   while (samples.next()) {
     const auto run = runs.find(samples.integer(0));
     if (run == runs.end()) continue;
-    experiment.courses[quantity_of(samples, quantities)][run->second].emplace_back(samples.real(2),
-                                                                                   samples.real(3));
+    experiment.series[quantity_of(samples, quantities)][run->second].emplace_back(samples.real(2),
+                                                                                  samples.real(3));
   }
   record::Statement bins =
       reader.query("SELECT run, observable, lower, upper, count, rowid FROM bins");

@@ -53,7 +53,7 @@ void check_is_there(const Experiment& experiment, const sim::scenario::PlotReque
   }
   if (request.agent.empty()) return;
   const Experiment::Quantity whose{name, request.agent};
-  if (experiment.values.contains(whose) || experiment.courses.contains(whose) ||
+  if (experiment.values.contains(whose) || experiment.series.contains(whose) ||
       experiment.bins.contains(whose)) {
     return;
   }
@@ -65,11 +65,11 @@ sim::scenario::PlotKind kind_of(const Experiment& experiment,
                                 const sim::scenario::PlotRequest& request) {
   if (request.as != sim::scenario::PlotKind::kAutomatic) return request.as;
   const bool is_value = select(experiment, request.plot, request.agent).has_value();
-  // Of a course alone an axis or curves cannot be had: add_points_of() says so.
+  // Of a series alone an axis or curves cannot be had: add_points_of() says so.
   if (!request.versus.empty() || !request.by.empty()) return sim::scenario::PlotKind::kPoints;
   if (is_value && !experiment.factors.empty()) return sim::scenario::PlotKind::kPoints;
-  return courses_of(experiment, request).empty() ? sim::scenario::PlotKind::kHistogram
-                                                 : sim::scenario::PlotKind::kTime;
+  return series_of(experiment, request).empty() ? sim::scenario::PlotKind::kHistogram
+                                                : sim::scenario::PlotKind::kTime;
 }
 
 void note_few_runs(Plot& plot, const Experiment& experiment) {

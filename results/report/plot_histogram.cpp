@@ -32,9 +32,9 @@ BinCounts recorded_bins(const Experiment& experiment, const sim::scenario::PlotR
   return counts;
 }
 
-void add_samples(const std::vector<Experiment::Course>& courses, std::vector<double>& samples) {
-  for (const Experiment::Course& course : courses) {
-    for (const auto& [at, value] : course) samples.push_back(value);
+void add_samples(const std::vector<Experiment::TimeSeries>& all, std::vector<double>& samples) {
+  for (const Experiment::TimeSeries& series : all) {
+    for (const auto& [at, value] : series) samples.push_back(value);
   }
 }
 
@@ -57,12 +57,12 @@ std::vector<double> values_of(const Experiment& experiment,
 std::vector<double> samples_of(const Experiment& experiment,
                                const sim::scenario::PlotRequest& request,
                                const Experiment::Point& point) {
-  const auto courses = courses_of(experiment, request);
-  if (courses.empty()) return values_of(experiment, request, point);
+  const auto by_run = series_of(experiment, request);
+  if (by_run.empty()) return values_of(experiment, request, point);
   std::vector<double> samples;
   for (const std::size_t run : point.runs) {
-    const auto found = courses.find(run);
-    if (found != courses.end()) add_samples(found->second, samples);
+    const auto found = by_run.find(run);
+    if (found != by_run.end()) add_samples(found->second, samples);
   }
   return samples;
 }

@@ -28,7 +28,7 @@ std::vector<std::string> names_of(const Experiment& experiment) {
 
 bool has_of(const Experiment& experiment, const std::string& name, const std::string& agent) {
   const Experiment::Quantity whose{name, agent};
-  return experiment.values.contains(whose) || experiment.courses.contains(whose) ||
+  return experiment.values.contains(whose) || experiment.series.contains(whose) ||
          experiment.bins.contains(whose);
 }
 
@@ -101,13 +101,13 @@ void request_observed(std::vector<sim::scenario::PlotRequest>& requests,
   const auto has = [&name](const auto& of) {
     return std::ranges::any_of(of, [&name](const auto& one) { return one.first.name == name; });
   };
-  const bool is_kept = has(experiment.courses) || has(experiment.bins);
+  const bool is_kept = has(experiment.series) || has(experiment.bins);
   const bool has_mean = experiment.units.contains(name + ".mean");
   if (has_mean && (!is_kept || experiment.points.size() > 1)) {
     add(name + ".mean", experiment.points.size() > 1 ? sim::scenario::PlotKind::kPoints
                                                      : sim::scenario::PlotKind::kTable);
   }
-  if (has(experiment.courses)) return add(name, sim::scenario::PlotKind::kTime);
+  if (has(experiment.series)) return add(name, sim::scenario::PlotKind::kTime);
   if (has(experiment.bins)) add(name, sim::scenario::PlotKind::kHistogram);
 }
 

@@ -20,7 +20,7 @@ void add_points(Plot& plot, const Experiment& experiment, const Selected& of,
 void add_histogram(Plot& plot, const Experiment& experiment,
                    const sim::scenario::PlotRequest& request);
 
-/// The course over time, mean over the runs of each point.
+/// The series over time, mean over the runs of each point.
 void add_time(Plot& plot, const Experiment& experiment, const sim::scenario::PlotRequest& request);
 
 /// Resamples of a bootstrapped interval.
@@ -36,8 +36,8 @@ Plot::Mark mark_of(const Sample& sample, sim::scenario::IntervalKind interval);
 /// "delay / s"; "delay" without a unit.
 std::string axis_label(const std::string& name, const std::string& unit);
 
-/// The courses that are asked for, run by run: of the run, of the agent, or of all agents.
-std::map<std::size_t, std::vector<Experiment::Course>> courses_of(
+/// The series that are asked for, run by run: of the run, of the agent, or of all agents.
+std::map<std::size_t, std::vector<Experiment::TimeSeries>> series_of(
     const Experiment& experiment, const sim::scenario::PlotRequest& request);
 
 }  // namespace results::report

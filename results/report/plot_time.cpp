@@ -11,16 +11,16 @@
 namespace results::report {
 namespace {
 
-using Course = Experiment::Course;
+using TimeSeries = Experiment::TimeSeries;
 
-/// Times at which courses are read that were not sampled at the same ones.
+/// Times at which series are read that were not sampled at the same ones.
 constexpr std::size_t kTimes = 200;
 /// Series shorter than this say nothing about a warm-up: fewer than ten batches of five.
 constexpr std::size_t kEnoughForWarmUp = 50;
 
-std::vector<double> times_of(const Course& course) {
+std::vector<double> times_of(const TimeSeries& series) {
   std::vector<double> times;
-  for (const auto& [at, value] : course) times.push_back(at);
+  for (const auto& [at, value] : series) times.push_back(at);
   return times;
 }
 
@@ -42,18 +42,18 @@ bool is_periodic(const std::vector<double>& times) {
   return true;
 }
 
-/// Of all courses if they are equal, and the end if the last value held until then; else
+/// Of all series if they are equal, and the end if the last value held until then; else
 /// equidistant ones over the time that all of them cover.
 /// @param end  s, of the run that ended first; 0: not known.
-std::vector<double> common_times(const std::vector<const Course*>& courses, double end) {
-  std::vector<double> times = times_of(*courses.front());
+std::vector<double> common_times(const std::vector<const TimeSeries*>& all, double end) {
+  std::vector<double> times = times_of(*all.front());
   double from = times.front();
   double to = std::max(times.back(), end);
   bool is_equal = true;
-  for (const Course* course : courses) {
-    is_equal = is_equal && times_of(*course) == times;
-    from = std::max(from, course->front().first);
-    to = std::min(to, std::max(course->back().first, end));
+  for (const TimeSeries* series : all) {
+    is_equal = is_equal && times_of(*series) == times;
+    from = std::max(from, series->front().first);
+    to = std::min(to, std::max(series->back().first, end));
   }
   if (!is_equal) return equidistant(from, to);
   const bool is_last_sample = is_periodic(times) && to - times.back() <= times[1] - times[0];
@@ -75,42 +75,43 @@ double end_of(const Experiment& experiment, const std::vector<std::size_t>& runs
 }
 
 /// The latest sample until then: a value holds until the next. @pre there is one.
-double value_at(const Course& course, double time) {
-  const auto after = std::ranges::upper_bound(course, time, {}, &Course::value_type::first);
+double value_at(const TimeSeries& series, double time) {
+  const auto after = std::ranges::upper_bound(series, time, {}, &TimeSeries::value_type::first);
   return std::prev(after)->second;
 }
 
-double mean_at(const std::vector<Course>& agents, double time) {
+double mean_at(const std::vector<TimeSeries>& agents, double time) {
   double sum = 0;
-  for (const Course& course : agents) sum += value_at(course, time);
+  for (const TimeSeries& series : agents) sum += value_at(series, time);
   return sum / static_cast<double>(agents.size());
 }
 
 Plot::Curve curve_of(const std::string& label, const std::vector<double>& times,
-                     const std::vector<const std::vector<Course>*>& runs, const Plot& plot) {
+                     const std::vector<const std::vector<TimeSeries>*>& runs, const Plot& plot) {
   Plot::Curve curve{label, {}};
   for (const double time : times) {
     Sample sample{{}, {plot.support, {}}};
     sample.values.reserve(runs.size());
-    for (const std::vector<Course>* agents : runs) sample.values.push_back(mean_at(*agents, time));
+    for (const std::vector<TimeSeries>* agents : runs)
+      sample.values.push_back(mean_at(*agents, time));
     Plot::Mark& mark = curve.marks.emplace_back(mark_of(sample, plot.interval));
     mark.x = time;
   }
   return curve;
 }
 
-/// MSER-5 takes values of equal weight: of a course that was recorded on change, those that held
+/// MSER-5 takes values of equal weight: of a series that was recorded on change, those that held
 /// at equidistant times.
 void note_warm_up(Plot& plot, const Plot::Curve& curve) {
-  Course course;
-  for (const Plot::Mark& mark : curve.marks) course.emplace_back(mark.x, mark.y);
-  std::vector<double> times = times_of(course);
+  TimeSeries series;
+  for (const Plot::Mark& mark : curve.marks) series.emplace_back(mark.x, mark.y);
+  std::vector<double> times = times_of(series);
   if (times.size() < 2) return;
   if (!is_periodic(times)) times = equidistant(times.front(), times.back());
   if (times.size() < kEnoughForWarmUp) return;
   std::vector<double> means;
   means.reserve(times.size());
-  for (const double time : times) means.push_back(value_at(course, time));
+  for (const double time : times) means.push_back(value_at(series, time));
   const auto warm_up = statistics::mser(means);
   if (!warm_up) return;
   plot.notes.push_back(
@@ -121,42 +122,42 @@ void note_warm_up(Plot& plot, const Plot::Curve& curve) {
 
 }  // namespace
 
-std::map<std::size_t, std::vector<Experiment::Course>> courses_of(
+std::map<std::size_t, std::vector<Experiment::TimeSeries>> series_of(
     const Experiment& experiment, const sim::scenario::PlotRequest& request) {
-  std::map<std::size_t, std::vector<Course>> found;
+  std::map<std::size_t, std::vector<TimeSeries>> found;
   const auto add = [&](const Experiment::Quantity& quantity) {
-    const auto by_run = experiment.courses.find(quantity);
-    if (by_run == experiment.courses.end()) return;
-    for (const auto& [run, course] : by_run->second) {
-      if (!course.empty()) found[run].push_back(course);
+    const auto by_run = experiment.series.find(quantity);
+    if (by_run == experiment.series.end()) return;
+    for (const auto& [run, series] : by_run->second) {
+      if (!series.empty()) found[run].push_back(series);
     }
   };
   add({request.plot, request.agent});
   if (!found.empty() || !request.agent.empty()) return found;
-  for (const auto& [quantity, by_run] : experiment.courses) {
+  for (const auto& [quantity, by_run] : experiment.series) {
     if (quantity.name == request.plot) add(quantity);
   }
   return found;
 }
 
 void add_time(Plot& plot, const Experiment& experiment, const sim::scenario::PlotRequest& request) {
-  const auto courses = courses_of(experiment, request);
-  if (courses.empty()) {
+  const auto by_run = series_of(experiment, request);
+  if (by_run.empty()) {
     throw std::runtime_error(fmt::format(
         "{}: was not recorded over time; `record: {{observables: …}}` of the scenario does that",
         request.plot));
   }
   plot.x_label = "simulated time / s";
   for (std::size_t i = 0; i < experiment.points.size(); ++i) {
-    std::vector<const std::vector<Course>*> runs;
-    std::vector<const Course*> all;
+    std::vector<const std::vector<TimeSeries>*> runs;
+    std::vector<const TimeSeries*> all;
     std::vector<std::size_t> places;
     for (const std::size_t run : experiment.points[i].runs) {
-      const auto found = courses.find(run);
-      if (found == courses.end()) continue;
+      const auto found = by_run.find(run);
+      if (found == by_run.end()) continue;
       runs.push_back(&found->second);
       places.push_back(run);
-      for (const Course& course : found->second) all.push_back(&course);
+      for (const TimeSeries& series : found->second) all.push_back(&series);
     }
     if (runs.empty()) continue;
     plot.curves.push_back(

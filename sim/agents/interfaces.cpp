@@ -21,17 +21,17 @@ Interfaces::Interfaces(const SimulationConfig& config, radio::RadioNetwork& radi
     : home_(home), entering_(config.lateness_limit), leaving_(config.lateness_limit) {
   for (const AgentConfig& agent : config.agents) {
     if (!agent.network) continue;
-    ports_.push_back(
+    interfaces_.push_back(
         {.agent = agent.id,
          .door = air_door(agent.name),
          .interface = std::make_unique<air::Interface>(agent.id, radio.sap(agent.id), *this)});
   }
-  for (std::size_t i = 0; i < ports_.size(); ++i) {
-    ports_[i].capacity = ports_[i].interface->room();
-    home_.outside.open(ports_[i].door, [this, i](std::span<const std::uint8_t> ethernet) {
-      Port& port = ports_[i];
-      port.held -= std::min<std::size_t>(port.held, 1);  // none in a repetition
-      port.interface->send(ethernet);
+  for (std::size_t i = 0; i < interfaces_.size(); ++i) {
+    interfaces_[i].capacity = interfaces_[i].interface->room();
+    home_.outside.open(interfaces_[i].door, [this, i](std::span<const std::uint8_t> ethernet) {
+      AgentInterface& one = interfaces_[i];
+      one.held -= std::min<std::size_t>(one.held, 1);  // none in a repetition
+      one.interface->send(ethernet);
     });
   }
 }
@@ -41,10 +41,10 @@ void Interfaces::connect(air::FrameSink& sink, air::FrameSource& source) {
   source_ = &source;
 }
 
-Interfaces::Port& Interfaces::port_of(hal::AgentId agent) {
-  const auto port = std::ranges::lower_bound(ports_, agent, {}, &Port::agent);
-  BARAKA_CHECK(port != ports_.end() && port->agent == agent);
-  return *port;
+Interfaces::AgentInterface& Interfaces::of(hal::AgentId agent) {
+  const auto one = std::ranges::lower_bound(interfaces_, agent, {}, &AgentInterface::agent);
+  BARAKA_CHECK(one != interfaces_.end() && one->agent == agent);
+  return *one;
 }
 
 void Interfaces::follow(FollowedClock& clock) {
@@ -67,16 +67,15 @@ void Interfaces::take_frames(hal::Time last) {
 /// Before the clock started nothing could be late.
 void Interfaces::enter(hal::Time at, air::SentFrame&& frame) {
   entering_.add(at - std::max(frame.since, hal::Time{}));
-  Port& port = port_of(frame.agent);
-  ++port.held;
-  home_.outside.put_at(at, port.door, std::move(frame.ethernet));
+  AgentInterface& one = of(frame.agent);
+  ++one.held;
+  home_.outside.put_at(at, one.door, std::move(frame.ethernet));
 }
 
 void Interfaces::tell_room() {
-  for (const Port& port : ports_) {
-    const std::size_t room = port.interface->room();
-    sink_->on_room(port.agent,
-                   {.free = room - std::min(room, port.held), .capacity = port.capacity});
+  for (const AgentInterface& one : interfaces_) {
+    const std::size_t room = one.interface->room();
+    sink_->on_room(one.agent, {.free = room - std::min(room, one.held), .capacity = one.capacity});
   }
 }
 
@@ -96,7 +95,7 @@ void Interfaces::on_left(hal::AgentId agent, const radio::MacIndication& indicat
 void Interfaces::on_refused(hal::AgentId agent, air::Refusal refusal, std::size_t bytes) {
   const hal::Time now = home_.events.now();
   ++refused_[static_cast<std::size_t>(refusal)];
-  hal::log::debug(now, port_of(agent).door, "a frame of {} bytes is refused: {}", bytes,
+  hal::log::debug(now, of(agent).door, "a frame of {} bytes is refused: {}", bytes,
                   air::name(refusal));
   home_.observer.on_air_refused(now, agent, refusal, bytes);
 }
@@ -108,8 +107,8 @@ AirSummary Interfaces::summary() const {
       summary.refused.emplace_back(air::name(static_cast<air::Refusal>(i)), refused_[i]);
     }
   }
-  summary.has_seen_tcp =
-      std::ranges::any_of(ports_, [](const Port& port) { return port.interface->has_seen_tcp(); });
+  summary.has_seen_tcp = std::ranges::any_of(
+      interfaces_, [](const AgentInterface& one) { return one.interface->has_seen_tcp(); });
   return summary;
 }
 

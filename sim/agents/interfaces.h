@@ -36,7 +36,7 @@ class Interfaces final : public air::InterfaceListener {
   };
   Interfaces(const SimulationConfig& config, radio::RadioNetwork& radio, const Home& home);
 
-  bool empty() const { return ports_.empty(); }
+  bool empty() const { return interfaces_.empty(); }
 
   /// Before the run.
   void connect(air::FrameSink& sink, air::FrameSource& source);
@@ -60,7 +60,7 @@ class Interfaces final : public air::InterfaceListener {
   AirSummary summary() const;
 
  private:
-  struct Port {
+  struct AgentInterface {
     hal::AgentId agent;
     std::string door;
     std::unique_ptr<air::Interface> interface;
@@ -74,10 +74,10 @@ class Interfaces final : public air::InterfaceListener {
   void on_refused(hal::AgentId agent, air::Refusal refusal, std::size_t bytes) override;
   void on_ended(hal::AgentId) override {}
   void enter(hal::Time at, air::SentFrame&& frame);
-  Port& port_of(hal::AgentId agent);
+  AgentInterface& of(hal::AgentId agent);
 
   Home home_;
-  std::vector<Port> ports_;  ///< By address.
+  std::vector<AgentInterface> interfaces_;  ///< By address.
   air::FrameSink* sink_ = nullptr;
   air::FrameSource* source_ = nullptr;
   FollowedClock* clock_ = nullptr;

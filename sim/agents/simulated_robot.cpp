@@ -55,17 +55,19 @@ bool SimulatedRobot::sample(std::size_t channel, hal::Time at, std::vector<doubl
       values = devices::odometry_values(odometry_.pose(), odometry_.twist());
       return true;
     case devices::kInfrared:
-      for (const sensing::InfraredReading& reading : infrared(at)) values.push_back(reading.metres);
+      for (const sensing::InfraredMeasurement& reading : infrared(at))
+        values.push_back(reading.metres);
       return true;
     case devices::kInfraredVolts:
-      for (const sensing::InfraredReading& reading : infrared(at)) values.push_back(reading.volts);
+      for (const sensing::InfraredMeasurement& reading : infrared(at))
+        values.push_back(reading.volts);
       return true;
     default:
       return SimulatedMote::sample(channel, at, values);
   }
 }
 
-std::span<const sensing::InfraredReading> SimulatedRobot::infrared(hal::Time at) {
+std::span<const sensing::InfraredMeasurement> SimulatedRobot::infrared(hal::Time at) {
   Scene& scene = surroundings().scene;
   infrared_.sample(at, scene.world(), scene.proximity());
   return infrared_.readings();

@@ -37,7 +37,7 @@ class SimulatedRobot final : public SimulatedMote, public hal::node::agent::Driv
  private:
   double share_of(double fastest) const;
   void set_motors(bool on) override;
-  std::span<const sensing::InfraredReading> infrared(hal::Time at);
+  std::span<const sensing::InfraredMeasurement> infrared(hal::Time at);
 
   hal::node::devices::WheelOdometry odometry_;
   hal::Time odometry_at_{};

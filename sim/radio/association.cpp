@@ -17,8 +17,13 @@ constexpr hal::Duration kLongestSpread{10'000'000'000};
 
 }  // namespace
 
-Association::Association(EventQueue& events, Station station, const BssConfig& config, Port& port)
-    : events_(events), station_(std::move(station)), config_(config), port_(port), heard_(config) {}
+Association::Association(EventQueue& events, Station station, const BssConfig& config,
+                         Client& client)
+    : events_(events),
+      station_(std::move(station)),
+      config_(config),
+      client_(client),
+      heard_(config) {}
 
 void Association::start() {
   spread_ = kFirstSpread;
@@ -35,7 +40,7 @@ void Association::stop() {
 void Association::change(State state, std::optional<hal::AgentId> access_point) {
   state_ = state;
   access_point_ = access_point;
-  port_.on_association();
+  client_.on_association();
 }
 
 void Association::scan_anew() {
@@ -58,7 +63,7 @@ void Association::on_scanned() {
 void Association::begin(hal::AgentId access_point) {
   target_ = access_point;
   change(State::kAuthenticating, access_point_);
-  port_.send(FrameType::kAuthentication, target_, encode(Authentication{}));
+  client_.send(FrameType::kAuthentication, target_, encode(Authentication{}));
   wait_for_answer();
 }
 
@@ -108,7 +113,7 @@ void Association::on_authentication(const Frame& frame) {
   if (!answer || answer->transaction != 2) return;
   if (answer->status != kStatusSuccess) return give_up();
   state_ = State::kAssociating;
-  port_.send(
+  client_.send(
       access_point_ ? FrameType::kReassociationRequest : FrameType::kAssociationRequest, target_,
       encode(AssociationRequest{.bss = station_.bss, .current_access_point = access_point_}));
   wait_for_answer();
@@ -140,7 +145,7 @@ void Association::on_unanswered(FrameType type, hal::AgentId access_point) {
 void Association::lose() {
   events_.cancel(loss_);
   heard_.forget(*std::exchange(access_point_, std::nullopt));
-  if (state_ != State::kAssociated) return port_.on_association();  // it is on its way elsewhere
+  if (state_ != State::kAssociated) return client_.on_association();  // it is on its way elsewhere
   if (const auto other = heard_.strongest(events_.now())) return begin(*other);
   scan_anew();
 }

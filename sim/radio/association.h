@@ -30,9 +30,9 @@ namespace sim::radio {
 class Association {
  public:
   /// What it does in the world.
-  class Port {
+  class Client {
    public:
-    virtual ~Port() = default;
+    virtual ~Client() = default;
     virtual void send(FrameType type, hal::AgentId access_point, hal::Bytes body) = 0;
     /// access_point() or is_settled() changed.
     virtual void on_association() = 0;
@@ -44,8 +44,8 @@ class Association {
     hal::RandomStream random;  ///< "<agent>/scan"
   };
 
-  /// @param config, port  outlive it.
-  Association(EventQueue& events, Station station, const BssConfig& config, Port& port);
+  /// @param config, client  outlive it.
+  Association(EventQueue& events, Station station, const BssConfig& config, Client& client);
 
   /// The radio was switched on or off.
   void start();
@@ -82,7 +82,7 @@ class Association {
   EventQueue& events_;
   Station station_;
   const BssConfig& config_;
-  Port& port_;
+  Client& client_;
 
   HeardAccessPoints heard_;
   State state_ = State::kOff;

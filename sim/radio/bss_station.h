@@ -11,7 +11,7 @@ namespace sim::radio {
 /// A station of an infrastructure network. It sends all data To DS, to the access point that it is
 /// associated with, and queues it while there is none; it receives data From DS, from that access
 /// point. Its own group frames return from the access point and are dropped.
-class BssStation final : public BssMac, private Association::Port {
+class BssStation final : public BssMac, private Association::Client {
  public:
   struct Membership {
     const BssConfig& config;  ///< Outlives the station.

@@ -84,8 +84,8 @@ SectorQuery InfraredArray::view_of(std::size_t sensor, const physics::BodyPose& 
           view.reach};
 }
 
-InfraredReading InfraredArray::measure(const Due& due, const Proximity& proximity,
-                                       std::span<const std::size_t> candidates) {
+InfraredMeasurement InfraredArray::measure(const Due& due, const Proximity& proximity,
+                                           std::span<const std::size_t> candidates) {
   const InfraredSensor& sensor = sensors_[due.sensor];
   const double metres = proximity.nearest(due.view, agent_, candidates)
                             .value_or(std::numeric_limits<double>::infinity());

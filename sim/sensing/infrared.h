@@ -15,7 +15,7 @@
 namespace sim::sensing {
 
 /// What one infrared sensor shows.
-struct InfraredReading {
+struct InfraredMeasurement {
   double volts = 0;   ///< As the converter saw it.
   double metres = 0;  ///< From the inverse curve; NaN: nothing within reach.
 };
@@ -36,7 +36,7 @@ class InfraredArray {
   void sample(hal::Time now, const physics::World& world, const Proximity& proximity);
 
   /// One per sensor, in the order of the robot's file; empty before the first sample.
-  std::span<const InfraredReading> readings() const { return readings_; }
+  std::span<const InfraredMeasurement> readings() const { return readings_; }
 
   const std::vector<hal::node::devices::InfraredSensor>& sensors() const { return sensors_; }
 
@@ -47,8 +47,8 @@ class InfraredArray {
     SectorQuery view;
   };
   void find_due(hal::Time now, const physics::World& world);
-  InfraredReading measure(const Due& due, const Proximity& proximity,
-                          std::span<const std::size_t> candidates);
+  InfraredMeasurement measure(const Due& due, const Proximity& proximity,
+                              std::span<const std::size_t> candidates);
 
   /// What of a sensor's view never changes.
   struct View {
@@ -65,7 +65,7 @@ class InfraredArray {
   hal::RandomStream random_;
   std::vector<hal::Duration> phases_;
   std::vector<hal::Time> measured_at_;
-  std::vector<InfraredReading> readings_;
+  std::vector<InfraredMeasurement> readings_;
   std::vector<Due> due_;  ///< Of the sample under way.
 };
 

@@ -35,16 +35,16 @@ TapBridge::TapBridge(const std::vector<Tap>& taps, pace::RealTimeClock& clock)
       buffer_(kBuffer),
       events_(std::max<std::size_t>(1, taps.size())) {
   if (epoll_ < 0) fail("the agents' interfaces");
-  for (const Tap& tap : taps) ports_.push_back({.tap = tap});
-  std::ranges::sort(ports_, {}, [](const Port& port) { return port.tap.agent; });
-  for (std::size_t i = 0; i < ports_.size(); ++i) {
+  for (const Tap& tap : taps) taps_.push_back({.tap = tap});
+  std::ranges::sort(taps_, {}, [](const AgentTap& one) { return one.tap.agent; });
+  for (std::size_t i = 0; i < taps_.size(); ++i) {
     epoll_event event{};
     event.events = EPOLLIN;
     event.data.u64 = i;
-    if (::epoll_ctl(epoll_, EPOLL_CTL_ADD, ports_[i].tap.descriptor, &event) != 0) {
+    if (::epoll_ctl(epoll_, EPOLL_CTL_ADD, taps_[i].tap.descriptor, &event) != 0) {
       fail("an agent's interface");
     }
-    ports_[i].empty_at = clock_.wall().now();
+    taps_[i].empty_at = clock_.wall().now();
   }
 }
 
@@ -52,36 +52,35 @@ TapBridge::~TapBridge() {
   if (epoll_ >= 0) ::close(epoll_);
 }
 
-TapBridge::Port& TapBridge::port_of(hal::AgentId agent) {
-  const auto port =
-      std::ranges::lower_bound(ports_, agent, {}, [](const Port& one) { return one.tap.agent; });
-  BARAKA_CHECK(port != ports_.end() && port->tap.agent == agent);
-  return *port;
+TapBridge::AgentTap& TapBridge::of(hal::AgentId agent) {
+  const auto found =
+      std::ranges::lower_bound(taps_, agent, {}, [](const AgentTap& one) { return one.tap.agent; });
+  BARAKA_CHECK(found != taps_.end() && found->tap.agent == agent);
+  return *found;
 }
 
 void TapBridge::on_frame(hal::AgentId agent, hal::Time, std::span<const std::uint8_t> ethernet) {
-  const int tap = port_of(agent).tap.descriptor;
+  const int tap = of(agent).tap.descriptor;
   const ssize_t written = ::write(tap, ethernet.data(), ethernet.size());
   if (written != static_cast<ssize_t>(ethernet.size())) ++not_taken_;
 }
 
 void TapBridge::on_room(hal::AgentId agent, const Room& room) {
-  Port& port = port_of(agent);
-  if (port.tap.room == nullptr) return;
-  const bool has_changed =
-      !port.is_told || port.sent != port.told_sent || room.free != port.told_room;
+  AgentTap& one = of(agent);
+  if (one.tap.room == nullptr) return;
+  const bool has_changed = !one.is_told || one.sent != one.told_sent || room.free != one.told_room;
   // Also one that has only begun: it may have been killed since.
-  const bool is_one_sending = port.is_one_sending || port.tap.room->is_between(port.sent);
+  const bool is_one_sending = one.is_one_sending || one.tap.room->is_between(one.sent);
   if (!has_changed && !is_one_sending) return;
-  port.is_one_sending = port.tap.room->publish(port.sent, clamped(room.free),
-                                               std::max<std::uint32_t>(1, clamped(room.capacity)));
-  port.told_sent = port.sent;
-  port.told_room = room.free;
-  port.is_told = true;
+  one.is_one_sending = one.tap.room->publish(one.sent, clamped(room.free),
+                                             std::max<std::uint32_t>(1, clamped(room.capacity)));
+  one.told_sent = one.sent;
+  one.told_room = room.free;
+  one.is_told = true;
 }
 
 bool TapBridge::is_one_sending() const {
-  return std::ranges::any_of(ports_, [](const Port& port) { return port.is_one_sending; });
+  return std::ranges::any_of(taps_, [](const AgentTap& one) { return one.is_one_sending; });
 }
 
 void TapBridge::after_wait() {
@@ -98,7 +97,7 @@ void TapBridge::read(std::size_t most, const std::function<void(sim::air::SentFr
     const std::size_t share = std::clamp<std::size_t>(most / ready_.size(), 1, kMostOfOne);
     std::erase_if(ready_, [&](std::size_t i) {
       const std::size_t wanted = std::min(share, most);
-      const std::size_t count = read(ports_[i], wanted, take);
+      const std::size_t count = read(taps_[i], wanted, take);
       most -= count;
       return count < wanted;
     });
@@ -108,41 +107,41 @@ void TapBridge::read(std::size_t most, const std::function<void(sim::air::SentFr
 /// Sees which TAPs have something.
 void TapBridge::look() {
   const hal::Time now = clock_.wall().now();
-  for (Port& port : ports_) {
-    port.sent_before = port.tap.room ? port.tap.room->sent() : 0;
-    port.is_ready = false;
+  for (AgentTap& one : taps_) {
+    one.sent_before = one.tap.room ? one.tap.room->sent() : 0;
+    one.is_ready = false;
   }
   ready_.clear();
   const int count = ::epoll_wait(epoll_, events_.data(), static_cast<int>(events_.size()), 0);
   if (count < 0 && errno != EINTR) fail("the agents' interfaces");
   if (count < 0) return;
   for (const epoll_event& event : std::span(events_).first(static_cast<std::size_t>(count))) {
-    ports_[event.data.u64].is_ready = true;
+    taps_[event.data.u64].is_ready = true;
     ready_.push_back(event.data.u64);
   }
   std::ranges::sort(ready_);  // by address
-  for (Port& port : ports_) {
-    if (port.is_ready) continue;
-    port.empty_at = now;
-    port.sent = port.sent_before;
+  for (AgentTap& one : taps_) {
+    if (one.is_ready) continue;
+    one.empty_at = now;
+    one.sent = one.sent_before;
   }
 }
 
-std::size_t TapBridge::read(Port& port, std::size_t most,
+std::size_t TapBridge::read(AgentTap& one, std::size_t most,
                             const std::function<void(sim::air::SentFrame)>& take) {
-  const std::uint64_t sent = port.tap.room != nullptr ? port.tap.room->sent() : 0;
-  const hal::Time since = clock_.simulated(std::max(port.empty_at, nothing_until_));
+  const std::uint64_t sent = one.tap.room != nullptr ? one.tap.room->sent() : 0;
+  const hal::Time since = clock_.simulated(std::max(one.empty_at, nothing_until_));
   for (std::size_t count = 0; count < most; ++count) {
     const hal::Time now = clock_.wall().now();
-    const ssize_t size = ::read(port.tap.descriptor, buffer_.data(), buffer_.size());
+    const ssize_t size = ::read(one.tap.descriptor, buffer_.data(), buffer_.size());
     if (size < 0) {
       if (errno == EINTR) continue;
       if (errno != EAGAIN && errno != EWOULDBLOCK) fail("an agent's interface");
-      port.empty_at = now;
-      port.sent = sent;
+      one.empty_at = now;
+      one.sent = sent;
       return count;
     }
-    take({port.tap.agent, since, {buffer_.begin(), buffer_.begin() + size}});
+    take({one.tap.agent, since, {buffer_.begin(), buffer_.begin() + size}});
   }
   return most;
 }

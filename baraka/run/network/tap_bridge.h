@@ -50,7 +50,7 @@ class TapBridge final : public sim::air::FrameSink, public sim::air::FrameSource
   std::uint64_t not_taken() const { return not_taken_; }
 
  private:
-  struct Port {
+  struct AgentTap {
     Tap tap;
     hal::Time empty_at{};           ///< Wall time at which it was seen empty.
     std::uint64_t sent = 0;         ///< Of the page, before it was seen empty.
@@ -62,12 +62,12 @@ class TapBridge final : public sim::air::FrameSink, public sim::air::FrameSource
     bool is_one_sending = false;
   };
 
-  Port& port_of(hal::AgentId agent);
+  AgentTap& of(hal::AgentId agent);
   void look();
-  std::size_t read(Port& port, std::size_t most,
+  std::size_t read(AgentTap& one, std::size_t most,
                    const std::function<void(sim::air::SentFrame)>& take);
 
-  std::vector<Port> ports_;  ///< By address.
+  std::vector<AgentTap> taps_;  ///< By address.
   pace::RealTimeClock& clock_;
   pace::WakeUpLatency wake_up_;
   hal::Time nothing_until_{};  ///< Wall time until which nothing had come to any TAP.

@@ -8,7 +8,7 @@
 
 #include "gateway/process/exit_status.h"
 #include "results/campaign/extension.h"
-#include "results/record/course_log.h"
+#include "results/record/replay_log.h"
 #include "results/record/run_reader.h"
 #include "sim/scenario/plot_request.h"
 

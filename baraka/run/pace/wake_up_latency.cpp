@@ -17,7 +17,7 @@ WakeUpLatency::~WakeUpLatency() {
   if (schedstat_ >= 0) ::close(schedstat_);
 }
 
-std::optional<WakeUpLatency::Reading> WakeUpLatency::read() const {
+std::optional<WakeUpLatency::SchedulerTimes> WakeUpLatency::read() const {
   // "<ns on the processor> <ns ready> <turns>"
   std::array<char, 96> text{};
   const ssize_t size = schedstat_ < 0 ? -1 : ::pread(schedstat_, text.data(), text.size(), 0);
@@ -33,9 +33,9 @@ std::optional<WakeUpLatency::Reading> WakeUpLatency::read() const {
   rusage usage{};
   if (::clock_gettime(CLOCK_THREAD_CPUTIME_ID, &ran) != 0) return std::nullopt;
   if (::getrusage(RUSAGE_THREAD, &usage) != 0) return std::nullopt;
-  return Reading{.ready = hal::Duration{ready},
-                 .ran = hal::Duration{ran.tv_sec * kNsPerSecond + ran.tv_nsec},
-                 .sleeps = usage.ru_nvcsw};
+  return SchedulerTimes{.ready = hal::Duration{ready},
+                        .ran = hal::Duration{ran.tv_sec * kNsPerSecond + ran.tv_nsec},
+                        .sleeps = usage.ru_nvcsw};
 }
 
 void WakeUpLatency::before_wait() { before_ = read(); }
@@ -44,7 +44,7 @@ void WakeUpLatency::before_wait() { before_ = read(); }
 /// out of the wait, or, counted in as well, on its way into it.
 void WakeUpLatency::after_wait() {
   at_most_.reset();
-  const std::optional<Reading> now = read();
+  const std::optional<SchedulerTimes> now = read();
   if (!now || !before_ || now->sleeps == before_->sleeps) return;
   at_most_ = now->ready - before_->ready + now->ran - before_->ran;
 }

@@ -32,15 +32,15 @@ class WakeUpLatency {
   std::optional<hal::Duration> at_most() const { return at_most_; }
 
  private:
-  struct Reading {
+  struct SchedulerTimes {
     hal::Duration ready{};  ///< Ready and not running, in all.
     hal::Duration ran{};
     long sleeps = 0;
   };
-  std::optional<Reading> read() const;
+  std::optional<SchedulerTimes> read() const;
 
   int schedstat_;
-  std::optional<Reading> before_;
+  std::optional<SchedulerTimes> before_;
   std::optional<hal::Duration> at_most_;
 };
 

@@ -216,7 +216,7 @@ TEST_F(ExperimentTest, ACampaignIsReadFromItsDatabase) {
   EXPECT_EQ(experiment.label(1), "speed 2 m/s");
   EXPECT_EQ(experiment.values.at({"x", ""}).at(1), 6);
   EXPECT_FALSE(experiment.values.contains({"y", "r0"}));
-  EXPECT_EQ(experiment.courses.at({"z", "r0"}).at(0).size(), 2u);
+  EXPECT_EQ(experiment.series.at({"z", "r0"}).at(0).size(), 2u);
   EXPECT_EQ(experiment.bins.at({"h", ""}).at(0)[0].count, 5u);
   ASSERT_EQ(experiment.requests.size(), 1u);
   EXPECT_EQ(experiment.requests[0].versus, "speed");

@@ -213,7 +213,7 @@ Experiment over_time() {
     experiment.runs.push_back({"run", 0, run});
     for (const char* agent : {"r0", "r1"}) {
       for (int i = 0; i < 100; ++i) {
-        experiment.courses[{"z", agent}][run].emplace_back(
+        experiment.series[{"z", agent}][run].emplace_back(
             i, i < 10 ? 100 : 2.0 * static_cast<double>(run));
       }
     }
@@ -235,8 +235,8 @@ TEST(PlotTest, ACourseIsTheMeanOverRunsAndAgentsAndItsWarmUpIsNamed) {
 // Recorded on change: 5 from 1 s, in one run 7 from 3 s; both last 1000 s. Nothing changes after.
 TEST(PlotTest, TheLastValueHoldsUntilTheRunsEnd) {
   Experiment experiment = over_time();
-  experiment.courses.clear();
-  experiment.courses[{"z", "r0"}] = {{0, {{1, 5}}}, {1, {{1, 5}, {3, 7}}}};
+  experiment.series.clear();
+  experiment.series[{"z", "r0"}] = {{0, {{1, 5}}}, {1, {{1, 5}, {3, 7}}}};
   experiment.units["run.simulated"] = "s";
   experiment.values[{"run.simulated", ""}] = {{0, 1000}, {1, 1000}};
   const Plot plot = make_plot(experiment, {.plot = "z"});
@@ -248,7 +248,7 @@ TEST(PlotTest, TheLastValueHoldsUntilTheRunsEnd) {
 
 TEST(PlotTest, CoursesSampledAtOtherTimesMeetOnCommonOnes) {
   Experiment experiment = over_time();
-  for (auto& [at, value] : experiment.courses[{"z", "r0"}][1]) at += 0.5;
+  for (auto& [at, value] : experiment.series[{"z", "r0"}][1]) at += 0.5;
   const Plot plot = make_plot(experiment, {.plot = "z", .agent = "r0"});
   EXPECT_EQ(plot.curves[0].marks.size(), 200u);
   EXPECT_EQ(plot.curves[0].marks.front().x, 0.5);
@@ -293,8 +293,8 @@ TEST(PlotTest, EqualValuesCanBeDrawn) {
 
 TEST(PlotTest, OneSampleCanBeDrawn) {
   Experiment experiment = over_time();
-  for (auto& [quantity, by_run] : experiment.courses) {
-    for (auto& [run, course] : by_run) course.resize(1);
+  for (auto& [quantity, by_run] : experiment.series) {
+    for (auto& [run, series] : by_run) series.resize(1);
   }
   const Plot plot = make_plot(experiment, {.plot = "z"});
   EXPECT_EQ(plot.curves[0].marks.size(), 1u);
@@ -354,7 +354,7 @@ Experiment of_agents() {
                       {"agents.x", "m"},
                       {"sensors.x", "m"}};
   for (const char* agent : {"r0", "r1"}) {
-    experiment.courses[{"controllers.known", agent}][0] = {{0, 1}, {1, *agent == 'r' ? 3 : 5}};
+    experiment.series[{"controllers.known", agent}][0] = {{0, 1}, {1, *agent == 'r' ? 3 : 5}};
     experiment.values[{"controllers.known.mean", agent}][0] = 2;
   }
   experiment.values[{"agents.speed.mean", "r0"}][0] = 0.5;

@@ -43,7 +43,7 @@ TEST(Infrared, FrontSensorReadsTheWallAndTheRearOneNothing) {
   EXPECT_TRUE(array.readings().empty());
   array.sample(hal::Time{}, world, proximity);
   ASSERT_EQ(array.readings().size(), 6U);
-  const InfraredReading& front = array.readings()[0];
+  const InfraredMeasurement& front = array.readings()[0];
   // 6787 / 44 + 3 = 157.25 counts: the nearest is 157.
   EXPECT_NEAR(front.volts, 157 * kCount, 1e-12);
   EXPECT_NEAR(front.metres, 67.87 / 154 - 0.04, 1e-12);

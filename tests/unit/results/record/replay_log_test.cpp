@@ -1,4 +1,4 @@
-#include "results/record/course_log.h"
+#include "results/record/replay_log.h"
 
 #include <gtest/gtest.h>
 
@@ -12,16 +12,16 @@ namespace {
 
 using namespace std::chrono_literals;
 
-RecordedCourse course_of(const std::string& pace, const std::string& sql) {
-  const Folder folder("course");
+ReplayLog replay_log_of(const std::string& pace, const std::string& sql) {
+  const Folder folder("replay");
   make_result(folder.path(),
               "INSERT INTO run VALUES ('pace', '" + pace + "'), ('ended_ns', 1000);" + sql);
-  return read_course(folder.path());
+  return read_replay_log(folder.path());
 }
 
 std::string refusal(const std::string& pace, const std::string& sql) {
   try {
-    course_of(pace, sql);
+    replay_log_of(pace, sql);
     return "";
   } catch (const std::runtime_error& error) {
     return error.what();
@@ -31,25 +31,25 @@ std::string refusal(const std::string& pace, const std::string& sql) {
 constexpr const char* kArrivals =
     "INSERT INTO arrivals VALUES (5, 'cmd_vel of r0', '00ff7a'), (5, 'b', '');";
 
-TEST(CourseLog, TurnsAndArrivalsComeBackInTheirOrder) {
-  const RecordedCourse course =
-      course_of("realtime:2", std::string("INSERT INTO turns VALUES (7, 1, 0, 1);") + kArrivals);
-  EXPECT_TRUE(course.in_real_time);
-  EXPECT_EQ(course.ended_at, hal::Time{1us});
-  ASSERT_EQ(course.turns.size(), 1u);
-  EXPECT_EQ(course.turns[0], (sim::agents::Turn{hal::Time{7ns}, 1, false, true}));
+TEST(ReplayLogs, TurnsAndArrivalsComeBackInTheirOrder) {
+  const ReplayLog log = replay_log_of(
+      "realtime:2", std::string("INSERT INTO turns VALUES (7, 1, 0, 1);") + kArrivals);
+  EXPECT_TRUE(log.in_real_time);
+  EXPECT_EQ(log.ended_at, hal::Time{1us});
+  ASSERT_EQ(log.turns.size(), 1u);
+  EXPECT_EQ(log.turns[0], (sim::agents::Turn{hal::Time{7ns}, 1, false, true}));
   const std::vector<sim::OutsideArrival> arrivals{
       {hal::Time{5ns}, "cmd_vel of r0", {0, 0xff, 0x7a}}, {hal::Time{5ns}, "b", {}}};
-  EXPECT_EQ(course.arrivals, arrivals);
+  EXPECT_EQ(log.arrivals, arrivals);
 }
 
-TEST(CourseLog, LockStepIsRepeatedFromItsRecordIfSomethingCameFromOutside) {
-  EXPECT_FALSE(course_of("lockstep", kArrivals).in_real_time);
+TEST(ReplayLogs, LockStepIsRepeatedFromItsRecordIfSomethingCameFromOutside) {
+  EXPECT_FALSE(replay_log_of("lockstep", kArrivals).in_real_time);
   EXPECT_NE(refusal("lockstep", "").find("nothing came into it from outside"), std::string::npos);
   EXPECT_NE(refusal("repeated", kArrivals).find("itself repeated"), std::string::npos);
 }
 
-TEST(CourseLog, WhatIsDamagedIsNamed) {
+TEST(ReplayLogs, WhatIsDamagedIsNamed) {
   const auto arrival = [](const char* values) {
     return refusal("realtime", std::string("INSERT INTO arrivals VALUES ") + values);
   };

@@ -11,7 +11,7 @@
 namespace results::record {
 
 /// What a run needs to be repeated, beside its scenario and seed.
-struct RecordedCourse {
+struct ReplayLog {
   bool in_real_time = false;
   std::vector<sim::agents::Turn> turns;       ///< In their order; none in lock-step.
   std::vector<sim::OutsideArrival> arrivals;  ///< By time.
@@ -22,7 +22,7 @@ struct RecordedCourse {
 /// @throws std::runtime_error if it is missing, damaged, of another version, of a run that scenario
 /// and seed repeat by themselves (in lock-step and with nothing from outside), or of one that never
 /// ended.
-RecordedCourse read_course(const std::filesystem::path& folder);
+ReplayLog read_replay_log(const std::filesystem::path& folder);
 
 /// The table settings. @throws std::runtime_error as above.
 std::map<std::string, std::string> read_settings(const std::filesystem::path& folder);

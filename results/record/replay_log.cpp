@@ -1,4 +1,4 @@
-#include "results/record/course_log.h"
+#include "results/record/replay_log.h"
 
 #include <fmt/format.h>
 
@@ -23,25 +23,25 @@ hal::Time time_of(const Statement& row, hal::Time after) {
   return at;
 }
 
-void read_turns(RunReader& run, RecordedCourse& course) {
+void read_turns(RunReader& run, ReplayLog& log) {
   Statement query =
       run.query("SELECT at_ns, process, replied, began, rowid FROM turns ORDER BY rowid");
   hal::Time last{};
   while (query.next()) {
     last = time_of(query, last);
-    course.turns.push_back({last, static_cast<std::size_t>(query.integer(1)), query.integer(2) != 0,
-                            query.integer(3) != 0});
+    log.turns.push_back({last, static_cast<std::size_t>(query.integer(1)), query.integer(2) != 0,
+                         query.integer(3) != 0});
   }
 }
 
-void read_arrivals(RunReader& run, RecordedCourse& course) {
+void read_arrivals(RunReader& run, ReplayLog& log) {
   Statement query = run.query("SELECT at_ns, door, bytes, rowid FROM arrivals ORDER BY rowid");
   hal::Time last{};
   while (query.next()) {
     last = time_of(query, last);
     auto bytes = from_hexadecimal(query.text(2));
     if (!bytes) query.refuse(2, "not hexadecimal");
-    course.arrivals.push_back({last, query.text(1), std::move(*bytes)});
+    log.arrivals.push_back({last, query.text(1), std::move(*bytes)});
   }
 }
 
@@ -55,13 +55,13 @@ std::map<std::string, std::string> read_settings(const std::filesystem::path& fo
   return settings;
 }
 
-RecordedCourse read_course(const std::filesystem::path& folder) {
+ReplayLog read_replay_log(const std::filesystem::path& folder) {
   RunReader run(folder);
   const std::string file = (folder / kResultsFile).string();
   const std::string pace = run.value("pace");
-  RecordedCourse course;
-  course.in_real_time = pace.starts_with("realtime");
-  if (!course.in_real_time && pace != "lockstep") {
+  ReplayLog log;
+  log.in_real_time = pace.starts_with("realtime");
+  if (!log.in_real_time && pace != "lockstep") {
     throw std::runtime_error(
         fmt::format("{}: table run, row pace: not a run in real time, but itself {}", file,
                     pace.empty() ? "without a pace" : pace));
@@ -71,10 +71,10 @@ RecordedCourse read_course(const std::filesystem::path& folder) {
     throw std::runtime_error(
         fmt::format("{}: table run, row ended_ns: this run did not end", file));
   }
-  course.ended_at = hal::time_from_ns(*ended);
-  read_turns(run, course);
-  read_arrivals(run, course);
-  if (course.in_real_time || !course.arrivals.empty()) return course;
+  log.ended_at = hal::time_from_ns(*ended);
+  read_turns(run, log);
+  read_arrivals(run, log);
+  if (log.in_real_time || !log.arrivals.empty()) return log;
   throw std::runtime_error(fmt::format(
       "{}: not a run in real time, and nothing came into it from outside: its scenario and seed "
       "alone repeat it",
