@@ -198,6 +198,7 @@ void class_keys(Fields& io, RouteChoice& c, const LinkCapabilities& link) {
 
 void classes_key(Fields& io, RoutingConfig& c, const LinkCapabilities& link) {
   std::vector<std::string> topics;
+  topics.reserve(c.classes.size());
   for (const auto& one : c.classes) topics.push_back(one.first);
   io.inside_given(kClasses, !topics.empty(), [&](Fields& classes) {
     classes.named(

@@ -38,6 +38,7 @@ std::shared_ptr<const DriverChoice<Driver>> driver_keys(
     Fields& io, const RobotDescription& robot, const char* meaning,
     const std::array<DriverKind<Driver>, kSize>& kinds) {
   std::vector<std::string> names;
+  names.reserve(kSize);
   for (const DriverKind<Driver>& kind : kinds) names.emplace_back(kind.name);
   std::shared_ptr<const DriverChoice<Driver>> choice;
   io.kind({"driver", meaning, "robotino_rest"}, std::move(names),

@@ -32,6 +32,7 @@ constexpr std::array kSensorDrivers{
 
 std::vector<std::string> names_of_drivers() {
   std::vector<std::string> names;
+  names.reserve(kSensorDrivers.size());
   for (const SensorDriverKind& one : kSensorDrivers) names.emplace_back(one.name);
   return names;
 }
