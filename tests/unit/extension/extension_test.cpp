@@ -7,6 +7,7 @@
 #include "results/report/report.h"
 #include "sim/agents/fingerprint_feed.h"
 #include "sim/agents/simulation.h"
+#include "sim/radio/radio_rules.h"
 #include "sim/scenario/resolved.h"
 #include "sim/scenario/scenario.h"
 #include "tests/support/no_pace.h"
