@@ -228,7 +228,7 @@ void other_keys(Fields& io, std::span<AgentConfig> agents) {
     std::string name(routing ? routing->name() : "");
     io.given_text(key, name);
   } else {
-    io.given_choice(key, hal::files::description::kRoutingAlgorithms, routing);
+    io.given_choice(key, hal::files::description::routing_algorithms(), routing);
   }
   for (AgentConfig& agent : agents) {
     agent.is_present = is_present;

@@ -107,8 +107,9 @@ class Fields {
   }
   /// A list of texts.
   void texts(const Key& key, std::vector<std::string>& values) { field({key, "", {}, &values}); }
-  template <class E, std::size_t kSize>
-  void choice(const Key& key, const std::array<Option<E>, kSize>& options, E& value) {
+  /// @tparam Options  a range of Option<E>.
+  template <class Options, class E>
+  void choice(const Key& key, const Options& options, E& value) {
     const auto found = std::ranges::find(options, value, &Option<E>::value);
     BARAKA_CHECK(found != options.end());  // what a file cannot say cannot be written to one
     auto index = static_cast<std::size_t>(found - options.begin());
@@ -117,8 +118,8 @@ class Fields {
   }
 
   /// Must be there.
-  template <class E, std::size_t kSize>
-  void needed_choice(const Key& key, const std::array<Option<E>, kSize>& options, E& value) {
+  template <class Options, class E>
+  void needed_choice(const Key& key, const Options& options, E& value) {
     const auto found = std::ranges::find(options, value, &Option<E>::value);
     BARAKA_CHECK(found != options.end());
     auto index = static_cast<std::size_t>(found - options.begin());
@@ -162,9 +163,8 @@ class Fields {
     if (is_read) value = static_cast<Integer>(given);
     return is_read;
   }
-  template <class E, std::size_t kSize>
-  bool given_choice(const Key& key, const std::array<Option<E>, kSize>& options,
-                    std::optional<E>& value) {
+  template <class Options, class E>
+  bool given_choice(const Key& key, const Options& options, std::optional<E>& value) {
     const auto found = std::ranges::find(options, value, &Option<E>::value);
     BARAKA_CHECK(!value || found != options.end());
     auto index = found == options.end() ? 0 : static_cast<std::size_t>(found - options.begin());
@@ -311,8 +311,8 @@ class Fields {
 
   /// A choice on which other keys hang: `body` describes them for each of its values. Without the
   /// key it stays as it is.
-  template <class E, std::size_t kSize>
-  void choice(const Key& key, const std::array<Option<E>, kSize>& options, E& value,
+  template <class Options, class E>
+  void choice(const Key& key, const Options& options, E& value,
               const std::function<void(Fields&)>& body) {
     const auto found = std::ranges::find(options, value, &Option<E>::value);
     BARAKA_CHECK(found != options.end());
@@ -380,11 +380,11 @@ class Fields {
   };
 
  private:
-  template <class E, std::size_t kSize>
-  static std::vector<std::string> names(const std::array<Option<E>, kSize>& options) {
+  template <class Options>
+  static std::vector<std::string> names(const Options& options) {
     std::vector<std::string> result;
-    result.reserve(kSize);
-    for (const Option<E>& option : options) result.emplace_back(option.name);
+    result.reserve(options.size());
+    for (const auto& option : options) result.emplace_back(option.name);
     return result;
   }
   template <class V>

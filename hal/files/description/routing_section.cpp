@@ -17,10 +17,9 @@ using node::routing::LinkCapabilities;
 using node::routing::RouteChoice;
 using node::routing::RoutingConfig;
 
+Option<Algorithm> option_of(Algorithm algorithm) { return {algorithm.name(), algorithm}; }
+
 const std::array kNoRouting{option_of(Algorithm::kNone)};
-/// Those that have keys.
-const std::array kAlgorithms{option_of(Algorithm::kAnts), option_of(Algorithm::kAntHocNet),
-                             option_of(Algorithm::kAodv), option_of(Algorithm::kFlooding)};
 constexpr std::array<Option<PathStatistic>, kPathStatistics.size()> kStatistics{
     {{"hops", PathStatistic::kHops},
      {"delay", PathStatistic::kDelay},
@@ -55,14 +54,19 @@ void hello_keys(Fields& io, RoutingConfig& c) {
            c.hello_limit);
 }
 
-/// AntHocNet's hellos carry pheromone: it sends them over any link.
-void hop_keys(Fields& io, RoutingConfig& c, const LinkCapabilities& link) {
-  const char* unused = "is not used with 'link: mac', which reports what becomes of each frame";
+/// Keys that count only where the link does not tell what becomes of a frame.
+void over_udp(Fields& io, const LinkCapabilities& link, const std::function<void(Fields&)>& body) {
   const Fields::When when = link.tx_status ? Fields::When{".link", {"udp_like"}}
                                            : Fields::When{};  // files without `link`
-  io.only(!link.tx_status, when, unused, [&](Fields& over_udp) { ack_keys(over_udp, c); });
-  if (c.algorithm == Algorithm::kAntHocNet) return hello_keys(io, c);
-  io.only(!link.tx_status, when, unused, [&](Fields& over_udp) { hello_keys(over_udp, c); });
+  io.only(!link.tx_status, when,
+          "is not used with 'link: mac', which reports what becomes of each frame", body);
+}
+
+void hop_keys(Fields& io, RoutingConfig& c, const LinkCapabilities& link) {
+  over_udp(io, link, [&](Fields& udp) {
+    ack_keys(udp, c);
+    hello_keys(udp, c);
+  });
 }
 
 void choice_keys(Fields& io, RouteChoice& c) {
@@ -113,12 +117,6 @@ void buffer_keys(Fields& io, RoutingConfig& c) {
            1'000'000, c.buffer_limit);
   io.duration({"buffer_age", "Longest wait of a message for a route.", "10 s"}, {1e-3, 3600},
               c.buffer_age);
-}
-
-/// Whether messages wait there for routes.
-bool has_buffer(Algorithm algorithm) {
-  return algorithm == Algorithm::kAnts || algorithm == Algorithm::kAntHocNet ||
-         algorithm == Algorithm::kAodv;
 }
 
 /// The one statistic that the metric is; none: it weighs several.
@@ -210,65 +208,122 @@ void classes_key(Fields& io, RoutingConfig& c, const LinkCapabilities& link) {
   });
 }
 
-/// Of the algorithm that `c` names.
-void algorithm_keys(Fields& io, RoutingConfig& c, const LinkCapabilities& link) {
-  const bool is_by_ants = c.algorithm == Algorithm::kAnts;
-  if (is_by_ants) class_keys(io, c.choice, link);
+/// What every protocol has, own ones of programs that link the simulator, too.
+void common_keys(Fields& io, RoutingConfig& c, const LinkCapabilities& link) {
   jitter_key(io, c);
-  if (is_by_ants || c.algorithm == Algorithm::kAntHocNet) retry_keys(io, c);
-  if (is_by_ants) acceptance_keys(io, c);
-  if (c.algorithm == Algorithm::kAntHocNet) anthocnet_keys(io, c.anthocnet);
-  if (c.algorithm == Algorithm::kAodv) aodv_keys(io, c.aodv);
   hop_limit_key(io, c);
-  if (has_buffer(c.algorithm)) buffer_keys(io, c);
   hop_keys(io, c, link);
-  if (is_by_ants) classes_key(io, c, link);
+}
+
+void ant_keys(Fields& io, RoutingConfig& c, const LinkCapabilities& link) {
+  class_keys(io, c.choice, link);
+  jitter_key(io, c);
+  retry_keys(io, c);
+  acceptance_keys(io, c);
+  hop_limit_key(io, c);
+  buffer_keys(io, c);
+  hop_keys(io, c, link);
+  classes_key(io, c, link);
+}
+
+/// AntHocNet's hellos carry pheromone: it sends them over any link.
+void all_anthocnet_keys(Fields& io, RoutingConfig& c, const LinkCapabilities& link) {
+  jitter_key(io, c);
+  retry_keys(io, c);
+  anthocnet_keys(io, c.anthocnet);
+  hop_limit_key(io, c);
+  buffer_keys(io, c);
+  over_udp(io, link, [&](Fields& udp) { ack_keys(udp, c); });
+  hello_keys(io, c);
+}
+
+void all_aodv_keys(Fields& io, RoutingConfig& c, const LinkCapabilities& link) {
+  jitter_key(io, c);
+  aodv_keys(io, c.aodv);
+  hop_limit_key(io, c);
+  buffer_keys(io, c);
+  hop_keys(io, c, link);
+}
+
+/// A protocol that files can name.
+struct Protocol {
+  Algorithm algorithm;
+  void (*set_defaults)(RoutingConfig& c);  ///< Where they are not those of RoutingConfig.
+  void (*keys)(Fields& io, RoutingConfig& c, const LinkCapabilities& link);
+};
+
+const std::array kProtocols{
+    Protocol{Algorithm::kAnts, [](RoutingConfig&) {}, ant_keys},
+    Protocol{Algorithm::kAntHocNet, anthocnet_defaults, all_anthocnet_keys},
+    Protocol{Algorithm::kAodv, [](RoutingConfig& c) { c.jitter_max = kAodvJitter; }, all_aodv_keys},
+    Protocol{Algorithm::kFlooding, [](RoutingConfig&) {}, common_keys}};
+
+const Protocol* find(Algorithm algorithm) {
+  const auto* const found = std::ranges::find(kProtocols, algorithm, &Protocol::algorithm);
+  return found == kProtocols.end() ? nullptr : found;
+}
+
+void protocol_keys(Fields& io, RoutingConfig& c, const LinkCapabilities& link) {
+  const Protocol* const protocol = find(c.algorithm);
+  (protocol == nullptr ? common_keys : protocol->keys)(io, c, link);
+}
+
+std::vector<Option<Algorithm>> options_of_protocols() {
+  std::vector<Option<Algorithm>> options;
+  options.reserve(kProtocols.size() + 1);
+  for (const Protocol& one : kProtocols) options.push_back(option_of(one.algorithm));
+  return options;
+}
+
+RoutingConfig defaults_of(Algorithm algorithm) {
+  RoutingConfig config{.algorithm = algorithm};
+  if (const Protocol* const protocol = find(algorithm)) protocol->set_defaults(config);
+  return config;
 }
 
 FieldNames names_of(Algorithm algorithm, const LinkCapabilities& link) {
   RoutingConfig config{.algorithm = algorithm};
   FieldNames names;
-  algorithm_keys(names, config, link);
+  protocol_keys(names, config, link);
   return names;
 }
 
-/// Keys of other algorithms mean nothing here.
+/// Keys of other protocols mean nothing here.
 void refuse_others(Mapping& in, Algorithm algorithm, const LinkCapabilities& link) {
   FieldNames known = names_of(algorithm, link);
-  for (const auto& other : kAlgorithms) {
-    const FieldNames theirs = names_of(other.value, link);
+  for (const Protocol& other : kProtocols) {
+    const FieldNames theirs = names_of(other.algorithm, link);
     for (const std::string& key : theirs.all()) {
       if (known.has(key)) continue;
       known.unused(key, "");
-      in.refuse(key, "is a key of 'algorithm: " + std::string(other.name) +
+      in.refuse(key, "is a key of 'algorithm: " + std::string(other.algorithm.name()) +
                          "' and means nothing with 'algorithm: " + std::string(algorithm.name()) +
                          "'");
     }
   }
 }
 
-RoutingConfig defaults_of(Algorithm algorithm) {
-  RoutingConfig config{.algorithm = algorithm};
-  if (algorithm == Algorithm::kAodv) config.jitter_max = kAodvJitter;
-  if (algorithm == Algorithm::kAntHocNet) anthocnet_defaults(config);
-  return config;
-}
-
 void keys_of(Fields& io, RoutingConfig& c, const LinkCapabilities& link) {
   if (io.is_writing()) {  // also algorithms that files cannot name
     std::string name(c.algorithm.name());
     io.text(kAlgorithm, name);
-    return algorithm_keys(io, c, link);
+    return protocol_keys(io, c, link);
   }
   Algorithm algorithm = c.algorithm;
-  io.choice(kAlgorithm, kAlgorithms, algorithm, [&](Fields& keys) {
+  io.choice(kAlgorithm, options_of_protocols(), algorithm, [&](Fields& keys) {
     c = defaults_of(algorithm);
-    algorithm_keys(keys, c, link);
+    protocol_keys(keys, c, link);
     if (keys.reading() != nullptr) refuse_others(*keys.reading(), algorithm, link);
   });
 }
 
 }  // namespace
+
+std::vector<Option<Algorithm>> routing_algorithms() {
+  std::vector<Option<Algorithm>> all = options_of_protocols();
+  all.push_back(option_of(Algorithm::kNone));
+  return all;
+}
 
 void routing_key(Fields& io, RoutingConfig& c, const LinkCapabilities& link) {
   const Key key{"routing",

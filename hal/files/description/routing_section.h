@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <vector>
 
 #include "hal/files/description/fields.h"
 #include "hal/node/routing/ports.h"
@@ -8,15 +8,8 @@
 
 namespace hal::files::description {
 
-inline config::Option<node::routing::Algorithm> option_of(node::routing::Algorithm algorithm) {
-  return {algorithm.name(), algorithm};
-}
-
-/// The algorithms that files can name.
-inline const std::array kRoutingAlgorithms{
-    option_of(node::routing::Algorithm::kAnts), option_of(node::routing::Algorithm::kAntHocNet),
-    option_of(node::routing::Algorithm::kAodv), option_of(node::routing::Algorithm::kFlooding),
-    option_of(node::routing::Algorithm::kNone)};
+/// The algorithms that files can name, `none` behind the others.
+std::vector<config::Option<node::routing::Algorithm>> routing_algorithms();
 
 /// `routing:` of a scenario, or of a real agent's file: a mapping, or `none`.
 /// @param c  of which the algorithm and what files say of it is written. @param link  what the link
