@@ -233,7 +233,12 @@ void Client::Implementation::take_in(const wire::Step& sample, const Origin& ori
   if (participant_of(origin) != participant_of(server->second.origin)) {
     return complain("sends a Step of another server", origin);
   }
-  if (!from_wire(sample, step_)) return;
+  if (const auto good = from_wire(sample, step_); !good) {
+    hal::log::warning(step_.until, hello_.process, "Step {} of server '{}' on {} is dropped: {}",
+                      step_.sequence, sample.server(), step_topic(hello_.process),
+                      good.error().message);
+    return;
+  }
   if (server->second.answerer) return hand_over(server->second.answerer, step_);
   // As in DDS itself, the newest win over a reader that cannot keep up.
   if (waiting_.size() == domain::kMaxInstances) waiting_.pop_front();

@@ -219,7 +219,7 @@ void ControllerProcess::work_off(const hal::node::exchange::Step& step) {
 hal::node::exchange::Reply ControllerProcess::reply_to(const hal::node::exchange::Step& step,
                                                        Assignment& assignment) {
   for (const hal::node::exchange::Event& event : step.events) {
-    if (event.cause == hal::node::exchange::Cause::kStop) assignment.running.erase(event.agent);
+    if (event.cause() == hal::node::exchange::Cause::kStop) assignment.running.erase(event.agent);
   }
   hal::node::exchange::Reply reply;
   if (assignment.host) {
@@ -228,11 +228,8 @@ hal::node::exchange::Reply ControllerProcess::reply_to(const hal::node::exchange
     reply = host_->answer(step);
     step_ = nullptr;
   } else if (!step.events.empty()) {
-    hal::node::exchange::Action error;
-    error.agent = step.events.front().agent;
-    error.kind = hal::node::exchange::ActionKind::kError;
-    error.text = assignment.failure;
-    reply.actions.push_back(std::move(error));
+    reply.actions.push_back(
+        {step.events.front().agent, 0, hal::node::exchange::ControllerFailed{assignment.failure}});
   }
   reply.run = step.run;
   reply.sequence = step.sequence;

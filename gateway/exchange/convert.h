@@ -14,7 +14,9 @@ namespace wire = ::baraka::exchange;
 
 // The values of hal/node/exchange to what travels and back. Every value survives the way there and
 // back bit by bit, NaN included; only strings end at an embedded zero byte, as in all of DDS.
-// from_wire: errors: kProtocol (a value outside its enumeration).
+// from_wire: errors: kProtocol (a value outside its enumeration; an event or action without what
+// its kind needs), naming the event or action, its agent, and what it is. Numbers and texts that
+// the kind of an event or action has no use for are ignored.
 
 wire::Hello to_wire(const hal::node::exchange::Hello& hello);
 hal::Result<hal::node::exchange::Hello> from_wire(const wire::Hello& hello);

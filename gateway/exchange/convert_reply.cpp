@@ -1,85 +1,166 @@
+#include <variant>
+
 #include "gateway/exchange/convert.h"
 #include "gateway/exchange/ranges.h"
+#include "hal/types/overloaded.h"
 
 namespace gateway::exchange {
 namespace {
 
-static_assert(static_cast<int>(hal::node::exchange::ActionKind::kError) ==
-              static_cast<int>(wire::ERROR));
-static_assert(static_cast<int>(hal::node::exchange::ActionKind::kRecord) ==
-              static_cast<int>(wire::RECORD));
-static_assert(static_cast<int>(hal::node::exchange::ActionKind::kRadio) ==
-              static_cast<int>(wire::RADIO));
 static_assert(static_cast<int>(hal::log::Level::kError) == static_cast<int>(wire::LEVEL_ERROR));
 
-bool has_outgoing(const hal::node::exchange::Action& action) {
-  return action.kind == hal::node::exchange::ActionKind::kSend ||
-         action.kind == hal::node::exchange::ActionKind::kInvalidate;
+/// ActionParts of an action of which there are one or none.
+struct ActionParts {
+  bool drive = false, outgoing = false, value = false;
+};
+
+/// With these parts, in the memory that is there; the rest as it is with kinds that do not use it.
+void clear(wire::Action& out, const ActionParts& parts) {
+  out.drive().resize(parts.drive ? 1 : 0);
+  out.outgoing().resize(parts.outgoing ? 1 : 0);
+  out.timer(0);
+  out.at(0);
+  out.radio_on(true);
+  out.text().clear();
+  out.value().resize(parts.value ? 1 : 0);
+  out.level(wire::LEVEL_INFO);
 }
 
-bool has_value(const hal::node::exchange::Action& action) {
-  return action.kind == hal::node::exchange::ActionKind::kRecord;
+void to_wire(const hal::node::exchange::DriveBody& body, wire::Action& out) {
+  clear(out, {.drive = true});
+  out.kind(wire::DRIVE_BODY);
+  wire::Drive& drive = out.drive()[0];
+  drive.vx(body.twist.vx);
+  drive.vy(body.twist.vy);
+  drive.omega(body.twist.omega);
+  drive.wheel_speeds().clear();
 }
 
-void to_wire(const hal::node::exchange::Action& action, wire::Drive& out) {
-  out.vx(action.twist.vx);
-  out.vy(action.twist.vy);
-  out.omega(action.twist.omega);
-  out.wheel_speeds(action.wheel_speeds);
+void to_wire(const hal::node::exchange::DriveWheels& each, wire::Action& out) {
+  clear(out, {.drive = true});
+  out.kind(wire::DRIVE_WHEELS);
+  wire::Drive& drive = out.drive()[0];
+  drive.vx(0);
+  drive.vy(0);
+  drive.omega(0);
+  drive.wheel_speeds(each.speeds);
 }
 
-void from_wire(const wire::Drive& drive, hal::node::exchange::Action& out) {
-  out.twist = {drive.vx(), drive.vy(), drive.omega()};
-  out.wheel_speeds = drive.wheel_speeds();
+void to_wire(const hal::node::exchange::Send& message, wire::Action& out) {
+  clear(out, {.outgoing = true});
+  out.kind(wire::SEND);
+  wire::Outgoing& outgoing = out.outgoing()[0];
+  outgoing.message_id(message.id);
+  outgoing.destination(message.destination.value);
+  outgoing.topic(message.topic);
+  outgoing.payload(message.payload);
 }
 
-void to_wire(const hal::node::exchange::Action& action, wire::Outgoing& out) {
-  out.message_id(action.message_id);
-  out.destination(action.destination.value);
-  out.topic(action.topic);
-  out.payload(action.payload);
+void to_wire(const hal::node::exchange::Invalidate& routes, wire::Action& out) {
+  clear(out, {.outgoing = true});
+  out.kind(wire::INVALIDATE);
+  wire::Outgoing& outgoing = out.outgoing()[0];
+  outgoing.message_id(0);
+  outgoing.destination(routes.destination.value);
+  outgoing.topic(routes.topic);
+  outgoing.payload().clear();
 }
 
-void from_wire(const wire::Outgoing& outgoing, hal::node::exchange::Action& out) {
-  out.message_id = outgoing.message_id();
-  out.destination = hal::AgentId{outgoing.destination()};
-  out.topic = outgoing.topic();
-  out.payload = outgoing.payload();
+void to_wire(const hal::node::exchange::SetTimer& timer, wire::Action& out) {
+  clear(out, {});
+  out.kind(wire::TIMER_SET);
+  out.timer(timer.timer);
+  out.at(hal::to_ns(timer.at));
+}
+
+void to_wire(const hal::node::exchange::SetRadio& radio, wire::Action& out) {
+  clear(out, {});
+  out.kind(wire::RADIO);
+  out.radio_on(radio.on);
+}
+
+void to_wire(const hal::node::exchange::SetState& state, wire::Action& out) {
+  clear(out, {});
+  out.kind(wire::STATE);
+  out.text(state.name);
+}
+
+void to_wire(const hal::node::exchange::Log& line, wire::Action& out) {
+  clear(out, {});
+  out.kind(wire::LOG);
+  out.text(line.text);
+  out.level(static_cast<wire::LogLevel>(line.level));
+}
+
+void to_wire(const hal::node::exchange::ControllerFailed& error, wire::Action& out) {
+  clear(out, {});
+  out.kind(wire::ERROR);
+  out.text(error.text);
+}
+
+void to_wire(const hal::node::exchange::Record& record, wire::Action& out) {
+  clear(out, {.value = true});
+  out.kind(wire::RECORD);
+  out.text(record.name);
+  out.value()[0] = record.value;
+  out.at(hal::to_ns(record.at));
 }
 
 void to_wire(const hal::node::exchange::Action& action, wire::Action& out) {
   out.agent(action.agent.value);
   out.event(action.event);
-  out.kind(static_cast<wire::ActionKind>(action.kind));
-  out.drive().resize(hal::node::exchange::drives(action) ? 1 : 0);
-  if (hal::node::exchange::drives(action)) to_wire(action, out.drive()[0]);
-  out.outgoing().resize(has_outgoing(action) ? 1 : 0);
-  if (has_outgoing(action)) to_wire(action, out.outgoing()[0]);
-  out.timer(action.timer);
-  out.at(hal::to_ns(action.at));
-  out.radio_on(action.radio_on);
-  out.text(action.text);
-  out.value().assign(has_value(action) ? 1 : 0, action.value);
-  out.level(static_cast<wire::LogLevel>(action.level));
+  std::visit([&](const auto& what) { to_wire(what, out); }, action.what);
 }
 
-void from_wire(const wire::Action& action, Ranges& ranges, hal::node::exchange::Action& out) {
-  out.agent = hal::AgentId{action.agent()};
-  out.event = action.event();
-  out.kind =
-      ranges.enumerator(action.kind(), hal::node::exchange::ActionKind::kRecord, "action kind");
-  ranges.exactly(action.drive().size(), hal::node::exchange::drives(out) ? 1 : 0,
-                 "velocities in an action");
-  if (!action.drive().empty()) from_wire(action.drive()[0], out);
-  ranges.exactly(action.outgoing().size(), has_outgoing(out) ? 1 : 0, "messages in an action");
-  if (!action.outgoing().empty()) from_wire(action.outgoing()[0], out);
-  out.timer = action.timer();
-  out.at = hal::time_from_ns(action.at());
-  out.radio_on = action.radio_on();
-  out.text = action.text();
-  ranges.exactly(action.value().size(), has_value(out) ? 1 : 0, "values in an action");
-  if (!action.value().empty()) out.value = action.value()[0];
-  out.level = ranges.enumerator(action.level(), hal::log::Level::kError, "log level");
+/// Whether there is such a kind, and the action has exactly the parts that it needs.
+bool is_complete(const wire::Action& action, Ranges& ranges) {
+  const wire::ActionKind kind = action.kind();
+  const bool has_drive = kind == wire::DRIVE_BODY || kind == wire::DRIVE_WHEELS;
+  const bool has_outgoing = kind == wire::SEND || kind == wire::INVALIDATE;
+  const bool has_value = kind == wire::RECORD;
+  return ranges.is_known(kind, wire::RECORD, "action kind") &&
+         ranges.exactly(action.drive().size(), has_drive ? 1 : 0, "velocities") &&
+         ranges.exactly(action.outgoing().size(), has_outgoing ? 1 : 0, "messages") &&
+         ranges.exactly(action.value().size(), has_value ? 1 : 0, "values");
+}
+
+hal::node::exchange::DriveBody drive_body_of(const wire::Drive& drive) {
+  return {{drive.vx(), drive.vy(), drive.omega()}};
+}
+
+hal::node::exchange::Send send_of(const wire::Outgoing& outgoing) {
+  return {outgoing.message_id(), hal::AgentId{outgoing.destination()}, outgoing.topic(),
+          outgoing.payload()};
+}
+
+hal::node::exchange::Action::What what_of(const wire::Action& action, Ranges& ranges) {
+  const hal::Time at = hal::time_from_ns(action.at());
+  const auto level = ranges.enumerator(action.level(), hal::log::Level::kError, "log level");
+  if (!is_complete(action, ranges)) return {};
+  switch (action.kind()) {
+    case wire::DRIVE_BODY:
+      return drive_body_of(action.drive()[0]);
+    case wire::DRIVE_WHEELS:
+      return hal::node::exchange::DriveWheels{action.drive()[0].wheel_speeds()};
+    case wire::SEND:
+      return send_of(action.outgoing()[0]);
+    case wire::INVALIDATE:
+      return hal::node::exchange::Invalidate{hal::AgentId{action.outgoing()[0].destination()},
+                                             action.outgoing()[0].topic()};
+    case wire::TIMER_SET:
+      return hal::node::exchange::SetTimer{action.timer(), at};
+    case wire::RADIO:
+      return hal::node::exchange::SetRadio{action.radio_on()};
+    case wire::STATE:
+      return hal::node::exchange::SetState{action.text()};
+    case wire::LOG:
+      return hal::node::exchange::Log{level, action.text()};
+    case wire::ERROR:
+      return hal::node::exchange::ControllerFailed{action.text()};
+    case wire::RECORD:
+      return hal::node::exchange::Record{action.text(), action.value()[0], at};
+  }
+  return {};
 }
 
 }  // namespace
@@ -96,16 +177,17 @@ void to_wire(const hal::node::exchange::Reply& reply, const std::string& server,
 }
 
 hal::Result<hal::node::exchange::Reply> from_wire(const wire::Reply& reply) {
-  Ranges ranges;
   hal::node::exchange::Reply out;
   out.process = reply.process();
   out.run = reply.run();
   out.sequence = reply.sequence_number();
-  out.actions.resize(reply.actions().size());
-  for (std::size_t i = 0; i < out.actions.size(); ++i) {
-    from_wire(reply.actions()[i], ranges, out.actions[i]);
+  out.actions.reserve(reply.actions().size());
+  for (const wire::Action& action : reply.actions()) {
+    Ranges ranges;
+    out.actions.push_back({hal::AgentId{action.agent()}, action.event(), what_of(action, ranges)});
+    if (auto good = ranges.check(); !good)
+      return malformed("action", out.actions.size() - 1, action.agent(), good.error());
   }
-  if (auto checked = ranges.check(); !checked) return tl::unexpected(checked.error());
   return out;
 }
 

@@ -1,3 +1,5 @@
+#include <variant>
+
 #include "gateway/exchange/convert.h"
 #include "gateway/exchange/ranges.h"
 
@@ -78,16 +80,51 @@ void all_from_wire(const std::vector<In>& in, std::vector<Out>& out) {
   for (std::size_t i = 0; i < in.size(); ++i) from_wire(in[i], out[i]);
 }
 
+/// What happened. Members that its cause has not are as in a new sample.
+void to_wire(const hal::node::exchange::Event::What& what, wire::Event& out) {
+  const auto* const arrived = std::get_if<hal::node::exchange::MessageArrived>(&what);
+  const auto* const due = std::get_if<hal::node::exchange::TimerDue>(&what);
+  const auto* const told = std::get_if<hal::node::exchange::Notice>(&what);
+  const auto notice = told != nullptr ? *told : hal::node::exchange::Notice{};
+  out.cause(static_cast<wire::Cause>(what.index()));
+  out.message().resize(arrived != nullptr ? 1 : 0);
+  if (arrived != nullptr) to_wire(arrived->message, out.message()[0]);
+  out.timer(due != nullptr ? due->timer : 0);
+  out.noticed(notice.message);
+  out.fate(static_cast<wire::Fate>(notice.fate));
+}
+
+hal::node::exchange::Event::What what_of(const wire::Event& event, Ranges& ranges) {
+  const bool has_message = event.cause() == wire::MESSAGE;
+  const hal::Fate fate = ranges.enumerator(event.fate(), hal::Fate::kFailed, "fate");
+  if (!ranges.is_known(event.cause(), wire::STOP, "cause") ||
+      !ranges.exactly(event.message().size(), has_message ? 1 : 0, "messages")) {
+    return {};
+  }
+  switch (event.cause()) {
+    case wire::START:
+      return hal::node::exchange::Start{};
+    case wire::MESSAGE:
+      return hal::node::exchange::MessageArrived{from_wire(event.message()[0])};
+    case wire::TIMER:
+      return hal::node::exchange::TimerDue{event.timer()};
+    case wire::NOTICE:
+      return hal::node::exchange::Notice{event.noticed(), fate};
+    case wire::LINK:
+      return hal::node::exchange::LinkChanged{};
+    case wire::CONTROL:
+      return hal::node::exchange::ControlDue{};
+    case wire::STOP:
+      return hal::node::exchange::Stop{};
+  }
+  return {};
+}
+
 void to_wire(const hal::node::exchange::Event& event, wire::Event& out) {
   out.agent(event.agent.value);
   out.time(hal::to_ns(event.time));
-  out.cause(static_cast<wire::Cause>(event.cause));
+  to_wire(event.what, out);
   all_to_wire(event.readings, out.readings());
-  out.message().resize(event.message ? 1 : 0);
-  if (event.message) to_wire(*event.message, out.message()[0]);
-  out.timer(event.timer);
-  out.noticed(event.noticed);
-  out.fate(static_cast<wire::Fate>(event.fate));
   const bool has_changes =
       !event.routes.empty() || !event.neighbours.empty() || !event.lost_neighbours.empty();
   out.network().resize(has_changes ? 1 : 0);
@@ -101,15 +138,9 @@ void to_wire(const hal::node::exchange::Event& event, wire::Event& out) {
 void from_wire(const wire::Event& event, Ranges& ranges, hal::node::exchange::Event& out) {
   out.agent = hal::AgentId{event.agent()};
   out.time = hal::time_from_ns(event.time());
-  out.cause = ranges.enumerator(event.cause(), hal::node::exchange::Cause::kStop, "cause");
+  out.what = what_of(event, ranges);
   all_from_wire(event.readings(), out.readings);
-  ranges.at_most(event.message().size(), 1, "messages in an event");
-  out.message.reset();
-  if (!event.message().empty()) out.message = from_wire(event.message()[0]);
-  out.timer = event.timer();
-  out.noticed = event.noticed();
-  out.fate = ranges.enumerator(event.fate(), hal::Fate::kFailed, "fate");
-  ranges.at_most(event.network().size(), 1, "changes of the network in an event");
+  ranges.at_most(event.network().size(), 1, "changes of the network");
   static const wire::NetworkChanges none;
   const wire::NetworkChanges& network = event.network().empty() ? none : event.network()[0];
   all_from_wire(network.routes(), out.routes);
@@ -129,16 +160,18 @@ void to_wire(const hal::node::exchange::Step& step, wire::Step& out) {
 }
 
 hal::Result<void> from_wire(const wire::Step& step, hal::node::exchange::Step& out) {
-  Ranges ranges;
   out.server = step.server();
   out.run = step.run();
   out.sequence = step.sequence_number();
   out.until = hal::time_from_ns(step.until());
   out.events.resize(step.events().size());
   for (std::size_t i = 0; i < out.events.size(); ++i) {
+    Ranges ranges;
     from_wire(step.events()[i], ranges, out.events[i]);
+    if (auto good = ranges.check(); !good)
+      return malformed("event", i, step.events()[i].agent(), good.error());
   }
-  return ranges.check();
+  return {};
 }
 
 }  // namespace gateway::exchange

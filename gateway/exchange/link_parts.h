@@ -48,6 +48,8 @@ class ProcessLink::Implementation {
  private:
   /// The Reply that is waited for, if it is there. Drops others.
   std::optional<hal::node::exchange::Reply> take_reply();
+  /// Counts it; the first is logged.
+  void on_malformed(const hal::Error& error);
   bool answers_step(const wire::Reply& reply) const;
   bool is_of_the_process(const Origin& origin);
   hal::Result<void> write();

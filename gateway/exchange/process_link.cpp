@@ -88,12 +88,18 @@ std::optional<hal::node::exchange::Reply> ProcessLink::Implementation::take_repl
     }
     hal::Result<hal::node::exchange::Reply> reply = from_wire(*sample);
     if (!reply) {
-      ++dropped_.malformed;
+      on_malformed(reply.error());
       continue;
     }
     return std::move(*reply);
   }
   return std::nullopt;
+}
+
+void ProcessLink::Implementation::on_malformed(const hal::Error& error) {
+  if (++dropped_.malformed > 1) return;
+  hal::log::warning(at_, "dds", "a reply of process '{}' (pid {}) on {} is dropped: {}", name(),
+                    settings_.hello.pid, reply_topic(name()), error.message);
 }
 
 bool ProcessLink::Implementation::answers_step(const wire::Reply& reply) const {

@@ -12,7 +12,7 @@ namespace gateway::exchange {
 /// Replies that a link did not hand on.
 struct DroppedReplies {
   std::uint64_t stale = 0;      ///< An old or unknown sequence number, another run or process.
-  std::uint64_t malformed = 0;  ///< Values outside their enumerations.
+  std::uint64_t malformed = 0;  ///< See convert.h; the first is logged.
   std::uint64_t foreign = 0;    ///< Of another participant than the one that was granted agents …
   std::string first_foreign;    ///< … such as this one.
 };

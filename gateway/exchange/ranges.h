@@ -1,6 +1,7 @@
 #pragma once
 
-#include <algorithm>
+#include <fmt/format.h>
+
 #include <string>
 #include <string_view>
 
@@ -14,19 +15,25 @@ class Ranges {
  public:
   template <class To, class From>
   To enumerator(From value, To last, std::string_view name) {
-    if (static_cast<unsigned>(value) <= static_cast<unsigned>(last)) return static_cast<To>(value);
-    if (bad_.empty())
-      bad_ = "unknown " + std::string(name) + " " + std::to_string(static_cast<unsigned>(value));
-    return last;
+    return is_known(value, last, name) ? static_cast<To>(value) : last;
+  }
+
+  template <class Enum, class Last>
+  bool is_known(Enum value, Last last, std::string_view name) {
+    if (static_cast<unsigned>(value) <= static_cast<unsigned>(last)) return true;
+    if (bad_.empty()) bad_ = fmt::format("unknown {} {}", name, static_cast<unsigned>(value));
+    return false;
   }
 
   void at_most(std::size_t number, std::size_t most, std::string_view of_what) {
-    exactly(number, std::min(number, most), of_what);
+    if (number > most && bad_.empty())
+      bad_ = fmt::format("{} {} instead of at most {}", number, of_what, most);
   }
 
-  void exactly(std::size_t number, std::size_t expected, std::string_view of_what) {
-    if (number == expected || !bad_.empty()) return;
-    bad_ = std::to_string(number) + " " + std::string(of_what);
+  bool exactly(std::size_t number, std::size_t expected, std::string_view of_what) {
+    if (number == expected) return true;
+    if (bad_.empty()) bad_ = fmt::format("{} {} instead of {}", number, of_what, expected);
+    return false;
   }
 
   hal::Result<void> check() const {
@@ -37,5 +44,12 @@ class Ranges {
  private:
   std::string bad_;
 };
+
+/// What is wrong with one of the parts of a sample. @param part  "event"
+inline tl::unexpected<hal::Error> malformed(std::string_view part, std::size_t index,
+                                            std::uint16_t agent, const hal::Error& error) {
+  return hal::fail(error.code,
+                   fmt::format("{} {} of agent {}: {}", part, index, agent, error.message));
+}
 
 }  // namespace gateway::exchange

@@ -3,11 +3,13 @@
 #include <fmt/core.h>
 
 #include <exception>
+#include <variant>
 
 #include "gateway/runtime/check_parameters.h"
 #include "gateway/runtime/object_of.h"
 #include "gateway/runtime/robot_object.h"
 #include "hal/node/exchange/foreign_call.h"
+#include "hal/types/overloaded.h"
 
 namespace gateway::runtime {
 namespace {
@@ -91,7 +93,7 @@ void Agent::handle(const hal::node::exchange::Event& event) {
   if (over_) return;
   context_.take_in(event);
   try {
-    const hal::node::exchange::ForeignCall call(who_, name_of(event.cause), event.time);
+    const hal::node::exchange::ForeignCall call(who_, name_of(event.cause()), event.time);
     const CallGuard::Callback running(context_.guard);
     call_back(event);
   } catch (const std::exception& e) {
@@ -102,37 +104,34 @@ void Agent::handle(const hal::node::exchange::Event& event) {
 }
 
 void Agent::call_back(const hal::node::exchange::Event& event) {
-  switch (event.cause) {
-    case hal::node::exchange::Cause::kStart:
-      started_ = true;
-      return controller_->start();
-    case hal::node::exchange::Cause::kMessage:
-      return receive(event);
-    case hal::node::exchange::Cause::kTimer:
-      if (context_.take_due_timer(event.timer)) controller_->timer(event.timer);
-      return;
-    case hal::node::exchange::Cause::kNotice:
-      return controller_->notice(event.noticed, event.fate);
-    case hal::node::exchange::Cause::kLink:
-      return;
-    case hal::node::exchange::Cause::kControl:
-      return controller_->step();
-    case hal::node::exchange::Cause::kStop:
-      over_ = true;
-      if (started_) controller_->stop();
-      return context_.log_mistakes();
-  }
-}
-
-void Agent::receive(const hal::node::exchange::Event& event) {
-  if (event.message) return controller_->receive(*event.message);
-  context_.log(hal::log::Level::kError,
-               context_.session.name + ": a message event without a message");
+  std::visit(hal::Overloaded{
+                 [this](const hal::node::exchange::Start&) {
+                   started_ = true;
+                   controller_->start();
+                 },
+                 [this](const hal::node::exchange::MessageArrived& arrived) {
+                   controller_->receive(arrived.message);
+                 },
+                 [this](const hal::node::exchange::TimerDue& due) {
+                   if (context_.take_due_timer(due.timer)) controller_->timer(due.timer);
+                 },
+                 [this](const hal::node::exchange::Notice& notice) {
+                   controller_->notice(notice.message, notice.fate);
+                 },
+                 [](const hal::node::exchange::LinkChanged&) {},
+                 [this](const hal::node::exchange::ControlDue&) { controller_->step(); },
+                 [this](const hal::node::exchange::Stop&) {
+                   over_ = true;
+                   if (started_) controller_->stop();
+                   context_.log_mistakes();
+                 },
+             },
+             event.what);
 }
 
 void Agent::die(const char* message) {
   over_ = true;
-  context_.outbox.add(hal::node::exchange::ActionKind::kError).text = message;
+  context_.outbox.add(hal::node::exchange::ControllerFailed{message});
 }
 
 }  // namespace gateway::runtime

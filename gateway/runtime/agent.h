@@ -10,8 +10,8 @@ namespace gateway::runtime {
 
 /// One agent in a controller process: its state, its Mote or Robot, its controller.
 ///
-///   new --kStart--> alive --kStop--> over      Once over, events are left alone. One that ends
-///   new --kStop--> over                        before it was started is not told to stop.
+///   new --Start--> alive --Stop--> over      Once over, events are left alone. One that ends
+///   new --Stop--> over                       before it was started is not told to stop.
 ///   alive --throws-> over
 class Agent {
  public:
@@ -34,7 +34,6 @@ class Agent {
         const hal::node::exchange::Directory& directory, Outbox& outbox);
   void make_controller(const hal::ControllerKind& kind);
   void call_back(const hal::node::exchange::Event& event);
-  void receive(const hal::node::exchange::Event& event);
 
   AgentContext context_;
   const std::string who_;  ///< For people.

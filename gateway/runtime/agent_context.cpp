@@ -50,7 +50,7 @@ hal::Result<void> AgentContext::judge_last() {
   const hal::node::exchange::Action& action = outbox.last();
   const auto good = hal::node::exchange::validate(action, session);
   if (good) return {};
-  const std::string_view call = hal::node::exchange::name(action.kind);
+  const std::string_view call = hal::node::exchange::name(action);
   outbox.take_back();
   return refuse(call, good.error().message);
 }
@@ -71,9 +71,7 @@ void AgentContext::log_of_controller(hal::log::Level level, std::string_view tex
 }
 
 void AgentContext::log(hal::log::Level level, std::string text) {
-  hal::node::exchange::Action& action = outbox.add(hal::node::exchange::ActionKind::kLog);
-  action.level = level;
-  action.text = std::move(text);
+  outbox.add(hal::node::exchange::Log{level, std::move(text)});
 }
 
 bool AgentContext::take_due_timer(hal::TimerId id) {

@@ -3,9 +3,11 @@
 #include <fmt/core.h>
 
 #include <utility>
+#include <variant>
 
 #include "gateway/runtime/agent.h"
 #include "gateway/runtime/outbox.h"
+#include "hal/types/overloaded.h"
 
 namespace gateway::runtime {
 
@@ -39,6 +41,18 @@ void cut_at_zero(std::string& text) {
   if (zero != std::string::npos) text.resize(zero);
 }
 
+/// DDS ends strings at a zero byte; in process they must not be longer. Of the others
+/// exchange::validate() allows none.
+void cut_at_zero(hal::node::exchange::Action& action) {
+  std::visit(hal::Overloaded{
+                 [](hal::node::exchange::SetState& state) { cut_at_zero(state.name); },
+                 [](hal::node::exchange::Log& line) { cut_at_zero(line.text); },
+                 [](hal::node::exchange::ControllerFailed& error) { cut_at_zero(error.text); },
+                 [](auto& /*without such a text*/) {},
+             },
+             action.what);
+}
+
 }  // namespace
 
 /// If that fails, the constructor threw; the old one stays and is handed nothing more.
@@ -57,21 +71,21 @@ hal::node::exchange::Reply ControllerHost::answer(const hal::node::exchange::Ste
     const hal::node::exchange::Event& event = step.events[i];
     outbox_->answer(event.agent, static_cast<std::uint32_t>(i));
     if (auto* agent = agents_.find(event.agent); agent != nullptr) {
-      if (event.cause == hal::node::exchange::Cause::kStart && (*agent)->has_started())
+      if (event.cause() == hal::node::exchange::Cause::kStart && (*agent)->has_started())
         make_anew(*agent);
       (*agent)->handle(event);
       continue;
     }
-    outbox_->add(hal::node::exchange::ActionKind::kError).text =
+    outbox_->add(hal::node::exchange::ControllerFailed{
         fmt::format("step {} has an event for agent {}, which is not of the session", step.sequence,
-                    event.agent.value);
+                    event.agent.value)});
   }
   return gathered(step);
 }
 
 hal::node::exchange::Reply ControllerHost::broken_off(const hal::node::exchange::Step& step,
                                                       std::string message) {
-  outbox_->add(hal::node::exchange::ActionKind::kError).text = std::move(message);
+  outbox_->add(hal::node::exchange::ControllerFailed{std::move(message)});
   return gathered(step);
 }
 
@@ -80,8 +94,7 @@ hal::node::exchange::Reply ControllerHost::gathered(const hal::node::exchange::S
   reply.run = step.run;
   reply.sequence = step.sequence;
   reply.actions = outbox_->take();
-  // DDS ends strings at a zero byte; in process they must not be longer.
-  for (hal::node::exchange::Action& action : reply.actions) cut_at_zero(action.text);
+  for (hal::node::exchange::Action& action : reply.actions) cut_at_zero(action);
   return reply;
 }
 

@@ -34,15 +34,15 @@ class ControllerHost {
   ControllerHost(const ControllerHost&) = delete;
   ControllerHost& operator=(const ControllerHost&) = delete;
 
-  /// Works off the events in their order. Never fails: a controller that throws leaves an action
-  /// kError with its message, and gets no callback any more; an event for an agent that is not of
-  /// the session leaves a kError naming it. The second kStart of an agent, and each further one, is
-  /// for a controller that is made anew and knows nothing of the one before. `Reply::process` is
-  /// for the caller to fill in.
+  /// Works off the events in their order. Never fails: a controller that throws leaves a
+  /// ControllerFailed with its message, and gets no callback any more; an event for an agent that
+  /// is not of the session leaves a ControllerFailed naming it. The second Start of an agent, and
+  /// each further one, is for a controller that is made anew and knows nothing of the one before.
+  /// `Reply::process` is for the caller to fill in.
   hal::node::exchange::Reply answer(const hal::node::exchange::Step& step);
 
   /// Instead of the rest of answer(step), for a callback that does not return: what there is of the
-  /// Reply, with a kError of `message` for the agent of that callback.
+  /// Reply, with a ControllerFailed of `message` for the agent of that callback.
   hal::node::exchange::Reply broken_off(const hal::node::exchange::Step& step, std::string message);
 
  private:

@@ -15,10 +15,8 @@ const std::vector<hal::Neighbour>& NetworkObject::neighbours() const {
 
 hal::Result<void> NetworkObject::invalidate(std::string_view topic, hal::AgentId destination) {
   context_.guard.check("invalidate");
-  hal::node::exchange::Action& action =
-      context_.outbox.add(hal::node::exchange::ActionKind::kInvalidate);
-  action.topic = topic;
-  action.destination = destination;
+  context_.outbox.add(
+      hal::node::exchange::Invalidate{.destination = destination, .topic = std::string(topic)});
   if (auto good = context_.judge_last(); !good) return good;
   // At once, so that the controller does not find again what it has just thrown away; the agent's
   // own table follows when the action takes effect.

@@ -70,11 +70,10 @@ hal::Result<hal::MessageId> ObjectOf<Interface>::send(hal::AgentId destination,
                                                       std::string_view topic,
                                                       std::span<const std::uint8_t> payload) {
   context_.guard.check("send");
-  hal::node::exchange::Action& action = context_.outbox.add(hal::node::exchange::ActionKind::kSend);
-  action.message_id = context_.last_message + 1;
-  action.destination = destination;
-  action.topic = topic;
-  action.payload.assign(payload.begin(), payload.end());
+  context_.outbox.add(hal::node::exchange::Send{.id = context_.last_message + 1,
+                                                .destination = destination,
+                                                .topic = std::string(topic),
+                                                .payload = {payload.begin(), payload.end()}});
   if (auto good = context_.judge_last(); !good) return tl::unexpected(good.error());
   if (const auto admitted = context_.topics.admit(topic); !admitted) {
     context_.outbox.take_back();
@@ -104,10 +103,7 @@ hal::Result<void> ObjectOf<Interface>::set_timer(hal::TimerId id, hal::Time at) 
                                  hal::to_seconds(context_.now)));
   }
   context_.timers[id] = at;
-  hal::node::exchange::Action& action =
-      context_.outbox.add(hal::node::exchange::ActionKind::kTimer);
-  action.timer = id;
-  action.at = at;
+  context_.outbox.add(hal::node::exchange::SetTimer{id, at});
   return {};
 }
 
@@ -164,7 +160,7 @@ hal::Result<double> ObjectOf<Interface>::battery_capacity() const {
 template <class Interface>
 void ObjectOf<Interface>::set_radio(bool on) {
   context_.guard.check("set_radio");
-  context_.outbox.add(hal::node::exchange::ActionKind::kRadio).radio_on = on;
+  context_.outbox.add(hal::node::exchange::SetRadio{on});
 }
 
 template <class Interface>
@@ -189,8 +185,7 @@ void ObjectOf<Interface>::state(std::string_view name) {
                              fmt::join(declared, ", ")));
     return;
   }
-  context_.outbox.add(hal::node::exchange::ActionKind::kState).text =
-      cut(name, hal::kMaxRecordedName);
+  context_.outbox.add(hal::node::exchange::SetState{std::string(cut(name, hal::kMaxRecordedName))});
 }
 
 template <class Interface>
@@ -203,11 +198,7 @@ void ObjectOf<Interface>::record(std::string_view name, double value) {
                               name, fmt::join(declared, ", ")));
     return;
   }
-  hal::node::exchange::Action& action =
-      context_.outbox.add(hal::node::exchange::ActionKind::kRecord);
-  action.text = name;
-  action.value = value;
-  action.at = context_.now;
+  context_.outbox.add(hal::node::exchange::Record{std::string(name), value, context_.now});
   if (!context_.judge_last()) return;  // logged: there is nothing to return an error in
   if (const auto admitted = context_.recorded.admit(name); !admitted) {
     context_.outbox.take_back();

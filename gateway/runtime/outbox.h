@@ -17,13 +17,13 @@ class Outbox {
     event_ = event;
   }
 
-  /// Appends an action. The reference is good until the next call.
-  hal::node::exchange::Action& add(hal::node::exchange::ActionKind kind) {
+  /// Appends an action of this kind. The reference is good until the next call.
+  template <class What>
+  What& add(What what) {
     hal::node::exchange::Action& action = actions_.emplace_back();
     action.agent = agent_;
     action.event = event_;
-    action.kind = kind;
-    return action;
+    return action.what.template emplace<What>(std::move(what));
   }
 
   /// The action that was added last; @pre there is one that was not taken.

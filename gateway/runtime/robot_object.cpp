@@ -11,20 +11,16 @@ hal::Result<hal::Drive> RobotObject::set_body_velocity(const hal::Twist2& twist)
   if (context().session.limits.body_to_wheel.empty()) {
     return hal::fail(hal::Errc::kNotAvailable, context().session.name + " has no wheels");
   }
-  hal::node::exchange::Action& action =
-      context().outbox.add(hal::node::exchange::ActionKind::kDriveBody);
-  action.twist = twist;
+  auto& command = context().outbox.add(hal::node::exchange::DriveBody{twist});
   if (auto good = context().judge_last(); !good) return tl::unexpected(good.error());
   const hal::Drive drive = saturate(context().session.limits, twist);
-  action.twist = drive.applied;
+  command.twist = drive.applied;
   return drive;
 }
 
 hal::Result<void> RobotObject::set_wheel_speeds(std::span<const double> speeds) {
   context().guard.check("set_wheel_speeds");
-  hal::node::exchange::Action& action =
-      context().outbox.add(hal::node::exchange::ActionKind::kDriveWheels);
-  action.wheel_speeds.assign(speeds.begin(), speeds.end());
+  context().outbox.add(hal::node::exchange::DriveWheels{{speeds.begin(), speeds.end()}});
   return context().judge_last();
 }
 

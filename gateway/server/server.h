@@ -36,7 +36,7 @@ struct ProcessSummary {
   std::vector<hal::AgentId> foreign_agents;  ///< … these, in order of appearance.
   std::uint64_t malformed_actions = 0;       ///< Dropped: they answer no event of their agent.
   std::uint64_t stale_replies = 0;           ///< Dropped: an old or unknown sequence number.
-  std::uint64_t malformed_replies = 0;       ///< Dropped: values outside their enumerations.
+  std::uint64_t malformed_replies = 0;       ///< Dropped: see gateway/exchange/convert.h.
   std::uint64_t foreign_replies = 0;         ///< Dropped: of another participant …
   std::string foreign_participant;           ///< … such as this one, by its GUID prefix.
 };

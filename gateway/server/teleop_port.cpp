@@ -19,7 +19,7 @@ TeleopPort::TeleopPort(const std::string& agent, LastCommand last, hal::Duration
 hal::Result<void> TeleopPort::begin(const Step& step) {
   reply_ = {.process = name_, .run = step.run, .sequence = step.sequence, .actions = {}};
   for (std::uint32_t i = 0; i < step.events.size(); ++i) {
-    if (step.events[i].cause == hal::node::exchange::Cause::kControl) answer(step.events[i], i);
+    if (step.events[i].cause() == hal::node::exchange::Cause::kControl) answer(step.events[i], i);
   }
   return {};
 }
@@ -34,17 +34,14 @@ void TeleopPort::answer(const Event& event, std::uint32_t index) {
   // The next control event would be too late.
   const bool is_old = event.time + control_period_ > obeyed_at_ + command_timeout_;
   if (!is_new && !(driving_ && is_old)) return;
-  hal::node::exchange::Action action;
-  action.agent = event.agent;
-  action.event = index;
-  action.kind = hal::node::exchange::ActionKind::kDriveBody;
+  hal::node::exchange::DriveBody drive;
   if (is_new) {
-    action.twist = command->twist;
+    drive.twist = command->twist;
     obeyed_ = command->number;
     obeyed_at_ = event.time;
   }
   driving_ = is_new;
-  reply_.actions.push_back(action);
+  reply_.actions.push_back({event.agent, index, drive});
 }
 
 hal::Result<Reply> TeleopPort::finish() { return std::move(reply_); }

@@ -1,9 +1,15 @@
 #include "sim/agents/fingerprint_feed.h"
 
+#include <span>
+#include <string_view>
+#include <variant>
+
 #include "sim/radio/frame.h"
 
 namespace sim::agents {
 namespace {
+
+namespace exchange = hal::node::exchange;
 
 template <class Enum>
 std::uint64_t number(Enum value) {
@@ -14,7 +20,7 @@ void add(Fingerprint::Cell& hash, const hal::Bytes& bytes) {
   hash.add_bytes(bytes.data(), bytes.size());
 }
 
-void add(Fingerprint::Cell& hash, const std::vector<double>& values) {
+void add(Fingerprint::Cell& hash, std::span<const double> values) {
   hash.add(std::uint64_t{values.size()});
   for (const double value : values) hash.add(value);
 }
@@ -48,6 +54,49 @@ void add_network(Fingerprint::Cell& hash, const hal::node::exchange::Event& even
     hash.add(neighbour.rssi_dbm);
   }
   for (const hal::AgentId lost : event.lost_neighbours) hash.add(std::uint64_t{lost.value});
+}
+
+/// Of an action, in their order. What its kind has not is as here, so that the fingerprint is the
+/// one it has always been.
+struct Ingredients {
+  hal::Twist2 twist{};
+  std::span<const double> wheel_speeds{};
+  hal::MessageId message = 0;
+  hal::AgentId destination{};
+  std::string_view topic{};
+  std::span<const std::uint8_t> payload{};
+  hal::TimerId timer = 0;
+  hal::Time at{};
+  bool radio_on = true;
+  hal::log::Level level = hal::log::Level::kInfo;
+  std::string_view text{};
+  std::optional<double> value{};
+};
+
+Ingredients ingredients_of(const exchange::DriveBody& body) { return {.twist = body.twist}; }
+Ingredients ingredients_of(const exchange::DriveWheels& each) {
+  return {.wheel_speeds = each.speeds};
+}
+Ingredients ingredients_of(const exchange::Send& message) {
+  return {.message = message.id,
+          .destination = message.destination,
+          .topic = message.topic,
+          .payload = message.payload};
+}
+Ingredients ingredients_of(const exchange::Invalidate& routes) {
+  return {.destination = routes.destination, .topic = routes.topic};
+}
+Ingredients ingredients_of(const exchange::SetTimer& timer) {
+  return {.timer = timer.timer, .at = timer.at};
+}
+Ingredients ingredients_of(const exchange::SetRadio& radio) { return {.radio_on = radio.on}; }
+Ingredients ingredients_of(const exchange::SetState& state) { return {.text = state.name}; }
+Ingredients ingredients_of(const exchange::Log& line) {
+  return {.level = line.level, .text = line.text};
+}
+Ingredients ingredients_of(const exchange::ControllerFailed& error) { return {.text = error.text}; }
+Ingredients ingredients_of(const exchange::Record& record) {
+  return {.at = record.at, .text = record.name, .value = record.value};
 }
 
 }  // namespace
@@ -107,33 +156,40 @@ void FingerprintFeed::on_air_entered(hal::Time at, hal::AgentId agent,
 
 void FingerprintFeed::on_event(const hal::node::exchange::Event& event) {
   Fingerprint::Cell& hash = fingerprint_.at(Part::kExchange, event.agent, event.time);
-  hash.add(number(event.cause));
-  for (const hal::node::exchange::Reading& reading : event.readings) {
+  hash.add(number(event.cause()));
+  for (const exchange::Reading& reading : event.readings) {
     hash.add(std::uint64_t{reading.channel});
     add(hash, reading.values);
   }
-  if (event.message) add(hash, *event.message);
-  hash.add(std::uint64_t{event.timer});
-  hash.add(std::uint64_t{event.noticed});
-  hash.add(number(event.fate));
+  if (const auto* arrived = std::get_if<exchange::MessageArrived>(&event.what))
+    add(hash, arrived->message);
+  // Each event has these, so that the fingerprint is the one it has always been.
+  const auto* const due = std::get_if<exchange::TimerDue>(&event.what);
+  const auto* const told = std::get_if<exchange::Notice>(&event.what);
+  const exchange::Notice notice = told != nullptr ? *told : exchange::Notice{};
+  hash.add(std::uint64_t{due != nullptr ? due->timer : 0});
+  hash.add(std::uint64_t{notice.message});
+  hash.add(number(notice.fate));
   add_network(hash, event);
 }
 
 void FingerprintFeed::on_action(hal::Time at, const hal::node::exchange::Action& action) {
   Fingerprint::Cell& hash = fingerprint_.at(Part::kExchange, action.agent, at);
-  hash.add(number(action.kind));
-  for (const double value : {action.twist.vx, action.twist.vy, action.twist.omega}) hash.add(value);
-  add(hash, action.wheel_speeds);
-  hash.add(std::uint64_t{action.message_id});
-  hash.add(std::uint64_t{action.destination.value});
-  hash.add(std::string_view{action.topic});
-  add(hash, action.payload);
-  hash.add(std::uint64_t{action.timer});
-  hash.add(hal::to_ns(action.at));
-  hash.add(std::uint64_t{action.radio_on});
-  hash.add(number(action.level));
-  hash.add(std::string_view{action.text});
-  if (action.kind == hal::node::exchange::ActionKind::kRecord) hash.add(action.value);
+  hash.add(std::uint64_t{action.what.index()});
+  const Ingredients in =
+      std::visit([](const auto& what) { return ingredients_of(what); }, action.what);
+  for (const double value : {in.twist.vx, in.twist.vy, in.twist.omega}) hash.add(value);
+  add(hash, in.wheel_speeds);
+  hash.add(std::uint64_t{in.message});
+  hash.add(std::uint64_t{in.destination.value});
+  hash.add(in.topic);
+  hash.add_bytes(in.payload.data(), in.payload.size());
+  hash.add(std::uint64_t{in.timer});
+  hash.add(hal::to_ns(in.at));
+  hash.add(std::uint64_t{in.radio_on});
+  hash.add(number(in.level));
+  hash.add(in.text);
+  if (in.value) hash.add(*in.value);
 }
 
 void FingerprintFeed::on_route_change(hal::Time at, hal::AgentId agent,

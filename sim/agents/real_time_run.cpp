@@ -5,14 +5,15 @@
 #include <algorithm>
 #include <iterator>
 #include <utility>
+#include <variant>
 
 #include "hal/types/log.h"
 
 namespace sim::agents {
 namespace {
 
-using hal::node::exchange::ActionKind;
 using hal::node::exchange::Cause;
+using hal::node::exchange::ControllerFailed;
 using hal::node::exchange::Courier;
 using hal::node::exchange::Event;
 
@@ -178,7 +179,7 @@ void Simulation::RealTimeRun::work_off_until(hal::Time target, FollowedClock* cl
 void Simulation::RealTimeRun::post(FollowedClock* clock) {
   bool has_control = false;
   for (Event& event : s_.take_events()) {
-    has_control = has_control || event.cause == Cause::kControl;
+    has_control = has_control || event.cause() == Cause::kControl;
     const std::size_t port = s_.controllers.port_of(event.agent);
     carried_[port].courier.post(std::move(event));
   }
@@ -223,7 +224,9 @@ void Simulation::RealTimeRun::take_in(const Turn& turn, const Courier::Turn& bro
 void Simulation::RealTimeRun::take_effect(const Courier::Answer& answer, bool stale) {
   const auto& [action, event_time] = answer;
   if (s_.is_of_dead(action.agent, event_time)) return;
-  if (action.kind == ActionKind::kError) return s_.on_error(action, event_time);
+  if (const auto* failed = std::get_if<ControllerFailed>(&action.what)) {
+    return s_.on_error(action.agent, failed->text, event_time);
+  }
   if (stale && drives(action)) return s_.agents.at(action.agent)->core().refuse(Courier::kStale);
   s_.apply(action);
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <iterator>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "hal/types/log.h"
@@ -13,7 +14,7 @@
 namespace sim::agents {
 
 using hal::node::exchange::Action;
-using hal::node::exchange::ActionKind;
+using hal::node::exchange::ControllerFailed;
 using hal::node::exchange::Event;
 
 namespace {
@@ -159,7 +160,9 @@ bool Simulation::State::is_of_dead(hal::AgentId agent, hal::Time event_time) con
 
 void Simulation::State::take_effect(Controllers::Answer answer) {
   if (is_of_dead(answer.action.agent, answer.event_time)) return;
-  if (answer.action.kind == ActionKind::kError) return on_error(answer.action, answer.event_time);
+  if (const auto* failed = std::get_if<ControllerFailed>(&answer.action.what)) {
+    return on_error(answer.action.agent, failed->text, answer.event_time);
+  }
   if (config.controller_latency == hal::Duration::zero()) {
     apply(answer.action);
     return;
@@ -172,10 +175,11 @@ void Simulation::State::take_effect(Controllers::Answer answer) {
   });
 }
 
-void Simulation::State::on_error(const Action& action, hal::Time event_time) {
+void Simulation::State::on_error(hal::AgentId agent, const std::string& text,
+                                 hal::Time event_time) {
   fail(fmt::format("the controller of {} (process {}) failed at {:.9f} s: {}",
-                   agents.at(action.agent)->name(), controllers.process_of(action.agent),
-                   hal::to_seconds(event_time), action.text));
+                   agents.at(agent)->name(), controllers.process_of(agent),
+                   hal::to_seconds(event_time), text));
 }
 
 void Simulation::State::apply(const Action& action) {
@@ -218,7 +222,7 @@ void Simulation::State::stop_agents() {
     Event stop;
     stop.agent = agent;
     stop.time = events.now();
-    stop.cause = hal::node::exchange::Cause::kStop;
+    stop.what = hal::node::exchange::Stop{};
     farewells.push_back(std::move(stop));
   }
 }

@@ -50,7 +50,7 @@ struct Simulation::State final : hal::node::agent::AgentListener {
   std::vector<hal::node::exchange::Event>& take_events();
   void exchange(hal::Time window_end);
   void take_effect(Controllers::Answer answer);
-  void on_error(const hal::node::exchange::Action& action, hal::Time event_time);
+  void on_error(hal::AgentId agent, const std::string& text, hal::Time event_time);
   void apply(const hal::node::exchange::Action& action);
   void apply_last(const hal::node::exchange::Action& action);
   /// An answer of a controller that has died since it was asked.

@@ -102,7 +102,7 @@ double datagrams() {
 void measure(int count, int agents, int exchanges, bool as_guests = false) {
   Processes processes;
   start(processes, count, agents, as_guests);
-  hal::node::exchange::Step step = step_with(hal::node::exchange::Cause::kControl, 1);
+  hal::node::exchange::Step step = step_with(hal::node::exchange::ControlDue{}, 1);
   step.events.resize(static_cast<std::size_t>(agents), step.events[0]);
   for (std::size_t i = 0; i < step.events.size(); ++i) {
     step.events[i].agent.value = static_cast<std::uint16_t>(i + 1);

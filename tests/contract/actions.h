@@ -13,9 +13,19 @@ namespace contract {
 
 using namespace std::chrono_literals;
 using hal::node::exchange::Action;
-using hal::node::exchange::ActionKind;
 using hal::node::exchange::Cause;
+using hal::node::exchange::DriveBody;
+using hal::node::exchange::DriveWheels;
 using hal::node::exchange::Event;
+using hal::node::exchange::Invalidate;
+using hal::node::exchange::MessageArrived;
+using hal::node::exchange::Notice;
+using hal::node::exchange::Record;
+using hal::node::exchange::Send;
+using hal::node::exchange::SetRadio;
+using hal::node::exchange::SetState;
+using hal::node::exchange::SetTimer;
+using hal::node::exchange::TimerDue;
 
 inline const hal::AgentId kNobody{99};
 inline constexpr hal::Duration kPatience =
@@ -29,34 +39,19 @@ template <class Condition>
   return condition();
 }
 
-inline Action action_of(ActionKind kind, const std::string& text = {}) {
-  Action action;
-  action.kind = kind;
-  action.text = text;
-  return action;
-}
-
 inline Action send(hal::AgentId to, hal::MessageId id, hal::Bytes payload = {1, 2, 3}) {
-  Action action = action_of(ActionKind::kSend);
-  action.message_id = id;
-  action.destination = to;
-  action.topic = "test";
-  action.payload = std::move(payload);
-  return action;
+  return {.what =
+              Send{.id = id, .destination = to, .topic = "test", .payload = std::move(payload)}};
 }
 
-inline Action drive(double vx) {
-  Action action = action_of(ActionKind::kDriveBody);
-  action.twist.vx = vx;
-  return action;
-}
+inline Action drive(double vx) { return {.what = DriveBody{{.vx = vx}}}; }
 
 /// Does something once, in the control cycle of an agent when everybody has a controller: a message
 /// to an agent without one is lost.
 inline Brain::Rule once(hal::AgentId agent, std::vector<Action> actions) {
   return [agent, actions, started = 0](const Event& event) mutable {
-    if (event.cause == Cause::kStart) ++started;
-    if (started < 2 || event.agent != agent || event.cause != Cause::kControl) {
+    if (event.cause() == Cause::kStart) ++started;
+    if (started < 2 || event.agent != agent || event.cause() != Cause::kControl) {
       return std::vector<Action>{};
     }
     return std::exchange(actions, {});

@@ -63,7 +63,7 @@ TEST_P(AgentContract, StartsEveryAgentOnceAndThenCallsItEveryControlPeriod) {
   const Brain& both = brain();
   for (const hal::AgentId agent : {kRobot, kMote}) {
     ASSERT_TRUE(until([&] { return both.seen(agent, Cause::kControl).size() >= 5; }));
-    EXPECT_EQ(both.seen(agent).front().cause, Cause::kStart);
+    EXPECT_EQ(both.seen(agent).front().cause(), Cause::kStart);
     EXPECT_EQ(both.seen(agent, Cause::kStart).size(), 1u);
     const auto cycles = both.seen(agent, Cause::kControl);
     // On a busy machine real time leaves cycles out and has some late; it never adds any.
@@ -79,7 +79,7 @@ TEST_P(AgentContract, StartsEveryAgentOnceAndThenCallsItEveryControlPeriod) {
 TEST_P(AgentContract, TakesTheActionsOfAnAgentInTheirOrder) {
   std::vector<Action> states;
   for (const char* name : {"one", "two", "three", "four"}) {
-    states.push_back(action_of(ActionKind::kState, name));
+    states.push_back({.what = SetState{name}});
   }
   brain(once(kMote, states));
   ASSERT_TRUE(until([&] { return sight().states(kMote).size() >= 4; }));
@@ -90,11 +90,8 @@ TEST_P(AgentContract, TakesTheActionsOfAnAgentInTheirOrder) {
 TEST_P(AgentContract, ATimerComesOnceAndNotBeforeItsTime) {
   const Brain& both = brain([](const Event& event) {
     std::vector<Action> actions;
-    if (event.agent != kRobot || event.cause != Cause::kStart) return actions;
-    Action timer = action_of(ActionKind::kTimer);
-    timer.timer = 7;
-    timer.at = event.time + 70ms;
-    actions.push_back(timer);
+    if (event.agent != kRobot || event.cause() != Cause::kStart) return actions;
+    actions.push_back({.what = SetTimer{7, event.time + 70ms}});
     return actions;
   });
   ASSERT_TRUE(until([&] { return !both.seen(kRobot, Cause::kTimer).empty(); }));
@@ -104,7 +101,7 @@ TEST_P(AgentContract, ATimerComesOnceAndNotBeforeItsTime) {
   }));
   const auto timers = both.seen(kRobot, Cause::kTimer);
   ASSERT_EQ(timers.size(), 1u);
-  EXPECT_EQ(timers[0].timer, 7u);
+  EXPECT_EQ(timers[0].what, Event::What(TimerDue{7}));
   EXPECT_GE(timers[0].time - both.seen(kRobot).front().time, 70ms);
   EXPECT_TRUE(both.seen(kMote, Cause::kTimer).empty());
 }
@@ -114,19 +111,18 @@ TEST_P(AgentContract, AMessageArrivesAsItWasSentAndItsSenderIsToldOnce) {
   const Brain& both = brain(once(kRobot, {send(kMote, 1, payload)}));
   ASSERT_TRUE(until([&] { return !both.seen(kMote, Cause::kMessage).empty(); }));
   ASSERT_TRUE(until([&] { return !both.seen(kRobot, Cause::kNotice).empty(); }));
-  const Event arrived = both.seen(kMote, Cause::kMessage)[0];
-  ASSERT_TRUE(arrived.message);
-  EXPECT_EQ(arrived.message->source, kRobot);
-  EXPECT_EQ(arrived.message->destination, kMote);
-  EXPECT_EQ(arrived.message->topic, "test");
-  EXPECT_EQ(arrived.message->payload, payload);
+  const Event event = both.seen(kMote, Cause::kMessage)[0];
+  const hal::Message& arrived = std::get<MessageArrived>(event.what).message;
+  EXPECT_EQ(arrived.source, kRobot);
+  EXPECT_EQ(arrived.destination, kMote);
+  EXPECT_EQ(arrived.topic, "test");
+  EXPECT_EQ(arrived.payload, payload);
   const std::size_t cycles = both.seen(kRobot, Cause::kControl).size();
   ASSERT_TRUE(until([&] { return both.seen(kRobot, Cause::kControl).size() >= cycles + 10; }));
   EXPECT_EQ(both.seen(kMote, Cause::kMessage).size(), 1u);
   const auto notices = both.seen(kRobot, Cause::kNotice);
   ASSERT_EQ(notices.size(), 1u);
-  EXPECT_EQ(notices[0].noticed, 1u);
-  EXPECT_EQ(notices[0].fate, hal::Fate::kHandedOver);
+  EXPECT_EQ(notices[0].what, Event::What(Notice{1, hal::Fate::kHandedOver}));
 }
 
 TEST_P(AgentContract, AMessageToNobodyEndsWithNoRoute) {
@@ -134,7 +130,7 @@ TEST_P(AgentContract, AMessageToNobodyEndsWithNoRoute) {
   ASSERT_TRUE(until([&] { return !both.seen(kMote, Cause::kNotice).empty(); }));
   const auto notices = both.seen(kMote, Cause::kNotice);
   ASSERT_EQ(notices.size(), 1u);
-  EXPECT_EQ(notices[0].fate, hal::Fate::kNoRoute);
+  EXPECT_EQ(std::get<Notice>(notices[0].what).fate, hal::Fate::kNoRoute);
 }
 
 TEST_P(AgentContract, AControllerSeesTheRoutesOfWhatItWatches) {
@@ -160,7 +156,8 @@ TEST_P(AgentContract, OneProcessMayDriveEverybodyAndNoStepIsMissing) {
 std::map<hal::MessageId, hal::Fate> fates(const Brain& brain, hal::AgentId agent) {
   std::map<hal::MessageId, hal::Fate> fates;
   for (const Event& event : brain.seen(agent, Cause::kNotice)) {
-    EXPECT_TRUE(fates.emplace(event.noticed, event.fate).second) << "told twice";
+    const auto& notice = std::get<Notice>(event.what);
+    EXPECT_TRUE(fates.emplace(notice.message, notice.fate).second) << "told twice";
   }
   return fates;
 }
@@ -177,27 +174,27 @@ TEST_P(AgentContract, AMessageToAddressZeroIsRefusedSoThatEveryNoticeThatIsPromi
 
 TEST_P(AgentContract, AMessageAsLongAsMayBeArrivesAndOneByteMoreIsRefused) {
   const std::string topic(hal::kMaxTopic, 't');
-  std::vector<Action> sends;
+  std::vector<Send> sends;
   for (hal::MessageId id = 1; id <= 6; ++id) {
-    sends.push_back(send(kMote, id, hal::Bytes(hal::kMaxPayload)));
-    sends.back().topic = topic;
+    sends.push_back({id, kMote, topic, hal::Bytes(hal::kMaxPayload)});
   }
   sends[0].topic += 't';
   sends[1].topic.clear();
   sends[2].payload.push_back(0);
   sends[3].destination = kRobot;
-  sends[4].message_id = 0;
-  Action invalidate = action_of(ActionKind::kInvalidate);
-  invalidate.topic = topic + 't';
-  sends.push_back(invalidate);
-  const Brain& both = brain(once(kRobot, sends));
+  sends[4].id = 0;
+  std::vector<Action> actions;
+  for (const Send& one : sends) actions.push_back({.what = one});
+  actions.push_back({.what = Invalidate{kMote, topic + 't'}});
+  const Brain& both = brain(once(kRobot, actions));
   ASSERT_TRUE(until([&] { return !both.seen(kMote, Cause::kMessage).empty(); }));
   ASSERT_TRUE(until([&] { return !both.seen(kRobot, Cause::kNotice).empty(); }));
   ASSERT_TRUE(pass(3));
   const auto messages = both.seen(kMote, Cause::kMessage);
   ASSERT_EQ(messages.size(), 1u);
-  EXPECT_EQ(messages[0].message->topic, topic);
-  EXPECT_EQ(messages[0].message->payload.size(), hal::kMaxPayload);
+  const hal::Message& arrived = std::get<MessageArrived>(messages[0].what).message;
+  EXPECT_EQ(arrived.topic, topic);
+  EXPECT_EQ(arrived.payload.size(), hal::kMaxPayload);
   EXPECT_EQ(fates(both, kRobot), (Fates{{6, hal::Fate::kHandedOver}}));
   EXPECT_EQ(host_->end().refused, 6u);
 }
@@ -207,8 +204,8 @@ TEST_P(AgentContract, WheelsTurnAsFastAsTheyCanAndNoFaster) {
   for (const auto& row : host_->limits().body_to_wheel) most = std::max(most, std::abs(row[0]));
   const double limit = host_->limits().wheel_speed / most;
   brain([](const Event& event) {
-    return event.cause == Cause::kControl && event.agent == kRobot ? std::vector{drive(100)}
-                                                                   : std::vector<Action>{};
+    return event.cause() == Cause::kControl && event.agent == kRobot ? std::vector{drive(100)}
+                                                                     : std::vector<Action>{};
   });
   ASSERT_TRUE(until([&] { return sight().speed() > 0.97 * limit; }));
   ASSERT_TRUE(pass(10));
@@ -218,11 +215,11 @@ TEST_P(AgentContract, WheelsTurnAsFastAsTheyCanAndNoFaster) {
 
 TEST_P(AgentContract, SpeedsThatNoWheelCanTurnAtAreRefused) {
   const double limit = host_->limits().wheel_speed;
-  std::vector<Action> drives(4, action_of(ActionKind::kDriveWheels));
-  drives[0].wheel_speeds = {1.01 * limit, 0, 0};
-  drives[1].wheel_speeds = {0.5 * limit, 0};
-  drives[2].wheel_speeds = {0, 0, std::numeric_limits<double>::quiet_NaN()};
-  drives[3] = drive(std::numeric_limits<double>::infinity());
+  const std::vector<Action> drives{
+      {.what = DriveWheels{{1.01 * limit, 0, 0}}},
+      {.what = DriveWheels{{0.5 * limit, 0}}},
+      {.what = DriveWheels{{0, 0, std::numeric_limits<double>::quiet_NaN()}}},
+      drive(std::numeric_limits<double>::infinity())};
   const Brain& both = brain(once(kRobot, drives));
   ASSERT_TRUE(until([&] { return both.seen(kRobot, Cause::kControl).size() >= 10; }));
   ASSERT_TRUE(pass(5));
@@ -249,11 +246,11 @@ std::set<hal::AgentId> neighbours(const Brain& brain, hal::AgentId agent) {
 class LostAndHeard {
  public:
   std::vector<Action> operator()(const Event& event) {
-    if (event.cause == Cause::kStart) ++started_;
-    if (event.agent == kRobot && event.cause == Cause::kNotice && !talked_at_) {
+    if (event.cause() == Cause::kStart) ++started_;
+    if (event.agent == kRobot && event.cause() == Cause::kNotice && !talked_at_) {
       talked_at_ = event.time;
     }
-    if (event.cause != Cause::kControl || started_ < 2) return {};
+    if (event.cause() != Cause::kControl || started_ < 2) return {};
     return event.agent == kRobot ? of_robot(event.time) : of_mote(event.time);
   }
 
@@ -263,14 +260,12 @@ class LostAndHeard {
     return {};
   }
   std::vector<Action> of_mote(hal::Time now) {
-    Action radio = action_of(ActionKind::kRadio);
     if (talked_at_ && !off_at_ && now > *talked_at_) {
       off_at_ = now;
-      radio.radio_on = false;
-      return {radio};
+      return {{.what = SetRadio{false}}};
     }
     if (!is_back(now) || std::exchange(is_over_, true)) return {};
-    return {radio, send(hal::kEveryone, 1)};
+    return {{.what = SetRadio{true}}, send(hal::kEveryone, 1)};
   }
   bool is_back(hal::Time now) const { return off_at_ && now >= *off_at_ + 3 * kPeriod; }
 
@@ -317,8 +312,7 @@ TEST_P(AgentContract, WhatAControllerRecordsIsShownInItsOrderIfItIsFiniteAndHasA
                                     {std::string(hal::kMaxRecordedName + 1, 'x'), 1.0},
                                     {"nan", std::numeric_limits<double>::quiet_NaN()},
                                     {"near", 0.25}}) {
-    records.push_back(action_of(ActionKind::kRecord, name));
-    records.back().value = value;
+    records.push_back({.what = Record{name, value, {}}});
   }
   brain(once(kMote, records));
   ASSERT_TRUE(until([&] { return sight().records(kMote).size() >= 3; }));

@@ -61,7 +61,7 @@ std::vector<Event> Brain::seen(hal::AgentId agent) const {
 
 std::vector<Event> Brain::seen(hal::AgentId agent, hal::node::exchange::Cause cause) const {
   std::vector<Event> found = seen(agent);
-  std::erase_if(found, [&](const Event& event) { return event.cause != cause; });
+  std::erase_if(found, [&](const Event& event) { return event.cause() != cause; });
   return found;
 }
 

@@ -64,7 +64,7 @@ TEST_P(HostContract, RefusesWhoAsksForWhatIsNotThereOrTakenOrSpeaksAnotherVersio
 
 TEST_P(HostContract, WheelsStopWhenNobodyAnswersAndTurnAgainWhenSomebodyDoes) {
   RemoteBrain& robot = brain("robot", {"r0"}, [](const Event& event) {
-    return event.cause == Cause::kControl ? std::vector{drive(0.2)} : std::vector<Action>{};
+    return event.cause() == Cause::kControl ? std::vector{drive(0.2)} : std::vector<Action>{};
   });
   const RemoteBrain& mote = brain("mote", {"m0"});
   ASSERT_TRUE(until([&] { return sight().wheels_turn(); }));
@@ -87,7 +87,7 @@ TEST_P(HostContract, ACommandThatAnswersWhatIsLongPastMovesNothing) {
   const auto asked = std::make_shared<std::atomic<hal::Time>>();
   RemoteBrain& robot = brain("robot", {"r0"}, [to_halt, asked](const Event& event) {
     std::vector<Action> actions;
-    if (event.cause != Cause::kControl || *to_halt == nullptr) return actions;
+    if (event.cause() != Cause::kControl || *to_halt == nullptr) return actions;
     *asked = event.time;
     to_halt->exchange(nullptr)->hold(true);
     actions.push_back(drive(0.2));
@@ -112,7 +112,7 @@ TEST_P(HostContract, WhatComesWhileAControllerIsBusyReachesItInOrder) {
   const RemoteBrain& robot =
       brain("robot", {"r0"}, [mote_has_started, id = 0u](const Event& event) mutable {
         std::vector<Action> actions;
-        if (!*mote_has_started || event.cause != Cause::kControl || id == 50) return actions;
+        if (!*mote_has_started || event.cause() != Cause::kControl || id == 50) return actions;
         ++id;
         actions.push_back(send(kMote, id, {static_cast<std::uint8_t>(id)}));
         return actions;
@@ -127,7 +127,7 @@ TEST_P(HostContract, WhatComesWhileAControllerIsBusyReachesItInOrder) {
   ASSERT_TRUE(until([&] { return mote.seen(kMote, Cause::kMessage).size() >= 50; }));
   const auto messages = mote.seen(kMote, Cause::kMessage);
   for (std::size_t i = 0; i < messages.size(); ++i) {
-    EXPECT_EQ(messages[i].message->payload[0], i + 1);
+    EXPECT_EQ(std::get<MessageArrived>(messages[i].what).message.payload[0], i + 1);
   }
 }
 
@@ -137,16 +137,14 @@ TEST_P(HostContract, WhatFindsNoRoomWhileAControllerIsHaltedIsCounted) {
   const auto due = std::make_shared<std::atomic<hal::Time>>();
   RemoteBrain& robot = brain("robot", {"r0"}, [to_halt, due](const Event& event) {
     std::vector<Action> actions;
-    if (event.cause != Cause::kControl || *to_halt == nullptr) return actions;
+    if (event.cause() != Cause::kControl || *to_halt == nullptr) return actions;
     if (due->load() != hal::Time{}) {  // The cycle after the one that set the timers.
       to_halt->exchange(nullptr)->hold(true);
       return actions;
     }
     *due = event.time + 500ms;
     for (hal::TimerId id = 1; id <= kTimers; ++id) {
-      actions.push_back(action_of(ActionKind::kTimer));
-      actions.back().timer = id;
-      actions.back().at = *due;
+      actions.push_back({.what = SetTimer{id, *due}});
     }
     return actions;
   });
@@ -168,13 +166,13 @@ TEST_P(HostContract, AnActionThatAnswersNoEventOfItsAgentTakesNoEffect) {
   const RemoteBrain& robot = brain("robot", {"r0"});
   brain("mote", {"m0"}, [done = false](const Event& event) mutable {
     std::vector<Action> actions;
-    if (event.cause != Cause::kControl || std::exchange(done, true)) return actions;
-    actions.assign(3, action_of(ActionKind::kState, "WRONG"));
+    if (event.cause() != Cause::kControl || std::exchange(done, true)) return actions;
+    actions.assign(3, {.what = SetState{"WRONG"}});
     actions[0].agent = kRobot;
     actions[1].agent = kMote;
     actions[1].event = 99;
     actions[2].agent = kNobody;
-    actions.push_back(action_of(ActionKind::kState, "RIGHT"));
+    actions.push_back({.what = SetState{"RIGHT"}});
     return actions;
   });
   ASSERT_TRUE(until([&] { return !sight().states(kMote).empty(); }));
@@ -203,7 +201,7 @@ TEST_P(HostContract, ASuccessorIsStartedAnewOrRefused) {
   const RemoteBrain& successor = brain("driver", {"r0"});
   if (promises().takes_successors) {
     ASSERT_TRUE(until([&] { return successor.seen(kRobot, Cause::kControl).size() > 5; }));
-    EXPECT_EQ(successor.seen(kRobot).front().cause, Cause::kStart);
+    EXPECT_EQ(successor.seen(kRobot).front().cause(), Cause::kStart);
   } else {
     EXPECT_TRUE(until([&] { return !successor.refusal().empty(); }));
   }
@@ -222,8 +220,9 @@ TEST(TwoDaemons, OneControllerProcessLosesNoEventInTenThousandExchanges) {
       daemons->domain().value(), "both", {"r0", "m0"},
       [&, cycle = 0, started = 0](const Event& e) mutable {
         std::vector<Action> actions;
-        started += e.cause == Cause::kStart ? 1 : 0;
-        if (started == 2 && e.agent == kRobot && e.cause == Cause::kControl && ++cycle % 20 == 0) {
+        started += e.cause() == Cause::kStart ? 1 : 0;
+        if (started == 2 && e.agent == kRobot && e.cause() == Cause::kControl &&
+            ++cycle % 20 == 0) {
           actions.push_back(send(kMote, ++sent));
         }
         return actions;
@@ -235,7 +234,9 @@ TEST(TwoDaemons, OneControllerProcessLosesNoEventInTenThousandExchanges) {
   ASSERT_TRUE(until([&] { return both.seen(kRobot, Cause::kNotice).size() >= so_far; }));
   const auto messages = both.seen(kMote, Cause::kMessage);
   ASSERT_GE(messages.size(), so_far);
-  for (std::size_t i = 0; i < messages.size(); ++i) EXPECT_EQ(messages[i].message->id, i + 1);
+  for (std::size_t i = 0; i < messages.size(); ++i) {
+    EXPECT_EQ(std::get<MessageArrived>(messages[i].what).message.id, i + 1);
+  }
 }
 
 }  // namespace

@@ -57,7 +57,7 @@ class ScriptedPort final : public hal::node::exchange::ControllerPort {
   std::vector<hal::node::exchange::Event> of(hal::node::exchange::Cause cause) const {
     std::vector<hal::node::exchange::Event> found;
     for (const auto& event : seen) {
-      if (event.cause == cause) found.push_back(event);
+      if (event.cause() == cause) found.push_back(event);
     }
     return found;
   }

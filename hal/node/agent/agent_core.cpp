@@ -4,16 +4,16 @@
 
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 #include "hal/node/exchange/validate.h"
 #include "hal/types/check.h"
 #include "hal/types/log.h"
+#include "hal/types/overloaded.h"
 
 namespace hal::node::agent {
 
 using exchange::Action;
-using exchange::ActionKind;
-using exchange::Cause;
 using exchange::Event;
 
 AgentCore::AgentCore(exchange::AgentSession session, const routing::RoutingConfig& routing,
@@ -65,7 +65,7 @@ void AgentCore::disconnect() {
 void AgentCore::start() {
   if (phase_ != Phase::kWaiting) return;
   phase_ = Phase::kDriven;
-  add(event(Cause::kStart));
+  add(event(exchange::Start{}));
   for (Event& early : std::exchange(early_, {})) {
     early.time = now();
     add(std::move(early));
@@ -75,15 +75,15 @@ void AgentCore::start() {
 void AgentCore::stop() {
   start();
   if (phase_ != Phase::kDriven) return;
-  add(event(Cause::kStop));
+  add(event(exchange::Stop{}));
   phase_ = Phase::kOver;
 }
 
-Event AgentCore::event(Cause cause) const {
+Event AgentCore::event(Event::What what) const {
   Event event;
   event.agent = id();
   event.time = now();
-  event.cause = cause;
+  event.what = std::move(what);
   return event;
 }
 
@@ -109,7 +109,7 @@ void AgentCore::take_events(std::vector<Event>& to) {
 void AgentCore::control() {
   ports_.observer.on_cycle(now(), id());
   ports_.sensors.advance(now());
-  Event control = event(Cause::kControl);
+  Event control = event(exchange::ControlDue{});
   if ((asks_ && is_connected()) || ports_.observer.observes_readings()) sample(control);
   add(std::move(control));
 }
@@ -134,7 +134,7 @@ Result<void> AgentCore::apply(const Action& action, Time as_of) {
   ports_.observer.on_action(now(), action);
   auto done = exchange::validate(action, session_);
   if (done) done = take_effect(action, as_of);
-  if (!done) refuse(fmt::format("{}: {}", exchange::name(action.kind), done.error().message));
+  if (!done) refuse(fmt::format("{}: {}", exchange::name(action), done.error().message));
   return done;
 }
 
@@ -146,72 +146,72 @@ void AgentCore::refuse(const std::string& why) {
 }
 
 Result<void> AgentCore::take_effect(const Action& action, Time as_of) {
-  switch (action.kind) {
-    case ActionKind::kDriveBody:
-    case ActionKind::kDriveWheels:
-      return drive(action, as_of);
-    case ActionKind::kSend:
-      return send(action);
-    case ActionKind::kInvalidate:
-      router_.invalidate(action.topic, action.destination);
-      break;
-    case ActionKind::kTimer:
-      set_timer(action);
-      break;
-    case ActionKind::kRadio:
-      ports_.link.set_radio(action.radio_on);
-      break;
-    case ActionKind::kState:
-      set_state(action.text);
-      break;
-    case ActionKind::kLog:
-      log::write(action.level, now(), name() + "/controller", action.text);
-      break;
-    case ActionKind::kRecord:
-      return record(action);
-    case ActionKind::kError:
-      break;
-  }
-  return {};
+  using Done = Result<void>;
+  return std::visit(
+      Overloaded{
+          [&](const exchange::DriveBody& body) { return wheels().drive(body.twist, as_of); },
+          [&](const exchange::DriveWheels& each) {
+            return wheels().drive_wheels(each.speeds, as_of);
+          },
+          [&](const exchange::Send& message) { return send(message); },
+          [&](const exchange::Invalidate& routes) {
+            router_.invalidate(routes.topic, routes.destination);
+            return Done{};
+          },
+          [&](const exchange::SetTimer& timer) {
+            set_timer(timer);
+            return Done{};
+          },
+          [&](const exchange::SetRadio& radio) {
+            ports_.link.set_radio(radio.on);
+            return Done{};
+          },
+          [&](const exchange::SetState& state) {
+            set_state(state.name);
+            return Done{};
+          },
+          [&](const exchange::Log& line) {
+            log::write(line.level, now(), name() + "/controller", line.text);
+            return Done{};
+          },
+          [](const exchange::ControllerFailed&) { return Done{}; },
+          [&](const exchange::Record& value) { return record(value); },
+      },
+      action.what);
 }
 
-Result<void> AgentCore::drive(const Action& action, Time as_of) {
+Drive& AgentCore::wheels() {
   BARAKA_CHECK(ports_.drive != nullptr);  // or the session's limits told validate() of wheels
-  if (action.kind == ActionKind::kDriveWheels) {
-    return ports_.drive->drive_wheels(action.wheel_speeds, as_of);
-  }
-  return ports_.drive->drive(action.twist, as_of);
+  return *ports_.drive;
 }
 
-Result<void> AgentCore::send(const Action& action) {
-  if (auto admitted = topics_.admit(action.topic); !admitted) return admitted;
-  sent_[++last_message_] = action.message_id;
-  const Message message{.source = id(),
-                        .destination = action.destination,
-                        .id = last_message_,
-                        .topic = action.topic,
-                        .payload = action.payload};
-  ports_.observer.on_message_sent(now(), message);
-  router_.send(message);
+Result<void> AgentCore::send(const exchange::Send& message) {
+  if (auto admitted = topics_.admit(message.topic); !admitted) return admitted;
+  sent_[++last_message_] = message.id;
+  const Message numbered{.source = id(),
+                         .destination = message.destination,
+                         .id = last_message_,
+                         .topic = message.topic,
+                         .payload = message.payload};
+  ports_.observer.on_message_sent(now(), numbered);
+  router_.send(numbered);
   return {};
 }
 
-Result<void> AgentCore::record(const Action& action) {
-  if (auto admitted = recorded_.admit(action.text); !admitted) return admitted;
-  log::debug(now(), name(), "records {} = {}", action.text, action.value);
-  const Time at = std::clamp(action.at, Time{}, now());
-  ports_.observer.on_record(at, id(), action.text, action.value);
+Result<void> AgentCore::record(const exchange::Record& record) {
+  if (auto admitted = recorded_.admit(record.name); !admitted) return admitted;
+  log::debug(now(), name(), "records {} = {}", record.name, record.value);
+  const Time at = std::clamp(record.at, Time{}, now());
+  ports_.observer.on_record(at, id(), record.name, record.value);
   return {};
 }
 
-void AgentCore::set_timer(const Action& action) {
-  Timers::Handle& pending = timers_[action.timer];
+void AgentCore::set_timer(const exchange::SetTimer& timer) {
+  Timers::Handle& pending = timers_[timer.timer];
   if (pending != 0) ports_.timers.cancel(pending);
   // An action may take effect after the time it asked for: then the timer is due at once.
-  pending = ports_.timers.schedule(std::max(action.at, now()), [this, timer = action.timer] {
-    Event due = event(Cause::kTimer);
-    due.timer = timer;
-    add(std::move(due));
+  pending = ports_.timers.schedule(std::max(timer.at, now()), [this, number = timer.timer] {
+    add(event(exchange::TimerDue{number}));
   });
 }
 
@@ -227,19 +227,14 @@ void AgentCore::halt() {
 
 void AgentCore::on_message(Message message, int transmissions) {
   ports_.observer.on_message_delivered(now(), id(), message, transmissions);
-  Event received = event(Cause::kMessage);
-  received.message = std::move(message);
-  add(std::move(received));
+  add(event(exchange::MessageArrived{std::move(message)}));
 }
 
 void AgentCore::on_fate(MessageId message, Fate fate) {
   ports_.observer.on_fate(now(), id(), message, fate);
   const auto sent = sent_.extract(message);
   if (sent.empty()) return;  // of a controller that is gone
-  Event notice = event(Cause::kNotice);
-  notice.noticed = sent.mapped();
-  notice.fate = fate;
-  add(std::move(notice));
+  add(event(exchange::Notice{sent.mapped(), fate}));
 }
 
 void AgentCore::on_route_change(const RouteChange& change) {
@@ -250,13 +245,13 @@ void AgentCore::on_route_change(const RouteChange& change) {
 void AgentCore::on_neighbour(const Neighbour& neighbour) {
   if (!is_connected() || !wants_.neighbours) return;
   inbox_.add(now(), neighbour);
-  if (told_.insert(neighbour.id).second) add(event(Cause::kLink));
+  if (told_.insert(neighbour.id).second) add(event(exchange::LinkChanged{}));
 }
 
 void AgentCore::on_neighbour_lost(AgentId neighbour) {
   if (!is_connected() || !wants_.neighbours || told_.erase(neighbour) == 0) return;
   inbox_.add_lost(now(), neighbour);
-  add(event(Cause::kLink));
+  add(event(exchange::LinkChanged{}));
 }
 
 void AgentCore::on_discovery(std::string_view topic, AgentId destination, Duration took,

@@ -82,7 +82,7 @@ class AgentCore final : public routing::Application, public routing::RoutingObse
   /// The same, appended.
   void take_events(std::vector<exchange::Event>& to);
 
-  /// Lets an action take effect now. kError has none: that the controller threw is for the host.
+  /// Lets an action take effect now. ControllerFailed has none: it is for the host.
   /// @param as_of  when the answer came in that it is of.
   /// Errors, which are counted and logged: those of exchange::validate(), UsedNames and Drive.
   Result<void> apply(const exchange::Action& action, Time as_of);
@@ -111,15 +111,15 @@ class AgentCore final : public routing::Application, public routing::RoutingObse
   Time now() const { return ports_.timers.now(); }
   bool is_watched(const std::string& topic) const;
   void begin_anew(const Wants& wants);
-  exchange::Event event(exchange::Cause cause) const;
+  exchange::Event event(exchange::Event::What what) const;
   void add(exchange::Event event);
   bool is_asked_for(std::size_t channel) const { return is_connected() && asked_[channel]; }
   void sample(exchange::Event& control);
   Result<void> take_effect(const exchange::Action& action, Time as_of);
-  Result<void> drive(const exchange::Action& action, Time as_of);
-  Result<void> send(const exchange::Action& action);
-  Result<void> record(const exchange::Action& action);
-  void set_timer(const exchange::Action& action);
+  Drive& wheels();
+  Result<void> send(const exchange::Send& message);
+  Result<void> record(const exchange::Record& record);
+  void set_timer(const exchange::SetTimer& timer);
   void set_state(const std::string& state);
 
   // First what every control instant needs: of thousands of agents, little else is in the cache.

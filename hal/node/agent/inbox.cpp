@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <tuple>
 #include <utility>
 
 namespace hal::node::agent {
@@ -22,7 +21,7 @@ void Inbox::take(std::vector<exchange::Event>& to) {
   // What is taken is given back: the next agent's events find that memory in the cache.
   std::vector<exchange::Event> events = std::exchange(events_, {});
   const auto before = [](const auto& a, const auto& b) {
-    return std::tie(a.time, a.cause) < std::tie(b.time, b.cause);
+    return std::pair(a.time, a.cause()) < std::pair(b.time, b.cause());
   };
   if (!std::is_sorted(events.begin(), events.end(), before))
     std::stable_sort(events.begin(), events.end(), before);

@@ -55,8 +55,8 @@ Courier::Courier(std::shared_ptr<ControllerPort> port, std::size_t capacity)
     : port_(std::move(port)), capacity_(capacity) {}
 
 void Courier::post(Event event) {
-  const bool is_bound = event.cause != Cause::kStart && event.cause != Cause::kStop;
-  if (event.cause == Cause::kControl) supersede_cycle(event);
+  const bool is_bound = event.cause() != Cause::kStart && event.cause() != Cause::kStop;
+  if (event.cause() == Cause::kControl) supersede_cycle(event);
   if (is_bound && waiting_.size() >= capacity_) return lose(std::move(event));
   if (const auto carried = carried_.find(event.agent); carried != carried_.end()) {
     absorb(std::move(carried->second), event);
@@ -69,7 +69,7 @@ void Courier::post(Event event) {
 void Courier::supersede_cycle(const Event& control) {
   std::vector<Waiting::iterator>& places = places_[control.agent];
   const auto old = std::ranges::find_if(
-      places, [](const auto& place) { return place->cause == Cause::kControl; });
+      places, [](const auto& place) { return place->cause() == Cause::kControl; });
   if (old == places.end()) return;
   ++losses_.missed_cycles;
   Event superseded = std::move(**old);
@@ -87,7 +87,7 @@ void Courier::supersede_cycle(const Event& control) {
 }
 
 void Courier::lose(Event event) {
-  ++losses_.overflow[{event.agent, event.cause}];
+  ++losses_.overflow[{event.agent, event.cause()}];
   const auto [carried, is_first] = carried_.try_emplace(event.agent, event);
   if (is_first) return;
   absorb(std::move(carried->second), event);

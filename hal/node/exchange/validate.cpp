@@ -6,8 +6,10 @@
 #include <span>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "hal/types/message.h"
+#include "hal/types/overloaded.h"
 #include "hal/types/record.h"
 
 namespace hal::node::exchange {
@@ -48,47 +50,38 @@ std::string mistake_in_topic(std::string_view topic) {
   return mistake_in_name("topic", topic, kMaxTopic);
 }
 
-std::string mistake_in_record(std::string_view name, double value) {
-  std::string mistake = mistake_in_name("name", name, kMaxRecordedName);
-  if (!mistake.empty() || std::isfinite(value)) return mistake;
-  return fmt::format("'{}' is {}, it must be finite", name, value);
+std::string mistake_in_record(const Record& record) {
+  std::string mistake = mistake_in_name("name", record.name, kMaxRecordedName);
+  if (!mistake.empty() || std::isfinite(record.value)) return mistake;
+  return fmt::format("'{}' is {}, it must be finite", record.name, record.value);
 }
 
-std::string mistake_in_message(const Action& action, const AgentSession& session) {
-  if (action.destination == session.agent) {
-    return fmt::format("destination {} is this agent itself", action.destination.value);
+std::string mistake_in_message(const Send& message, const AgentSession& session) {
+  if (message.destination == session.agent) {
+    return fmt::format("destination {} is this agent itself", message.destination.value);
   }
-  if (action.destination == AgentId{}) return "destination is 0, agents have addresses from 1";
-  if (action.message_id == 0) return "the message has number 0, they are numbered from 1";
-  if (action.payload.size() > kMaxPayload) {
-    return fmt::format("payload has {} bytes, at most {} are allowed", action.payload.size(),
+  if (message.destination == AgentId{}) return "destination is 0, agents have addresses from 1";
+  if (message.id == 0) return "the message has number 0, they are numbered from 1";
+  if (message.payload.size() > kMaxPayload) {
+    return fmt::format("payload has {} bytes, at most {} are allowed", message.payload.size(),
                        kMaxPayload);
   }
-  return mistake_in_topic(action.topic);
+  return mistake_in_topic(message.topic);
 }
 
 std::string mistake_in(const Action& action, const AgentSession& session) {
-  const bool has_wheels = !session.limits.body_to_wheel.empty();
-  switch (action.kind) {
-    case ActionKind::kDriveBody:
-      return has_wheels ? mistake_in_twist(action.twist) : "the agent has no wheels";
-    case ActionKind::kDriveWheels:
-      return has_wheels ? mistake_in_wheel_speeds(action.wheel_speeds, session.limits)
-                        : "the agent has no wheels";
-    case ActionKind::kSend:
-      return mistake_in_message(action, session);
-    case ActionKind::kInvalidate:
-      return mistake_in_topic(action.topic);
-    case ActionKind::kRecord:
-      return mistake_in_record(action.text, action.value);
-    case ActionKind::kTimer:
-    case ActionKind::kRadio:
-    case ActionKind::kState:
-    case ActionKind::kLog:
-    case ActionKind::kError:
-      break;
-  }
-  return {};
+  if (drives(action) && session.limits.body_to_wheel.empty()) return "the agent has no wheels";
+  return std::visit(Overloaded{
+                        [](const DriveBody& drive) { return mistake_in_twist(drive.twist); },
+                        [&](const DriveWheels& drive) {
+                          return mistake_in_wheel_speeds(drive.speeds, session.limits);
+                        },
+                        [&](const Send& message) { return mistake_in_message(message, session); },
+                        [](const Invalidate& routes) { return mistake_in_topic(routes.topic); },
+                        [](const Record& record) { return mistake_in_record(record); },
+                        [](const auto& /*always in order*/) { return std::string(); },
+                    },
+                    action.what);
 }
 
 }  // namespace
@@ -99,30 +92,21 @@ Result<void> validate(const Action& action, const AgentSession& session) {
   return fail(Errc::kInvalidArgument, std::move(mistake));
 }
 
-std::string_view name(ActionKind kind) {
-  switch (kind) {
-    case ActionKind::kDriveBody:
-      return "set_body_velocity";
-    case ActionKind::kDriveWheels:
-      return "set_wheel_speeds";
-    case ActionKind::kSend:
-      return "send";
-    case ActionKind::kInvalidate:
-      return "invalidate";
-    case ActionKind::kTimer:
-      return "set_timer";
-    case ActionKind::kRadio:
-      return "set_radio";
-    case ActionKind::kState:
-      return "state";
-    case ActionKind::kLog:
-      return "log";
-    case ActionKind::kError:
-      return "error";
-    case ActionKind::kRecord:
-      return "record";
-  }
-  return {};
+std::string_view name(const Action& action) {
+  using Name = std::string_view;
+  return std::visit(Overloaded{
+                        [](const DriveBody&) -> Name { return "set_body_velocity"; },
+                        [](const DriveWheels&) -> Name { return "set_wheel_speeds"; },
+                        [](const Send&) -> Name { return "send"; },
+                        [](const Invalidate&) -> Name { return "invalidate"; },
+                        [](const SetTimer&) -> Name { return "set_timer"; },
+                        [](const SetRadio&) -> Name { return "set_radio"; },
+                        [](const SetState&) -> Name { return "state"; },
+                        [](const Log&) -> Name { return "log"; },
+                        [](const ControllerFailed&) -> Name { return "error"; },
+                        [](const Record&) -> Name { return "record"; },
+                    },
+                    action.what);
 }
 
 }  // namespace hal::node::exchange

@@ -13,18 +13,18 @@ namespace hal::node::exchange {
 /// anybody may have written what came over a wire. That an action answers an event of its Step is
 /// for the port to see to (ports.h). Thread-safe.
 ///
-/// kDriveBody    the agent has wheels; every component is finite
-/// kDriveWheels  one speed per wheel, none beyond the limit of the motors (NaN is)
-/// kSend         to everyone, or to an agent (an address from 1) other than itself; numbered from
+/// DriveBody     the agent has wheels; every component is finite
+/// DriveWheels   one speed per wheel, none beyond the limit of the motors (NaN is)
+/// Send          to everyone, or to an agent (an address from 1) other than itself; numbered from
 ///               1; topic of 1 … kMaxTopic bytes, none of them zero; payload of 0 … kMaxPayload
-/// kInvalidate   the topic likewise
-/// kRecord       a name of 1 … kMaxRecordedName bytes, none of them zero; the value is finite
+/// Invalidate    the topic likewise
+/// Record        a name of 1 … kMaxRecordedName bytes, none of them zero; the value is finite
 /// others        always
 ///
 /// Errors: kInvalidArgument, naming the field, what it is and what is allowed.
 Result<void> validate(const Action& action, const AgentSession& session);
 
-/// The call of the HAL that makes actions of that kind, for messages: "send".
-std::string_view name(ActionKind kind);
+/// The call of the HAL that makes such an action, for messages: "send".
+std::string_view name(const Action& action);
 
 }  // namespace hal::node::exchange

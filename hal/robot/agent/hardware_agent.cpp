@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 #include "hal/types/check.h"
 #include "hal/types/log.h"
@@ -9,7 +10,6 @@
 namespace hal::robot::agent {
 
 using node::exchange::Action;
-using node::exchange::ActionKind;
 using node::exchange::Courier;
 
 HardwareAgent::HardwareAgent(const RobotFile& file, Surroundings surroundings)
@@ -179,7 +179,8 @@ void HardwareAgent::take_in(const Courier::Turn& turn) {
 void HardwareAgent::take_effect(const Action& action, bool stale) {
   if (stale && drives(action)) return core_.refuse(Courier::kStale);
   ++counts_.actions;
-  if (action.kind == ActionKind::kError) return end_with_error(action.text);
+  if (const auto* failed = std::get_if<node::exchange::ControllerFailed>(&action.what))
+    return end_with_error(failed->text);
   (void)core_.apply(action, answered_at_);  // which counts and logs what it refuses
 }
 

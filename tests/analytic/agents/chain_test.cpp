@@ -46,14 +46,12 @@ SimulationConfig chain(std::uint64_t seed) {
 /// which finds the route, and 5 s later, when all is silent, another one.
 std::vector<Action> calls(const hal::node::exchange::Event& event, hal::MessageId& sent) {
   std::vector<Action> actions;
-  if (event.agent != node(0) || event.cause != hal::node::exchange::Cause::kControl) return actions;
+  if (event.agent != node(0) || event.cause() != hal::node::exchange::Cause::kControl)
+    return actions;
   for (int h = 1; h <= kHops; ++h) {
     if (event.time != Time{h * 10s} && event.time != Time{h * 10s + 5s}) continue;
-    Action& send = actions.emplace_back();
-    send.kind = hal::node::exchange::ActionKind::kSend;
-    send.message_id = ++sent;
-    send.destination = node(h);
-    send.topic = "test";
+    actions.push_back({.what = hal::node::exchange::Send{
+                           .id = ++sent, .destination = node(h), .topic = "test", .payload = {}}});
   }
   return actions;
 }

@@ -25,9 +25,9 @@ namespace {
 using namespace std::chrono_literals;
 using hal::AgentId;
 using hal::node::exchange::Action;
-using hal::node::exchange::ActionKind;
 using hal::node::exchange::Cause;
 using hal::node::exchange::Event;
+using hal::node::exchange::Send;
 using results::record::test::ask;
 using sim::scenario::Scenario;
 
@@ -47,13 +47,8 @@ agents:
 
 /// When it starts, a sends a message to b.
 std::vector<Action> one_message(const Event& event) {
-  if (event.agent != kA || event.cause != Cause::kStart) return {};
-  Action action;
-  action.kind = ActionKind::kSend;
-  action.message_id = 1;
-  action.destination = kB;
-  action.topic = "test";
-  return {action};
+  if (event.agent != kA || event.cause() != Cause::kStart) return {};
+  return {{.what = Send{.id = 1, .destination = kB, .topic = "test", .payload = {}}}};
 }
 
 class Extension : public testing::Test {

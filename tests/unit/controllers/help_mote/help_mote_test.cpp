@@ -9,7 +9,6 @@ using namespace std::chrono_literals;
 using controllers::HelpMessage;
 using controllers::HelpWord;
 using hal::AgentId;
-using hal::node::exchange::ActionKind;
 using tests::Actions;
 using States = std::vector<std::string>;
 
@@ -25,10 +24,10 @@ hal::Bytes bytes_of(const HelpMessage& message) {
 using Said = std::vector<std::pair<int, HelpWord>>;
 Said said(const Actions& actions) {
   Said words;
-  for (const auto& action : actions) {
-    if (action.kind != ActionKind::kSend) continue;
-    EXPECT_EQ(action.topic, "help");
-    words.emplace_back(action.destination.value, controllers::decode(action.payload).value().word);
+  for (const auto& message : tests::all<hal::node::exchange::Send>(actions)) {
+    EXPECT_EQ(message.topic, "help");
+    words.emplace_back(message.destination.value,
+                       controllers::decode(message.payload).value().word);
   }
   return words;
 }

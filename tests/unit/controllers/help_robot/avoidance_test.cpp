@@ -138,8 +138,9 @@ std::optional<double> drive_to_hop(World& world) {
   for (int cycle = 0; cycle < 1200; ++cycle) {
     bench.ranges = world.ranges();
     bench.positions = {{6, world.hop_in_body_frame()}};
-    for (const auto& action : bench.control()) {
-      if (action.kind == hal::node::exchange::ActionKind::kDriveBody) command = action.twist;
+    const tests::Actions actions = bench.control();
+    for (const auto& drive : tests::all<hal::node::exchange::DriveBody>(actions)) {
+      command = drive.twist;
     }
     world.move(command);
     if (world.distance_to_hop() < 4.0) return 0.1 * cycle;

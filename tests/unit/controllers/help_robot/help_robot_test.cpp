@@ -9,7 +9,8 @@ namespace {
 
 using namespace std::chrono_literals;
 using controllers::HelpWord;
-using hal::node::exchange::ActionKind;
+using hal::node::exchange::Invalidate;
+using hal::node::exchange::Send;
 using tests::Actions;
 using Said = tests::RobotBench::Said;
 using States = std::vector<std::string>;
@@ -17,18 +18,15 @@ using States = std::vector<std::string>;
 constexpr int kMote = 17;
 constexpr int kHop = 6;
 
-int count(const Actions& actions, ActionKind kind) {
-  int found = 0;
-  for (const auto& action : actions) found += action.kind == kind ? 1 : 0;
-  return found;
+template <class What>
+int count(const Actions& actions) {
+  return static_cast<int>(tests::all<What>(actions).size());
 }
 
 /// The velocity the robot was left with.
 hal::Twist2 last_drive(const Actions& actions) {
   hal::Twist2 twist{.vx = -99};
-  for (const auto& action : actions) {
-    if (action.kind == ActionKind::kDriveBody) twist = action.twist;
-  }
+  for (const auto& drive : tests::all<hal::node::exchange::DriveBody>(actions)) twist = drive.twist;
   return twist;
 }
 
@@ -55,9 +53,8 @@ class HelpRobot : public testing::Test {
 TEST_F(HelpRobot, AsksTheMoteThatCalled) {
   EXPECT_EQ(tests::states(asked_), (States{"SELECT_DESTINATION", "REQUEST_ASSIGNMENT"}));
   EXPECT_EQ(bench.said(asked_), (Said{{kMote, HelpWord::kAsk}}));
-  for (const auto& action : asked_) {
-    if (action.kind != ActionKind::kSend) continue;
-    EXPECT_EQ(controllers::decode(action.payload).value().max_hop, 300s);
+  for (const Send& message : tests::all<Send>(asked_)) {
+    EXPECT_EQ(controllers::decode(message.payload).value().max_hop, 300s);
   }
 }
 
@@ -66,7 +63,7 @@ TEST_F(HelpRobot, AsksThreeMoreTimesEveryThirtySecondsThenGivesUp) {
     EXPECT_TRUE(bench.run_until(at - 100ms).empty());
     const Actions repeat = bench.run_until(at);
     EXPECT_EQ(bench.said(repeat), (Said{{kMote, HelpWord::kAsk}}));
-    EXPECT_EQ(count(repeat, ActionKind::kInvalidate), 1) << "the old route brought no answer";
+    EXPECT_EQ(count<Invalidate>(repeat), 1) << "the old route brought no answer";
   }
   EXPECT_TRUE(bench.run_until(120s).empty());
   const Actions end = bench.run_until(120100ms);
@@ -121,11 +118,11 @@ TEST_F(HelpRobot, HasAllItsRepeatsAgainForTheNextQuestion) {
 TEST_F(HelpRobot, KeepsInTouchEveryFifteenSecondsAndRenewsTheRouteOnTheWay) {
   grant(kHop, 3);
   const auto granted = bench.agent->now.time_since_epoch();
-  EXPECT_EQ(count(bench.run_until(granted + 14900ms), ActionKind::kSend), 0);
+  EXPECT_EQ(count<Send>(bench.run_until(granted + 14900ms)), 0);
   for (int i = 1; i <= 3; ++i) {
     const Actions actions = bench.run_until(granted + i * 15s);
     EXPECT_EQ(bench.said(actions), (Said{{kMote, HelpWord::kAsk}}));
-    EXPECT_EQ(count(actions, ActionKind::kInvalidate), 1);
+    EXPECT_EQ(count<Invalidate>(actions), 1);
   }
 }
 
@@ -133,18 +130,18 @@ TEST_F(HelpRobot, KeepsInTouchWithoutRenewingOnTheLastHop) {
   EXPECT_EQ(tests::states(grant(kMote, 1)), (States{"FIND_NEXT_HOP", "GO_TO_DESTINATION"}));
   const Actions actions = bench.run_until(bench.agent->now.time_since_epoch() + 31s);
   EXPECT_EQ(bench.said(actions).size(), 2U);
-  EXPECT_EQ(count(actions, ActionKind::kInvalidate), 0);
+  EXPECT_EQ(count<Invalidate>(actions), 0);
 }
 
 TEST_F(HelpRobot, AsksOnceForTheNextHopTenMetresBeforeThisOne) {
   grant(kHop, 3);
   bench.positions[kHop] = {10.1, 0};
-  EXPECT_EQ(count(bench.control(), ActionKind::kSend), 0);
+  EXPECT_EQ(count<Send>(bench.control()), 0);
   bench.positions[kHop] = {0, 9.9};
   const Actions near = bench.control();
   EXPECT_EQ(bench.said(near), (Said{{kMote, HelpWord::kAsk}}));
-  EXPECT_EQ(count(near, ActionKind::kInvalidate), 1);
-  EXPECT_EQ(count(bench.control(), ActionKind::kSend), 0) << "only once";
+  EXPECT_EQ(count<Invalidate>(near), 1);
+  EXPECT_EQ(count<Send>(bench.control()), 0) << "only once";
 }
 
 TEST_F(HelpRobot, LooksForTheNextHopFourMetresBeforeThisOneAndDoesNotTurnBack) {
@@ -166,7 +163,7 @@ TEST_F(HelpRobot, StopsAndAsksWhenTheOnlyRouteLeadsBackToWhereItStands) {
   const Actions asked = bench.control();
   EXPECT_EQ(tests::states(asked), (States{"FIND_NEXT_HOP", "REQUEST_NEXT_HOP"}));
   EXPECT_EQ(bench.said(asked), (Said{{kMote, HelpWord::kAsk}}));
-  EXPECT_EQ(count(asked, ActionKind::kInvalidate), 1) << "so that the network searches anew";
+  EXPECT_EQ(count<Invalidate>(asked), 1) << "so that the network searches anew";
   EXPECT_EQ(last_drive(asked), hal::Twist2{});
 
   bench.learn(kMote, kHop, 3);  // the same route again is no use

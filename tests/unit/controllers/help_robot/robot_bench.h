@@ -33,7 +33,7 @@ class RobotBench {
     learn(destination, next_hop, {.hops = static_cast<std::uint16_t>(hops)}, removed);
   }
   void learn(int destination, int next_hop, const hal::PathStatistics& path, bool removed = false) {
-    auto event = agent->event(hal::node::exchange::Cause::kLink);
+    auto event = agent->event(hal::node::exchange::LinkChanged{});
     hal::RouteChange change;
     change.route.topic = "help";
     change.route.destination = hal::AgentId{static_cast<std::uint16_t>(destination)};
@@ -47,7 +47,7 @@ class RobotBench {
   /// One control cycle later, with everything sensed.
   Actions control() {
     agent->now += std::chrono::milliseconds{100};
-    auto event = agent->event(hal::node::exchange::Cause::kControl);
+    auto event = agent->event(hal::node::exchange::ControlDue{});
     event.readings.push_back({.channel = 0, .values = ranges});
     hal::node::exchange::Reading localisation{.channel = 1, .values = {}};
     for (const auto& [id, at] : positions) {
@@ -67,10 +67,9 @@ class RobotBench {
 
   static Said said(const Actions& actions) {
     Said words;
-    for (const auto& action : actions) {
-      if (action.kind != hal::node::exchange::ActionKind::kSend) continue;
-      words.emplace_back(action.destination.value,
-                         controllers::decode(action.payload).value().word);
+    for (const auto& message : all<hal::node::exchange::Send>(actions)) {
+      words.emplace_back(message.destination.value,
+                         controllers::decode(message.payload).value().word);
     }
     return words;
   }

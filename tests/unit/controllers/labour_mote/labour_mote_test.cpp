@@ -14,8 +14,12 @@ using namespace std::chrono_literals;
 using controllers::HelpWord;
 using controllers::SampleMessage;
 using hal::AgentId;
-using hal::node::exchange::ActionKind;
-using hal::node::exchange::Cause;
+using hal::node::exchange::ControllerFailed;
+using hal::node::exchange::Record;
+using hal::node::exchange::Send;
+using hal::node::exchange::SetTimer;
+using hal::node::exchange::Stop;
+using hal::node::exchange::TimerDue;
 using tests::Actions;
 using Parameters = std::vector<hal::node::exchange::ParameterText>;
 
@@ -44,10 +48,8 @@ class LabourMote : public testing::Test {
 
   /// Notes what the actions set, and gives them back.
   Actions take(Actions actions) {
-    for (const auto& action : actions) {
-      if (action.kind == ActionKind::kTimer) timers_[action.timer] = action.at;
-      if (action.kind == ActionKind::kRecord) recorded_[action.text] = action.value;
-    }
+    for (const auto& timer : tests::all<SetTimer>(actions)) timers_[timer.timer] = timer.at;
+    for (const auto& record : tests::all<Record>(actions)) recorded_[record.name] = record.value;
     return actions;
   }
 
@@ -64,8 +66,7 @@ class LabourMote : public testing::Test {
                              [](const auto& a, const auto& b) { return a.second < b.second; });
         if (next == timers_.end() || next->second > control) break;
         mote_->now = next->second;
-        auto due = mote_->event(Cause::kTimer);
-        due.timer = next->first;
+        const auto due = mote_->event(TimerDue{next->first});
         timers_.erase(next);
         add(mote_->feed(due));
       }
@@ -79,9 +80,7 @@ class LabourMote : public testing::Test {
   Actions run_until_sent() {
     for (;;) {
       Actions actions = run_until(mote_->now.time_since_epoch() + 100ms);
-      if (std::ranges::count(actions, ActionKind::kSend, &hal::node::exchange::Action::kind) > 0) {
-        return actions;
-      }
+      if (!tests::all<Send>(actions).empty()) return actions;
     }
   }
 
@@ -96,12 +95,11 @@ class LabourMote : public testing::Test {
   static std::vector<SampleMessage> samples(const Actions& actions, const char* topic,
                                             std::size_t size) {
     std::vector<SampleMessage> found;
-    for (const auto& action : actions) {
-      if (action.kind != ActionKind::kSend) continue;
-      EXPECT_EQ(action.topic, topic);
-      EXPECT_EQ(action.destination, kSink);
-      EXPECT_EQ(action.payload.size(), size);
-      found.push_back(controllers::sample_in(action.payload).value());
+    for (const Send& message : tests::all<Send>(actions)) {
+      EXPECT_EQ(message.topic, topic);
+      EXPECT_EQ(message.destination, kSink);
+      EXPECT_EQ(message.payload.size(), size);
+      found.push_back(controllers::sample_in(message.payload).value());
     }
     return found;
   }
@@ -208,10 +206,9 @@ TEST_F(LabourMote, AsTheSinkAnswersEveryBurstOnceAndHasItsOwnAtOnce) {
     const auto bytes =
         controllers::encode(SampleMessage{.burst = burst, .index = index, .needed = 2}, 100);
     int receipts = 0;
-    for (const auto& action : hear(AgentId{3}, "audio", bytes)) {
-      if (action.kind != ActionKind::kSend) continue;
-      EXPECT_EQ(controllers::receipt_in(action.payload), burst);
-      EXPECT_EQ(action.destination, AgentId{3});
+    for (const Send& message : tests::all<Send>(hear(AgentId{3}, "audio", bytes))) {
+      EXPECT_EQ(controllers::receipt_in(message.payload), burst);
+      EXPECT_EQ(message.destination, AgentId{3});
       ++receipts;
     }
     return receipts;
@@ -228,7 +225,7 @@ TEST_F(LabourMote, AsTheSinkAnswersEveryBurstOnceAndHasItsOwnAtOnce) {
     EXPECT_TRUE(samples(run_until(mote_->now.time_since_epoch() + 1s), "", 0).empty());
   }
   EXPECT_NEAR(recorded_["p_temperature"], kUp, 1e-15);
-  take(mote_->feed(mote_->event(Cause::kStop)));
+  take(mote_->feed(mote_->event(Stop{})));
   EXPECT_EQ(recorded_["samples_audio"], 5);
   EXPECT_EQ(recorded_["succeeded_temperature"], 1);
   EXPECT_EQ(recorded_["failed_temperature"], 0);
@@ -272,14 +269,14 @@ TEST_F(LabourMote, TakesACallThatNobodyAnsweredForAFailure) {
   parameters.push_back(value("help.max_repeats", "0"));
   make(parameters);
   run_until(60s);
-  take(mote_->feed(mote_->event(Cause::kStop)));
+  take(mote_->feed(mote_->event(Stop{})));
   EXPECT_EQ(recorded_["failed_help"], 1);
   EXPECT_EQ(recorded_["p_help"], 1);
 }
 
 TEST_F(LabourMote, SaysWhichTaskNeedsASinkAndWhichSinkIsNone) {
   const auto mistake = [this](Parameters parameters) {
-    return tests::texts(make(std::move(parameters)), ActionKind::kError).at(0);
+    return tests::texts<ControllerFailed>(make(std::move(parameters))).at(0);
   };
   EXPECT_NE(mistake({}).find("sink: is not given; the task 'temperature' needs one"),
             std::string::npos);

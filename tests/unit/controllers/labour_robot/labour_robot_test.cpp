@@ -10,8 +10,10 @@ namespace {
 using namespace std::chrono_literals;
 using controllers::HelpWord;
 using hal::AgentId;
-using hal::node::exchange::ActionKind;
-using hal::node::exchange::Cause;
+using hal::node::exchange::ControllerFailed;
+using hal::node::exchange::Record;
+using hal::node::exchange::Send;
+using hal::node::exchange::Stop;
 using tests::Actions;
 using Parameters = std::vector<hal::node::exchange::ParameterText>;
 using Said = tests::RobotBench::Said;
@@ -39,9 +41,7 @@ class LabourRobot : public testing::Test {
   }
 
   Actions take(Actions actions) {
-    for (const auto& action : actions) {
-      if (action.kind == ActionKind::kRecord) recorded_[action.text] = action.value;
-    }
+    for (const auto& record : tests::all<Record>(actions)) recorded_[record.name] = record.value;
     return actions;
   }
   Actions hear(int from, HelpWord word) { return take(bench_->hear(from, word)); }
@@ -49,7 +49,7 @@ class LabourRobot : public testing::Test {
   Actions run_for(hal::Duration time) {
     return take(bench_->run_until(bench_->agent->now.time_since_epoch() + time));
   }
-  void stop() { take(bench_->agent->feed(bench_->agent->event(Cause::kStop))); }
+  void stop() { take(bench_->agent->feed(bench_->agent->event(Stop{}))); }
 
   /// Lets the mote call until the robot asks for the task.
   void call_until_asked() {
@@ -174,11 +174,10 @@ TEST_F(LabourRobot, ReportsFromItsPostAndStaysThere) {
   bench_->positions = {{kPost, {3.9, 0}}};
   const Actions there = control();
   EXPECT_EQ(tests::states(there), States{"GATEWAY"});
-  const auto report =
-      std::ranges::find(there, ActionKind::kSend, &hal::node::exchange::Action::kind);
-  ASSERT_NE(report, there.end());
-  EXPECT_EQ(report->topic, "patrol");
-  EXPECT_EQ(report->destination, kSink);
+  const auto reports = tests::all<Send>(there);
+  ASSERT_FALSE(reports.empty());
+  EXPECT_EQ(reports[0].topic, "patrol");
+  EXPECT_EQ(reports[0].destination, kSink);
   take(bench_->agent->hear(kSink, "patrol", controllers::receipt_for(1)));
   bench_->positions.clear();
   const Actions after = run_for(20100ms);
@@ -203,7 +202,7 @@ TEST_F(LabourRobot, FailsAPatrolThatComesTooLateOrIsNotHeardOf) {
 
 TEST_F(LabourRobot, SaysWhatAPatrolLacks) {
   const auto mistake = [this](Parameters parameters) {
-    return tests::texts(make(std::move(parameters)), ActionKind::kError).at(0);
+    return tests::texts<ControllerFailed>(make(std::move(parameters))).at(0);
   };
   EXPECT_NE(mistake({}).find("sink: is not given; the task 'patrol' needs one"), std::string::npos);
   EXPECT_NE(mistake({value("sink", "m9")}).find("patrol.posts: is empty"), std::string::npos);

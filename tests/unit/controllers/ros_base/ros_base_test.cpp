@@ -18,7 +18,9 @@
 namespace {
 
 using namespace std::chrono_literals;
-using hal::node::exchange::ActionKind;
+using hal::node::exchange::ControllerFailed;
+using hal::node::exchange::Log;
+using hal::node::exchange::SetState;
 using tests::Actions;
 namespace api = eprosima::fastdds::dds;
 
@@ -78,9 +80,7 @@ hal::node::exchange::AgentSession session(
 
 hal::Twist2 driven(const Actions& actions) {
   hal::Twist2 twist{std::numeric_limits<double>::quiet_NaN(), 0, 0};
-  for (const auto& action : actions) {
-    if (action.kind == ActionKind::kDriveBody) twist = action.twist;
-  }
+  for (const auto& drive : tests::all<hal::node::exchange::DriveBody>(actions)) twist = drive.twist;
   return twist;
 }
 
@@ -92,14 +92,14 @@ std::string mistake_of(const hal::node::exchange::AgentSession& agent) {
 
 TEST(RosBase, WithoutAnInterfaceSaysWhatToDo) {
   tests::OneAgent robot(*baraka_controller(), session("", {}));
-  const auto errors = tests::texts(robot.start(), ActionKind::kError);
+  const auto errors = tests::texts<ControllerFailed>(robot.start());
   ASSERT_EQ(errors.size(), 1);
   EXPECT_NE(errors[0].find("inside: true"), std::string::npos) << errors[0];
 }
 
 TEST(RosBase, AnInterfaceThatIsNotThereIsNamed) {
   tests::OneAgent robot(*baraka_controller(), session("wlan77", {}));
-  const auto errors = tests::texts(robot.start(), ActionKind::kError);
+  const auto errors = tests::texts<ControllerFailed>(robot.start());
   ASSERT_EQ(errors.size(), 1);
   EXPECT_NE(errors[0].find("no network interface 'wlan77' with an IPv4 address"),
             std::string::npos);
@@ -123,7 +123,7 @@ class CommandedBase : public testing::Test {
     while (true) {
       std::this_thread::sleep_for(10ms);
       const Actions actions = cycle();
-      const auto states = tests::texts(actions, ActionKind::kState);
+      const auto states = tests::texts<SetState>(actions);
       if (!states.empty() && states.back() == state) return actions;
     }
   }
@@ -141,7 +141,7 @@ class CommandedBase : public testing::Test {
 
 TEST_F(CommandedBase, DrivesAsTheLastCommandSaysAndStopsWhenNoneComes) {
   Commander commander(domain_, "rt/r0/cmd_vel");
-  EXPECT_EQ(tests::texts(robot_.start(), ActionKind::kState), std::vector<std::string>{"waiting"});
+  EXPECT_EQ(tests::texts<SetState>(robot_.start()), std::vector<std::string>{"waiting"});
   EXPECT_EQ(driven(cycle()), hal::Twist2{});
   commander.await_reader();
   commander.command(0.1, 0.25);
@@ -150,14 +150,12 @@ TEST_F(CommandedBase, DrivesAsTheLastCommandSaysAndStopsWhenNoneComes) {
   for (int i = 0; i < 3; ++i) EXPECT_EQ(driven(cycle()), (hal::Twist2{0.1, 0, 0.25})) << i;
   const Actions last = cycle();  // 400 ms after
   EXPECT_EQ(driven(last), hal::Twist2{});
-  EXPECT_EQ(tests::texts(last, ActionKind::kState), std::vector<std::string>{"stopped"});
+  EXPECT_EQ(tests::texts<SetState>(last), std::vector<std::string>{"stopped"});
   commander.command(-0.1, 0);
   const Actions again = await("driving");
   EXPECT_EQ(driven(again), (hal::Twist2{-0.1, 0, 0}));
   double recorded = 0;
-  for (const auto& action : again) {
-    if (action.kind == ActionKind::kRecord) recorded = action.value;
-  }
+  for (const auto& record : tests::all<hal::node::exchange::Record>(again)) recorded = record.value;
   EXPECT_EQ(recorded, 2);
 }
 
@@ -173,7 +171,7 @@ TEST_F(CommandedBase, SenselessCommandsAreDroppedAndLogged) {
   for (Actions actions; driven(actions) != hal::Twist2{0.1, 0, 0};) {
     std::this_thread::sleep_for(10ms);
     actions = cycle();
-    for (const auto& line : tests::texts(actions, ActionKind::kLog)) lines.push_back(line);
+    for (const auto& line : tests::texts<Log>(actions)) lines.push_back(line);
   }
   ASSERT_EQ(lines.size(), 1);
   EXPECT_EQ(lines[0], "a command has a value that is not finite: dropped");

@@ -21,7 +21,6 @@ namespace {
 
 using namespace std::chrono_literals;
 using geometry_msgs::msg::dds_::Twist_;
-using hal::node::exchange::ActionKind;
 using tests::Actions;
 namespace api = eprosima::fastdds::dds;
 
@@ -116,15 +115,15 @@ std::string mistake_of(const hal::node::exchange::AgentSession& agent) {
 /// The last value of that name; 0: none.
 double recorded(const Actions& actions, const std::string& name) {
   double value = 0;
-  for (const auto& action : actions) {
-    if (action.kind == ActionKind::kRecord && action.text == name) value = action.value;
+  for (const auto& record : tests::all<hal::node::exchange::Record>(actions)) {
+    if (record.name == name) value = record.value;
   }
   return value;
 }
 
 TEST(RosOperator, WithoutAnInterfaceSaysWhatToDo) {
   tests::OneAgent station(*baraka_controller(), session("", {}));
-  const auto errors = tests::texts(station.start(), ActionKind::kError);
+  const auto errors = tests::texts<hal::node::exchange::ControllerFailed>(station.start());
   ASSERT_EQ(errors.size(), 1);
   EXPECT_NE(errors[0].find("inside: true"), std::string::npos) << errors[0];
 }
@@ -151,17 +150,13 @@ TEST(RosOperator, CommandsEachRobotAtItsRateAndCountsWhatTheyTell) {
   r0.await_operator();
   r1.await_operator();
   hal::Time next{};
-  for (const auto& action : started) {
-    if (action.kind == ActionKind::kTimer) next = action.at;
-  }
+  for (const auto& timer : tests::all<hal::node::exchange::SetTimer>(started)) next = timer.at;
   EXPECT_EQ(next, hal::Time{} + 250ms);
   // Its writers find readers a moment after these found them: what was sent meanwhile is nobody's.
   int sent = 1;
   for (std::optional<Twist_> first, second; !first || !second; ++sent) {
     station.now += 250ms;
-    auto due = station.event(hal::node::exchange::Cause::kTimer);
-    due.timer = 1;
-    station.feed(due);
+    station.feed(station.event(hal::node::exchange::TimerDue{1}));
     std::this_thread::sleep_for(10ms);
     if (const auto one = r0.command()) first = one;
     if (const auto one = r1.command()) second = one;

@@ -14,9 +14,9 @@ using hal::Time;
 
 std::map<std::string, double> stop(tests::OneAgent& sink) {
   std::map<std::string, double> recorded;
-  for (const auto& action : sink.feed(sink.event(hal::node::exchange::Cause::kStop))) {
-    if (action.kind == hal::node::exchange::ActionKind::kRecord)
-      recorded[action.text] = action.value;
+  const tests::Actions actions = sink.feed(sink.event(hal::node::exchange::Stop{}));
+  for (const auto& record : tests::all<hal::node::exchange::Record>(actions)) {
+    recorded[record.name] = record.value;
   }
   return recorded;
 }

@@ -15,8 +15,13 @@ using hal::AgentId;
 using hal::Fate;
 using hal::Time;
 using hal::node::exchange::Action;
-using hal::node::exchange::ActionKind;
-using hal::node::exchange::Cause;
+using hal::node::exchange::ControllerFailed;
+using hal::node::exchange::Notice;
+using hal::node::exchange::Record;
+using hal::node::exchange::Send;
+using hal::node::exchange::SetTimer;
+using hal::node::exchange::Stop;
+using hal::node::exchange::TimerDue;
 using tests::Actions;
 using Parameters = std::vector<hal::node::exchange::ParameterText>;
 
@@ -37,9 +42,7 @@ class Source {
     while (timer_ && *timer_ <= Time{until}) {
       mote_->now = *timer_;
       timer_.reset();
-      auto due = mote_->event(Cause::kTimer);
-      due.timer = timer_id_;
-      take(mote_->feed(due));
+      take(mote_->feed(mote_->event(TimerDue{timer_id_})));
     }
     mote_->now = Time{until};
   }
@@ -50,38 +53,33 @@ class Source {
   }
   void notice(hal::MessageId id, Fate fate, hal::Duration at) {
     mote_->now = Time{at};
-    auto notice = mote_->event(Cause::kNotice);
-    notice.noticed = id;
-    notice.fate = fate;
-    take(mote_->feed(notice));
+    take(mote_->feed(mote_->event(Notice{id, fate})));
   }
   void control(hal::Duration at) {
     mote_->now = Time{at};
     take(mote_->control());
   }
   std::map<std::string, double> stop() {
-    take(mote_->feed(mote_->event(Cause::kStop)));
+    take(mote_->feed(mote_->event(Stop{})));
     return recorded_;
   }
 
-  std::vector<Action> sent;
+  std::vector<Send> sent;
   std::vector<Time> times;
   std::vector<std::string> errors;
 
  private:
   void take(const Actions& actions) {
-    for (const Action& action : actions) {
-      if (action.kind == ActionKind::kSend) {
-        sent.push_back(action);
-        times.push_back(mote_->now);
-      }
-      if (action.kind == ActionKind::kTimer) {
-        timer_ = action.at;
-        timer_id_ = action.timer;
-      }
-      if (action.kind == ActionKind::kRecord) recorded_[action.text] = action.value;
-      if (action.kind == ActionKind::kError) errors.push_back(action.text);
+    for (const Send& message : tests::all<Send>(actions)) {
+      sent.push_back(message);
+      times.push_back(mote_->now);
     }
+    for (const auto& timer : tests::all<SetTimer>(actions)) {
+      timer_ = timer.at;
+      timer_id_ = timer.timer;
+    }
+    for (const auto& record : tests::all<Record>(actions)) recorded_[record.name] = record.value;
+    for (const auto& error : tests::all<ControllerFailed>(actions)) errors.push_back(error.text);
   }
 
   std::unique_ptr<tests::OneAgent> mote_;

@@ -11,7 +11,9 @@
 namespace gateway::exchange {
 namespace {
 
-using hal::node::exchange::Cause;
+using hal::node::exchange::Start;
+using hal::node::exchange::Step;
+using hal::node::exchange::Stop;
 constexpr hal::Duration kPatience = std::chrono::seconds{30};
 
 /// Controllers in a thread of this process.
@@ -46,9 +48,8 @@ class Controllers {
 void serve_run(Server& server, const hal::node::exchange::Hello& hello, std::uint64_t run) {
   const auto link = server.link(hello, run, kPatience);
   ASSERT_TRUE(server.answer(session_for(hello, run)));
-  std::uint64_t sequence = 0;
-  for (const Cause cause : {Cause::kStart, Cause::kStop}) {
-    const auto reply = exchange_step(*link, step_with(cause, ++sequence));
+  for (const Step& step : {step_with(Start{}, 1), step_with(Stop{}, 2)}) {
+    const auto reply = exchange_step(*link, step);
     ASSERT_TRUE(reply) << reply.error().message;
   }
 }
@@ -98,12 +99,12 @@ TEST(ControllerProcess, WrongParameterIsReportedToTheServer) {
   hal::node::exchange::Session session = session_for(hello, 1);
   session.agents[0].parameters = {{"gain", "11", "s.yaml:4:9"}};  // Allowed: 0 to 10.
   ASSERT_TRUE(server.answer(session));
-  const auto reply = exchange_step(*link, step_with(Cause::kStart, 1));
+  const auto reply = exchange_step(*link, step_with(Start{}, 1));
   ASSERT_TRUE(reply) << reply.error().message;
   ASSERT_EQ(reply->actions.size(), 1);
-  EXPECT_EQ(reply->actions[0].kind, hal::node::exchange::ActionKind::kError);
   EXPECT_EQ(reply->actions[0].agent, hal::AgentId{1});
-  EXPECT_NE(reply->actions[0].text.find("s.yaml:4:9: gain:"), std::string::npos);
+  const auto& error = std::get<hal::node::exchange::ControllerFailed>(reply->actions[0].what);
+  EXPECT_NE(error.text.find("s.yaml:4:9: gain:"), std::string::npos);
   EXPECT_EQ(controllers.wait(), Outcome::kRefused);
 }
 
@@ -137,7 +138,7 @@ TEST(ControllerProcess, FailsWhenTheServerLeavesInTheMiddleOfARun) {
   const hal::node::exchange::Hello hello = first_hello(*server);
   auto link = server->link(hello, 1, kPatience);
   ASSERT_TRUE(server->answer(session_for(hello, 1)));
-  ASSERT_TRUE(exchange_step(*link, step_with(Cause::kStart, 1)));
+  ASSERT_TRUE(exchange_step(*link, step_with(Start{}, 1)));
   link.reset();
   server.reset();
   EXPECT_EQ(controllers.wait(), Outcome::kFailed);
@@ -149,7 +150,7 @@ TEST(ControllerProcess, SigtermEndsItInTheMiddleOfARun) {
   const hal::node::exchange::Hello hello = first_hello(server);
   const auto link = server.link(hello, 1, kPatience);
   ASSERT_TRUE(server.answer(session_for(hello, 1)));
-  ASSERT_TRUE(exchange_step(*link, step_with(Cause::kStart, 1)));
+  ASSERT_TRUE(exchange_step(*link, step_with(Start{}, 1)));
   child.signal(SIGTERM);
   EXPECT_EQ(child.wait(), 130);
 }

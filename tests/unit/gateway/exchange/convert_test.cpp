@@ -5,9 +5,11 @@
 #include <fastcdr/FastBuffer.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <variant>
 
 #include "hal/types/random.h"
 
@@ -15,6 +17,9 @@
 
 namespace gateway::exchange {
 namespace {
+
+using hal::node::exchange::Action;
+using hal::node::exchange::Event;
 
 constexpr int kRounds = 200;
 
@@ -136,18 +141,31 @@ hal::node::exchange::AgentSession any_agent(Anything& any) {
   return agent;
 }
 
-hal::node::exchange::Event any_event(Anything& any) {
-  hal::node::exchange::Event event;
+/// One of each cause, in their order.
+std::vector<Event::What> any_happenings(Anything& any) {
+  return {hal::node::exchange::Start{},
+          hal::node::exchange::MessageArrived{
+              {any.agent(), any.agent(), any.u32(), any.text(), any.bytes()}},
+          hal::node::exchange::TimerDue{any.u32()},
+          hal::node::exchange::Notice{any.u32(), any.enumerator(hal::Fate::kFailed)},
+          hal::node::exchange::LinkChanged{},
+          hal::node::exchange::ControlDue{},
+          hal::node::exchange::Stop{}};
+}
+
+Event::What any_happening(Anything& any) {
+  const auto cause = static_cast<std::size_t>(any.enumerator(hal::node::exchange::Cause::kStop));
+  return any_happenings(any).at(cause);
+}
+
+Event any_event(Anything& any, Event::What what) {
+  Event event;
   event.agent = any.agent();
   event.time = any.time();
-  event.cause = any.enumerator(hal::node::exchange::Cause::kStop);
+  event.what = std::move(what);
   event.readings = any.list([&] {
     return hal::node::exchange::Reading{any.u16(), any.numbers(), any.flag()};
   });
-  if (any.flag()) event.message = {any.agent(), any.agent(), any.u32(), any.text(), any.bytes()};
-  event.timer = any.u32();
-  event.noticed = any.u32();
-  event.fate = any.enumerator(hal::Fate::kFailed);
   event.routes = any.list([&] {
     const hal::PathStatistics path{any.u16(), any.duration(), any.number(), any.number()};
     return hal::RouteChange{{any.text(), any.agent(), any.agent(), path}, any.flag()};
@@ -159,30 +177,23 @@ hal::node::exchange::Event any_event(Anything& any) {
   return event;
 }
 
-/// Only what belongs to its kind travels with an action.
-hal::node::exchange::Action any_action(Anything& any) {
-  using enum hal::node::exchange::ActionKind;
-  hal::node::exchange::Action action;
-  action.agent = any.agent();
-  action.event = any.u32();
-  action.kind = any.enumerator(kRecord);
-  if (action.kind == kDriveBody || action.kind == kDriveWheels) {
-    action.twist = {any.number(), any.number(), any.number()};
-    action.wheel_speeds = any.numbers();
-  }
-  if (action.kind == kSend || action.kind == kInvalidate) {
-    action.message_id = any.u32();
-    action.destination = any.agent();
-    action.topic = any.text();
-    action.payload = any.bytes();
-  }
-  action.timer = any.u32();
-  action.at = any.time();
-  action.radio_on = any.flag();
-  action.text = any.text();
-  if (action.kind == kRecord) action.value = any.number();
-  action.level = any.enumerator(hal::log::Level::kError);
-  return action;
+/// One of each kind, in their order.
+std::vector<Action::What> any_commands(Anything& any) {
+  return {hal::node::exchange::DriveBody{{any.number(), any.number(), any.number()}},
+          hal::node::exchange::DriveWheels{any.numbers()},
+          hal::node::exchange::Send{any.u32(), any.agent(), any.text(), any.bytes()},
+          hal::node::exchange::Invalidate{any.agent(), any.text()},
+          hal::node::exchange::SetTimer{any.u32(), any.time()},
+          hal::node::exchange::SetRadio{any.flag()},
+          hal::node::exchange::SetState{any.text()},
+          hal::node::exchange::Log{any.enumerator(hal::log::Level::kError), any.text()},
+          hal::node::exchange::ControllerFailed{any.text()},
+          hal::node::exchange::Record{any.text(), any.number(), any.time()}};
+}
+
+Action any_action(Anything& any) {
+  constexpr std::uint32_t kKinds = std::variant_size_v<Action::What>;
+  return {any.agent(), any.u32(), any_commands(any).at(any.u32() % kKinds)};
 }
 
 TEST(Conversion, AnyHelloArrivesAsItWas) {
@@ -218,8 +229,9 @@ TEST(Conversion, AnyStepArrivesAsItWas) {
   wire::Step sample;  // These two keep what was in them before.
   hal::node::exchange::Step arrived;
   for (int round = 0; round < kRounds; ++round) {
-    const hal::node::exchange::Step step{any.text(), any.u64(), any.u64(), any.time(),
-                                         any.list([&] { return any_event(any); })};
+    const hal::node::exchange::Step step{
+        any.text(), any.u64(), any.u64(), any.time(),
+        any.list([&] { return any_event(any, any_happening(any)); })};
     to_wire(step, sample);
     ASSERT_TRUE(from_wire(travelled(sample), arrived));
     EXPECT_EQ(arrived, step);
@@ -268,32 +280,106 @@ TEST(Conversion, ValueOutsideItsEnumerationIsAProtocolError) {
   const auto result = from_wire(travelled(sample), arrived);
   ASSERT_FALSE(result);
   EXPECT_EQ(result.error().code, hal::Errc::kProtocol);
-  EXPECT_EQ(result.error().message, "unknown cause 7");
+  EXPECT_EQ(result.error().message, "event 0 of agent 0: unknown cause 7");
 }
 
-TEST(Conversion, AnActionWithoutWhatItsKindNeedsIsAProtocolError) {
-  for (const auto& [kind, message] : {std::pair{wire::SEND, "0 messages in an action"},
-                                      std::pair{wire::DRIVE_BODY, "0 velocities in an action"},
-                                      std::pair{wire::RECORD, "0 values in an action"}}) {
-    wire::Reply sample;
-    sample.actions().resize(1);
-    sample.actions()[0].kind(kind);
-    const auto arrived = from_wire(travelled(sample));
-    ASSERT_FALSE(arrived);
-    EXPECT_EQ(arrived.error().code, hal::Errc::kProtocol);
-    EXPECT_EQ(arrived.error().message, message);
+TEST(Conversion, EachCauseOfAnEventArrivesAsItWas) {
+  Anything any;
+  wire::Step sample;
+  hal::node::exchange::Step arrived;
+  for (int round = 0; round < kRounds; ++round) {
+    hal::node::exchange::Step step;
+    for (Event::What& what : any_happenings(any))
+      step.events.push_back(any_event(any, std::move(what)));
+    ASSERT_EQ(step.events.size(), std::variant_size_v<Event::What>);
+    to_wire(step, sample);
+    ASSERT_TRUE(from_wire(travelled(sample), arrived));
+    EXPECT_EQ(arrived, step);
+    for (std::size_t i = 0; i < step.events.size(); ++i) EXPECT_EQ(step.events[i].what.index(), i);
   }
 }
 
-TEST(Conversion, TwoMessagesInAnEventAreAProtocolError) {
+TEST(Conversion, EachKindOfActionArrivesAsItWas) {
+  Anything any;
+  wire::Reply sample;
+  for (int round = 0; round < kRounds; ++round) {
+    hal::node::exchange::Reply reply;
+    for (Action::What& what : any_commands(any)) {
+      reply.actions.push_back({any.agent(), any.u32(), std::move(what)});
+    }
+    ASSERT_EQ(reply.actions.size(), std::variant_size_v<Action::What>);
+    to_wire(reply, "server", sample);
+    EXPECT_EQ(*from_wire(travelled(sample)), reply);
+    for (std::size_t i = 0; i < reply.actions.size(); ++i) {
+      EXPECT_EQ(reply.actions[i].what.index(), i);
+    }
+    // In the memory of other kinds it is written the same.
+    std::ranges::reverse(reply.actions);
+    wire::Reply anew;
+    to_wire(reply, "server", sample);
+    to_wire(reply, "server", anew);
+    EXPECT_EQ(sample, anew);
+  }
+}
+
+std::string mistake_in(const wire::Action& action) {
+  wire::Reply sample;
+  sample.actions().resize(2);  // The first one is a good one.
+  sample.actions()[0].kind(wire::STATE);
+  sample.actions()[1] = action;
+  const auto arrived = from_wire(travelled(sample));
+  if (arrived) return {};
+  EXPECT_EQ(arrived.error().code, hal::Errc::kProtocol);
+  return arrived.error().message;
+}
+
+TEST(Conversion, AnActionWithoutWhatItsKindNeedsIsAProtocolErrorThatNamesIt) {
+  wire::Action action;
+  action.agent(7);
+  for (const auto& [kind, message] :
+       {std::pair{wire::SEND, "0 messages instead of 1"},
+        std::pair{wire::INVALIDATE, "0 messages instead of 1"},
+        std::pair{wire::DRIVE_BODY, "0 velocities instead of 1"},
+        std::pair{wire::DRIVE_WHEELS, "0 velocities instead of 1"},
+        std::pair{wire::RECORD, "0 values instead of 1"},
+        std::pair{static_cast<wire::ActionKind>(200), "unknown action kind 200"}}) {
+    action.kind(kind);
+    EXPECT_EQ(mistake_in(action), "action 1 of agent 7: " + std::string(message));
+  }
+  action.kind(wire::STATE);
+  EXPECT_EQ(mistake_in(action), "");
+  action.outgoing().resize(1);
+  EXPECT_EQ(mistake_in(action), "action 1 of agent 7: 1 messages instead of 0");
+  action.outgoing().clear();
+  action.level(static_cast<wire::LogLevel>(4));
+  EXPECT_EQ(mistake_in(action), "action 1 of agent 7: unknown log level 4");
+}
+
+TEST(Conversion, AnEventWithoutItsMessageOrWithTwoIsAProtocolErrorThatNamesIt) {
   wire::Step sample;
   sample.events().resize(1);
-  sample.events()[0].message().resize(2);
+  wire::Event& event = sample.events()[0];
+  event.agent(7);
   hal::node::exchange::Step arrived;
-  const auto result = from_wire(travelled(sample), arrived);
-  ASSERT_FALSE(result);
-  EXPECT_EQ(result.error().code, hal::Errc::kProtocol);
-  EXPECT_EQ(result.error().message, "2 messages in an event");
+  const auto mistake = [&] {
+    const auto result = from_wire(travelled(sample), arrived);
+    return result ? std::string() : result.error().message;
+  };
+  event.cause(wire::MESSAGE);
+  EXPECT_EQ(mistake(), "event 0 of agent 7: 0 messages instead of 1");
+  event.message().resize(1);
+  EXPECT_EQ(mistake(), "");
+  event.message().resize(2);
+  EXPECT_EQ(mistake(), "event 0 of agent 7: 2 messages instead of 1");
+  event.message().resize(1);
+  event.cause(wire::CONTROL);
+  EXPECT_EQ(mistake(), "event 0 of agent 7: 1 messages instead of 0");
+  event.message().clear();
+  event.fate(static_cast<wire::Fate>(4));
+  EXPECT_EQ(mistake(), "event 0 of agent 7: unknown fate 4");
+  event.fate(wire::HANDED_OVER);
+  event.network().resize(2);
+  EXPECT_EQ(mistake(), "event 0 of agent 7: 2 changes of the network instead of at most 1");
 }
 
 }  // namespace

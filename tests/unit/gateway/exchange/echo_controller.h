@@ -60,11 +60,11 @@ inline hal::node::exchange::Session session_for(const hal::node::exchange::Hello
   return session;
 }
 
-inline hal::node::exchange::Step step_with(hal::node::exchange::Cause cause,
+inline hal::node::exchange::Step step_with(hal::node::exchange::Event::What what,
                                            std::uint64_t sequence) {
   hal::node::exchange::Event event;
   event.agent = hal::AgentId{1};
-  event.cause = cause;
+  event.what = std::move(what);
   hal::node::exchange::Step step;
   step.sequence = sequence;
   step.events = {event};

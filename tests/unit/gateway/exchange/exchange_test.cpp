@@ -4,6 +4,7 @@
 
 #include "gateway/exchange/controller_process.h"
 #include "gateway/process/waiting.h"
+#include "tests/support/exchange.h"
 #include "tests/support/test_domain.h"
 #include "tests/unit/gateway/exchange/child.h"
 #include "tests/unit/gateway/exchange/echo_controller.h"
@@ -11,7 +12,9 @@
 namespace gateway::exchange {
 namespace {
 
-using hal::node::exchange::Cause;
+using hal::node::exchange::ControlDue;
+using hal::node::exchange::Start;
+using hal::node::exchange::Stop;
 /// Long: only a defect lets a test wait for it.
 constexpr hal::Duration kPatience = std::chrono::seconds{30};
 
@@ -28,7 +31,7 @@ class ExchangeWithProcess : public testing::Test {
     const auto reply = exchange_step(*link_, step);
     ASSERT_TRUE(reply) << reply.error().message;
     ASSERT_EQ(reply->actions.size(), 1);
-    EXPECT_EQ(reply->actions[0].text, state);
+    EXPECT_EQ(tests::text_of(reply->actions[0]), state);
     EXPECT_EQ(reply->sequence, step.sequence);
   }
 
@@ -43,9 +46,9 @@ TEST_F(ExchangeWithProcess, ControllersAnswerEveryStepAndEndWithTheStop) {
   std::thread controllers(
       [&] { outcome = run_controllers(kind_, options_for(server_.domain(), "m1", "echo")); });
   start();
-  expect_state(step_with(Cause::kStart, 1), "started");
-  expect_state(step_with(Cause::kControl, 2), "stepped 1");
-  expect_state(step_with(Cause::kStop, 3), "stopped");
+  expect_state(step_with(Start{}, 1), "started");
+  expect_state(step_with(ControlDue{}, 2), "stepped 1");
+  expect_state(step_with(Stop{}, 3), "stopped");
   controllers.join();
   EXPECT_EQ(outcome, Outcome::kDone);
 }
@@ -65,17 +68,17 @@ TEST_F(ExchangeWithProcess, HelloTellsWhoAsksForWhat) {
 TEST_F(ExchangeWithProcess, AnotherProcessIsServedAndExitsWithZero) {
   Child child({"controller", std::to_string(server_.domain()), "ann"});
   start();
-  expect_state(step_with(Cause::kStart, 1), "started");
-  expect_state(step_with(Cause::kStop, 2), "stopped");
+  expect_state(step_with(Start{}, 1), "started");
+  expect_state(step_with(Stop{}, 2), "stopped");
   EXPECT_EQ(child.wait(), 0);
 }
 
 TEST_F(ExchangeWithProcess, KillingTheProcessEndsTheExchangeAtOnce) {
   const Child child({"controller", std::to_string(server_.domain()), "ann"});
   start();
-  expect_state(step_with(Cause::kStart, 1), "started");
+  expect_state(step_with(Start{}, 1), "started");
   child.signal(SIGSTOP);  // So that it cannot answer before it dies.
-  ASSERT_TRUE(link_->begin(step_with(Cause::kControl, 2)));
+  ASSERT_TRUE(link_->begin(step_with(ControlDue{}, 2)));
   child.signal(SIGKILL);
   const process::Deadline soon(std::chrono::seconds{8});  // Less than the reply timeout.
   const auto reply = link_->finish();
@@ -85,23 +88,23 @@ TEST_F(ExchangeWithProcess, KillingTheProcessEndsTheExchangeAtOnce) {
   EXPECT_EQ(reply.error().message,
             "process 'ann' (pid " + std::to_string(child.pid()) + ") died: killed by signal 9");
   EXPECT_FALSE(link_->check_alive());
-  EXPECT_FALSE(link_->begin(step_with(Cause::kControl, 3)));
+  EXPECT_FALSE(link_->begin(step_with(ControlDue{}, 3)));
 }
 
 TEST_F(ExchangeWithProcess, StoppedProcessIsNotDeadAndGoesOn) {
   const Child child({"controller", std::to_string(server_.domain()), "ann"});
   start();
-  expect_state(step_with(Cause::kStart, 1), "started");
+  expect_state(step_with(Start{}, 1), "started");
   child.signal(SIGSTOP);
-  ASSERT_TRUE(link_->begin(step_with(Cause::kControl, 2)));
+  ASSERT_TRUE(link_->begin(step_with(ControlDue{}, 2)));
   // Longer than the liveliness lease of 1.5 s and than the first resending after 1 s.
   std::this_thread::sleep_for(std::chrono::milliseconds{1700});
   EXPECT_TRUE(link_->check_alive());
   child.signal(SIGCONT);
   const auto reply = link_->finish();
   ASSERT_TRUE(reply) << reply.error().message;
-  EXPECT_EQ(reply->actions.at(0).text, "stepped 1");
-  expect_state(step_with(Cause::kControl, 3), "stepped 2");
+  EXPECT_EQ(tests::text_of(reply->actions.at(0)), "stepped 1");
+  expect_state(step_with(ControlDue{}, 3), "stepped 2");
   EXPECT_EQ(link_->dropped().stale, 0);
 }
 
@@ -111,10 +114,10 @@ TEST_F(ExchangeWithProcess, ProcessOnAnotherHostIsDeadWhenItIsSilentForTheLease)
   hello_.host = "elsewhere";
   link_ = server_.link(hello_, 7, kPatience);
   ASSERT_TRUE(server_.answer(session_for(hello_, 7)));
-  expect_state(step_with(Cause::kStart, 1), "started");
+  expect_state(step_with(Start{}, 1), "started");
   EXPECT_TRUE(link_->check_alive());
   child.signal(SIGSTOP);
-  ASSERT_TRUE(link_->begin(step_with(Cause::kControl, 2)));
+  ASSERT_TRUE(link_->begin(step_with(ControlDue{}, 2)));
   const auto reply = link_->finish();
   ASSERT_FALSE(reply);
   EXPECT_EQ(reply.error().code, hal::Errc::kNotConnected) << reply.error().message;

@@ -11,6 +11,7 @@
 #include "gateway/exchange/controller_process.h"
 #include "gateway/process/process_watch.h"
 #include "gateway/process/waiting.h"
+#include "tests/support/exchange.h"
 #include "tests/support/test_domain.h"
 #include "tests/unit/gateway/exchange/echo_controller.h"
 #include "tests/unit/gateway/exchange/guest_child.h"
@@ -18,7 +19,9 @@
 namespace gateway::exchange {
 namespace {
 
-using hal::node::exchange::Cause;
+using hal::node::exchange::ControlDue;
+using hal::node::exchange::Start;
+using hal::node::exchange::Stop;
 constexpr hal::Duration kPatience = std::chrono::seconds{30};
 
 std::string network_of(std::int64_t pid) {
@@ -70,21 +73,20 @@ TEST_F(Guests, AreNamedAsTheyAreCalledHere) {
 }
 
 TEST_F(Guests, ExchangeStepsToTheEndOfTheRun) {
-  std::uint64_t sequence = 0;
-  for (const auto& [cause, state] :
-       {std::pair{Cause::kStart, "started"}, std::pair{Cause::kControl, "stepped 1"},
-        std::pair{Cause::kStop, "stopped"}}) {
-    const auto reply = exchange_step(*link_, step_with(cause, ++sequence));
+  for (const auto& [step, state] : {std::pair{step_with(Start{}, 1), "started"},
+                                    std::pair{step_with(ControlDue{}, 2), "stepped 1"},
+                                    std::pair{step_with(Stop{}, 3), "stopped"}}) {
+    const auto reply = exchange_step(*link_, step);
     ASSERT_TRUE(reply) << reply.error().message;
     ASSERT_EQ(reply->actions.size(), 1);
-    EXPECT_EQ(reply->actions[0].text, state);
+    EXPECT_EQ(tests::text_of(reply->actions[0]), state);
   }
   EXPECT_EQ(guest_->first().wait(), 0);
 }
 
 TEST_F(Guests, TakeStepsOfManyDatagrams) {
-  ASSERT_TRUE(exchange_step(*link_, step_with(Cause::kStart, 1)));
-  hal::node::exchange::Step step = step_with(Cause::kControl, 2);
+  ASSERT_TRUE(exchange_step(*link_, step_with(Start{}, 1)));
+  hal::node::exchange::Step step = step_with(ControlDue{}, 2);
   step.events.resize(20'000, step.events[0]);  // 1 MB
   const auto reply = exchange_step(*link_, step);
   ASSERT_TRUE(reply) << reply.error().message;
@@ -92,9 +94,9 @@ TEST_F(Guests, TakeStepsOfManyDatagrams) {
 }
 
 TEST_F(Guests, DeathEndsAnExchangeAtOnce) {
-  ASSERT_TRUE(exchange_step(*link_, step_with(Cause::kStart, 1)));
+  ASSERT_TRUE(exchange_step(*link_, step_with(Start{}, 1)));
   halt(hello_.pid);
-  ASSERT_TRUE(link_->begin(step_with(Cause::kControl, 2)));
+  ASSERT_TRUE(link_->begin(step_with(ControlDue{}, 2)));
   EXPECT_FALSE(gateway::process::wait_readable(std::vector{link_->death_descriptor()},
                                                hal::Duration::zero()))
       << "one that is halted is not dead";
@@ -111,7 +113,7 @@ TEST_F(Guests, WhoIsSilentForTheReplyTimeoutIsNamed) {
   link_.reset();
   link_ = server_->link(hello_, 1, std::chrono::milliseconds{300});
   halt(hello_.pid);
-  const auto reply = exchange_step(*link_, step_with(Cause::kStart, 1));
+  const auto reply = exchange_step(*link_, step_with(Start{}, 1));
   ASSERT_FALSE(reply);
   EXPECT_EQ(reply.error().code, hal::Errc::kTimeout);
 }
@@ -144,7 +146,7 @@ TEST(GuestsOfOneServer, AreSeveral) {
     links.push_back(server.link(hello, 1, kPatience));
     ASSERT_TRUE(server.answer(session_for(hello, 1)));
   }
-  for (const auto& link : links) EXPECT_TRUE(exchange_step(*link, step_with(Cause::kStart, 1)));
+  for (const auto& link : links) EXPECT_TRUE(exchange_step(*link, step_with(Start{}, 1)));
 }
 
 TEST(Guest, EndsWhenTheProcessThatInvitedItIsKilled) {

@@ -25,7 +25,7 @@ int be_server(int domain) {
   const hal::node::exchange::Hello hello = first_hello(server);
   const auto link = server.link(hello, 1, std::nullopt);
   if (!server.answer(session_for(hello, 1))) return 1;
-  if (!exchange_step(*link, step_with(hal::node::exchange::Cause::kStart, 1))) return 1;
+  if (!exchange_step(*link, step_with(hal::node::exchange::Start{}, 1))) return 1;
   while (true) pause();
 }
 
@@ -36,7 +36,7 @@ int be_host(int domain, const std::string& told) {
   const hal::node::exchange::Hello hello = first_hello(server);
   const auto link = server.link(hello, 1, std::nullopt);
   if (!server.answer(session_for(hello, 1))) return 1;
-  if (!exchange_step(*link, step_with(hal::node::exchange::Cause::kStart, 1))) return 1;
+  if (!exchange_step(*link, step_with(hal::node::exchange::Start{}, 1))) return 1;
   std::ofstream(told) << hello.pid << std::endl;
   while (true) pause();
 }

@@ -16,6 +16,9 @@ namespace gateway::exchange {
 namespace {
 
 using hal::node::exchange::Cause;
+using hal::node::exchange::ControlDue;
+using hal::node::exchange::Start;
+using hal::node::exchange::Stop;
 constexpr hal::Duration kPatience = std::chrono::seconds{30};
 constexpr hal::Duration kReplyTimeout = std::chrono::milliseconds{300};
 
@@ -47,7 +50,7 @@ class LinkedClient : public testing::Test {
 };
 
 TEST_F(LinkedClient, SilenceEndsWithATimeoutThatNamesTheProcess) {
-  ASSERT_TRUE(link_->begin(step_with(Cause::kStart, 1)));
+  ASSERT_TRUE(link_->begin(step_with(Start{}, 1)));
   const auto reply = link_->finish();
   ASSERT_FALSE(reply);
   EXPECT_EQ(reply.error().code, hal::Errc::kTimeout);
@@ -56,7 +59,7 @@ TEST_F(LinkedClient, SilenceEndsWithATimeoutThatNamesTheProcess) {
 }
 
 TEST_F(LinkedClient, RepliesOfAnotherSequenceOrRunAreDroppedAndCounted) {
-  ASSERT_TRUE(link_->begin(step_with(Cause::kStart, 1)));
+  ASSERT_TRUE(link_->begin(step_with(Start{}, 1)));
   const hal::node::exchange::Step step = next_step();
   hal::node::exchange::Reply other_sequence = reply_to(step);
   other_sequence.sequence = 99;
@@ -64,7 +67,7 @@ TEST_F(LinkedClient, RepliesOfAnotherSequenceOrRunAreDroppedAndCounted) {
   EXPECT_EQ(link_->finish().error().code, hal::Errc::kTimeout);
   EXPECT_EQ(link_->dropped().stale, 1);
 
-  ASSERT_TRUE(link_->begin(step_with(Cause::kControl, 2)));
+  ASSERT_TRUE(link_->begin(step_with(ControlDue{}, 2)));
   hal::node::exchange::Reply other_run = reply_to(next_step());
   other_run.run = 6;
   ASSERT_TRUE(client_.reply(step.server, other_run));
@@ -72,19 +75,19 @@ TEST_F(LinkedClient, RepliesOfAnotherSequenceOrRunAreDroppedAndCounted) {
   EXPECT_EQ(link_->dropped().stale, 2);
 }
 
-TEST_F(LinkedClient, ReplyWithAnUnknownActionIsDroppedAndCounted) {
-  ASSERT_TRUE(link_->begin(step_with(Cause::kStart, 1)));
+TEST_F(LinkedClient, ReplyWithAnUnknownLogLevelIsDroppedAndCounted) {
+  ASSERT_TRUE(link_->begin(step_with(Start{}, 1)));
   const hal::node::exchange::Step step = next_step();
   hal::node::exchange::Reply reply = reply_to(step);
   reply.actions.resize(1);
-  reply.actions[0].kind = static_cast<hal::node::exchange::ActionKind>(200);
+  reply.actions[0].what = hal::node::exchange::Log{static_cast<hal::log::Level>(200), ""};
   ASSERT_TRUE(client_.reply(step.server, reply));
   EXPECT_EQ(link_->finish().error().code, hal::Errc::kTimeout);
   EXPECT_EQ(link_->dropped().malformed, 1);
 }
 
 TEST_F(LinkedClient, AStepAndItsReplyCarryTheNumberThatTheCallerGaveIt) {
-  ASSERT_TRUE(link_->begin(step_with(Cause::kStart, 41)));
+  ASSERT_TRUE(link_->begin(step_with(Start{}, 41)));
   const hal::node::exchange::Step step = next_step();
   EXPECT_EQ(step.sequence, 41);
   EXPECT_EQ(step.server, server_.name());
@@ -96,7 +99,7 @@ TEST_F(LinkedClient, AStepAndItsReplyCarryTheNumberThatTheCallerGaveIt) {
 }
 
 TEST_F(LinkedClient, AStepOfAThousandEventsArrivesWhole) {
-  hal::node::exchange::Step big = step_with(Cause::kControl, 1);
+  hal::node::exchange::Step big = step_with(ControlDue{}, 1);
   big.events[0].readings = {{3, std::vector<double>(40, 0.5)}};
   big.events.resize(1000, big.events[0]);  // About 400 kB: several UDP datagrams.
   ASSERT_TRUE(link_->begin(big));
@@ -137,11 +140,11 @@ void write_until(Writer<Wire>& writer, Wire& sample, const Heard& is_heard) {
 TEST_F(LinkedClient, RepliesOfAnotherParticipantAreDroppedAndNamed) {
   Forger forger(server_.domain());
   Writer<wire::Reply> forged(forger.participant(), reply_topic("rogue"));
-  ASSERT_TRUE(link_->begin(step_with(Cause::kStart, 1)));
+  ASSERT_TRUE(link_->begin(step_with(Start{}, 1)));
   const hal::node::exchange::Step step = next_step();
   hal::node::exchange::Reply reply = reply_to(step);
   reply.actions.resize(1);
-  reply.actions[0].text = "forged";
+  reply.actions[0].what = hal::node::exchange::Log{hal::log::Level::kInfo, "forged"};
   wire::Reply sample;
   to_wire(reply, step.server, sample);
   sample.process("rogue");
@@ -158,7 +161,7 @@ TEST_F(LinkedClient, RepliesOfAnotherParticipantAreDroppedAndNamed) {
 }
 
 TEST_F(LinkedClient, RepliesForOtherServersAreNobodysFault) {
-  ASSERT_TRUE(link_->begin(step_with(Cause::kStart, 1)));
+  ASSERT_TRUE(link_->begin(step_with(Start{}, 1)));
   const hal::node::exchange::Step step = next_step();
   ASSERT_TRUE(client_.reply("another server", reply_to(step)));
   ASSERT_TRUE(client_.reply(step.server, reply_to(step)));
@@ -169,7 +172,7 @@ TEST_F(LinkedClient, RepliesForOtherServersAreNobodysFault) {
 TEST_F(LinkedClient, StepsOfAnotherParticipantAreNotAnswered) {
   domain::Participant rival = domain::Participant::server(server_.domain(), 7);
   Writer<wire::Step> steps(rival, step_topic("rogue"));
-  hal::node::exchange::Step forged = step_with(Cause::kControl, 1);
+  hal::node::exchange::Step forged = step_with(ControlDue{}, 1);
   forged.server = server_.name();
   forged.run = 7;
   wire::Step sample;
@@ -178,8 +181,8 @@ TEST_F(LinkedClient, StepsOfAnotherParticipantAreNotAnswered) {
   ASSERT_TRUE(steps.write(sample));
   steps.flush(kPatience);
   EXPECT_TRUE(std::holds_alternative<Silence>(client_.next(std::chrono::milliseconds{100})));
-  ASSERT_TRUE(link_->begin(step_with(Cause::kStart, 1)));
-  EXPECT_EQ(next_step().events.at(0).cause, Cause::kStart);
+  ASSERT_TRUE(link_->begin(step_with(Start{}, 1)));
+  EXPECT_EQ(next_step().events.at(0).cause(), Cause::kStart);
 }
 
 TEST_F(LinkedClient, ASessionOfAnotherParticipantForTheSameServerIsNotHeard) {
@@ -313,9 +316,9 @@ TEST(RepeatedStep, IsAnsweredFromMemoryWithoutASecondCallback) {
   wire::Session session_sample = to_wire(session, process::this_process());
   EXPECT_TRUE(sessions.write(session_sample));
   std::vector<std::string> states;
-  constexpr std::array kCauses{Cause::kStart, Cause::kControl, Cause::kStop};
+  const std::array<hal::node::exchange::Event::What, 3> happens{Start{}, ControlDue{}, Stop{}};
   for (const std::uint64_t sequence : {1U, 2U, 2U, 3U}) {
-    hal::node::exchange::Step step = step_with(kCauses.at(sequence - 1), sequence);
+    hal::node::exchange::Step step = step_with(happens.at(sequence - 1), sequence);
     step.server = "s";
     step.run = 1;
     wire::Step sample;

@@ -13,8 +13,12 @@ namespace {
 
 using gateway::runtime::ControllerHost;
 using hal::AgentId;
-using hal::node::exchange::ActionKind;
-using hal::node::exchange::Cause;
+using hal::node::exchange::ControlDue;
+using hal::node::exchange::ControllerFailed;
+using hal::node::exchange::LinkChanged;
+using hal::node::exchange::Notice;
+using hal::node::exchange::Start;
+using hal::node::exchange::Stop;
 using tests::Actions;
 using tests::Scripted;
 
@@ -32,13 +36,10 @@ TEST(ControllerHost, MakesTheCallbackThatAnEventStandsFor) {
   tests::OneAgent agent(Scripted::kind(), tests::robot_session());
   agent.start();
   agent.hear(AgentId{1}, "help", {});
-  auto notice = agent.event(Cause::kNotice);
-  notice.noticed = 7;
-  notice.fate = hal::Fate::kFailed;
-  agent.feed(notice);
-  agent.feed(agent.event(Cause::kLink));
+  agent.feed(agent.event(Notice{7, hal::Fate::kFailed}));
+  agent.feed(agent.event(LinkChanged{}));
   agent.control();
-  agent.feed(agent.event(Cause::kStop));
+  agent.feed(agent.event(Stop{}));
   agent.control();
   EXPECT_EQ(calls, "start receive:help notice:7! step stop ") << "nothing follows stop";
 }
@@ -54,7 +55,7 @@ TEST(ControllerHost, HandsNothingMoreToAnAgentWhoseControllerCannotBeMadeAnew) {
   const Actions actions = agent.start();
   Scripted::next() = {};
   agent.control();
-  EXPECT_EQ(tests::texts(actions, ActionKind::kError), std::vector<std::string>{"r0: no camera"});
+  EXPECT_EQ(tests::texts<ControllerFailed>(actions), std::vector<std::string>{"r0: no camera"});
   EXPECT_EQ(calls, "start ");
 }
 
@@ -75,7 +76,7 @@ hal::node::exchange::Step control_of(const std::vector<int>& agents) {
   for (const int agent : agents) {
     hal::node::exchange::Event event;
     event.agent = AgentId{static_cast<std::uint16_t>(agent)};
-    event.cause = Cause::kControl;
+    event.what = ControlDue{};
     step.events.push_back(event);
   }
   return step;
@@ -92,7 +93,7 @@ TEST(ControllerHost, MarksActionsWithTheirAgentAndEventAndRepliesToTheStep) {
   const std::vector<std::pair<int, std::string>> expected = {{2, "r2"}, {1, "r1"}, {2, "r2"}};
   for (std::uint32_t i = 0; i < 3; ++i) {
     EXPECT_EQ(reply.actions[i].agent.value, expected[i].first);
-    EXPECT_EQ(reply.actions[i].text, expected[i].second);
+    EXPECT_EQ(tests::text_of(reply.actions[i]), expected[i].second);
     EXPECT_EQ(reply.actions[i].event, i);
   }
   EXPECT_TRUE((*host)->answer({}).actions.empty()) << "actions leave once";
@@ -107,10 +108,9 @@ TEST(ControllerHost, ReportsWhatAControllerThrewAndLeavesItAlone) {
   Scripted::next() = {};
   const Actions first = (*host)->answer(control_of({1, 2})).actions;
   ASSERT_EQ(first.size(), 3U);
-  EXPECT_EQ(first[0].text, "before");
-  EXPECT_EQ(first[1].kind, ActionKind::kError);
+  EXPECT_EQ(tests::text_of(first[0]), "before");
   EXPECT_EQ(first[1].agent, AgentId{1});
-  EXPECT_EQ(first[1].text, "out of cheese");
+  EXPECT_EQ(std::get<ControllerFailed>(first[1].what).text, "out of cheese");
   const Actions second = (*host)->answer(control_of({1, 2})).actions;
   ASSERT_EQ(second.size(), 1U) << "agent 1 is dead, agent 2 is not";
   EXPECT_EQ(second[0].agent, AgentId{2});
@@ -121,8 +121,8 @@ TEST(ControllerHost, NamesAnAgentThatIsNotOfTheSession) {
   auto host = ControllerHost::create(Scripted::kind(), two_robots());
   const Actions actions = (*host)->answer(control_of({9})).actions;
   ASSERT_EQ(actions.size(), 1U);
-  EXPECT_EQ(actions[0].kind, ActionKind::kError);
-  EXPECT_EQ(actions[0].text, "step 22 has an event for agent 9, which is not of the session");
+  EXPECT_EQ(std::get<ControllerFailed>(actions[0].what).text,
+            "step 22 has an event for agent 9, which is not of the session");
 }
 
 TEST(ControllerHost, DoesNotMakeAControllerForAKindOfAgentItCannotDrive) {
@@ -170,12 +170,13 @@ TEST(Contract, ForbidsCallsOnAnotherAgentsObject) {
   auto host = ControllerHost::create(Scripted::kind(), two_robots());
   Scripted::next() = {};
   auto start = control_of({1, 2});
-  for (auto& event : start.events) event.cause = Cause::kStart;
+  for (auto& event : start.events) event.what = Start{};
   (*host)->answer(start);
   EXPECT_TRUE((*host)->answer(control_of({1})).actions.empty());
   const Actions actions = (*host)->answer(control_of({2})).actions;
   ASSERT_EQ(actions.size(), 1U);
-  EXPECT_EQ(actions[0].text, "now: called outside a callback of this agent's controller");
+  EXPECT_EQ(tests::text_of(actions[0]),
+            "now: called outside a callback of this agent's controller");
 }
 
 TEST(Contract, ForbidsCallsFromAnotherThreadWhileACallbackRuns) {

@@ -6,7 +6,7 @@
 namespace {
 
 using hal::AgentId;
-using hal::node::exchange::Cause;
+using hal::node::exchange::LinkChanged;
 using tests::Scripted;
 
 hal::RouteChange change(const char* topic, std::uint16_t destination, std::uint16_t next_hop,
@@ -27,7 +27,7 @@ class Routes : public testing::Test {
   using Hops = std::vector<std::pair<int, int>>;
 
   void learn(std::vector<hal::RouteChange> changes) {
-    auto event = agent_->event(Cause::kLink);
+    auto event = agent_->event(LinkChanged{});
     event.routes = std::move(changes);
     EXPECT_TRUE(agent_->feed(event).empty());
   }
@@ -89,12 +89,12 @@ TEST_F(Routes, RefuseToInvalidateATopicWithoutAName) {
   question_ = [](hal::Robot& robot) {
     EXPECT_EQ(robot.network().invalidate("", AgentId{9}).error().code, hal::Errc::kInvalidArgument);
   };
-  EXPECT_EQ(tests::texts(agent_->control(), hal::node::exchange::ActionKind::kLog),
+  EXPECT_EQ(tests::texts<hal::node::exchange::Log>(agent_->control()),
             std::vector<std::string>{"r0: invalidate: topic '' has 0 bytes, 1 to 32 are allowed"});
 }
 
 TEST_F(Routes, NeighboursAreListedByAddressUpdatedAndLost) {
-  auto event = agent_->event(Cause::kLink);
+  auto event = agent_->event(LinkChanged{});
   event.neighbours = {{.id = AgentId{5}, .rssi_dbm = -70}, {.id = AgentId{2}, .rssi_dbm = -60}};
   agent_->feed(event);
   event.neighbours = {{.id = AgentId{5}, .rssi_dbm = -75}, {.id = AgentId{3}, .rssi_dbm = -80}};

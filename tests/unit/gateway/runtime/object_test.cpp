@@ -8,8 +8,7 @@ namespace {
 using namespace std::chrono_literals;
 using hal::AgentId;
 using hal::Errc;
-using hal::node::exchange::ActionKind;
-using hal::node::exchange::Cause;
+namespace exchange = hal::node::exchange;
 using tests::Actions;
 using tests::Scripted;
 
@@ -55,11 +54,9 @@ TEST(Send, NumbersMessagesFromOneAndSkipsRefusedOnes) {
     EXPECT_EQ(robot.send(hal::kEveryone, "help", {}).value_or(0), 2U);
   });
   ASSERT_EQ(actions.size(), 3U);
-  EXPECT_EQ(actions[0].kind, ActionKind::kSend);
-  EXPECT_EQ(actions[0].destination, AgentId{3});
-  EXPECT_EQ(actions[0].topic, "help");
-  EXPECT_EQ(actions[0].payload, payload);
-  EXPECT_EQ(actions[2].message_id, 2U);
+  EXPECT_EQ(std::get<exchange::Send>(actions[0].what),
+            (exchange::Send{1, AgentId{3}, "help", payload}));
+  EXPECT_EQ(std::get<exchange::Send>(actions[2].what).id, 2U);
 }
 
 TEST(Send, TakesTheTopicsThatAnAgentMayUseAndDoesNotFloodTheLogWithThoseTooMany) {
@@ -79,7 +76,7 @@ TEST(Send, TakesTheTopicsThatAnAgentMayUseAndDoesNotFloodTheLogWithThoseTooMany)
   EXPECT_EQ(granted, 2 * static_cast<int>(hal::kMaxTopics));
   EXPECT_EQ(refused, 20);
   EXPECT_EQ(why, "r0: send: 'topic 256' would be topic 257 of this agent, at most 256 are allowed");
-  EXPECT_EQ(tests::texts(actions, ActionKind::kLog),
+  EXPECT_EQ(tests::texts<exchange::Log>(actions),
             (std::vector<std::string>{why,
                                       "r0: send: 'topic 265' would be topic 257 of this agent, at "
                                       "most 256 are allowed (10 times by now)"}));
@@ -98,7 +95,7 @@ TEST(State, OneThatIsNotDeclaredIsRefusedAndToldOnce) {
   tests::OneAgent agent(kind, tests::robot_session());
   const Actions actions = agent.control();
   EXPECT_EQ(tests::states(actions), (std::vector<std::string>{"GOES", "STANDS"}));
-  EXPECT_EQ(tests::texts(actions, ActionKind::kLog),
+  EXPECT_EQ(tests::texts<exchange::Log>(actions),
             std::vector<std::string>{"r0: state: 'FLIES' is not one of the states that the "
                                      "controller declares: STANDS, GOES"});
 }
@@ -114,9 +111,9 @@ TEST(Record, OneThatIsNotDeclaredIsRefusedAndToldOnce) {
   kind.records = {{"distance", "m", "To the caller."}, {"need", "1", "How much it is needed."}};
   tests::OneAgent agent(kind, tests::robot_session());
   const Actions actions = agent.control();
-  EXPECT_EQ(tests::texts(actions, ActionKind::kRecord),
+  EXPECT_EQ(tests::texts<exchange::Record>(actions),
             (std::vector<std::string>{"need", "distance"}));
-  EXPECT_EQ(tests::texts(actions, ActionKind::kLog),
+  EXPECT_EQ(tests::texts<exchange::Log>(actions),
             std::vector<std::string>{"r0: record: 'knead' is not one of the values that the "
                                      "controller declares: distance, need"});
 }
@@ -132,7 +129,7 @@ TEST(Send, TakesTheLongestTopicAndPayloadAndRefusesOneByteMore) {
     EXPECT_EQ(payload.error().code, Errc::kInvalidArgument);
     EXPECT_FALSE(robot.send(AgentId{3}, topic + "t", longest).has_value());
   });
-  const auto lines = tests::texts(actions, ActionKind::kLog);
+  const auto lines = tests::texts<exchange::Log>(actions);
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_EQ(lines[0], "r0: send: payload has 2049 bytes, at most 2048 are allowed");
   EXPECT_EQ(lines[1], "r0: send: topic '" + topic + "t' has 33 bytes, 1 to 32 are allowed");
@@ -141,7 +138,7 @@ TEST(Send, TakesTheLongestTopicAndPayloadAndRefusesOneByteMore) {
 TEST(Send, RefusesAMessageToItself) {
   const Actions actions = actions_of(
       [](hal::Robot& robot) { EXPECT_FALSE(robot.send(robot.id(), "help", {}).has_value()); });
-  EXPECT_EQ(tests::texts(actions, ActionKind::kLog),
+  EXPECT_EQ(tests::texts<exchange::Log>(actions),
             std::vector<std::string>{"r0: send: destination 26 is this agent itself"});
 }
 
@@ -152,7 +149,7 @@ TEST(Send, RefusesAddressZeroAtOnceAndPromisesNoNotice) {
     EXPECT_EQ(sent.error().code, Errc::kInvalidArgument);
     EXPECT_EQ(robot.send(AgentId{3}, "help", {}).value(), 1U) << "the number is not used up";
   });
-  EXPECT_EQ(tests::texts(actions, ActionKind::kLog),
+  EXPECT_EQ(tests::texts<exchange::Log>(actions),
             std::vector<std::string>{"r0: send: destination is 0, agents have addresses from 1"});
 }
 
@@ -165,10 +162,9 @@ TEST(SetTimer, RefusesThePastAndTakesThePresent) {
   agent.now = hal::Time{2s};
   const Actions actions = agent.control();
   ASSERT_EQ(actions.size(), 2U);
-  EXPECT_EQ(actions[0].kind, ActionKind::kTimer);
-  EXPECT_EQ(actions[0].timer, 4U);
-  EXPECT_EQ(actions[0].at, agent.now);
-  EXPECT_EQ(actions[1].text, "r0: set_timer: timer 5: at 1.999999999 s is before now, 2 s");
+  EXPECT_EQ(std::get<exchange::SetTimer>(actions[0].what), (exchange::SetTimer{4, agent.now}));
+  EXPECT_EQ(tests::text_of(actions[1]),
+            "r0: set_timer: timer 5: at 1.999999999 s is before now, 2 s");
 }
 
 /// Sets timer 1 to `first`, moves it to `second`, and hands over timer events at 1, 2 and 3 s, as a
@@ -189,9 +185,7 @@ std::vector<hal::Time> timer_calls(hal::Time first, hal::Time second) {
   agent.start();
   for (const auto at : {1s, 2s, 3s}) {
     agent.now = hal::Time{at};
-    auto event = agent.event(Cause::kTimer);
-    event.timer = 1;
-    agent.feed(event);
+    agent.feed(agent.event(exchange::TimerDue{1}));
   }
   return calls;
 }
@@ -221,13 +215,13 @@ TEST(ZeroBytes, EndTextsAndAreRefusedInTopics) {
     EXPECT_FALSE(robot.send(AgentId{3}, zero, {}).has_value());
   });
   EXPECT_EQ(tests::states(actions), std::vector<std::string>{"a"});
-  EXPECT_EQ(tests::texts(actions, ActionKind::kLog),
+  EXPECT_EQ(tests::texts<exchange::Log>(actions),
             std::vector<std::string>{"r0: send: topic has a zero byte"});
 }
 
 TEST(State, WithoutANameIsRefused) {
   const Actions actions = actions_of([](hal::Robot& robot) { robot.state(""); });
-  EXPECT_EQ(tests::texts(actions, ActionKind::kLog),
+  EXPECT_EQ(tests::texts<exchange::Log>(actions),
             std::vector<std::string>{"r0: state: name is empty, 1 to 64 bytes are allowed"});
   EXPECT_TRUE(tests::states(actions).empty());
 }
@@ -255,7 +249,7 @@ TEST(Names, AreUnknownToAControllerThatDidNotAskAndItIsToldWhyOnce) {
     }
   });
   const std::string why = "the controller did not ask for it: .wants = {.names = true}";
-  EXPECT_EQ(tests::texts(actions, ActionKind::kLog),
+  EXPECT_EQ(tests::texts<exchange::Log>(actions),
             (std::vector<std::string>{"r0: address_of: " + why, "r0: name_of: " + why}));
 }
 
@@ -269,11 +263,9 @@ TEST(Record, TakesFiniteNumbersWithTheTimeOfTheEvent) {
   agent.now = hal::Time{std::chrono::seconds{3}};
   const Actions actions = agent.control();
   ASSERT_EQ(actions.size(), 3U);
-  EXPECT_EQ(actions[0].kind, ActionKind::kRecord);
-  EXPECT_EQ(actions[0].text, "distance");
-  EXPECT_EQ(actions[0].value, -0.25);
-  EXPECT_EQ(actions[0].at, agent.now);
-  EXPECT_EQ(tests::texts(actions, ActionKind::kLog),
+  EXPECT_EQ(std::get<exchange::Record>(actions[0].what),
+            (exchange::Record{"distance", -0.25, agent.now}));
+  EXPECT_EQ(tests::texts<exchange::Log>(actions),
             (std::vector<std::string>{"r0: record: 'distance' is nan, it must be finite",
                                       "r0: record: name '' has 0 bytes, 1 to 64 are allowed"}));
 }
@@ -286,8 +278,8 @@ TEST(Record, TakesAsManyNamesAsAnAgentMayUse) {
       }
     }
   });
-  EXPECT_EQ(tests::texts(actions, ActionKind::kRecord).size(), 2 * hal::kMaxRecordedNames);
-  EXPECT_EQ(tests::texts(actions, ActionKind::kLog),
+  EXPECT_EQ(tests::texts<exchange::Record>(actions).size(), 2 * hal::kMaxRecordedNames);
+  EXPECT_EQ(tests::texts<exchange::Log>(actions),
             std::vector<std::string>{"r0: record: 'value 64' would be value 65 of this agent, at "
                                      "most 64 are allowed"});
 }
@@ -299,14 +291,11 @@ TEST(Object, ActionsKeepTheOrderOfTheCalls) {
     robot.state("S");
     EXPECT_TRUE(robot.network().invalidate("help", AgentId{3}).has_value());
   });
-  std::vector<ActionKind> kinds;
-  for (const auto& action : actions) kinds.push_back(action.kind);
-  EXPECT_EQ(kinds, (std::vector{ActionKind::kRadio, ActionKind::kLog, ActionKind::kState,
-                                ActionKind::kInvalidate}));
-  EXPECT_FALSE(actions[0].radio_on);
-  EXPECT_EQ(actions[1].text, "hello");
-  EXPECT_EQ(actions[3].topic, "help");
-  EXPECT_EQ(actions[3].destination, AgentId{3});
+  std::vector<exchange::Action::What> what;
+  for (const auto& action : actions) what.push_back(action.what);
+  EXPECT_EQ(what, (std::vector<exchange::Action::What>{
+                      exchange::SetRadio{false}, exchange::Log{hal::log::Level::kInfo, "hello"},
+                      exchange::SetState{"S"}, exchange::Invalidate{AgentId{3}, "help"}}));
 }
 
 }  // namespace

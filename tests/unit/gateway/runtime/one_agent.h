@@ -7,6 +7,7 @@
 
 #include "gateway/runtime/controller_host.h"
 #include "hal/types/check.h"
+#include "tests/support/exchange.h"
 
 namespace tests {
 
@@ -72,11 +73,11 @@ class OneAgent {
   }
 
   /// An event of this agent at the present time.
-  hal::node::exchange::Event event(hal::node::exchange::Cause cause) const {
+  hal::node::exchange::Event event(hal::node::exchange::Event::What what) const {
     hal::node::exchange::Event event;
     event.agent = session_.agent;
     event.time = now;
-    event.cause = cause;
+    event.what = std::move(what);
     return event;
   }
 
@@ -87,17 +88,15 @@ class OneAgent {
     return host_->answer(step).actions;
   }
 
-  Actions start() { return feed(event(hal::node::exchange::Cause::kStart)); }
-  Actions control() { return feed(event(hal::node::exchange::Cause::kControl)); }
+  Actions start() { return feed(event(hal::node::exchange::Start{})); }
+  Actions control() { return feed(event(hal::node::exchange::ControlDue{})); }
 
   Actions hear(hal::AgentId from, std::string topic, hal::Bytes payload) {
-    auto heard = event(hal::node::exchange::Cause::kMessage);
-    heard.message = hal::Message{.source = from,
-                                 .destination = session_.agent,
-                                 .id = ++heard_,
-                                 .topic = std::move(topic),
-                                 .payload = std::move(payload)};
-    return feed(std::move(heard));
+    return feed(event(hal::node::exchange::MessageArrived{{.source = from,
+                                                           .destination = session_.agent,
+                                                           .id = ++heard_,
+                                                           .topic = std::move(topic),
+                                                           .payload = std::move(payload)}}));
   }
 
   gateway::runtime::ControllerHost& host() { return *host_; }
@@ -112,17 +111,15 @@ class OneAgent {
 };
 
 /// Texts of the actions of one kind: states entered, lines logged, errors.
-inline std::vector<std::string> texts(const Actions& actions,
-                                      hal::node::exchange::ActionKind kind) {
+template <class What>
+std::vector<std::string> texts(const Actions& actions) {
   std::vector<std::string> found;
-  for (const auto& action : actions) {
-    if (action.kind == kind) found.push_back(action.text);
-  }
+  for (const What& what : all<What>(actions)) found.push_back(text_of(what));
   return found;
 }
 
 inline std::vector<std::string> states(const Actions& actions) {
-  return texts(actions, hal::node::exchange::ActionKind::kState);
+  return texts<hal::node::exchange::SetState>(actions);
 }
 
 }  // namespace tests

@@ -9,7 +9,9 @@
 namespace {
 
 using hal::Errc;
-using hal::node::exchange::ActionKind;
+using hal::node::exchange::DriveBody;
+using hal::node::exchange::DriveWheels;
+using hal::node::exchange::Log;
 using tests::Actions;
 using tests::Scripted;
 
@@ -31,8 +33,7 @@ TEST(SetBodyVelocity, LeavesACommandWithinTheLimitsAsItIs) {
     EXPECT_FALSE(drive->saturated);
   });
   ASSERT_EQ(actions.size(), 1U);
-  EXPECT_EQ(actions[0].kind, ActionKind::kDriveBody);
-  EXPECT_EQ(actions[0].twist, twist);
+  EXPECT_EQ(std::get<DriveBody>(actions[0].what).twist, twist);
 }
 
 // Along y the wheel at 180 degrees runs at vy / r: the limit is 23.56 * 0.04 = 0.9424 m/s. Asked
@@ -51,7 +52,7 @@ TEST(SetBodyVelocity, ScalesAllThreeByOneFactorSoThatTheFastestWheelIsAtItsLimit
     EXPECT_NEAR(drive->applied.omega, factor * twist.omega, rounding);
   });
   ASSERT_EQ(actions.size(), 1U);
-  EXPECT_NEAR(actions[0].twist.vy, factor * twist.vy, 1e-12);
+  EXPECT_NEAR(std::get<DriveBody>(actions[0].what).twist.vy, factor * twist.vy, 1e-12);
 }
 
 TEST(SetBodyVelocity, RefusesWhatIsNotFiniteAndLogsAgentFieldAndValue) {
@@ -62,10 +63,10 @@ TEST(SetBodyVelocity, RefusesWhatIsNotFiniteAndLogsAgentFieldAndValue) {
     EXPECT_FALSE(robot.set_body_velocity({.omega = INFINITY}).has_value());
   });
   ASSERT_EQ(actions.size(), 2U) << "the refused commands themselves do not leave";
-  EXPECT_EQ(actions[0].kind, ActionKind::kLog);
-  EXPECT_EQ(actions[0].level, hal::log::Level::kWarning);
-  EXPECT_EQ(actions[0].text, "r0: set_body_velocity: vy is nan, it must be finite");
-  EXPECT_EQ(actions[1].text, "r0: set_body_velocity: omega is inf, it must be finite");
+  EXPECT_EQ(
+      std::get<Log>(actions[0].what),
+      (Log{hal::log::Level::kWarning, "r0: set_body_velocity: vy is nan, it must be finite"}));
+  EXPECT_EQ(tests::text_of(actions[1]), "r0: set_body_velocity: omega is inf, it must be finite");
 }
 
 TEST(SetBodyVelocity, IsNotAvailableWithoutWheels) {
@@ -85,8 +86,7 @@ TEST(SetWheelSpeeds, PassesSpeedsUpToTheLimit) {
   const Actions actions = actions_of(
       [&](hal::Robot& robot) { EXPECT_TRUE(robot.set_wheel_speeds(speeds).has_value()); });
   ASSERT_EQ(actions.size(), 1U);
-  EXPECT_EQ(actions[0].kind, ActionKind::kDriveWheels);
-  EXPECT_EQ(actions[0].wheel_speeds, speeds);
+  EXPECT_EQ(std::get<DriveWheels>(actions[0].what).speeds, speeds);
 }
 
 TEST(SetWheelSpeeds, RefusesTooManyTooFastAndNanNamingTheWheel) {
@@ -96,10 +96,11 @@ TEST(SetWheelSpeeds, RefusesTooManyTooFastAndNanNamingTheWheel) {
     EXPECT_FALSE(robot.set_wheel_speeds(std::vector<double>{1, 1, kNan}).has_value());
   });
   ASSERT_EQ(actions.size(), 3U);
-  EXPECT_EQ(actions[0].text, "r0: set_wheel_speeds: speeds has 2 values, the robot has 3 wheels");
-  EXPECT_EQ(actions[1].text,
+  EXPECT_EQ(tests::text_of(actions[0]),
+            "r0: set_wheel_speeds: speeds has 2 values, the robot has 3 wheels");
+  EXPECT_EQ(tests::text_of(actions[1]),
             "r0: set_wheel_speeds: speeds[1] is -23.6 rad/s, the limit is 23.56 rad/s");
-  EXPECT_EQ(actions[2].text,
+  EXPECT_EQ(tests::text_of(actions[2]),
             "r0: set_wheel_speeds: speeds[2] is nan rad/s, the limit is 23.56 rad/s");
 }
 
@@ -108,7 +109,7 @@ void with_readings(std::vector<hal::node::exchange::Reading> readings,
                    std::function<void(hal::Robot&)> step) {
   Scripted::next() = {.step = std::move(step)};
   tests::OneAgent agent(Scripted::kind(), tests::robot_session());
-  auto event = agent.event(hal::node::exchange::Cause::kControl);
+  auto event = agent.event(hal::node::exchange::ControlDue{});
   event.readings = std::move(readings);
   EXPECT_TRUE(agent.feed(event).empty());
 }
@@ -182,7 +183,7 @@ TEST(Readings, AreHeldUntilTheNextSample) {
       .step = [&](hal::Robot& robot) { charges.push_back(robot.battery().value_or(-1)); }};
   tests::OneAgent agent(Scripted::kind(), tests::robot_session());
   for (const double charge : {0.9, 0.0, 0.8}) {
-    auto event = agent.event(hal::node::exchange::Cause::kControl);
+    auto event = agent.event(hal::node::exchange::ControlDue{});
     if (charge > 0) event.readings = {{.channel = 3, .values = {charge, 12, 1, 200 * charge, 200}}};
     agent.feed(event);
   }
@@ -205,9 +206,9 @@ TEST(Readings, ThatAreLostAreNotAvailableUntilTheyAreBack) {
 TEST(Readings, OfAnotherLengthOrChannelAreLoggedAndLeftOut) {
   Scripted::next() = {};
   tests::OneAgent agent(Scripted::kind(), tests::robot_session());
-  auto event = agent.event(hal::node::exchange::Cause::kControl);
+  auto event = agent.event(hal::node::exchange::ControlDue{});
   event.readings = {{.channel = 0, .values = {1, 2}}, {.channel = 9, .values = {1}}};
-  const auto lines = tests::texts(agent.feed(event), ActionKind::kLog);
+  const auto lines = tests::texts<Log>(agent.feed(event));
   ASSERT_EQ(lines.size(), 2U);
   EXPECT_EQ(lines[0], "r0: a reading of channel 'infrared' with 2 values instead of 6");
   EXPECT_EQ(lines[1], "r0: a reading of channel 9, which is not in the session");

@@ -9,7 +9,7 @@
 namespace gateway::runtime {
 namespace {
 
-using hal::node::exchange::Cause;
+using hal::node::exchange::ControlDue;
 
 /// Keeps what each call gave in the last control cycle.
 struct Looker : hal::Controller {
@@ -75,13 +75,13 @@ hal::node::exchange::AgentSession session() {
 }
 
 std::vector<std::string> log_of(const tests::Actions& actions) {
-  return tests::texts(actions, hal::node::exchange::ActionKind::kLog);
+  return tests::texts<hal::node::exchange::Log>(actions);
 }
 
 TEST(SensorReadings, ReachTheControllerByTheirTypedCalls) {
   tests::OneAgent agent(kind(), session());
   agent.start();
-  auto control = agent.event(Cause::kControl);
+  auto control = agent.event(ControlDue{});
   control.readings = {{16, {1, 2, 3}}, {17, {1, 2, 0.5}}, {18, {1, 2, 3, 4, 5, 6}}, {19, {1}}};
   const auto lines = log_of(agent.feed(control));
   EXPECT_EQ(lines, (std::vector<std::string>{"scan given", "pose given", "imu given",
@@ -104,14 +104,11 @@ TEST(FixedWheels, LeaveOutWhatTheyCannotDo) {
   tests::OneAgent agent(kind(), session());
   agent.start();
   const auto actions = agent.control();
-  for (const hal::node::exchange::Action& action : actions) {
-    if (action.kind != hal::node::exchange::ActionKind::kDriveBody) continue;
-    EXPECT_NEAR(action.twist.vx, 0.1, 1e-12);
-    EXPECT_NEAR(action.twist.vy, 0, 1e-12);
-    EXPECT_NEAR(action.twist.omega, 0.5, 1e-12);
-    return;
-  }
-  FAIL() << "it did not drive";
+  const auto drives = tests::all<hal::node::exchange::DriveBody>(actions);
+  ASSERT_FALSE(drives.empty()) << "it did not drive";
+  EXPECT_NEAR(drives[0].twist.vx, 0.1, 1e-12);
+  EXPECT_NEAR(drives[0].twist.vy, 0, 1e-12);
+  EXPECT_NEAR(drives[0].twist.omega, 0.5, 1e-12);
 }
 
 }  // namespace

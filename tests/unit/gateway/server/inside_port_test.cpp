@@ -1,4 +1,5 @@
 #include "gateway/server/inside_port.h"
+#include "tests/support/exchange.h"
 
 #include <gtest/gtest.h>
 
@@ -27,7 +28,7 @@ Reply reply_of(hal::AgentId agent, std::uint32_t event, const std::string& text)
   reply.actions.resize(1);
   reply.actions[0].agent = agent;
   reply.actions[0].event = event;
-  reply.actions[0].text = text;
+  reply.actions[0].what = hal::node::exchange::SetState{text};
   return reply;
 }
 
@@ -51,7 +52,7 @@ class SlowPort final : public hal::node::exchange::ControllerPort {
 TEST(RecordedPort, TellsOfEachAnswerOnce) {
   std::vector<std::string> told;
   RecordedPort port(std::make_shared<SlowPort>(),
-                    [&](const Reply& reply) { told.push_back(reply.actions[0].text); });
+                    [&](const Reply& reply) { told.push_back(tests::text_of(reply.actions[0])); });
   EXPECT_EQ(port.name(), "slow");
   EXPECT_FALSE(port.try_finish()->has_value());
   EXPECT_TRUE(port.try_finish()->has_value());
@@ -67,7 +68,7 @@ TEST(RepeatedPort, GivesTheAnswersOfTheRecordInTheirOrder) {
     ASSERT_TRUE(port.begin(step_of(sequence)));
     const auto reply = port.finish();
     ASSERT_TRUE(reply);
-    EXPECT_EQ(reply->actions[0].text, text);
+    EXPECT_EQ(tests::text_of(reply->actions[0]), text);
     EXPECT_EQ(reply->sequence, sequence);
     EXPECT_EQ(reply->run, 7U);
   }

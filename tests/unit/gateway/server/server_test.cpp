@@ -90,10 +90,7 @@ Step step_for(hal::AgentId agent) {
 }
 
 Action log_of(hal::AgentId agent) {
-  Action action;
-  action.agent = agent;
-  action.text = "hello";
-  return action;
+  return {agent, 0, hal::node::exchange::Log{hal::log::Level::kInfo, "hello"}};
 }
 
 TEST_F(ServedHost, ProcessesAreConnectedInOrderOfTheirAgentsNotOfArrival) {

@@ -117,12 +117,12 @@ class Batteries : public TwoMotes {
 };
 
 /// The first agent sends a message to the second in each control cycle.
-inline std::vector<Action> send_always(const Event& event) {
-  if (event.agent != kA || event.cause != Cause::kControl) return {};
-  Action message = send(kB);
-  message.message_id = static_cast<hal::MessageId>(event.time.time_since_epoch() / 100ms + 1);
-  return {message};
+inline std::vector<Action> send_always_with(const Event& event, hal::Bytes payload) {
+  if (event.agent != kA || event.cause() != Cause::kControl) return {};
+  const auto id = static_cast<hal::MessageId>(event.time.time_since_epoch() / 100ms + 1);
+  return {send(kB, id, std::move(payload))};
 }
+inline std::vector<Action> send_always(const Event& event) { return send_always_with(event, {}); }
 
 inline constexpr double kExact = 1e-12;  ///< Relative: what a battery has given in all.
 

@@ -62,16 +62,10 @@ TEST_F(Batteries, ARobotThatGoesOffRollsOutAndCannotBeSwitchedOnAgain) {
   one.when_empty = WhenEmpty::kOff;
   give(tests::kA, one);
   run(Time{8s}, [](const Event& event) -> std::vector<Action> {
-    if (event.agent != tests::kA || event.cause != Cause::kControl) return {};
-    Action drive;
-    drive.kind = ActionKind::kDriveBody;
-    drive.twist = {0.5, 0, 0};
-    Action on;
-    on.kind = ActionKind::kRadio;
-    on.radio_on = true;
+    if (event.agent != tests::kA || event.cause() != Cause::kControl) return {};
     std::vector<Action> actions = tests::send_always(event);
-    actions.push_back(drive);
-    actions.push_back(on);
+    actions.push_back(tests::drive(0.5));
+    actions.push_back({.what = hal::node::exchange::SetRadio{true}});
     return actions;
   });
   EXPECT_EQ(last(kA).at(0), 0);

@@ -85,10 +85,8 @@ TEST_F(EmptyBattery, CutsTheFrameThatItsRadioIsSending) {
   give(kA, one);
   config.ends = {};
   run(Time{5s}, [](const Event& event) -> std::vector<Action> {
-    if (event.agent != kA || event.cause != Cause::kControl || event.time != Time{1s}) return {};
-    Action message = send(kB);
-    message.payload.assign(1400, 0);  // more than 1 ms at 11 Mb/s
-    return {message};
+    if (event.agent != kA || event.cause() != Cause::kControl || event.time != Time{1s}) return {};
+    return {send(kB, 1, hal::Bytes(1400))};  // more than 1 ms at 11 Mb/s
   });
   ASSERT_FALSE(seen.frames.empty());
   const auto cut = seen.frames.back();
@@ -101,7 +99,7 @@ TEST_F(EmptyBattery, CutsTheFrameThatItsRadioIsSending) {
   EXPECT_EQ(seen.receptions.back(), std::pair(seen.cuts[0] + 33ns, hal::Verdict::kRadioOff));
   const auto notices = port->of(Cause::kNotice);
   ASSERT_EQ(notices.size(), 1u);
-  EXPECT_EQ(notices[0].fate, hal::Fate::kFailed);
+  EXPECT_EQ(std::get<hal::node::exchange::Notice>(notices[0].what).fate, hal::Fate::kFailed);
   EXPECT_EQ(messages(), 0);
 }
 
@@ -110,7 +108,7 @@ TEST_F(EmptyBattery, LetsAFrameEndThatEndsAtThatInstant) {
   config.radio = sim::radio::profile_defaults(sim::radio::Profile::kDisk);
   for (auto& agent : config.agents) agent.routing = hal::node::routing::Algorithm::kNone;
   const auto once = [](const Event& event) -> std::vector<Action> {
-    if (event.agent != kA || event.cause != Cause::kControl || event.time != Time{1s}) return {};
+    if (event.agent != kA || event.cause() != Cause::kControl || event.time != Time{1s}) return {};
     return {send(kB)};
   };
   run(Time{2s}, once);

@@ -65,12 +65,7 @@ TEST_F(EmptyBattery, WithResistanceFollowsEachFrame) {
   one.idle_power = 0.3;
   one.radio = {.transmit = 9, .receive = 0, .listen = 0.2, .off = 0};
   give(kA, one);
-  run(Time{10s}, [](const Event& event) -> std::vector<Action> {
-    if (event.agent != kA || event.cause != Cause::kControl) return {};
-    std::vector<Action> actions = send_always(event);
-    actions[0].payload.assign(1000, 0);
-    return actions;
-  });
+  run(Time{10s}, [](const Event& event) { return send_always_with(event, hal::Bytes(1000)); });
   ASSERT_GT(seen.frames.size(), 15u);
   EXPECT_NEAR(hal::to_seconds(on_air(kA)), emptied_after(one, seen.frames), 1.2e-9);
   EXPECT_NEAR(used[kA].energy.value(), 2, 2 * kExact);
@@ -90,12 +85,9 @@ class EmptyBatteryOfARobot : public EmptyBattery,
   }
   void drive(Time until) {
     run(until, [](const Event& event) -> std::vector<Action> {
-      if (event.agent != kA || event.cause != Cause::kControl) return {};
-      Action drive;
-      drive.kind = ActionKind::kDriveBody;
+      if (event.agent != kA || event.cause() != Cause::kControl) return {};
       // To and fro.
-      drive.twist = {event.time.time_since_epoch() / 1s % 2 == 0 ? 0.5 : -0.5, 0, 0};
-      return {drive};
+      return {tests::drive(event.time.time_since_epoch() / 1s % 2 == 0 ? 0.5 : -0.5)};
     });
   }
 };

@@ -85,7 +85,7 @@ class Scripted : public TwoMotes {
   /// Each mote sends to the other one in each control cycle.
   Outcome run_sending(Time until) {
     return run(until, [](const Event& event) -> std::vector<Action> {
-      if (event.cause != Cause::kControl) return {};
+      if (event.cause() != Cause::kControl) return {};
       return {send(event.agent == kA ? kB : kA)};
     });
   }
@@ -114,7 +114,8 @@ TEST_F(Scripted, AKilledControllerIsToldNothingButTheEndAndItsRadioLivesOn) {
   const auto notices = port->of(Cause::kNotice);
   ASSERT_FALSE(notices.empty());
   EXPECT_EQ(notices.back().agent, kA);
-  EXPECT_EQ(notices.back().fate, hal::Fate::kHandedOver);
+  EXPECT_EQ(std::get<hal::node::exchange::Notice>(notices.back().what).fate,
+            hal::Fate::kHandedOver);
 }
 
 TEST_F(Scripted, ARestartedControllerBeginsWithItsStart) {
@@ -135,9 +136,10 @@ TEST_F(Scripted, WhatAKilledControllerHadDecidedDiesWithIt) {
   run_sending(Time{1150ms});
   // Of A the answers to the cycles from 0 to 1 s took effect; of B those from 0 to 0.8 s, and that
   // of its successor to the one of 1 s, but not the one of 0.9 s, which was under way.
-  EXPECT_EQ(
-      std::ranges::count(effects.actions, ActionKind::kSend, &std::pair<Time, ActionKind>::second),
-      10 + 11);
+  const auto is_send = [](const auto& effect) {
+    return std::holds_alternative<Send>(effect.second);
+  };
+  EXPECT_EQ(std::ranges::count_if(effects.actions, is_send), 10 + 11);
 }
 
 TEST_F(Scripted, WithoutPowerNothingIsSentOrReceived) {
@@ -168,11 +170,8 @@ TEST_F(Scripted, ARestartedControllerFindsItsWheelsAtRest) {
   config.agents[1].body = robot;
   at(1s, befall(Fortune::kRestart, kB));
   run(Time{4s}, [](const Event& event) -> std::vector<Action> {
-    if (event.agent != kB || event.cause != Cause::kStart || event.time > Time{}) return {};
-    Action drive;
-    drive.kind = ActionKind::kDriveBody;
-    drive.twist = {0.3, 0, 0};
-    return {drive};
+    if (event.agent != kB || event.cause() != Cause::kStart || event.time > Time{}) return {};
+    return {tests::drive(0.3)};
   });
   EXPECT_NEAR(x_at(1s) - x_at(0s), 0.3, 0.1);
   EXPECT_NEAR(whereabouts.track.back().second, x_at(1500ms), 1e-3);
@@ -214,11 +213,10 @@ TEST_F(Scripted, AnAgentThatIsAddedComesSwitchedOn) {
 TEST_F(Scripted, ARestartedControllerFindsItsRadioOn) {
   at(1s, befall(Fortune::kRestart, kB));
   run(Time{2s}, [](const Event& event) -> std::vector<Action> {
-    if (event.cause != Cause::kControl) return {};
+    if (event.cause() != Cause::kControl) return {};
     std::vector<Action> actions{send(event.agent == kA ? kB : kA)};
     if (event.agent == kB && event.time == Time{500ms}) {
-      actions.emplace_back().kind = ActionKind::kRadio;
-      actions.back().radio_on = false;
+      actions.push_back({.what = hal::node::exchange::SetRadio{false}});
     }
     return actions;
   });
@@ -233,7 +231,7 @@ TEST_F(Scripted, OfWhatIsNotPresentNoConditionHolds) {
   config.asked = {far, said};
   at(1s, befall(Fortune::kRemove, kB));
   begin_simulation([](const Event& event) -> std::vector<Action> {
-    if (event.cause != Cause::kStart) return {};
+    if (event.cause() != Cause::kStart) return {};
     return {state("ON")};
   });
   simulation_->run(Time{2s}, pace_);
@@ -353,7 +351,7 @@ TEST_F(Scripted, AConditionMakesThemHappenOnceOrEachTime) {
         {sim::agents::Whenever{b_is_on, each_time}, {befall(Fortune::kSwitchOn, kA)}, {}}};
     Done done;
     port = std::make_shared<ScriptedPort>([](const Event& event) -> std::vector<Action> {
-      if (event.agent != kB || event.cause != Cause::kControl) return {};
+      if (event.agent != kB || event.cause() != Cause::kControl) return {};
       return {state("ON"), state("OFF")};
     });
     sim::agents::Simulation simulation(config, {&done});
@@ -373,7 +371,7 @@ TEST_F(Scripted, AConditionEndsTheRunSomeTimeAfterItBeginsToHold) {
   config.ends = {{.agent = {}, .state = {}, .after = 1s, .result = "enough", .when = sent}};
   config.asked = {sent};
   port = std::make_shared<ScriptedPort>([](const Event& event) -> std::vector<Action> {
-    if (event.cause != Cause::kControl) return {};
+    if (event.cause() != Cause::kControl) return {};
     return {send(event.agent == kA ? kB : kA)};
   });
   sim::agents::Simulation simulation(config, {});

@@ -23,12 +23,10 @@ TEST_F(TwoMotes, TopicsBeyondTheLimitOfAnAgentAreRefusedWhateverItsProcessSays) 
   std::uint32_t messages = 0;
   const Outcome outcome = run(Time{450ms}, [&](const Event& event) {
     std::vector<Action> actions;
-    if (event.agent != tests::kA || event.cause != Cause::kControl) return actions;
+    if (event.agent != tests::kA || event.cause() != Cause::kControl) return actions;
     for (int i = 0; i < 100; ++i) {
-      Action action = tests::send(tests::kB);
-      action.message_id = ++messages;
-      action.topic = "topic " + std::to_string(messages);
-      actions.push_back(action);
+      const std::string topic = "topic " + std::to_string(++messages);
+      actions.push_back({.what = Send{messages, tests::kB, topic, {}}});
     }
     return actions;
   });
@@ -40,12 +38,12 @@ TEST_F(TwoMotes, StartAndTheFirstControlCycleAreOneExchangeByAgentThenCause) {
   run(Time{50ms}, tests::nothing);
   ASSERT_EQ(port->steps.size(), 2u) << "time 0, and the stop";
   std::vector<std::pair<AgentId, Cause>> seen;
-  for (const Event& event : port->steps[0].events) seen.emplace_back(event.agent, event.cause);
+  for (const Event& event : port->steps[0].events) seen.emplace_back(event.agent, event.cause());
   EXPECT_EQ(
       seen,
       (std::vector<std::pair<AgentId, Cause>>{
           {kA, Cause::kStart}, {kA, Cause::kControl}, {kB, Cause::kStart}, {kB, Cause::kControl}}));
-  EXPECT_EQ(port->steps[1].events.front().cause, Cause::kStop);
+  EXPECT_EQ(port->steps[1].events.front().cause(), Cause::kStop);
   EXPECT_EQ(port->steps[1].events.front().time, Time{50ms});
 }
 
@@ -56,7 +54,7 @@ TEST_F(TwoMotes, AlignedControlCyclesAreOneExchangeEach) {
 
 TEST_F(TwoMotes, AMessageSentAtAnInstantArrivesInALaterRoundOfThatInstant) {
   run(Time{2s}, [](const Event& event) -> std::vector<Action> {
-    if (event.agent == tests::kA && event.cause == Cause::kControl && event.time == Time{1s}) {
+    if (event.agent == tests::kA && event.cause() == Cause::kControl && event.time == Time{1s}) {
       return {tests::send(tests::kB)};
     }
     return {};
@@ -64,12 +62,12 @@ TEST_F(TwoMotes, AMessageSentAtAnInstantArrivesInALaterRoundOfThatInstant) {
   int deliveries = 0;
   for (const Step& step : port->steps) {
     for (const Event& event : step.events) {
-      if (event.cause != Cause::kMessage) continue;
+      if (event.cause() != Cause::kMessage) continue;
       ++deliveries;
       EXPECT_EQ(event.time, Time{1s}) << "the ideal radio takes no time";
       // A round of its own, after the control cycle that sent it; the sender is told as well.
       ASSERT_EQ(step.events.size(), 2u);
-      EXPECT_EQ(step.events[0].cause, Cause::kNotice);
+      EXPECT_EQ(step.events[0].cause(), Cause::kNotice);
     }
   }
   EXPECT_EQ(deliveries, 1);
@@ -88,9 +86,12 @@ Heard heard(const std::vector<Step>& steps) {
   for (const Step& step : steps) {
     for (const Event& event : step.events) {
       for (const hal::Neighbour& n : event.neighbours) result.rssi_dbm.push_back(n.rssi_dbm);
-      if (event.cause == Cause::kNotice) result.fates.push_back(event.fate);
-      result.messages += event.cause == Cause::kMessage;
-      if (event.cause == Cause::kLink) result.first_link = std::min(result.first_link, event.time);
+      if (event.cause() == Cause::kNotice) {
+        result.fates.push_back(std::get<hal::node::exchange::Notice>(event.what).fate);
+      }
+      result.messages += event.cause() == Cause::kMessage;
+      if (event.cause() == Cause::kLink)
+        result.first_link = std::min(result.first_link, event.time);
     }
   }
   return result;
@@ -105,7 +106,7 @@ TEST_F(TwoMotes, AUdpLikeLinkHidesWhatTheMacKnowsAndMessagesArriveAllTheSame) {
     const bool is_mac = link == sim::agents::LinkKind::kMac;
     run(Time{4s},
         [](const Event& event) -> std::vector<Action> {
-          const bool is_time = event.cause == Cause::kControl && event.time == Time{3s};
+          const bool is_time = event.cause() == Cause::kControl && event.time == Time{3s};
           return event.agent == tests::kA && is_time ? std::vector{tests::send(tests::kB)}
                                                      : std::vector<Action>{};
         },
@@ -128,7 +129,8 @@ TEST_F(TwoMotes, AUdpLikeLinkHidesWhatTheMacKnowsAndMessagesArriveAllTheSame) {
 TEST_F(TwoMotes, WithALatencyActionsTakeEffectThatMuchLater) {
   config.controller_latency = 10ms;
   run(Time{300ms}, [](const Event& event) -> std::vector<Action> {
-    return event.cause == Cause::kControl ? std::vector{tests::state("x")} : std::vector<Action>{};
+    return event.cause() == Cause::kControl ? std::vector{tests::state("x")}
+                                            : std::vector<Action>{};
   });
   ASSERT_GE(effects.actions.size(), 4u);
   EXPECT_EQ(effects.actions[0].first, Time{10ms});
@@ -168,13 +170,12 @@ TEST_F(TwoMotes, EndsTheGivenTimeAfterAState) {
 
 TEST_F(TwoMotes, ActionsBeyondTheRulesAreRefusedCountedAndTheRunGoesOn) {
   const Outcome outcome = run(Time{1s}, [](const Event& event) -> std::vector<Action> {
-    if (event.cause != Cause::kStart || event.agent != tests::kA) return {};
-    Action drive, to_itself = tests::send(tests::kA), nameless = tests::send(tests::kB),
-                  endless = tests::send(tests::kB);
-    drive.kind = ActionKind::kDriveBody;
-    nameless.topic.clear();
-    endless.payload.resize(hal::kMaxPayload + 1);
-    return {drive, to_itself, nameless, endless};
+    if (event.cause() != Cause::kStart || event.agent != tests::kA) return {};
+    const Send nameless{1, tests::kB, "", {}};
+    return {tests::drive(0),
+            tests::send(tests::kA),
+            {.what = nameless},
+            tests::send(tests::kB, 1, hal::Bytes(hal::kMaxPayload + 1))};
   });
   EXPECT_EQ(outcome.refused_actions, 4u);
   EXPECT_EQ(outcome.kind, Outcome::Kind::kUntil);
@@ -182,9 +183,7 @@ TEST_F(TwoMotes, ActionsBeyondTheRulesAreRefusedCountedAndTheRunGoesOn) {
 
 TEST_F(TwoMotes, AControllerThatThrowsEndsTheRunAndIsNamed) {
   const Outcome outcome = run(Time{1s}, [](const Event& event) -> std::vector<Action> {
-    Action error;
-    error.kind = ActionKind::kError;
-    error.text = "no more";
+    const Action error{.what = hal::node::exchange::ControllerFailed{"no more"}};
     return event.agent == tests::kB && event.time == Time{300ms} ? std::vector{error}
                                                                  : std::vector<Action>{};
   });
@@ -194,18 +193,14 @@ TEST_F(TwoMotes, AControllerThatThrowsEndsTheRunAndIsNamed) {
 
 TEST_F(TwoMotes, TimersCallBackOnceAndMayBeMoved) {
   run(Time{2s}, [](const Event& event) -> std::vector<Action> {
-    if (event.agent != tests::kA || event.cause != Cause::kStart) return {};
-    Action first, moved;
-    first.kind = moved.kind = ActionKind::kTimer;
-    first.timer = moved.timer = 7;
-    first.at = Time{500ms};
-    moved.at = Time{1500ms};
-    return {first, moved};
+    if (event.agent != tests::kA || event.cause() != Cause::kStart) return {};
+    using hal::node::exchange::SetTimer;
+    return {{.what = SetTimer{7, Time{500ms}}}, {.what = SetTimer{7, Time{1500ms}}}};
   });
   std::vector<Time> called;
   for (const Step& step : port->steps) {
     for (const Event& event : step.events) {
-      if (event.cause == Cause::kTimer) called.push_back(event.time);
+      if (event.cause() == Cause::kTimer) called.push_back(event.time);
     }
   }
   EXPECT_EQ(called, std::vector<Time>{Time{1500ms}});

@@ -15,24 +15,18 @@ std::map<AgentId, std::vector<Time>> times_of(Cause cause, const std::vector<Ste
   std::map<AgentId, std::vector<Time>> times;
   for (const Step& step : steps) {
     for (const Event& event : step.events) {
-      if (event.cause == cause) times[event.agent].push_back(event.time);
+      if (event.cause() == cause) times[event.agent].push_back(event.time);
     }
   }
   return times;
 }
 
-Action timer_at(Time at) {
-  Action action;
-  action.kind = ActionKind::kTimer;
-  action.timer = 1;
-  action.at = at;
-  return action;
-}
+Action timer_at(Time at) { return {.what = hal::node::exchange::SetTimer{1, at}}; }
 
 TEST_F(TwoMotes, WithAUniformPhaseAgentsStartWithTheirOwnControlCycleAndTimersDiffer) {
   config.control_phase = sim::agents::ControlPhase::kUniform;
   run(Time{1s}, [](const Event& event) -> std::vector<Action> {
-    if (event.cause == Cause::kStart) return {timer_at(event.time + 200ms)};
+    if (event.cause() == Cause::kStart) return {timer_at(event.time + 200ms)};
     return {};
   });
   const auto starts = times_of(Cause::kStart, port->steps);
@@ -50,7 +44,7 @@ TEST_F(TwoMotes, WithAUniformPhaseAgentsStartWithTheirOwnControlCycleAndTimersDi
 
 TEST_F(TwoMotes, AlignedAgentsStartAtZeroAndTimersMeet) {
   run(Time{1s}, [](const Event& event) -> std::vector<Action> {
-    if (event.cause == Cause::kStart) return {timer_at(event.time + 200ms)};
+    if (event.cause() == Cause::kStart) return {timer_at(event.time + 200ms)};
     return {};
   });
   for (const AgentId agent : {tests::kA, tests::kB}) {
@@ -64,7 +58,7 @@ TEST_F(TwoMotes, AlignedAgentsStartAtZeroAndTimersMeet) {
 TEST_F(TwoMotes, WhatArrivesBeforeTheStartIsHandedOverWithIt) {
   config.control_phase = sim::agents::ControlPhase::kUniform;
   run(Time{1s}, [](const Event& event) -> std::vector<Action> {
-    if (event.cause == Cause::kStart)
+    if (event.cause() == Cause::kStart)
       return {tests::send(event.agent == tests::kA ? tests::kB : tests::kA)};
     return {};
   });
@@ -74,7 +68,7 @@ TEST_F(TwoMotes, WhatArrivesBeforeTheStartIsHandedOverWithIt) {
   for (const Step& step : port->steps) {
     for (const Event& event : step.events) {
       if (event.agent != later || event.time > starts.at(later)[0]) continue;
-      causes.push_back(event.cause);
+      causes.push_back(event.cause());
       EXPECT_EQ(event.time, starts.at(later)[0]);
     }
   }
@@ -89,7 +83,7 @@ TEST_F(TwoMotes, AControllerThatTheRunLeftNoTimeForIsStartedAndStopped) {
   run(Time{}, tests::nothing);
   ASSERT_EQ(port->steps.size(), 1u);
   std::vector<std::pair<AgentId, Cause>> seen;
-  for (const Event& event : port->steps[0].events) seen.emplace_back(event.agent, event.cause);
+  for (const Event& event : port->steps[0].events) seen.emplace_back(event.agent, event.cause());
   EXPECT_EQ(seen,
             (std::vector<std::pair<AgentId, Cause>>{
                 {kA, Cause::kStart}, {kA, Cause::kStop}, {kB, Cause::kStart}, {kB, Cause::kStop}}));

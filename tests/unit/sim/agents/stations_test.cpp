@@ -33,7 +33,7 @@ TEST_F(Stations, AreLocalisedWhereTheyAreNow) {
   int looked = 0;
   run(Time{2s},
       [&](const Event& event) -> std::vector<Action> {
-        if (event.cause != Cause::kControl) return {};
+        if (event.cause() != Cause::kControl) return {};
         for (const auto& reading : event.readings) {
           EXPECT_EQ(reading.values.size(), 3u);
           const double between = 10 + 5 * hal::to_seconds(event.time);
@@ -83,12 +83,10 @@ TEST_F(Stations, HearOnlyWithinTheRangeOfWhereTheyAreNow) {
   config.routing.algorithm = hal::node::routing::Algorithm::kNone;
   std::vector<double> heard;
   run(Time{60s}, [&](const Event& event) -> std::vector<Action> {
-    if (event.cause == Cause::kMessage) heard.push_back(hal::to_seconds(event.time));
-    if (event.cause != Cause::kControl || event.agent != tests::kA) return {};
-    Action action = tests::send(hal::kNeighbours);
+    if (event.cause() == Cause::kMessage) heard.push_back(hal::to_seconds(event.time));
+    if (event.cause() != Cause::kControl || event.agent != tests::kA) return {};
     static hal::MessageId id = 0;
-    action.message_id = ++id;
-    return {action};
+    return {tests::send(hal::kNeighbours, ++id)};
   });
   ASSERT_FALSE(heard.empty());
   const double reach = sim::radio::kMobilityFrameworkRange.value;

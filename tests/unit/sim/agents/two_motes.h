@@ -18,9 +18,10 @@ using namespace std::chrono_literals;
 using hal::AgentId;
 using hal::Time;
 using hal::node::exchange::Action;
-using hal::node::exchange::ActionKind;
 using hal::node::exchange::Cause;
+using hal::node::exchange::DriveBody;
 using hal::node::exchange::Event;
+using hal::node::exchange::Send;
 using hal::node::exchange::Step;
 using sim::agents::Outcome;
 using sim::agents::SimulationConfig;
@@ -28,27 +29,24 @@ using sim::agents::SimulationConfig;
 inline constexpr AgentId kA{1}, kB{2};
 
 inline Action state(const std::string& text) {
-  Action action;
-  action.kind = ActionKind::kState;
-  action.text = text;
-  return action;
+  return {.what = hal::node::exchange::SetState{text}};
 }
 
-inline Action send(AgentId destination) {
-  Action action;
-  action.kind = ActionKind::kSend;
-  action.message_id = 1;
-  action.destination = destination;
-  action.topic = "test";
-  return action;
+/// The message "test" without content, but for what is said.
+inline Action send(AgentId destination, hal::MessageId id = 1, hal::Bytes payload = {}) {
+  return {
+      .what = Send{
+          .id = id, .destination = destination, .topic = "test", .payload = std::move(payload)}};
 }
+
+inline Action drive(double vx) { return {.what = DriveBody{{.vx = vx}}}; }
 
 /// When actions took effect.
 class Effects final : public sim::agents::Observer {
  public:
-  void on_action(Time at, const Action& action) override { actions.emplace_back(at, action.kind); }
+  void on_action(Time at, const Action& action) override { actions.emplace_back(at, action.what); }
   void on_body_lost(const sim::physics::LostBody& body) override { lost.push_back(body.agent); }
-  std::vector<std::pair<Time, ActionKind>> actions;
+  std::vector<std::pair<Time, Action::What>> actions;
   std::vector<AgentId> lost;
 };
 

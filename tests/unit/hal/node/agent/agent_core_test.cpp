@@ -18,7 +18,6 @@ namespace {
 
 using namespace std::chrono_literals;
 using exchange::Action;
-using exchange::ActionKind;
 using exchange::Cause;
 using exchange::Event;
 using exchange::Reading;
@@ -121,29 +120,21 @@ class Core : public testing::Test {
   }
   std::vector<Cause> causes() {
     std::vector<Cause> causes;
-    for (const Event& event : core_->take_events()) causes.push_back(event.cause);
+    for (const Event& event : core_->take_events()) causes.push_back(event.cause());
     return causes;
   }
-  Action action(ActionKind kind) {
-    Action action;
-    action.agent = kSelf;
-    action.kind = kind;
-    action.destination = kOther;
-    action.topic = "test";
-    return action;
+  /// An action that comes now.
+  Result<void> apply(Action::What what) { return apply(std::move(what), clock_.now()); }
+  Result<void> apply(Action::What what, Time as_of) {
+    return core_->apply({kSelf, 0, std::move(what)}, as_of);
   }
   bool send(MessageId id) {
-    Action sends = action(ActionKind::kSend);
-    sends.message_id = id;
-    return core_->apply(sends, clock_.now()).has_value();
+    return apply(exchange::Send{.id = id, .destination = kOther, .topic = "test", .payload = {}})
+        .has_value();
   }
 
   bool record(const std::string& name, double value, Time at) {
-    Action records = action(ActionKind::kRecord);
-    records.text = name;
-    records.value = value;
-    records.at = at;
-    return core_->apply(records, clock_.now()).has_value();
+    return apply(exchange::Record{name, value, at}).has_value();
   }
 
   FakeClock clock_;
@@ -172,8 +163,8 @@ TEST_F(Core, WhatComesBeforeTheStartIsToldAfterItAsOfThen) {
   core_->start();
   const auto events = core_->take_events();
   ASSERT_EQ(events.size(), 2u);
-  EXPECT_EQ(events[0].cause, Cause::kStart);
-  EXPECT_EQ(events[1].cause, Cause::kMessage);
+  EXPECT_EQ(events[0].cause(), Cause::kStart);
+  EXPECT_EQ(events[1].cause(), Cause::kMessage);
   EXPECT_EQ(events[1].time, Time{3s});
   core_->start();
   EXPECT_TRUE(core_->take_events().empty());
@@ -184,11 +175,8 @@ TEST_F(Core, AfterStopOnlyWordsTakeEffect) {
   core_->stop();
   core_->on_message({kOther, kSelf, 1, "test", {}}, 1);
   EXPECT_EQ(causes(), std::vector{Cause::kStop});
-  Action drive = action(ActionKind::kDriveBody), state = action(ActionKind::kState);
-  drive.twist.vx = 1;
-  state.text = "BYE";
-  EXPECT_TRUE(core_->apply(drive, {}));
-  EXPECT_TRUE(core_->apply(state, {}));
+  EXPECT_TRUE(apply(exchange::DriveBody{{.vx = 1}}));
+  EXPECT_TRUE(apply(exchange::SetState{"BYE"}));
   EXPECT_EQ(drive_.twist, Twist2{});
   EXPECT_EQ(notes_.states, std::vector<std::string>{"BYE"});
   EXPECT_EQ(core_->refused(), 0u);
@@ -252,30 +240,24 @@ TEST_F(Core, NoticesBearTheNumbersOfTheControllerThatSentAndEndWithIt) {
   core_->on_fate(3, Fate::kHandedOver);
   const auto events = core_->take_events();
   ASSERT_EQ(events.size(), 1u);
-  EXPECT_EQ(events[0].noticed, 1u);
+  EXPECT_EQ(std::get<exchange::Notice>(events[0].what).message, 1u);
 }
 
 TEST_F(Core, WhatIsAgainstTheRulesIsRefusedCountedAndTakesNoEffect) {
   start();
-  Action nowhere = action(ActionKind::kSend);
-  nowhere.message_id = 1;
-  nowhere.destination = AgentId{};
-  EXPECT_EQ(core_->apply(nowhere, {}).error().code, Errc::kInvalidArgument);
-  Action drive = action(ActionKind::kDriveWheels);
-  drive.wheel_speeds = {21, 0, 0};
-  EXPECT_FALSE(core_->apply(drive, {}));
+  const exchange::Send nowhere{.id = 1, .destination = {}, .topic = "test", .payload = {}};
+  EXPECT_EQ(apply(nowhere).error().code, Errc::kInvalidArgument);
+  EXPECT_FALSE(apply(exchange::DriveWheels{{21, 0, 0}}));
   EXPECT_TRUE(drive_.speeds.empty());
   drive_.blind = true;
-  EXPECT_EQ(core_->apply(action(ActionKind::kDriveBody), {}).error().code, Errc::kNotAvailable);
+  EXPECT_EQ(apply(exchange::DriveBody{}).error().code, Errc::kNotAvailable);
   EXPECT_EQ(core_->refused(), 3u);
   EXPECT_TRUE(notes_.sent.empty());
 }
 
 TEST_F(Core, ACommandIsAsOldAsItsAnswer) {
   start();
-  Action drive = action(ActionKind::kDriveBody);
-  drive.twist.vx = 0.5;
-  EXPECT_TRUE(core_->apply(drive, Time{7s}));
+  EXPECT_TRUE(apply(exchange::DriveBody{{.vx = 0.5}}, Time{7s}));
   EXPECT_EQ(drive_.twist.vx, 0.5);
   EXPECT_EQ(drive_.commanded_at, Time{7s});
   core_->halt();
@@ -284,23 +266,17 @@ TEST_F(Core, ACommandIsAsOldAsItsAnswer) {
 
 TEST_F(Core, ATimerComesOnceMayBeMovedAndEndsWithItsController) {
   start();
-  Action timer = action(ActionKind::kTimer);
-  timer.timer = 7;
-  timer.at = Time{1s};
-  EXPECT_TRUE(core_->apply(timer, {}));
-  timer.at = Time{2s};
-  EXPECT_TRUE(core_->apply(timer, {}));
+  EXPECT_TRUE(apply(exchange::SetTimer{7, Time{1s}}));
+  EXPECT_TRUE(apply(exchange::SetTimer{7, Time{2s}}));
   clock_.run_until(Time{5s});
   const auto events = core_->take_events();
   ASSERT_EQ(events.size(), 1u);
   EXPECT_EQ(events[0].time, Time{2s});
-  EXPECT_EQ(events[0].timer, 7u);
-  timer.at = Time{1s};  // which is over
-  EXPECT_TRUE(core_->apply(timer, {}));
+  EXPECT_EQ(std::get<exchange::TimerDue>(events[0].what).timer, 7u);
+  EXPECT_TRUE(apply(exchange::SetTimer{7, Time{1s}})) << "which is over";
   clock_.run_until(clock_.now());
   EXPECT_EQ(causes(), std::vector{Cause::kTimer});
-  timer.at = Time{6s};
-  EXPECT_TRUE(core_->apply(timer, {}));
+  EXPECT_TRUE(apply(exchange::SetTimer{7, Time{6s}}));
   core_->disconnect();
   start();
   clock_.run_until(Time{9s});
@@ -309,9 +285,7 @@ TEST_F(Core, ATimerComesOnceMayBeMovedAndEndsWithItsController) {
 
 TEST_F(Core, SwitchesTheRadio) {
   start();
-  Action radio = action(ActionKind::kRadio);
-  radio.radio_on = false;
-  EXPECT_TRUE(core_->apply(radio, {}));
+  EXPECT_TRUE(apply(exchange::SetRadio{false}));
   EXPECT_FALSE(link_.on);
 }
 

@@ -14,8 +14,12 @@ using hal::AgentId;
 using hal::Time;
 using hal::node::exchange::Action;
 using hal::node::exchange::Cause;
+using hal::node::exchange::ControlDue;
 using hal::node::exchange::Courier;
 using hal::node::exchange::Event;
+using hal::node::exchange::MessageArrived;
+using hal::node::exchange::Notice;
+using hal::node::exchange::Stop;
 using tests::ScriptedPort;
 
 const AgentId kA{1}, kB{2};
@@ -23,18 +27,18 @@ const AgentId kA{1}, kB{2};
 /// One action per event.
 std::vector<Action> answer(const Event&) { return {Action{}}; }
 
-Event event(AgentId agent, Cause cause, hal::Duration at) {
+Event event(AgentId agent, Event::What what, hal::Duration at) {
   Event event;
   event.agent = agent;
-  event.cause = cause;
+  event.what = std::move(what);
   event.time = Time{at};
   return event;
 }
 
-Event message(AgentId agent, hal::Duration at) { return event(agent, Cause::kMessage, at); }
+Event message(AgentId agent, hal::Duration at) { return event(agent, MessageArrived{}, at); }
 
 Event control(AgentId agent, hal::Duration at, double reading) {
-  Event control = event(agent, Cause::kControl, at);
+  Event control = event(agent, ControlDue{}, at);
   control.readings = {{7, {reading}}};
   return control;
 }
@@ -107,7 +111,7 @@ TEST_F(CourierTest, ASupersededCyclesChangesReachTheNextEventOfItsAgentInOrder) 
   port_->answers = 1;
   ASSERT_TRUE(courier_.attend());
   const Event& first = port_->steps[1].events[0];
-  EXPECT_EQ(first.cause, Cause::kMessage);
+  EXPECT_EQ(first.cause(), Cause::kMessage);
   EXPECT_EQ(first.readings, (std::vector<hal::node::exchange::Reading>{{7, {1.0}}}));
   ASSERT_EQ(first.routes.size(), 2u);
   EXPECT_FALSE(first.routes[0].removed);
@@ -122,8 +126,8 @@ TEST_F(CourierTest, OverflowIsCountedByAgentAndCauseAndKeepsStartAndStop) {
   lost.readings = {{3, {1.5}}};
   courier_.post(lost);
   courier_.post(message(kB, 6ms));
-  courier_.post(event(kB, Cause::kNotice, 6ms));
-  courier_.post(event(kB, Cause::kStop, 7ms));
+  courier_.post(event(kB, Notice{}, 6ms));
+  courier_.post(event(kB, Stop{}, 7ms));
   const auto& overflow = courier_.losses().overflow;
   EXPECT_EQ(overflow.size(), 2u);
   EXPECT_EQ(overflow.at({kB, Cause::kMessage}), 2u);
@@ -131,7 +135,7 @@ TEST_F(CourierTest, OverflowIsCountedByAgentAndCauseAndKeepsStartAndStop) {
   port_->answers = 1;
   ASSERT_TRUE(courier_.attend());
   ASSERT_EQ(port_->steps[1].events.size(), 5u);
-  EXPECT_EQ(port_->steps[1].events[4].cause, Cause::kStop);
+  EXPECT_EQ(port_->steps[1].events[4].cause(), Cause::kStop);
   EXPECT_EQ(port_->steps[1].events[4].readings, lost.readings);
 }
 

@@ -73,20 +73,12 @@ class FixedInfrared final : public drivers::InfraredDriver {
 using tests::ScriptedPort;
 
 inline node::exchange::Action drive_action(const Twist2& twist) {
-  node::exchange::Action action;
-  action.kind = node::exchange::ActionKind::kDriveBody;
-  action.twist = twist;
-  return action;
+  return {.what = node::exchange::DriveBody{twist}};
 }
 
 inline node::exchange::Action send_action(AgentId to, MessageId id, Bytes payload = {1, 2, 3}) {
-  node::exchange::Action action;
-  action.kind = node::exchange::ActionKind::kSend;
-  action.message_id = id;
-  action.destination = to;
-  action.topic = "test";
-  action.payload = std::move(payload);
-  return action;
+  return {.what = node::exchange::Send{
+              .id = id, .destination = to, .topic = "test", .payload = std::move(payload)}};
 }
 
 }  // namespace hal::robot::agent

@@ -16,9 +16,14 @@ namespace {
 
 using namespace std::chrono_literals;
 using node::exchange::Action;
-using node::exchange::ActionKind;
 using node::exchange::Cause;
 using node::exchange::Event;
+using node::exchange::MessageArrived;
+using node::exchange::Notice;
+using node::exchange::Send;
+using node::exchange::SetState;
+using node::exchange::SetTimer;
+using node::exchange::TimerDue;
 
 constexpr Duration kPatience = 30s;  // reached by a failing test only
 constexpr Duration kPeriod = 10ms, kTimeout = 300ms;
@@ -128,7 +133,7 @@ TEST_F(HardwareAgents, AMoteOffersNeitherWheelsNorWhatItLacks) {
 TEST_F(HardwareAgents, AControllerGetsStartAndThenItsControlCycleWithWhatItAskedFor) {
   const auto port = connect(robot_, {.channels = {"infrared", "localisation"}});
   ASSERT_TRUE(until([&] { return port->of(Cause::kControl).size() >= 5; }));
-  EXPECT_EQ(port->seen.front().cause, Cause::kStart);
+  EXPECT_EQ(port->seen.front().cause(), Cause::kStart);
   EXPECT_EQ(port->of(Cause::kStart).size(), 1u);
   const Event control = port->of(Cause::kControl).front();
   ASSERT_EQ(control.readings.size(), 2u);
@@ -142,7 +147,7 @@ TEST_F(HardwareAgents, AControllerGetsStartAndThenItsControlCycleWithWhatItAsked
 
 TEST_F(HardwareAgents, ActionsTakeEffectInTheOrderTheyWereMade) {
   const auto port = connect(robot_, {}, [](const Event& event) -> std::vector<Action> {
-    if (event.cause != Cause::kStart) return {};
+    if (event.cause() != Cause::kStart) return {};
     return {drive_action({0.1, 0, 0}), drive_action({0.2, 0, 0})};
   });
   ASSERT_TRUE(until([&] { return wheels_.commands == 2; }));
@@ -151,7 +156,7 @@ TEST_F(HardwareAgents, ActionsTakeEffectInTheOrderTheyWereMade) {
 
 TEST_F(HardwareAgents, AControllerThatIsBusyLosesItsWheelsButNoMessage) {
   const auto port = connect(robot_, {}, [](const Event& event) -> std::vector<Action> {
-    if (event.cause != Cause::kControl) return {};
+    if (event.cause() != Cause::kControl) return {};
     return {drive_action({0.1, 0, 0})};
   });
   ASSERT_TRUE(until([&] { return wheels_.commands > 0; }));
@@ -179,22 +184,18 @@ TEST_F(HardwareAgents, WhenTheControllerDiesTheWheelsStopAndAnotherOneBeginsAnew
   EXPECT_EQ(wheels_.twist, Twist2{});
   const auto second = connect(robot_, {}, drives);
   ASSERT_TRUE(until([&] { return wheels_.twist != Twist2{}; }));
-  EXPECT_EQ(second->seen.front().cause, Cause::kStart);
+  EXPECT_EQ(second->seen.front().cause(), Cause::kStart);
   EXPECT_EQ(agent().counts().controllers, 2u);
 }
 
 TEST_F(HardwareAgents, TimersOfAControllerRunAndDieWithIt) {
   const auto sets_timer = [this](const Event& event) -> std::vector<Action> {
-    if (event.cause != Cause::kStart) return {};
-    Action timer;
-    timer.kind = ActionKind::kTimer;
-    timer.timer = 5;
-    timer.at = event.time + 3 * kPeriod;
-    return {timer};
+    if (event.cause() != Cause::kStart) return {};
+    return {{.what = SetTimer{5, event.time + 3 * kPeriod}}};
   };
   const auto first = connect(robot_, {}, sets_timer);
   ASSERT_TRUE(until([&] { return !first->of(Cause::kTimer).empty(); }));
-  EXPECT_EQ(first->of(Cause::kTimer).front().timer, 5u);
+  EXPECT_EQ(first->of(Cause::kTimer).front().what, Event::What(TimerDue{5}));
   EXPECT_GE(first->of(Cause::kTimer).front().time, first->seen.front().time + 3 * kPeriod);
   agent().disconnect({AgentId{1}});
   (void)connect(robot_, {}, sets_timer);
@@ -281,13 +282,12 @@ TEST_F(HardwareAgents, WithoutAChannelThatTheControllerCanDoWithoutItDrivesOn) {
 TEST_F(HardwareAgents, EachControllerMayUseSoManyTopicsAndNoMore) {
   const auto invent = [count = 0](const Event& event) mutable {
     std::vector<Action> actions;
-    if (event.cause != Cause::kStart) return actions;
+    if (event.cause() != Cause::kStart) return actions;
     for (std::size_t i = 0; i < kMaxTopics + 3; ++i) {
-      Action& action = actions.emplace_back();
-      action.kind = ActionKind::kSend;
-      action.message_id = static_cast<MessageId>(i + 1);
-      action.destination = AgentId{2};
-      action.topic = "topic " + std::to_string(++count);
+      actions.push_back({.what = Send{.id = static_cast<MessageId>(i + 1),
+                                      .destination = AgentId{2},
+                                      .topic = "topic " + std::to_string(++count),
+                                      .payload = {}}});
     }
     return actions;
   };
@@ -309,27 +309,27 @@ TEST_F(HardwareAgents, ACommandIsAsOldAsTheAnswerItCameWith) {
 
 TEST_F(HardwareAgents, StopStandsTheWheelsFirstAndThenTellsTheController) {
   const auto port = connect(robot_, {}, [](const Event& event) -> std::vector<Action> {
-    Action state;
-    state.kind = ActionKind::kState;
-    state.text = "BYE";
-    if (event.cause == Cause::kStop) return {drive_action({0.3, 0, 0}), state};
+    if (event.cause() == Cause::kStop) {
+      return {drive_action({0.3, 0, 0}), {.what = SetState{"BYE"}}};
+    }
     return {drive_action({0.1, 0, 0})};
   });
   ASSERT_TRUE(until([&] { return wheels_.twist != Twist2{}; }));
   agent().stop();
   EXPECT_EQ(wheels_.twist, Twist2{}) << "before anything else";
   ASSERT_TRUE(until([&] { return agent().is_over(); }));
-  EXPECT_EQ(port->seen.back().cause, Cause::kStop);
+  EXPECT_EQ(port->seen.back().cause(), Cause::kStop);
   EXPECT_EQ(wheels_.twist, Twist2{}) << "after STOP nobody drives";
 }
 
 TEST_F(HardwareAgents, WhatIsMalformedIsRefusedAndCounted) {
   (void)connect(robot_, {}, [](const Event& event) -> std::vector<Action> {
-    if (event.cause != Cause::kStart) return {};
-    Action long_topic = send_action(AgentId{2}, 1);
-    long_topic.topic = std::string(kMaxTopic + 1, 'x');
-    return {send_action(AgentId{1}, 1), send_action(AgentId{2}, 2, Bytes(kMaxPayload + 1)),
-            long_topic, drive_action({std::nan(""), 0, 0})};
+    if (event.cause() != Cause::kStart) return {};
+    const Send long_topic{1, AgentId{2}, std::string(kMaxTopic + 1, 'x'), {}};
+    return {send_action(AgentId{1}, 1),
+            send_action(AgentId{2}, 2, Bytes(kMaxPayload + 1)),
+            {.what = long_topic},
+            drive_action({std::nan(""), 0, 0})};
   });
   EXPECT_TRUE(until([&] { return agent().counts().refused_actions == 4; }));
 }
@@ -344,23 +344,23 @@ class TwoAgents : public HardwareAgents {
 
 TEST_F(TwoAgents, AMessageFindsItsWayAndItsSenderHearsOfIt) {
   const auto sender = connect(mote_, {}, [](const Event& event) -> std::vector<Action> {
-    if (event.cause != Cause::kStart) return {};
+    if (event.cause() != Cause::kStart) return {};
     return {send_action(AgentId{1}, 1, {9, 8, 7})};
   });
   const auto receiver = connect(robot_, {});
   ASSERT_TRUE(until([&] {
     return !receiver->of(Cause::kMessage).empty() && !sender->of(Cause::kNotice).empty();
   }));
-  const Message message = *receiver->of(Cause::kMessage).front().message;
+  const Message message =
+      std::get<MessageArrived>(receiver->of(Cause::kMessage).front().what).message;
   EXPECT_EQ(message.source, AgentId{2});
   EXPECT_EQ(message.payload, (Bytes{9, 8, 7}));
-  EXPECT_EQ(sender->of(Cause::kNotice).front().noticed, 1u);
-  EXPECT_EQ(sender->of(Cause::kNotice).front().fate, Fate::kHandedOver);
+  EXPECT_EQ(sender->of(Cause::kNotice).front().what, Event::What(Notice{1, Fate::kHandedOver}));
 }
 
 TEST_F(TwoAgents, ALateControllerIsToldTheRoutesAndNeighboursThatWereFoundBeforeIt) {
   const auto first = connect(mote_, {}, [](const Event& event) -> std::vector<Action> {
-    if (event.cause != Cause::kStart) return {};
+    if (event.cause() != Cause::kStart) return {};
     return {send_action(AgentId{1}, 1)};
   });
   ASSERT_TRUE(until([&] { return !first->of(Cause::kNotice).empty(); }));
@@ -376,7 +376,7 @@ TEST_F(TwoAgents, ALateControllerIsToldTheRoutesAndNeighboursThatWereFoundBefore
 
 TEST_F(TwoAgents, ANewControllerIsNotToldTheFatesOfTheOneBeforeIt) {
   const auto sends_to_nobody = [](const Event& event) -> std::vector<Action> {
-    if (event.cause != Cause::kStart) return {};
+    if (event.cause() != Cause::kStart) return {};
     return {send_action(AgentId{99}, 1)};
   };
   mote_.file.routing.retries = 1;
@@ -384,13 +384,13 @@ TEST_F(TwoAgents, ANewControllerIsNotToldTheFatesOfTheOneBeforeIt) {
   run_for(2 * kPeriod);
   mote_.agent().disconnect({AgentId{2}});
   const auto second = connect(mote_, {}, [](const Event& event) -> std::vector<Action> {
-    if (event.cause != Cause::kStart) return {};
+    if (event.cause() != Cause::kStart) return {};
     return {send_action(AgentId{1}, 1)};
   });
   ASSERT_TRUE(until([&] { return !second->of(Cause::kNotice).empty(); }));
   run_for(5 * kPeriod);
   ASSERT_EQ(second->of(Cause::kNotice).size(), 1u);
-  EXPECT_EQ(second->of(Cause::kNotice).front().fate, Fate::kHandedOver);
+  EXPECT_EQ(std::get<Notice>(second->of(Cause::kNotice).front().what).fate, Fate::kHandedOver);
 }
 
 TEST_F(TwoAgents, AThousandMessagesArriveOnceEachAndInOrder) {
@@ -398,21 +398,23 @@ TEST_F(TwoAgents, AThousandMessagesArriveOnceEachAndInOrder) {
   MessageId next = 0;
   const auto sender = connect(mote_, {}, [&](const Event& event) -> std::vector<Action> {
     std::vector<Action> actions;
-    if (event.cause == Cause::kStart) actions.push_back(send_action(AgentId{1}, ++next));
-    if (event.cause == Cause::kNotice && next < kMessages) {
+    if (event.cause() == Cause::kStart) actions.push_back(send_action(AgentId{1}, ++next));
+    if (event.cause() == Cause::kNotice && next < kMessages) {
       actions.push_back(send_action(AgentId{1}, ++next));
     }
     return actions;
   });
   MessageId received = 0;
   const auto receiver = connect(robot_, {}, [&](const Event& event) {
-    received += event.cause == Cause::kMessage ? 1 : 0;
+    received += event.cause() == Cause::kMessage ? 1 : 0;
     return std::vector<Action>{};
   });
   ASSERT_TRUE(until([&] { return received >= kMessages; }));
   const auto messages = receiver->of(Cause::kMessage);
   ASSERT_EQ(messages.size(), kMessages);
-  for (MessageId i = 0; i < kMessages; ++i) EXPECT_EQ(messages[i].message->id, i + 1);
+  for (MessageId i = 0; i < kMessages; ++i) {
+    EXPECT_EQ(std::get<MessageArrived>(messages[i].what).message.id, i + 1);
+  }
 }
 
 }  // namespace
