@@ -11,7 +11,9 @@ import unittest
 from emulated import HARDWARE, Case, Emulator, Probe, Robotino
 
 CONNECTED = "connected"
-ATTEMPTS = 8  # at finding the machine quiet
+# A busy machine holds up a command or the device's emulator until the device stops by its rule. A driver that leaves it
+# without commands, or forgets the timeout, does so each time.
+ATTEMPTS = 8
 
 
 def drive_for(probe, velocity, seconds):
@@ -47,17 +49,15 @@ class Wheels:
     def test_one_command_keeps_the_wheels_turning(self):
         self.begin()
         for _ in range(ATTEMPTS):
-            late, before = self.probe.condition()[1]["late"], self.truth()
+            stops = self.truth()["stops_by_rule"]
             self.assertEqual(self.probe.ask("drive 0.2 0.1 0.3"), "ok")
             self.await_moving()
             time.sleep(1)
-            truth, stops = self.truth(), before["stops_by_rule"]
-            if self.probe.condition()[1]["late"] == late and truth["pauses"] == before["pauses"]:
+            truth = self.truth()
+            if truth["moving"] and truth["stops_by_rule"] == stops:
                 break
         else:
-            self.skipTest("the machine is too busy to say anything about the driver")
-        self.assertEqual(truth["stops_by_rule"], stops)
-        self.assertTrue(truth["moving"])
+            self.fail(f"the wheels stopped by the device's rule each time: {truth}")
         self.near(truth["velocity"], [0.2, 0.1, 0.3], self.tolerance)
         self.assertEqual(self.probe.ask("stop_and_wait 5"), "ok")
         self.assertFalse(self.truth()["moving"])
@@ -67,24 +67,18 @@ class Wheels:
         self.command_timeout = "500 ms"
         self.begin()
         for _ in range(ATTEMPTS):
-            late, before = self.probe.condition()[1]["late"], self.truth()
+            stops = self.truth()["stops_by_rule"]
             self.probe.ask("drive 0.2 0 0")
             self.await_moving()
-            longest = 0
             for _ in range(12):
-                begun = time.monotonic()
                 self.probe.ask("keep")
                 time.sleep(0.1)
-                longest = max(longest, time.monotonic() - begun)
-            turned = self.truth()["moving"]
-            truth, stops = self.await_standing(), before["stops_by_rule"]
-            if (longest < 0.3 and self.probe.condition()[1]["late"] == late and
-                    truth["pauses"] == before["pauses"]):
+            turned = self.truth()["moving"]  # kept for more than twice as long
+            truth = self.await_standing()
+            if turned and truth["stops_by_rule"] == stops:
                 break
         else:
-            self.skipTest("the machine is too busy to say anything about the driver")
-        self.assertTrue(turned, "kept for more than twice as long")
-        self.assertEqual(truth["stops_by_rule"], stops, "by a command, not by silence")
+            self.fail(f"stopped although kept, or by the device's rule, each time: {truth}")
         self.probe.ask("keep")
         time.sleep(0.3)
         self.assertFalse(self.truth()["moving"], "one that ran out does not come back")

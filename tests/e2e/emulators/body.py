@@ -37,23 +37,6 @@ def body_velocity(rows, speeds):
     return columns
 
 
-class Pauses:
-    """Counts how often this process had no processor for longer than 50 ms: what arrived meanwhile
-    it takes in late, and silence that it sees then may be its own."""
-
-    TICK, LONGEST = 0.02, 0.05  # s
-
-    def __init__(self):
-        self.count = 0
-        threading.Thread(target=self._watch, daemon=True).start()
-
-    def _watch(self):
-        while True:
-            begun = time.monotonic()
-            time.sleep(self.TICK)
-            self.count += time.monotonic() - begun > self.TICK + self.LONGEST
-
-
 class Body:
     """Takes on every velocity at once and keeps it until the next one, or until the device's rule
     stops it: `silence` seconds after the last command. Thread-safe."""
@@ -70,7 +53,6 @@ class Body:
         self.stopped_at = self.now
         self.stops_by_rule = 0
         self.longest_gap = 0.0  # between commands while the wheels turned, s
-        self.pauses = Pauses()
 
     def moving(self):
         return any(self.velocity)
@@ -121,8 +103,7 @@ class Body:
             return {"now": now, "pose": list(self.pose), "velocity": list(self.velocity),
                     "moving": self.moving(), "stopped_at": self.stopped_at,
                     "last_command": self.last_command, "commands": self.commands,
-                    "stops_by_rule": self.stops_by_rule, "longest_gap": self.longest_gap,
-                    "pauses": self.pauses.count}
+                    "stops_by_rule": self.stops_by_rule, "longest_gap": self.longest_gap}
 
 
 class World:
