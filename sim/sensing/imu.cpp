@@ -1,6 +1,7 @@
 #include "sim/sensing/imu.h"
 
 #include <fmt/core.h>
+#include <Eigen/Geometry>
 
 #include <cmath>
 
@@ -10,34 +11,26 @@
 namespace sim::sensing {
 namespace {
 
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
 using hal::Vec3;
-using Quaternion = std::array<double, 4>;  // w, x, y, z
 
-Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+Vector3d in_eigen(const Vec3& v) { return {v.x, v.y, v.z}; }
+Vec3 from_eigen(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+Quaterniond in_eigen(const std::array<double, 4>& q) { return {q[0], q[1], q[2], q[3]}; }
+
+/// About the z axis, by a heading. Like the next one without Eigen's AngleAxis, which would ask the
+/// C library for sine and cosine.
+Quaterniond turned_by(double heading) {
+  return {hal::math::cos(heading / 2), 0, 0, hal::math::sin(heading / 2)};
 }
 
-/// v + 2 w (u x v) + 2 u x (u x v) with the quaternion (w, u).
-Vec3 rotated(const Vec3& v, const Quaternion& q) {
-  const Vec3 u{q[1], q[2], q[3]};
-  const Vec3 t = 2 * cross(u, v);
-  return v + q[0] * t + cross(u, t);
-}
-
-Quaternion inverse(const Quaternion& q) { return {q[0], -q[1], -q[2], -q[3]}; }
-
-/// The turn by q, then by a heading about the turned z axis.
-Quaternion turned_on(const Quaternion& q, double heading) {
-  const double c = hal::math::cos(heading / 2), s = hal::math::sin(heading / 2);
-  return {q[0] * c - q[3] * s, q[1] * c + q[2] * s, q[2] * c - q[1] * s, q[3] * c + q[0] * s};
-}
-
-/// A vector turned about another one by its length, rad.
-Vec3 turned_about(const Vec3& v, const Vec3& turn) {
-  const double angle = std::sqrt(hal::dot(turn, turn));
-  if (angle == 0) return v;
+/// About a vector by its length, rad.
+Quaterniond turned_about(const Vector3d& turn) {
+  const double angle = turn.norm();
+  if (angle == 0) return Quaterniond::Identity();
   const double s = hal::math::sin(angle / 2) / angle;
-  return rotated(v, {hal::math::cos(angle / 2), s * turn.x, s * turn.y, s * turn.z});
+  return {hal::math::cos(angle / 2), s * turn.x(), s * turn.y(), s * turn.z()};
 }
 
 class SimulatedImu final : public hal::node::devices::Sensor {
@@ -61,16 +54,18 @@ class SimulatedImu final : public hal::node::devices::Sensor {
 std::optional<std::vector<double>> SimulatedImu::sample(hal::Time) {
   const physics::World& world = site_.world;
   if (velocity_ && world.now() == read_at_) return std::nullopt;
-  const Quaternion body = world.pose(site_.agent).quaternion;
+  const Quaterniond body = in_eigen(world.pose(site_.agent).quaternion);
   const physics::BodyVelocity moving = world.velocity(site_.agent);
-  const Vec3 velocity = moving.linear + cross(moving.angular, rotated(imu_.mount.position, body));
+  const Vector3d arm = body * in_eigen(imu_.mount.position);
+  const Vec3 velocity = moving.linear + from_eigen(in_eigen(moving.angular).cross(arm));
   const physics::WorldConfig& config = world.config();
   const InertialMotion motion{velocity_.value_or(velocity), velocity, moving.angular,
                               config.gravity * config.down,
                               velocity_ ? hal::to_seconds(world.now() - read_at_) : 1};
   velocity_ = velocity;
   read_at_ = world.now();
-  const auto exact = inertial_values(motion, turned_on(body, imu_.mount.heading));
+  const Quaterniond sensor = body * turned_by(imu_.mount.heading);
+  const auto exact = inertial_values(motion, {sensor.w(), sensor.x(), sensor.y(), sensor.z()});
   std::vector<double> values(exact.begin(), exact.end());
   for (std::size_t i = 0; i < values.size(); ++i) {
     const double sigma = i < 3 ? imu_.gyro_sigma : imu_.accelerometer_sigma;
@@ -81,13 +76,15 @@ std::optional<std::vector<double>> SimulatedImu::sample(hal::Time) {
 
 }  // namespace
 
-std::array<double, 6> inertial_values(const InertialMotion& motion, const Quaternion& attitude) {
-  const Quaternion to_sensor = inverse(attitude);
-  const Vec3 rate = rotated(motion.angular, to_sensor);
+std::array<double, 6> inertial_values(const InertialMotion& motion,
+                                      const std::array<double, 4>& attitude) {
+  const Quaterniond to_sensor = in_eigen(attitude).conjugate();
+  const Vector3d angular = in_eigen(motion.angular);
   const Vec3 mean = (1 / motion.seconds) * (motion.velocity - motion.velocity_before);
-  const Vec3 amid = turned_about(mean - motion.gravity, 0.5 * motion.seconds * motion.angular);
-  const Vec3 force = rotated(amid, to_sensor);
-  return {rate.x, rate.y, rate.z, force.x, force.y, force.z};
+  const Vector3d amid =
+      turned_about(0.5 * motion.seconds * angular) * in_eigen(mean - motion.gravity);
+  const Vector3d rate = to_sensor * angular, force = to_sensor * amid;
+  return {rate.x(), rate.y(), rate.z(), force.x(), force.y(), force.z()};
 }
 
 std::unique_ptr<hal::node::devices::Sensor> simulated(const hal::node::devices::ImuSensor& imu,

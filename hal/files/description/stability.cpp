@@ -1,5 +1,6 @@
 #include "hal/files/description/stability.h"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -20,11 +21,19 @@ using node::devices::WheelType;
 /// A solid part of the robot.
 struct SolidPart {
   double mass;
-  Vec3 centre;  ///< m, body frame
-  Vec2 spread;  ///< m^2, mean square distance of its mass from its centre along x and y; z: `rise`.
-  double across = 0;  ///< m^2, mean product of the distances along x and y.
-  double rise;        ///< m^2
+  Vec3 centre;             ///< m, body frame
+  Eigen::Matrix3d spread;  ///< m^2, mean products of the distances of its mass from its centre.
 };
+
+Eigen::Vector3d in_eigen(const Vec3& v) { return {v.x, v.y, v.z}; }
+
+/// @param squares  m^2, mean square distances along its own axes. @param yaw  rad
+Eigen::Matrix3d spread(const Vec3& squares, double yaw) {
+  const double cos = math::cos(yaw), sin = math::sin(yaw);
+  Eigen::Matrix3d turn;
+  turn << cos, -sin, 0, sin, cos, 0, 0, 0, 1;
+  return turn * in_eigen(squares).asDiagonal() * turn.transpose();
+}
 
 std::vector<SolidPart> parts_of(const RobotDescription& robot) {
   std::vector<SolidPart> parts;
@@ -33,22 +42,16 @@ std::vector<SolidPart> parts_of(const RobotDescription& robot) {
     const double round = c.radius * c.radius / 4;
     parts.push_back({c.mass,
                      {c.centre.x, c.centre.y, (c.z_bottom + c.z_top) / 2},
-                     {round, round},
-                     0,
-                     length * length / 12});
+                     spread({round, round, length * length / 12}, 0)});
   }
   for (const auto& b : robot.boxes) {
-    const double cos = math::cos(b.yaw), sin = math::sin(b.yaw);
-    const double along = b.size.x * b.size.x / 12, aside = b.size.y * b.size.y / 12;
-    parts.push_back({b.mass,
-                     b.centre,
-                     {along * cos * cos + aside * sin * sin, along * sin * sin + aside * cos * cos},
-                     (along - aside) * sin * cos,
-                     b.size.z * b.size.z / 12});
+    const Vec3 squares{b.size.x * b.size.x, b.size.y * b.size.y, b.size.z * b.size.z};
+    parts.push_back({b.mass, b.centre, spread((1.0 / 12) * squares, b.yaw)});
   }
   for (const Wheel& w : robot.wheels) {
     const double round = w.radius * w.radius / 5;  // as the simulator has it: a sphere
-    parts.push_back({w.mass, {w.position.x, w.position.y, w.radius}, {round, round}, 0, round});
+    parts.push_back(
+        {w.mass, {w.position.x, w.position.y, w.radius}, spread({round, round, round}, 0)});
   }
   return parts;
 }
@@ -68,15 +71,13 @@ Vec3 centre_of(const std::vector<SolidPart>& parts) {
 /// Squared radius of gyration about a horizontal axis through the centre of mass. m^2
 /// @param across  unit vector across the axis.
 double gyration(const std::vector<SolidPart>& parts, const Vec3& centre, Vec2 across) {
-  double sum = 0;
+  Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();  // about the centre of mass (Steiner)
   for (const SolidPart& p : parts) {
-    const Vec3 to = p.centre - centre;
-    const double aside = to.x * across.x + to.y * across.y;
-    const double own = p.spread.x * across.x * across.x + p.spread.y * across.y * across.y +
-                       2 * p.across * across.x * across.y + p.rise;
-    sum += p.mass * (aside * aside + to.z * to.z + own);
+    const Eigen::Vector3d to = in_eigen(p.centre - centre);
+    sum += p.mass * (p.spread + to * to.transpose());
   }
-  return sum / mass_of(parts);
+  const Eigen::Vector3d aside{across.x, across.y, 0};
+  return (aside.dot(sum * aside) + sum(2, 2)) / mass_of(parts);
 }
 
 double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
@@ -108,16 +109,14 @@ std::vector<double> loads(const std::vector<Wheel>& wheels, Vec2 centre) {
   const double n = static_cast<double>(wheels.size());
   Vec2 mean;
   for (const Wheel& wheel : wheels) mean = mean + (1 / n) * wheel.position;
-  double xx = 0, xy = 0, yy = 0;
+  Eigen::Matrix2d moments = Eigen::Matrix2d::Zero();  // invertible: not all wheels on one line
   for (const Wheel& wheel : wheels) {
-    const Vec2 to = wheel.position - mean;
-    xx += to.x * to.x;
-    xy += to.x * to.y;
-    yy += to.y * to.y;
+    const Eigen::Vector2d to{wheel.position.x - mean.x, wheel.position.y - mean.y};
+    moments += to * to.transpose();
   }
-  const Vec2 off = centre - mean;
-  const double det = xx * yy - xy * xy;  // above 0: not all wheels on one line
-  const Vec2 slope{(yy * off.x - xy * off.y) / det, (xx * off.y - xy * off.x) / det};
+  const Eigen::Vector2d off{centre.x - mean.x, centre.y - mean.y};
+  const Eigen::Vector2d tilt = moments.ldlt().solve(off);
+  const Vec2 slope{tilt.x(), tilt.y()};
   std::vector<double> shares;
   shares.reserve(wheels.size());
   for (const Wheel& wheel : wheels)

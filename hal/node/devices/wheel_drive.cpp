@@ -1,6 +1,8 @@
 #include "hal/node/devices/wheel_drive.h"
 
 #include <fmt/core.h>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -17,86 +19,76 @@ using Row = WheelDrive::Row;
 /// Below it (m, and rad by the metre) a direction is rounding: files give angles in degrees.
 constexpr double kNothing = 1e-9;
 
-Row cross(const Row& a, const Row& b) {
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
+/// A motion or what is asked of one: (vx, vy, omega).
+using Vector = Eigen::RowVector3d;
+/// By rows, which Eigen then sums from the left, as dot() does.
+using Matrix = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 double dot(const Row& a, const Row& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
 /// Velocity of the body at a wheel along a direction, as a row of (vx, vy, omega).
-Row along(const Vec2& direction, const Vec2& position) {
+Vector along(const Vec2& direction, const Vec2& position) {
   return {direction.x, direction.y, direction.y * position.x - direction.x * position.y};
 }
 
-Row row_of(const Wheel& wheel) {
+Vector row_of(const Wheel& wheel) {
   const double radius = wheel.radius * math::cos(wheel.roller_angle);
-  const Row row =
-      along({-math::sin(wheel.slip_heading()), math::cos(wheel.slip_heading())}, wheel.position);
-  return {row[0] / radius, row[1] / radius, row[2] / radius};
+  return along({-math::sin(wheel.slip_heading()), math::cos(wheel.slip_heading())},
+               wheel.position) /
+         radius;
 }
 
 /// What is left of a row without its shares in orthogonal unit rows.
-Row without(Row row, const std::vector<Row>& units) {
-  for (const Row& unit : units) {
-    const double share = dot(row, unit);
-    for (std::size_t i = 0; i < 3; ++i) row[i] -= share * unit[i];
-  }
+Vector without(Vector row, const std::vector<Vector>& units) {
+  for (const Vector& unit : units) row -= row.dot(unit) * unit;
   return row;
 }
 
 /// Orthogonal unit rows that span what the fixed wheels rule out (Gram and Schmidt).
-std::vector<Row> constraints(const std::vector<Wheel>& wheels) {
-  std::vector<Row> units;
+std::vector<Vector> constraints(const std::vector<Wheel>& wheels) {
+  std::vector<Vector> units;
   for (const Wheel& wheel : wheels) {
     if (wheel.type != WheelType::kFixed) continue;
-    Row rest = without(
+    const Vector rest = without(
         along({math::cos(wheel.axle_heading), math::sin(wheel.axle_heading)}, wheel.position),
         units);
-    const double length = std::sqrt(dot(rest, rest));
-    if (length < kNothing) continue;
-    for (double& value : rest) value /= length;
-    units.push_back(rest);
+    const double length = rest.norm();
+    if (length >= kNothing) units.emplace_back(rest / length);
   }
   return units;
 }
 
-/// Sum over the wheels of row times row transposed: the normal equations' matrix.
-std::array<Row, 3> gram(const std::vector<Row>& rows) {
-  std::array<Row, 3> sum{};
-  for (const Row& row : rows)
-    for (std::size_t i = 0; i < 3; ++i)
-      for (std::size_t j = 0; j < 3; ++j) sum[i][j] += row[i] * row[j];
-  return sum;
-}
-
-/// Rows of the inverse of a symmetric matrix, from its cofactors. @throws if it is singular.
-std::array<Row, 3> invert(const std::array<Row, 3>& m) {
-  const Row c0 = cross(m[1], m[2]);
-  const double determinant = dot(m[0], c0);
+/// Inverse of a symmetric matrix, from its cofactors. @throws if it is singular.
+Matrix invert(const Matrix& m) {
+  const double determinant = m.determinant();
   // For a singular matrix rounding leaves about 1e-16 of the diagonal's product.
-  if (!(determinant > 1e-9 * m[0][0] * m[1][1] * m[2][2]))
+  if (!(determinant > 1e-9 * m.diagonal().prod()))
     throw std::invalid_argument("wheels: the axles leave a direction of the body undriven");
-  std::array<Row, 3> inverse{c0, cross(m[2], m[0]), cross(m[0], m[1])};
-  for (Row& row : inverse)
-    for (double& value : row) value /= determinant;
-  return inverse;
+  Matrix cofactors;
+  cofactors << m.row(1).cross(m.row(2)), m.row(2).cross(m.row(0)), m.row(0).cross(m.row(1));
+  // Divided: inverse() multiplies by 1 / determinant, which is another last bit of a wheel's speed.
+  return cofactors / determinant;
 }
 
 /// Pseudo-inverse of the rows among the feasible motions: with P the projection on them and Q that
 /// on what is ruled out, (P J^T J P + s^2 Q)^-1 P J^T. The term in Q only makes it invertible.
-std::vector<Row> pseudo_inverse(const std::vector<Row>& rows, const std::vector<Row>& ruled_out) {
-  std::vector<Row> feasible;
+std::vector<Row> pseudo_inverse(const std::vector<Vector>& rows,
+                                const std::vector<Vector>& ruled_out) {
+  std::vector<Vector> feasible;
   feasible.reserve(rows.size());
-  for (const Row& row : rows) feasible.push_back(without(row, ruled_out));
-  std::vector<Row> all = feasible;
-  const double scale = std::sqrt(dot(rows.front(), rows.front()));  // of the same magnitude
-  for (const Row& unit : ruled_out)
-    all.push_back({scale * unit[0], scale * unit[1], scale * unit[2]});
-  const auto inverse = invert(gram(all));
+  for (const Vector& row : rows) feasible.push_back(without(row, ruled_out));
+  std::vector<Vector> all = feasible;
+  const double scale = rows.front().norm();  // of the same magnitude
+  for (const Vector& unit : ruled_out) all.emplace_back(scale * unit);
+  Matrix normal = Matrix::Zero();  // of the normal equations
+  for (const Vector& row : all) normal += row.transpose() * row;
+  const Matrix inverse = invert(normal);
   std::vector<Row> columns;
   columns.reserve(feasible.size());
-  for (const Row& row : feasible)
-    columns.push_back({dot(inverse[0], row), dot(inverse[1], row), dot(inverse[2], row)});
+  for (const Vector& row : feasible) {
+    const Eigen::Vector3d column = inverse * row.transpose();
+    columns.push_back({column[0], column[1], column[2]});
+  }
   return columns;
 }
 
@@ -105,6 +97,7 @@ Row as_row(const Twist2& twist) { return {twist.vx, twist.vy, twist.omega}; }
 }  // namespace
 
 WheelDrive::WheelDrive(const std::vector<Wheel>& wheels) {
+  std::vector<Vector> rows;
   for (const Wheel& wheel : wheels) {
     if (!wheel.is_driven()) continue;
     if (!(wheel.radius > 0) || !(wheel.max_speed > 0))
@@ -113,14 +106,15 @@ WheelDrive::WheelDrive(const std::vector<Wheel>& wheels) {
                       wheel.radius, wheel.max_speed));
     max_wheel_speed_ =
         body_to_wheel_.empty() ? wheel.max_speed : std::min(max_wheel_speed_, wheel.max_speed);
-    body_to_wheel_.push_back(row_of(wheel));
+    const Vector& row = rows.emplace_back(row_of(wheel));
+    body_to_wheel_.push_back({row[0], row[1], row[2]});
   }
   if (body_to_wheel_.empty()) throw std::invalid_argument("wheels: none is driven");
-  const std::vector<Row> ruled_out = constraints(wheels);
+  const std::vector<Vector> ruled_out = constraints(wheels);
   degrees_of_freedom_ = 3 - static_cast<int>(ruled_out.size());
   if (degrees_of_freedom_ == 0)
     throw std::invalid_argument("wheels: the fixed wheels let the body go nowhere");
-  wheel_to_body_ = pseudo_inverse(body_to_wheel_, ruled_out);
+  wheel_to_body_ = pseudo_inverse(rows, ruled_out);
 }
 
 Twist2 WheelDrive::limits() const {
