@@ -121,7 +121,9 @@ void Simulation::State::drain(hal::AgentId id, const Drain& drain) {
 /// One burst, and so on until then.
 void Simulation::State::jam(const Jam& interferer, hal::Time last) {
   const auto length = hal::from_seconds(interferer.duty_cycle * hal::to_seconds(interferer.period));
-  air.interfere({.from = interferer.position,
+  const auto& [x, y, height] = interferer.position;
+  const hal::Vec3 foot = on(*config.world.ground, {x, y});
+  air.interfere({.from = {x, y, foot.z + height},
                  .power = interferer.power,
                  .channel = interferer.channel,
                  .length = std::min(length, last - events.now())});

@@ -51,7 +51,7 @@ struct Drain {
 
 /// An interferer: energy that nobody can receive, in bursts.
 struct Jam {
-  hal::Vec3 position;  ///< m, of its antenna, world frame
+  hal::Vec3 position;  ///< m, of its antenna: x and y in the world frame, z above the ground
   hal::Milliwatts power;
   std::optional<std::uint32_t> channel;  ///< None: that of the scenario's radio.
   hal::Duration duration{};              ///< > 0

@@ -68,7 +68,8 @@ Simulation::State::State(const SimulationConfig& the_config, std::vector<Observe
            .positions = positions,
            .obstacles = obstacles,
            .observer = observers,
-           .seed = config.seed}),
+           .seed = config.seed,
+           .ground = *config.world.ground}),
       interfaces(config, air, {.events = events, .outside = outside, .observer = observers}),
       watch({.events = events,
              .position = [this](hal::AgentId agent) -> std::optional<hal::Vec2> {

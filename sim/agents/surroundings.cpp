@@ -19,8 +19,6 @@ double distance(hal::Vec2 point, const physics::Shape& box) {
   return std::sqrt(x * x + y * y);
 }
 
-hal::Vec3 ground(const PathState& state) { return {state.position.x, state.position.y, 0}; }
-
 }  // namespace
 
 Scene::Scene(const physics::World& world, const std::vector<hal::AgentId>& agents,
@@ -59,9 +57,12 @@ void Scene::follow(double range) {
   const auto put = [this](std::uint32_t i) {
     const hal::AgentId agent = positions_[i].agent;
     const Path* const path = paths_ == nullptr ? nullptr : paths_->find(agent);
-    const hal::Vec3 p = path == nullptr ? world_.position(agent) : ground(path->at(paths_at_));
-    positions_[i].position = {p.x, p.y};
-    grid_->put(i, positions_[i].position);
+    hal::Vec2& place = positions_[i].position;
+    if (path != nullptr)
+      place = path->at(paths_at_).position;
+    else
+      place = {world_.position(agent).x, world_.position(agent).y};
+    grid_->put(i, place);
   };
   const bool is_one_step_behind = positions_at_ && *positions_at_ + 1 == world_.steps();
   if (is_one_step_behind) {
@@ -121,15 +122,17 @@ double Scene::clearance(hal::Vec2 place) const {
 }
 
 hal::Vec3 AgentPositions::position(hal::AgentId agent, hal::Time at) const {
-  if (const Path* path = paths_.find(agent)) return ground(path->at(at));
+  if (const Path* path = paths_.find(agent)) return on(ground_, path->at(at).position);
   return world_.position(agent);
 }
 
 hal::Vec3 AgentPositions::velocity(hal::AgentId agent, hal::Time at) const {
   const Path* const path = paths_.find(agent);
   if (path == nullptr) return world_.velocity(agent).linear;
-  const hal::Vec2 velocity = path->at(at).velocity;
-  return {velocity.x, velocity.y, 0};
+  const PathState state = path->at(at);
+  const hal::Vec2& velocity = state.velocity;
+  const hal::Vec3 normal = ground_.normal(state.position);
+  return {velocity.x, velocity.y, -(normal.x * velocity.x + normal.y * velocity.y) / normal.z};
 }
 
 hal::Time AgentPositions::valid_until(hal::AgentId agent, hal::Time at) const {

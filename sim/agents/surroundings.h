@@ -9,6 +9,7 @@
 #include "sim/agents/simulation_config.h"
 #include "sim/core/cell_grid.h"
 #include "sim/core/event_queue.h"
+#include "sim/core/ground.h"
 #include "sim/physics/world.h"
 #include "sim/radio/ports.h"
 #include "sim/sensing/proximity.h"
@@ -70,7 +71,7 @@ class AgentPositions final : public radio::Positions {
  public:
   /// @param max_speed  of bodies, m/s.
   AgentPositions(const physics::World& world, const Paths& paths, double max_speed)
-      : world_(world), paths_(paths), max_speed_(max_speed) {}
+      : world_(world), ground_(*world.config().ground), paths_(paths), max_speed_(max_speed) {}
 
   hal::Vec3 position(hal::AgentId agent, hal::Time at) const override;
   hal::Vec3 velocity(hal::AgentId agent, hal::Time at) const override;
@@ -79,6 +80,7 @@ class AgentPositions final : public radio::Positions {
 
  private:
   const physics::World& world_;
+  const Ground& ground_;
   const Paths& paths_;
   double max_speed_;  ///< m/s; bounds every body, pushed ones included.
 };

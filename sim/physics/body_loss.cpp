@@ -27,7 +27,8 @@ std::string_view name(BodyLoss loss) {
   return "lost";
 }
 
-std::optional<BodyLoss> loss_of(const RigidBody& body, const hal::Vec3& origin) {
+std::optional<BodyLoss> loss_of(const RigidBody& body, const hal::Vec3& origin,
+                                const Ground& ground) {
   static const double upright = hal::math::cos(1.0);
   const dReal* p = dBodyGetPosition(body.body);
   const dReal* r = dBodyGetRotation(body.body);
@@ -36,9 +37,10 @@ std::optional<BodyLoss> loss_of(const RigidBody& body, const hal::Vec3& origin) 
   const bool sane = std::abs(v[0]) < kFastest && std::abs(v[1]) < kFastest &&
                     std::abs(v[2]) < kFastest && std::isfinite(p[0] + p[1] + p[2] + r[10]);
   if (!sane) return BodyLoss::kBlownUp;
-  if (origin.z < -kDeepest) return BodyLoss::kBelowGround;
+  const hal::Vec2 place{origin.x, origin.y};
+  if (origin.z - ground.height(place) < -kDeepest) return BodyLoss::kBelowGround;
   if (p[0] * p[0] + p[1] * p[1] + p[2] * p[2] > kFarthest * kFarthest) return BodyLoss::kFarAway;
-  if (r[10] < upright) return BodyLoss::kTipped;
+  if (hal::dot(ground.normal(place), {r[2], r[6], r[10]}) < upright) return BodyLoss::kTipped;
   return std::nullopt;
 }
 

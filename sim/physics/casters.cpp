@@ -23,7 +23,8 @@ void Casters::touch_ground(const OdeWorld& world) const {
   GroundContact ground;
   for (const Ball& ball : balls_) {
     const Vec3 centre = Vec3{p[0], p[1], p[2]} + rotate(chassis_.body, ball.offset);
-    if (!meet_ground({chassis_.body, centre, rotate(chassis_.body, ball.slip), ball.radius},
+    if (!meet_ground(world.ground(),
+                     {chassis_.body, centre, rotate(chassis_.body, ball.slip), ball.radius},
                      contact, ground))
       continue;
     contact.surface.mu = ball.mu;

@@ -133,8 +133,11 @@ void ContactPass::count(const Solid& a, const Solid& b, int contacts) {
 
 void ContactPass::stand_on_ground(const Object& mote) {
   if (!mote.awake()) return;
-  for (const dGeomID geometry : mote.geometries)
-    join(world_, geometry, world_.ground(), std::min(mote.friction, ground_friction_));
+  for (const dGeomID geometry : mote.geometries) {
+    const dReal* p = dGeomGetPosition(geometry);
+    join(world_, geometry, world_.ground_plane({p[0], p[1]}),
+         std::min(mote.friction, ground_friction_));
+  }
 }
 
 }  // namespace sim::physics

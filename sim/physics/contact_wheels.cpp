@@ -86,7 +86,7 @@ void ContactWheels::touch_ground(const OdeWorld& world) {
   for (ContactWheel& wheel : wheels_) {
     const WheelSphere sphere{chassis_.body, centre + rotate(chassis_.body, wheel.offset),
                              rotate(chassis_.body, wheel.slip), wheel.radius};
-    if (!meet_ground(sphere, contact, wheel.ground)) continue;
+    if (!meet_ground(world.ground(), sphere, contact, wheel.ground)) continue;
     if (measures_) wheel.ground.velocity = material_velocity(chassis_.body, wheel.ground.arm);
     contact.surface.mode |= dContactMotion1;
     contact.surface.mu = grip(wheel);
@@ -107,7 +107,7 @@ void ContactWheels::follow(double seconds, std::span<double> angles) {
 double ContactWheels::turned(ContactWheel& wheel, double seconds) {
   const GroundContact& ground = wheel.ground;
   if (!ground.touches) return (power_ ? wheel.speed : 0) * seconds;
-  wheel.load = std::max(ground.force().z, 0.0);
+  wheel.load = std::max(hal::dot(ground.force(), ground.normal), 0.0);
   if (!wheel.yields && !measures_) return wheel.speed * seconds;
   const Vec3 after = material_velocity(chassis_.body, ground.arm);
   if (measures_) book(wheel, after, seconds);

@@ -26,15 +26,11 @@ void stop(dBodyID body) {
 
 }  // namespace
 
-void displace(Object& object, const hal::Pose2& pose) {
+void displace(Object& object, const hal::Pose2& pose, const Ground& ground) {
   const dBodyID main = object.rigid.body;
   std::vector<Relative> others;
   for (const dBodyID body : object.bodies) others.push_back(relative(body, main));
-  dMatrix3 rotation;
-  set_yaw(rotation, pose.theta);
-  dBodySetRotation(main, rotation);
-  const hal::Vec3 centre = rotate(main, object.rigid.centre_of_mass);
-  dBodySetPosition(main, pose.x + centre.x, pose.y + centre.y, centre.z);
+  stand(object.rigid, pose, ground);
   for (std::size_t i = 1; i < others.size(); ++i) {
     const dBodyID body = object.bodies[i];
     dVector3 position;

@@ -114,7 +114,8 @@ void JointedWheels::touch_ground(const OdeWorld& world) {
     // The directions follow the chassis; the wheel's own frame turns with the wheel.
     const Vec3 slip = slip_of(wheel);
     const dReal* p = dBodyGetPosition(wheel.body);
-    if (!meet_ground({wheel.body, {p[0], p[1], p[2]}, slip, wheel.radius}, contact, wheel.ground))
+    if (!meet_ground(world.ground(), {wheel.body, {p[0], p[1], p[2]}, slip, wheel.radius}, contact,
+                     wheel.ground))
       continue;
     contact.surface.mu = wheel.mu;
     contact.surface.mu2 = wheel.mu2;

@@ -49,7 +49,7 @@ void configure(dWorldID world, const WorldConfig& config) {
 
 }  // namespace
 
-OdeWorld::OdeWorld(const WorldConfig& config) {
+OdeWorld::OdeWorld(const WorldConfig& config) : ground_(config.ground) {
   initialise_ode();
   dynamics_ = dWorldCreate();
   // ODE's default threading object is shared by all worlds and aborts when two threads step.
@@ -59,16 +59,23 @@ OdeWorld::OdeWorld(const WorldConfig& config) {
   configure(dynamics_, config);
   space_ = dSweepAndPruneSpaceCreate(nullptr, dSAP_AXES_XYZ);
   contacts_ = dJointGroupCreate(0);
-  ground_ = dCreatePlane(nullptr, 0, 0, 1, 0);
+  ground_plane_ = dCreatePlane(nullptr, 0, 0, 1, 0);
 }
 
 OdeWorld::~OdeWorld() {
   dJointGroupDestroy(contacts_);
   dSpaceDestroy(space_);
-  dGeomDestroy(ground_);
+  dGeomDestroy(ground_plane_);
   dWorldSetStepThreadingImplementation(dynamics_, nullptr, nullptr);
   dWorldDestroy(dynamics_);
   dThreadingFreeImplementation(threading_);
+}
+
+dGeomID OdeWorld::ground_plane(hal::Vec2 at) const {
+  const hal::Vec3 normal = ground_->normal(at);
+  dGeomPlaneSetParams(ground_plane_, normal.x, normal.y, normal.z,
+                      hal::dot(normal, on(*ground_, at)));
+  return ground_plane_;
 }
 
 void OdeWorld::drop_contacts(std::size_t awake) {

@@ -13,7 +13,7 @@ namespace sim::physics {
 /// wheels touch nothing but the ground, and the ground would pair with all.
 enum Category : unsigned { kWallBit = 2, kBodyBit = 4, kMoteBit = 16 };
 
-/// Owns ODE's objects of one world: dynamics, broad phase, contact joints, ground plane.
+/// Owns ODE's objects of one world: dynamics, broad phase, contact joints, a plane as ground.
 class OdeWorld {
  public:
   explicit OdeWorld(const WorldConfig& config);
@@ -24,7 +24,11 @@ class OdeWorld {
   dWorldID dynamics() const { return dynamics_; }
   dSpaceID space() const { return space_; }
   dJointGroupID contacts() const { return contacts_; }
-  dGeomID ground() const { return ground_; }
+  const Ground& ground() const { return *ground_; }
+
+  /// The ground as it is around a place, for geometries to be tested against: the plane that
+  /// touches it there. Good until the next call.
+  dGeomID ground_plane(hal::Vec2 at) const;
 
   /// Removes all contact joints: at the end of a step. @param awake  objects that have some; when
   /// there are far fewer than there were, what memory their joints took is given back.
@@ -41,7 +45,8 @@ class OdeWorld {
   dWorldID dynamics_;
   dSpaceID space_;
   dJointGroupID contacts_;
-  dGeomID ground_;
+  std::shared_ptr<const Ground> ground_;
+  dGeomID ground_plane_;
   std::uint64_t messages_ = 0;
   std::size_t most_awake_ = 0;  ///< Since the memory of contacts was given back.
 };

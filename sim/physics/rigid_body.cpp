@@ -84,11 +84,7 @@ RigidBody make_body(const OdeWorld& world, dMass mass, const hal::Pose2& pose) {
   RigidBody made{dBodyCreate(world.dynamics()), {mass.c[0], mass.c[1], mass.c[2]}};
   dMassTranslate(&mass, -made.centre_of_mass.x, -made.centre_of_mass.y, -made.centre_of_mass.z);
   dBodySetMass(made.body, &mass);
-  dMatrix3 rotation;
-  set_yaw(rotation, pose.theta);
-  dBodySetRotation(made.body, rotation);
-  const Vec3 centre = rotate(made.body, made.centre_of_mass);
-  dBodySetPosition(made.body, pose.x + centre.x, pose.y + centre.y, centre.z);
+  stand(made, pose, world.ground());
   return made;
 }
 
@@ -103,10 +99,6 @@ void attach(const Part& part, const RigidBody& body) {
 }
 
 Vec3 as_vector(const dReal* v) { return {v[0], v[1], v[2]}; }
-
-Vec3 cross(const Vec3& a, const Vec3& b) {
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
 
 /// The box lies on the face whose axis is nearest to vertical; the other two axes span its outline.
 void refresh_box(Shape& shape, dGeomID geometry) {
@@ -146,6 +138,21 @@ void set_yaw(dMatrix3 rotation, double yaw) {
   rotation[1] = -s;
   rotation[4] = s;
   rotation[5] = c;
+}
+
+void stand(const RigidBody& body, const hal::Pose2& pose, const Ground& ground) {
+  const Vec3 place = on(ground, {pose.x, pose.y});
+  const Vec3 up = ground.normal({pose.x, pose.y});
+  // I + [v] + [v]^2 / (1 + z . n) with v = z x n (O. Rodrigues, 1840)
+  const double k = 1 / (1 + up.z);
+  const double xx = 1 - k * up.x * up.x, xy = -k * up.x * up.y, yy = 1 - k * up.y * up.y;
+  const dMatrix3 slope{xx, xy, up.x, 0, xy, yy, up.y, 0, -up.x, -up.y, up.z, 0};
+  dMatrix3 yaw, rotation;
+  set_yaw(yaw, pose.theta);
+  dMultiply0(rotation, slope, yaw, 3, 3, 3);
+  dBodySetRotation(body.body, rotation);
+  const Vec3 centre = rotate(body.body, body.centre_of_mass);
+  dBodySetPosition(body.body, place.x + centre.x, place.y + centre.y, place.z + centre.z);
 }
 
 void lift(const RigidBody& body, double height) {

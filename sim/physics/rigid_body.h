@@ -26,6 +26,10 @@ struct RigidBody {
 /// Rotation about the vertical as ODE stores it, without libm's sine.
 void set_yaw(dMatrix3 rotation, double yaw);
 
+inline hal::Vec3 cross(const hal::Vec3& a, const hal::Vec3& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
 /// Takes a vector from the body frame to the world frame.
 inline hal::Vec3 rotate(dBodyID body, const hal::Vec3& vector) {
   const dReal* r = dBodyGetRotation(body);
@@ -33,6 +37,10 @@ inline hal::Vec3 rotate(dBodyID body, const hal::Vec3& vector) {
           r[4] * vector.x + r[5] * vector.y + r[6] * vector.z,
           r[8] * vector.x + r[9] * vector.y + r[10] * vector.z};
 }
+
+/// Puts a body upright on the ground, its origin at `pose`: turned there by its heading, then by
+/// the least turn that takes the vertical to the ground's normal.
+void stand(const RigidBody& body, const hal::Pose2& pose, const Ground& ground);
 
 /// Moves a body straight up. m
 void lift(const RigidBody& body, double height);

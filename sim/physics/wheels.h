@@ -62,6 +62,7 @@ class Wheels {
 struct GroundContact {
   bool touches = false;
   hal::Vec3 arm;          ///< m, from the body's centre of mass, at the start of the step
+  hal::Vec3 normal;       ///< Unit vector, world frame: out of the ground.
   hal::Vec3 grip;         ///< Unit vector, world frame: where a positive speed drives the body.
   hal::Vec3 velocity;     ///< m/s of the body's material there, before the step; for energies only
   dJointFeedback forces;  ///< Of the step; valid if asked for.
@@ -70,7 +71,7 @@ struct GroundContact {
 };
 
 /// A wheel's sphere on its way through the world. It has no geometry of ODE's: nothing but the
-/// ground meets it, and the ground is the plane z = 0.
+/// ground meets it, as the plane that touches it below the centre.
 struct WheelSphere {
   dBodyID body;      ///< That it belongs to.
   hal::Vec3 centre;  ///< m, world frame
@@ -88,7 +89,8 @@ double lever(const hal::node::devices::Wheel& wheel);
 /// Fills in where and along which directions a wheel meets the ground: friction `mu` along the
 /// grip, `mu2` across it. @param contact  zeroed, or from another wheel.
 /// @return whether they touch.
-bool meet_ground(const WheelSphere& wheel, dContact& contact, GroundContact& met);
+bool meet_ground(const Ground& ground, const WheelSphere& wheel, dContact& contact,
+                 GroundContact& met);
 
 /// m/s of a body's material at a distance from its centre of mass; all in the world frame.
 inline hal::Vec3 material_velocity(dBodyID body, const hal::Vec3& arm) {

@@ -49,6 +49,7 @@ const WorldConfig& checked(const WorldConfig& config) {
   require(config.ground_friction >= 0, "ground friction", config.ground_friction, "0 or more");
   require(config.jam_contacts >= 0, "jam contacts", config.jam_contacts, "0 or more");
   require(config.jam_robots >= 1, "jam robots", config.jam_robots, "1 or more");
+  if (config.ground == nullptr) throw std::invalid_argument("ground: none, needed");
   return config;
 }
 
@@ -157,7 +158,7 @@ void World::Implementation::put_down() {
   for (const auto& [number, pose] : placed) {
     Object& object = *objects[number];
     if (object.frozen) continue;
-    displace(object, pose);
+    displace(object, pose, ode.ground());
     awake.add(number);
   }
   placed.clear();
@@ -217,7 +218,7 @@ std::span<const Shape> World::Implementation::refreshed_shapes() {
 /// @param origin  is brought up to date.
 void World::Implementation::look_for_loss(Object& object, hal::Vec3& origin) {
   origin = position_of(object.rigid);
-  const auto loss = loss_of(object.rigid, origin);
+  const auto loss = loss_of(object.rigid, origin, ode.ground());
   if (loss == BodyLoss::kBlownUp) {
     freeze(object, object.centre);
     origin = position_of(object.rigid);

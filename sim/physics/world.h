@@ -14,6 +14,7 @@
 #include "hal/types/geometry.h"
 #include "hal/types/result.h"
 #include "hal/types/time.h"
+#include "sim/core/ground.h"
 #include "sim/core/obstacle_loss.h"
 #include "sim/physics/shape.h"
 
@@ -25,7 +26,7 @@ using hal::AgentId;
 struct WorldConfig {
   hal::Duration step = std::chrono::milliseconds(10);  ///< > 0, at most 20 ms.
   double gravity = 9.81;                               ///< m/s^2, along `down`.
-  hal::Vec3 down{0, 0, -1};              ///< Unit vector; tilted, the ground is a slope.
+  hal::Vec3 down{0, 0, -1};              ///< Unit vector; tilted, flat ground is a slope.
   double erp = 0.4;                      ///< Share of a joint error corrected per step, 0 .. 1.
   double cfm = 1e-8;                     ///< Softness of constraints.
   double surface_layer = 1e-4;           ///< m; contacts may sink in this far.
@@ -35,8 +36,9 @@ struct WorldConfig {
   /// Heaps with more robots get the iterative solver, too: seven robots in a ring have only seven
   /// contacts, for which the exact solver takes 2.5 ms a step.
   int jam_robots = 4;
-  std::uint64_t seed = 1;       ///< Of the iterative solver's row order.
-  bool measure_energy = false;  ///< Books all wheels' work, some 5 % slower.
+  std::uint64_t seed = 1;                              ///< Of the iterative solver's row order.
+  bool measure_energy = false;                         ///< Books all wheels' work, some 5 % slower.
+  std::shared_ptr<const Ground> ground = kFlatGround;  ///< Never null.
 };
 
 /// A wall or another box that never moves.
@@ -79,7 +81,7 @@ struct Contacts {
 
 /// What became of a body that no robot or mote should get into.
 enum class BodyLoss : std::uint8_t {
-  kTipped,       ///< Tilted by more than 1 rad.
+  kTipped,       ///< Tilted by more than 1 rad against the ground.
   kBlownUp,      ///< Not a number, or faster than 100 km/s; it is frozen where it was before.
   kBelowGround,  ///< Its origin is more than 0.2 m below the ground.
   kFarAway,      ///< More than 100 km from the world's origin.
@@ -107,7 +109,7 @@ struct Energy {
   double mechanical() const { return kinetic + potential; }
 };
 
-/// Rigid bodies on a plane: robots on driven wheels, motes that can be pushed, walls.
+/// Rigid bodies on the ground: robots on driven wheels, motes that can be pushed, walls.
 /// Same calls, same bits: bodies are made and stepped in the order of the calls. A world is used by
 /// one thread at a time; worlds in other threads do not disturb it unless both hold a jam, because
 /// the iterative solver draws from a generator that the process shares.
@@ -128,7 +130,8 @@ class World {
   /// Before the first step. @throws std::invalid_argument  a size, mass or wheel that is not
   /// possible, or an agent that is there already or is 0.
   void add_wall(const StaticBox& wall);
-  /// @param height  m, of the mote's lower face at the start; above 0 it stands on a box or falls.
+  /// @param height  m, of the mote's lower face above the ground at the start; above 0 it stands on
+  /// a box or falls.
   void add_mote(AgentId agent, const hal::node::devices::MoteDescription& mote,
                 const hal::Pose2& pose, double height = 0);
   void add_robot(AgentId agent, const hal::node::devices::RobotDescription& robot,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "sim/core/event_queue.h"
+#include "sim/core/ground.h"
 #include "sim/radio/burst.h"
 #include "sim/radio/channel.h"
 #include "sim/radio/neighbourhood.h"
@@ -23,12 +24,13 @@ class Band {
     const Positions& positions;
     const Obstacles& obstacles;
     RadioObserver& observer;
+    const Ground& ground;
   };
   /// @param config  of a station on this channel number.
   /// @param antennas  of all of them, in ascending order of agents.
   Band(const RadioConfig& config, Surroundings around,
        const std::vector<Neighbourhood::Antenna>& antennas)
-      : propagation_(config, around.obstacles),
+      : propagation_(config, around.obstacles, around.ground),
         neighbourhood_(around.events, around.positions, propagation_, antennas) {
     for (const auto& antenna : antennas) stations_.push_back(antenna.agent);
     if (const WavesConfig* const waves = waves_of(config)) {

@@ -23,8 +23,13 @@ double LogDistance::reach(hal::Milliwatts power, hal::Milliwatts least) const {
   return ratio < 1 ? 0 : reference_ * hal::math::pow(ratio, 1 / exponent_);
 }
 
+/// m, of the antenna above the ground.
+double TwoRayGround::height(const Site& site) const {
+  return site.antenna().z - ground_.height({site.position.x, site.position.y});
+}
+
 hal::Milliwatts TwoRayGround::after(hal::Milliwatts power, const Path& path) const {
-  const double heights = path.from.antenna().z * path.to.antenna().z;  // m^2
+  const double heights = height(path.from) * height(path.to);  // m^2
   const double crossover = 4 * hal::math::kPi * heights / wavelength_;
   if (heights <= 0) return {};  // on the ground the two rays extinguish each other
   if (path.distance_squared <= crossover * crossover) return free_space_.after(power, path);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "sim/core/ground.h"
 #include "sim/radio/path_loss.h"
 #include "sim/radio/path_loss_config.h"
 #include "sim/radio/power_law.h"
@@ -22,12 +23,13 @@ class LogDistance final : public PathLoss {
 };
 
 /// A ray from antenna to antenna and one by way of the ground: Friis' law up to the crossover
-/// distance 4 pi ht hr / lambda, P = Ptx ht^2 hr^2 / d^4 beyond, heights above z = 0 (T. S.
+/// distance 4 pi ht hr / lambda, P = Ptx ht^2 hr^2 / d^4 beyond, heights above the ground (T. S.
 /// Rappaport, "Wireless Communications", 2nd ed., 4.6).
 class TwoRayGround final : public PathLoss {
  public:
-  explicit TwoRayGround(hal::Metres wavelength)
-      : free_space_(wavelength, 2), wavelength_(wavelength.value) {}
+  /// @param ground  outlives this.
+  TwoRayGround(hal::Metres wavelength, const Ground& ground)
+      : free_space_(wavelength, 2), wavelength_(wavelength.value), ground_(ground) {}
 
   hal::Milliwatts after(hal::Milliwatts power, const Path& path) const override;
   /// The range in free space, an upper bound.
@@ -36,8 +38,11 @@ class TwoRayGround final : public PathLoss {
   }
 
  private:
+  double height(const Site& site) const;
+
   PowerLaw free_space_;
   double wavelength_;  ///< m
+  const Ground& ground_;
 };
 
 }  // namespace sim::radio

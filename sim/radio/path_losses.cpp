@@ -24,8 +24,8 @@ Made made(const LogDistanceConfig& config, const PropagationConfig&) {
   return std::make_unique<LogDistance>(config);
 }
 
-Made made(const TwoRayGroundConfig&, const PropagationConfig& air) {
-  return std::make_unique<TwoRayGround>(air.wavelength);
+Made made(const TwoRayGroundConfig&, const PropagationConfig& air, const Ground& ground) {
+  return std::make_unique<TwoRayGround>(air.wavelength, ground);
 }
 
 Made made(const ShadowingConfig& config, const PropagationConfig&) {
@@ -47,8 +47,15 @@ Made made(const RayleighConfig& config, const PropagationConfig& air) {
 }  // namespace
 
 std::unique_ptr<const PathLoss> path_loss(const PathLossConfig& config,
-                                          const PropagationConfig& air) {
-  return std::visit([&air](const auto& one) { return made(one, air); }, config);
+                                          const PropagationConfig& air, const Ground& ground) {
+  return std::visit(
+      [&](const auto& one) {
+        if constexpr (requires { made(one, air, ground); })
+          return made(one, air, ground);
+        else
+          return made(one, air);
+      },
+      config);
 }
 
 }  // namespace sim::radio

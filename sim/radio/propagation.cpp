@@ -27,20 +27,21 @@ hal::Milliwatts to_milliwatts(hal::Dbm level) {
   return hal::Milliwatts{hal::math::pow(10, level.value / 10)};
 }
 
-Propagation::Propagation(const RadioConfig& config, const Obstacles& obstacles) {
+Propagation::Propagation(const RadioConfig& config, const Obstacles& obstacles,
+                         const Ground& ground) {
   std::visit(
       [&](const auto& one) {
         if constexpr (requires { one.range; })
           add(one.range);
         else
-          add(one, obstacles);
+          add(one, obstacles, ground);
       },
       config);
 }
 
-void Propagation::add(const WavesConfig& config, const Obstacles& obstacles) {
+void Propagation::add(const WavesConfig& config, const Obstacles& obstacles, const Ground& ground) {
   const PropagationConfig& air = config.propagation;
-  for (const PathLossConfig& one : air.chain) add(path_loss(one, air));
+  for (const PathLossConfig& one : air.chain) add(path_loss(one, air, ground));
   if (air.obstacles) obstacles_ = &obstacles;
   if (air.obstacles && !air.body_loss.is_none()) moving_obstacles_ = &obstacles;
   delays_ = air.propagation_delay;

@@ -6,6 +6,7 @@
 
 #include "hal/types/quantity.h"
 #include "hal/types/time.h"
+#include "sim/core/ground.h"
 #include "sim/radio/path_loss.h"
 #include "sim/radio/ports.h"
 #include "sim/radio/radio_config.h"
@@ -26,7 +27,9 @@ hal::Milliwatts to_milliwatts(hal::Dbm level);
 /// audible: elsewhere frames keep their mean.
 class Propagation {
  public:
-  Propagation(const RadioConfig& config, const Obstacles& obstacles);
+  /// @param obstacles, ground  outlive this.
+  Propagation(const RadioConfig& config, const Obstacles& obstacles,
+              const Ground& ground = *kFlatGround);
 
   enum class Strength : std::uint8_t {
     kNothing,  ///< Below the interference floor.
@@ -74,7 +77,7 @@ class Propagation {
  private:
   using Chain = std::vector<std::unique_ptr<const PathLoss>>;
 
-  void add(const WavesConfig& config, const Obstacles& obstacles);
+  void add(const WavesConfig& config, const Obstacles& obstacles, const Ground& ground);
   void add(hal::Metres range);
   void add(std::unique_ptr<const PathLoss> loss);
   Strength strength(const Steady& steady) const;

@@ -141,11 +141,11 @@ struct RadioNetwork::State {
   void open(Air& air) {
     StationConfig there;
     if (waves_of(config) != nullptr) there.channel = air.channel;
-    air.band =
-        std::make_unique<Band>(config_for(config, there, false),
-                               Band::Surroundings{surroundings.events, surroundings.positions,
-                                                  surroundings.obstacles, surroundings.observer},
-                               air.antennas);
+    air.band = std::make_unique<Band>(
+        config_for(config, there, false),
+        Band::Surroundings{surroundings.events, surroundings.positions, surroundings.obstacles,
+                           surroundings.observer, surroundings.ground},
+        air.antennas);
     if (waves_of(config) == nullptr) {
       air.disk = std::make_unique<DiskAir>(DiskAir{air.band->neighbourhood(), {}});
     }

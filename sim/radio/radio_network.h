@@ -8,6 +8,7 @@
 
 #include "hal/types/agent_id.h"
 #include "sim/core/event_queue.h"
+#include "sim/core/ground.h"
 #include "sim/radio/burst.h"
 #include "sim/radio/mac_sap.h"
 #include "sim/radio/observer.h"
@@ -26,6 +27,7 @@ class RadioNetwork {
     const Obstacles& obstacles;
     RadioObserver& observer;
     std::uint64_t seed = 0;
+    const Ground& ground = *kFlatGround;
   };
   struct Station {
     hal::AgentId agent;

@@ -53,14 +53,14 @@ void loss_keys(Fields& io, ObstacleLoss& c) {
             c.per_metre);
 }
 
-void keys_of(Fields& io, StaticBox& box) {
+void keys_of(Fields& io, StaticBox& box, const Ground& ground) {
   io.text({"name", "Of the wall or box, in results.", "north", "`wall` or `box` with its number"},
           box.name);
   io.needed({"size", "Along its own axes; it stands on the ground.", "[6 m, 20 cm, 50 cm]"}, "m",
             kBoxSize, box.size);
   hal::Vec2 at{box.centre.x, box.centre.y};
   io.needed({"position", "Of its middle, world frame.", "[0 m, 3 m]"}, "m", kCoordinate, at);
-  box.centre = {at.x, at.y, box.size.z / 2};  // It stands on the ground.
+  box.centre = {at.x, at.y, ground.height(at) + box.size.z / 2};  // It stands on the ground.
   io.number({"yaw", "By which it is turned, seen from above.", "45 deg"}, "rad", kAngle, box.yaw);
   io.number({"friction", "Coefficient of its surface.", "0.6"}, "1", kFriction, box.friction);
   io.inside(
@@ -69,13 +69,14 @@ void keys_of(Fields& io, StaticBox& box) {
 }
 
 /// @param kind  what those without a name are called, with their numbers.
-void boxes(Fields& io, const Key& key, std::string_view kind, std::vector<StaticBox>& all) {
+void boxes(Fields& io, const Key& key, std::string_view kind, agents::SimulationConfig& config) {
+  std::vector<StaticBox>& all = config.walls;
   const std::size_t first = all.size();
   std::vector<StaticBox> listed;
   if (io.reading() == nullptr) listed = all;
   io.list<StaticBox>(key, listed, [&](Fields& one, StaticBox& box) {
     if (one.reading() != nullptr) box.name = fmt::format("{}{}", kind, &box - listed.data());
-    keys_of(one, box);
+    keys_of(one, box, *config.world.ground);
   });
   if (io.reading() != nullptr)
     all.insert(all.begin() + static_cast<std::ptrdiff_t>(first), listed.begin(), listed.end());
@@ -88,12 +89,12 @@ void world_keys(Fields& io, agents::SimulationConfig& config) {
             [&](Fields& physics) { physics_keys(physics, config.world); });
   boxes(io,
         {"walls", "Boxes that never move.", "[{size: [6 m, 20 cm, 50 cm], position: [0 m, 3 m]}]"},
-        "wall", config.walls);
+        "wall", config);
   if (io.is_writing()) return;  // among the walls
   boxes(io,
         {"boxes", "The same under another name.",
          "[{size: [1 m, 1 m, 50 cm], position: [2 m, 2 m]}]"},
-        "box", config.walls);
+        "box", config);
 }
 
 void keys_of(Fields& io, agents::LocalisationConfig& config) {

@@ -42,7 +42,7 @@ double packet_errors(std::istream& words) {
 double two_ray(std::istream& words) {
   double distance = 0, from = 0, to = 0;
   words >> distance >> from >> to;
-  return decibels(TwoRayGround{kWavelength}
+  return decibels(TwoRayGround{kWavelength, *sim::kFlatGround}
                       .after(kOne, Path(Site({0, 0, 0}, from), Site({distance, 0, 0}, to)))
                       .value);
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "sim/radio/distance_laws.h"
+#include "tests/support/slope.h"
 
 namespace sim::radio::test {
 namespace {
@@ -18,7 +19,7 @@ double left_in_db(const PathLoss& loss, const Site& from, const Site& to) {
 // Heights 1.5 m: crossover at 4 pi 1.5^2 / lambda = 227.5 m. Below it Friis, 20 log10(lambda / 4 pi
 // d); beyond it 20 log10(ht hr) - 40 log10(d); d from antenna to antenna. dB, rounding only.
 TEST(TwoRayGround, FollowsItsClosedFormAtTwelveDistances) {
-  const TwoRayGround loss{hal::Metres{kLambda}};
+  const TwoRayGround loss{hal::Metres{kLambda}, *kFlatGround};
   for (const double d :
        {1.0, 5.0, 20.0, 50.0, 100.0, 200.0, 227.0, 228.0, 300.0, 500.0, 1e3, 5e3}) {
     const double friis = 20 * std::log10(kLambda / (4 * kPi * d));
@@ -30,11 +31,20 @@ TEST(TwoRayGround, FollowsItsClosedFormAtTwelveDistances) {
 }
 
 TEST(TwoRayGround, TakesTheHeightsOfTheAntennas) {
-  const TwoRayGround loss{hal::Metres{kLambda}};
+  const TwoRayGround loss{hal::Metres{kLambda}, *kFlatGround};
   const double d = std::sqrt(4e6 + 9);  // 2 km away and 3 m higher: beyond the crossover, 1011 m
   const double rays = 20 * std::log10(2.0 * 5.0) - 40 * std::log10(d);
   EXPECT_NEAR(left_in_db(loss, Site({0, 0, 1}, 1), Site({2000, 0, 0}, 5)), rays, 1e-9);
   EXPECT_EQ(loss.after(kSent, Path(Site({0, 0, 0}), Site({5, 0, 0}, 1.5))).value, 0);
+}
+
+// Each antenna above the ground where it stands: 1 m and 5 m on a slope from 7 m to 27 m.
+TEST(TwoRayGround, TakesTheHeightsAboveTheGroundAtEitherEnd) {
+  const tests::Slope slope(7, 0.01);
+  const TwoRayGround loss{hal::Metres{kLambda}, slope};
+  const double d = std::sqrt(4e6 + 24 * 24);
+  EXPECT_NEAR(left_in_db(loss, Site({0, 0, 7}, 1), Site({2000, 0, 27}, 5)),
+              20 * std::log10(1.0 * 5.0) - 40 * std::log10(d), 1e-9);
 }
 
 // 46.6777 dB + 30 log10(d): at 51.3 m with 16.0206 dBm that is -81.96 dBm, where ns-3's detector

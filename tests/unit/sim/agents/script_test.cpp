@@ -5,6 +5,7 @@
 
 #include "sim/agents/quantities.h"
 #include "sim/agents/scripted_event.h"
+#include "tests/support/slope.h"
 #include "tests/unit/sim/agents/two_motes.h"
 #include "tests/unit/sim/physics/robertino.h"
 
@@ -322,6 +323,23 @@ TEST_F(Scripted, AJammerKeepsStationsFromSendingAsLongAsItLasts) {
   EXPECT_GT(handed(kA, Cause::kMessage, Time{}, Time{1s}), 0u);
   EXPECT_EQ(handed(kA, Cause::kMessage, Time{1010ms}, Time{1500ms}), 0u);
   EXPECT_GT(handed(kA, Cause::kMessage, Time{1500ms}, Time{2s}), 0u);
+}
+
+TEST_F(Scripted, AJammersAntennaIsAboveTheGround) {
+  config.world.ground = std::make_shared<Slope>(5e4, 0);  // m: from z = 3 m it would reach nobody
+  hop_over(sim::radio::Profile::kIeee80211b);
+  at(1s, {sim::agents::Jam{.position = {15, 3, 3},
+                           .power = hal::Milliwatts{100},
+                           .channel = {},
+                           .duration = 500ms,
+                           .period = 10ms,
+                           .duty_cycle = 1},
+          {},
+          {},
+          {}});
+  run_sending(Time{1500ms});
+  EXPECT_GT(handed(kA, Cause::kMessage, Time{}, Time{1s}), 0u);
+  EXPECT_EQ(handed(kA, Cause::kMessage, Time{1010ms}, Time{1500ms}), 0u);
 }
 
 TEST_F(Scripted, EventsHappenAtTheirTimesAndAsOftenAsTheySay) {

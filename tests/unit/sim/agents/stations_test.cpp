@@ -3,7 +3,9 @@
 #include <map>
 
 #include "sim/agents/simulation.h"
+#include "sim/agents/surroundings.h"
 #include "sim/core/event_queue.h"
+#include "tests/support/slope.h"
 #include "tests/unit/sim/agents/two_motes.h"
 
 namespace sim::agents {
@@ -45,6 +47,16 @@ TEST_F(Stations, AreLocalisedWhereTheyAreNow) {
       },
       {.channels = {"localisation"}});
   EXPECT_GE(looked, 40) << "by both";
+}
+
+TEST_F(Stations, FollowTheGround) {
+  config.world.ground = std::make_shared<tests::Slope>(3, 0.1);
+  const physics::World world(config.world);
+  const Paths paths(config);
+  const AgentPositions positions(world, paths, 0);
+  EXPECT_NEAR(positions.position(tests::kB, Time{2s}).x, 30, 1e-9);
+  EXPECT_NEAR(positions.position(tests::kB, Time{2s}).z, 3 + 0.1 * 30, 1e-9);
+  EXPECT_NEAR(positions.velocity(tests::kB, Time{2s}).z, 0.1 * 5, 1e-9);
 }
 
 TEST_F(Stations, HaveNoBodyAndAreRecordedAtControlInstants) {

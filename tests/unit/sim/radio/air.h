@@ -180,7 +180,7 @@ class Air {
   }
   void build() {
     network = std::make_unique<RadioNetwork>(
-        config, stations_, RadioNetwork::Surroundings{events, antennas, wall, log, seed});
+        config, stations_, RadioNetwork::Surroundings{events, antennas, wall, log, seed, *ground});
     for (const auto& station : stations_) {
       inboxes_.push_back(std::make_unique<Inbox>(events));
       network->sap(station.agent).add_client(kEthertypeRouting, *inboxes_.back());
@@ -219,6 +219,7 @@ class Air {
   Wall wall;
   Log log;
   std::uint64_t seed = 1;
+  std::shared_ptr<const Ground> ground = kFlatGround;
   bool one_by_one = false;  ///< Every event waits in the queue for its turn.
   std::unique_ptr<RadioNetwork> network;
 

@@ -8,6 +8,7 @@
 #include "sim/radio/neighbourhood.h"
 #include "sim/radio/propagation.h"
 #include "sim/radio/radio_rules.h"
+#include "tests/support/slope.h"
 #include "tests/unit/sim/radio/air.h"
 
 namespace sim::radio::test {
@@ -167,6 +168,24 @@ TEST(PropagationChain, TwoRayGroundTakesTheStationsHeights) {
     ASSERT_EQ(levels(air, 2).size(), 1u);
     EXPECT_NEAR(levels(air, 2)[0], level, 1e-3);
   }
+}
+
+TEST(PropagationChain, TwoRayGroundTakesHeightsAboveTheGroundOfTheWorld) {
+  const auto level_on = [](std::shared_ptr<const Ground> ground, double z) {
+    Air air(kChained);
+    chain_of(air).chain = {TwoRayGroundConfig{}};
+    chain_of(air).antenna_height = hal::Metres{1.5};
+    air.ground = std::move(ground);
+    air.add({0, 0, z});
+    air.add({300, 0, z});
+    air.build();
+    broadcast_often(air, 1, 1);
+    air.run();
+    return levels(air, 2).at(0);
+  };
+  // The same but for rounding: 1001.5 m - 1000 m is not 1.5 m to the last bit. dB
+  EXPECT_NEAR(level_on(std::make_shared<tests::Slope>(1000, 0), 1000), level_on(kFlatGround, 0),
+              1e-9);
 }
 
 }  // namespace
