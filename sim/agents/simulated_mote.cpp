@@ -1,12 +1,9 @@
 #include "sim/agents/simulated_mote.h"
 
-#include <utility>
-
-#include "hal/node/devices/channels.h"
+#include "hal/node/devices/sensors.h"
 #include "hal/types/log.h"
 #include "hal/types/random.h"
 #include "sim/agents/agent_offer.h"
-#include "sim/sensing/sensors.h"
 
 namespace sim::agents {
 namespace {
@@ -37,10 +34,10 @@ SimulatedMote::SimulatedMote(const AgentConfig& config, radio::MacSap& mac,
              .sensors = *this,
              .observer = surroundings.observer,
              .listener = listener}),
+      senses_(config, surroundings.scene, surroundings.config.localisation.range.value, site()),
       mac_(mac) {
   link_.attach(core_.router());
   if (devices::battery_of(sensors_of(config)) != nullptr) add_supply();
-  if (!sensors_of(config).empty()) add_sensors();
 }
 
 SimulatedMote::~SimulatedMote() {
@@ -53,16 +50,14 @@ void SimulatedMote::add_supply() {
   mac_.set_use_listener(supply_.get());
 }
 
-void SimulatedMote::add_sensors() {
-  const sensing::SensorSite site{
+sensing::SensorSite SimulatedMote::site() {
+  return {
       id(),
       name(),
       surroundings_.config.seed,
       surroundings_.world,
       [&scene = surroundings_.scene]() -> const sensing::Proximity& { return scene.proximity(); },
       [this] { return supply_->battery(); }};
-  for (const devices::SensorDescription& sensor : sensors_of(config_))
-    sensors_.push_back({sensing::make_sensor(sensor, site), {}});
 }
 
 void SimulatedMote::start() {
@@ -133,26 +128,8 @@ bool SimulatedMote::is_fed(const hal::Channel& channel) const {
 
 bool SimulatedMote::sample(std::size_t channel, hal::Time at, std::vector<double>& values) {
   if (!is_fed(core_.session().channels[channel])) return false;
-  const std::uint16_t id = core_.session().channels[channel].id;
-  if (id == devices::kLocalisation) localise(at, values);
-  if (id >= devices::kFirstSensor) values = read(sensors_.at(id - devices::kFirstSensor), at);
+  values = senses_.read(channel, at);
   return true;
-}
-
-const std::vector<double>& SimulatedMote::read(Part& part, hal::Time at) {
-  if (auto fresh = part.sensor->sample(at)) part.held = std::move(*fresh);
-  return part.held;
-}
-
-void SimulatedMote::localise(hal::Time at, std::vector<double>& values) {
-  const BodyState self = surroundings_.scene.body(id(), at);
-  const double range = surroundings_.config.localisation.range.value;
-  for (const auto& other :
-       sensing::localise({self.x, self.y, self.theta}, id(),
-                         surroundings_.scene.near({self.x, self.y}, range, at), range)) {
-    values.insert(values.end(),
-                  {static_cast<double>(other.agent.value), other.position.x, other.position.y});
-  }
 }
 
 }  // namespace sim::agents

@@ -1,15 +1,13 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "hal/node/agent/agent_core.h"
-#include "hal/node/devices/battery.h"
-#include "hal/node/devices/sensor.h"
 #include "sim/agents/observer.h"
 #include "sim/agents/queue_timers.h"
 #include "sim/agents/radio_link.h"
+#include "sim/agents/senses.h"
 #include "sim/agents/simulation_config.h"
 #include "sim/agents/supply.h"
 #include "sim/agents/surroundings.h"
@@ -64,6 +62,7 @@ class SimulatedMote : public hal::node::agent::Sensors {
   Supply* supply() { return supply_.get(); }
   const Supply* supply() const { return supply_.get(); }
 
+  void advance(hal::Time at) override { senses_.advance(at); }
   bool sample(std::size_t channel, hal::Time at, std::vector<double>& values) override;
 
  protected:
@@ -74,25 +73,18 @@ class SimulatedMote : public hal::node::agent::Sensors {
   hal::AgentId id() const { return id_; }
   Surroundings& surroundings() { return surroundings_; }
   const Surroundings& surroundings() const { return surroundings_; }
+  const Senses& senses() const { return senses_; }
+
+ private:
+  void add_supply();
+  sensing::SensorSite site();
   /// Whether there is power to measure with: nothing but the gauge of an empty battery tells
   /// anything if that has switched the agent off.
   bool is_fed(const hal::Channel& channel) const;
-
- private:
-  /// One of `sensors:`, and its last values.
-  struct Part {
-    std::unique_ptr<hal::node::devices::Sensor> sensor;
-    std::vector<double> held;
-  };
-
-  void add_supply();
-  void add_sensors();
-  const std::vector<double>& read(Part& part, hal::Time at);
   void on_control();
   void on_empty();
   void power_motors();
   virtual void set_motors(bool on) { (void)on; }
-  void localise(hal::Time at, std::vector<double>& values);
 
   const AgentConfig& config_;
   Surroundings surroundings_;
@@ -100,7 +92,7 @@ class SimulatedMote : public hal::node::agent::Sensors {
   RadioLink link_;
   QueueTimers timers_;
   hal::node::agent::AgentCore core_;
-  std::vector<Part> sensors_;  ///< As in the description.
+  Senses senses_;
   radio::MacSap& mac_;
   std::unique_ptr<Supply> supply_;
   bool is_on_ = true, is_present_ = true;

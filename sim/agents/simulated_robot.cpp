@@ -2,21 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <utility>
-#include <variant>
 
-#include "hal/node/devices/channels.h"
 #include "hal/types/check.h"
 
 namespace sim::agents {
 namespace {
-
-namespace devices = hal::node::devices;
-
-const hal::node::devices::RobotDescription& description_of(const AgentConfig& config) {
-  return std::get<hal::node::devices::RobotDescription>(config.body);
-}
 
 double fastest_of(std::span<const double> speeds) {
   double fastest = 0;
@@ -25,53 +16,6 @@ double fastest_of(std::span<const double> speeds) {
 }
 
 }  // namespace
-
-SimulatedRobot::SimulatedRobot(const AgentConfig& config, radio::MacSap& mac,
-                               Surroundings surroundings, hal::node::agent::AgentListener& listener)
-    : SimulatedMote(config, mac, surroundings, listener, this),
-      odometry_(surroundings.world.drive(config.id), description_of(config).encoder_steps),
-      infrared_(config.id, description_of(config).infrared, surroundings.config.seed, config.name) {
-}
-
-void SimulatedRobot::advance(hal::Time at) {
-  if (at > odometry_at_) {
-    odometry_.update(surroundings().world.wheel_angles(id()), at - odometry_at_);
-  }
-  odometry_at_ = at;
-}
-
-hal::Pose2 SimulatedRobot::reckoned(hal::Time now) const {
-  if (now <= odometry_at_) return odometry_.pose();
-  hal::node::devices::WheelOdometry then = odometry_;
-  then.update(surroundings().world.wheel_angles(id()), now - odometry_at_);
-  return then.pose();
-}
-
-bool SimulatedRobot::sample(std::size_t channel, hal::Time at, std::vector<double>& values) {
-  if (!is_fed(core().session().channels[channel])) return false;
-  const std::uint16_t id = core().session().channels[channel].id;
-  switch (id) {
-    case devices::kOdometry:
-      values = devices::odometry_values(odometry_.pose(), odometry_.twist());
-      return true;
-    case devices::kInfrared:
-      for (const sensing::InfraredMeasurement& reading : infrared(at))
-        values.push_back(reading.metres);
-      return true;
-    case devices::kInfraredVolts:
-      for (const sensing::InfraredMeasurement& reading : infrared(at))
-        values.push_back(reading.volts);
-      return true;
-    default:
-      return SimulatedMote::sample(channel, at, values);
-  }
-}
-
-std::span<const sensing::InfraredMeasurement> SimulatedRobot::infrared(hal::Time at) {
-  Scene& scene = surroundings().scene;
-  infrared_.sample(at, scene.world(), scene.proximity());
-  return infrared_.readings();
-}
 
 /// Of a command whose fastest wheel turns with this. rad/s
 double SimulatedRobot::share_of(double fastest) const {

@@ -2,23 +2,17 @@
 
 #include <limits>
 #include <span>
-#include <vector>
 
-#include "hal/node/devices/odometry.h"
-#include "hal/node/devices/robot_description.h"
 #include "sim/agents/simulated_mote.h"
-#include "sim/sensing/infrared.h"
 
 namespace sim::agents {
 
-/// A robot: a mote with wheels, odometry and infrared.
+/// A robot: a mote with wheels.
 class SimulatedRobot final : public SimulatedMote, public hal::node::agent::Drive {
  public:
   SimulatedRobot(const AgentConfig& config, radio::MacSap& mac, Surroundings surroundings,
-                 hal::node::agent::AgentListener& listener);
-
-  void advance(hal::Time at) override;
-  bool sample(std::size_t channel, hal::Time at, std::vector<double>& values) override;
+                 hal::node::agent::AgentListener& listener)
+      : SimulatedMote(config, mac, surroundings, listener, this) {}
 
   hal::Result<void> drive(const hal::Twist2& body, hal::Time as_of) override;
   hal::Result<void> drive_wheels(std::span<const double> speeds, hal::Time as_of) override;
@@ -29,7 +23,7 @@ class SimulatedRobot final : public SimulatedMote, public hal::node::agent::Driv
   void feed_motors();
 
   /// Where it would be by its odometry if that were read now, in the frame at the start.
-  hal::Pose2 reckoned(hal::Time now) const;
+  hal::Pose2 reckoned(hal::Time now) const { return senses().odometry()->reckoned(now); }
   /// No wheel turns faster than this any more: commands beyond it are scaled down, direction kept.
   /// @param limit  rad/s, > 0
   void limit_wheels(double limit) { wheel_limit_ = limit; }
@@ -37,11 +31,7 @@ class SimulatedRobot final : public SimulatedMote, public hal::node::agent::Driv
  private:
   double share_of(double fastest) const;
   void set_motors(bool on) override;
-  std::span<const sensing::InfraredMeasurement> infrared(hal::Time at);
 
-  hal::node::devices::WheelOdometry odometry_;
-  hal::Time odometry_at_{};
-  sensing::InfraredArray infrared_;
   double motor_input_ = 0;  ///< J until the last step of the physics.
   double wheel_limit_ = std::numeric_limits<double>::infinity();  ///< rad/s
 };

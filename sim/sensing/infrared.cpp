@@ -6,12 +6,14 @@
 #include <limits>
 #include <utility>
 
+#include "hal/node/devices/channels.h"
 #include "hal/types/math.h"
 
 namespace sim::sensing {
 
 using hal::Duration;
 using hal::Time;
+using hal::node::devices::infrared_channels;
 using hal::node::devices::InfraredSensor;
 
 namespace {
@@ -22,6 +24,33 @@ Region around(const Region& a, const Region& b) {
       {std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y), std::min(a.low.z, b.low.z)},
       {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y), std::max(a.high.z, b.high.z)}};
 }
+
+/// One value of each sensor of an array.
+class InfraredChannel final : public hal::node::devices::Sensor {
+ public:
+  /// @param channel  of infrared_channels(). @param value  of a measurement.
+  InfraredChannel(std::shared_ptr<InfraredArray> array, SensorSite site, std::size_t channel,
+                  double InfraredMeasurement::*value)
+      : array_(std::move(array)), site_(std::move(site)), channel_(channel), value_(value) {}
+
+  hal::Channel describe() const override {
+    const std::vector<InfraredSensor>& sensors = array_->sensors();
+    return infrared_channels(sensors, sensors.front().hold_period).at(channel_);
+  }
+
+  std::optional<std::vector<double>> sample(Time at) override {
+    array_->sample(at, site_.world, site_.proximity());
+    std::vector<double> values;
+    for (const InfraredMeasurement& reading : array_->readings()) values.push_back(reading.*value_);
+    return values;
+  }
+
+ private:
+  std::shared_ptr<InfraredArray> array_;
+  SensorSite site_;
+  std::size_t channel_;
+  double InfraredMeasurement::*value_;
+};
 
 }  // namespace
 
@@ -93,6 +122,14 @@ InfraredMeasurement InfraredArray::measure(const Due& due, const Proximity& prox
   if (sensor.noise_sigma > 0) volts += sensor.noise_sigma * random_.normal();
   volts = sensor.converter.quantise(volts);
   return {volts, sensor.curve.metres(volts)};
+}
+
+std::array<std::unique_ptr<hal::node::devices::Sensor>, 2> simulated(
+    const std::vector<InfraredSensor>& sensors, const SensorSite& site) {
+  const auto array =
+      std::make_shared<InfraredArray>(site.agent, sensors, site.run_seed, site.agent_name);
+  return {std::make_unique<InfraredChannel>(array, site, 0, &InfraredMeasurement::metres),
+          std::make_unique<InfraredChannel>(array, site, 1, &InfraredMeasurement::volts)};
 }
 
 }  // namespace sim::sensing

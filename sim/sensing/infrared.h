@@ -1,16 +1,20 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "hal/node/devices/robot_description.h"
+#include "hal/node/devices/sensor.h"
 #include "hal/types/agent_id.h"
 #include "hal/types/random.h"
 #include "hal/types/time.h"
 #include "sim/physics/world.h"
 #include "sim/sensing/proximity.h"
+#include "sim/sensing/sensor_site.h"
 
 namespace sim::sensing {
 
@@ -68,5 +72,10 @@ class InfraredArray {
   std::vector<InfraredMeasurement> readings_;
   std::vector<Due> due_;  ///< Of the sample under way.
 };
+
+/// The two channels of one array, which measures once for both: distances and volts.
+/// @param sensors  not empty. @param site  what it refers to outlives them.
+std::array<std::unique_ptr<hal::node::devices::Sensor>, 2> simulated(
+    const std::vector<hal::node::devices::InfraredSensor>& sensors, const SensorSite& site);
 
 }  // namespace sim::sensing

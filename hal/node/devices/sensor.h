@@ -17,7 +17,7 @@ class Sensor {
   Sensor& operator=(const Sensor&) = delete;
   virtual ~Sensor() = default;
 
-  /// The channel; its `id` is the agent's business and 0 here.
+  /// The channel; the `id` of one of `sensors:` is the agent's business and 0 here.
   virtual Channel describe() const = 0;
 
   /// The values of the channel that are new at a time, in its order; none: those of the last call

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <cstdint>
-#include <map>
-#include <string>
+#include <functional>
+#include <optional>
 #include <vector>
 
 #include "hal/node/agent/ports.h"
@@ -20,6 +19,18 @@ struct Devices {
   PoseSource* pose = nullptr;
   std::vector<const drivers::SensorDriver*> sensors{};  ///< In the order of the file's `sensors`.
 };
+
+/// A device that feeds one channel or several of the session.
+struct DevicePart {
+  using Values = std::vector<std::vector<double>>;  ///< One for each of the channels.
+
+  std::vector<Channel> channels;  ///< At least one, whose name is the device's.
+  /// Errors: those of the device; kTimeout (what there is, is too old at `now`).
+  std::function<tl::expected<Values, Error>(platform::BootTime now)> latest;
+};
+
+/// What an agent senses, in the order of its session. The arguments outlive the parts.
+std::vector<DevicePart> parts_of(const RobotFile& file, const Devices& devices);
 
 /// What a real agent can be asked for: the channels of its file, with the names, kinds and units
 /// that a simulated one has (hal/types/channel.h), so that a controller meets no difference.
@@ -40,7 +51,7 @@ class Sampler final : public node::agent::Sensors {
   void advance(Time at) override;
   bool sample(std::size_t channel, Time at, std::vector<double>& values) override;
 
-  /// The devices, asked for or not, that give nothing young enough now.
+  /// The devices, asked for or not, that give nothing young enough now: the wheels, then the parts.
   std::vector<SilentDevice> silent(platform::BootTime now) const;
 
   /// Where the agent is, world frame. Errors: kNotAvailable, kTimeout (the last fix is too old).
@@ -49,13 +60,13 @@ class Sampler final : public node::agent::Sensors {
   bool has_pose() const { return devices_.pose != nullptr; }
 
  private:
-  std::uint16_t id_of(std::size_t sensor) const;  ///< Of a channel. @param sensor  of the file
-
   const RobotFile& file_;
   const Devices& devices_;
+  const std::vector<DevicePart> parts_;
   const node::exchange::AgentOffer offer_;
   Wants wants_;
-  std::map<std::uint16_t, std::vector<double>> values_;  ///< By channel, of this control instant.
+  /// Of this control instant, by index into the offer's channels; none: the device is silent.
+  std::vector<std::optional<std::vector<double>>> values_;
 };
 
 }  // namespace hal::robot::agent

@@ -51,6 +51,24 @@ TEST(Infrared, FrontSensorReadsTheWallAndTheRearOneNothing) {
   EXPECT_NEAR(array.readings()[3].volts, 0.2, kCount);
 }
 
+TEST(Infrared, BothChannelsTellOfOneMeasurement) {
+  World world(physics::WorldConfig{});
+  face_wall(world, 0.4);
+  const Proximity proximity(world);
+  const auto sensors = physics::test::robertino().infrared;  // with noise
+  const auto channels =
+      simulated(sensors, {kRobot, "r0", 1, world, [&]() -> const Proximity& { return proximity; }});
+  EXPECT_EQ(channels[0]->describe().name, "infrared");
+  EXPECT_EQ(channels[1]->describe().name, "infrared_volts");
+  for (int i = 0; i < 10; ++i) {
+    const auto metres = channels[0]->sample(hal::Time{i * 100ms});
+    const auto volts = channels[1]->sample(hal::Time{i * 100ms});
+    ASSERT_TRUE(metres && volts);
+    ASSERT_EQ(volts->size(), sensors.size());
+    EXPECT_EQ(metres->at(0), sensors[0].curve.metres(volts->at(0))) << i;
+  }
+}
+
 TEST(Infrared, ObliqueSensorsReadTheEdgeOfTheirSector) {
   World world(physics::WorldConfig{});
   face_wall(world, 0.2);
