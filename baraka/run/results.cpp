@@ -15,6 +15,11 @@
 #include "hal/types/log.h"
 #include "hal/types/printable.h"
 #include "hal/types/terminal_colours.h"
+#include "results/record/agent_use_log.h"
+#include "results/record/air_log.h"
+#include "results/record/body_log.h"
+#include "results/record/controller_log.h"
+#include "results/record/interface_counts.h"
 #include "results/record/observables.h"
 #include "results/record/schema.h"
 #include "sim/core/log_sink.h"
@@ -117,7 +122,7 @@ void Results::record(const fs::path& folder) {
                                                      .readings = scenario_.record.readings});
   recorder_->add_countable(scenario_.record.declared);
   recorder_->add_settings(settings_);
-  recorder_->add_units(scenario_.record.recorded_units);
+  recorder_->find<results::record::ControllerLog>()->add_units(scenario_.record.recorded_units);
   // Half a kilobyte per agent, not needed any more.
   std::vector<std::pair<std::string, std::string>>().swap(settings_);
   recorder_->set("run_id", folder_.run_id());
@@ -171,6 +176,11 @@ void Results::commit() {
   sim::flush_log();
 }
 
+const sim::air::Ledger* Results::ledger() const {
+  const auto* const air = recorder_->find<results::record::AirLog>();
+  return air != nullptr ? &air->ledger() : nullptr;
+}
+
 void Results::say_not_started(const std::string& error) {
   try {
     fs::remove(folder_.path() / kReserve);
@@ -193,9 +203,11 @@ gateway::process::ExitStatus Results::finish(const sim::agents::Simulation& simu
                                              double wall_seconds) {
   fs::remove(folder_.path() / kReserve);
   try {
+    auto& bodies = *recorder_->find<results::record::BodyLog>();
+    auto& uses = *recorder_->find<results::record::AgentUseLog>();
     for (const auto& agent : scenario_.simulation.agents) {
-      recorder_->add_contacts(agent.id, simulation.contacts(agent.id));
-      recorder_->add_use(agent.id, simulation.use(agent.id));
+      bodies.add_contacts(agent.id, simulation.contacts(agent.id));
+      uses.add(agent.id, simulation.use(agent.id));
     }
     if (capture_) capture_->finish(outcome.ended_at);
     fingerprint_.finish();
@@ -222,7 +234,8 @@ void Results::add(const network::NetworkSummary& network) {
   recorder_->set("icmp_not_sent", icmp_not_sent);
   recorder_->set("cpu_load", network.cpu_load);
   recorder_->set("cpu_load_programs", network.cpu_load_programs);
-  for (const results::record::ProgramRow& program : network.programs) recorder_->add(program);
+  auto& interfaces = *recorder_->find<results::record::InterfaceCounts>();
+  for (const results::record::ProgramRow& program : network.programs) interfaces.add(program);
 }
 
 void Results::add_warnings(const std::vector<std::string>& lines) {

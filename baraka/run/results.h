@@ -12,6 +12,7 @@
 #include "results/record/recorder.h"
 #include "sim/agents/fingerprint_feed.h"
 #include "sim/agents/simulation.h"
+#include "sim/air/ledger.h"
 #include "sim/scenario/scenario.h"
 
 namespace baraka::run {
@@ -45,7 +46,7 @@ class Results {
                                       gateway::process::ExitStatus status, double wall_seconds);
 
   /// What the air is used for; null: no agent has a network. @pre has_begun()
-  const sim::air::Ledger* ledger() { return recorder_->ledger(); }
+  const sim::air::Ledger* ledger() const;
   /// After begin(): how its networks were, what speaks against the result, and what of a repetition
   /// is not as it was.
   void add(const network::NetworkSummary& network);

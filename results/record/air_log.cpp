@@ -72,17 +72,12 @@ const std::string& AirLog::guid(sim::air::EndpointIndex endpoint) {
   return text;
 }
 
-void AirLog::write() {
+void AirLog::write(hal::Time) {
   ledger_.accounts().reset_changes();
   write_accounts();
   write_writers();
   write_endpoints();
   if (samples_ != sim::scenario::Detail::kNone) write_samples();
-}
-
-void AirLog::finish(hal::Time now) {
-  ledger_.finish(now);
-  write();
 }
 
 void AirLog::write_accounts() {

@@ -2,10 +2,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "results/record/database.h"
+#include "results/record/writer.h"
 #include "sim/air/ledger.h"
 #include "sim/scenario/detail.h"
 
@@ -13,7 +15,7 @@ namespace results::record {
 
 /// The tables of what the air is used for: air_accounts, air_ends, air_writers, air_seconds,
 /// dds_endpoints, sample_sums, sample_losses, sample_latencies and samples. It keeps the ledger.
-class AirLog {
+class AirLog final : public Writer {
  public:
   /// @param samples  kNone: nothing of samples, kCounts: sums, kAll: these and each delivery.
   AirLog(Database& database, sim::scenario::Detail samples);
@@ -23,14 +25,37 @@ class AirLog {
   sim::air::Ledger& ledger() { return ledger_; }
   const sim::air::Ledger& ledger() const { return ledger_; }
 
-  /// About as many as write() would write, without those of samples.
-  std::uint64_t rows() const { return ledger_.accounts().changes(); }
+  void on_frame_start(hal::Time at, const sim::radio::Frame& frame) override {
+    ledger_.on_frame_start(at, frame);
+  }
+  void on_frame_cut(hal::Time at, const sim::radio::Frame& frame) override {
+    ledger_.on_frame_cut(at, frame);
+  }
+  void on_reception(hal::Time at, const sim::radio::Frame& frame, hal::AgentId receiver,
+                    hal::Verdict verdict, double rssi_dbm) override {
+    ledger_.on_reception(at, frame, receiver, verdict, rssi_dbm);
+  }
+  void on_msdu_end(hal::Time at, const sim::radio::Msdu& msdu,
+                   const sim::radio::MsduEnd& end) override {
+    ledger_.on_msdu_end(at, msdu, end);
+  }
+  void on_association(hal::Time at, hal::AgentId station,
+                      std::optional<hal::AgentId> access_point) override {
+    ledger_.on_association(at, station, access_point);
+  }
+  void on_air_entered(hal::Time at, hal::AgentId agent,
+                      const sim::radio::MacRequest& request) override {
+    ledger_.on_entered(at, agent, request);
+  }
+  void on_air_left(hal::Time at, hal::AgentId agent,
+                   const sim::radio::MacIndication& indication) override {
+    ledger_.on_left(at, agent, indication);
+  }
 
-  /// Writes a row for each count that changed since the last call.
-  void write();
-
-  /// The run ended: all is settled and written.
-  void finish(hal::Time now);
+  void write(hal::Time now) override;
+  /// Without those of samples.
+  Pending pending() const override { return {.rows = ledger_.accounts().changes()}; }
+  void finish(hal::Time ended_at) override { ledger_.finish(ended_at); }
 
  private:
   void write_accounts();

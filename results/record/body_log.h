@@ -1,28 +1,39 @@
 #pragma once
 
+#include <functional>
 #include <limits>
 #include <optional>
 #include <vector>
 
+#include "results/record/commits.h"
 #include "results/record/database.h"
-#include "sim/agents/observer.h"
+#include "results/record/schema.h"
+#include "results/record/writer.h"
 
 namespace results::record {
 
-/// The tables poses and bodies.
-class BodyLog {
+/// The tables poses, bodies, lost_bodies and contacts.
+class BodyLog final : public Writer {
  public:
   /// @param period  of the rows in poses, > 0.
-  BodyLog(Database& database, hal::Duration period);
+  BodyLog(Database& database, hal::Duration period, Commits& commits);
 
-  /// @return whether a row was written.
-  bool on_body(hal::Time at, hal::AgentId agent, const sim::agents::BodyState& body);
+  static std::vector<Table> tables();
+  static std::vector<Table> contact_tables();
+
+  using Contacts = std::function<sim::agents::ContactCounts(hal::AgentId)>;
+  /// Until then contacts are not seen.
+  void look_at(const sim::agents::Simulation& simulation) override;
+  void look_at(Contacts contacts) { contacts_ = std::move(contacts); }
+
+  void on_body(hal::Time at, hal::AgentId agent, const sim::agents::BodyState& body) override;
   /// The way from where it was to where it is found next is none that it went.
-  void on_displaced(hal::AgentId agent) { track_of(agent).displaced = true; }
-  void on_contacts(hal::AgentId agent, const sim::agents::ContactCounts& contacts);
+  void on_displaced(hal::Time, hal::AgentId agent) override { track_of(agent).displaced = true; }
+  void on_body_lost(const sim::physics::LostBody& lost) override;
+  /// At the end of the run.
+  void add_contacts(hal::AgentId agent, const sim::agents::ContactCounts& contacts);
 
-  /// Writes the row in bodies of each one of which something changed since the last call.
-  void write();
+  void write(hal::Time now) override;
 
  private:
   struct Pose {
@@ -40,15 +51,21 @@ class BodyLog {
 
     std::optional<Pose> written;  ///< Latest row in poses.
     double path = 0;
-    std::optional<sim::agents::ContactCounts> contacts;
+    std::optional<sim::agents::ContactCounts> contacts;  ///< Of the whole run.
+    sim::agents::ContactCounts seen_contacts;
+    bool touches_wall = false, touches_body = false;
   };
 
   Track& track_of(hal::AgentId agent);
   void note_change(hal::AgentId agent, Track& track);
-  bool write_pose(hal::Time at, hal::AgentId agent, Track& track);
+  int note_touch(hal::Time at, hal::AgentId agent, bool touches, bool& before, const char* other);
+  int look_at_contacts(hal::Time at, hal::AgentId agent, Track& track);
+  void write_pose(hal::Time at, hal::AgentId agent, Track& track);
 
   hal::Duration period_;
-  Statement insert_pose_, put_body_;
+  Statement insert_pose_, put_body_, insert_lost_body_, insert_contact_;
+  Contacts contacts_;
+  Commits& commits_;
   std::vector<Track> tracks_;          ///< By address.
   std::vector<hal::AgentId> changed_;  ///< Those whose tracks did.
 };

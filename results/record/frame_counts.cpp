@@ -27,25 +27,42 @@ std::string_view verdict_in(std::uint8_t kind) {
   return hal::name(static_cast<hal::Verdict>(kind % (1 << kAddressedBit)));
 }
 
+/// How long after its end at the transmitter a frame may end at a receiver: what radio waves need
+/// from one end of any field to the other (300 km).
+hal::Duration tail_of(const sim::radio::RadioConfig& config) {
+  const sim::radio::WavesConfig* const waves = sim::radio::waves_of(config);
+  const bool is_delayed = waves != nullptr && waves->propagation.propagation_delay;
+  return is_delayed ? std::chrono::milliseconds{1} : hal::Duration{};
+}
+
+/// Of the two views of what became of all that was sent.
+constexpr std::string_view kDerived =
+    "how it ended: as in receptions; 'below sensitivity' also if the radio did not notice it, be "
+    "it "
+    "on another channel, or only as interference (faint): all that was sent and is not recorded "
+    "otherwise; 'under way': "
+    "it was in the air at the end or, with propagation delay, had ended less than 1 ms before";
+
 }  // namespace
 
-FrameCounts::FrameCounts(Database& database)
+FrameCounts::FrameCounts(Database& database, const sim::radio::RadioConfig& radio, Commits& commits)
     : put_sent_(database, "REPLACE INTO frames_sent VALUES (?, ?, ?, ?)"),
       put_reception_(database, "REPLACE INTO receptions VALUES (?, ?, ?, ?, ?, ?)"),
       put_faint_(database, "REPLACE INTO faint VALUES (?, ?)"),
       put_packet_(database, "REPLACE INTO packets VALUES (?, ?, ?, ?)"),
-      put_request_(database, "REPLACE INTO requests VALUES (?, ?, ?, ?)") {}
+      put_request_(database, "REPLACE INTO requests VALUES (?, ?, ?, ?)"),
+      in_the_air_(database, tail_of(radio)),
+      commits_(commits) {}
 
-void FrameCounts::on_frame_start(const sim::radio::Frame& frame) {
+void FrameCounts::on_frame_start(hal::Time at, const sim::radio::Frame& frame) {
   sent_.add(frame.transmitter, frame.receiver, kind_of(frame));
-  if (!frame.retry) return;
-  const std::size_t transmitter = frame.transmitter.value;
-  if (transmitter >= retries_.size()) retries_.resize(transmitter + 1);
-  ++retries_[transmitter];
+  in_the_air_.on_frame_start(at, frame);
 }
 
-void FrameCounts::on_reception(const sim::radio::Frame& frame, hal::AgentId receiver,
-                               hal::Verdict verdict) {
+void FrameCounts::on_reception(hal::Time at, const sim::radio::Frame& frame, hal::AgentId receiver,
+                               hal::Verdict verdict, double) {
+  commits_.see(at);
+  in_the_air_.on_reception(frame, receiver);
   const bool addressed = frame.is_broadcast() || frame.receiver == receiver;
   const int kind = (kind_of(frame) << kClassShift) | (addressed ? 1 << kAddressedBit : 0) |
                    static_cast<int>(verdict);
@@ -58,25 +75,22 @@ void FrameCounts::on_faint(const sim::radio::Frame& frame, std::uint32_t radios)
   faint_[transmitter] += radios;
 }
 
-void FrameCounts::on_delivered(const sim::radio::Frame& frame, hal::AgentId receiver) {
+void FrameCounts::on_delivered(hal::Time, const sim::radio::Frame& frame, hal::AgentId receiver) {
   const int kind = (kind_of(frame) << kClassShift) | kWentUp;
   receptions_.add(frame.transmitter, receiver, static_cast<std::uint8_t>(kind));
 }
 
-void FrameCounts::on_request_end(hal::AgentId sender, hal::AgentId destination,
+void FrameCounts::on_request_end(hal::Time, hal::AgentId sender, hal::AgentId destination,
                                  hal::Verdict verdict) {
   requests_.add(sender, destination, static_cast<std::uint8_t>(verdict));
 }
 
-std::uint64_t FrameCounts::counted() const {
-  return sent_.added() + receptions_.added() + requests_.added();
+Writer::Pending FrameCounts::pending() const {
+  return {.rows = sent_.changed() + receptions_.changed() + requests_.changed(),
+          .counted = sent_.added() + receptions_.added() + requests_.added()};
 }
 
-std::uint64_t FrameCounts::rows() const {
-  return sent_.changed() + receptions_.changed() + requests_.changed();
-}
-
-void FrameCounts::write() {
+void FrameCounts::write(hal::Time now) {
   sent_.write_changes([this](auto sender, auto receiver, std::uint8_t kind, std::uint64_t count) {
     put_sent_.run(sender.value, receiver.value, class_in(kind), count);
   });
@@ -101,6 +115,118 @@ void FrameCounts::write() {
         put_request_.run(sender.value, destination.value,
                          unknown ? "transmitted" : verdict_in(kind), count);
       });
+  in_the_air_.write(now);
+}
+
+std::vector<Table> FrameCounts::sent_tables() {
+  return {
+      {"frames_sent",
+       "how many frames were sent",
+       {{"agent", "INTEGER NOT NULL", "", "transmitter"},
+        {"peer", "INTEGER NOT NULL", "", "receiver"},
+        {"class", "TEXT NOT NULL", "",
+         "'broadcast' or 'unicast' (data), 'rts', 'cts', 'ack', 'beacon', 'management' (the other "
+         "management frames)"},
+        {"count", "INTEGER NOT NULL", "", "frames"}},
+       "agent, peer, class"},
+      {"receptions",
+       "how frames ended at the radios that could receive or sense them by themselves",
+       {{"agent", "INTEGER NOT NULL", "", "receiver"},
+        {"peer", "INTEGER NOT NULL", "", "transmitter"},
+        {"class", "TEXT NOT NULL", "", "as in frames_sent"},
+        {"addressed", "INTEGER NOT NULL", "", "1: to this agent or to everyone"},
+        {"verdict", "TEXT NOT NULL", "", "how it ended"},
+        {"count", "INTEGER NOT NULL", "", "receptions"}},
+       "agent, peer, class, addressed, verdict"},
+  };
+}
+
+std::vector<Table> FrameCounts::end_tables() {
+  return {
+      {"faint",
+       "interference: frames too weak for a radio to receive or sense, nothing else is said of "
+       "them",
+       {{"agent", "INTEGER PRIMARY KEY", "", "transmitter"},
+        {"count", "INTEGER NOT NULL", "",
+         "radios where a frame was above the interference floor only, over all its frames"}}},
+      {"packets",
+       "frames whose payload went up to the network layer",
+       {{"agent", "INTEGER NOT NULL", "", "receiver"},
+        {"peer", "INTEGER NOT NULL", "", "transmitter"},
+        {"class", "TEXT NOT NULL", "", "'broadcast' or 'unicast'"},
+        {"count", "INTEGER NOT NULL", "", "packets"}},
+       "agent, peer, class"},
+      {"requests",
+       "how the link did with what it was asked to send; an access point also with what it took to "
+       "pass on, see relays",
+       {{"agent", "INTEGER NOT NULL", "", "sender"},
+        {"peer", "INTEGER NOT NULL", "", "destination"},
+        {"verdict", "TEXT NOT NULL", "",
+         "how it ended; a broadcast that left the antenna is 'transmitted': the link cannot know "
+         "who got it, receptions tells"},
+        {"count", "INTEGER NOT NULL", "", "requests"}},
+       "agent, peer, verdict"},
+  };
+}
+
+std::vector<Table> FrameCounts::views() {
+  return {
+      {"link_verdicts",
+       "what became of each frame at each radio, for pairs of which one noticed a frame of the "
+       "other, now or then: in sum, what the transmitter sent",
+       {{"agent", "INTEGER", "", "receiver"},
+        {"peer", "INTEGER", "", "transmitter"},
+        {"class", "TEXT", "", "as in frames_sent"},
+        {"addressed", "INTEGER", "", "1: to this agent or to everyone"},
+        {"verdict", "TEXT", "", kDerived},
+        {"count", "INTEGER", "", "frames"}},
+       "agent, peer, class, addressed, verdict",
+       "WITH pairs AS (SELECT DISTINCT agent, peer FROM receptions),"
+       " sent AS (SELECT p.agent, p.peer, f.class, f.peer IN (p.agent, 65534, 65535) AS addressed,"
+       " SUM(f.count) AS count FROM pairs p JOIN frames_sent f ON f.agent = p.peer"
+       " GROUP BY 1, 2, 3, 4),"
+       " ended AS (SELECT agent, peer, class, addressed, verdict, count FROM receptions"
+       " UNION ALL SELECT p.agent, p.peer, a.class, a.peer IN (p.agent, 65534, 65535),"
+       " 'under way', 1 FROM pairs p JOIN in_the_air a ON a.agent = p.peer"
+       " WHERE NOT EXISTS (SELECT 1 FROM in_the_air_ended e"
+       " WHERE e.agent = p.agent AND e.peer = p.peer)),"
+       " told AS (SELECT agent, peer, class, addressed, SUM(count) AS count FROM ended"
+       " GROUP BY 1, 2, 3, 4)"
+       " SELECT agent, peer, class, addressed, verdict, SUM(count) AS count FROM ("
+       "SELECT * FROM ended UNION ALL SELECT s.agent, s.peer, s.class, s.addressed,"
+       " 'below sensitivity', s.count - IFNULL(t.count, 0) FROM sent s"
+       " LEFT JOIN told t USING (agent, peer, class, addressed)"
+       " WHERE s.count <> IFNULL(t.count, 0)) GROUP BY 1, 2, 3, 4, 5"},
+      {"verdict_sums",
+       "what became of all frames at all other radios: in sum, frames sent times radios",
+       {{"class", "TEXT", "", "as in frames_sent"},
+        {"addressed", "INTEGER", "", "1: to this radio or to everyone"},
+        {"verdict", "TEXT", "", kDerived},
+        {"count", "INTEGER", "", "pairs of a frame and a radio"}},
+       "class, addressed, verdict",
+       "WITH others AS (SELECT COUNT(*) - 1 AS radios FROM agents),"
+       // A CTS to oneself is addressed to no other radio.
+       " possible AS (SELECT class, 1 AS addressed,"
+       " SUM(count * CASE WHEN peer >= 65534 THEN radios ELSE peer <> agent END) AS count"
+       " FROM frames_sent, others GROUP BY 1"
+       " UNION ALL SELECT class, 0, SUM(count * (radios - (peer <> agent)))"
+       " FROM frames_sent, others WHERE peer < 65534 GROUP BY 1),"
+       " in_air AS (SELECT class, 1 AS addressed,"
+       " SUM(CASE WHEN peer >= 65534 THEN radios ELSE peer <> agent END) AS count"
+       " FROM in_the_air, others GROUP BY 1"
+       " UNION ALL SELECT class, 0, SUM(radios - (peer <> agent)) FROM in_the_air, others"
+       " WHERE peer < 65534 GROUP BY 1"
+       " UNION ALL SELECT a.class, a.peer IN (e.agent, 65534, 65535), -COUNT(*)"
+       " FROM in_the_air_ended e JOIN in_the_air a ON a.agent = e.peer GROUP BY 1, 2),"
+       " ended AS (SELECT class, addressed, verdict, SUM(count) AS count FROM receptions"
+       " GROUP BY 1, 2, 3"
+       " UNION ALL SELECT class, addressed, 'under way', SUM(count) FROM in_air GROUP BY 1, 2),"
+       " told AS (SELECT class, addressed, SUM(count) AS count FROM ended GROUP BY 1, 2)"
+       " SELECT class, addressed, verdict, SUM(count) AS count FROM (SELECT * FROM ended"
+       " UNION ALL SELECT p.class, p.addressed, 'below sensitivity', p.count - IFNULL(t.count, 0)"
+       " FROM possible p LEFT JOIN told t USING (class, addressed))"
+       " GROUP BY 1, 2, 3 HAVING SUM(count) <> 0"},
+  };
 }
 
 }  // namespace results::record

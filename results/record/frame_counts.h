@@ -3,40 +3,48 @@
 #include <cstdint>
 #include <vector>
 
+#include "results/record/commits.h"
 #include "results/record/database.h"
+#include "results/record/frames_in_the_air.h"
 #include "results/record/pair_counts.h"
-#include "sim/radio/observer.h"
+#include "results/record/schema.h"
+#include "results/record/writer.h"
+#include "sim/radio/radio_config.h"
 
 namespace results::record {
 
-/// The tables frames_sent, receptions, faint, packets and requests.
-class FrameCounts {
+/// The tables frames_sent, receptions, faint, packets and requests, those of FramesInTheAir and the
+/// views of them all.
+class FrameCounts final : public Writer {
  public:
-  explicit FrameCounts(Database& database);
+  FrameCounts(Database& database, const sim::radio::RadioConfig& radio, Commits& commits);
 
-  void on_frame_start(const sim::radio::Frame& frame);
-  void on_faint(const sim::radio::Frame& frame, std::uint32_t radios);
-  void on_reception(const sim::radio::Frame& frame, hal::AgentId receiver, hal::Verdict verdict);
-  void on_delivered(const sim::radio::Frame& frame, hal::AgentId receiver);
-  void on_request_end(hal::AgentId sender, hal::AgentId destination, hal::Verdict verdict);
+  static std::vector<Table> sent_tables();
+  static std::vector<Table> end_tables();
+  static std::vector<Table> views();
 
-  /// Writes a row for each count that changed since the last call.
-  void write();
-
-  std::uint64_t retries(hal::AgentId agent) const {
-    return agent.value < retries_.size() ? retries_[agent.value] : 0;
+  void on_frame_start(hal::Time at, const sim::radio::Frame& frame) override;
+  void on_frame_cut(hal::Time at, const sim::radio::Frame& frame) override {
+    in_the_air_.on_frame_cut(at, frame);
   }
+  void on_faint(const sim::radio::Frame& frame, std::uint32_t radios) override;
+  void on_reception(hal::Time at, const sim::radio::Frame& frame, hal::AgentId receiver,
+                    hal::Verdict verdict, double rssi_dbm) override;
+  void on_delivered(hal::Time at, const sim::radio::Frame& frame, hal::AgentId receiver) override;
+  void on_request_end(hal::Time at, hal::AgentId sender, hal::AgentId destination,
+                      hal::Verdict verdict) override;
 
-  std::uint64_t counted() const;  ///< Since the last write(), and
-  std::uint64_t rows() const;     ///< how many rows it would write.
+  void write(hal::Time now) override;
+  Pending pending() const override;
 
  private:
   Statement put_sent_, put_reception_, put_faint_, put_packet_, put_request_;
   PairCounts sent_;
   PairCounts receptions_;  ///< And packets: where the one is, the other is near.
   PairCounts requests_;
-  std::vector<std::uint64_t> faint_;    ///< By address of the transmitter, as
-  std::vector<std::uint64_t> retries_;  ///< these.
+  std::vector<std::uint64_t> faint_;  ///< By address of the transmitter.
+  FramesInTheAir in_the_air_;
+  Commits& commits_;
 };
 
 }  // namespace results::record

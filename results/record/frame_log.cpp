@@ -10,11 +10,13 @@
 
 namespace results::record {
 
-FrameLog::FrameLog(Database& database, sim::scenario::Detail detail, const Protocols& protocols)
+FrameLog::FrameLog(Database& database, sim::scenario::Detail detail, const Protocols& protocols,
+                   Commits& commits)
     : insert_(database, "INSERT INTO frames VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
       insert_end_(database, "INSERT INTO frame_ends VALUES (?, ?, ?, ?, ?, ?)"),
       detail_(detail),
-      protocols_(protocols) {}
+      protocols_(protocols),
+      commits_(commits) {}
 
 bool FrameLog::takes(hal::Time at, const sim::radio::Frame& frame) {
   if (detail_ == sim::scenario::Detail::kAll) return true;
@@ -28,8 +30,8 @@ bool FrameLog::takes(hal::Time at, const sim::radio::Frame& frame) {
   return false;
 }
 
-int FrameLog::on_start(hal::Time at, const sim::radio::Frame& frame) {
-  if (!takes(at, frame)) return 0;
+void FrameLog::on_frame_start(hal::Time at, const sim::radio::Frame& frame) {
+  if (!takes(at, frame)) return;
   const hal::node::routing::FrameName packet = packet_name(frame, protocols_);
   std::optional<int> sender;
   std::optional<std::uint64_t> message;
@@ -45,18 +47,52 @@ int FrameLog::on_start(hal::Time at, const sim::radio::Frame& frame) {
               frame.receiver.value, frame.sequence, frame.retry, std::uint64_t{frame.air_length},
               frame.airtime.count(), frame.duration.count(), rate, sender, message, kind);
   ++rows_;
-  return 1;
+  commits_.on_rows(at, 1);
 }
 
-int FrameLog::on_reception(hal::Time at, const sim::radio::Frame& frame, hal::AgentId receiver,
-                           hal::Verdict verdict, double rssi_dbm) {
+void FrameLog::on_reception(hal::Time at, const sim::radio::Frame& frame, hal::AgentId receiver,
+                            hal::Verdict verdict, double rssi_dbm) {
   const double sinr_db = std::exchange(sinr_db_, std::numeric_limits<double>::quiet_NaN());
-  if (left_out_.contains(frame.id)) return 0;
+  if (left_out_.contains(frame.id)) return;
   std::optional<double> sinr;
   if (!std::isnan(sinr_db)) sinr = sinr_db;
   insert_end_.run(frame.id, receiver.value, hal::to_ns(at), hal::name(verdict), rssi_dbm, sinr);
   ++rows_;
-  return 1;
+  commits_.on_rows(at, 1);
+}
+
+std::vector<Table> FrameLog::tables() {
+  return {
+      {"frames",
+       "frames one by one: each with record: {frames: all}, with `sample` the first of each "
+       "simulated "
+       "second, until they and how they ended are 5000 rows",
+       {{"frame", "INTEGER NOT NULL", "", "transmitter times 2^48 and its own count"},
+        {"at_ns", "INTEGER NOT NULL", "ns", "when it began"},
+        {"class", "TEXT NOT NULL", "", "as in frames_sent"},
+        {"transmitter", "INTEGER NOT NULL", "", "agent"},
+        {"receiver", "INTEGER NOT NULL", "", "agent, or everyone"},
+        {"sequence", "INTEGER NOT NULL", "", "number that the transmitter gave it"},
+        {"retry", "INTEGER NOT NULL", "", "1: it was sent before"},
+        {"bits", "INTEGER NOT NULL", "bit", "length on the air"},
+        {"airtime_ns", "INTEGER NOT NULL", "ns", "from its begin to its end"},
+        {"duration_ns", "INTEGER NOT NULL", "ns",
+         "its Duration field: how long others keep still after it"},
+        {"rate_bps", "INTEGER", "bit/s", "of the MPDU; null: the radio has none"},
+        {"sender", "INTEGER", "", "of the controllers' message that it carries; null: none"},
+        {"message", "INTEGER", "", "number of that message, by its sender"},
+        {"packet", "TEXT", "",
+         "what routing sent in it: 'data', 'forward ant', ...; null: nothing"}}},
+      {"frame_ends",
+       "how the frames of the table frames ended at the radios that could receive or sense them",
+       {{"frame", "INTEGER NOT NULL", "", "as in frames"},
+        {"agent", "INTEGER NOT NULL", "", "receiver"},
+        {"at_ns", "INTEGER NOT NULL", "ns", "when it ended there"},
+        {"verdict", "TEXT NOT NULL", "", "how"},
+        {"rssi_dbm", "REAL", "dBm", "power received"},
+        {"sinr_db", "REAL", "dB",
+         "lowest over the frame; null: the radio was not synchronised to it"}}},
+  };
 }
 
 }  // namespace results::record

@@ -5,8 +5,11 @@
 #include <set>
 
 #include "hal/types/verdict.h"
+#include "results/record/commits.h"
 #include "results/record/database.h"
 #include "results/record/protocols.h"
+#include "results/record/schema.h"
+#include "results/record/writer.h"
 #include "sim/radio/frame.h"
 #include "sim/scenario/detail.h"
 
@@ -17,20 +20,21 @@ namespace results::record {
 /// With Detail::kSample a frame is listed while the simulated second in which it begins has fewer
 /// than kRowsOfSecond rows, and then with all its ends: what is listed is listed whole, from the
 /// begin of each second on, and a quiet run has every frame.
-class FrameLog {
+class FrameLog final : public Writer {
  public:
   static constexpr std::uint64_t kRowsOfSecond = 5000;
 
   /// @param detail  kSample or kAll
-  /// @param protocols  outlives it.
-  FrameLog(Database& database, sim::scenario::Detail detail, const Protocols& protocols);
+  /// @param protocols  outlives it, as all that writers are given.
+  FrameLog(Database& database, sim::scenario::Detail detail, const Protocols& protocols,
+           Commits& commits);
 
-  /// @return rows written, as of the next one.
-  int on_start(hal::Time at, const sim::radio::Frame& frame);
-  /// Of the reception that follows.
-  void on_sinr(double sinr_db) { sinr_db_ = sinr_db; }
-  int on_reception(hal::Time at, const sim::radio::Frame& frame, hal::AgentId receiver,
-                   hal::Verdict verdict, double rssi_dbm);
+  static std::vector<Table> tables();
+
+  void on_frame_start(hal::Time at, const sim::radio::Frame& frame) override;
+  void on_sinr(double sinr_db) override { sinr_db_ = sinr_db; }
+  void on_reception(hal::Time at, const sim::radio::Frame& frame, hal::AgentId receiver,
+                    hal::Verdict verdict, double rssi_dbm) override;
 
  private:
   bool takes(hal::Time at, const sim::radio::Frame& frame);
@@ -38,6 +42,7 @@ class FrameLog {
   Statement insert_, insert_end_;
   sim::scenario::Detail detail_;
   const Protocols& protocols_;
+  Commits& commits_;
   std::int64_t second_ = -1;
   std::uint64_t rows_ = 0;  ///< Of that second.
   /// By transmitter its latest frame, if it was left out: its ends are, too. It can have one in the

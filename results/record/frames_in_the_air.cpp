@@ -36,4 +36,21 @@ void FramesInTheAir::write(hal::Time now) {
   }
 }
 
+std::vector<Table> FramesInTheAir::tables() {
+  return {
+      {"in_the_air",
+       "frames that had not ended at their transmitters when the totals were written, the last "
+       "time "
+       "at the end of the run",
+       {{"agent", "INTEGER PRIMARY KEY", "", "transmitter"},
+        {"peer", "INTEGER NOT NULL", "", "receiver"},
+        {"class", "TEXT NOT NULL", "", "as in frames_sent"}}},
+      {"in_the_air_ended",
+       "radios at which such a frame had ended: it is in receptions",
+       {{"agent", "INTEGER NOT NULL", "", "receiver"},
+        {"peer", "INTEGER NOT NULL", "", "transmitter"}},
+       "agent, peer"},
+  };
+}
+
 }  // namespace results::record

@@ -6,6 +6,7 @@
 #include "hal/types/agent_id.h"
 #include "hal/types/time.h"
 #include "results/record/database.h"
+#include "results/record/schema.h"
 #include "sim/radio/frame.h"
 #include "sim/radio/frame_class.h"
 
@@ -18,6 +19,8 @@ class FramesInTheAir {
   /// @param tail  how long after its end at the transmitter a frame may still come to an end at
   ///   others.
   FramesInTheAir(Database& database, hal::Duration tail);
+
+  static std::vector<Table> tables();
 
   void on_frame_start(hal::Time at, const sim::radio::Frame& frame);
   void on_frame_cut(hal::Time at, const sim::radio::Frame& frame);

@@ -3,27 +3,49 @@
 #include <array>
 #include <cstdint>
 #include <map>
-#include <string_view>
+#include <optional>
+#include <string>
+#include <vector>
 
 #include "hal/types/agent_id.h"
 #include "results/record/database.h"
+#include "results/record/schema.h"
+#include "results/record/writer.h"
 #include "sim/air/refusal.h"
 
 namespace results::record {
 
-/// The table interfaces: frames between the programs and the air, by agent and what became of them.
-class InterfaceCounts {
+/// A program that ran inside an agent.
+struct ProgramRow {
+  hal::AgentId agent;
+  std::string agent_name{};  ///< For people; not in the table.
+  std::string name;
+  hal::Time started{};
+  std::optional<hal::Time> ended{};  ///< None: it ended with the run.
+  int status = 0;                    ///< 0..255; 128 + signal if a signal ended it.
+};
+
+/// The tables programs, and interfaces: frames between them and the air, by agent and what became
+/// of them.
+class InterfaceCounts final : public Writer {
  public:
   explicit InterfaceCounts(Database& database);
 
-  void on_entered(hal::AgentId agent, std::size_t bytes) { add(agent, kEntered, bytes); }
-  void on_left(hal::AgentId agent, std::size_t bytes) { add(agent, kLeft, bytes); }
-  void on_refused(hal::AgentId agent, sim::air::Refusal refusal, std::size_t bytes) {
+  static std::vector<Table> tables();
+
+  void add(const ProgramRow& program);
+
+  void on_air_entered(hal::Time at, hal::AgentId agent,
+                      const sim::radio::MacRequest& request) override;
+  void on_air_left(hal::Time at, hal::AgentId agent,
+                   const sim::radio::MacIndication& indication) override;
+  void on_air_refused(hal::Time, hal::AgentId agent, sim::air::Refusal refusal,
+                      std::size_t bytes) override {
     add(agent, kFirstRefusal + static_cast<std::size_t>(refusal), bytes);
   }
 
   /// Writes all rows anew.
-  void write();
+  void write(hal::Time now) override;
 
  private:
   static constexpr std::size_t kEntered = 0, kLeft = 1, kFirstRefusal = 2,
@@ -38,7 +60,7 @@ class InterfaceCounts {
     changed_ = true;
   }
 
-  Statement put_;
+  Statement put_, insert_program_;
   std::map<hal::AgentId, std::array<Count, kKinds>> counts_;
   bool changed_ = false;
 };

@@ -8,15 +8,29 @@
 #include <string_view>
 #include <utility>
 
+#include "hal/types/check.h"
+#include "sim/agents/quantities.h"
+#include "sim/radio/frame.h"
+
 namespace results::record {
 
-LookLog::LookLog(Database& database, Settings settings)
+LookLog::LookLog(Database& database, Settings settings, Commits& commits)
     : insert_reading_(database, "INSERT INTO readings VALUES (?, ?, ?, ?)"),
       insert_queue_(database, "INSERT INTO queues VALUES (?, ?, ?)"),
-      insert_contact_(database, "INSERT INTO contacts VALUES (?, ?, ?)"),
-      settings_(settings) {}
+      settings_(settings),
+      commits_(commits) {}
 
-bool LookLog::observes(const hal::Channel& channel) const {
+void LookLog::look_at(const sim::agents::Simulation& simulation) {
+  const auto& all = sim::agents::quantities();
+  const auto queue = std::ranges::find_if(
+      all, [](const auto& one) { return one.domain == "radio" && one.name == "queue"; });
+  BARAKA_CHECK(queue != all.end());
+  look_at([&simulation, &queue = *queue](hal::AgentId agent) {
+    return static_cast<std::uint64_t>(simulation.read(queue, agent).value_or(0));
+  });
+}
+
+bool LookLog::observes(hal::AgentId, const hal::Channel& channel) const {
   if (settings_.readings == sim::scenario::Detail::kAll) return true;
   if (settings_.readings == sim::scenario::Detail::kNone || channel.length > kFewValues)
     return false;
@@ -29,39 +43,29 @@ LookLog::Agent& LookLog::agent(hal::AgentId id) {
   return agents_[id.value];
 }
 
-int LookLog::note_touch(hal::Time at, hal::AgentId id, bool touches, bool& before,
-                        const char* other) {
-  if (std::exchange(before, touches) || !touches) return 0;
-  insert_contact_.run(id.value, hal::to_ns(at), other);
-  return 1;
+void LookLog::on_frame_start(hal::Time at, const sim::radio::Frame& frame) {
+  look_at_queue(at, frame.transmitter);
 }
 
-int LookLog::on_queue(hal::Time at, hal::AgentId id) {
-  if (!settings_.queues || !eyes_.queue) return 0;
-  const std::uint64_t queue = eyes_.queue(id);
-  if (std::exchange(agent(id).queue, queue) == queue) return 0;
+void LookLog::on_request_end(hal::Time at, hal::AgentId sender, hal::AgentId, hal::Verdict) {
+  look_at_queue(at, sender);
+}
+
+void LookLog::look_at_queue(hal::Time at, hal::AgentId id) {
+  if (!settings_.queues || !queue_) return;
+  const std::uint64_t queue = queue_(id);
+  if (std::exchange(agent(id).queue, queue) == queue) return;
   insert_queue_.run(id.value, hal::to_ns(at), queue);
-  return 1;
+  commits_.on_rows(at, 1);
 }
 
-int LookLog::on_body(hal::Time at, hal::AgentId id) {
-  if (!eyes_.contacts) return 0;
-  Agent& seen = agent(id);
-  int rows = 0;
-  const sim::agents::ContactCounts now = eyes_.contacts(id);
-  const sim::agents::ContactCounts then = std::exchange(seen.contacts, now);
-  rows += note_touch(at, id, now.wall_steps > then.wall_steps, seen.touches_wall, "wall");
-  rows += note_touch(at, id, now.object_steps > then.object_steps, seen.touches_body, "body");
-  return rows;
-}
-
-int LookLog::on_reading(hal::Time at, hal::AgentId id, const hal::Channel& channel,
-                        std::span<const double> values) {
-  if (!observes(channel)) return 0;
+void LookLog::on_reading(hal::Time at, hal::AgentId id, const hal::Channel& channel,
+                         std::span<const double> values) {
+  if (!observes(id, channel)) return;
   Agent& seen = agent(id);
   if (channel.id >= seen.channels.size()) seen.channels.resize(channel.id + 1u);
   Sensed& sensed = seen.channels[channel.id];
-  if (at < sensed.next_row) return 0;
+  if (at < sensed.next_row) return;
   sensed.next_row = hal::Time{(at.time_since_epoch() / settings_.period + 1) * settings_.period};
   fmt::memory_buffer text;
   for (const double value : values) {
@@ -73,10 +77,30 @@ int LookLog::on_reading(hal::Time at, hal::AgentId id, const hal::Channel& chann
     }
   }
   const std::string_view reading(text.data(), text.size());
-  if (reading == sensed.written) return 0;
+  if (reading == sensed.written) return;
   sensed.written = reading;
   insert_reading_.run(id.value, hal::to_ns(at), channel.name, reading);
-  return 1;
+  commits_.on_rows(at, 1);
+}
+
+std::vector<Table> LookLog::tables() {
+  return {
+      {"readings",
+       "what sensors said, with record: {readings: ranges | all}: a row per pose_period at most, "
+       "and "
+       "only if a channel says something else",
+       {{"agent", "INTEGER NOT NULL", "", "whose"},
+        {"at_ns", "INTEGER NOT NULL", "ns", "control instant"},
+        {"channel", "TEXT NOT NULL", "", "name: 'infrared', 'odometry', ..."},
+        {"reading", "TEXT NOT NULL", "",
+         "its values, with a space between, six digits; - for none (nothing within reach)"}}},
+      {"queues",
+       "frames that wait at an agent's radio, looked at when it begins to send one and when it is "
+       "done with one, if they are more or fewer than before; as routes",
+       {{"agent", "INTEGER NOT NULL", "", "whose"},
+        {"at_ns", "INTEGER NOT NULL", "ns", "when"},
+        {"frames", "INTEGER NOT NULL", "", "that wait or are being sent"}}},
+  };
 }
 
 }  // namespace results::record

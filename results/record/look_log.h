@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -9,21 +8,18 @@
 #include "hal/types/agent_id.h"
 #include "hal/types/channel.h"
 #include "hal/types/time.h"
+#include "results/record/commits.h"
 #include "results/record/database.h"
-#include "sim/agents/observer.h"
+#include "results/record/schema.h"
+#include "results/record/writer.h"
 #include "sim/scenario/detail.h"
 
 namespace results::record {
 
-/// The tables readings, queues and contacts: what is looked at while agents move and talk, a row
-/// for each change.
-class LookLog {
+/// The tables readings and queues: what is looked at while agents move and talk, a row for each
+/// change.
+class LookLog final : public Writer {
  public:
-  /// What there is to look at.
-  struct Eyes {
-    std::function<std::uint64_t(hal::AgentId)> queue;  ///< Frames.
-    std::function<sim::agents::ContactCounts(hal::AgentId)> contacts;
-  };
   struct Settings {
     hal::Duration period{};  ///< Between two readings of a channel, > 0.
     sim::scenario::Detail readings =
@@ -34,21 +30,25 @@ class LookLog {
   };
   static constexpr std::size_t kFewValues = 32;
 
-  LookLog(Database& database, Settings settings);
+  LookLog(Database& database, Settings settings, Commits& commits);
 
-  /// Before the run; until then queues and contacts are not seen.
-  void open(Eyes eyes) { eyes_ = std::move(eyes); }
+  static std::vector<Table> tables();
 
-  bool observes_readings() const { return settings_.readings != sim::scenario::Detail::kNone; }
-  bool observes(const hal::Channel& channel) const;
+  /// Until then queues are not seen.
+  void look_at(const sim::agents::Simulation& simulation) override;
+  /// @param queue  frames that wait at an agent's radio.
+  void look_at(std::function<std::uint64_t(hal::AgentId)> queue) { queue_ = std::move(queue); }
 
-  /// Something was sent, or has ended, at the agent's radio. @return rows written, as of the
-  /// others.
-  int on_queue(hal::Time at, hal::AgentId agent);
-  /// A control instant of a body that moves.
-  int on_body(hal::Time at, hal::AgentId agent);
-  int on_reading(hal::Time at, hal::AgentId agent, const hal::Channel& channel,
-                 std::span<const double> values);
+  bool observes_readings() const override {
+    return settings_.readings != sim::scenario::Detail::kNone;
+  }
+  bool observes(hal::AgentId agent, const hal::Channel& channel) const override;
+
+  void on_frame_start(hal::Time at, const sim::radio::Frame& frame) override;
+  void on_request_end(hal::Time at, hal::AgentId sender, hal::AgentId destination,
+                      hal::Verdict verdict) override;
+  void on_reading(hal::Time at, hal::AgentId agent, const hal::Channel& channel,
+                  std::span<const double> values) override;
 
  private:
   struct Sensed {
@@ -57,16 +57,15 @@ class LookLog {
   };
   struct Agent {
     std::uint64_t queue = 0;
-    sim::agents::ContactCounts contacts;
-    bool touches_wall = false, touches_body = false;
     std::vector<Sensed> channels;  ///< By id.
   };
   Agent& agent(hal::AgentId id);
-  int note_touch(hal::Time at, hal::AgentId id, bool touches, bool& before, const char* other);
+  void look_at_queue(hal::Time at, hal::AgentId id);
 
-  Statement insert_reading_, insert_queue_, insert_contact_;
+  Statement insert_reading_, insert_queue_;
   Settings settings_;
-  Eyes eyes_;
+  std::function<std::uint64_t(hal::AgentId)> queue_;
+  Commits& commits_;
   std::vector<Agent> agents_;  ///< By address.
 };
 

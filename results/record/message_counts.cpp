@@ -10,13 +10,14 @@ constexpr hal::MessageId kForgetEvery = 32;
 
 }  // namespace
 
-MessageCounts::MessageCounts(Database& database)
-    : put_end_(database, "REPLACE INTO counted_ends VALUES (?, ?, ?, ?, ?, ?)"),
+MessageCounts::MessageCounts(Database& database, const Protocols& protocols)
+    : MessageWriter(protocols),
+      put_end_(database, "REPLACE INTO counted_ends VALUES (?, ?, ?, ?, ?, ?)"),
       put_fate_(database, "REPLACE INTO counted_fates VALUES (?, ?, ?, ?, ?)"),
       put_delivery_(database,
                     "REPLACE INTO counted_deliveries VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)") {}
 
-void MessageCounts::on_sent(hal::Time at, const hal::Message& message) {
+void MessageCounts::on_message_sent(hal::Time at, const hal::Message& message) {
   Sender& from = sender(message.source);
   // The oldest are looked at now and then only: they have long left the cache.
   if (message.id % kForgetEvery == 0) forget(from, at);
@@ -46,10 +47,10 @@ void MessageCounts::on_message_delivered(hal::Time at, hal::AgentId receiver,
                   : 0;
   from.kinds[kind].changed = true;
   ++counted_;
-  on_end(message.source, message.id, hal::Verdict::kDelivered);
+  on_message_end(at, receiver, message.source, message.id, hal::Verdict::kDelivered);
 }
 
-void MessageCounts::on_fate(hal::AgentId agent, hal::MessageId id, hal::Fate fate) {
+void MessageCounts::on_fate(hal::Time, hal::AgentId agent, hal::MessageId id, hal::Fate fate) {
   Sender& from = sender(agent);
   Sent* const sent = find(from, id);
   if (sent == nullptr || sent->fate != kNothingYet) return;
@@ -59,7 +60,8 @@ void MessageCounts::on_fate(hal::AgentId agent, hal::MessageId id, hal::Fate fat
   if (id < from.first && sent->is_settled()) from.unsettled.erase(id);
 }
 
-void MessageCounts::on_end(hal::AgentId agent, hal::MessageId id, hal::Verdict verdict) {
+void MessageCounts::on_message_end(hal::Time, hal::AgentId, hal::AgentId agent, hal::MessageId id,
+                                   hal::Verdict verdict) {
   constexpr auto kDelivered = static_cast<std::uint8_t>(hal::Verdict::kDelivered);
   Sender& from = sender(agent);
   Sent* const sent = find(from, id);
@@ -132,7 +134,7 @@ void MessageCounts::forget(Sender& sender, hal::Time now) {
   }
 }
 
-void MessageCounts::write() {
+void MessageCounts::write(hal::Time) {
   for (std::size_t address = 0; address < senders_.size(); ++address) {
     write(static_cast<std::uint16_t>(address), senders_[address]);
   }
@@ -170,6 +172,43 @@ void MessageCounts::write_kind(std::uint16_t address, Kind& kind) {
     put_fate_.run(address, kind.destination.value, topics_[kind.topic],
                   hal::to_string(static_cast<hal::Fate>(count.key)), count.messages);
   }
+}
+
+std::vector<Table> MessageCounts::tables() {
+  return {
+      {"counted_ends",
+       "messages that are not listed (record: {messages: counts}), by how they ended; read "
+       "message_ends",
+       {{"sender", "INTEGER NOT NULL", "", "agent"},
+        {"destination", "INTEGER NOT NULL", "", "agent; 65535: everyone, 65534: neighbours"},
+        {"topic", "TEXT NOT NULL", "", "class of the message"},
+        {"verdict", "TEXT NOT NULL", "", "as in message_ends"},
+        {"count", "INTEGER NOT NULL", "", "messages"},
+        {"bytes", "INTEGER NOT NULL", "byte", "of their payloads"}},
+       "sender, destination, topic, verdict"},
+      {"counted_fates",
+       "the same by what their senders were told; read message_fates",
+       {{"sender", "INTEGER NOT NULL", "", "agent"},
+        {"destination", "INTEGER NOT NULL", "", "agent; 65535: everyone, 65534: neighbours"},
+        {"topic", "TEXT NOT NULL", "", "class of the message"},
+        {"fate", "TEXT NOT NULL", "", "as told to the sender"},
+        {"count", "INTEGER NOT NULL", "", "messages"}},
+       "sender, destination, topic, fate"},
+      {"counted_deliveries",
+       "deliveries that are not listed; read message_deliveries",
+       {{"sender", "INTEGER NOT NULL", "", "of the messages"},
+        {"destination", "INTEGER NOT NULL", "", "agent; 65535: everyone, 65534: neighbours"},
+        {"topic", "TEXT NOT NULL", "", "class of the messages"},
+        {"receiver", "INTEGER NOT NULL", "", "agent"},
+        {"transmissions", "INTEGER NOT NULL", "", "on their way, the last hop included"},
+        {"count", "INTEGER NOT NULL", "", "deliveries"},
+        {"bytes", "INTEGER NOT NULL", "byte", "of their payloads"},
+        {"late", "INTEGER NOT NULL", "", "as in message_deliveries"},
+        {"delay_sum_ns", "INTEGER NOT NULL", "ns", "as in message_deliveries"},
+        {"delay_least_ns", "INTEGER", "ns", "the shortest; null: all were late"},
+        {"delay_greatest_ns", "INTEGER", "ns", "the longest; null: all were late"}},
+       "sender, destination, topic, receiver, transmissions"},
+  };
 }
 
 }  // namespace results::record

@@ -9,11 +9,9 @@
 #include <utility>
 #include <vector>
 
-#include "hal/types/message.h"
-#include "hal/types/time.h"
-#include "hal/types/verdict.h"
 #include "results/record/database.h"
 #include "results/record/delivery_totals.h"
+#include "results/record/message_writer.h"
 
 namespace results::record {
 
@@ -23,24 +21,23 @@ namespace results::record {
 /// verdict and its fate are there and another kKept of simulated time is over, and somewhat longer:
 /// they are looked at now and then. What is delivered later still is counted, without its delay,
 /// and changes no verdict.
-class MessageCounts {
+class MessageCounts final : public MessageWriter {
  public:
   static constexpr hal::Duration kKept = std::chrono::seconds{10};
 
-  explicit MessageCounts(Database& database);
+  MessageCounts(Database& database, const Protocols& protocols);
 
-  void on_sent(hal::Time at, const hal::Message& message);
-  /// @param transmissions  on its way.
+  static std::vector<Table> tables();
+
+  void on_message_sent(hal::Time at, const hal::Message& message) override;
   void on_message_delivered(hal::Time at, hal::AgentId receiver, const hal::Message& message,
-                            int transmissions);
-  void on_fate(hal::AgentId sender, hal::MessageId id, hal::Fate fate);
-  void on_end(hal::AgentId sender, hal::MessageId id, hal::Verdict verdict);
+                            int transmissions) override;
+  void on_fate(hal::Time at, hal::AgentId sender, hal::MessageId id, hal::Fate fate) override;
+  void on_message_end(hal::Time at, hal::AgentId at_node, hal::AgentId sender, hal::MessageId id,
+                      hal::Verdict verdict) override;
 
-  /// Writes a row for each count that changed since the last call.
-  void write();
-
-  std::uint64_t counted() const { return counted_; }  ///< Since the last write(), and
-  std::uint64_t rows() const { return changed_; }     ///< no fewer than it would write.
+  void write(hal::Time now) override;
+  Pending pending() const override { return {.rows = changed_, .counted = counted_}; }
 
  private:
   static constexpr std::uint8_t kNothingYet = 0xff;
@@ -92,8 +89,8 @@ class MessageCounts {
   std::vector<std::string> topics_;
   std::map<std::string, std::uint32_t, std::less<>> topic_numbers_;
   std::vector<Sender> senders_;  ///< By address.
-  std::uint64_t counted_ = 0;
-  std::uint64_t changed_ = 0;
+  std::uint64_t counted_ = 0;    ///< Since the last write(), and
+  std::uint64_t changed_ = 0;    ///< no fewer rows than it would write.
 };
 
 }  // namespace results::record

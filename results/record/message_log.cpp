@@ -2,8 +2,9 @@
 
 namespace results::record {
 
-MessageLog::MessageLog(Database& database)
-    : insert_(database,
+MessageLog::MessageLog(Database& database, const Protocols& protocols, Commits& commits)
+    : MessageWriter(protocols),
+      insert_(database,
               "REPLACE INTO messages (sender, id, destination, topic, bytes, sent_ns)"
               " VALUES (?, ?, ?, ?, ?, ?)"),
       insert_delivery_(database,
@@ -14,11 +15,13 @@ MessageLog::MessageLog(Database& database)
                      "UPDATE messages SET verdict = 'delivered' WHERE sender = ? AND id = ?"),
       set_verdict_(database,
                    "UPDATE messages SET verdict = ? WHERE sender = ? AND id = ?"
-                   " AND verdict IS NOT 'delivered'") {}
+                   " AND verdict IS NOT 'delivered'"),
+      commits_(commits) {}
 
-void MessageLog::on_sent(hal::Time at, const hal::Message& message) {
+void MessageLog::on_message_sent(hal::Time at, const hal::Message& message) {
   insert_.run(message.source.value, std::int64_t{message.id}, message.destination.value,
               message.topic, std::uint64_t{message.payload.size()}, hal::to_ns(at));
+  commits_.on_rows(at, 1);
 }
 
 void MessageLog::on_message_delivered(hal::Time at, hal::AgentId receiver,
@@ -26,14 +29,59 @@ void MessageLog::on_message_delivered(hal::Time at, hal::AgentId receiver,
   insert_delivery_.run(message.source.value, std::int64_t{message.id}, receiver.value,
                        hal::to_ns(at), transmissions);
   set_delivered_.run(message.source.value, std::int64_t{message.id});
+  commits_.on_rows(at, 1);
 }
 
 void MessageLog::on_fate(hal::Time at, hal::AgentId sender, hal::MessageId id, hal::Fate fate) {
   set_fate_.run(hal::to_string(fate), hal::to_ns(at), sender.value, std::int64_t{id});
 }
 
-void MessageLog::on_end(hal::AgentId sender, hal::MessageId id, hal::Verdict verdict) {
+void MessageLog::on_message_end(hal::Time, hal::AgentId, hal::AgentId sender, hal::MessageId id,
+                                hal::Verdict verdict) {
   set_verdict_.run(hal::name(verdict), sender.value, std::int64_t{id});
+}
+
+std::vector<Table> MessageLog::tables() {
+  return {
+      {"messages",
+       "what controllers sent; only with record: {messages: all}, the default up to 100 agents",
+       {{"sender", "INTEGER NOT NULL", "", "agent"},
+        {"id", "INTEGER NOT NULL", "", "of the message, by its sender"},
+        {"destination", "INTEGER NOT NULL", "", "agent; 65535: everyone, 65534: neighbours"},
+        {"topic", "TEXT NOT NULL", "", "class of the message"},
+        {"bytes", "INTEGER NOT NULL", "byte", "payload"},
+        {"sent_ns", "INTEGER NOT NULL", "ns", "when the controller sent it"},
+        {"fate", "TEXT", "", "as told to the sender; null: nothing yet"},
+        {"fate_ns", "INTEGER", "ns", "when it was told"},
+        {"verdict", "TEXT", "",
+         "how it ended; 'delivered' wins over the end of another copy; null: on its way at the "
+         "end of the run; of a broadcast that nobody got: why most radios lost it, 'below "
+         "sensitivity' if none was in range"}},
+       "sender, id"},
+      {"broadcasts",
+       "of the listed messages those to everyone or to neighbours: how many got them",
+       {{"sender", "INTEGER", "", "agent"},
+        {"id", "INTEGER", "", "of the message, by its sender"},
+        {"topic", "TEXT", "", "class of the message"},
+        {"sent_ns", "INTEGER", "ns", "when the controller sent it"},
+        {"addressees", "INTEGER", "", "all other agents"},
+        {"reached", "INTEGER", "", "so many of them got it"},
+        {"verdict", "TEXT", "", "as in messages"}},
+       "sender, id",
+       "SELECT sender, id, topic, sent_ns,"
+       " (SELECT COUNT(*) FROM agents WHERE agent <> m.sender) AS addressees,"
+       " (SELECT COUNT(*) FROM deliveries d WHERE d.sender = m.sender AND d.id = m.id) AS reached,"
+       " verdict FROM messages m WHERE destination >= 65534"},
+      {"deliveries",
+       "listed messages handed to a controller; one to everyone or to neighbours once per agent",
+       {{"sender", "INTEGER NOT NULL", "", "of the message"},
+        {"id", "INTEGER NOT NULL", "", "of the message, by its sender"},
+        {"receiver", "INTEGER NOT NULL", "", "agent"},
+        {"at_ns", "INTEGER NOT NULL", "ns", "when"},
+        {"delay_ns", "INTEGER NOT NULL", "ns", "since it was sent, waiting for a route included"},
+        {"transmissions", "INTEGER", "", "on its way, the last hop included"}},
+       "sender, id, receiver"},
+  };
 }
 
 }  // namespace results::record

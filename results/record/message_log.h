@@ -1,28 +1,30 @@
 #pragma once
 
-#include <cstdint>
+#include <vector>
 
-#include "hal/types/message.h"
-#include "hal/types/time.h"
-#include "hal/types/verdict.h"
+#include "results/record/commits.h"
 #include "results/record/database.h"
+#include "results/record/message_writer.h"
 
 namespace results::record {
 
 /// The tables messages and deliveries.
-class MessageLog {
+class MessageLog final : public MessageWriter {
  public:
-  explicit MessageLog(Database& database);
+  MessageLog(Database& database, const Protocols& protocols, Commits& commits);
 
-  void on_sent(hal::Time at, const hal::Message& message);
-  /// @param transmissions  on its way.
+  static std::vector<Table> tables();
+
+  void on_message_sent(hal::Time at, const hal::Message& message) override;
   void on_message_delivered(hal::Time at, hal::AgentId receiver, const hal::Message& message,
-                            int transmissions);
-  void on_fate(hal::Time at, hal::AgentId sender, hal::MessageId id, hal::Fate fate);
-  void on_end(hal::AgentId sender, hal::MessageId id, hal::Verdict verdict);
+                            int transmissions) override;
+  void on_fate(hal::Time at, hal::AgentId sender, hal::MessageId id, hal::Fate fate) override;
+  void on_message_end(hal::Time at, hal::AgentId at_node, hal::AgentId sender, hal::MessageId id,
+                      hal::Verdict verdict) override;
 
  private:
   Statement insert_, insert_delivery_, set_fate_, set_delivered_, set_verdict_;
+  Commits& commits_;
 };
 
 }  // namespace results::record

@@ -128,7 +128,7 @@ void Observables::look_at(Watch& watch, hal::Time at) {
 void Observables::keep(Watch& watch, hal::Time at, double value) {
   watch.seen = value;
   const int rows = watch.kept.add(at, value);
-  if (rows > 0) surroundings_.on_rows(at, rows);
+  if (rows > 0) surroundings_.commits.on_rows(at, rows);
 }
 
 hal::Time Observables::due() const {

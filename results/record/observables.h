@@ -11,10 +11,11 @@
 #include <utility>
 #include <vector>
 
+#include "results/record/commits.h"
 #include "results/record/database.h"
 #include "results/record/observed_value.h"
 #include "results/record/tallies.h"
-#include "sim/agents/observer.h"
+#include "results/record/writer.h"
 #include "sim/agents/sampler.h"
 #include "sim/agents/simulation.h"
 #include "sim/agents/simulation_config.h"
@@ -26,14 +27,13 @@ namespace results::record {
 /// on, after all that happens at that instant; or on change: what only happens (a delay, what a
 /// controller records) each time, all else at the agent's control instants, if it is not as before.
 /// Readings are those of the agent's last control instant.
-class Observables final : public sim::agents::Observer, public sim::agents::Sampler {
+class Observables final : public Writer, public sim::agents::Sampler {
  public:
   struct Surroundings {
     const sim::agents::Simulation& simulation;
     const sim::agents::SimulationConfig& config;
     Database& database;
-    /// So many rows were written.
-    std::function<void(hal::Time, int)> on_rows;
+    Commits& commits;
     /// Unit of what an agent's controller records under a name; "": not known.
     std::function<std::string(hal::AgentId, const std::string&)> unit_of;
   };
@@ -41,7 +41,7 @@ class Observables final : public sim::agents::Observer, public sim::agents::Samp
   Observables(std::vector<sim::scenario::ObservableRequest> requests, Surroundings surroundings);
 
   /// Writes what is known at the end of the run only.
-  void finish(hal::Time end);
+  void finish(hal::Time end) override;
 
   hal::Time due() const override;
   void look(hal::Time at) override;

@@ -10,21 +10,25 @@
 #include "hal/types/time.h"
 #include "hal/types/verdict.h"
 #include "results/record/database.h"
-#include "sim/radio/observer.h"
+#include "results/record/schema.h"
+#include "results/record/writer.h"
 
 namespace results::record {
 
 /// The tables relays and relay_queues: what access points did with what stations sent through them,
 /// and what waits in them, by destination.
-class RelayCounts {
+class RelayCounts final : public Writer {
  public:
   explicit RelayCounts(Database& database);
 
-  void on_queued(hal::Time at, const sim::radio::Msdu& msdu);
-  void on_end(hal::Time at, const sim::radio::Msdu& msdu, const sim::radio::MsduEnd& end);
+  static std::vector<Table> tables();
+
+  void on_relay_queued(hal::Time at, const sim::radio::Msdu& msdu) override;
+  void on_msdu_end(hal::Time at, const sim::radio::Msdu& msdu,
+                   const sim::radio::MsduEnd& end) override;
 
   /// Writes all rows anew. @param now  until when what waits has waited.
-  void write(hal::Time now);
+  void write(hal::Time now) override;
 
  private:
   static constexpr std::size_t kTransmitted = hal::kVerdictCount, kOverWire = kTransmitted + 1,

@@ -3,23 +3,29 @@
 #include "hal/types/agent_id.h"
 #include "hal/types/route.h"
 #include "hal/types/time.h"
+#include "results/record/commits.h"
 #include "results/record/database.h"
 #include "results/record/protocols.h"
+#include "results/record/schema.h"
+#include "results/record/writer.h"
 
 namespace results::record {
 
 /// The table routes.
-class RouteLog {
+class RouteLog final : public Writer {
  public:
   /// @param protocols  outlives it.
-  RouteLog(Database& database, const Protocols& protocols);
+  RouteLog(Database& database, const Protocols& protocols, Commits& commits);
+
+  static std::vector<Table> tables();
 
   /// @pre the agent is one of the run's.
-  void on_route_change(hal::Time at, hal::AgentId agent, const hal::RouteChange& change);
+  void on_route_change(hal::Time at, hal::AgentId agent, const hal::RouteChange& change) override;
 
  private:
   Statement insert_;
   const Protocols& protocols_;
+  Commits& commits_;
 };
 
 }  // namespace results::record

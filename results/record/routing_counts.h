@@ -7,27 +7,36 @@
 
 #include "hal/node/routing/protocol_event.h"
 #include "hal/types/agent_id.h"
+#include "results/record/commits.h"
 #include "results/record/database.h"
+#include "results/record/schema.h"
+#include "results/record/writer.h"
 
 namespace results::record {
 
-/// The table routing_events: what the routing protocols of the agents did, by agent and event.
-class RoutingCounts {
+/// The tables discoveries, and routing_events: what the routing protocols of the agents did, by
+/// agent and event.
+class RoutingCounts final : public Writer {
  public:
-  explicit RoutingCounts(Database& database);
+  RoutingCounts(Database& database, Commits& commits);
 
-  void on_event(hal::AgentId agent, hal::node::routing::ProtocolEvent event) {
+  static std::vector<Table> tables();
+
+  void on_discovery(hal::Time at, hal::AgentId agent,
+                    const sim::agents::Discovery& discovery) override;
+  void on_protocol_event(hal::AgentId agent, hal::node::routing::ProtocolEvent event) override {
     ++counts_[agent][static_cast<std::size_t>(event)];
     changed_ = true;
   }
 
   /// Writes all rows anew, if there is anything new.
-  void write();
+  void write(hal::Time now) override;
 
  private:
-  Statement put_;
+  Statement insert_discovery_, put_;
   std::map<hal::AgentId, std::array<std::uint64_t, hal::node::routing::kProtocolEvents>> counts_;
   bool changed_ = false;
+  Commits& commits_;
 };
 
 }  // namespace results::record

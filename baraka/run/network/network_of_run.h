@@ -13,7 +13,7 @@
 #include "baraka/run/pace/background_work.h"
 #include "baraka/run/pace/real_time_clock.h"
 #include "programs/netns/namespaces.h"
-#include "results/record/recorder.h"
+#include "results/record/interface_counts.h"
 #include "sim/agents/simulation.h"
 #include "sim/scenario/scenario.h"
 

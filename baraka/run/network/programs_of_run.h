@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "hal/types/time.h"
-#include "results/record/recorder.h"
+#include "results/record/interface_counts.h"
 #include "sim/agents/simulation.h"
 #include "sim/scenario/plan.h"
 

@@ -7,6 +7,8 @@
 #include <memory>
 
 #include "hal/node/routing/packet.h"
+#include "results/record/body_log.h"
+#include "sim/radio/frame.h"
 #include "tests/unit/results/record/test_run.h"
 
 namespace results::record::test {
@@ -70,7 +72,7 @@ TEST_F(RecorderTest, SaysHowTheRunEnded) {
   });
   fingerprint.at(sim::Part::kAir, AgentId{1}, Time{1s}).add(std::uint64_t{5});
   fingerprint.finish();
-  recorder->add_contacts(AgentId{3}, {.wall_steps = 4, .object_steps = 5});
+  recorder->find<BodyLog>()->add_contacts(AgentId{3}, {.wall_steps = 4, .object_steps = 5});
   recorder->on_body(Time{}, AgentId{3}, {});
   recorder->finish({.kind = sim::agents::Outcome::Kind::kEnded,
                     .result = "arrived",
@@ -131,7 +133,7 @@ TEST_F(RecorderTest, TotalsAreWrittenAtLeastOncePerPeriod) {
     recorder->on_reception(Time{1s}, data_frame(AgentId{other}, AgentId{1}), AgentId{1},
                            Verdict::kCollision, -80);
   }
-  recorder->on_body(Time{Recorder::kCommitPeriod}, AgentId{1}, {});
+  recorder->on_body(Time{Commits::kCommitPeriod}, AgentId{1}, {});
   EXPECT_EQ(ask(folder.file(), "SELECT count(*) FROM receptions"), "5000");
 }
 
@@ -174,11 +176,11 @@ TEST_F(RecorderTest, WhatWasCommittedIsThereIfTheRunIsCutShort) {
 }
 
 TEST_F(RecorderTest, CommitsAfterManyRows) {
-  for (int i = 0; i < Recorder::kCommitRows - 1; ++i) recorder->on_state(Time{}, AgentId{1}, "X");
+  for (int i = 0; i < Commits::kCommitRows - 1; ++i) recorder->on_state(Time{}, AgentId{1}, "X");
   EXPECT_EQ(ask(folder.file(), "SELECT COUNT(*) FROM states"), "0");
   recorder->on_state(Time{}, AgentId{1}, "X");
   EXPECT_EQ(ask(folder.file(), "SELECT COUNT(*) FROM states"),
-            std::to_string(Recorder::kCommitRows));
+            std::to_string(Commits::kCommitRows));
 }
 
 TEST_F(RecorderTest, FollowsAMessageToItsDelivery) {

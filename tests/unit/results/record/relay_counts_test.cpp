@@ -29,13 +29,13 @@ class RelayCountsTest : public testing::Test {
   void queue(hal::Duration at, AgentId to = kDestination) {
     sim::radio::MacRequest request;
     request.destination = to;
-    counts->on_queued(Time{at}, {kAccessPoint, kSource, request});
+    counts->on_relay_queued(Time{at}, {kAccessPoint, kSource, request});
   }
   void end(hal::Duration at, const sim::radio::MsduEnd& how, AgentId to = kDestination,
            AgentId from = kSource) {
     sim::radio::MacRequest request;
     request.destination = to;
-    counts->on_end(Time{at}, {kAccessPoint, from, request}, how);
+    counts->on_msdu_end(Time{at}, {kAccessPoint, from, request}, how);
   }
   std::string relays() {
     return ask(

@@ -7,6 +7,7 @@
 
 #include "hal/node/routing/packet.h"
 #include "hal/types/path_metric.h"
+#include "results/record/body_log.h"
 #include "results/record/frame_log.h"
 #include "results/record/look_log.h"
 #include "results/record/recorder.h"
@@ -151,17 +152,22 @@ TEST_F(ViewRecordTest, QueuesAndContactsAreWrittenWhenTheyChange) {
   std::uint64_t queue = 0;
   sim::agents::ContactCounts contacts;
   NewDatabase database(folder.file());
-  LookLog log(database, {.period = 100ms, .queues = true});
-  log.open(
-      {.queue = [&](AgentId) { return queue; }, .contacts = [&](AgentId) { return contacts; }});
+  database.execute("BEGIN");
+  Commits commits(database);
+  LookLog looks(database, {.period = 100ms, .queues = true}, commits);
+  looks.look_at([&](AgentId) { return queue; });
+  BodyLog bodies(database, 1s, commits);
+  bodies.look_at([&](AgentId) { return contacts; });
   queue = 3;
-  EXPECT_EQ(log.on_queue(Time{1ms}, AgentId{1}), 1);
-  EXPECT_EQ(log.on_queue(Time{2ms}, AgentId{1}), 0);
+  for (const hal::Duration at : {1ms, 2ms}) {
+    looks.on_request_end(Time{at}, AgentId{1}, AgentId{2}, hal::Verdict::kDelivered);
+  }
   for (const auto& [at, wall, body] : {std::tuple{1, 5, 0}, {2, 9, 0}, {3, 9, 0}, {4, 12, 1}}) {
     contacts = {.wall_steps = static_cast<std::uint64_t>(wall),
                 .object_steps = static_cast<std::uint64_t>(body)};
-    log.on_body(Time{std::chrono::seconds{at}}, AgentId{3});
+    bodies.on_body(Time{std::chrono::seconds{at}}, AgentId{3}, {.x = 1.0 * at});
   }
+  commits.commit();
   EXPECT_EQ(ask(folder.file(), "SELECT agent || ' ' || at_ns || ' ' || frames FROM queues"),
             "1 1000000 3");
   EXPECT_EQ(ask(folder.file(), "SELECT group_concat((at_ns / 1000000000) || other) FROM contacts"),

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "results/record/controller_log.h"
 #include "tests/unit/view/server/small_result.h"
 #include "view/server/tile.h"
 
@@ -286,7 +287,8 @@ TEST_F(Tiles, SeriesAreValuesOrTheirRange) {
 }
 
 TEST_F(Tiles, SeriesOfControllersHaveTheUnitThatTheyDeclare) {
-  result.recorder->add_units({{{"program", "speed"}, "m/s"}, {{"another", "other"}, "J"}});
+  result.recorder->find<results::record::ControllerLog>()->add_units(
+      {{{"program", "speed"}, "m/s"}, {{"another", "other"}, "J"}});
   result.recorder->on_record(Time{1s}, AgentId{3}, "speed", 1);
   result.recorder->on_record(Time{1s}, AgentId{1}, "speed", 2);
   result.recorder->on_record(Time{1s}, AgentId{1}, "other", 3);

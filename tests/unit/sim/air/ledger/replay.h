@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "results/record/air_capture.h"
+#include "results/record/air_log.h"
 #include "results/record/recorder.h"
 #include "sim/agents/observer_list.h"
 #include "sim/air/ip_packet.h"
@@ -139,7 +140,7 @@ class Replay {
     recorder->finish(outcome, Fingerprint{});
   }
 
-  Ledger& ledger() { return *recorder->ledger(); }
+  Ledger& ledger() { return recorder->find<results::record::AirLog>()->ledger(); }
   std::string ask(const std::string& sql) const {
     return results::record::test::ask(folder.file(), sql);
   }

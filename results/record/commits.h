@@ -1,0 +1,53 @@
+#pragma once
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "hal/types/time.h"
+#include "results/record/database.h"
+#include "results/record/writer.h"
+
+namespace results::record {
+
+/// The writers of a run, and when what they wrote is committed: every kCommitPeriod of simulated
+/// time, which the begin and the end of frames keep going if no rows come, and every kCommitRows
+/// rows.
+class Commits final : public sim::agents::Observer {
+ public:
+  static constexpr hal::Duration kCommitPeriod = std::chrono::seconds{10};
+  static constexpr int kCommitRows = 2000;
+
+  /// @param database  in a transaction whenever something is written or committed.
+  explicit Commits(Database& database) : database_(database) {}
+
+  void add(std::unique_ptr<Writer> writer) { writers_.push_back(std::move(writer)); }
+  const std::vector<std::unique_ptr<Writer>>& writers() const { return writers_; }
+
+  /// So many rows were written; may commit.
+  void on_rows(hal::Time at, int rows);
+  /// Something happened then that totals tell of.
+  void see(hal::Time at) { now_ = std::max(now_, at); }
+  hal::Time now() const { return now_; }  ///< Of the latest row, or of the end.
+
+  void write_totals();
+  /// Whether they are few, beside what was counted.
+  bool has_few_totals() const;
+  void commit();
+
+  void on_frame_start(hal::Time at, const sim::radio::Frame&) override { on_rows(at, 0); }
+  void on_request_end(hal::Time at, hal::AgentId, hal::AgentId, hal::Verdict) override {
+    on_rows(at, 0);
+  }
+
+ private:
+  Database& database_;
+  std::vector<std::unique_ptr<Writer>> writers_;
+  int rows_ = 0;  ///< Since the last commit.
+  hal::Time now_{};
+  hal::Time next_commit_{kCommitPeriod};
+};
+
+}  // namespace results::record

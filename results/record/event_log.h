@@ -1,0 +1,29 @@
+#pragma once
+
+#include <vector>
+
+#include "results/record/commits.h"
+#include "results/record/database.h"
+#include "results/record/schema.h"
+#include "results/record/writer.h"
+
+namespace results::record {
+
+/// The tables events, turns and arrivals: what the scenario or somebody outside does to the run.
+class EventLog final : public Writer {
+ public:
+  EventLog(Database& database, Commits& commits);
+
+  static std::vector<Table> scripted_tables();
+  static std::vector<Table> tables();
+
+  void on_scripted(const sim::agents::ScriptedDone& done) override;
+  void on_turn(const sim::agents::Turn& turn) override;
+  void on_arrival(const sim::OutsideArrival& arrival) override;
+
+ private:
+  Statement insert_scripted_, insert_turn_, insert_arrival_;
+  Commits& commits_;
+};
+
+}  // namespace results::record

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "results/record/broadcast_watch.h"
+#include "results/record/protocols.h"
+#include "results/record/schema.h"
+#include "results/record/writer.h"
+
+namespace results::record {
+
+/// Of messages what the network does not tell: the ends of broadcasts that reach nobody, and of
+/// what an access point could not pass on.
+class MessageWriter : public Writer {
+ public:
+  /// @param protocols  outlives it.
+  explicit MessageWriter(const Protocols& protocols);
+
+  /// Views of what holds whether messages are listed or counted.
+  static std::vector<Table> views();
+
+  void on_frame_start(hal::Time at, const sim::radio::Frame& frame) override {
+    broadcasts_.on_frame_start(at, frame);
+  }
+  void on_reception(hal::Time, const sim::radio::Frame& frame, hal::AgentId, hal::Verdict verdict,
+                    double) override {
+    broadcasts_.on_reception(frame, verdict);
+  }
+  void on_relay_lost(hal::Time at, hal::AgentId source, const sim::radio::MacRequest& request,
+                     hal::Verdict verdict) override;
+  void on_message_end(hal::Time at, hal::AgentId at_node, hal::AgentId sender, hal::MessageId id,
+                      hal::Verdict verdict) override = 0;
+
+  void finish(hal::Time ended_at) override { broadcasts_.finish(ended_at); }
+
+ private:
+  const Protocols& protocols_;
+  BroadcastWatch broadcasts_;
+};
+
+}  // namespace results::record

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <vector>
+
+#include "results/record/schema.h"
+
+namespace results::record {
+
+/// The tables that the Recorder writes itself: what was run, among whom, and how.
+std::vector<Table> run_tables();
+std::vector<Table> fingerprint_tables();
+
+}  // namespace results::record
