@@ -5,12 +5,12 @@
 
 #include "results/record/database.h"
 #include "results/record/schema.h"
-#include "results/record/writer.h"
+#include "results/record/topic_writer.h"
 
 namespace results::record {
 
 /// The table agent_use.
-class AgentUseLog final : public Writer {
+class AgentUseLog final : public TopicWriter {
  public:
   AgentUseLog(Database& database, bool counts_frames);
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "results/record/database.h"
-#include "results/record/writer.h"
+#include "results/record/topic_writer.h"
 #include "sim/air/ledger.h"
 #include "sim/scenario/detail.h"
 
@@ -15,7 +15,7 @@ namespace results::record {
 
 /// The tables of what the air is used for: air_accounts, air_ends, air_writers, air_seconds,
 /// dds_endpoints, sample_sums, sample_losses, sample_latencies and samples. It keeps the ledger.
-class AirLog final : public Writer {
+class AirLog final : public TopicWriter {
  public:
   /// @param samples  kNone: nothing of samples, kCounts: sums, kAll: these and each delivery.
   AirLog(Database& database, sim::scenario::Detail samples);

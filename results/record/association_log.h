@@ -6,12 +6,12 @@
 #include "results/record/commits.h"
 #include "results/record/database.h"
 #include "results/record/schema.h"
-#include "results/record/writer.h"
+#include "results/record/topic_writer.h"
 
 namespace results::record {
 
 /// The table associations.
-class AssociationLog final : public Writer {
+class AssociationLog final : public TopicWriter {
  public:
   AssociationLog(Database& database, Commits& commits);
 

@@ -8,12 +8,12 @@
 #include "results/record/commits.h"
 #include "results/record/database.h"
 #include "results/record/schema.h"
-#include "results/record/writer.h"
+#include "results/record/topic_writer.h"
 
 namespace results::record {
 
 /// The tables poses, bodies, lost_bodies and contacts.
-class BodyLog final : public Writer {
+class BodyLog final : public TopicWriter {
  public:
   /// @param period  of the rows in poses, > 0.
   BodyLog(Database& database, hal::Duration period, Commits& commits);

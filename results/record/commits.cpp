@@ -26,9 +26,9 @@ void Commits::write_totals() {
 }
 
 bool Commits::has_few_totals() const {
-  Writer::Pending sum;
+  TopicWriter::Pending sum;
   for (const auto& writer : writers_) {
-    const Writer::Pending one = writer->pending();
+    const TopicWriter::Pending one = writer->pending();
     sum.rows += one.rows;
     sum.counted += one.counted;
   }

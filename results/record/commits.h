@@ -8,7 +8,7 @@
 
 #include "hal/types/time.h"
 #include "results/record/database.h"
-#include "results/record/writer.h"
+#include "results/record/topic_writer.h"
 
 namespace results::record {
 
@@ -23,8 +23,8 @@ class Commits final : public sim::agents::Observer {
   /// @param database  in a transaction whenever something is written or committed.
   explicit Commits(Database& database) : database_(database) {}
 
-  void add(std::unique_ptr<Writer> writer) { writers_.push_back(std::move(writer)); }
-  const std::vector<std::unique_ptr<Writer>>& writers() const { return writers_; }
+  void add(std::unique_ptr<TopicWriter> writer) { writers_.push_back(std::move(writer)); }
+  const std::vector<std::unique_ptr<TopicWriter>>& writers() const { return writers_; }
 
   /// So many rows were written; may commit.
   void on_rows(hal::Time at, int rows);
@@ -44,7 +44,7 @@ class Commits final : public sim::agents::Observer {
 
  private:
   Database& database_;
-  std::vector<std::unique_ptr<Writer>> writers_;
+  std::vector<std::unique_ptr<TopicWriter>> writers_;
   int rows_ = 0;  ///< Since the last commit.
   hal::Time now_{};
   hal::Time next_commit_{kCommitPeriod};

@@ -9,12 +9,12 @@
 #include "results/record/commits.h"
 #include "results/record/database.h"
 #include "results/record/schema.h"
-#include "results/record/writer.h"
+#include "results/record/topic_writer.h"
 
 namespace results::record {
 
 /// The tables states, recorded and recorded_units: what controllers say of themselves.
-class ControllerLog final : public Writer {
+class ControllerLog final : public TopicWriter {
  public:
   ControllerLog(Database& database, Commits& commits);
 

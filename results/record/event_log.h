@@ -5,12 +5,12 @@
 #include "results/record/commits.h"
 #include "results/record/database.h"
 #include "results/record/schema.h"
-#include "results/record/writer.h"
+#include "results/record/topic_writer.h"
 
 namespace results::record {
 
 /// The tables events, turns and arrivals: what the scenario or somebody outside does to the run.
-class EventLog final : public Writer {
+class EventLog final : public TopicWriter {
  public:
   EventLog(Database& database, Commits& commits);
 

@@ -85,7 +85,7 @@ void FrameCounts::on_request_end(hal::Time, hal::AgentId sender, hal::AgentId de
   requests_.add(sender, destination, static_cast<std::uint8_t>(verdict));
 }
 
-Writer::Pending FrameCounts::pending() const {
+TopicWriter::Pending FrameCounts::pending() const {
   return {.rows = sent_.changed() + receptions_.changed() + requests_.changed(),
           .counted = sent_.added() + receptions_.added() + requests_.added()};
 }
@@ -169,7 +169,7 @@ std::vector<Table> FrameCounts::end_tables() {
   };
 }
 
-std::vector<Table> FrameCounts::views() {
+std::vector<Table> FrameCounts::link_views() {
   return {
       {"link_verdicts",
        "what became of each frame at each radio, for pairs of which one noticed a frame of the "
@@ -197,6 +197,11 @@ std::vector<Table> FrameCounts::views() {
        " 'below sensitivity', s.count - IFNULL(t.count, 0) FROM sent s"
        " LEFT JOIN told t USING (agent, peer, class, addressed)"
        " WHERE s.count <> IFNULL(t.count, 0)) GROUP BY 1, 2, 3, 4, 5"},
+  };
+}
+
+std::vector<Table> FrameCounts::sum_views() {
+  return {
       {"verdict_sums",
        "what became of all frames at all other radios: in sum, frames sent times radios",
        {{"class", "TEXT", "", "as in frames_sent"},

@@ -8,20 +8,21 @@
 #include "results/record/frames_in_the_air.h"
 #include "results/record/pair_counts.h"
 #include "results/record/schema.h"
-#include "results/record/writer.h"
+#include "results/record/topic_writer.h"
 #include "sim/radio/radio_config.h"
 
 namespace results::record {
 
 /// The tables frames_sent, receptions, faint, packets and requests, those of FramesInTheAir and the
 /// views of them all.
-class FrameCounts final : public Writer {
+class FrameCounts final : public TopicWriter {
  public:
   FrameCounts(Database& database, const sim::radio::RadioConfig& radio, Commits& commits);
 
   static std::vector<Table> sent_tables();
   static std::vector<Table> end_tables();
-  static std::vector<Table> views();
+  static std::vector<Table> link_views();
+  static std::vector<Table> sum_views();
 
   void on_frame_start(hal::Time at, const sim::radio::Frame& frame) override;
   void on_frame_cut(hal::Time at, const sim::radio::Frame& frame) override {

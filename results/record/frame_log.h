@@ -9,7 +9,7 @@
 #include "results/record/database.h"
 #include "results/record/protocols.h"
 #include "results/record/schema.h"
-#include "results/record/writer.h"
+#include "results/record/topic_writer.h"
 #include "sim/radio/frame.h"
 #include "sim/scenario/detail.h"
 
@@ -20,7 +20,7 @@ namespace results::record {
 /// With Detail::kSample a frame is listed while the simulated second in which it begins has fewer
 /// than kRowsOfSecond rows, and then with all its ends: what is listed is listed whole, from the
 /// begin of each second on, and a quiet run has every frame.
-class FrameLog final : public Writer {
+class FrameLog final : public TopicWriter {
  public:
   static constexpr std::uint64_t kRowsOfSecond = 5000;
 

@@ -10,7 +10,7 @@
 #include "hal/types/agent_id.h"
 #include "results/record/database.h"
 #include "results/record/schema.h"
-#include "results/record/writer.h"
+#include "results/record/topic_writer.h"
 #include "sim/air/refusal.h"
 
 namespace results::record {
@@ -27,7 +27,7 @@ struct ProgramRow {
 
 /// The tables programs, and interfaces: frames between them and the air, by agent and what became
 /// of them.
-class InterfaceCounts final : public Writer {
+class InterfaceCounts final : public TopicWriter {
  public:
   explicit InterfaceCounts(Database& database);
 

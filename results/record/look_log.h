@@ -11,14 +11,14 @@
 #include "results/record/commits.h"
 #include "results/record/database.h"
 #include "results/record/schema.h"
-#include "results/record/writer.h"
+#include "results/record/topic_writer.h"
 #include "sim/scenario/detail.h"
 
 namespace results::record {
 
 /// The tables readings and queues: what is looked at while agents move and talk, a row for each
 /// change.
-class LookLog final : public Writer {
+class LookLog final : public TopicWriter {
  public:
   struct Settings {
     hal::Duration period{};  ///< Between two readings of a channel, > 0.

@@ -15,7 +15,7 @@ void MessageWriter::on_relay_lost(hal::Time at, hal::AgentId source,
   }
 }
 
-std::vector<Table> MessageWriter::views() {
+std::vector<Table> MessageWriter::end_views() {
   return {
       {"message_ends",
        "how messages ended, whether they are listed or counted; all that were sent are in the sum",
@@ -41,6 +41,11 @@ std::vector<Table> MessageWriter::views() {
        "SELECT sender, destination, topic, fate, COUNT(*) AS count FROM messages"
        " WHERE fate IS NOT NULL GROUP BY 1, 2, 3, 4"
        " UNION ALL SELECT sender, destination, topic, fate, count FROM counted_fates"},
+  };
+}
+
+std::vector<Table> MessageWriter::delivery_views() {
+  return {
       {"message_deliveries",
        "messages handed to controllers, whether they are listed or counted",
        {{"sender", "INTEGER", "", "of the messages"},

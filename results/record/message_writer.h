@@ -5,19 +5,20 @@
 #include "results/record/broadcast_watch.h"
 #include "results/record/protocols.h"
 #include "results/record/schema.h"
-#include "results/record/writer.h"
+#include "results/record/topic_writer.h"
 
 namespace results::record {
 
 /// Of messages what the network does not tell: the ends of broadcasts that reach nobody, and of
 /// what an access point could not pass on.
-class MessageWriter : public Writer {
+class MessageWriter : public TopicWriter {
  public:
   /// @param protocols  outlives it.
   explicit MessageWriter(const Protocols& protocols);
 
   /// Views of what holds whether messages are listed or counted.
-  static std::vector<Table> views();
+  static std::vector<Table> end_views();
+  static std::vector<Table> delivery_views();
 
   void on_frame_start(hal::Time at, const sim::radio::Frame& frame) override {
     broadcasts_.on_frame_start(at, frame);

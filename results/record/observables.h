@@ -15,7 +15,7 @@
 #include "results/record/database.h"
 #include "results/record/observed_value.h"
 #include "results/record/tallies.h"
-#include "results/record/writer.h"
+#include "results/record/topic_writer.h"
 #include "sim/agents/sampler.h"
 #include "sim/agents/simulation.h"
 #include "sim/agents/simulation_config.h"
@@ -27,7 +27,7 @@ namespace results::record {
 /// on, after all that happens at that instant; or on change: what only happens (a delay, what a
 /// controller records) each time, all else at the agent's control instants, if it is not as before.
 /// Readings are those of the agent's last control instant.
-class Observables final : public Writer, public sim::agents::Sampler {
+class Observables final : public TopicWriter, public sim::agents::Sampler {
  public:
   struct Surroundings {
     const sim::agents::Simulation& simulation;

@@ -3,10 +3,6 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
-#include <map>
-#include <memory>
-#include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -42,14 +38,14 @@ class NewDatabase : public Database {
 ///   FingerprintFeed feed([&](const auto& row) { recorder.add(row); });
 ///   Simulation simulation(config, {&recorder, &feed, …});
 ///   …run…
-///   recorder.find<BodyLog>()->add_contacts(agent, simulation.contacts(agent));   // of each agent
+///   recorder.find<BodyLog>()->add_contacts(agent, simulation.contacts(agent));  // of each agent
 ///   feed.finish();
 ///   recorder.finish(outcome, feed.fingerprint());
 ///
 /// If the process dies, the file holds everything up to the last commit: one every
-/// so often (Commits), and at each commit(). Totals (the
-/// tables bodies, frames_sent, receptions, packets, requests and relays, and of messages that are
-/// not listed) are those of the last kCommitPeriod, or of the last commit() that found them few
+/// Commits::kCommitPeriod of simulated time, every kCommitRows rows, and at each commit(). Totals
+/// (the tables bodies, frames_sent, receptions, packets, requests and relays, and of messages that
+/// are not listed) are those of the last kCommitPeriod, or of the last commit() that found them few
 /// beside what was counted: so to keep them costs little beside counting, however many pairs of
 /// agents there are. Every member throws std::runtime_error if the file cannot be written; then
 /// only give_up() is left.
@@ -90,7 +86,7 @@ class Recorder final : public sim::agents::ObserverList {
                        const sim::agents::Simulation& simulation,
                        std::function<std::string(hal::AgentId, const std::string&)> unit_of);
 
-  /// As Writer::look_at(), of all.
+  /// As TopicWriter::look_at(), of all.
   void look_at(const sim::agents::Simulation& simulation);
 
   /// Writes how a run ended that did not begin, or that could not be written to its end: what came

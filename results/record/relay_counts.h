@@ -11,13 +11,13 @@
 #include "hal/types/verdict.h"
 #include "results/record/database.h"
 #include "results/record/schema.h"
-#include "results/record/writer.h"
+#include "results/record/topic_writer.h"
 
 namespace results::record {
 
 /// The tables relays and relay_queues: what access points did with what stations sent through them,
 /// and what waits in them, by destination.
-class RelayCounts final : public Writer {
+class RelayCounts final : public TopicWriter {
  public:
   explicit RelayCounts(Database& database);
 

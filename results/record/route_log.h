@@ -7,12 +7,12 @@
 #include "results/record/database.h"
 #include "results/record/protocols.h"
 #include "results/record/schema.h"
-#include "results/record/writer.h"
+#include "results/record/topic_writer.h"
 
 namespace results::record {
 
 /// The table routes.
-class RouteLog final : public Writer {
+class RouteLog final : public TopicWriter {
  public:
   /// @param protocols  outlives it.
   RouteLog(Database& database, const Protocols& protocols, Commits& commits);

@@ -10,13 +10,13 @@
 #include "results/record/commits.h"
 #include "results/record/database.h"
 #include "results/record/schema.h"
-#include "results/record/writer.h"
+#include "results/record/topic_writer.h"
 
 namespace results::record {
 
 /// The tables discoveries, and routing_events: what the routing protocols of the agents did, by
 /// agent and event.
-class RoutingCounts final : public Writer {
+class RoutingCounts final : public TopicWriter {
  public:
   RoutingCounts(Database& database, Commits& commits);
 

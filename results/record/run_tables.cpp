@@ -43,6 +43,11 @@ std::vector<Table> run_tables() {
        "pairs that can hear each other at the start",
        {{"a", "INTEGER NOT NULL", "", "the lower address"},
         {"b", "INTEGER NOT NULL", "", "the higher address"}}},
+  };
+}
+
+std::vector<Table> countable_tables() {
+  return {
       {"countable",
        "what this run could count: a count of such a word that no other table has is 0, a count of "
        "another does not exist in this run",

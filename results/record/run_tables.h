@@ -8,6 +8,7 @@ namespace results::record {
 
 /// The tables that the Recorder writes itself: what was run, among whom, and how.
 std::vector<Table> run_tables();
+std::vector<Table> countable_tables();
 std::vector<Table> fingerprint_tables();
 
 }  // namespace results::record

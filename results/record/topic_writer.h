@@ -10,7 +10,7 @@ namespace results::record {
 
 /// Writes the tables of one topic of a run: it observes what they are of, and has their SQL text as
 /// static functions. A final class; topics.cpp registers it.
-class Writer : public sim::agents::Observer {
+class TopicWriter : public sim::agents::Observer {
  public:
   /// What write() would write, about, without what is few in any case.
   struct Pending {
