@@ -34,10 +34,14 @@ struct Topic {
   void (*add)(Recording&) = nullptr;  ///< Its writer; null: another topic's, or the Recorder's.
 };
 
+/// One that is always there and needs nothing else.
+template <class One>
+void add_plain(Recording& of) {
+  of.add<One>(of.database, of.commits);
+}
 void add_frame_counts(Recording& of) {
   if (of.options.counts_frames()) of.add<FrameCounts>(of.database, of.config.radio, of.commits);
 }
-void add_associations(Recording& of) { of.add<AssociationLog>(of.database, of.commits); }
 void add_message_log(Recording& of) {
   if (of.options.messages == Detail::kAll)
     of.add<MessageLog>(of.database, of.protocols, of.commits);
@@ -45,15 +49,12 @@ void add_message_log(Recording& of) {
 void add_message_counts(Recording& of) {
   if (of.options.messages == Detail::kCounts) of.add<MessageCounts>(of.database, of.protocols);
 }
-void add_routing(Recording& of) { of.add<RoutingCounts>(of.database, of.commits); }
 void add_air(Recording& of) {
   const auto has_network = [](const auto& agent) { return agent.network.has_value(); };
   if (std::ranges::any_of(of.config.agents, has_network))
     of.add<AirLog>(of.database, of.options.samples);
 }
 void add_bodies(Recording& of) { of.add<BodyLog>(of.database, of.options.pose_period, of.commits); }
-void add_controllers(Recording& of) { of.add<ControllerLog>(of.database, of.commits); }
-void add_events(Recording& of) { of.add<EventLog>(of.database, of.commits); }
 void add_use(Recording& of) { of.add<AgentUseLog>(of.database, of.options.counts_frames()); }
 void add_interfaces(Recording& of) { of.add<InterfaceCounts>(of.database); }
 void add_routes(Recording& of) {
@@ -81,21 +82,21 @@ constexpr Topic kTopics[] = {
     {run_tables},
     {countable_tables},
     {FrameCounts::sent_tables, add_frame_counts},
-    {AssociationLog::tables, add_associations},
+    {AssociationLog::tables, add_plain<AssociationLog>},
     {FrameCounts::end_tables},
     {FramesInTheAir::tables},
     {FrameCounts::link_views},
     {FrameCounts::sum_views},
     {MessageLog::tables, add_message_log},
-    {RoutingCounts::tables, add_routing},
+    {RoutingCounts::tables, add_plain<RoutingCounts>},
     {MessageCounts::tables, add_message_counts},
     {MessageWriter::end_views},
     {MessageWriter::delivery_views},
     {ledger_tables, add_air},
     {observable_tables},
     {BodyLog::tables, add_bodies},
-    {ControllerLog::state_tables, add_controllers},
-    {EventLog::scripted_tables, add_events},
+    {ControllerLog::state_tables, add_plain<ControllerLog>},
+    {EventLog::scripted_tables, add_plain<EventLog>},
     {ControllerLog::value_tables},
     {AgentUseLog::tables, add_use},
     {InterfaceCounts::tables, add_interfaces},
