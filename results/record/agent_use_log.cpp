@@ -27,14 +27,15 @@ void AgentUseLog::add(hal::AgentId agent, const sim::agents::AgentUse& use) {
 std::vector<Table> AgentUseLog::tables() {
   return {
       {"agent_use",
-       "what agents used, written at the end of the run",
+       "use of radio and battery, written at the end of the run",
        {{"agent", "INTEGER PRIMARY KEY", "", "who"},
-        {"transmitting_ns", "INTEGER NOT NULL", "ns", "its radio sent"},
+        {"transmitting_ns", "INTEGER NOT NULL", "ns", "time in which its radio transmitted"},
         {"receiving_ns", "INTEGER NOT NULL", "ns",
-         "its radio found the medium busy by others; 0 with profiles without a MAC"},
-        {"listening_ns", "INTEGER NOT NULL", "ns", "its radio found the medium idle"},
-        {"off_ns", "INTEGER NOT NULL", "ns", "its radio was off"},
-        {"retries", "INTEGER", "", "frames that it sent again; null with record: {frames: none}"},
+         "time in which its radio found the medium busy because of others; 0 with profiles without "
+         "a MAC"},
+        {"listening_ns", "INTEGER NOT NULL", "ns", "time in which its radio found the medium idle"},
+        {"off_ns", "INTEGER NOT NULL", "ns", "time in which its radio was off"},
+        {"retries", "INTEGER", "", "retransmissions; null with record: {frames: none}"},
         {"energy_j", "REAL", "J",
          "drawn from its battery by computer, radio and motors, with the heat in the battery: "
          "never "

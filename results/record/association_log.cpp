@@ -16,8 +16,8 @@ void AssociationLog::on_association(hal::Time at, hal::AgentId station,
 std::vector<Table> AssociationLog::tables() {
   return {
       {"associations",
-       "with radio: {bss: ...}: which access point stations were with",
-       {{"at_ns", "INTEGER NOT NULL", "ns", "since when"},
+       "with radio: {bss: ...}: the access point that each station was associated with",
+       {{"at_ns", "INTEGER NOT NULL", "ns", "start of the association"},
         {"station", "INTEGER NOT NULL", "", "agent"},
         {"access_point", "INTEGER", "", "agent; null: none"}}},
   };

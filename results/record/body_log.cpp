@@ -112,7 +112,8 @@ void BodyLog::write(hal::Time) {
 std::vector<Table> BodyLog::tables() {
   return {
       {"poses",
-       "where agents were: once per period (record: pose_period), and only if one moved since",
+       "poses of agents: one row per period (record: pose_period) for each agent that has moved "
+       "since its last row",
        {{"agent", "INTEGER NOT NULL", "", "who"},
         {"at_ns", "INTEGER NOT NULL", "ns", "when"},
         {"x_m", "REAL NOT NULL", "m", "place"},
@@ -120,7 +121,7 @@ std::vector<Table> BodyLog::tables() {
         {"theta_rad", "REAL NOT NULL", "rad", "heading"}},
        "agent, at_ns"},
       {"bodies",
-       "figures of the whole run, seen at each control instant",
+       "figures of the whole run, updated at each control instant",
        {{"agent", "INTEGER PRIMARY KEY", "", "who"},
         {"path_m", "REAL NOT NULL", "m", "travelled"},
         {"clearance_m", "REAL", "m",
@@ -134,18 +135,18 @@ std::vector<Table> BodyLog::tables() {
         {"object_steps", "INTEGER", "",
          "physics steps in contact with another body; null until the run has ended"}}},
       {"lost_bodies",
-       "bodies that tipped over (tilt above 1 rad) or left the world",
+       "bodies that tipped over (by more than 1 rad) or left the world",
        {{"agent", "INTEGER PRIMARY KEY", "", "who"},
         {"at_ns", "INTEGER NOT NULL", "ns", "when"},
-        {"what", "TEXT NOT NULL", "", "'tipped over' or how it was lost"}}},
+        {"what", "TEXT NOT NULL", "", "'tipped over', or how it was lost"}}},
   };
 }
 
 std::vector<Table> BodyLog::contact_tables() {
   return {
       {"contacts",
-       "when a body began to touch something: seen at a row of its in poses, and not at the one "
-       "before",
+       "contacts of bodies: a row when a contact is seen at a row of the body in poses and was not "
+       "seen at the row before",
        {{"agent", "INTEGER NOT NULL", "", "whose body"},
         {"at_ns", "INTEGER NOT NULL", "ns", "control instant"},
         {"other", "TEXT NOT NULL", "", "'wall', or 'body' of another agent"}}},

@@ -27,10 +27,10 @@ void ControllerLog::on_record(hal::Time at, hal::AgentId agent, std::string_view
 std::vector<Table> ControllerLog::state_tables() {
   return {
       {"states",
-       "states that controllers named",
-       {{"agent", "INTEGER NOT NULL", "", "whose controller"},
+       "states that controllers entered",
+       {{"agent", "INTEGER NOT NULL", "", "agent of the controller"},
         {"at_ns", "INTEGER NOT NULL", "ns", "when it was entered"},
-        {"state", "TEXT NOT NULL", "", "as the controller calls it"}}},
+        {"state", "TEXT NOT NULL", "", "name given by the controller"}}},
   };
 }
 
@@ -38,9 +38,9 @@ std::vector<Table> ControllerLog::value_tables() {
   return {
       {"recorded",
        "numbers that controllers recorded",
-       {{"agent", "INTEGER NOT NULL", "", "whose controller"},
+       {{"agent", "INTEGER NOT NULL", "", "agent of the controller"},
         {"at_ns", "INTEGER NOT NULL", "ns", "of the event in which it was recorded"},
-        {"name", "TEXT NOT NULL", "", "as the controller calls it"},
+        {"name", "TEXT NOT NULL", "", "name given by the controller"},
         {"value", "REAL NOT NULL", "", "in the unit of recorded_units, if it has one there"}}},
       {"recorded_units",
        "units of what controllers record, as they declare them",

@@ -9,52 +9,53 @@ namespace {
 
 constexpr const char* kFolder = R"(# Results
 
-`baraka run` writes a folder: `results/<scenario>`, or what `--out` says, and names it at its end
-(`results: DIR`).
+`baraka run` writes a folder, `results/<scenario>` unless `--out` names another one, and prints its
+name at the end (`results: DIR`).
 
 | file | what it is |
 | --- | --- |
 | `run.sqlite` | the tables below |
-| `scenario.resolved.yaml` | the scenario as it was run, includes and defaults written out; runs again by itself |
-| `run.log` | log lines, stamped with simulated time |
-| `<name>.pcapng` | frames as on the air, with `record: {air: <name>.pcapng}`; see below |
-| `<process>.log` | what a controller process printed |
-| `.baraka-result` | the marker: id of the run, and every file that it may write there |
+| `scenario.resolved.yaml` | the scenario that was run, with includes and defaults written out; it can be run by itself |
+| `run.log` | log lines with simulated time |
+| `<name>.pcapng` | the frames on the air, with `record: {air: <name>.pcapng}`; see below |
+| `<process>.log` | the output of a controller process |
+| `.baraka-result` | the marker: the id of the run and the names of the files it may write here |
 
-Until a run has begun (all controllers are there), its folder is `DIR.not-started`; so it stays
-called if the run never begins, with the error in the table `run` and the controllers' words in
-their logs. A run that begins gets `DIR`, and an earlier result there is kept as `DIR.1`, then
-`DIR.2` and so on, the oldest first; `--overwrite` removes it instead, once the new one has begun.
-Folders are renamed as a whole, so whenever a run is killed, each is complete. A run moves and
-removes only what the marker in a folder names: a folder with anything else in it, or without a
-marker, is refused (exit status 2) and stays as it is. Beside the folder, `.DIR.lock` is held while
-a run writes there; a second run is refused meanwhile. `DIR` must lie in a folder that can be
-written, and no file system may be mounted on it.
+Until all controllers are connected and the run begins, its folder is called `DIR.not-started`. If
+the run never begins, the folder keeps that name; the reason is in the table `run` and in the
+controllers' logs. A run that begins is renamed to `DIR`. Earlier results there are kept as `DIR.1`,
+`DIR.2` and so on, the oldest first; with `--overwrite` the earlier result is deleted as soon as the
+new run has begun. Folders are renamed as a whole, so each of them is complete whenever a run is
+killed. A run moves and deletes only files that the marker in a folder names. A folder that contains
+anything else, or has no marker, is refused (exit status 2) and left as it is. While a run writes,
+it holds the lock `.DIR.lock` beside the folder; a second run is refused. The parent folder of `DIR`
+must be writable, and `DIR` must not be a mount point.
 
-A run that failed says so (`result`, `error` in the table `run`), also on a disk that has filled up:
-`.reserve` keeps room for that and is gone afterwards. One that was killed still says `running`;
-`baraka report` and `baraka export` call it unfinished.
+A failed run is recorded as such (`result` and `error` in the table `run`), even on a full disk: the
+file `.reserve` keeps space for this and is deleted afterwards. In the result of a run that was
+killed, `result` is still `running`; `baraka report` and `baraka export` call it unfinished.
 
-A capture (pcapng, link type radiotap, times in nanoseconds since the start of the run) holds every
-frame that is sent, once, as an ear would hear it that is everywhere and loses none; or, with
-`air_heard_by: AGENT`, what that agent's radio sends and receives, addressed to it or not. The time
-of a packet is when the last bit of its frame was there, radiotap's TSFT when the first bit of the
-MPDU was there (us, rounded down). Frames broken off by a radio that is switched off, or in the air
-at the end, are not in it, nor what the agent lost: every FCS is right. Bytes are those of the
-frame (IEEE 802.11, LLC/SNAP, FCS), also where `lengths: fixed` makes it longer or shorter on the
-air. Agent hhll has the MAC address 02:00:00:00:hh:ll. A second run writes the same bytes.
+A capture (pcapng, link type radiotap, time stamps in ns since the start of the run) contains every
+frame on the air once, as an ideal receiver that hears everything would record it. With
+`air_heard_by: AGENT` it contains what the radio of that agent sends and receives, whether addressed
+to it or not. The time stamp of a packet is that of the last bit of the frame; the TSFT of radiotap
+is that of the first bit of the MPDU (us, rounded down). The capture does not contain frames that
+were cut off because a radio was switched off, frames still in the air at the end, or frames that
+the agent did not receive: the FCS of every packet is correct. The bytes are those of the frame
+(IEEE 802.11, LLC/SNAP, FCS), even where `lengths: fixed` gives it another length on the air. Agent
+hhll has the MAC address 02:00:00:00:hh:ll. Repeating the run writes the same bytes.
 
     tshark -r DIR/air.pcapng -Y 'wlan.fc.retry == 1'     the retries
 
-With `--replications`, `DIR` holds `replications.yaml` (what was asked for), a folder like the above
-for each, `replication-01` and so on, what each printed, `replication-01.log`, and all of them as
-numbers, `campaign.sqlite` (campaign_tables.md).
+With `--replications`, `DIR` contains `replications.yaml` (the request), one folder as above for each
+replication (`replication-01` and so on) with its output in `replication-01.log`, and
+`campaign.sqlite` with the numbers of all replications (campaign_tables.md).
 
 )";
 
 constexpr const char* kReading = R"(## Reading them
 
-    baraka report DIR...              tables for people; -o PAGE.html draws figures
+    baraka report DIR...              summary tables; -o PAGE.html draws figures
     baraka export DIR                 lists the tables of a result
     baraka view DIR...                world, network and time in a browser (view.md)
     baraka export DIR TABLE           one table as CSV (RFC 4180); -o FILE writes it to a file
@@ -63,31 +64,34 @@ constexpr const char* kReading = R"(## Reading them
     baraka export --describe          this page
     sqlite3 DIR/run.sqlite .schema    the tables with these meanings as comments
 
-The report pools runs only if their settings are the same but for the seed; it lists the settings in
-which its columns differ. `compare: labella2009` of a scenario asks for the figures of that paper beside
-those of the runs; they are shown if the runs are of its case study (equal in all settings but name,
-seed, radio, record, expect and number of processes), else it says why not. Settings that were varied
-make up an experiment: means over the runs of each with their intervals (docs/statistics.md), as
-`report:` of the scenario asks, in tables, on the page, or with `--figure NAME -o FILE.svg` one of them.
-Of a folder of results it takes all but those put aside: `NAME.1` beside `NAME`, `NAME.not-started`.
+The report pools runs only if all their settings but the seed are equal; otherwise it prints one
+column per group of runs and lists the settings that differ. If the scenario says `compare:
+labella2009`, the report prints the figures of that paper beside those of the runs, provided that
+the runs are of the paper's case study (equal in all settings but name, seed, radio, record, expect
+and number of processes); otherwise it says why not. Settings that were varied make up an
+experiment: the report prints the mean over the runs of each setting with its confidence interval
+(docs/statistics.md) as requested by `report:` in the scenario, as tables, as figures on the page,
+or as a single figure with `--figure NAME -o FILE.svg`. Given a folder of results, the report takes
+all of them except earlier ones (`NAME.1` beside `NAME`) and those that never began
+(`NAME.not-started`).
 
-Which agent did something else first in another run, of what kind, and in which second:
+This prints the first difference to another run: the second, what differed, and which agent.
 
     sqlite3 DIR/run.sqlite "ATTACH 'OTHER/run.sqlite' AS o; SELECT second, part, agent FROM (SELECT
       * FROM (SELECT * FROM fingerprints EXCEPT SELECT * FROM o.fingerprints) UNION SELECT * FROM
       (SELECT * FROM o.fingerprints EXCEPT SELECT * FROM fingerprints)) ORDER BY 1, 2, 3 LIMIT 1"
 
-In CSV, the first line names the columns, a null is an empty field, an empty text is `""`, and
-numbers are in the shortest form that reads back to the same bits. A text that a spreadsheet could
-take for a formula has a `'` before it: it begins with `=`, `+`, `-`, `@`, a tab or a line end, and is
-not made of numbers, `-` and units only, as `-85 dBm` is.
+In CSV the first line names the columns, null is an empty field, an empty text is `""`, and a number
+is written in the shortest form that reads back to the same bits. A text that a spreadsheet could
+take for a formula is preceded by `'`: one that begins with `=`, `+`, `-`, `@`, a tab or a line end,
+unless it consists only of numbers, `-` and units, as `-85 dBm` does.
 
-A result may come from somebody else. `baraka` reads it only if its tables are those of this version,
-and of every cell that it takes from them it checks the type and the range: agents are in the table
-`agents`, times are not after the end of the run, which is below 32 years, lengths are up to 1e12 m,
-counts up to 2^53, names up to 64 KiB and other texts up to 16 MiB. What is not is refused with file,
-table, row and column; of cells that are only summed, the sum is looked at. What is counted may still
-be a lie: who can write the file can write any plausible number.
+Results may come from people you do not know, so `baraka` checks what it reads. The tables must be
+those of this version. Each cell is checked for its type and range: agents are in the table
+`agents`, times are not after the end of the run, which is below 32 years, lengths are at most
+1e12 m, counts at most 2^53, names at most 64 KiB and other texts at most 16 MiB. A value outside is
+refused with file, table, row and column; where cells are only summed, the sum is checked. This does
+not make the numbers true: whoever can write the file can write any plausible number.
 
 )";
 

@@ -32,28 +32,29 @@ void EventLog::on_arrival(const sim::OutsideArrival& arrival) {
 std::vector<Table> EventLog::scripted_tables() {
   return {
       {"events",
-       "what happened because the scenario's `events` say so",
+       "actions of the scenario's `events`",
        {{"at_ns", "INTEGER NOT NULL", "ns", "when"},
         {"event", "INTEGER NOT NULL", "", "index in `events` of the scenario, from 0"},
         {"action", "TEXT NOT NULL", "", "as in the scenario: 'kill', 'switch_off', 'jam'"},
-        {"agent", "INTEGER", "", "to whom; null: to the air"}}},
+        {"agent", "INTEGER", "", "agent that it acted on; null: it acted on the air"}}},
   };
 }
 
 std::vector<Table> EventLog::tables() {
   return {
       {"turns",
-       "in real time: when a controller process had an influence",
+       "in real time: the turns of controller processes",
        {{"at_ns", "INTEGER NOT NULL", "ns", "all events up to this time had run"},
         {"process", "INTEGER NOT NULL", "",
          "controller processes in order of their lowest agent, from 0"},
-        {"replied", "INTEGER NOT NULL", "", "1: its answer took effect ..."},
-        {"began", "INTEGER NOT NULL", "", "1: ... and then it was given what waited"}}},
+        {"replied", "INTEGER NOT NULL", "", "1: its answer took effect at this time"},
+        {"began", "INTEGER NOT NULL", "",
+         "1: it was given the events that had waited, after that answer if there was one"}}},
       {"arrivals",
-       "what came into the run from outside and does not follow from scenario and seed",
+       "inputs from outside, which do not follow from scenario and seed",
        {{"at_ns", "INTEGER NOT NULL", "ns",
          "when it was taken in: in real time after the events of that time, in lock-step before"},
-        {"door", "TEXT NOT NULL", "", "what it is for: 'cmd_vel of r0', 'air of r0', 'programs'"},
+        {"door", "TEXT NOT NULL", "", "its destination: 'cmd_vel of r0', 'air of r0', 'programs'"},
         {"bytes", "TEXT NOT NULL", "",
          "hexadecimal; cmd_vel: m/s forward, m/s left, rad/s as binary64, little-endian; air: the "
          "Ethernet frame; programs: how one ended the run"}}},

@@ -121,7 +121,7 @@ void FrameCounts::write(hal::Time now) {
 std::vector<Table> FrameCounts::sent_tables() {
   return {
       {"frames_sent",
-       "how many frames were sent",
+       "number of frames sent",
        {{"agent", "INTEGER NOT NULL", "", "transmitter"},
         {"peer", "INTEGER NOT NULL", "", "receiver"},
         {"class", "TEXT NOT NULL", "",
@@ -130,12 +130,13 @@ std::vector<Table> FrameCounts::sent_tables() {
         {"count", "INTEGER NOT NULL", "", "frames"}},
        "agent, peer, class"},
       {"receptions",
-       "how frames ended at the radios that could receive or sense them by themselves",
+       "outcome of frames at the radios where each frame alone was strong enough to be received or "
+       "sensed",
        {{"agent", "INTEGER NOT NULL", "", "receiver"},
         {"peer", "INTEGER NOT NULL", "", "transmitter"},
         {"class", "TEXT NOT NULL", "", "as in frames_sent"},
         {"addressed", "INTEGER NOT NULL", "", "1: to this agent or to everyone"},
-        {"verdict", "TEXT NOT NULL", "", "how it ended"},
+        {"verdict", "TEXT NOT NULL", "", "outcome"},
         {"count", "INTEGER NOT NULL", "", "receptions"}},
        "agent, peer, class, addressed, verdict"},
   };
@@ -144,25 +145,26 @@ std::vector<Table> FrameCounts::sent_tables() {
 std::vector<Table> FrameCounts::end_tables() {
   return {
       {"faint",
-       "interference: frames too weak for a radio to receive or sense, nothing else is said of "
+       "interference: frames too weak for a radio to receive or sense; no other table mentions "
        "them",
        {{"agent", "INTEGER PRIMARY KEY", "", "transmitter"},
         {"count", "INTEGER NOT NULL", "",
-         "radios where a frame was above the interference floor only, over all its frames"}}},
+         "number of radios where a frame was above the interference floor only, summed over the "
+         "frames of this transmitter"}}},
       {"packets",
-       "frames whose payload went up to the network layer",
+       "frames whose payload was passed to the network layer",
        {{"agent", "INTEGER NOT NULL", "", "receiver"},
         {"peer", "INTEGER NOT NULL", "", "transmitter"},
         {"class", "TEXT NOT NULL", "", "'broadcast' or 'unicast'"},
         {"count", "INTEGER NOT NULL", "", "packets"}},
        "agent, peer, class"},
       {"requests",
-       "how the link did with what it was asked to send; an access point also with what it took to "
-       "pass on, see relays",
+       "outcome of what the link layer was asked to send; at an access point also of what it "
+       "relayed, see relays",
        {{"agent", "INTEGER NOT NULL", "", "sender"},
         {"peer", "INTEGER NOT NULL", "", "destination"},
         {"verdict", "TEXT NOT NULL", "",
-         "how it ended; a broadcast that left the antenna is 'transmitted': the link cannot know "
+         "outcome; a broadcast that left the antenna is 'transmitted': the link cannot know "
          "who got it, receptions tells"},
         {"count", "INTEGER NOT NULL", "", "requests"}},
        "agent, peer, verdict"},

@@ -39,14 +39,13 @@ void FramesInTheAir::write(hal::Time now) {
 std::vector<Table> FramesInTheAir::tables() {
   return {
       {"in_the_air",
-       "frames that had not ended at their transmitters when the totals were written, the last "
-       "time "
-       "at the end of the run",
+       "frames still being transmitted when the totals were last written, which is at the end of "
+       "the run unless it was killed",
        {{"agent", "INTEGER PRIMARY KEY", "", "transmitter"},
         {"peer", "INTEGER NOT NULL", "", "receiver"},
         {"class", "TEXT NOT NULL", "", "as in frames_sent"}}},
       {"in_the_air_ended",
-       "radios at which such a frame had ended: it is in receptions",
+       "radios at which such a frame had ended already: receptions includes it",
        {{"agent", "INTEGER NOT NULL", "", "receiver"},
         {"peer", "INTEGER NOT NULL", "", "transmitter"}},
        "agent, peer"},

@@ -53,17 +53,18 @@ std::vector<Table> InterfaceCounts::tables() {
         {"what", "TEXT NOT NULL", "",
          "'entered': from a program to the station's queue; 'left': from the air to the programs; "
          "'refused: ...': from a program, not to be sent by a radio, and why"},
-        {"frames", "INTEGER NOT NULL", "", "so many"},
+        {"frames", "INTEGER NOT NULL", "", "number of frames"},
         {"bytes", "INTEGER NOT NULL", "byte",
          "IP packets or ARP; refused: with the Ethernet header"}},
        "agent, what"},
       {"programs",
-       "programs that the scenario started inside agents",
-       {{"agent", "INTEGER NOT NULL", "", "inside whom"},
-        {"name", "TEXT NOT NULL", "", "as the scenario calls it"},
+       "programs of the scenario that ran inside agents",
+       {{"agent", "INTEGER NOT NULL", "", "agent that it ran in"},
+        {"name", "TEXT NOT NULL", "", "name in the scenario"},
         {"started_ns", "INTEGER NOT NULL", "ns", "when"},
-        {"ended_ns", "INTEGER", "ns", "when; null: it was ended with the run"},
-        {"status", "INTEGER", "", "exit status; 128 + signal if one ended it; null: as above"}}},
+        {"ended_ns", "INTEGER", "ns", "when it ended; null: it was stopped at the end of the run"},
+        {"status", "INTEGER", "",
+         "exit status, or 128 + number of the signal that ended it; null: as above"}}},
   };
 }
 

@@ -7,7 +7,7 @@ namespace {
 std::vector<Table> air_account_tables() {
   return {
       {"air_accounts",
-       "if an agent has a network: what the air is used for. A frame's bits and air time are "
+       "if an agent has a network: the use of the air. A frame's bits and air time are "
        "shared "
        "out over what it carries in proportion to the bytes of that, headers and preamble with it, "
        "what is left over to the largest remainders; the frame counts once, as its largest part "
@@ -37,7 +37,7 @@ std::vector<Table> air_account_tables() {
        {{"account", "INTEGER NOT NULL", "", "as in air_accounts"},
         {"agent", "INTEGER NOT NULL", "", "receiver"},
         {"addressed", "INTEGER NOT NULL", "", "1: to this agent or to everyone"},
-        {"verdict", "TEXT NOT NULL", "", "how it ended"},
+        {"verdict", "TEXT NOT NULL", "", "outcome"},
         {"frames", "INTEGER NOT NULL", "", "counted as in air_accounts: in sum the receptions"},
         {"parts", "INTEGER NOT NULL", "",
          "of the kind that such frames carried, whole or in part"}},
@@ -72,17 +72,18 @@ std::vector<Table> writer_tables() {
 std::vector<Table> sample_tables() {
   return {
       {"dds_endpoints",
-       "writers and readers that SEDP told of on the air",
+       "writers and readers announced by SEDP on the air",
        {{"guid", "TEXT PRIMARY KEY", "", "hexadecimal"},
-        {"agent", "INTEGER", "", "whose programs have it; null: they sent nothing"},
+        {"agent", "INTEGER", "", "agent whose programs have it; null: they sent nothing"},
         {"kind", "TEXT NOT NULL", "", "'writer' or 'reader'"},
         {"topic", "TEXT NOT NULL", "", "name"},
         {"type", "TEXT NOT NULL", "", "name"},
         {"reliability", "TEXT NOT NULL", "", "'reliable' or 'best effort'"},
         {"durability", "TEXT NOT NULL", "", "'volatile', 'transient local', ..."},
-        {"told_ns", "INTEGER", "ns", "when it was first told of"}}},
+        {"told_ns", "INTEGER", "ns", "when it was first announced"}}},
       {"sample_sums",
-       "samples of programs' writers at other agents with a reader that was matched when they were "
+       "samples of the writers of programs at other agents with a reader that was matched when "
+       "they were "
        "first sent: topic, type, reliability, durability and partition fit, and SEDP's word of "
        "each "
        "had come to the other. Not with record: {samples: none}",
@@ -105,7 +106,7 @@ std::vector<Table> sample_tables() {
 std::vector<Table> sample_detail_tables() {
   return {
       {"sample_losses",
-       "why samples did not come",
+       "why samples were not delivered",
        {{"writer", "TEXT NOT NULL", "", "as in sample_sums"},
         {"receiver", "INTEGER NOT NULL", "", "agent"},
         {"verdict", "TEXT NOT NULL", "",
@@ -127,18 +128,17 @@ std::vector<Table> sample_detail_tables() {
         {"count", "INTEGER NOT NULL", "", "samples"}},
        "writer, receiver, least_ns"},
       {"samples",
-       "each of the samples; only with record: {samples: all}",
+       "samples one by one; only with record: {samples: all}",
        {{"writer", "TEXT NOT NULL", "", "GUID, as in dds_endpoints"},
         {"sequence_number", "INTEGER NOT NULL", "", "of the sample"},
         {"receiver", "INTEGER NOT NULL", "", "agent"},
         {"entered_ns", "INTEGER NOT NULL", "ns",
          "when its first packet left the sender's interface"},
-        {"left_ns", "INTEGER", "ns",
-         "when the last went into the receiver's; null: it did not come"},
+        {"left_ns", "INTEGER", "ns", "when the last went into the receiver's; null: not delivered"},
         {"bytes", "INTEGER NOT NULL", "byte", "serialised"},
         {"fragments", "INTEGER NOT NULL", "", "of RTPS"},
         {"repairs", "INTEGER NOT NULL", "", "samples, or fragments, sent there again"},
-        {"repaired", "INTEGER NOT NULL", "", "1: delivered by the help of these"},
+        {"repaired", "INTEGER NOT NULL", "", "1: delivered thanks to these"},
         {"verdict", "TEXT", "", "as in sample_losses; null: delivered, or under way at the end"},
         {"frame", "INTEGER", "", "of that verdict, as in frames; null: it was in none"},
         {"lost_at", "INTEGER", "", "agent of that verdict, as in sample_losses; null: none"}},
@@ -149,8 +149,8 @@ std::vector<Table> sample_detail_tables() {
 std::vector<Table> air_views() {
   return {
       {"air_topics",
-       "topics of programs: what became of their samples, and their share of the air time",
-       {{"topic", "TEXT", "", "name; null: not told of"},
+       "topics of programs: the outcome of their samples and their share of the air time",
+       {{"topic", "TEXT", "", "name; null: not announced"},
         {"samples", "INTEGER", "", "times receivers, as in sample_sums"},
         {"delivered", "INTEGER", "", "of these"},
         {"first_try", "INTEGER", "", "of these"},
@@ -159,7 +159,7 @@ std::vector<Table> air_views() {
         {"submessages", "INTEGER", "", "of all kinds, retries included"},
         {"bits", "INTEGER", "bit", "as in air_accounts"},
         {"airtime_ns", "INTEGER", "ns", "as in air_accounts"},
-        {"share", "", "", "of the air time of all that was sent"}},
+        {"share", "", "", "share of the air time of all transmissions"}},
        "topic",
        "WITH sums AS (SELECT e.topic, SUM(s.samples) AS samples, SUM(s.delivered) AS delivered,"
        " SUM(s.first_try) AS first_try, SUM(s.repairs) AS repairs"
@@ -178,7 +178,7 @@ std::vector<Table> air_views() {
 std::vector<Table> kind_views() {
   return {
       {"air_kinds",
-       "all that was sent, by kind",
+       "all transmissions, by kind",
        {{"purpose", "TEXT", "", "as in air_accounts"},
         {"kind", "TEXT", "", "as in air_accounts"},
         {"port", "INTEGER", "", "as in air_accounts"},
@@ -188,7 +188,7 @@ std::vector<Table> kind_views() {
         {"repeated", "INTEGER", "", "as in air_accounts"},
         {"bits", "INTEGER", "bit", "as in air_accounts"},
         {"airtime_ns", "INTEGER", "ns", "as in air_accounts"},
-        {"share", "", "", "of the air time of all that was sent"}},
+        {"share", "", "", "share of the air time of all transmissions"}},
        "purpose, kind, port",
        "SELECT purpose, kind, port, SUM(frames) AS frames, SUM(retries) AS retries,"
        " SUM(submessages) AS submessages, SUM(repeated) AS repeated, SUM(bits) AS bits,"
@@ -196,7 +196,7 @@ std::vector<Table> kind_views() {
        " 1.0 * SUM(airtime_ns) / MAX(1, (SELECT SUM(airtime_ns) FROM air_accounts)) AS share"
        " FROM air_accounts GROUP BY 1, 2, 3"},
       {"air_link_verdicts",
-       "how frames ended by link, kind and topic; what no radio noticed is not there",
+       "outcome of frames by link, kind and topic; frames that no radio noticed are not included",
        {{"agent", "INTEGER", "", "receiver"},
         {"peer", "INTEGER", "", "transmitter"},
         {"purpose", "TEXT", "", "as in air_accounts"},

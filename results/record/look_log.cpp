@@ -86,20 +86,20 @@ void LookLog::on_reading(hal::Time at, hal::AgentId id, const hal::Channel& chan
 std::vector<Table> LookLog::tables() {
   return {
       {"readings",
-       "what sensors said, with record: {readings: ranges | all}: a row per pose_period at most, "
-       "and "
-       "only if a channel says something else",
+       "readings of sensors, with record: {readings: ranges | all}: at most one row per "
+       "pose_period and channel, and only if the reading has changed",
        {{"agent", "INTEGER NOT NULL", "", "whose"},
         {"at_ns", "INTEGER NOT NULL", "ns", "control instant"},
         {"channel", "TEXT NOT NULL", "", "name: 'infrared', 'odometry', ..."},
         {"reading", "TEXT NOT NULL", "",
          "its values, with a space between, six digits; - for none (nothing within reach)"}}},
       {"queues",
-       "frames that wait at an agent's radio, looked at when it begins to send one and when it is "
-       "done with one, if they are more or fewer than before; as routes",
+       "number of frames queued at an agent's radio: a row for each change, seen when the radio "
+       "begins to send a frame and when it has finished one; recorded under the same condition as "
+       "routes",
        {{"agent", "INTEGER NOT NULL", "", "whose"},
         {"at_ns", "INTEGER NOT NULL", "ns", "when"},
-        {"frames", "INTEGER NOT NULL", "", "that wait or are being sent"}}},
+        {"frames", "INTEGER NOT NULL", "", "waiting or being sent"}}},
   };
 }
 

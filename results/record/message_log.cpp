@@ -44,28 +44,29 @@ void MessageLog::on_message_end(hal::Time, hal::AgentId, hal::AgentId sender, ha
 std::vector<Table> MessageLog::tables() {
   return {
       {"messages",
-       "what controllers sent; only with record: {messages: all}, the default up to 100 agents",
+       "messages that controllers sent; only with record: {messages: all}, the default up to 100 "
+       "agents",
        {{"sender", "INTEGER NOT NULL", "", "agent"},
         {"id", "INTEGER NOT NULL", "", "of the message, by its sender"},
         {"destination", "INTEGER NOT NULL", "", "agent; 65535: everyone, 65534: neighbours"},
         {"topic", "TEXT NOT NULL", "", "class of the message"},
         {"bytes", "INTEGER NOT NULL", "byte", "payload"},
         {"sent_ns", "INTEGER NOT NULL", "ns", "when the controller sent it"},
-        {"fate", "TEXT", "", "as told to the sender; null: nothing yet"},
-        {"fate_ns", "INTEGER", "ns", "when it was told"},
+        {"fate", "TEXT", "", "reported to the sender; null: none yet"},
+        {"fate_ns", "INTEGER", "ns", "when the fate was reported"},
         {"verdict", "TEXT", "",
-         "how it ended; 'delivered' wins over the end of another copy; null: on its way at the "
+         "outcome; 'delivered' wins over the end of another copy; null: on its way at the "
          "end of the run; of a broadcast that nobody got: why most radios lost it, 'below "
          "sensitivity' if none was in range"}},
        "sender, id"},
       {"broadcasts",
-       "of the listed messages those to everyone or to neighbours: how many got them",
+       "listed messages to everyone or to neighbours, with the number of agents that received them",
        {{"sender", "INTEGER", "", "agent"},
         {"id", "INTEGER", "", "of the message, by its sender"},
         {"topic", "TEXT", "", "class of the message"},
         {"sent_ns", "INTEGER", "ns", "when the controller sent it"},
         {"addressees", "INTEGER", "", "all other agents"},
-        {"reached", "INTEGER", "", "so many of them got it"},
+        {"reached", "INTEGER", "", "number of agents that received it"},
         {"verdict", "TEXT", "", "as in messages"}},
        "sender, id",
        "SELECT sender, id, topic, sent_ns,"

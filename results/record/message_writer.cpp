@@ -18,7 +18,7 @@ void MessageWriter::on_relay_lost(hal::Time at, hal::AgentId source,
 std::vector<Table> MessageWriter::end_views() {
   return {
       {"message_ends",
-       "how messages ended, whether they are listed or counted; all that were sent are in the sum",
+       "outcome of messages, listed or counted; the counts add up to all messages sent",
        {{"sender", "INTEGER", "", "agent"},
         {"destination", "INTEGER", "", "agent, or everyone"},
         {"topic", "TEXT", "", "class of the message"},
@@ -31,11 +31,11 @@ std::vector<Table> MessageWriter::end_views() {
        " UNION ALL SELECT sender, destination, topic, verdict, count, bytes FROM counted_ends"
        " WHERE count > 0"},
       {"message_fates",
-       "what senders were told of their messages, whether they are listed or counted",
+       "fates reported to the senders of messages, listed or counted",
        {{"sender", "INTEGER", "", "agent"},
         {"destination", "INTEGER", "", "agent, or everyone"},
         {"topic", "TEXT", "", "class of the message"},
-        {"fate", "TEXT", "", "as told to the sender"},
+        {"fate", "TEXT", "", "reported to the sender"},
         {"count", "INTEGER", "", "messages"}},
        "sender, destination, topic, fate",
        "SELECT sender, destination, topic, fate, COUNT(*) AS count FROM messages"
@@ -47,7 +47,7 @@ std::vector<Table> MessageWriter::end_views() {
 std::vector<Table> MessageWriter::delivery_views() {
   return {
       {"message_deliveries",
-       "messages handed to controllers, whether they are listed or counted",
+       "messages handed to controllers, listed or counted",
        {{"sender", "INTEGER", "", "of the messages"},
         {"destination", "INTEGER", "", "agent, or everyone"},
         {"topic", "TEXT", "", "class of the messages"},
@@ -68,13 +68,12 @@ std::vector<Table> MessageWriter::delivery_views() {
        " FROM deliveries d JOIN messages m USING (sender, id) GROUP BY 1, 2, 3, 4, 5"
        " UNION ALL SELECT * FROM counted_deliveries"},
       {"broadcast_sums",
-       "the messages to everyone or to neighbours, whether they are listed or counted: how many "
-       "were sent and got",
+       "messages to everyone or to neighbours, listed or counted: how many were sent and received",
        {{"sender", "INTEGER", "", "agent"},
         {"topic", "TEXT", "", "class of the message"},
         {"messages", "INTEGER", "", "sent"},
         {"addressees", "INTEGER", "", "of all of them together: all other agents, each time"},
-        {"reached", "INTEGER", "", "so many of those got theirs"}},
+        {"reached", "INTEGER", "", "number of these addressees that received theirs"}},
        "sender, topic",
        "SELECT e.sender, e.topic, SUM(e.count) AS messages,"
        " SUM(e.count) * (SELECT COUNT(*) FROM agents WHERE agent <> e.sender) AS addressees,"

@@ -105,12 +105,12 @@ std::vector<Table> RelayCounts::tables() {
        "the queues of access points by destination, of what they pass on",
        {{"agent", "INTEGER NOT NULL", "", "access point"},
         {"destination", "INTEGER NOT NULL", "", "agent, or everyone"},
-        {"frames", "INTEGER NOT NULL", "", "that found room in the queue"},
-        {"waiting", "INTEGER NOT NULL", "", "of these, there when this was written"},
-        {"most", "INTEGER NOT NULL", "", "that waited at once"},
+        {"frames", "INTEGER NOT NULL", "", "frames accepted by the queue"},
+        {"waiting", "INTEGER NOT NULL", "", "of these, still queued when this was written"},
+        {"most", "INTEGER NOT NULL", "", "largest number that waited at the same time"},
         {"waited_ns", "INTEGER NOT NULL", "ns",
-         "of all of them in sum: by the frames the mean time in the queue, by the length of the "
-         "run the mean number"}},
+         "sum of their times in the queue: divided by `frames` the mean time in the queue, divided "
+         "by the length of the run the mean length of the queue"}},
        "agent, destination"},
   };
 }

@@ -34,7 +34,7 @@ std::vector<Table> RouteLog::tables() {
       {"routes",
        "changes of agents' routing tables; only with record: {routes: all}, the default up to 100 "
        "agents",
-       {{"agent", "INTEGER NOT NULL", "", "whose table"},
+       {{"agent", "INTEGER NOT NULL", "", "agent whose table it is"},
         {"at_ns", "INTEGER NOT NULL", "ns", "when"},
         {"topic", "TEXT NOT NULL", "", "class of the messages"},
         {"destination", "INTEGER NOT NULL", "", "agent"},

@@ -30,18 +30,18 @@ void RoutingCounts::write(hal::Time) {
 std::vector<Table> RoutingCounts::tables() {
   return {
       {"discoveries",
-       "searches for a route",
-       {{"agent", "INTEGER NOT NULL", "", "who searched"},
+       "route discoveries",
+       {{"agent", "INTEGER NOT NULL", "", "agent that searched"},
         {"topic", "TEXT NOT NULL", "", "class of the messages"},
         {"destination", "INTEGER NOT NULL", "", "agent"},
         {"ended_ns", "INTEGER NOT NULL", "ns", "when"},
         {"took_ns", "INTEGER NOT NULL", "ns", "since the first message waited for it"},
         {"found", "INTEGER NOT NULL", "", "0: given up"}}},
       {"routing_events",
-       "what the routing protocols did",
-       {{"agent", "INTEGER NOT NULL", "", "whose router"},
+       "number of events of the routing protocols",
+       {{"agent", "INTEGER NOT NULL", "", "agent whose router it is"},
         {"event", "TEXT NOT NULL", "", "'rreq sent', 'forward ant relayed', ..., by protocol"},
-        {"count", "INTEGER NOT NULL", "", "so often"}},
+        {"count", "INTEGER NOT NULL", "", "number of events"}},
        "agent, event"},
   };
 }

@@ -5,7 +5,7 @@ namespace results::record {
 std::vector<Table> run_tables() {
   return {
       {"run",
-       "one value per key: what was run and how it ended",
+       "one value per key: what was run, and how the run ended",
        {{"key", "TEXT NOT NULL", "", "see the keys of the table run"},
         {"value", "", "", "a number or a text"}},
        "key"},
@@ -15,9 +15,9 @@ std::vector<Table> run_tables() {
         {"value", "TEXT NOT NULL", "", "as written there, with its unit"}},
        "key"},
       {"agents",
-       "who took part",
+       "the agents of the run",
        {{"agent", "INTEGER PRIMARY KEY", "", "address"},
-        {"name", "TEXT NOT NULL", "", "for people"},
+        {"name", "TEXT NOT NULL", "", "for display"},
         {"kind", "TEXT NOT NULL", "", "'mote', 'robot' or 'station'"},
         {"program", "TEXT NOT NULL", "", "controller"},
         {"x_m", "REAL NOT NULL", "m", "place at the start"},
@@ -25,22 +25,24 @@ std::vector<Table> run_tables() {
         {"theta_rad", "REAL NOT NULL", "rad", "heading at the start"}}},
       {"ends",
        "end conditions of the scenario",
-       {{"agent", "INTEGER", "", "whose state ends the run; null: a condition or the time does"},
+       {{"agent", "INTEGER", "",
+         "agent whose state ends the run; null: a condition or the time ends it"},
         {"state", "TEXT", "",
          "that this agent's controller enters; without an agent: the condition that ends the run; "
          "null: the time does"},
-        {"after_ns", "INTEGER NOT NULL", "ns", "the end comes so long after, or at this time"},
-        {"result", "TEXT NOT NULL", "", "what the run is then called"}}},
+        {"after_ns", "INTEGER NOT NULL", "ns",
+         "delay of the end after that; without a state or condition: the time of the end"},
+        {"result", "TEXT NOT NULL", "", "result of the run in that case"}}},
       {"walls",
-       "boxes that never move, seen from above",
-       {{"name", "TEXT NOT NULL", "", "for people"},
+       "static boxes, seen from above",
+       {{"name", "TEXT NOT NULL", "", "for display"},
         {"x_m", "REAL NOT NULL", "m", "middle"},
         {"y_m", "REAL NOT NULL", "m", "middle"},
-        {"yaw_rad", "REAL NOT NULL", "rad", "of its own x axis"},
+        {"yaw_rad", "REAL NOT NULL", "rad", "heading of its own x axis"},
         {"size_x_m", "REAL NOT NULL", "m", "length along its own x axis"},
         {"size_y_m", "REAL NOT NULL", "m", "length along its own y axis"}}},
       {"links",
-       "pairs that can hear each other at the start",
+       "pairs of agents within radio range of each other at the start",
        {{"a", "INTEGER NOT NULL", "", "the lower address"},
         {"b", "INTEGER NOT NULL", "", "the higher address"}}},
   };
@@ -49,8 +51,8 @@ std::vector<Table> run_tables() {
 std::vector<Table> countable_tables() {
   return {
       {"countable",
-       "what this run could count: a count of such a word that no other table has is 0, a count of "
-       "another does not exist in this run",
+       "what this run could count: if no other table has a count of a word listed here, the count "
+       "is 0; a word not listed here was not counted in this run",
        {{"family", "TEXT NOT NULL", "",
          "of what, as the numbers of `baraka describe observables` begin: 'frames', 'receptions', "
          "'requests', 'messages.ends', 'routing.events', 'states', 'controllers'; without any row "
@@ -67,8 +69,9 @@ std::vector<Table> countable_tables() {
 std::vector<Table> fingerprint_tables() {
   return {
       {"fingerprints",
-       "hashes of what was observed, per part, agent and second, where they change from one second "
-       "to the next: two runs differ first where these rows do",
+       "hashes of what was observed, by part, agent and second; a row only where the hash changes "
+       "from one second to the next. The first row that differs between two runs shows where they "
+       "begin to differ",
        {{"second", "INTEGER NOT NULL", "", "number of the simulated second, from 0"},
         {"part", "TEXT NOT NULL", "", "'air', 'bodies', 'exchange' or 'routing'"},
         {"agent", "INTEGER NOT NULL", "", "who"},
