@@ -145,7 +145,7 @@ def children(pid, name):
     return sorted(found)
 
 
-def wait_for(condition, timeout=20):
+def wait_for(condition, timeout=60):
     """Waits until condition() is true and returns what it gave."""
     end = time.monotonic() + timeout
     while time.monotonic() < end:
