@@ -80,7 +80,7 @@ std::vector<std::string> run_arguments(const CampaignFile& file) {
   return arguments;
 }
 
-/// Of a campaign file, without checking its points.
+/// The folder of a campaign's results, without checking the campaign's points.
 fs::path folder_of(const CampaignOptions& options) {
   if (!options.out.empty()) return options.out;
   const fs::path file = hal::files::config::named_file(options.file, {"campaigns"});
@@ -100,8 +100,8 @@ void print_counts(const CampaignStatus& status, const CampaignFolder& folder, st
   fmt::print("results: {}\n", folder.path().string());
 }
 
-/// Programs that read the database keep a run from being written as long as they have it open for
-/// that: the campaign waits for them, and says so once each time.
+/// While other programs read the database, nothing can be written. The campaign waits for them, and
+/// prints a notice once each time.
 class WaitForReaders {
  public:
   explicit WaitForReaders(fs::path folder) : folder_(std::move(folder)) {}
@@ -124,14 +124,14 @@ class WaitForReaders {
 
 constexpr const char* kGoOn = "repeat the command to continue";
 
-/// Writes what there is to do, and where each point's scenario is.
+/// Adds new points and runs to the database, and writes the scenario file of each point.
 void plan(const CampaignFolder& folder, CampaignDatabase& database, const WantedRuns& wanted) {
   CampaignReader reader(folder.path());
   const results::campaign::Extension more = results::campaign::extension(wanted, reader);
   database.add(more.plan);
   if (!more.said.empty()) fmt::print(stderr, "the campaign has {}\n", more.said);
   for (const PointRow& point : CampaignReader(folder.path()).points()) {
-    if (fs::exists(folder.path() / run::output::kReplicationsFile)) break;  // it has claimed it
+    if (fs::exists(folder.path() / run::output::kReplicationsFile)) break;  // written already
     folder.claim(point.point, point.scenario);
   }
 }
@@ -153,7 +153,7 @@ int do_campaign(const CampaignFolder& folder, const EngineMaker& make_engine, Ca
   std::size_t kept = 0;
   try {
     CampaignDatabase database(folder.path(), WaitForReaders(folder.path()));
-    // Not before: by the database the folder is known again after a kill.
+    // Only after the database exists: it identifies the folder after a kill.
     if (!fs::exists(folder.path() / run::output::kReplicationsFile))
       run::output::make_folder(folder.path() / "runs");
     const std::unique_ptr<Engine> engine = make_engine(database);

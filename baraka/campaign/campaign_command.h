@@ -8,25 +8,27 @@
 
 namespace baraka::campaign {
 
-/// Runs a campaign, or what is left of it, and prints how its runs ended: a table of its points and
+/// Runs the remaining runs of a campaign and prints how its runs ended: a table of the points and
 /// "key: value" lines on standard output.
-/// @return exit status: 1 if a run failed, else 3 if one did not meet an expectation; 130.
+/// @return exit status: 130 if interrupted, otherwise 1 if a run failed, otherwise 3 if a run did
+///   not meet an expectation, otherwise 0.
 /// @throws hal::files::config::ConfigErrors, UsageError, std::runtime_error
 int run_campaign(const CampaignOptions& options);
 
-/// What `baraka campaign` and `baraka run --replications` have in common: brings a campaign in its
-/// folder to its end.
+/// The common part of `baraka campaign` and `baraka run --replications`: the wanted runs, and how
+/// to run them.
 struct CampaignWork {
   results::campaign::WantedRuns wanted;
   CampaignLoop::Settings loop;
 };
-/// @return exit status.
+/// Plans a campaign in its folder and runs it to its end. @return exit status, as run_campaign().
 int do_campaign(const CampaignFolder& folder, const EngineMaker& engine, CampaignWork work);
 
-/// `baraka run --replications N`: a campaign of one point, all of whose folders are kept, and whose
-/// failed runs are done again. What is in the folder belongs to one scenario, `--until` and
-/// version: `replications.yaml` tells which.
-/// @return exit status: of the worst. @throws hal::files::config::ConfigErrors, std::runtime_error
+/// `baraka run --replications N`: a campaign of one point that keeps all result folders and repeats
+/// failed runs. All results in its folder have the scenario, `--until` and version that
+/// `replications.yaml` names.
+/// @return exit status, as run_campaign().
+/// @throws hal::files::config::ConfigErrors, std::runtime_error
 int run_replications(const run::RunOptions& options);
 
 }  // namespace baraka::campaign

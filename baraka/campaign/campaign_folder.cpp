@@ -30,7 +30,7 @@ std::string content_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// Half written by one that was killed.
+/// Removes a half-written file that a killed process left.
 void remove_half(const fs::path& half) {
   constexpr std::string_view kStart = "# version: ";
   const std::string begun = content_of(half);

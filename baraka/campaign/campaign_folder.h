@@ -9,15 +9,15 @@
 
 namespace baraka::campaign {
 
-/// The folder of a campaign, held by this process until destruction.
+/// The folder of a campaign, locked by this process until destruction.
 ///
-///   campaign.sqlite        what there is to do, and all that was measured
-///   points/p001.yaml       the resolved scenario of each point: what its runs run
-///   runs/p001-r01          the result of a run, while it is under way or if it is kept
-///   runs/p001-r01.log      what it printed
+///   campaign.sqlite        the plan and all measurements
+///   points/p001.yaml       the resolved scenario of each point, which its runs use
+///   runs/p001-r01          the result of a run, while it is running or if it is kept
+///   runs/p001-r01.log      output of the run
 ///
-/// With Layout::kReplications, of `baraka run --replications`, there is one point, its scenario is
-/// `replications.yaml`, and results lie in the folder itself: `replication-01`.
+/// With Layout::kReplications (`baraka run --replications`) there is one point, its scenario is
+/// `replications.yaml`, and the results are directly in the folder: `replication-01`.
 class CampaignFolder {
  public:
   enum class Layout : unsigned char { kCampaign, kReplications };
@@ -26,9 +26,9 @@ class CampaignFolder {
     bool overwrite = false;  ///< Remove an earlier result of a single run there.
   };
 
-  /// An earlier result of a single run in the folder is kept beside it, as ResultsFolder does.
-  /// @throws UsageError  it holds what no run or campaign wrote.
-  /// @throws std::runtime_error  another process holds it, or it cannot be written.
+  /// Sets an earlier result of a single run in the folder aside, as ResultsFolder does.
+  /// @throws UsageError  the folder holds something that no run or campaign wrote.
+  /// @throws std::runtime_error  another process holds the lock, or the folder cannot be written.
   CampaignFolder(const std::filesystem::path& path, const Settings& settings);
 
   const std::filesystem::path& path() const { return path_; }
@@ -38,17 +38,17 @@ class CampaignFolder {
   std::filesystem::path result_of(const results::campaign::RunPlan& run) const;
   std::filesystem::path log_of(const results::campaign::RunPlan& run) const;
 
-  /// Where a run that has ended left what there is of it: its result, or the folder of one that
-  /// never began.
+  /// The folder that an ended run left: its result, or the folder of a run that never began.
   std::filesystem::path left_by(const results::campaign::RunPlan& run) const;
 
-  /// Writes the scenario of a point, unless it is there.
-  /// @throws hal::files::config::ConfigErrors  another one is there. @throws std::runtime_error
+  /// Writes the scenario of a point unless it exists.
+  /// @throws hal::files::config::ConfigErrors  another scenario is there.
+  /// @throws std::runtime_error  it cannot be written.
   void claim(int point, const std::string& scenario) const;
 
-  /// Removes what a run left: its result, what it had not begun, and its log.
+  /// Removes a run's result, the folder of a run that never began, and the run's log.
   void remove(const results::campaign::RunPlan& run) const;
-  /// The same, but for its log.
+  /// The same without the log.
   void remove_result_of(const results::campaign::RunPlan& run) const;
 
  private:

@@ -46,10 +46,10 @@ bool CampaignLoop::is_to_do(const RunRow& row) const {
   return settings_.results_are_folders && !collect_finished(parts_.folder, row.plan);
 }
 
-/// Whether its process has ended well and was not yet in the database when that of the campaign
-/// died.
+/// Collects a run whose process ended well after the campaign's process had died. @return whether
+/// there is such a result.
 bool CampaignLoop::collect_whole(const RunRow& row) {
-  if (row.state == RunState::kFailed) return false;  // it is to be done again
+  if (row.state == RunState::kFailed) return false;  // it will be repeated
   auto collected = collect_finished(parts_.folder, row.plan);
   if (!collected) return false;
   commit(*collected);
@@ -57,11 +57,11 @@ bool CampaignLoop::collect_whole(const RunRow& row) {
   return true;
 }
 
-/// Whether there is nothing to do; what an earlier process left undone of that is done.
+/// Whether nothing is left to do for a run; completes what an earlier process left undone.
 bool CampaignLoop::is_settled(const RunRow& row) {
   if (is_to_do(row)) return collect_whole(row);
   keep(row);
-  // One that was killed between the transaction and this.
+  // The earlier process was killed after the transaction, before it removed the folder.
   if (row.folder.empty() && row.state != RunState::kFailed) parts_.folder.remove(row.plan);
   return true;
 }
@@ -71,7 +71,7 @@ void CampaignLoop::keep(const RunRow& row) {
   ++kept_;
 }
 
-/// Finds out what there is to do.
+/// Determines the runs to do.
 void CampaignLoop::resume() {
   std::vector<RunRow> started;
   std::vector<std::int64_t> again;
@@ -158,7 +158,7 @@ void CampaignLoop::finish(const TaskEnd& end) {
   progress_.on_end(collected.row, parts_.folder.name_of(run), CampaignProgress::Clock::now());
 }
 
-/// Whether its folder stays; notes that in the row.
+/// Whether a run's folder is kept; if so, notes its path in the row.
 bool CampaignLoop::keeps_folder(CollectedRun& collected) const {
   const bool failed = collected.row.state == RunState::kFailed;
   const bool keeps = settings_.keep == Keep::kAll || (settings_.keep == Keep::kFailed && failed);
@@ -169,8 +169,8 @@ bool CampaignLoop::keeps_folder(CollectedRun& collected) const {
   return keeps;
 }
 
-/// Into the database; then its folder may go. What the database does not take of one run is a
-/// failure of that run: the others go on.
+/// Records a run in the database and then removes its folder unless it is kept. If the database
+/// refuses the measurements of a run, that run fails and the others go on.
 void CampaignLoop::commit(CollectedRun& collected) {
   bool keeps = keeps_folder(collected);
   try {
@@ -183,7 +183,7 @@ void CampaignLoop::commit(CollectedRun& collected) {
     parts_.database.finish(collected.row, collected.measured);
   }
   if (keeps) return;
-  // The error in the database is the last of its words; what came before stands in the log only.
+  // The database holds only the last error message; earlier ones are in the log, so that stays.
   if (collected.row.state == RunState::kFailed) {
     parts_.folder.remove_result_of(collected.row.plan);
   } else {
@@ -191,7 +191,7 @@ void CampaignLoop::commit(CollectedRun& collected) {
   }
 }
 
-/// Some may have ended in the moment they were stopped.
+/// Some runs may have ended just before they were stopped.
 void CampaignLoop::collect_what_is_whole() {
   for (const auto& [number, run] : running_) {
     auto collected = collect_finished(parts_.folder, run);

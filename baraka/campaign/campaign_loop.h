@@ -16,18 +16,18 @@
 
 namespace baraka::campaign {
 
-/// Brings the runs of a campaign's database to their ends: hands those that wait to an engine, and
-/// writes what became of each in one transaction. A run counts when that is in the database; one
-/// that was under way when the process died is collected if its result is whole, and else done
-/// again.
+/// Carries out the runs of a campaign's database: passes waiting runs to an engine, and records
+/// each ended run in one transaction. Only then the run counts. A run that was under way when this
+/// process died is collected if its result is complete, and otherwise repeated.
 class CampaignLoop {
  public:
   struct Settings {
     results::campaign::Keep keep = results::campaign::Keep::kNone;
     bool retry_failed = false;
-    int replications = 1;                    ///< Those above are left as they are.
-    bool results_are_folders = false;        ///< A run whose folder has gone is done again.
-    std::vector<std::string> run_arguments;  ///< Of `baraka run`, behind scenario, seed and folder.
+    int replications = 1;              ///< Runs with a higher replication number are left alone.
+    bool results_are_folders = false;  ///< Repeat a finished run whose folder is gone.
+    /// Arguments of `baraka run` after scenario, seed and folder.
+    std::vector<std::string> run_arguments;
     CampaignProgress::Settings progress;
   };
   struct Parts {
@@ -36,14 +36,15 @@ class CampaignLoop {
     Engine& engine;
   };
 
-  /// @param parts  outlive the loop. @throws std::runtime_error
+  /// @param parts  must outlive the loop. @throws std::runtime_error
   CampaignLoop(Parts parts, Settings settings);
 
-  /// Until all have ended or the user interrupts.
-  /// @throws DiskFull, std::runtime_error  it cannot go on; the same again goes on from there.
+  /// Runs until all runs have ended or the user interrupts.
+  /// @throws DiskFull, std::runtime_error  the campaign cannot go on; a new process can continue
+  /// it.
   void run();
 
-  /// How many had ended before.
+  /// Number of runs that had ended before.
   std::size_t kept() const { return kept_; }
 
  private:

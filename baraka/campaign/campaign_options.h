@@ -6,17 +6,17 @@
 
 namespace baraka::campaign {
 
-/// What the command line of `baraka campaign` says.
+/// The command line of `baraka campaign`.
 struct CampaignOptions {
   std::string file;
-  std::vector<std::string> overrides;  ///< --set, of the campaign file.
+  std::vector<std::string> overrides;  ///< --set, for keys of the campaign file.
   std::string out;                     ///< Empty: results/<name>.
-  std::optional<int> jobs;             ///< None: as the file says, else one for each processor.
-  bool overwrite = false;              ///< An earlier result of a single run there is removed.
-  bool retry_failed = false;           ///< Runs that failed are done again.
-  bool status = false;                 ///< Only say how far it is.
+  std::optional<int> jobs;             ///< None: as in the file, otherwise one for each processor.
+  bool overwrite = false;              ///< Remove an earlier result of a single run there.
+  bool retry_failed = false;           ///< Repeat runs that failed.
+  bool status = false;                 ///< Only print the progress.
   std::string engine = "local";
-  bool cancel = false;  ///< Only end what Slurm has of it.
+  bool cancel = false;  ///< Only end the campaign's Slurm jobs.
 };
 
 }  // namespace baraka::campaign

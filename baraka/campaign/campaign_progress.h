@@ -17,32 +17,32 @@ std::string clock_like(double seconds);
 /// "about 12 min left (10 min to 14 min)".
 std::string words_of(const TimeLeft& left);
 
-/// Tells on standard error how far a campaign is, and when it will be done: on a terminal by a bar
-/// that is kept up to date, else by a line every ten seconds; and a line for each run that ends, or
-/// only for those that fail.
+/// Shows on standard error the progress of a campaign and when it will be done: on a terminal by a
+/// progress bar, otherwise by a line every ten seconds. Also prints a line for each run that ends,
+/// or only for each that fails.
 class CampaignProgress {
  public:
   using Clock = std::chrono::steady_clock;
   struct Settings {
     bool terminal = false;
-    bool every_run = false;  ///< A line for each run that ends.
-    std::size_t slots = 1;   ///< Runs at a time.
+    bool every_run = false;  ///< Print a line for each run that ends, not only for failed ones.
+    std::size_t slots = 1;   ///< Number of parallel runs.
   };
   explicit CampaignProgress(Settings settings) : settings_(settings) {}
 
-  /// A run that had ended before: for the estimate only.
+  /// Notes a run that had ended before; used only for the estimate.
   void on_earlier(const results::campaign::RunRow& row);
-  /// All that is to be run from now on, in the order in which it is started; what is under way
-  /// already, too, first: on_start() is told of it as of the others.
+  /// Sets the runs to do, in the order in which they start. Runs already under way come first, and
+  /// on_start() must be called for them, too.
   void set_waiting(const std::vector<results::campaign::RunPlan>& runs);
-  /// Given to what runs it. More than there are slots wait there, in the order given.
+  /// Notes that a run was passed to the engine. If there are more than slots, the later ones wait.
   void on_start(const results::campaign::RunPlan& run, Clock::time_point now);
-  /// @param name  of the run, for people.
+  /// @param name  of the run, for display.
   void on_end(const results::campaign::RunRow& row, const std::string& name, Clock::time_point now);
 
-  /// @param running  of those given to what runs them, how many are under way.
+  /// @param running  number of runs passed to the engine that are actually running.
   void show(Clock::time_point now, std::size_t running);
-  /// Leaves the line of the terminal.
+  /// Ends the progress line.
   void end();
 
   std::optional<TimeLeft> left(Clock::time_point now) const;
@@ -55,9 +55,9 @@ class CampaignProgress {
 
   Settings settings_;
   TimeLeftEstimate estimate_;
-  std::vector<int> waiting_;  ///< Points, the next run's last.
+  std::vector<int> waiting_;  ///< Points of the waiting runs; that of the next run is last.
   std::map<std::int64_t, std::pair<int, Clock::time_point>> running_;  ///< Point and start, by run.
-  std::map<std::int64_t, int> queued_;  ///< Point, by run: for which there is no slot yet.
+  std::map<std::int64_t, int> queued_;  ///< Point, by run, of runs that wait for a slot.
   std::size_t total_ = 0, ended_ = 0, failed_ = 0;
   Clock::time_point shown_{};
   bool line_open_ = false;

@@ -24,10 +24,10 @@ using results::campaign::PointRow;
 using results::campaign::RunRow;
 using results::campaign::RunState;
 
-/// Of one point.
+/// Counts of one point.
 struct PointSums {
   std::size_t runs = 0, done = 0, failed = 0;
-  double simulated = 0, wall = 0;  ///< s, of those done.
+  double simulated = 0, wall = 0;  ///< Sums over the done runs, s.
   std::map<std::string, std::size_t> results;
 };
 
@@ -90,7 +90,7 @@ void count(CampaignStatus& status, const RunRow& row, const std::string& name) {
   if (unmet || row.state == RunState::kFailed) status.bad_ends += bad_end(row, name);
 }
 
-/// Seconds since a time as in the database; 0 if it is none.
+/// Seconds since a time written as in the database; 0 if the text is not a time.
 double seconds_since(const std::string& utc) {
   std::tm parts{};
   if (::strptime(utc.c_str(), "%Y-%m-%dT%H:%M:%SZ", &parts) == nullptr) return 0;

@@ -9,19 +9,20 @@
 
 namespace baraka::campaign {
 
-/// How far a campaign is, by its database.
+/// The progress of a campaign according to its database.
 struct CampaignStatus {
   std::size_t points = 0, runs = 0, waiting = 0, running = 0, done = 0, failed = 0;
-  std::size_t unmet = 0;                       ///< Of those done: an expectation did not hold.
-  std::map<std::string, std::size_t> results;  ///< Of those done, by what they are called.
-  std::string table;                           ///< A line for each point, for people.
+  std::size_t unmet = 0;                       ///< Done runs that did not meet an expectation.
+  std::map<std::string, std::size_t> results;  ///< Number of done runs by result.
+  std::string table;                           ///< Text with a line for each point.
   std::string bad_ends;  ///< A line for each run that failed or did not meet an expectation.
 };
 
-/// @param replications  those above do not count.
+/// @param replications  runs with a higher replication number are ignored.
 CampaignStatus status_of(results::campaign::CampaignReader& reader, int replications);
 
-/// `baraka campaign FILE --status`: prints how far the campaign in a folder is, also while it runs.
+/// `baraka campaign FILE --status`: prints the progress of the campaign in a folder, which may be
+/// running.
 /// @return exit status. @throws std::runtime_error
 int print_status(const std::filesystem::path& folder);
 

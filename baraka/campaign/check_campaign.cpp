@@ -30,7 +30,7 @@ using results::campaign::PointRow;
 using results::campaign::RunControllers;
 using sim::scenario::Scenario;
 
-/// Beside the campaign file, or where scenarios are looked for.
+/// The scenario's file: beside the campaign file, otherwise in the folders of scenarios.
 fs::path scenario_file(const CampaignFile& campaign, const fs::path& file) {
   const fs::path beside = file.parent_path() / campaign.scenario;
   if (fs::exists(beside)) return beside.lexically_normal();
@@ -47,10 +47,10 @@ std::uint64_t seed_in(const fs::path& scenario) {
       {"seed", "As of a scenario.", "1"}, 0, std::numeric_limits<std::int64_t>::max(), 1));
 }
 
-/// As ConfigErrors writes it: a key may hold a tab, which mistakes show as \x09.
+/// A text as ConfigErrors writes it: for example, a tab in a key becomes \x09.
 std::string as_told(const std::string& words) { return ConfigErrors({words}).messages().front(); }
 
-/// Mistakes of the points, so that each is told once, where its cause stands.
+/// Collects the mistakes of the points, to report each once, at the place of its cause.
 class PointMistakes {
  public:
   explicit PointMistakes(std::size_t points) : points_(points) {}
@@ -71,7 +71,7 @@ class PointMistakes {
   std::vector<std::string> lines() const {
     std::vector<std::string> all;
     for (const auto& [line, where] : others_) {
-      // Of the scenario itself if no point is without it.
+      // A mistake that every point has is one of the scenario itself.
       if (where.size() == points_) {
         all.push_back(line);
       } else {
@@ -91,14 +91,14 @@ class PointMistakes {
     if (seen_.insert(line).second) of_values_.emplace_back(line, which);
   }
 
-  /// A mistake "--set KEY: …" with the place of that value; none: it is of another kind.
+  /// Rewrites a mistake "--set KEY: …" with the place of the value; none: another kind of mistake.
   static std::optional<std::string> of_a_value(const DesignPoint& point, const std::string& line) {
     for (const FactorValue& value : point) {
       const std::string start = as_told("--set " + value.key + ": ");
       if (!line.starts_with(start)) continue;
       const std::string what = line.substr(start.size());
       const std::string last = value.key.substr(value.key.rfind('.') + 1);
-      // Of something inside the value, or of a parameter, it says the key itself.
+      // A mistake inside the value, or in a parameter, already names the key.
       const bool says_key =
           what.starts_with(as_told(value.key + ".")) || what.starts_with(last + ": ");
       return fmt::format("{}: {}{}", value.place, says_key ? "" : as_told(value.key + ": "), what);

@@ -11,21 +11,21 @@
 
 namespace baraka::campaign {
 
-/// A campaign file all of whose points have been checked.
+/// A campaign file with the results of checking all of its points.
 struct CheckedCampaign {
   results::campaign::CampaignFile file;
-  std::uint64_t seed = 0;                ///< Of replication 1.
-  results::campaign::FactorTable table;  ///< Its points have their scenarios, resolved.
-  std::set<std::string> controllers;     ///< Of all points.
-  std::vector<std::string> warnings;     ///< Of the points' scenarios, each once.
+  std::uint64_t seed = 0;                ///< Seed of replication 1.
+  results::campaign::FactorTable table;  ///< The points, with their resolved scenarios.
+  std::set<std::string> controllers;     ///< Controllers of all points.
+  std::vector<std::string> warnings;     ///< Warnings about the points' scenarios, each once.
 };
 
-/// Reads a campaign file and the scenario of each of its points.
-/// @param overrides  of the campaign file, "key=value".
-/// @throws hal::files::config::ConfigErrors  with every mistake of all points: one of a value that
-/// is varied
-///   stands at that value in the campaign file, with the point that shows it; one of the scenario
-///   that no point is without, once.
+/// Reads a campaign file and checks the scenario of each of its points.
+/// @param overrides  "key=value" for keys of the campaign file.
+/// @throws hal::files::config::ConfigErrors  with every mistake of all points. A mistake in a
+/// varied
+///   value is reported at that value in the campaign file, with the first point that has it; a
+///   mistake that all points share is reported once, at its place in the scenario.
 CheckedCampaign check_campaign(const std::string& path, const std::vector<std::string>& overrides);
 
 }  // namespace baraka::campaign

@@ -28,10 +28,10 @@ using results::campaign::RunRow;
 using results::campaign::RunState;
 using results::record::RunReader;
 
-/// How much room a run wants before it begins (results.cpp's reserve), and its tables.
+/// Disk space that a run needs to begin: its reserve (results.cpp) and its tables.
 constexpr off_t kLeastRoom = off_t{2} << 20;
 
-/// Units of the database: "" for none.
+/// The unit as written in the database, where "" means none.
 std::string unit_of(const std::string& unit) { return unit == "1" ? "" : unit; }
 
 Measured measured_by(RunReader& reader) {
@@ -67,7 +67,7 @@ CollectedRun read_finished(RunReader& reader, const results::campaign::RunPlan& 
   return collected;
 }
 
-/// Why a run failed, by its own account; "": it left none.
+/// The error that a run recorded; "": it recorded none.
 std::string own_error(const fs::path& folder) {
   for (const fs::path& place : {folder, fs::path(folder.string() + ".not-started")}) {
     try {
@@ -81,7 +81,7 @@ std::string own_error(const fs::path& folder) {
   return "";
 }
 
-/// The error that it printed, or the last line of its log.
+/// The error in a run's log, or else the last line of the log.
 std::string last_words_of(const fs::path& log) {
   constexpr std::string_view kError = "error: ";
   std::ifstream file(log);
@@ -93,7 +93,7 @@ std::string last_words_of(const fs::path& log) {
   return last;
 }
 
-/// Whether the file system takes so much more; 0: it does, else errno.
+/// Tests whether the file system has room for so many bytes. @return 0: it has; otherwise errno.
 int try_to_write(const fs::path& file, off_t bytes) {
   const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0644);
   if (descriptor < 0) return errno;
@@ -117,7 +117,7 @@ std::string utc_now() {
 std::optional<CollectedRun> collect_finished(const CampaignFolder& folder,
                                              const results::campaign::RunPlan& run) {
   const fs::path result = folder.result_of(run);
-  // What is being written, maybe on another computer, cannot be read.
+  // A database that is being written, maybe by another computer, cannot be read.
   if (run::output::is_held(result) || !fs::exists(result / results::record::kResultsFile))
     return std::nullopt;
   try {
@@ -160,7 +160,7 @@ void fail(CollectedRun& collected, const std::string& error) {
 }
 
 void require_room(const CampaignFolder& folder, const std::string& error) {
-  // The words of the C library and of SQLite (sqlite3_errstr(SQLITE_FULL)).
+  // The messages of the C library and of SQLite (sqlite3_errstr(SQLITE_FULL)).
   for (const std::string& words :
        {std::string(std::strerror(ENOSPC)), std::string(std::strerror(EDQUOT)),
         std::string(std::strerror(EFBIG)), std::string("database or disk is full")}) {

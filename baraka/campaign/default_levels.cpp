@@ -13,7 +13,8 @@ namespace {
 
 using Values = std::vector<std::pair<std::string, std::string>>;
 
-/// "{count: 4, spacing: [1 m, 2 m]}" of "count" and "4", "spacing.0" and "1 m", ….
+/// Joins dotted paths and values into one YAML text: "{count: 4, spacing: [1 m, 2 m]}" from "count"
+/// and "4", "spacing.0" and "1 m", ….
 std::string in_one_line(const Values& values) {
   if (values.size() == 1 && values.front().first.empty()) return values.front().second;
   std::vector<std::pair<std::string, Values>> parts;
@@ -31,7 +32,8 @@ std::string in_one_line(const Values& values) {
   return is_list ? "[" + text + "]" : "{" + text + "}";
 }
 
-/// Of a parameter "agents.GROUP.controller.parameters.NAME" that the scenario does not give.
+/// The default of a parameter "agents.GROUP.controller.parameters.NAME" that the scenario does not
+/// give; "": there is none.
 std::string parameter_default(const sim::scenario::Scenario& scenario, std::string_view key) {
   constexpr std::string_view kHead = "agents.";
   constexpr std::string_view kMiddle = ".controller.parameters.";

@@ -7,9 +7,10 @@
 
 namespace baraka::campaign {
 
-/// What a scenario has under some keys, as a file would say it: as resolved or, of a parameter that
-/// it leaves to the controller, by the controller's plug-in. "": it has no such key, as a radio
-/// profile that has no power, or a grid that has become a list of poses.
+/// The values of some keys of a scenario, as a file would contain them: the resolved value or, for
+/// a parameter that is not given, the default from the controller's plug-in. "": the scenario has
+/// no such key, for example because the radio profile has no power, or because the resolved
+/// scenario has a list of poses in place of a grid.
 /// @param keys  dotted paths, as for --set.
 std::vector<std::string> values_in(const sim::scenario::Scenario& scenario,
                                    const std::vector<std::string>& keys);

@@ -11,16 +11,16 @@
 
 namespace baraka::campaign {
 
-/// Makes an engine once the campaign's database is open: what it has to remember of its jobs it
-/// keeps in the table campaign. The database outlives the engine.
+/// Creates an engine when the campaign's database is open. The engine may keep notes about its jobs
+/// in the table `campaign`. The database must outlive the engine.
 using EngineMaker = std::function<std::unique_ptr<Engine>(results::campaign::CampaignDatabase&)>;
 
-/// Where the results of a campaign go.
+/// The folder of a campaign's results.
 std::filesystem::path campaign_folder(const CampaignOptions& options,
                                       const results::campaign::CampaignFile& file);
 
-/// The engine that `--engine` asks for. Called before anything is written.
-/// @throws UsageError  there is none of that name, or it cannot work here.
+/// The engine named by `--engine`. To be called before anything is written.
+/// @throws UsageError  there is no engine of that name, or it cannot work here.
 EngineMaker engine_for(const CampaignOptions& options, const results::campaign::CampaignFile& file);
 
 }  // namespace baraka::campaign

@@ -21,7 +21,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
-/// One whose parent was killed a moment ago may still be about to die.
+/// Waits for an earlier process of this run to end: one whose parent was just killed may still be
+/// ending.
 void wait_until_free(const std::filesystem::path& folder) {
   hal::Clock& clock = gateway::process::wall_clock();
   const hal::Time end = clock.now() + 5s;

@@ -9,16 +9,17 @@
 
 namespace baraka::campaign {
 
-/// Runs tasks as processes of this computer, `jobs` at a time. They die with this process, so it
-/// adopts none.
+/// Runs tasks as processes on this computer, `jobs` at a time. They end with this process, so there
+/// are never any to adopt.
 class LocalEngine final : public Engine {
  public:
   struct Settings {
     int jobs = 1;
-    std::vector<int> domains;  ///< DDS domains, one for each job; empty: each run takes a free one.
+    /// DDS domains, one for each job; empty: each run takes a free domain.
+    std::vector<int> domains;
   };
 
-  /// @pre settings.domains is empty or has at least `jobs`.
+  /// @pre settings.domains is empty or has at least `jobs` elements.
   explicit LocalEngine(Settings settings);
 
   std::string_view name() const override { return "local"; }
@@ -47,10 +48,10 @@ class LocalEngine final : public Engine {
   std::list<Job> running_;
 };
 
-/// How many processors this process may use: runs at a time, unless the user says otherwise.
+/// Number of processors that this process may use: the default number of parallel runs.
 int usable_processors();
 
-/// Of this computer. @throws std::runtime_error
+/// Name of this computer. @throws std::runtime_error
 std::string host_name();
 
 }  // namespace baraka::campaign

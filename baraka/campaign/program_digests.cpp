@@ -16,7 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Adds nothing if it cannot be read: the run will say why.
+/// Adds a file to the hash; a file that cannot be read adds nothing, because the run will report
+/// it.
 void add_file(sim::Hash& hash, const fs::path& file) {
   std::ifstream in(file, std::ios::binary);
   const std::string content{std::istreambuf_iterator<char>(in), {}};

@@ -32,7 +32,7 @@ void check_options(const run::RunOptions& options, std::uint64_t seed) {
   if (!mistakes.empty()) throw hal::files::config::ConfigErrors(std::move(mistakes));
 }
 
-/// As `--controllers` has it.
+/// The value of `--controllers`.
 std::string_view name_of(run::controllers::ControllersFrom from) {
   switch (from) {
     case run::controllers::ControllersFrom::kSpawn:
@@ -45,7 +45,7 @@ std::string_view name_of(run::controllers::ControllersFrom from) {
   return {};
 }
 
-/// What `baraka` is started with for each replication, behind scenario, seed and folder.
+/// Arguments of `baraka run` for each replication, after scenario, seed and folder.
 std::vector<std::string> arguments_of(const run::RunOptions& options) {
   std::vector<std::string> arguments{"--controllers", std::string(name_of(options.controllers))};
   const auto add = [&](const char* option, const std::string& value) {

@@ -6,10 +6,10 @@
 
 namespace baraka::campaign {
 
-/// "p001-r01": of a run and of the folder of its result.
+/// The name of a run and of its result folder: "p001-r01".
 std::string campaign_run_name(const results::campaign::RunPlan& run);
 
-/// "replication-01": the same for `baraka run --replications`.
+/// The same for `baraka run --replications`: "replication-01".
 std::string replication_name(const results::campaign::RunPlan& run);
 
 }  // namespace baraka::campaign

@@ -15,14 +15,14 @@ namespace {
 using results::campaign::CampaignDatabase;
 using results::campaign::CampaignReader;
 
-/// @param database  outlives them.
+/// Notes in the table `campaign`. @param database  must outlive them.
 slurm::Notes notes_in(CampaignDatabase& database) {
   return {.value = [&database](std::string_view key) { return database.value(key); },
           .set = [&database](std::string_view key,
                              std::string_view value) { database.set(key, value); }};
 }
 
-/// That nothing can be added to.
+/// Read-only notes.
 slurm::Notes notes_in(CampaignReader& reader) {
   return {.value = [&reader](std::string_view key) { return reader.value(key); }, .set = {}};
 }

@@ -44,7 +44,7 @@ std::map<std::pair<std::string, int>, slurm::QueuedTask> by_task(
   return places;
 }
 
-/// Reasons that need nobody's help.
+/// Whether a reason for waiting is normal and needs no action by the user.
 bool is_ordinary(const std::string& reason) {
   constexpr std::array<std::string_view, 7> kOrdinary{
       "None", "Priority", "Resources", "BeginTime", "JobArrayTaskLimit", "Dependency", "Cleaning"};
@@ -72,7 +72,7 @@ SlurmEngine::SlurmEngine(Settings settings, slurm::Notes notes)
 }
 
 std::vector<std::int64_t> SlurmEngine::adopt(std::span<const CampaignTask> started) {
-  // Also after an interruption: what is with Slurm has to be known, to be told.
+  // Not given up after an interruption, because the message to the user needs the jobs with Slurm.
   const auto queue = slurm::Cluster([] { return false; }).queue(submissions_.names());
   if (!queue) {
     throw std::runtime_error(queue.error().message +
@@ -80,7 +80,7 @@ std::vector<std::int64_t> SlurmEngine::adopt(std::span<const CampaignTask> start
   }
   std::map<std::int64_t, CampaignTask> ours;
   for (const CampaignTask& task : started) ours[task.run] = task;
-  std::vector<std::string> strays;  // of runs that have their result
+  std::vector<std::string> strays;  // tasks whose runs have their results already
   for (const slurm::QueuedTask& place : *queue) {
     const std::int64_t run = submissions_.named(place.name)->first + place.index;
     const auto task = ours.find(run);
@@ -103,7 +103,7 @@ std::vector<std::int64_t> SlurmEngine::adopt(std::span<const CampaignTask> start
 
 std::size_t SlurmEngine::room() const {
   if (!unsent_.empty()) return 0;
-  // One array at a time, for each has its own limit.
+  // Slurm's limit of parallel tasks holds for one array, so only one is submitted at a time.
   if (settings_.at_once) return active_.empty() ? most_in_one_ : 0;
   return kMostQueued - std::min(kMostQueued, active_.size());
 }
@@ -132,7 +132,7 @@ void SlurmEngine::submit_unsent() {
   }
 }
 
-/// As many as have room in the indices of one array.
+/// Number of tasks to submit next: as many as fit into the indices of one array.
 std::size_t SlurmEngine::next_count() const {
   const std::size_t most = std::min(most_in_one_, unsent_.size());
   std::size_t count = 1;
@@ -140,7 +140,7 @@ std::size_t SlurmEngine::next_count() const {
   return count;
 }
 
-/// @return whether to go on submitting.
+/// Submits the next `count` tasks as one array. @return whether to go on submitting.
 bool SlurmEngine::submit(std::size_t count) {
   const slurm::Submission submission = submissions_.add(unsent_.front().run);
   run::output::make_folder(settings_.folder);
@@ -178,7 +178,7 @@ void SlurmEngine::sent(std::size_t count, std::int64_t job) {
   most_in_one_ = std::min(most_in_one_ * 2, static_cast<std::size_t>(first_bad_index_));
 }
 
-/// Of a submission that was refused or not answered. @return whether to go on submitting.
+/// Handles a submission that was refused or not answered. @return whether to go on submitting.
 bool SlurmEngine::cannot_send(std::size_t count, const hal::Error& why) {
   next_try_ = now() + settings_.slurm.poll;
   const auto queue = cluster_.queue({submissions_.all().back().name});
@@ -186,7 +186,7 @@ bool SlurmEngine::cannot_send(std::size_t count, const hal::Error& why) {
     say(queue.error().message + "; asking again");
     return false;
   }
-  if (!queue->empty()) {  // it was taken all the same
+  if (!queue->empty()) {  // Slurm accepted it nevertheless
     sent(count, queue->front().job);
     return true;
   }
@@ -233,7 +233,7 @@ std::vector<TaskEnd> SlurmEngine::look() {
   return ends;
 }
 
-/// @return whether it is in the queue.
+/// Updates a task from the queue. @return whether it is in the queue.
 bool SlurmEngine::find_again(Active& active, const Places& places) {
   if (!active.place) return false;
   const auto found = places.find({active.place->name, active.place->index});
@@ -243,7 +243,8 @@ bool SlurmEngine::find_again(Active& active, const Places& places) {
   return true;
 }
 
-/// Of a task that is in no queue. None: it has not ended, or its result may still come to light.
+/// The end of a task that is not in the queue. None: it has not ended, or its result may not be
+/// visible yet.
 std::optional<TaskEnd> SlurmEngine::end_of(Active& active) {
   if (run::output::is_held(active.task.folder)) return std::nullopt;
   TaskEnd end{.run = active.task.run, .cause = "lost", .host = "", .wall_s = {}, .user_s = {}};

@@ -14,32 +14,32 @@
 
 namespace baraka::campaign {
 
-/// Runs tasks on the nodes of a cluster, as array jobs of Slurm. The campaign's folder is on a file
-/// system that this computer and the nodes share, and its locks (FolderLock) hold among them.
+/// Runs tasks as Slurm array jobs on the nodes of a cluster. The campaign's folder must be on a
+/// file system that this computer and the nodes share and on which file locks (FolderLock) work.
 ///
 ///   start()   ──sbatch──▶ queued ──▶ running ──▶ gone from the queue ──▶ poll() gives its end
 ///                           ▲           │              │
 ///                           └───────────┘              └ while a process holds the run's folder:
 ///                            node lost: --requeue        not yet ended
 ///
-/// A task whose node was lost starts again on another one, while its first process may live on:
-/// with `run --once`, the folder's lock lets one of them write, and the other takes its result.
-/// What was submitted is noted before and after, so that the jobs live on when this process is
-/// killed, and its successor finds them.
+/// A task whose node was lost is started again on another node, while its first process may still
+/// be running. Because of `run --once`, the folder's lock lets only one of them write, and the
+/// other uses that result. Each submission is noted before and after it is made, so that after this
+/// process was killed its successor finds the jobs.
 class SlurmEngine final : public Engine {
  public:
   struct Settings {
     results::campaign::SlurmSettings slurm;
-    /// Most runs at a time; none: as many as the cluster has room for.
+    /// Most parallel runs; none: as many as the cluster has room for.
     std::optional<int> at_once;
-    std::filesystem::path folder;  ///< For scripts and what Slurm says; made when needed. Absolute.
+    std::filesystem::path folder;  ///< For scripts and Slurm's output; made when needed. Absolute.
   };
 
-  /// @throws UsageError  Slurm's commands are missing, or no cluster answers. Writes nothing: to be
-  ///   called before anything is written.
+  /// To be called before anything is written; writes nothing itself.
+  /// @throws UsageError  Slurm's commands are missing, or no cluster answers.
   static void require();
 
-  /// @throws std::runtime_error  the cluster does not answer, or a note is not as it should be.
+  /// @throws std::runtime_error  the cluster does not answer, or a note is malformed.
   SlurmEngine(Settings settings, slurm::Notes notes);
 
   std::string_view name() const override { return "slurm"; }
@@ -50,19 +50,19 @@ class SlurmEngine final : public Engine {
   std::size_t slots() const override;
   std::vector<TaskEnd> poll(hal::Duration longest) override;
 
-  /// Leaves the jobs where they are, and says so.
+  /// Leaves the jobs with Slurm and prints that.
   void stop() override;
   bool outlives_stop() const override { return true; }
 
  private:
-  /// Queued or running, or what a lost node has left running.
+  /// A task that is queued or running, or that still runs after its node was lost.
   struct Active {
     CampaignTask task;
-    std::optional<slurm::QueuedTask> place;  ///< None: in no queue.
-    std::optional<hal::Time> gone_since;     ///< Seen in no queue and nowhere running.
+    std::optional<slurm::QueuedTask> place;  ///< None: not in the queue.
+    std::optional<hal::Time> gone_since;     ///< Since when it is neither queued nor running.
   };
 
-  /// By name of the job and index.
+  /// Tasks in the queue by name of the job and index.
   using Places = std::map<std::pair<std::string, int>, slurm::QueuedTask>;
 
   void submit_unsent();
@@ -81,15 +81,17 @@ class SlurmEngine final : public Engine {
   slurm::Cluster cluster_;
   int first_bad_index_;
   std::vector<CampaignTask> unsent_;
-  std::size_t most_in_one_;  ///< Tasks of an array that the cluster took last, or all it may have.
+  /// Most tasks to submit in one array: halved when the cluster refuses an array, doubled when it
+  /// accepts one, at most first_bad_index_.
+  std::size_t most_in_one_;
   std::map<std::int64_t, Active> active_;  ///< By run.
   int slots_ = 1;
   hal::Time next_look_{}, next_try_{};
-  std::string said_;  ///< Last; not said again.
+  std::string said_;  ///< The last message, which is not repeated.
 };
 
-/// Takes the jobs of a campaign out of the queue and ends those that run, and waits until they have
-/// ended. @return how many tasks. @throws UsageError, std::runtime_error
+/// Cancels the queued and running jobs of a campaign and waits until they have ended.
+/// @return number of tasks. @throws UsageError, std::runtime_error
 std::size_t cancel_slurm_jobs(const slurm::Notes& notes);
 
 }  // namespace baraka::campaign

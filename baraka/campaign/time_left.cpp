@@ -9,8 +9,8 @@
 namespace baraka::campaign {
 namespace {
 
-/// 97.5 % quantile of Student's t with so many degrees of freedom (published tables); it needs no
-/// more digits than a time that is told in minutes.
+/// 97.5 % quantile of Student's t for a number of degrees of freedom (published tables). A time
+/// shown in minutes needs no more digits.
 double t_quantile(std::size_t degrees) {
   constexpr std::array<double, 10> kFirst = {12.706, 4.303, 3.182, 2.776, 2.571,
                                              2.447,  2.365, 2.306, 2.262, 2.228};
@@ -41,7 +41,7 @@ std::optional<TimeLeft> TimeLeftEstimate::left(const std::vector<Running>& runni
                                                const std::vector<int>& waiting,
                                                std::size_t slots) const {
   if (all_.count == 0) return std::nullopt;
-  // When each slot is free: the next run goes to the first of them.
+  // The time at which each slot becomes free: the next run starts in the earliest.
   std::priority_queue<double, std::vector<double>, std::greater<>> free;
   double last = 0;
   for (const Running& run : running) {

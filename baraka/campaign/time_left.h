@@ -7,35 +7,38 @@
 
 namespace baraka::campaign {
 
-/// How long many runs will still take.
+/// Estimate of the time until the remaining runs are done.
 struct TimeLeft {
-  double seconds = 0;               ///< Expected.
-  std::optional<double> low, high;  ///< 95 % of such estimates are right about what comes between.
+  double seconds = 0;               ///< Expected time.
+  std::optional<double> low, high;  ///< 95 % prediction interval, s.
 };
 
-/// Estimates it from the wall times of the runs that have ended: by point, where one of a point has
-/// ended, since points may differ in length; else by the mean of all.
+/// Estimates the time left from the wall times of ended runs. Because points may differ in length,
+/// a run is predicted by the mean of its own point if a run of that point has ended, otherwise by
+/// the mean of all.
 class TimeLeftEstimate {
  public:
-  /// A run of that point has ended after so long [s].
+  /// Adds an ended run. @param wall_s  its wall time, s.
   void add(int point, double wall_s);
 
-  /// A run under way, and since when [s].
+  /// A run under way; for_s: how long it has been running, s.
   struct Running {
     int point = 0;
     double for_s = 0;
   };
 
-  /// @param running  at most as many as there are slots.
-  /// @param waiting  runs not started yet, by point, in the order in which they will be.
-  /// @param slots  how many run at the same time, at least 1.
-  /// @return none before the first run has ended. The limits are Student's t on the scatter within
-  ///   points, as of independent runs: of the sum of those to come, and of the mean they are
-  ///   predicted with.
+  /// @param running  at most `slots` runs.
+  /// @param waiting  points of the runs not started yet, in the order in which they will start.
+  /// @param slots  number of parallel runs, at least 1.
+  /// @return none before the first run has ended. The limits use Student's t and the variance
+  /// within
+  ///   points, assuming independent runs: the variance of the sum of the remaining runs plus that
+  ///   of the mean by which they are predicted, shared by the slots.
   std::optional<TimeLeft> left(const std::vector<Running>& running, const std::vector<int>& waiting,
                                std::size_t slots) const;
 
-  /// Mean over the runs of a point that have ended, else over all [s]. @pre one has ended.
+  /// Mean wall time of the ended runs of a point, or of all ended runs if that point has none, s.
+  /// @pre At least one run has ended.
   double mean_of(int point) const;
 
  private:

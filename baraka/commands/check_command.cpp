@@ -15,7 +15,7 @@
 namespace baraka::commands {
 namespace {
 
-/// The kind of that name; null: none.
+/// The kind of file with that name; null: there is none.
 const FileKind* kind_named(const std::string& name) {
   const auto& kinds = file_kinds();
   const auto found = std::find_if(kinds.begin(), kinds.end(),

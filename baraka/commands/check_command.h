@@ -7,15 +7,15 @@
 
 namespace baraka::commands {
 
-/// What the command line of `baraka check` says.
+/// The command line of `baraka check`.
 struct CheckOptions {
   std::vector<std::string> files;
-  std::vector<std::string> overrides;  ///< --set
-  run::check::RunMode mode;            ///< In which a scenario is to be run.
-  std::string kind;                    ///< Of file_kinds(); empty: recognised by its keys.
+  std::vector<std::string> overrides;  ///< Values of --set.
+  run::check::RunMode mode;            ///< Mode in which a scenario would be run.
+  std::string kind;                    ///< Name of a FileKind; empty: recognised by the keys.
 };
 
-/// Prints every mistake in files of any kind; "ok" for those without. @return exit status.
+/// Prints every mistake in the files, or "ok" for a file without mistakes. @return exit status.
 int check(const CheckOptions& options);
 
 }  // namespace baraka::commands

@@ -39,7 +39,7 @@ void print_kinds() {
       "baraka describe --markdown  all keys as one page\n");
 }
 
-/// The lines below a key's path.
+/// The description of a key, printed below its path.
 std::string body(const KeyDescription& key) {
   std::string text = fmt::format("    {}\n    value:   {}\n", key.meaning, value_words(key));
   if (const std::string words = default_words(key); !words.empty()) {
@@ -71,7 +71,7 @@ std::vector<std::string> parts_of(const std::string& path) {
   return parts;
 }
 
-/// Whether a path ends like that; NAME stands for any name.
+/// Whether a path has this end; NAME stands for any name.
 bool ends_like(const std::string& path, const std::vector<std::string>& end) {
   const std::vector<std::string> parts = parts_of(path);
   if (parts.size() < end.size()) return false;
@@ -81,14 +81,14 @@ bool ends_like(const std::string& path, const std::vector<std::string>& end) {
                     });
 }
 
-/// Texts, each printed once, below all places that it holds for.
+/// Prints descriptions, each once, below all paths that it applies to.
 class Descriptions {
  public:
   void add(const std::string& place, const std::string& text) {
     if (!places_.contains(text)) texts_.push_back(text);
     places_[text] += place + "\n";
   }
-  /// @return whether there was any.
+  /// @return whether anything was printed.
   bool print() const {
     for (const std::string& text : texts_) fmt::print("{}{}", places_.at(text), text);
     return !texts_.empty();
@@ -99,7 +99,7 @@ class Descriptions {
   std::map<std::string, std::string> places_;
 };
 
-/// "    keys:    columns, rows", of a mapping or of a list's items; else nothing.
+/// "    keys:    columns, rows" for a mapping or the items of a list; otherwise empty.
 std::string inner_keys(const std::vector<KeyDescription>& keys, const KeyDescription& key) {
   std::vector<std::string> names;
   for (const KeyDescription& other : keys) {
@@ -109,7 +109,7 @@ std::string inner_keys(const std::vector<KeyDescription>& keys, const KeyDescrip
   return names.empty() ? "" : fmt::format("    keys:    {}\n", fmt::join(names, ", "));
 }
 
-/// Keys of that name, those with one description together.
+/// Describes the keys with that name; keys with equal descriptions are printed together.
 bool print_key(const std::string& what) {
   const std::vector<std::string> end = parts_of(what);
   if (end.back().empty()) return false;
@@ -125,7 +125,7 @@ bool print_key(const std::string& what) {
   return descriptions.print();
 }
 
-/// Whether a key is there only, or also, if `choice` has that value.
+/// Whether the value of `choice` allows a key: alone or among others.
 bool comes_with(const KeyDescription& key, const KeyDescription& choice, const std::string& value) {
   return std::ranges::any_of(key.conditions, [&](const Condition& condition) {
     return !condition.presence && condition.path == choice.path &&
@@ -133,8 +133,8 @@ bool comes_with(const KeyDescription& key, const KeyDescription& choice, const s
   });
 }
 
-/// What may be chosen under that name (a kind of sensor, a driver, a profile), with the keys that
-/// it brings.
+/// Describes a value that may be chosen (a kind of sensor, a driver, a profile), with the keys that
+/// it allows.
 bool print_option(const std::string& what) {
   Descriptions descriptions;
   for (const FileKind& kind : file_kinds()) {
@@ -170,7 +170,7 @@ void print_controller(const hal::ControllerKind& kind) {
   }
 }
 
-/// All that `what` could have meant.
+/// All names that `what` could have meant.
 std::vector<std::string> candidates() {
   std::vector<std::string> result{std::string(kObservables)};
   for (const FileKind& kind : file_kinds()) {

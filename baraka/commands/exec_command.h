@@ -5,15 +5,16 @@
 
 namespace baraka::commands {
 
-/// What `baraka exec` is asked for.
+/// The command line of `baraka exec`.
 struct ExecOptions {
   std::string agent;
-  std::string run;                   ///< Results folder; empty: that of the only run under way.
+  std::string run;                   ///< Results folder; empty: the only run under way.
   std::vector<std::string> command;  ///< Empty: the user's shell.
 };
 
-/// Becomes a program inside an agent of a run that is under way, with this terminal and that run's
-/// clock. Does not return. @throws UsageError  no such run, or which one is not clear.
+/// Replaces this process by a program inside an agent of a running simulation, with this terminal
+/// and the clock of that run. Does not return.
+/// @throws UsageError  there is no such run, or several runs are under way and none is named.
 /// @throws std::runtime_error  baraka-holder cannot be started.
 [[noreturn]] void exec_inside(const ExecOptions& options);
 

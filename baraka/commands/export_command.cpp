@@ -34,7 +34,8 @@ std::string list_of_tables(const std::vector<results::record::Table>& tables,
   return list;
 }
 
-/// @param whole  what has the tables. @throws UsageError if there is no table of that name.
+/// @param whole  "result" or "campaign", for the message.
+/// @throws UsageError if there is no table of that name.
 void require_table(const std::string& name, const std::vector<results::record::Table>& tables,
                    const char* whole) {
   if (name.empty() || results::record::find_table(tables, name) != nullptr) return;
@@ -46,8 +47,8 @@ void require_table(const std::string& name, const std::vector<results::record::T
       hal::files::config::suggestion(name, names), results::record::table_names(tables)));
 }
 
-/// Every table as a file of a folder.
-/// @param reader  of the folder: its path or, of a campaign, its reader.
+/// Writes every table as a file of a folder.
+/// @param reader  the path of a result's folder, or the reader of a campaign.
 template <class Reader>
 int export_tables(const ExportOptions& options, const std::vector<results::record::Table>& tables,
                   Reader& reader) {
@@ -72,7 +73,7 @@ int export_mcap(const ExportOptions& options) {
   return gateway::process::kDone;
 }
 
-/// With --format, but for a single table.
+/// Whether everything is exported (--format without a table).
 bool is_whole(const ExportOptions& options) {
   return options.format == "mcap" || (options.format == "csv" && options.table.empty());
 }
@@ -94,7 +95,7 @@ void check_format(const ExportOptions& options, bool is_campaign) {
   }
 }
 
-/// Of the folder of a campaign.
+/// Exports from the folder of a campaign.
 int export_campaign(const ExportOptions& options) {
   const auto& tables = results::campaign::tables();
   require_table(options.table, tables, "campaign");
@@ -132,7 +133,7 @@ int describe_results(const ExportOptions& options) {
   return gateway::process::kDone;
 }
 
-/// A table of a result, or the list of them.
+/// Prints a table of a result, or the list of tables.
 int export_table(const ExportOptions& options) {
   // Everything that can be wrong with the result shows before a file is replaced.
   const std::string list =

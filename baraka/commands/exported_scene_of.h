@@ -6,8 +6,8 @@
 
 namespace baraka::commands {
 
-/// Of the scenario that is stored with a result.
-/// @throws hal::files::config::ConfigErrors  it is not there or damaged.
+/// The scene of a result, from the scenario stored with it.
+/// @throws hal::files::config::ConfigErrors  the scenario is missing or damaged.
 results::report::ExportedScene exported_scene_of(const std::filesystem::path& folder);
 
 }  // namespace baraka::commands

@@ -56,7 +56,7 @@ void describe(Fields& io) {
   keys_of(io, file);
 }
 
-/// For files that need nothing but their reader.
+/// Checks a kind of file by just reading it.
 template <void (*kRead)(Mapping)>
 void check_file(const std::string& path, const Overrides& overrides, const run::check::RunMode&) {
   Document document = Document::load(path, overrides);
@@ -136,7 +136,7 @@ range: 100 m
 data_rate: 1 Mb/s
 )";
 
-/// Known keys of the top level.
+/// Number of a file's top-level keys that a kind knows.
 std::size_t known(const FileKind& kind, const std::vector<std::string>& keys) {
   const auto& of_kind = keys_of(kind);
   return static_cast<std::size_t>(std::ranges::count_if(keys, [&](const std::string& key) {

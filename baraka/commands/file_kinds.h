@@ -12,11 +12,12 @@ namespace baraka::commands {
 
 /// A kind of file that BARAKA reads.
 struct FileKind {
-  std::string name;     ///< "scenario": of `baraka describe` and `baraka check --kind`.
-  std::string about;    ///< One line for people.
-  std::string use;      ///< What takes such a file, "`baraka run FILE` runs it".
+  std::string name;     ///< Name for `baraka describe` and `baraka check --kind`: "scenario".
+  std::string about;    ///< One line for display.
+  std::string use;      ///< How such a file is used: "`baraka run FILE` runs it".
   std::string example;  ///< A complete file.
-  /// Finds every mistake; says warnings on standard error. @param mode  in which a scenario is run.
+  /// Finds every mistake; prints warnings on standard error.
+  /// @param mode  mode in which a scenario would be run.
   /// @throws hal::files::config::ConfigErrors
   void (*check)(const std::string& path, const std::vector<std::string>& overrides,
                 const run::check::RunMode& mode);
@@ -25,11 +26,13 @@ struct FileKind {
 
 const std::vector<FileKind>& file_kinds();
 
-/// All keys of that kind; found when asked for the first time.
+/// All keys of a kind of file; computed at the first call.
 const std::vector<hal::files::config::KeyDescription>& keys_of(const FileKind& kind);
 
-/// The kind that knows the most of the top-level keys of a file.
-/// @throws hal::files::config::ConfigErrors if it cannot be read or no single kind knows the most.
+/// The kind of file that knows most of a file's top-level keys.
+/// @throws hal::files::config::ConfigErrors if the file cannot be read, or several kinds know
+/// equally
+///   many of its keys.
 const FileKind& recognised(const std::string& path, const std::vector<std::string>& overrides);
 
 }  // namespace baraka::commands

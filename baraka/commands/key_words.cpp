@@ -21,7 +21,7 @@ std::string mapping_of(const std::string& path) {
 
 namespace {
 
-/// "7 (disk), 31 (ideal)", or just what all have.
+/// "7 (disk), 31 (ideal)", or a single text if all are equal.
 std::string by_variant(const KeyDescription& key,
                        const std::function<std::string(const KeyDescription::Variant&)>& words) {
   std::vector<std::pair<std::string, std::vector<std::string>>> groups;

@@ -35,7 +35,7 @@ bool has_own_section(const KeyDescription& key) {
 
 std::string code(const std::string& text) { return text.empty() ? "" : "`" + text + "`"; }
 
-/// @param further  sentence behind the meaning.
+/// @param further  sentence to add after the meaning.
 std::string row(const KeyDescription& key, const std::string& further) {
   std::string meaning = key.meaning + further;
   if (std::string words = condition_words(key); !words.empty()) {
@@ -46,12 +46,12 @@ std::string row(const KeyDescription& key, const std::string& further) {
                      value_words(key), default_words(key), code(key.example));
 }
 
-/// The path below that mapping or item; empty if it is not below it.
+/// The part of a path below a mapping or an item; empty if the path is not below it.
 std::string below(const std::string& path, const std::string& mapping) {
   return path.starts_with(mapping + ".") ? path.substr(mapping.size() + 1) : "";
 }
 
-/// What is said of the keys below a mapping, without where it is.
+/// The descriptions of the keys below a mapping, independent of the mapping's place.
 std::vector<std::string> said_below(const std::vector<KeyDescription>& keys,
                                     const std::string& mapping) {
   std::vector<std::string> result;
@@ -64,7 +64,7 @@ std::vector<std::string> said_below(const std::vector<KeyDescription>& keys,
   return result;
 }
 
-/// The kind of file whose keys are those of the mapping; null: none.
+/// The kind of file that has the same keys as the mapping; null: none.
 const FileKind* kind_of(const std::vector<KeyDescription>& keys, const std::string& mapping) {
   const auto said = said_below(keys, mapping);
   for (const FileKind& kind : file_kinds()) {
@@ -81,7 +81,7 @@ std::string heading(const FileKind& kind, const std::string& mapping) {
 constexpr const char* kHead =
     "| key | meaning | value | default | example |\n|---|---|---|---|---|\n";
 
-/// One heading and table for each mapping; another kind's keys are not said again.
+/// One heading and table for each mapping; the keys of another kind of file are not repeated.
 std::string sections(const FileKind& kind) {
   const auto& keys = keys_of(kind);
   std::string page, last = "?";

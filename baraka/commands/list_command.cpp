@@ -27,7 +27,7 @@ void print_row(const std::string& name, const std::string& what) {
   fmt::print("  {:<26}  {}\n", hal::printable(name), hal::printable(what));
 }
 
-/// Files of a folder with that extension, sorted; none if it cannot be read.
+/// Files of a folder with that extension, sorted; empty if the folder cannot be read.
 std::vector<fs::path> files_in(const fs::path& folder, const char* extension) {
   std::vector<fs::path> files;
   std::error_code error;
@@ -60,10 +60,9 @@ std::string words_of(const hal::ControllerKind& kind) {
                      parameters.empty() ? "" : "; parameters: ", fmt::join(parameters, ", "));
 }
 
-/// What is said of a file that is named like a plug-in; nothing: it is not named.
-/// @param by_user  it is in a folder of BARAKA_CONTROLLER_PATH, where all should be controllers.
-/// Our
-///   own folders may be those of all programs.
+/// The line about a file with the name of a plug-in; none: the file is not listed.
+/// @param by_user  the file is in a folder of BARAKA_CONTROLLER_PATH, which should hold only
+///   controllers; BARAKA's own folders may hold other libraries, too.
 std::optional<std::string> words_of(const fs::path& file, bool by_user) {
   std::error_code unknown;
   if (fs::is_symlink(file, unknown) && !fs::exists(file, unknown)) {
@@ -77,12 +76,12 @@ std::optional<std::string> words_of(const fs::path& file, bool by_user) {
   return by_user || is_controller ? std::optional(kind.error().message) : std::nullopt;
 }
 
-/// @param seen  names of controllers of other folders; of two of a name the first is used.
+/// @param seen  names of controllers in earlier folders, which take precedence.
 void list_controllers_in(const fs::path& folder, bool by_user, std::set<std::string>& seen) {
   bool is_first = true;
   for (const fs::path& file : files_in(folder, ".so")) {
     const std::string name = file.stem().string();
-    if (name.starts_with("lib") || seen.contains(name)) continue;  // a library that is no plug-in
+    if (name.starts_with("lib") || seen.contains(name)) continue;  // "lib…" is not a plug-in
     const auto words = words_of(file, by_user);
     std::error_code unknown;
     if (fs::exists(file, unknown)) seen.insert(name);
@@ -97,7 +96,8 @@ void list_controllers_in(const fs::path& folder, bool by_user, std::set<std::str
 void list_controllers() {
   run::controllers::warn_of_missing_controller_folders();
   const std::size_t by_user = gateway::runtime::named_controller_folders().size();
-  const std::vector<fs::path> folders = gateway::runtime::controller_folders();  // those first
+  // Folders of BARAKA_CONTROLLER_PATH come first.
+  const std::vector<fs::path> folders = gateway::runtime::controller_folders();
   std::set<std::string> seen;
   for (std::size_t i = 0; i < folders.size(); ++i) {
     list_controllers_in(folders[i], i < by_user, seen);

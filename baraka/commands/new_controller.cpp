@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kLongestName = 64;
 
-/// Why a name cannot be that of a program, a class and a CMake target, or nothing.
+/// Why a name cannot be the name of a program, a class and a CMake target; empty: it can.
 std::optional<std::string> mistake_in(const std::string& name) {
   const auto is_allowed = [](char c) {
     return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_';
@@ -33,7 +33,7 @@ std::optional<std::string> mistake_in(const std::string& name) {
     return "must be made of a-z, 0-9 and _, and begin with a letter";
   }
   if (name.size() > kLongestName) return fmt::format("is longer than {}", kLongestName);
-  // Targets that CMake makes by itself (policy CMP0037).
+  // Targets that CMake defines itself (policy CMP0037).
   static const std::set<std::string> of_cmake{
       "all",     "clean",          "depend",     "edit_cache",    "help", "install",
       "package", "package_source", "preinstall", "rebuild_cache", "test"};
@@ -73,7 +73,7 @@ void write_filled_in(const fs::path& from, const fs::path& folder,
   std::ifstream in(from, std::ios::binary);
   const std::string text{std::istreambuf_iterator<char>(in), {}};
   if (!in) throw std::runtime_error(from.string() + ": cannot be read");
-  const fs::path to = folder / filled_in(from.stem().string(), options);  // without the ".in"
+  const fs::path to = folder / filled_in(from.stem().string(), options);  // without ".in"
   std::ofstream out(to, std::ios::binary);
   out << filled_in(text, options);
   out.close();

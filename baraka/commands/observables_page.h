@@ -4,8 +4,8 @@
 
 namespace baraka::commands {
 
-/// What can be observed of a run, and the numbers that every run has: for the terminal, and as the
-/// page docs/observables.md.
+/// The observables of a run, and the numbers that every run has: as text for the terminal, and as
+/// the page docs/observables.md.
 std::string observables_text();
 std::string observables_page();
 

@@ -16,7 +16,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of a file that is there, its own; else what the process gives to new files.
+/// Permissions of the file: those of an existing file, otherwise those that the process gives to
+/// new files.
 mode_t permissions_of(const std::string& file) {
   struct stat known {};
   if (::stat(file.c_str(), &known) == 0) return known.st_mode & 07777U;
@@ -25,7 +26,7 @@ mode_t permissions_of(const std::string& file) {
   return 0666U & ~mask;
 }
 
-/// What a name leads to, through links; itself where there is nothing yet.
+/// Resolves links; a name that does not exist stays as it is.
 std::string target_of(const std::string& file) {
   std::error_code error;
   const fs::path target = fs::weakly_canonical(file, error);
@@ -78,7 +79,7 @@ void OutputFile::finish() {
 void OutputFile::fail() const {
   const int error = errno;
   if (!written_.empty())
-    ::unlink(written_.c_str());  // no destructor after a constructor that fails
+    ::unlink(written_.c_str());  // the destructor does not run after a failed constructor
   throw std::runtime_error(fmt::format("{}: {}", name_, std::strerror(error)));
 }
 

@@ -44,8 +44,8 @@ std::string empty_page() {
       "and builds the page. Without -o, report prints its tables");
 }
 
-/// Settings of the paper's case study, as it is shipped; none if it is not there or no run asks for
-/// its figures.
+/// Settings of the shipped case study of the paper; none if it is missing or no run asks for a
+/// comparison.
 std::optional<results::report::Settings> case_study(const std::vector<RunResult>& runs) {
   const auto asks = [](const RunResult& run) { return run.settings.contains("compare"); };
   if (!std::ranges::any_of(runs, asks)) return std::nullopt;
@@ -61,7 +61,7 @@ std::optional<results::report::Settings> case_study(const std::vector<RunResult>
   }
 }
 
-/// `report:` of a scenario file.
+/// Reads `report:` from a scenario file.
 std::vector<PlotRequest> requests_in(const std::filesystem::path& scenario) {
   auto document = hal::files::config::Document::load(scenario);
   auto root = document.root();
@@ -72,7 +72,7 @@ std::vector<PlotRequest> requests_in(const std::filesystem::path& scenario) {
   return requests;
 }
 
-/// A file of a name that nobody else has, for as long as this is there.
+/// A temporary file with a unique name; removed by the destructor.
 class TemporaryFile {
  public:
   explicit TemporaryFile(const std::string& text)
@@ -92,8 +92,8 @@ class TemporaryFile {
   std::string path_;
 };
 
-/// `report:` of a scenario that is not a file.
-/// @throws std::runtime_error  it cannot be read; with its place in the campaign
+/// Reads `report:` from the text of a scenario.
+/// @throws std::runtime_error  it cannot be read; the message has its place in the campaign
 std::vector<PlotRequest> requests_of_campaign(const Experiment& experiment) {
   const TemporaryFile file(experiment.scenario);
   try {
@@ -130,8 +130,8 @@ std::string csv_of(const results::report::Plot& plot) {
   return text;
 }
 
-/// The one that is asked for: by name of those of the report, else a new one; the command line's
-/// other options count above it.
+/// The requested figure: the one of that name in `report:`, otherwise a new one. Options of the
+/// command line override its keys.
 PlotRequest request_of(const Experiment& experiment, const ReportOptions& options) {
   const std::vector<PlotRequest> requests = results::report::requests_of(experiment);
   PlotRequest request;
@@ -166,7 +166,8 @@ const Experiment& only_one(const std::vector<Experiment>& experiments) {
       "a figure is of one experiment: name one campaign, or folders of results");
 }
 
-/// The figure as a table, or in a file as its ending says.
+/// Prints the figure as a table, or writes it to a file in the format given by the file's
+/// extension.
 int report_figure(const results::report::Sources& sources, const ReportOptions& options) {
   const Experiment& experiment = only_one(sources.experiments);
   const PlotRequest request = request_of(experiment, options);
@@ -182,8 +183,8 @@ int report_figure(const results::report::Sources& sources, const ReportOptions& 
   return gateway::process::kDone;
 }
 
-/// Refuses a file of a kind that cannot be written. Without an ending (/dev/stdout) it is a page,
-/// or a drawing.
+/// Refuses an extension whose format cannot be written. A file without extension (/dev/stdout) is a
+/// page or a drawing.
 void check_ending(const ReportOptions& options) {
   const std::string ending = std::filesystem::path(options.file).extension().string();
   if (ending.empty() || ending == ".svg" || ending == ".csv") return;
@@ -207,7 +208,7 @@ int report(const ReportOptions& options) {
   }
   if (is_drawing || !options.figure.empty()) return report_figure(sources, options);
   if (options.file.empty()) {
-    // Titles and notes as well as cells: names in them are the record's.
+    // Made printable because titles and notes, like cells, contain names from the record.
     fmt::print("{}",
                hal::printable_lines(results::report::report(sources, case_study(sources.runs))));
     return gateway::process::kDone;

@@ -8,16 +8,16 @@
 
 namespace baraka::commands {
 
-/// `baraka report`.
+/// The command line of `baraka report`.
 struct ReportOptions {
-  std::vector<std::string> folders;  ///< Of results or campaigns.
-  std::string file;               ///< Page (.html), figure (.svg) or its data (.csv); empty: print.
-  std::string figure;             ///< Name of a quantity; empty: all that is there.
-  std::string versus, by, agent;  ///< As in `report:`; empty: as there.
+  std::vector<std::string> folders;  ///< Folders of results or campaigns.
+  std::string file;    ///< Page (.html), figure (.svg) or its data (.csv) to write; empty: print.
+  std::string figure;  ///< Name of a quantity; empty: the whole report.
+  std::string versus, by, agent;  ///< Override the keys of `report:`; empty: no override.
   std::optional<sim::scenario::PlotKind> as;
   std::optional<sim::scenario::IntervalKind> interval;
-  std::string scenario;   ///< File whose `report:` counts; empty: that of the runs.
-  std::string resamples;  ///< File for the resamples of bootstrap intervals; empty: none.
+  std::string scenario;   ///< File whose `report:` applies; empty: that of the runs' scenario.
+  std::string resamples;  ///< File to write the resamples of bootstrap intervals to; empty: none.
 };
 
 /// Prints tables, or writes a page or a figure.

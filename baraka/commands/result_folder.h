@@ -6,16 +6,15 @@
 
 namespace baraka::commands {
 
-/// "; did you mean 'results/ten'?" if a folder beside the one that is not there has nearly its
-/// name.
+/// A hint for a missing folder: "; did you mean 'results/ten'?" if a folder beside it has a similar
+/// name; otherwise empty.
 std::string similar_folder(const std::filesystem::path& given);
 
-/// @throws UsageError if one of the folders holds no result and no campaign, nor folders of
-/// results,
-///   or is no folder.
+/// @throws UsageError if one of the folders does not exist, or holds no result, no campaign and no
+///   folders of results.
 void require_results(const std::vector<std::string>& folders);
 
-/// @throws UsageError if the folder itself is none of a result or of a campaign.
+/// @throws UsageError if the folder is neither that of a result nor that of a campaign.
 void require_result(const std::string& folder);
 
 }  // namespace baraka::commands

@@ -27,11 +27,11 @@ using gateway::inspection::RawSample;
 using gateway::inspection::SeenTopic;
 using gateway::inspection::TopicBrowser;
 
-constexpr auto kLook = 2s;    // for everybody to announce itself
-constexpr auto kAsk = 100ms;  // whether to go on
+constexpr auto kLook = 2s;    // time for discovery
+constexpr auto kAsk = 100ms;  // interval of checking whether to go on
 constexpr auto kReportPeriod = 1s;
 
-/// Names under which the topic may be found in DDS.
+/// Possible names of the topic in DDS.
 bool is_named(const SeenTopic& topic, const std::string& name) {
   const std::string plain = name.starts_with("/") ? name.substr(1) : name;
   return topic.name == name || topic.name == "rt/" + plain;
@@ -44,7 +44,7 @@ std::optional<SeenTopic> find(const TopicBrowser& browser, const std::string& na
   return std::nullopt;
 }
 
-/// Waits for the topic and, if wanted, a writer of it.
+/// Waits for the topic and, if requested, for a writer of it.
 std::optional<SeenTopic> wait_for(const TopicBrowser& browser, const TopicOptions& options,
                                   bool needs_writer) {
   const auto end = Clock::now() + Seconds(options.timeout);
@@ -70,8 +70,8 @@ int complain(const TopicBrowser& browser, const TopicOptions& options) {
   return gateway::process::kRunFailed;
 }
 
-/// Hands over the samples of a topic until there are enough, none comes any more, or the user has
-/// enough. @param idle  called at least ten times a second. @return exit status.
+/// Passes on the samples of a topic until their number is reached, no more arrive, or the user
+/// interrupts. @param idle  called at least ten times a second. @return exit status.
 int take_samples(const TopicOptions& options,
                  const std::function<void(const RawSample&, const SeenTopic&)>& on_sample,
                  const std::function<void()>& idle) {
@@ -121,7 +121,7 @@ void print_sample(const RawSample& sample, const SeenTopic& topic) {
   std::fflush(stdout);
 }
 
-/// Intervals between arrivals, and bytes.
+/// Statistics of the intervals between arrivals, and of bytes.
 class Traffic {
  public:
   void add(std::size_t bytes) {
@@ -132,7 +132,7 @@ class Traffic {
       squares_ += interval * interval;
       least_ = std::min(least_, interval);
       most_ = std::max(most_, interval);
-      bytes_ += bytes;  // those of the first came before the time that is counted
+      bytes_ += bytes;  // the first sample is not counted: it arrived before the measured time
     }
     last_ = now;
   }
@@ -199,7 +199,7 @@ int topic_info(const TopicOptions& options) {
   run::pace::catch_interrupts();
   const TopicBrowser browser(options.domain.value());
   if (!wait_for(browser, options, false)) return complain(browser, options);
-  std::this_thread::sleep_for(kAsk);  // endpoints announce themselves one by one
+  std::this_thread::sleep_for(kAsk);  // endpoints are discovered one by one
   const auto found = find(browser, options.topic);
   if (!found) return complain(browser, options);  // it ended just now
   const SeenTopic& topic = *found;

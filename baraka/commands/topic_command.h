@@ -5,30 +5,31 @@
 
 namespace baraka::commands {
 
-/// What the command line of `baraka topic` says.
+/// The command line of `baraka topic`.
 struct TopicOptions {
   std::string topic;          ///< "rt/clock", or "/clock" or "clock" as in ROS 2.
-  std::optional<int> domain;  ///< As topic_domain() says it; never none when it is acted on.
+  std::optional<int> domain;  ///< Set by topic_domain() before the functions below are called.
   std::optional<int> count;   ///< Samples; none: until interrupted or the last writer leaves.
-  double timeout = 10;        ///< s of wall time, for the topic and then for each sample.
+  double timeout = 10;        ///< s, wall time to wait for the topic and then for each sample.
 };
 
 // Each prints to standard output and returns the exit status.
 // @throws std::runtime_error  if DDS cannot be opened.
 
-/// Topics of a domain, sorted, with type and numbers of writers and readers. Looks for two seconds.
+/// Lists the topics of a domain, sorted, with type and numbers of writers and readers. Takes two
+/// seconds for discovery.
 int list_topics(const TopicOptions& options);
 
-// Status kRunFailed, with the topics there are, if there is no such topic in time; and if no sample
-// comes in time.
+// The following return kRunFailed if the topic does not appear in time (then they list the topics
+// that exist) or if no sample arrives in time.
 
-/// Type and endpoints of a topic.
+/// Prints type and endpoints of a topic.
 int topic_info(const TopicOptions& options);
-/// Samples as YAML documents; those of unknown types in hexadecimal.
+/// Prints samples as YAML documents; samples of unknown types in hexadecimal.
 int echo_topic(const TopicOptions& options);
-/// How often samples come, once a second and at the end.
+/// Prints the rate of samples, once a second and at the end.
 int topic_rate(const TopicOptions& options);
-/// How many bytes come, once a second and at the end.
+/// Prints the rate of bytes, once a second and at the end.
 int topic_bandwidth(const TopicOptions& options);
 
 }  // namespace baraka::commands

@@ -25,9 +25,9 @@
 namespace baraka::commands {
 namespace {
 
-/// What is given is no folder. @return the scenario of that name.
-/// @throws UsageError  there is no file of that name either, so a folder may have been meant.
-/// @throws hal::files::config::ConfigErrors  it can only be the name of a scenario.
+/// Finds the scenario named by an argument that is not a folder.
+/// @throws UsageError  there is no such file either, so a folder may have been meant.
+/// @throws hal::files::config::ConfigErrors  the argument can only be the name of a scenario.
 std::filesystem::path scenario_named(const std::string& given) {
   const std::filesystem::path path(given);
   const bool is_yaml = path.extension() == ".yaml" || path.extension() == ".yml";
@@ -47,7 +47,7 @@ std::filesystem::path scenario_named(const std::string& given) {
                   given, similar));
 }
 
-/// A scenario that has not been run, with what `baraka check` says of it.
+/// The view of a scenario that has not been run, with the findings of `baraka check`.
 std::unique_ptr<view::server::Run> open_scenario(const std::string& given) {
   const auto file = scenario_named(given);
   run::check::CheckedScenario checked = run::check::check_scenario(file, {});

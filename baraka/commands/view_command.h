@@ -6,13 +6,13 @@
 
 namespace baraka::commands {
 
-/// `baraka view`.
+/// The command line of `baraka view`.
 struct ViewOptions {
   std::vector<std::string> what;  ///< Folders of results, or one scenario file.
-  int port = 0;                   ///< 0: a free one.
-  bool open = true;               ///< A browser, if there is a desktop.
+  int port = 0;                   ///< 0: any free port.
+  bool open = true;               ///< Open a browser, if there is a desktop.
   std::string file;               ///< Page to write; empty: serve.
-  int most_mb = 64;               ///< Of data in that page.
+  int most_mb = 64;               ///< Most data in that page, MB.
 };
 
 /// Serves the view until interrupted, or writes it to a file.

@@ -16,7 +16,8 @@ namespace {
 using hal::files::config::ConfigErrors;
 using hal::files::config::Included;
 
-/// Nothing if it may be of the kind that is wanted. @throws ConfigErrors if it cannot be read.
+/// What is wrong with a file's kind; none: it may be of the wanted kind.
+/// @throws ConfigErrors if the file cannot be read.
 std::optional<std::string> other_kind(const std::string& file, const std::string& wanted) {
   if (hal::files::config::Document::load(file).root().keys().empty()) {
     return fmt::format("{}: is empty: it has no key of a {}; `baraka describe {}` shows one", file,
@@ -27,8 +28,8 @@ std::optional<std::string> other_kind(const std::string& file, const std::string
   return fmt::format("{}: is a {} file, not a {}; {}", file, kind.name, wanted, kind.use);
 }
 
-/// The kind of file that belongs into a mapping of a file; empty: part of a file, of no kind.
-/// @param path  of the mapping, "agents.robots.robot".
+/// The kind of file that may be included in a mapping; empty: none, the mapping is part of a file.
+/// @param path  path of the mapping, "agents.robots.robot".
 std::string kind_at(const std::string& path, const std::string& kind) {
   if (path.empty()) return kind;
   if (path == "radio" && kind == "scenario") return path;
@@ -37,8 +38,7 @@ std::string kind_at(const std::string& path, const std::string& kind) {
   return has_bodies && (key == "robot" || key == "mote") ? key : "";
 }
 
-/// What is wrong with a file where it is included; nothing: it may be of the kind that belongs
-/// there.
+/// What is wrong with the kind of an included file; none: it may be of the kind that belongs there.
 std::optional<std::string> other_kind_included(const Included& included, const std::string& kind) {
   const std::string wanted = kind_at(included.path, kind);
   if (wanted.empty()) return std::nullopt;
@@ -55,7 +55,7 @@ std::optional<std::string> other_kind_included(const Included& included, const s
   }
 }
 
-/// A line for each file that is included where one of another kind belongs.
+/// One line for each included file of the wrong kind.
 std::vector<std::string> other_kinds_included(const std::string& file, const std::string& kind,
                                               const std::vector<std::string>& overrides) {
   std::vector<std::string> lines;

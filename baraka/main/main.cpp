@@ -44,7 +44,7 @@ constexpr double kLeastSpeed = 1e-6, kMostSpeed = 1e9;
 constexpr double kLeastTimeout = 1e-3;  // s
 constexpr std::int64_t kMostPort = 65535, kMostPageSize = 2000;
 
-/// For an option that takes a DDS domain, "7", or a range of them, "7-9".
+/// Checks the value of an option that takes a DDS domain, "7", or a range of domains, "7-9".
 CLI::Validator domains() {
   return {[](std::string& text) {
             return baraka::run::is_domain_range(text)
@@ -56,7 +56,7 @@ CLI::Validator domains() {
           fmt::format("0 to {}", gateway::process::kLastDomain)};
 }
 
-/// An option that takes one of some words, each of which means a value.
+/// Adds an option that takes one of several words, each standing for a value.
 template <class Value>
 void add_choice(CLI::App* command, const std::string& name, const std::string& about,
                 std::optional<Value>& chosen, const std::map<std::string, Value>& values) {
@@ -69,7 +69,7 @@ void add_choice(CLI::App* command, const std::string& name, const std::string& a
       ->transform(gateway::process::one_of(words));
 }
 
-/// Which domains and files it uses.
+/// Adds the options of domains and files.
 void add_surroundings(CLI::App* run, RunOptions& options) {
   run->add_option("--domain", options.domain,
                   "DDS domain; default: the first free one. With --jobs the first of as many, or "
@@ -106,7 +106,7 @@ CLI::Option* add_live_view(CLI::App* run, baraka::run::live::LiveViewOptions& vi
   return shown;
 }
 
-/// @param of_what  before the words of each choice.
+/// @param of_what  text before the description of each choice.
 void add_controllers(CLI::App& command, ControllersFrom& controllers, const std::string& of_what) {
   const std::map<std::string, ControllersFrom> from{{"spawn", ControllersFrom::kSpawn},
                                                     {"external", ControllersFrom::kExternal},
@@ -337,7 +337,7 @@ std::vector<TopicCommand> add_topic(CLI::App& app, baraka::commands::TopicOption
   return commands;
 }
 
-/// What the commands are asked for.
+/// The options of all commands.
 struct Asked {
   RunOptions run;
   std::string seed;

@@ -19,7 +19,8 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto kLookEvery = 50ms;
-/// A run that is interrupted ends by itself between two exchanges; this is how long one may take.
+/// An interrupted run ends by itself between two exchanges. If an exchange takes longer than this,
+/// the run is ended from outside.
 constexpr auto kInterruptGrace = 2s;
 
 }  // namespace
@@ -54,7 +55,8 @@ void ForcedEnd::watch() {
   }
 }
 
-/// Unless the run's thread is about its own business, and so about to notice by itself.
+/// Does nothing unless the run's thread is inside a call; otherwise it notices the interrupt
+/// itself.
 void ForcedEnd::end_stuck_run() {
   const auto call = hal::node::exchange::seize_call();
   if (!call) return;

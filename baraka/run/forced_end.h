@@ -12,14 +12,15 @@
 
 namespace baraka::run {
 
-/// Ends a run from outside its own thread, when that will not: a controller's callback or a process
-/// that does not return while the user wants to go, and a controller in this process that calls
-/// exit() or its like, or that a signal or an exception of its own ends. What there are of results
-/// is kept.
+/// Ends a run from outside its own thread when the thread cannot: when a callback of a controller
+/// or a process does not return after the user has interrupted the run, and when a controller in
+/// this process calls exit() or a similar function, or is ended by a signal or an exception. The
+/// results so far are kept.
 class ForcedEnd {
  public:
-  /// Writes results and says how it ended. The run's thread is in a call that was seized.
-  /// @param what  happened, for people.  @param failed  else it is interrupted.
+  /// Writes the results and how the run ended. Meanwhile the run's thread is blocked in a call.
+  /// @param what  what happened, for display.
+  /// @param failed  true: the run failed; false: it was interrupted.
   /// @return exit status.
   using Conclude = std::function<int(const std::string& what, bool failed)>;
 

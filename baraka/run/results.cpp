@@ -36,9 +36,9 @@ using sim::scenario::Scenario;
 
 constexpr const char* kLog = "run.log";
 constexpr const char* kScenario = "scenario.resolved.yaml";
-/// Room on the disk that is given back when the run ends, so that it can say how even if the disk
-/// has filled up meanwhile: twice the hundred pages of 4 KiB that the write-ahead log grows to, and
-/// what a transaction adds.
+/// Disk space that is reserved and freed when the run ends, so that its end can be recorded even on
+/// a full disk: twice the hundred pages of 4 KiB to which the write-ahead log grows, plus the size
+/// of a transaction.
 constexpr const char* kReserve = ".reserve";
 constexpr off_t kReservedBytes = off_t{1} << 20;
 
@@ -83,7 +83,7 @@ std::vector<std::pair<std::string, std::string>> settings_of(const Scenario& sce
   return settings;
 }
 
-/// To the log, and so to stderr.
+/// Warns of topics of which nothing arrived, in the log and thereby on standard error.
 void warn_of_unheard_topics(results::record::Recorder& recorder, hal::Time at) {
   constexpr std::size_t kMostLines = 10;
   const auto unheard = recorder.unheard_topics();
@@ -123,7 +123,7 @@ void Results::record(const fs::path& folder) {
   recorder_->add_countable(scenario_.record.declared);
   recorder_->add_settings(settings_);
   recorder_->find<results::record::ControllerLog>()->add_units(scenario_.record.recorded_units);
-  // Half a kilobyte per agent, not needed any more.
+  // Frees half a kilobyte per agent that is no longer needed.
   std::vector<std::pair<std::string, std::string>>().swap(settings_);
   recorder_->set("run_id", folder_.run_id());
   recorder_->set("scenario", scenario_.name);

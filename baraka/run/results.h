@@ -17,38 +17,38 @@
 
 namespace baraka::run {
 
-/// The results of one run: their folder, what is written there, and the observers that write it.
+/// The results of one run: their folder, its files, and the observers that write them.
 class Results {
  public:
-  /// From now on the log goes to the folder of what has not begun.
-  /// @throws as ResultsFolder.
-  /// @param pace  as TimeAdvance::pace().
+  /// Creates the folder <out>.not-started and sends the log there.
+  /// @param pace  from TimeAdvance::pace().
   /// @param held  as for ResultsFolder.
+  /// @throws as ResultsFolder.
   Results(const sim::scenario::Scenario& scenario, const RunOptions& options,
           const std::string& pace, std::unique_ptr<output::FolderLock> held);
 
-  /// The run begins: from now on it is recorded, and an earlier result is no longer in its place.
-  /// @throws std::runtime_error  the tables cannot be made, or as ResultsFolder::begin().
+  /// Marks the run as begun: sets an earlier result aside and starts recording.
+  /// @throws std::runtime_error  the tables cannot be created, or as ResultsFolder::begin().
   void begin(sim::agents::Simulation& simulation);
 
   bool has_begun() const { return recorder_.has_value(); }
 
-  /// The run did not come to begin(): the folder says so. Never throws.
+  /// Records that the run did not begin. Never throws.
   void say_not_started(const std::string& error);
 
-  /// Makes what there is so far readable for others.
+  /// Makes the record so far readable for other processes.
   void commit();
 
-  /// Writes how the run ended; if that cannot be written, it becomes a failed one, and as much of
-  /// that as can be. @return exit status.
+  /// Records how the run ended. If that cannot be written, the run counts as failed, and as much of
+  /// that is recorded as possible. @return exit status.
   gateway::process::ExitStatus finish(const sim::agents::Simulation& simulation,
                                       sim::agents::Outcome& outcome,
                                       gateway::process::ExitStatus status, double wall_seconds);
 
-  /// What the air is used for; null: no agent has a network. @pre has_begun()
+  /// The account of the use of the air; null: no agent has a network. @pre has_begun()
   const sim::air::Ledger* ledger() const;
-  /// After begin(): how its networks were, what speaks against the result, and what of a repetition
-  /// is not as it was.
+  /// To be called after begin(): figures of the networks, reasons to doubt the result, and settings
+  /// of a repetition that differ from those of the recorded run.
   void add(const network::NetworkSummary& network);
   void add_warnings(const std::vector<std::string>& lines);
   void add_open_loop(const std::vector<std::string>& lines);

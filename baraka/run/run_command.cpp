@@ -38,7 +38,7 @@ using sim::agents::Outcome;
 using sim::agents::Simulation;
 using sim::scenario::Scenario;
 
-/// @throws UsageError  the run that is repeated is in the folder that its result is for.
+/// @throws UsageError  the recorded run is in the folder to which the repetition would write.
 void check_repeat(const RunOptions& options, const std::string& scenario) {
   if (options.repeat.empty()) return;
   std::error_code not_there;
@@ -49,7 +49,7 @@ void check_repeat(const RunOptions& options, const std::string& scenario) {
       fmt::format("--repeat: {} would be overwritten; give another --out", options.repeat));
 }
 
-/// None: the first free one. @throws UsageError
+/// The DDS domain; none: the first free one. @throws UsageError
 std::optional<int> domain_of(const RunOptions& options) {
   const std::vector<int> domains = domains_for(options.domain, 1);
   if (domains.size() > 1) {
@@ -59,7 +59,7 @@ std::optional<int> domain_of(const RunOptions& options) {
   return domains.empty() ? std::nullopt : std::optional(domains.front());
 }
 
-/// To its end, which is a failure if it was broken off by an exception: a full disk, mostly.
+/// Runs to the end. An exception, mostly because of a full disk, makes the run a failed one.
 Outcome play(const TimeAdvance& time_advance, Simulation& simulation, pace::WallPace& pace,
              network::NetworkOfRun* network) {
   try {
@@ -69,7 +69,8 @@ Outcome play(const TimeAdvance& time_advance, Simulation& simulation, pace::Wall
   }
 }
 
-/// First of all: it forks. @return null: the scenario has none, or this is a repetition.
+/// To be called first, because it forks. @return null: the scenario has no networks, or this is a
+/// repetition.
 std::unique_ptr<network::NetworkOfRun> network_of(const std::string& file, const Scenario& scenario,
                                                   const TimeAdvance& time_advance,
                                                   const Results& results) {
@@ -78,7 +79,8 @@ std::unique_ptr<network::NetworkOfRun> network_of(const std::string& file, const
                                                  [&results] { return results.folder().path(); });
 }
 
-/// That what would have been sent then is not what was sent.
+/// Warns that a repetition with other settings replays the frames that were sent in the recorded
+/// run, not those that programs would have sent.
 void say_open_loop(const TimeAdvance& time_advance, Results& results) {
   if (time_advance.open_loop().empty()) return;
   fmt::print(stderr,
@@ -99,13 +101,13 @@ std::optional<int> first_of(std::optional<int> one, std::optional<int> other) {
   return one ? one : other;
 }
 
-/// Of controllers inside; none: there are no networks.
+/// The starter of controllers inside networks; none: there are no networks.
 std::optional<network::NamespaceStarter> starter_in(network::NetworkOfRun* network) {
   if (network == nullptr) return std::nullopt;
   return std::optional<network::NamespaceStarter>(std::in_place, *network);
 }
 
-/// Simulated seconds per second of a run that somebody looks at, unless they say otherwise.
+/// Default speed of a run that is shown in a browser, simulated seconds per second.
 constexpr double kLookedAtSpeed = 1;
 
 live::LiveView::Settings live_view_of(const RunOptions& options, const TimeAdvance& time_advance,
@@ -126,7 +128,7 @@ void start(live::LiveView& view, const RunOptions& options, const TimeAdvance& t
   fmt::print(stderr, "view: it plays at real time; --max-speed F, or the page, makes it faster\n");
 }
 
-/// When it ends at the latest, by `--until` or by a time of the scenario; none: no time ends it.
+/// Latest end of the run, by `--until` or by a time of the scenario; none: no time ends it.
 std::optional<hal::Time> latest_end(const RunOptions& options, const Scenario& scenario) {
   std::optional<hal::Time> end;
   if (options.until) end = hal::Time{hal::from_seconds(*options.until)};
@@ -144,7 +146,7 @@ bool has_other_ends(const Scenario& scenario) {
   });
 }
 
-/// @param view  holds the run; null: nothing does.
+/// @param view  may pause the run; null: there is no view.
 pace::WallPace::Settings pace_of(const RunOptions& options, const Scenario& scenario,
                                  std::size_t processes, Results& results, live::LiveView* view) {
   pace::WallPace::Settings settings{.max_speed = options.max_speed,
@@ -154,7 +156,8 @@ pace::WallPace::Settings pace_of(const RunOptions& options, const Scenario& scen
                                     .may_end_earlier = has_other_ends(scenario),
                                     .once_a_second = [&results] { results.commit(); }};
   if (view == nullptr) return settings;
-  settings.max_speed = std::numeric_limits<double>::infinity();  // the view's own can be changed
+  // The view limits the speed itself, because its limit can be changed.
+  settings.max_speed = std::numeric_limits<double>::infinity();
   settings.hold = [&control = view->control()](hal::Time next) { return control.hold(next); };
   return settings;
 }
@@ -210,7 +213,7 @@ int run(const RunOptions& options, const Scenario& scenario, const TimeAdvance& 
   return status;
 }
 
-/// Of a run that was not needed.
+/// Prints the result of a run that was not repeated because it was finished (`--once`).
 int say_finished(const output::FinishedResult& finished, const std::filesystem::path& folder) {
   fmt::print(stderr, "the result is there already\n");
   fmt::print("{} {}\nfingerprint: {}\nresults: {}\n",
@@ -243,7 +246,7 @@ int run(const RunOptions& options) {
       check::load_checked(options.scenario, options.overrides, run_mode_of(options));
   pace::catch_interrupts();
   const TimeAdvance time_advance(options, scenario);
-  (void)domain_of(options);  // before anything is written
+  (void)domain_of(options);  // reports mistakes before anything is written
   topics::RunInspection inspection(scenario, {.shown = options.inspect,
                                               .domain = options.inspect_domain,
                                               .repeated = !options.repeat.empty()});

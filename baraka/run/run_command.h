@@ -12,37 +12,38 @@
 
 namespace baraka::run {
 
-/// What the command line of `baraka run` says.
+/// The command line of `baraka run`.
 struct RunOptions {
   std::string scenario;
-  std::vector<std::string> overrides;  ///< --set, and --seed as one.
+  std::vector<std::string> overrides;  ///< Values of --set, with --seed as one of them.
   std::optional<double> until;         ///< s
   controllers::ControllersFrom controllers = controllers::ControllersFrom::kSpawn;
-  /// Simulated seconds per second. Infinity: as fast as it can, or at 1 if it is shown in a
+  /// Simulated seconds per second. Infinity: as fast as possible, or 1 if the run is shown in a
   /// browser.
   double max_speed = std::numeric_limits<double>::infinity();
-  /// "lockstep", "realtime", "realtime:<factor>"; empty: as the scenario needs it.
+  /// "lockstep", "realtime", "realtime:<factor>"; empty: as the scenario requires.
   std::string pace;
-  std::string repeat;  ///< Folder of a run that is to be repeated from its record.
-  std::string domain;  ///< "7"; "7-9" for runs side by side; empty: the first free one.
+  std::string repeat;  ///< Folder of a recorded run to repeat.
+  std::string domain;  ///< "7"; "7-9" for parallel runs; empty: the first free domain.
   bool inspect = true;
-  std::optional<int> inspect_domain;  ///< None: the run's.
+  std::optional<int> inspect_domain;  ///< None: the domain of the run.
   std::string out;                    ///< Empty: results/<scenario name>.
-  bool overwrite = false;             ///< An earlier result there is removed, not kept.
-  bool once = false;  ///< A finished result there stays, and another run there is waited for.
+  bool overwrite = false;             ///< Remove an earlier result there instead of keeping it.
+  bool once = false;  ///< Keep a finished result there, and wait for a run that is writing there.
   std::optional<int> replications;
-  int jobs = 1;              ///< Replications at a time.
-  std::string log = "info";  ///< The least that run.log tells of.
+  int jobs = 1;              ///< Number of parallel replications.
+  std::string log = "info";  ///< Lowest level written to run.log.
   live::LiveViewOptions view{};
 };
 
-/// Where the results go. @param scenario  its name.
+/// The folder of the results. @param scenario  name of the scenario.
 std::filesystem::path results_path(const RunOptions& options, const std::string& scenario);
 
-/// What of that decides whether a scenario can be run. @throws UsageError  options.pace is none.
+/// The options that decide whether a scenario can be run.
+/// @throws UsageError  options.pace is not a valid pace.
 check::RunMode run_mode_of(const RunOptions& options);
 
-/// When it ends, as in the table settings: "60 s" or "its end".
+/// The value of `--until` as in the table `settings`: "60 s" or "its end".
 std::string until_words(const RunOptions& options);
 
 /// Runs a scenario and prints how it ended, as "key: value" lines on standard output.

@@ -46,7 +46,7 @@ void print_real_time(const sim::agents::RealTimeSummary& summary) {
   }
 }
 
-/// What went wrong without ending the run, for people.
+/// Problems that did not end the run, for display.
 void print_complaints(const Outcome& outcome, const std::vector<std::string>& lines) {
   for (const std::string& line : lines) {
     hal::print_line(hal::Tone::kWarning, "warning: " + hal::printable(line));

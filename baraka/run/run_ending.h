@@ -14,19 +14,19 @@
 
 namespace baraka::run {
 
-/// A run that is over.
+/// How a run ended.
 struct RunEnding {
   sim::agents::Outcome outcome;
-  std::vector<std::string> complaints;  ///< Of its controllers.
+  std::vector<std::string> complaints;  ///< Problems of its controllers.
   double wall_seconds = 0;
   std::optional<network::NetworkSummary> network = {};
 };
 
-/// Ends the programs, and adds to the complaints what speaks against the result.
+/// Ends the programs, and adds reasons to doubt the result to the complaints.
 void end_network(network::NetworkOfRun& network, RunEnding& ending, const TimeAdvance& time_advance,
                  const sim::scenario::Scenario& scenario, Results& results);
 
-/// Writes and prints how the run ended. @return exit status.
+/// Records and prints how the run ended. @return exit status.
 gateway::process::ExitStatus conclude(Results& results, const sim::scenario::Judge& judge,
                                       const sim::agents::Simulation& simulation,
                                       RunEnding&& ending);

@@ -22,7 +22,7 @@ namespace {
 constexpr double kLeastFactor = 1e-3, kMostFactor = 1e5;
 constexpr double kLeastFactorOfPrograms = 0.01;
 
-/// @return none: in lock-step.
+/// The factor of a real-time pace; none: lock-step.
 std::optional<double> real_time_factor(const std::string& pace) {
   if (pace == "lockstep") return std::nullopt;
   if (pace == "realtime") return 1;
@@ -38,7 +38,7 @@ std::optional<double> real_time_factor(const std::string& pace) {
   return *factor;
 }
 
-/// Programs need real time, and cannot be faster than that.
+/// Programs need a real-time pace and cannot run faster than wall time.
 std::string pace_of(const RunOptions& options, const sim::scenario::Scenario& scenario) {
   if (!options.repeat.empty()) return "repeated";
   if (!network::has_network(scenario)) return options.pace.empty() ? "lockstep" : options.pace;
@@ -61,11 +61,11 @@ std::string pace_of(const RunOptions& options, const sim::scenario::Scenario& sc
       *factor, kLeastFactorOfPrograms));
 }
 
-/// Keys of stations' groups behind "agents.<group>." that place them.
+/// Keys below "agents.<group>." that set the places of stations.
 constexpr std::array<std::string_view, 2> kPlacing{"poses.", "station."};
 
-/// Whether a run whose programs' frames are recorded can be repeated with another value of the key:
-/// of the radio, and of where stations are. The doors stay the same.
+/// Whether a recorded run with programs can be repeated with another value of the key: keys of the
+/// radio and of the places of stations. These do not change the inputs from outside.
 bool may_differ(const std::string& key, const sim::scenario::Scenario& scenario) {
   constexpr std::string_view kAgents = "agents.", kRadio = "radio.";
   if (key.starts_with(kRadio)) return true;
@@ -86,7 +86,7 @@ bool may_differ(const std::string& key, const sim::scenario::Scenario& scenario)
 
 using Values = std::map<std::string, std::string>;
 
-/// "radio.data_rate: 11 Mb/s instead of 2 Mb/s", for each key.
+/// One line for each key: "radio.data_rate: 11 Mb/s instead of 2 Mb/s".
 std::vector<std::string> differences(const Values& now, const Values& then,
                                      const std::vector<std::string>& keys) {
   std::vector<std::string> lines;
@@ -101,7 +101,8 @@ std::vector<std::string> differences(const Values& now, const Values& then,
   return lines;
 }
 
-/// In what the scenario differs from that of the record. @throws UsageError  it must not in that.
+/// The keys in which the scenario differs from the recorded one.
+/// @throws UsageError  a key must not differ.
 std::vector<std::string> open_loop_of(const std::filesystem::path& folder,
                                       const sim::scenario::Scenario& scenario) {
   const auto file = folder / "scenario.resolved.yaml";

@@ -8,14 +8,14 @@
 namespace baraka::slurm {
 namespace {
 
-/// As one word of a shell.
+/// Quotes a text as one word of the shell.
 std::string quoted(const std::string& text) {
   std::string word = "'";
   for (const char letter : text) word += letter == '\'' ? "'\\''" : std::string(1, letter);
   return word + "'";
 }
 
-/// As `sbatch --time` takes it, whole seconds and not less: "1-02:03:04".
+/// A duration for `sbatch --time`, rounded up to whole seconds: "1-02:03:04".
 std::string time_limit(hal::Duration limit) {
   const std::int64_t seconds = std::chrono::ceil<std::chrono::seconds>(limit).count();
   return fmt::format("{}-{:02}:{:02}:{:02}", seconds / 86400, seconds / 3600 % 24,
@@ -56,7 +56,7 @@ std::string script_of(const ArrayJob& job) {
 std::vector<std::string> submission_of(const ArrayJob& job,
                                        const results::campaign::SlurmSettings& settings,
                                        const std::filesystem::path& script) {
-  // A '%' of a path would begin a pattern.
+  // sbatch would take a '%' in a path as the beginning of a pattern.
   std::string log = job.log.string();
   for (std::size_t at = 0; (at = log.find('%', at)) != std::string::npos; at += 2) {
     log.insert(at, "%");

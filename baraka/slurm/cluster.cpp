@@ -22,7 +22,7 @@ using namespace std::chrono_literals;
 constexpr hal::Duration kLongest = 60s;
 constexpr int kUsualFirstBadIndex = 1001;
 
-/// What sbatch says before it tries again by itself, for minutes.
+/// Message of sbatch before it tries again by itself, for minutes.
 bool tries_again(const Printed& printed) {
   return printed.err.find("retrying") != std::string::npos;
 }

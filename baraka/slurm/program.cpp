@@ -25,7 +25,7 @@ using Steady = std::chrono::steady_clock;
 
 constexpr int kBetweenLooks = 100;  // ms
 
-/// Both ends of a pipe; what is still open is closed.
+/// Both ends of a pipe; closes those still open at destruction.
 struct Pipe {
   std::array<int, 2> ends{-1, -1};
   Pipe() { (void)::pipe2(ends.data(), O_CLOEXEC); }
@@ -41,7 +41,7 @@ struct Pipe {
   }
 };
 
-/// In the child; only what is safe in a signal handler. Never returns.
+/// Runs in the child process; uses only async-signal-safe functions. Never returns.
 [[noreturn]] void become(const std::vector<char*>& arguments, pid_t parent, int out, int err,
                          int report) {
   ::setpgid(0, 0);
@@ -60,7 +60,7 @@ struct Pipe {
   ::_exit(127);
 }
 
-/// Appends what there is to read. @return whether there may be more.
+/// Appends the available output. @return whether there may be more.
 bool take(int descriptor, std::string& text) {
   std::array<char, 4096> buffer{};
   const ssize_t size = ::read(descriptor, buffer.data(), buffer.size());
@@ -68,7 +68,8 @@ bool take(int descriptor, std::string& text) {
   return size > 0 || (size < 0 && errno == EINTR);
 }
 
-/// Until the program has closed both. @return whether it did before `is_over` said so.
+/// Reads until the program has closed both pipes or `is_over` returns true. @return whether it has
+/// closed both.
 bool read_all(Pipe& out, Pipe& err, Printed& printed, const std::function<bool()>& is_over) {
   out.close(1);
   err.close(1);

@@ -16,7 +16,7 @@ std::optional<Number> number_in(std::string_view text) {
   return number;
 }
 
-/// What stands before the next separator, which is taken off the text with it.
+/// Removes the text up to and including the next separator, and returns it without the separator.
 std::string_view next_part(std::string_view& text, char separator) {
   const std::size_t at = text.find(separator);
   const std::string_view part = text.substr(0, at);
@@ -38,7 +38,7 @@ std::string_view word_of(std::string_view text, const std::string& key) {
   return text.substr(0, text.find_first_of(" \n"));
 }
 
-/// Of "1-02:03:04"; the days may be missing.
+/// Parses "1-02:03:04", in seconds; the days may be missing.
 std::optional<double> seconds_in(std::string_view text) {
   double days = 0;
   if (text.find('-') != std::string_view::npos) {

@@ -12,7 +12,7 @@ namespace baraka::slurm {
 
 /// A task that waits, runs, or is about to end.
 struct QueuedTask {
-  std::string name;      ///< Of its job.
+  std::string name;      ///< Name of its job.
   std::int64_t job = 0;  ///< Number of the array job.
   int index = 0;
   std::string state;   ///< "PENDING", "RUNNING", …
@@ -21,38 +21,38 @@ struct QueuedTask {
   bool is_waiting() const { return state == "PENDING"; }
 };
 
-/// How a task ended, as far as Slurm still knows.
+/// How a task ended, as far as Slurm still has a record of it.
 struct JobEnd {
   std::string state;   ///< "COMPLETED", "FAILED", "TIMEOUT", "CANCELLED", "NODE_FAIL", …
   std::string reason;  ///< "NonZeroExitCode", …
   int status = 0;      ///< Exit status.
-  int signal = 0;      ///< That killed it.
+  int signal = 0;      ///< Signal that killed it; 0: none.
   std::string node;
-  int restarts = 0;              ///< How often it was started again.
-  std::optional<double> wall_s;  ///< Of its last start.
+  int restarts = 0;              ///< Number of times that it was started again.
+  std::optional<double> wall_s;  ///< Wall time since its last start; none: not known.
 
   /// Whether the program ended by itself with this status.
   bool has_status(int value) const;
   std::string in_words() const;  ///< "TIMEOUT on n1 (TimeLimit)".
 };
 
-/// What squeue is asked to print for each task; parse_queue() reads it.
+/// Format of squeue's output for each task, which parse_queue() reads.
 inline constexpr const char* kQueueFormat = "%F|%K|%T|%j|%r";
 
-/// Errors: kProtocol, naming the line that is not as asked for.
+/// Parses the output of squeue. Errors: kProtocol, naming the malformed line.
 hal::Result<std::vector<QueuedTask>> parse_queue(std::string_view printed);
 
-/// Of `scontrol --oneliner show job`; none: it says nothing of a state.
+/// Parses the output of `scontrol --oneliner show job`; none: it contains no state.
 std::optional<JobEnd> parse_job(std::string_view printed);
 
-/// The value of a key that `scontrol show config` prints.
+/// The value of a key in the output of `scontrol show config`.
 std::optional<std::string> parse_config(std::string_view printed, std::string_view key);
 
-/// The sum of "allocated/idle/other/total" without the other ones, which `sinfo --format=%C` prints
-/// in a line.
+/// The sum of allocated and idle processors in the output of `sinfo --format=%C`, which has lines
+/// "allocated/idle/other/total".
 std::optional<int> parse_processors(std::string_view printed);
 
-/// The number of the job that `sbatch --parsable` prints, "12" or "12;cluster", maybe after other
+/// The job's number in the output of `sbatch --parsable`: "12" or "12;cluster", maybe after other
 /// lines.
 std::optional<std::int64_t> parse_submission(std::string_view printed);
 

@@ -11,7 +11,7 @@ namespace {
 
 using idl::ros::to_ros;
 
-/// All topics, or kinds, of one moment.
+/// Samples kept for a slow reader: enough for all topics, or kinds, of one instant.
 constexpr int kAirSamples = 500;
 
 }  // namespace

@@ -10,17 +10,17 @@
 
 namespace gateway::inspection {
 
-/// Shows what the air is used for in a run in which programs use it by sockets:
+/// Publishes the use of the air in a run whose programs communicate through sockets:
 ///
 /// topic                 type                  what
 /// rt/baraka/air_topics  baraka_msgs/AirTopic  one sample per topic of programs
 /// rt/baraka/air_kinds   baraka_msgs/AirKind   one sample per kind of submessage, protocol, frame
 ///
-/// As Inspector: nothing is written while nobody reads. One thread at a time, except
+/// Like Inspector, it writes nothing while a topic has no reader. One thread at a time, except
 /// has_readers(): any thread.
 class AirInspector {
  public:
-  /// Since the start of the run; see the message.
+  /// Totals since the start of the run; fields as in the message baraka_msgs/AirTopic.
   struct TopicUse {
     std::string_view topic;
     std::uint64_t samples = 0, delivered = 0, first_try = 0;
@@ -44,7 +44,7 @@ class AirInspector {
   AirInspector& operator=(const AirInspector&) = delete;
 
   bool has_readers() const noexcept { return readers() > 0; }
-  int readers() const noexcept;  ///< Of both topics together.
+  int readers() const noexcept;  ///< Number of readers of both topics together.
   void publish(hal::Time at, const TopicUse& use);
   void publish(hal::Time at, const KindUse& use);
 

@@ -10,9 +10,9 @@
 namespace gateway::inspection {
 namespace {
 
-constexpr int kChannelSamples = 10;  // kept for a reader that is busy for a moment
+constexpr int kChannelSamples = 10;  // kept for a slow reader
 
-/// The type in DDS of a message; a kind whose message has none here does not compile.
+/// The DDS type of a message. A kind whose message is missing here does not compile.
 template <class Message>
 struct DdsType;
 template <>
@@ -40,7 +40,7 @@ struct DdsType<std_msgs::msg::dds_::Bool_> {
   using Type = std_msgs::msg::dds_::Bool_PubSubType;
 };
 
-/// @param Kind  of idl/ros/sensors.h
+/// @tparam Kind  a kind of sensor from idl/ros/sensors.h
 template <class Kind>
 class KindWriter final : public ChannelWriter {
  public:
@@ -64,8 +64,8 @@ class KindWriter final : public ChannelWriter {
   }
 
  private:
-  /// Whether they are the values shown last, held while the sensor measures the next ones. Bit by
-  /// bit: a value may be NaN.
+  /// Whether the values are those published last, which the channel holds until the sensor has new
+  /// ones. Compared bit by bit, because a value may be NaN.
   bool is_same_measurement(hal::Time at, std::span<const double> values) const {
     return shown_.size() == values.size() && at < shown_at_ + period_ &&
            std::memcmp(shown_.data(), values.data(), values.size_bytes()) == 0;

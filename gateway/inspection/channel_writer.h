@@ -14,7 +14,7 @@ class Participant;
 
 namespace gateway::inspection {
 
-/// Shows one channel of an agent on rt/<agent>/<channel>, in the type of ROS 2 that its kind has.
+/// Publishes one channel of an agent on rt/<agent>/<channel>, with the ROS 2 type for its kind.
 class ChannelWriter {
  public:
   ChannelWriter() = default;
@@ -23,19 +23,20 @@ class ChannelWriter {
   virtual ~ChannelWriter() = default;
 
   virtual bool has_readers() const noexcept = 0;
-  /// @param values  of the channel; another number of them than it has is not shown.
+  /// @param values  a reading of the channel; ignored if the number of values is wrong.
   virtual void publish(hal::Time at, std::span<const double> values) = 0;
 };
 
-/// Where a channel is shown: rt/<agent>/<channel>.
+/// The topic rt/<agent>/<channel> of a channel.
 struct ChannelTopic {
   domain::Participant& participant;
-  const std::string& agent;  ///< Its name.
+  const std::string& agent;  ///< The agent's name.
   const hal::Channel& channel;
-  std::atomic<int>& readers;  ///< Of this and other writers; counted in.
+  std::atomic<int>& readers;  ///< Counts readers; may be shared with other writers.
 };
 
-/// @return null: no type of ROS 2 for that kind. @throws std::runtime_error
+/// @return null: the channel's kind has no ROS 2 type.
+/// @throws std::runtime_error  if DDS makes no writer.
 std::unique_ptr<ChannelWriter> make_channel_writer(const ChannelTopic& topic);
 
 }  // namespace gateway::inspection

@@ -19,7 +19,8 @@ class EmergencyStopReader::Implementation {
                  std::function<void(bool)> on_change)
       : on_change_(std::move(on_change)),
         topic_(inspection.participant(), "rt/" + agent + "/emergency_stop"),
-        // A reader that asks for kept samples does not match writers that keep none.
+        // Two readers, because one that requests kept samples does not match writers that keep
+        // none.
         live_(inspection.participant(), topic_.get(), qos(Keep::kForThoseHere), sample(), left()),
         kept_(inspection.participant(), topic_.get(), qos(Keep::kForLatecomers), sample(), left()) {
   }
@@ -34,8 +35,8 @@ class EmergencyStopReader::Implementation {
 
  private:
   struct Writer {
-    std::uint64_t last = 0;  ///< Sequence number of its last sample.
-    bool stops = false;      ///< That sample was `true`.
+    std::uint64_t last = 0;  ///< Sequence number of the writer's last sample.
+    bool stops = false;      ///< That sample was `true`, and the stop has not been released.
     bool is_here = true;
   };
 
@@ -59,7 +60,7 @@ class EmergencyStopReader::Implementation {
     const std::lock_guard lock(mutex_);
     Writer& writer = writers_[info.publication_handle];
     const std::uint64_t number = info.sample_identity.sequence_number().to64long();
-    if (number <= writer.last) return;  // The other reader had it, or a later one.
+    if (number <= writer.last) return;  // The other reader delivered this sample or a later one.
     writer = {number, stops, true};
     if (!stops) std::erase_if(writers_, [](const auto& entry) { return !entry.second.is_here; });
     tell();

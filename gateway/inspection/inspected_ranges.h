@@ -9,8 +9,8 @@
 
 namespace gateway::inspection {
 
-/// The infrared sensors of a robot, simulated or real, as they are shown to DDS tools:
-/// "infrared_0", "infrared_1", ... in the order of the robot's file.
+/// The infrared sensors of a simulated or real robot as published to DDS tools: "infrared_0",
+/// "infrared_1", … in the order of the robot's file.
 inline std::vector<InspectedRange> inspected_ranges(
     const std::vector<hal::node::devices::InfraredSensor>& sensors) {
   std::vector<InspectedRange> ranges;

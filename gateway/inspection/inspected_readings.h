@@ -10,7 +10,7 @@
 
 namespace gateway::inspection {
 
-/// Where the readings of a channel are shown to DDS tools, by its kind; none: nowhere.
+/// The topic on which readings of a channel are published to DDS tools; none: not published.
 inline std::optional<Inspector::Topic> topic_of(const hal::Channel& channel) {
   if (channel.kind == "range") return Inspector::Topic::kRange;
   if (channel.kind == "odometry") return Inspector::Topic::kOdometry;
@@ -18,8 +18,9 @@ inline std::optional<Inspector::Topic> topic_of(const hal::Channel& channel) {
   return std::nullopt;
 }
 
-/// Shows a reading of a channel, simulated or real.
-/// @param at  stamp.   @param robot  index of the robot among those of the inspector.
+/// Publishes a reading of a channel of a simulated or real robot.
+/// @param at  time stamp.
+/// @param robot  index of the robot among those of the inspector.
 inline void publish_reading(Inspector& inspector, hal::Time at, std::size_t robot,
                             const hal::Channel& channel, std::span<const double> values) {
   const auto topic = topic_of(channel);

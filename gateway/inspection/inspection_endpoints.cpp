@@ -3,7 +3,7 @@
 namespace gateway::inspection {
 namespace {
 
-/// A reader that has not everything yet hears of it this often.
+/// Heartbeat period: how often a reader that lacks samples is told so.
 constexpr hal::Duration kInspectionHeartbeat = std::chrono::milliseconds{100};
 constexpr int kReaderDepth = 100;
 

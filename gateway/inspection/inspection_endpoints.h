@@ -14,13 +14,14 @@
 
 namespace gateway::inspection {
 
-/// Whether a topic's last samples are kept for readers that come later.
+/// Whether a topic's last samples are kept for readers that join later.
 enum class Keep : std::uint8_t { kForLatecomers, kForThoseHere };
 
-/// Settings of inspection. Reliable, so that every standard reader matches; and only the last
-/// samples count, so that none makes the writer wait. Measured in a run at 900 times real time with
-/// 40,000 samples per second: 14 us per sample, and no more if the reader never takes them or its
-/// process is stopped; so they are written on the thread of the run.
+/// QoS of inspection topics. Reliable, so that every standard reader matches; keep last, so that no
+/// reader makes the writer wait. Measured in a run at 900 times real time with 40,000 samples per
+/// second: 14 us per sample, also if the reader never takes them or its process is stopped. That is
+/// why samples are written on the thread of the run.
+/// @param depth  samples kept for a slow reader, > 0.
 guard::api::DataWriterQos inspection_writer_qos(int depth, Keep keep);
 /// @param reliability  reliable readers do not match best-effort writers.
 guard::api::DataReaderQos inspection_reader_qos(guard::api::ReliabilityQosPolicyKind reliability,
@@ -31,9 +32,9 @@ guard::api::DataReaderQos inspection_reader_qos(guard::api::ReliabilityQosPolicy
 template <class PubSub>
 class InspectionWriter {
  public:
-  /// @param depth  samples that are kept for a slow reader.
-  /// @param all_readers  of this and other writers; counted in.
-  /// @throws std::runtime_error
+  /// @param depth  samples kept for a slow reader.
+  /// @param all_readers  counts readers; may be shared with other writers.
+  /// @throws std::runtime_error  if DDS makes no writer.
   InspectionWriter(domain::Participant& participant, const std::string& topic, int depth,
                    std::atomic<int>& all_readers, Keep keep = Keep::kForThoseHere)
       : participant_(participant),
@@ -54,7 +55,7 @@ class InspectionWriter {
 
   bool has_readers() const noexcept { return readers_.count.load(std::memory_order_relaxed) > 0; }
   typename PubSub::type& sample() { return sample_; }
-  /// Writes sample(). One that DDS refuses is lost: inspection must not end a run.
+  /// Writes sample(). If DDS refuses it, the sample is lost: inspection must not end a run.
   void write() { writer_->write(&sample_); }
 
  private:
@@ -77,18 +78,19 @@ class InspectionWriter {
   guard::api::DataWriter* writer_;
 };
 
-/// The reader of a topic of somebody else's, and the topic: hands each sample to a function.
+/// The reader of a topic that others write. Passes each sample to a function.
 template <class PubSub>
 class InspectionReader {
  public:
   using Sample = typename PubSub::type;
 
-  /// Writers of samples are told by handles. Both functions are called on a thread of DDS.
+  /// Handles identify the writers of samples. Both functions are called on a thread of DDS.
   using OnSample = std::function<void(const Sample&, const guard::api::SampleInfo&)>;
   using OnLeft = std::function<void(const guard::api::InstanceHandle_t& writer)>;
 
-  /// @param topic  owned by the caller.  @param on_left  a writer is gone; may be empty.
-  /// @throws std::runtime_error
+  /// @param topic  owned by the caller.
+  /// @param on_left  called when a writer is gone; may be empty.
+  /// @throws std::runtime_error  if DDS makes no reader.
   InspectionReader(domain::Participant& participant, guard::api::Topic* topic,
                    const guard::api::DataReaderQos& qos, OnSample on_sample, OnLeft on_left = {})
       : participant_(participant),
@@ -132,7 +134,7 @@ class InspectionReader {
   guard::api::DataReader* reader_;
 };
 
-/// A topic by itself, gone with this object.
+/// A topic that exists as long as this object.
 template <class PubSub>
 class OwnTopic {
  public:
@@ -150,18 +152,18 @@ class OwnTopic {
   guard::api::Topic* topic_;
 };
 
-/// The latest good sample of a topic of somebody else's, as a value of ours. Any thread.
+/// The latest valid sample of a topic that others write, converted to a value. Any thread.
 template <class PubSub, class Value>
 class LatestSample {
  public:
-  /// A sample as a value, by the one before it; none: it is not good, and is dropped.
+  /// Converts a sample; `before` is the previous value. None: the sample is invalid and is dropped.
   using Read = std::optional<Value> (*)(const typename PubSub::type& sample,
                                         const std::optional<Value>& before);
   using OnValue = std::function<void(const Value&)>;
 
-  /// @param topic  in DDS: "rt/r0/cmd_vel".
-  /// @param on_value  called on a thread of DDS; may be empty.
-  /// @throws std::runtime_error
+  /// @param topic  name in DDS: "rt/r0/cmd_vel".
+  /// @param on_value  called on a thread of DDS with each valid value; may be empty.
+  /// @throws std::runtime_error  if DDS makes no reader.
   LatestSample(domain::Participant& participant, const std::string& topic, Read read,
                OnValue on_value)
       : read_(read),

@@ -12,18 +12,18 @@ class Participant;
 
 namespace gateway::inspection {
 
-/// This process's place in a DDS domain for whoever looks: ordinary discovery by multicast, as
-/// standard tools expect it, on the given interfaces only. It does not meet the participants of the
-/// exchange, which neither send nor hear multicast. A ShownDomain tells `baraka topic` of it.
+/// The DDS participant that standard tools can see: ordinary discovery by multicast, on the given
+/// interfaces only. It does not discover the participants of the exchange, which neither send nor
+/// receive multicast. A ShownDomain makes its domain known to `baraka topic`.
 ///
-/// Inspector and the readers of topics use one and must not outlive it.
+/// Inspectors and readers of topics use one and must not outlive it.
 class InspectionParticipant {
  public:
   struct Settings {
     int domain = 0;  ///< 0..232
     /// IPv4 addresses of the interfaces to use.
     std::vector<std::string> addresses{"127.0.0.1"};
-    std::string name = "baraka inspection";  ///< For people, in tools.
+    std::string name = "baraka inspection";  ///< The participant's name in tools.
   };
 
   /// @throws std::runtime_error  if DDS cannot be opened on these interfaces.
@@ -33,7 +33,7 @@ class InspectionParticipant {
   InspectionParticipant& operator=(const InspectionParticipant&) = delete;
 
   int domain() const { return domain_; }
-  domain::Participant& participant() { return *participant_; }  ///< For the gateway only.
+  domain::Participant& participant() { return *participant_; }  ///< For use within the gateway.
 
  private:
   int domain_;

@@ -32,9 +32,9 @@ using tf2_msgs::msg::dds_::TFMessage_PubSubType;
 constexpr std::size_t kTopics = 11;
 constexpr const char* kWorld = "world";
 
-// Samples that are kept for a reader that is busy for a moment.
+// Samples kept for a slow reader.
 constexpr int kFewSamples = 10;
-constexpr int kManySamples = 500;  // of events, which come in bursts
+constexpr int kManySamples = 500;  // for events, which come in bursts
 
 std::string base_link(std::string_view agent) { return std::string(agent) + "/base_link"; }
 
@@ -50,22 +50,24 @@ class Inspector::Implementation {
   struct Robot {
     Robot(Implementation& all, domain::Participant& participant, const InspectedRobot& description);
     std::vector<std::string> range_frames;
-    std::optional<InspectionWriter<Odometry_PubSubType>> odometry;  ///< Of what drives, as
-    std::optional<InspectionWriter<Range_PubSubType>> range;        ///< is this.
+    /// Only if the robot drives.
+    std::optional<InspectionWriter<Odometry_PubSubType>> odometry;
+    /// Only if the robot drives.
+    std::optional<InspectionWriter<Range_PubSubType>> range;
     std::vector<InspectedRange> ranges;
-    std::map<std::uint16_t, std::unique_ptr<ChannelWriter>> channels;  ///< By number.
+    std::map<std::uint16_t, std::unique_ptr<ChannelWriter>> channels;  ///< By Channel::id.
   };
 
  private:
   void write_static(const std::vector<InspectedRobot>& robots);
 
   std::array<std::atomic<int>, kTopics> readers_{};
-  std::atomic<int> static_readers_{0};  // not counted in: they need nothing
+  std::atomic<int> static_readers_{0};  // not counted by has_readers(): nothing more is published
   domain::Participant& participant_;
   InspectionWriter<TFMessage_PubSubType> transforms_static_;
 
  public:
-  std::optional<InspectionWriter<Clock_PubSubType>> clock;  ///< Of simulated time only.
+  std::optional<InspectionWriter<Clock_PubSubType>> clock;  ///< Only with Stamps::kSimulated.
   InspectionWriter<TFMessage_PubSubType> transforms;
   InspectionWriter<MessageFate_PubSubType> fates;
   InspectionWriter<Frame_PubSubType> frames;

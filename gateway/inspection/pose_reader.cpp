@@ -13,10 +13,10 @@ using geometry_msgs::msg::dds_::PoseStamped_;
 using geometry_msgs::msg::dds_::PoseStamped_PubSubType;
 using geometry_msgs::msg::dds_::Quaternion_;
 
-/// How far from 1 the norm of an orientation may be: some senders round to single precision.
+/// Largest deviation of an orientation's norm from 1: some senders round to single precision.
 constexpr double kNormTolerance = 1e-3;
 
-/// "/a/b" and "a/b" to "rt/a/b": the topic names of ROS 2 in DDS.
+/// The DDS name of a ROS 2 topic: "rt/a/b" for "/a/b" and "a/b".
 std::string dds_name(const std::string& topic) {
   if (topic.starts_with("rt/")) return topic;
   return (topic.starts_with("/") ? "rt" : "rt/") + topic;
@@ -29,7 +29,7 @@ double norm(const Quaternion_& q) {
 std::optional<OutsidePose> read_pose(const PoseStamped_& sample,
                                      const std::optional<OutsidePose>&) {
   const auto& position = sample.pose().position();
-  // A comparison with what is not a number is false.
+  // If the norm is NaN, the comparison is false.
   const bool is_good = std::isfinite(position.x()) && std::isfinite(position.y()) &&
                        std::abs(norm(sample.pose().orientation()) - 1) <= kNormTolerance;
   if (!is_good) return std::nullopt;

@@ -14,20 +14,20 @@
 namespace gateway::inspection {
 namespace {
 
-/// Samples that wait for next().
+/// Most samples that wait for next().
 constexpr std::size_t kMostWaiting = 10'000;
 
-/// A type of which nothing is known but its name: its values are their bytes.
+/// A type of which only the name is known: its values are byte strings.
 class RawType : public guard::api::TopicDataType {
  public:
   RawType(const std::string& name, bool has_key) {
     setName(name.c_str());
-    m_typeSize = 1024;  // grows with the samples
+    m_typeSize = 1024;  // initial size; grows with the samples
     m_isGetKeyDefined = has_key;
   }
   bool serialize(void* value, guard::rtps::SerializedPayload_t* payload) override {
     (void)value, (void)payload;
-    return false;  // it is only read
+    return false;  // samples are only read
   }
   bool deserialize(guard::rtps::SerializedPayload_t* payload, void* value) override {
     static_cast<hal::Bytes*>(value)->assign(payload->data, payload->data + payload->length);
@@ -38,7 +38,7 @@ class RawType : public guard::api::TopicDataType {
   }
   void* createData() override { return new hal::Bytes; }
   void deleteData(void* value) override { delete static_cast<hal::Bytes*>(value); }
-  /// All samples count as one instance; Fast DDS aborts if there is no key where one is announced.
+  /// All samples count as one instance. Fast DDS aborts if a keyed topic gives no key.
   bool getKey(void* value, guard::rtps::InstanceHandle_t* handle, bool force_md5) override {
     (void)value, (void)force_md5;
     handle->value[0] = 1;
@@ -186,11 +186,12 @@ class TopicBrowser::Implementation : public guard::api::DomainParticipantListene
 
   mutable std::mutex mutex_;
   std::map<guard::rtps::GUID_t, Seen> endpoints_;
-  domain::Participant participant_;  ///< Last: it calls back from its constructor on.
+  /// The last member, because it calls back as soon as it is constructed.
+  domain::Participant participant_;
 };
 
 std::vector<SeenTopic> TopicBrowser::Implementation::topics() const {
-  // Two types under one name are two topics.
+  // Two types with the same topic name count as two topics.
   std::map<std::pair<std::string, std::string>, SeenTopic> found;
   const std::lock_guard lock(mutex_);
   for (const auto& [guid, seen] : endpoints_) {

@@ -55,7 +55,8 @@ class Lines {
   std::string take() { return std::move(text_); }
 
  private:
-  /// Single precision has fewer digits to show.
+  /// Shortest text that reads back the same; a template, because single precision needs fewer
+  /// digits.
   template <std::floating_point Number>
   static std::string number(Number value) {
     if (std::isnan(value)) return ".nan";
@@ -77,7 +78,7 @@ class Lines {
 
   std::string text_;
   std::size_t depth_ = 0;
-  bool item_ = false;  ///< The next line carries an item's dash.
+  bool item_ = false;  ///< The next line begins with the dash of a list item.
 };
 
 template <class Message>
@@ -344,7 +345,7 @@ std::optional<std::string> decode(const hal::Bytes& sample) {
   payload.length = payload.max_size;
   try {
     if (!type.deserialize(&payload, &value)) return std::nullopt;
-  } catch (const std::exception&) {  // a list said to be longer than any memory, for example
+  } catch (const std::exception&) {  // for example a list whose stated length exceeds memory
     return std::nullopt;
   }
   Lines out;

@@ -12,16 +12,17 @@
 namespace gateway::inspection {
 
 /// Reads velocity commands for one agent: geometry_msgs/Twist (ROS 2 Humble) on
-/// `rt/<agent>/cmd_vel`, body frame, m/s and rad/s. Components a planar robot does not have are
-/// dropped; a command with a value that is not finite is dropped as a whole and counted.
+/// `rt/<agent>/cmd_vel`, body frame, m/s and rad/s. Components that a planar robot lacks are
+/// ignored; a command with any value that is not finite is dropped and counted.
 class TwistReader {
  public:
   struct Command {
     hal::Twist2 twist;
-    std::uint64_t number = 0;  ///< 1, 2, 3, … of the good ones: tells a repeated command from none.
+    /// Number of the valid command, from 1: distinguishes a repeated command from no new one.
+    std::uint64_t number = 0;
   };
 
-  /// @param on_command  called on a thread of DDS with each good command; may be empty.
+  /// @param on_command  called on a thread of DDS with each valid command; may be empty.
   /// @throws std::runtime_error  if DDS makes no reader.
   TwistReader(InspectionParticipant& participant, const std::string& agent,
               std::function<void(const Command&)> on_command = {});
@@ -30,8 +31,8 @@ class TwistReader {
   TwistReader& operator=(const TwistReader&) = delete;
 
   std::optional<Command> last() const;  ///< Any thread.
-  std::uint64_t dropped() const;        ///< Any thread.
-  int writers() const;                  ///< In sight now. Any thread.
+  std::uint64_t dropped() const;        ///< Number of dropped commands. Any thread.
+  int writers() const;                  ///< Writers matched now. Any thread.
 
  private:
   class Implementation;

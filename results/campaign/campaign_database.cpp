@@ -20,9 +20,9 @@ std::int64_t version_of(Database& database) {
   return query.integer(0);
 }
 
-/// Of a file that has them not, also one whose making was cut short.
+/// Creates the tables of a file that has none, also after an interrupted creation.
 void make_tables(Database& database, const std::filesystem::path& folder) {
-  // As large as this, the file is made by one transaction: whoever finds it finds all of it or 0.
+  // One transaction creates everything, so another process sees all tables or none (version 0).
   const std::int64_t version = version_of(database);
   if (version == kSchemaVersion) return;
   if (version != 0) {
@@ -40,7 +40,7 @@ std::optional<std::string_view> unless_empty(const std::string& text) {
   return text.empty() ? std::nullopt : std::optional<std::string_view>(text);
 }
 
-/// SQLite has no NaN and would store null; infinities stay.
+/// SQLite has no NaN and would store null; it stores infinities as they are.
 std::optional<double> defined(std::optional<double> value) {
   return value && std::isnan(*value) ? std::nullopt : value;
 }
@@ -50,8 +50,8 @@ std::optional<double> defined(std::optional<double> value) {
 CampaignDatabase::CampaignDatabase(const std::filesystem::path& folder,
                                    Database::WhileBusy while_busy)
     : database_(folder / kCampaignDatabase, Database::Mode::kUpdate, std::move(while_busy)) {
-  // Rolled back from a journal beside it: works wherever files can be locked. On the disk when a
-  // transaction has ended.
+  // A rollback journal beside the file works on every file system that can lock files. A
+  // transaction is on the disk when it ends.
   database_.execute("PRAGMA journal_mode = DELETE; PRAGMA synchronous = FULL");
   make_tables(database_, folder);
   Statement query(database_, "SELECT observable, name, agent FROM observables");
@@ -65,7 +65,7 @@ void CampaignDatabase::transact(const std::function<void()>& changes) {
     database_.execute("COMMIT");
   } catch (...) {
     database_.roll_back();
-    observables_.clear();  // new ones are gone, too
+    observables_.clear();  // the rollback removed new observables, too
     Statement query(database_, "SELECT observable, name, agent FROM observables");
     while (query.next()) observables_[{query.text(1), query.text(2)}] = query.integer(0);
     throw;
@@ -124,7 +124,7 @@ void CampaignDatabase::start(std::span<const std::int64_t> runs, const std::stri
 }
 
 void CampaignDatabase::forget(std::int64_t run) {
-  // All three are indexed by observable and run: found one by one, without a look at other runs.
+  // All three tables are indexed by observable and run, so rows of other runs are not read.
   constexpr const char* kOfRun =
       "DELETE FROM {} WHERE observable IN (SELECT observable FROM observables) AND run = ?";
   for (const char* table : {"measurements", "series", "bins"}) {

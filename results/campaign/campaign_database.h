@@ -15,45 +15,49 @@
 
 namespace results::campaign {
 
-/// A campaign's database, open for writing: made if it is not there. Every call is one transaction
-/// that is on the disk when it returns: whenever the process dies, or the machine, a run is in it
-/// as a whole or not at all. One writer at a time (the campaign's folder is locked), one thread.
+/// A campaign's database, open for writing; created if it does not exist. Every call is one
+/// transaction that is on the disk when the call returns: if the process or the machine dies, the
+/// file holds each run completely or not at all. One writer at a time (the campaign's folder is
+/// locked), one thread.
 ///
-/// Every member throws std::runtime_error, with SQLite's reason, if it cannot write (a full disk);
-/// then nothing of the call is in the file.
+/// Every member throws std::runtime_error with SQLite's reason if it cannot write, for example on a
+/// full disk; the file is then unchanged by the call.
 class CampaignDatabase {
  public:
-  /// @param folder  exists. @param while_busy  of record::Database: others may read the file at any
-  ///   time, and as long as one does nothing can be written.
+  /// @param folder  of the campaign; must exist.
+  /// @param while_busy  see record::Database. Other processes may read the file at any time, and
+  ///   while one does, nothing can be written.
   /// @throws std::runtime_error  the file is damaged or of another version.
   explicit CampaignDatabase(const std::filesystem::path& folder,
                             record::Database::WhileBusy while_busy = {});
 
-  /// Whether nothing has been planned in it.
+  /// Whether it holds no plan yet.
   bool is_empty();
 
-  /// Of the table campaign; "" if the key is not there.
+  /// Value of a key of the table `campaign`; "" if the key is not there.
   std::string value(std::string_view key);
   void set(std::string_view key, std::string_view value);
 
-  /// What is added to it in one transaction.
+  /// Rows that add() writes in one transaction.
   struct Plan {
-    std::vector<std::pair<std::string, std::string>> values;  ///< Of the table campaign.
+    std::vector<std::pair<std::string, std::string>> values;  ///< Of the table `campaign`.
     std::vector<Factor> factors;
-    std::vector<PointRow> points;  ///< Those not there yet.
-    std::vector<RunPlan> runs;     ///< Those not there yet; they wait.
-    /// There already, by their numbers: their scenarios are replaced.
+    std::vector<PointRow> points;  ///< New points.
+    std::vector<RunPlan> runs;     ///< New runs; their state becomes "waiting".
+    /// Existing points, identified by number, whose scenarios are replaced.
     std::vector<PointRow> rewritten{};
   };
   void add(const Plan& plan);
 
-  /// The runs were started. @param started  UTC.
+  /// Marks runs as running and counts an attempt of each. @param started  UTC.
   void start(std::span<const std::int64_t> runs, const std::string& started);
 
-  /// They wait again: what was said of them is forgotten, but not how often they were started.
+  /// Makes runs wait again. Everything recorded about them is deleted except the number of attempts
+  /// and the time of the last start.
   void reset(std::span<const std::int64_t> runs);
 
-  /// A run has ended: its row, by its number, and what it measured; attempts are not changed.
+  /// Records a run that has ended, identified by its number, and its measurements. The number of
+  /// attempts is not changed.
   void finish(const RunRow& row, const Measured& measured);
 
  private:
@@ -63,7 +67,8 @@ class CampaignDatabase {
   void forget(std::int64_t run);
 
   record::Database database_;
-  std::map<std::pair<std::string, std::string>, std::int64_t> observables_;  ///< Name and agent.
+  /// Number of each observable, by name and agent.
+  std::map<std::pair<std::string, std::string>, std::int64_t> observables_;
 };
 
 }  // namespace results::campaign

@@ -28,56 +28,58 @@ std::string_view name_of(Seeds seeds);
 /// A value of a key that is varied.
 struct FactorValue {
   std::string key;    ///< Dotted path.
-  std::string text;   ///< For people.
-  std::string yaml;   ///< Behind `--set key=`.
+  std::string text;   ///< For display.
+  std::string yaml;   ///< As written after `--set key=`.
   std::string place;  ///< "file:line:column".
 };
 
-/// Settings that are to be run: in a grid or hypercube every key, in a list those it names.
+/// One point to run. In a grid or hypercube it has a value of every key, in a list of the keys that
+/// the entry names.
 using DesignPoint = std::vector<FactorValue>;
 
-/// What a factor of a Latin hypercube may be.
+/// The range of a factor of a Latin hypercube.
 struct SampledRange {
   std::string key;
   std::string place;
-  double from = 0, to = 0;  ///< In `unit`.
-  std::string unit;         ///< "1": none.
+  double from = 0, to = 0;  ///< Limits, in `unit`.
+  std::string unit;         ///< "1": no unit.
   bool logarithmic = false;
   bool whole = false;
-  std::vector<hal::files::config::WrittenValue> choices{};  ///< Not empty: one of these instead.
+  /// If not empty, the values to choose from, instead of the limits.
+  std::vector<hal::files::config::WrittenValue> choices{};
 };
 
-/// A campaign file: which runs of a scenario there are to do.
+/// A campaign file: which runs of a scenario to carry out.
 struct CampaignFile {
   std::string name;
   std::string scenario;        ///< As written.
   std::string scenario_place;  ///< "file:line:column".
   int replications = 1;
   Seeds seeds = Seeds::kCommon;
-  std::optional<std::uint64_t> seed{};  ///< None: the scenario's.
+  std::optional<std::uint64_t> seed{};  ///< None: the scenario's seed.
   std::optional<hal::Duration> until{};
   Keep keep = Keep::kNone;
   RunControllers controllers = RunControllers::kInProcess;
-  std::optional<int> jobs{};  ///< None: as many as there are processors.
+  std::optional<int> jobs{};  ///< Runs at the same time; none: as many as there are processors.
   SlurmSettings slurm{};
 
   Design design = Design::kOnePoint;
-  std::vector<std::string> keys{};     ///< That are varied, in the order of the file.
-  std::vector<DesignPoint> points{};   ///< Of a grid, a list or one point.
-  int samples = 0;                     ///< Of a Latin hypercube, ...
-  std::vector<SampledRange> ranges{};  ///< ... and of what.
+  std::vector<std::string> keys{};     ///< Varied keys, in the order of the file.
+  std::vector<DesignPoint> points{};   ///< kGrid, kList and kOnePoint: the points.
+  int samples = 0;                     ///< kLatinHypercube: number of points.
+  std::vector<SampledRange> ranges{};  ///< kLatinHypercube: the factors' ranges.
 };
 
-/// How many points and runs a campaign may have.
+/// Upper limits of a campaign: replications of each point, and runs in all.
 inline constexpr std::int64_t kMostReplications = 1'000'000, kMostRuns = 1'000'000;
 
-/// Its keys. Nothing writes such a file.
+/// Describes the keys of a campaign file. Used for reading only: nothing writes such a file.
 void keys_of(hal::files::description::Fields& io, CampaignFile& c);
 
-/// Reads a campaign from the top level of its file; notes mistakes there.
+/// Reads a campaign from the top level of its file; notes mistakes in `in`.
 CampaignFile read_campaign(hal::files::config::Mapping in, const std::filesystem::path& file);
 
-/// @param overrides  of the campaign file, as for load_scenario().
+/// @param overrides  of keys of the campaign file, as for load_scenario().
 /// @throws hal::files::config::ConfigErrors with every mistake.
 CampaignFile load_campaign(const std::filesystem::path& file,
                            const std::vector<std::string>& overrides = {});

@@ -16,7 +16,7 @@ using record::Statement;
 constexpr std::array kStates = {RunState::kWaiting, RunState::kRunning, RunState::kDone,
                                 RunState::kFailed};
 
-/// @pre it is one of the words that the column may hold
+/// @pre The name is one of the words that the column may hold.
 RunState state_called(const std::string& name) {
   const auto* const found =
       std::ranges::find(kStates, name, [](RunState state) { return name_of(state); });

@@ -11,7 +11,7 @@
 
 namespace results::campaign {
 
-/// A campaign's database, open for reading; also while the campaign runs.
+/// A campaign's database, open for reading. The campaign may still be running.
 ///
 ///   CampaignReader reader(folder);
 ///   for (const RunRow& run : reader.runs()) …
@@ -27,23 +27,24 @@ class CampaignReader {
   /// Whether the folder has such a file.
   static bool has_database(const std::filesystem::path& folder);
 
-  /// Whether it is the folder of a campaign: it has such a file, and not only beside the results of
-  /// `baraka run --replications`, which say more.
+  /// Whether the folder holds a campaign: it has a database, and is not a folder of `baraka run
+  /// --replications`, which has one beside its more detailed results.
   static bool is_campaign(const std::filesystem::path& folder);
 
   const std::filesystem::path& folder() const { return folder_; }
 
-  /// @param sql  one SELECT (tables and columns of schema.h); must not outlive this object.
+  /// @param sql  one SELECT; for tables and columns see schema.h. The result must not outlive this
+  ///   object.
   record::Statement query(std::string_view sql) { return {database_, sql}; }
 
-  /// Of the table campaign; "" if the key is not there.
+  /// Value of a key of the table `campaign`; "" if the key is not there.
   std::string value(std::string_view key);
 
-  std::vector<Factor> factors();   ///< In their order.
-  std::vector<PointRow> points();  ///< By number, levels in the order of the factors.
-  std::vector<RunRow> runs();      ///< By number.
+  std::vector<Factor> factors();   ///< In the order of the campaign file.
+  std::vector<PointRow> points();  ///< Sorted by number; levels in the order of the factors.
+  std::vector<RunRow> runs();      ///< Sorted by number.
 
-  /// How many rows each table has.
+  /// Number of rows of each table.
   std::map<std::string, std::int64_t> count_rows();
 
  private:

@@ -4,8 +4,8 @@
 
 namespace results::campaign {
 
-/// What is in `campaign.sqlite`, as Markdown: every table, column and key with its unit and
-/// meaning. docs/campaign_tables.md is this text.
+/// Describes `campaign.sqlite` in Markdown: every table, column and key with its unit and meaning.
+/// docs/campaign_tables.md is this text.
 std::string describe_campaign();
 
 }  // namespace results::campaign

@@ -26,7 +26,7 @@ using hal::files::description::Fields;
 
 constexpr std::array kScales = {Option<bool>{"linear", false}, Option<bool>{"log", true}};
 
-/// Notes what no factor can be. @return whether it can be one.
+/// Notes a mistake if the key cannot be varied. @return whether it can.
 bool check_key(Mapping& in, const std::string& key) {
   const bool is_path = !key.empty() && key.front() != '.' && key.back() != '.' &&
                        key.find("..") == std::string::npos && key.find('=') == std::string::npos;
@@ -43,8 +43,8 @@ FactorValue value_of(const std::string& key, const WrittenValue& value) {
   return {key, value.text, value.yaml, value.place};
 }
 
-/// The same values without their places. By their texts, as in the table of levels: "5" in quotes
-/// is 5.
+/// The values of a point without their places in the file, for comparison. Values are compared as
+/// text, as in the table of levels, so a quoted "5" equals 5.
 std::string identity_of(const DesignPoint& point) {
   std::map<std::string, std::string> values;
   for (const FactorValue& value : point) values[value.key] = value.text;
@@ -62,7 +62,7 @@ void refuse_repeated(Mapping& in, const WrittenEntry& list) {
   }
 }
 
-/// A list of values under each key, none of them twice.
+/// Reads a list of values under each key; no value may occur twice.
 std::vector<WrittenEntry> read_lists(Mapping& in) {
   std::vector<WrittenEntry> lists;
   for (WrittenEntry& entry : in.written_values()) {
@@ -80,7 +80,7 @@ std::vector<WrittenEntry> read_lists(Mapping& in) {
   return lists;
 }
 
-/// Every combination; the first key changes slowest.
+/// All combinations of the values; the first key changes slowest.
 void read_grid(Mapping in, CampaignFile& campaign) {
   campaign.design = Design::kGrid;
   const std::vector<WrittenEntry> lists = read_lists(in);
@@ -129,7 +129,7 @@ void read_list(std::vector<Mapping> items, CampaignFile& campaign) {
 
 using hal::files::config::WrittenNumber;
 
-/// A limit of a range: a number with or without a unit; none: a mistake.
+/// Reads a limit of a range: a number with or without a unit. None after a mistake.
 std::optional<WrittenNumber> limit_key(Fields& io, const Key& key) {
   std::string text;
   io.needed_text(key, text);
@@ -140,7 +140,7 @@ std::optional<WrittenNumber> limit_key(Fields& io, const Key& key) {
   return number;
 }
 
-/// @param from, to  of the range.
+/// @param from, to  limits of the range.
 void check_limits(Fields& io, const WrittenNumber& from, const WrittenNumber& to,
                   SampledRange& range) {
   const hal::files::config::Unit& wanted = *hal::files::config::find_unit(from.unit);
@@ -178,7 +178,7 @@ const Key kRange{"NAME",
                  "Range of one key of the scenario (here NAME, a dotted path), or a list of "
                  "values, each taken equally often."};
 
-/// Ranges and lists of values.
+/// Reads the ranges and the lists of choices.
 void read_ranges(Mapping& ranges, CampaignFile& campaign) {
   std::map<std::string, std::vector<WrittenValue>> lists;
   for (WrittenEntry& entry : ranges.written_values()) {
@@ -220,7 +220,7 @@ void sample_keys(Fields& io, CampaignFile& campaign) {
   if (campaign.keys.empty()) io.mistake("ranges", "must have keys");
 }
 
-/// A key that is read when it is there, and is not written. @return whether it is there.
+/// A key that is read if present and never written. @return whether it is present.
 bool read_if_there(Fields& io, const Key& key, Form::Kind form,
                    const std::function<void(Mapping&)>& read) {
   bool is_there = false;

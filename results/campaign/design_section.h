@@ -5,7 +5,7 @@
 
 namespace results::campaign {
 
-/// `vary`, `points` and `sample` of a campaign file: at most one of them.
+/// The keys `vary`, `points` and `sample` of a campaign file. At most one of them may be given.
 void design_keys(hal::files::description::Fields& io, CampaignFile& campaign);
 
 }  // namespace results::campaign

@@ -18,7 +18,7 @@
 namespace results::campaign {
 namespace {
 
-/// Of the table campaign, what no run may have differently.
+/// Keys of the table `campaign` whose values must be the same for all runs.
 constexpr std::string_view kFixed[] = {"version", "design", "base_seed",
                                        "seeds",   "until",  "sampled"};
 
@@ -35,11 +35,11 @@ std::string value_of(const WantedRuns& wanted, std::string_view key) {
   return found == wanted.values.end() ? "" : found->second;
 }
 
-/// Runs of a controller before and after it was mended are no sample of one thing. Without any run
-/// that counts it may change.
+/// Runs with different versions of a controller are not samples of the same population. As long as
+/// no run is done, the programs may change.
 void require_same_programs(const WantedRuns& wanted, CampaignReader& reader) {
   const std::string before = reader.value("programs"), now = value_of(wanted, "programs");
-  if (before.empty() || before == now) return;  // empty: of an earlier version
+  if (before.empty() || before == now) return;  // empty: written by an earlier version of baraka
   const auto is_done = [](const RunRow& row) { return row.state == RunState::kDone; };
   if (std::ranges::none_of(reader.runs(), is_done)) return;
   refuse(reader, fmt::format("its runs were played by other files: programs: there '{}', now '{}'",
@@ -84,15 +84,16 @@ void require_same_values(const WantedRuns& wanted, CampaignReader& reader) {
 
 using Texts = std::vector<std::string>;
 
-/// As the campaign file sets them.
+/// The levels as the campaign file sets them; "" for defaults.
 Texts texts_of(const PointRow& point) {
   Texts texts;
   for (const Level& level : point.levels) texts.push_back(level.is_default ? "" : level.text);
   return texts;
 }
 
-/// Every point that is there is wanted, with the same scenario. @return their numbers.
-/// @param rewritten  gets those whose text has changed in what no run depends on.
+/// Refuses if a point in the database is not wanted any more or has another scenario. @return the
+/// numbers of the points in the database.
+/// @param rewritten  receives the points whose text has changed only where no run depends on it.
 std::map<Texts, int> require_same_points(const WantedRuns& wanted, CampaignReader& reader,
                                          std::vector<PointRow>& rewritten) {
   std::map<Texts, const PointRow*> by_texts;
@@ -120,7 +121,7 @@ std::map<Texts, int> require_same_points(const WantedRuns& wanted, CampaignReade
   return numbers;
 }
 
-/// Those that are there keep their numbers, the others get the next ones.
+/// Points in the database keep their numbers, new ones get the next numbers.
 std::vector<PointRow> numbered(std::vector<PointRow> points, const std::map<Texts, int>& numbers) {
   int last = static_cast<int>(numbers.size());
   for (PointRow& point : points) {
@@ -130,7 +131,7 @@ std::vector<PointRow> numbered(std::vector<PointRow> points, const std::map<Text
   return points;
 }
 
-/// The runs of its points that are not there.
+/// Adds the runs of the plan's points that the database lacks.
 void add_runs(const WantedRuns& wanted, CampaignReader& reader, CampaignDatabase::Plan& plan) {
   std::set<std::pair<int, int>> there;
   std::int64_t last = 0;

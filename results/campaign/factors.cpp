@@ -16,7 +16,7 @@ namespace {
 
 using hal::files::config::WrittenNumber;
 
-/// The unit in which all these numbers are given; "": they have none in common.
+/// The unit that all these numbers share; "": there is none.
 std::string common_unit(const std::vector<std::optional<WrittenNumber>>& numbers) {
   std::set<std::string> units;
   std::set<std::string_view> dimensions;
@@ -47,7 +47,7 @@ void add_numbers(Factor& factor, std::size_t index, std::vector<PointRow>& point
   }
 }
 
-/// The last part of each key, or all of it where others have the same.
+/// The last part of each key, or the whole key where several keys end with the same part.
 std::vector<std::string> short_names(const std::vector<std::string>& keys) {
   const auto last = [](const std::string& key) { return key.substr(key.rfind('.') + 1); };
   std::map<std::string, int> count;

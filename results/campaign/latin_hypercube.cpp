@@ -16,7 +16,8 @@
 namespace results::campaign {
 namespace {
 
-/// 0 .. count-1 in random order (Fisher and Yates, by Durstenfeld, CACM 7(7), 1964).
+/// 0 .. count-1 in random order (Fisher-Yates shuffle as by R. Durstenfeld, "Algorithm 235: Random
+/// permutation", CACM 7(7), 1964).
 std::vector<std::uint32_t> permutation(std::uint32_t count, hal::RandomStream& random) {
   std::vector<std::uint32_t> order(count);
   std::iota(order.begin(), order.end(), 0U);
@@ -40,7 +41,7 @@ double number_at(const SampledRange& range, double share) {
 FactorValue value_at(const SampledRange& range, double share) {
   if (!range.choices.empty()) {
     const std::size_t count = range.choices.size();
-    // A share just below 1 may be rounded up to it.
+    // A share just below 1 may be rounded up to 1.
     const auto part = static_cast<std::size_t>(share * static_cast<double>(count));
     const auto& chosen = range.choices[std::min(part, count - 1)];
     return {range.key, chosen.text, chosen.yaml, chosen.place};
@@ -51,7 +52,8 @@ FactorValue value_at(const SampledRange& range, double share) {
   return {range.key, text, text, range.place};
 }
 
-/// Whose runs could not be told apart. @throws hal::files::config::ConfigErrors
+/// Refuses equal points: their runs could not be told apart.
+/// @throws hal::files::config::ConfigErrors
 void refuse_equal(const std::vector<DesignPoint>& points) {
   std::map<std::vector<std::string>, std::size_t> numbers;
   for (const DesignPoint& point : points) {

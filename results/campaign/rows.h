@@ -9,34 +9,34 @@
 
 namespace results::campaign {
 
-/// A key of the scenario that is varied.
+/// A key of the scenario that the campaign varies.
 struct Factor {
   std::string key;   ///< Dotted path, as for --set.
-  std::string unit;  ///< Of the levels' numbers; "" for none.
+  std::string unit;  ///< Unit of the levels' numbers; "": none.
 };
 
 /// The value of one factor.
 struct Level {
   std::string text;              ///< As in a scenario file, with its unit.
-  std::optional<double> number;  ///< In the factor's unit; none: it is no number.
-  /// The point does not set the key: `text` is what its scenario has; "": it has no such key.
+  std::optional<double> number;  ///< In the factor's unit; none: not a number.
+  /// The point does not set the key: `text` is the value in its scenario; "": it has no such key.
   bool is_default = false;
   bool operator==(const Level&) const = default;
 };
 
-/// Settings that are compared with others.
+/// One point: a combination of levels.
 struct PointRow {
   int point = 1;              ///< From 1.
-  std::string label;          ///< For people: "speed=0.3 m/s"; "" if nothing is varied.
-  std::string scenario;       ///< Resolved.
-  std::vector<Level> levels;  ///< By factor.
+  std::string label;          ///< For display: "speed=0.3 m/s"; "" if nothing is varied.
+  std::string scenario;       ///< The resolved scenario.
+  std::vector<Level> levels;  ///< In the order of the factors.
 };
 
-/// One run that there is to do.
+/// One planned run.
 struct RunPlan {
   std::int64_t run = 0;  ///< From 1.
   int point = 1;
-  int replication = 1;  ///< From 1 at each point.
+  int replication = 1;  ///< Counted from 1 at each point.
   std::uint64_t seed = 0;
 };
 
@@ -45,22 +45,23 @@ enum class RunState : std::uint8_t { kWaiting, kRunning, kDone, kFailed };
 /// "waiting", "running", "done", "failed".
 std::string_view name_of(RunState state);
 
-/// A row of the table runs.
+/// A row of the table `runs`.
 struct RunRow {
   RunPlan plan;
   RunState state = RunState::kWaiting;
-  std::string result;                    ///< "": it has not ended.
-  std::optional<bool> expectations_met;  ///< None: it did not end well.
-  std::string error;                     ///< Why it failed.
+  std::string result;  ///< "": the run has not ended.
+  /// None: the run has not ended, has failed, or was ended by `until`.
+  std::optional<bool> expectations_met;
+  std::string error;  ///< Why the run failed.
   std::string fingerprint;
   std::optional<double> simulated_s, wall_s, user_s;
   std::string host;
   int attempts = 0;
   std::string started, ended;  ///< UTC, "2026-11-22T20:31:14Z".
-  std::string folder;          ///< In the campaign's folder; "": not kept.
+  std::string folder;          ///< Relative to the campaign's folder; "": not kept.
 };
 
-/// What was measured, and of whom.
+/// An observable of one agent or of the whole run.
 struct MeasuredBy {
   std::string name, unit;
   std::string agent;  ///< "": the whole run.
@@ -71,7 +72,7 @@ struct Measurement {
   std::optional<double> value;
 };
 
-/// Values over time.
+/// An observable's values over time.
 struct MeasuredSeries {
   MeasuredBy observable;
   std::vector<std::pair<double, double>> points;  ///< s of simulated time, value.
@@ -87,7 +88,7 @@ struct MeasuredHistogram {
   std::vector<MeasuredBin> bins;
 };
 
-/// All that a run has measured.
+/// All measurements of a run.
 struct Measured {
   std::vector<Measurement> measurements;
   std::vector<MeasuredSeries> series;

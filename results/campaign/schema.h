@@ -7,22 +7,22 @@
 
 namespace results::campaign {
 
-/// Version of the tables below, as `PRAGMA user_version` of the file. Any change of a table, of a
-/// column or of what one means is a new version; readers accept this one only.
+/// Version of the tables below, stored as `PRAGMA user_version` of the file. Any change of a table,
+/// of a column or of its meaning needs a new version; readers accept only this one.
 inline constexpr int kSchemaVersion = 2;
 
-/// The file with the tables, in the folder of a campaign.
+/// Name of the database file in the folder of a campaign.
 inline constexpr const char* kCampaignDatabase = "campaign.sqlite";
 
-/// What a folder of `baraka run --replications` has beside it: what was asked for.
+/// File beside the database that only folders of `baraka run --replications` have: the request.
 inline constexpr const char* kReplicationsFile = "replications.yaml";
 
-/// The tables of `campaign.sqlite`, and the keys of its table `campaign`: the one source of the
-/// file, of its description and of what may be exported.
+/// The tables of `campaign.sqlite` and the keys of its table `campaign`. The file, its description
+/// and the list of exportable tables all derive from these.
 const std::vector<record::Table>& tables();
 const std::vector<record::RunKey>& campaign_keys();
 
-/// As SQL, with the indices that are not for people.
+/// The SQL statements that create the tables and their indices.
 std::string schema_sql();
 
 }  // namespace results::campaign

@@ -20,15 +20,15 @@ using record::Table;
 
 constexpr std::string_view kLineEnd = "\r\n";
 
-/// A number, "-", or a unit: "m/s^2".
+/// Whether a word is a number, "-", or a unit such as "m/s^2".
 bool is_harmless(std::string_view word) {
   if (word == "-") return true;
   double number = 0;
-  const std::size_t sign = word.starts_with('+') ? 1 : 0;  // from_chars() takes no plus
+  const std::size_t sign = word.starts_with('+') ? 1 : 0;  // from_chars() accepts no plus sign
   const char* const end = word.data() + word.size();
   const auto [rest, error] = std::from_chars(word.data() + sign, end, number);
   if (error != std::errc::invalid_argument && rest == end) return true;
-  // No digit but of a power: "A2" is a cell of a sheet.
+  // A unit has no digits except in a power: "A2" would be a cell of a spreadsheet.
   for (std::size_t i = 0; i < word.size(); ++i) {
     const char c = word[i];
     const bool is_letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
@@ -76,7 +76,7 @@ std::string columns_of(const Table& table) {
   return columns;
 }
 
-/// All rows, in the order of the primary key if there is one, else as written.
+/// All rows, in the order of the primary key if there is one, otherwise as recorded.
 std::string query_for(const Table& table) {
   const std::string order = table.primary_key.empty() ? "rowid" : std::string(table.primary_key);
   return fmt::format("SELECT {} FROM {} ORDER BY {}", columns_of(table), table.name, order);

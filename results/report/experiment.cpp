@@ -9,13 +9,13 @@ namespace results::report {
 
 namespace {
 
-/// Whether a setting may change what controllers do: what they are, or which there are.
+/// Whether a setting may change what controllers do: which there are, and their parameters.
 bool is_of_controllers(const std::string& key) {
   return key == "agents" || key.starts_with("agents.") || key == "include" ||
          key == "version of baraka";
 }
 
-/// Runs by what their controllers depend on.
+/// Runs grouped by the settings on which their controllers depend.
 std::vector<std::vector<std::size_t>> runs_of_equal_controllers(const Experiment& experiment) {
   std::map<std::vector<std::string>, std::vector<std::size_t>> runs;
   for (const Experiment::Point& point : experiment.points) {
@@ -32,7 +32,7 @@ std::vector<std::vector<std::size_t>> runs_of_equal_controllers(const Experiment
   return parts;
 }
 
-/// 0 for those runs of some that have no value, if another one of them has.
+/// Gives the runs in `equal` that have no value the value 0, if at least one of them has a value.
 /// @param counts  whether a run counts such a thing at all.
 template <class Counts>
 void complete(std::map<std::size_t, double>& by_run, const std::vector<std::size_t>& equal,
@@ -48,7 +48,7 @@ void complete(std::map<std::size_t, double>& by_run, const std::vector<std::size
 
 void Experiment::complete_open_counts() {
   const auto parts = runs_of_equal_controllers(*this);
-  const auto sent = values.find({"messages.sent", ""});  // of runs that count messages
+  const auto sent = values.find({"messages.sent", ""});  // only runs that count messages have it
   const auto counts_messages =
       sent == values.end() ? std::map<std::size_t, double>() : sent->second;
   for (auto& [quantity, by_run] : values) {
@@ -82,7 +82,7 @@ std::optional<std::size_t> Experiment::factor(const std::string& key) const {
   for (std::size_t i = 0; i < factors.size(); ++i) {
     if (factors[i].key == key) return i;
     if (!factors[i].key.ends_with("." + key)) continue;
-    if (found) return std::nullopt;  // not enough to tell them apart
+    if (found) return std::nullopt;  // ambiguous
     found = i;
   }
   return found;

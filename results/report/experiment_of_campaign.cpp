@@ -63,7 +63,7 @@ Quantities read_quantities(CampaignReader& reader, Experiment& experiment) {
   return quantities;
 }
 
-/// Of the row's observable. @throws std::runtime_error  it is not in the table observables
+/// The quantity of a row's observable. @throws std::runtime_error  the table `observables` lacks it
 const Experiment::Quantity& quantity_of(const record::Statement& row,
                                         const Quantities& quantities) {
   const auto found = quantities.find(row.integer(1));

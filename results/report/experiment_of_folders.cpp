@@ -16,10 +16,10 @@ using AllSettings = std::map<std::string, std::string>;
 
 struct ReadRun {
   std::string folder;
-  AllSettings settings;  ///< All, with the scenario's name.
-  AllSettings compared;  ///< Of those, what makes runs different experiments.
+  AllSettings settings;  ///< All settings, including the scenario's name.
+  AllSettings compared;  ///< The settings that distinguish points.
   std::uint64_t seed = 0;
-  std::string fingerprint;  ///< "": of a version that had none.
+  std::string fingerprint;  ///< "": written by a version without fingerprints.
   std::string ending;
   bool is_complete = false;
 };
@@ -49,7 +49,8 @@ std::string value_of(const AllSettings& settings, const std::string& key) {
   return found == settings.end() ? "-" : found->second;
 }
 
-/// Keys whose values differ, those that set others first, the command line's last.
+/// Keys whose values differ: names and versions first, then profiles, programs and algorithms,
+/// which change several settings at once; options of the command line last.
 std::vector<std::string> differing_keys(const std::vector<AllSettings>& points) {
   std::set<std::string> keys;
   for (const AllSettings& settings : points) {
@@ -71,7 +72,7 @@ std::vector<std::string> differing_keys(const std::vector<AllSettings>& points) 
   return differing;
 }
 
-/// Which points share a value of the key: the same numbers.
+/// A number for each point; points with the same value of the key have the same number.
 std::vector<std::size_t> partition(const std::vector<AllSettings>& points, const std::string& key) {
   std::map<std::string, std::size_t> numbers;
   std::vector<std::size_t> parts;
@@ -82,7 +83,7 @@ std::vector<std::size_t> partition(const std::vector<AllSettings>& points, const
   return parts;
 }
 
-/// "0.3 m/s" as number and unit; no number: the whole text as the unit.
+/// Splits "0.3 m/s" into number and unit. If it is not a number, the unit is the whole text.
 std::pair<std::optional<double>, std::string> split(const std::string& text) {
   char* end = nullptr;
   const double number = std::strtod(text.c_str(), &end);

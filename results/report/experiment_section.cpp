@@ -16,7 +16,7 @@
 namespace results::report {
 namespace {
 
-/// Keys of the factors that change between the same points; "": none.
+/// Keys of the other factors that change between the same points as this one; "": none.
 std::string changing_with(const Experiment& experiment, std::size_t factor) {
   std::string keys;
   for (const Experiment::Factor& one : experiment.factors) {
@@ -43,7 +43,8 @@ std::string head_text(const Experiment& experiment) {
 
 std::string significant(double value) { return fmt::format("{:.6g}", value); }
 
-/// "scenario seeds" in common, in the order of the first point's runs.
+/// Values of the runs of the first point and of `point` that have equal seeds, as pairs, in the
+/// order of the first point's runs.
 std::vector<std::pair<double, double>> pairs_of(const Experiment& experiment, const Selected& of,
                                                 std::size_t point) {
   std::vector<std::pair<double, double>> pairs;
@@ -67,7 +68,7 @@ std::string number_text(double value, Digits digits) {
   return digits == Digits::kExact ? fmt::format("{}", value) : significant(value);
 }
 
-/// What a plot says of one mark, without its curve.
+/// The table cells of one mark, without the label of its curve.
 std::vector<std::string> cells_of(const Plot::Mark& mark, const Plot& plot, Digits digits) {
   const auto text = [digits](double value) { return number_text(value, digits); };
   if (plot.kind == sim::scenario::PlotKind::kHistogram) {

@@ -13,10 +13,10 @@ namespace results::report {
 
 /// An infrared sensor of a robot.
 struct ExportedRange {
-  double field_of_view = 0;  ///< rad, whole angle
-  double low = 0, high = 0;  ///< m, what it can measure
+  double field_of_view = 0;  ///< rad, full angle
+  double low = 0, high = 0;  ///< m, measuring range
   hal::Vec3 position{};      ///< m, in the frame of the body
-  double heading = 0;        ///< rad, likewise
+  double heading = 0;        ///< rad, in the frame of the body
 };
 
 struct ExportedAgent {
@@ -24,11 +24,11 @@ struct ExportedAgent {
   hal::Pose2 start;  ///< In the world.
   hal::DrawnBody body;
   std::vector<ExportedRange> ranges;
-  std::vector<hal::Channel> channels;  ///< Of `sensors:` of its file.
+  std::vector<hal::Channel> channels;  ///< The channels of `sensors:` in its file.
 };
 
-/// What the tables of a result do not say and its scenario does: what agents look like and what
-/// they sense with.
+/// The shapes and sensors of the agents. The tables of a result lack them; they come from its
+/// scenario.
 struct ExportedScene {
   std::map<std::int64_t, ExportedAgent> agents;  ///< By address.
   std::vector<hal::DrawnBody> walls;             ///< In the world.

@@ -22,8 +22,8 @@ Settings settings_of(const RunResult& run) {
   return settings;
 }
 
-/// Whether runs may differ in it and still be of the paper's case study: what is varied to be
-/// compared with it, and what does not change the course of a run or only cuts it short.
+/// Whether runs that differ in this setting still belong to the paper's case study: settings that
+/// are varied for the comparison, and settings that do not change a run or only shorten it.
 bool may_vary(const std::string& key) {
   static const std::set<std::string> keys = {"name",   "seed",          kVersion,   "--until",
                                              "--pace", "reply_timeout", "on_death", "wait"};
@@ -45,7 +45,7 @@ std::set<std::string> keys_of(const std::vector<const Settings*>& all) {
   return keys;
 }
 
-/// What keeps runs of these settings from being of the paper's case study; empty: nothing.
+/// Why runs with these settings do not belong to the paper's case study; empty: they do.
 std::string not_the_papers(const Settings& settings, const std::optional<Settings>& case_study) {
   if (!case_study) return "the paper's case study was not found, to compare with";
   std::size_t count = 0;
@@ -75,7 +75,8 @@ Parts parts_of(const std::string& folder) {
   return parts;
 }
 
-/// How many parts of all paths are equal, seen from `begin`; of each path one is left over.
+/// Number of leading parts, counted from `begin`, that all paths share. At least one part of each
+/// path is not counted.
 template <class Begin>
 std::size_t equal_parts(const std::vector<Parts>& paths, Begin begin) {
   std::size_t shortest = paths.front().size();
@@ -89,7 +90,7 @@ std::size_t equal_parts(const std::vector<Parts>& paths, Begin begin) {
   return equal;
 }
 
-/// Folders by the parts in which they differ.
+/// The folders' names without the parts that all of them share.
 std::vector<std::string> short_folders(const std::vector<Group*>& same) {
   std::vector<Parts> paths;
   paths.reserve(same.size());
@@ -105,7 +106,7 @@ std::vector<std::string> short_folders(const std::vector<Group*>& same) {
   return folders;
 }
 
-/// Tells groups apart that have the same name. @param same  at least two.
+/// Makes equal names of groups distinct. @param same  at least two groups with the same name.
 void tell_apart(const std::vector<Group*>& same) {
   std::vector<Group> groups;
   groups.reserve(same.size());
@@ -119,7 +120,7 @@ void tell_apart(const std::vector<Group*>& same) {
   }
 }
 
-/// Its beginning and its end; texts are cut between letters of UTF-8.
+/// The beginning and the end of a name with the number between them; never cuts a UTF-8 character.
 std::string shortened(const std::string& name, std::size_t number) {
   const auto is_inside = [&name](std::size_t at) {
     return (static_cast<unsigned char>(name[at]) & 0xC0U) == 0x80U;
@@ -145,8 +146,8 @@ void name_apart(std::vector<Group>& groups) {
   }
 }
 
-/// What to call the runs of a scenario and profile.
-/// @param profiles  of each scenario.
+/// The name of a group before it is made distinct from others.
+/// @param profiles  radio profiles by scenario.
 std::string base_name(const RunResult& run,
                       const std::map<std::string, std::set<std::string>>& profiles) {
   std::string scenario = run.value("scenario"), profile = run.value("profile");
@@ -178,7 +179,7 @@ bool has_the_papers(const std::vector<Group>& groups) {
   return std::ranges::any_of(groups, [](const Group& g) { return g.is_the_papers(); });
 }
 
-/// Whether the group has a run like this one, which so tells nothing new.
+/// Whether the group already has a run with this seed and fingerprint.
 static bool is_copy(const RunResult& run, const Group& group) {
   const std::string fingerprint = run.value("fingerprint");
   if (fingerprint.empty()) return false;
@@ -187,7 +188,8 @@ static bool is_copy(const RunResult& run, const Group& group) {
   });
 }
 
-/// Whether the group is to be compared with the paper's figures, as its first run says.
+/// Notes whether the group's first run asks for a comparison with the paper's figures, and whether
+/// that is possible.
 static void compare_with_papers(const RunResult& run, const std::optional<Settings>& case_study,
                                 Group& group) {
   const auto compare = run.settings.find("compare");

@@ -6,12 +6,12 @@
 
 namespace results::report {
 
-/// Counts of times in bins of equal width on a logarithmic scale. Zeros have no place on it and
-/// are counted apart, as are times beyond its ends.
+/// Numbers of times in bins of equal width on a logarithmic scale. Zeros, which such a scale lacks,
+/// and times beyond its ends are counted separately.
 struct LogHistogram {
   static constexpr int kBins = 40;
   static constexpr double kLow = 1e-4;  ///< s, lower edge of the first bin.
-  static constexpr double kHigh = 1e2;  ///< s, upper edge of the last one, belongs to it.
+  static constexpr double kHigh = 1e2;  ///< s, upper edge of the last bin, included in it.
 
   std::array<std::uint64_t, kBins> bins{};
   std::uint64_t zeros = 0;

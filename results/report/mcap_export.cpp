@@ -24,7 +24,7 @@ McapWriter::Texts run_keys_of(record::RunReader& reader) {
   return texts;
 }
 
-/// Of streams with rows left the one with the earliest; the first of equals. Null: none is left.
+/// The stream whose next row is earliest; of equal times, the first stream. Null: no rows are left.
 McapStream* earliest(const McapStreams& streams) {
   McapStream* found = nullptr;
   for (const auto& stream : streams) {

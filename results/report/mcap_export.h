@@ -8,8 +8,9 @@
 
 namespace results::report {
 
-/// Writes a result as an MCAP file of ROS 2 messages, by simulated time, under the names that a run
-/// under way has for them (gateway/inspection/inspector.h), without `rt`:
+/// Writes a result as an MCAP file of ROS 2 messages, sorted by simulated time. Topics have the
+/// same names as those that a running simulation publishes (gateway/inspection/inspector.h),
+/// without `rt`:
 ///
 /// topic                       type                            from
 /// /tf                         tf2_msgs/TFMessage              poses, one per instant
@@ -25,10 +26,10 @@ namespace results::report {
 /// /baraka/controller_states   baraka_msgs/ControllerState     states
 /// /baraka/values              baraka_msgs/Value               recorded
 ///
-/// A topic without a message is left out. Where a sensor is named pose, /<agent>/pose is its, and
-/// the poses are on /<agent>/true_pose. The metadata record `baraka` has the table `run`.
-/// @param write  gets the file piece by piece.
-/// @return messages written.
+/// A topic without messages is left out. If a sensor is named pose, /<agent>/pose carries its
+/// readings and /<agent>/true_pose the poses. The metadata record `baraka` holds the table `run`.
+/// @param write  receives the file piece by piece.
+/// @return number of messages written.
 /// @throws std::runtime_error  the folder has no result of this version.
 std::uint64_t write_mcap(const std::filesystem::path& folder, const ExportedScene& scene,
                          const std::function<void(std::string_view)>& write);

@@ -1,5 +1,5 @@
-// What agents sensed, for an MCAP file: from the readings that were recorded or, of those agents
-// that have none, from observables.
+// Sensor readings for an MCAP file: from the table `readings` or, for agents and channels without
+// readings, from observables.
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -22,7 +22,7 @@ constexpr std::size_t kOdometryValues = 6;
 constexpr std::array<std::string_view, kOdometryValues> kOdometryNames{"x",  "y",  "yaw",
                                                                        "vx", "vy", "omega"};
 
-/// "0.31 - 0.5": "-" is nothing within reach.
+/// Values of a reading such as "0.31 - 0.5"; "-" (nothing within range) becomes NaN.
 std::vector<double> values_of(const std::string& reading) {
   std::vector<double> values;
   const char* at = reading.data();
@@ -69,7 +69,8 @@ void publish_infrared(const McapParts& parts, std::int64_t at, std::int64_t agen
   parts.topics.publish(at, "/" + name + "/range", message);
 }
 
-/// A reading of a sensor of `sensors:`, in the type that its kind has in a run under way, too.
+/// Publishes a reading of a sensor of `sensors:`, with the message type that a running simulation
+/// uses for its kind.
 void publish_sensor(const McapParts& parts, std::int64_t at, const std::string& agent,
                     const hal::Channel& channel, std::span<const double> values) {
   if (channel.length != 0 && values.size() != channel.length) return;
@@ -100,8 +101,8 @@ void on_reading(const McapParts& parts, std::int64_t at, const record::Statement
   publish_sensor(parts, at, name, *known, values);
 }
 
-/// Odometry from single values, each held until the next: all of them from the instant on at which
-/// there is the last of them.
+/// Odometry assembled from observables, each of which holds its value until the next sample.
+/// Published once every component has a value.
 class HeldOdometry {
  public:
   void set(std::int64_t agent, std::string_view value_name, double value) {
@@ -136,7 +137,7 @@ std::optional<std::size_t> number_of(std::string_view text) {
   return number;
 }
 
-/// Of agents and channels without readings.
+/// Adds the observables of agents and channels without readings.
 void add_observable_stream(const McapParts& parts, McapStreams& streams) {
   const auto odometry = std::make_shared<HeldOdometry>();
   streams.push_back(std::make_unique<McapStream>(

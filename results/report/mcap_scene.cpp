@@ -1,4 +1,4 @@
-// What stands and moves, for an MCAP file: poses, transforms, bodies and walls.
+// The scene for an MCAP file: poses, transforms, bodies and walls.
 #include <algorithm>
 #include <utility>
 
@@ -12,13 +12,13 @@ namespace {
 using geometry_msgs::msg::dds_::TransformStamped_;
 using idl::ros::transform_between;
 
-/// What moved at one instant.
+/// Transforms and markers of the bodies that moved at one instant.
 struct Moved {
   tf2_msgs::msg::dds_::TFMessage_ transforms;
   visualization_msgs::msg::dds_::MarkerArray_ markers;
 };
 
-/// A sensor named "pose" has that topic, in a run under way, too.
+/// A sensor named "pose" takes the topic "pose", as in a running simulation.
 std::string topic_of_pose(const std::string& name, const ExportedAgent* agent) {
   const bool is_taken =
       agent != nullptr &&

@@ -102,7 +102,8 @@ void add_network_streams(const McapParts& parts, McapStreams& streams) {
       [parts](std::int64_t at, const record::Statement& row) {
         parts.topics.publish(at, "/baraka/frames", frame_of(parts, at, row));
       }));
-  // As its sender was told, and as copies arrived: when others ended is not in the record.
+  // Fates as senders were told, and arrivals of copies. The record does not say when other copies
+  // ended.
   streams.push_back(std::make_unique<McapStream>(
       parts.reader,
       "SELECT fate_ns, sender, id, sender AS node, fate, '' FROM messages WHERE fate IS NOT NULL"

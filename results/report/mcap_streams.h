@@ -12,18 +12,21 @@
 
 namespace results::report {
 
-/// Rows of a query by time, to be turned into messages. Its first column is the time [ns].
+/// Rows of a query, sorted by time, to be turned into messages. The first column is the time [ns].
 class McapStream {
  public:
   using OnRow = std::function<void(std::int64_t at_ns, const record::Statement& row)>;
   using AtEnd = std::function<void(std::int64_t at_ns)>;
 
-  /// @param on_row  called for each row.  @param at_end  after the last row of an instant.
+  /// @param on_row  called for each row.
+  /// @param at_end  called after the last row of an instant.
   McapStream(record::RunReader& reader, std::string_view sql, OnRow on_row, AtEnd at_end = {});
 
   bool has_more() const { return has_more_; }
-  std::int64_t at_ns() const { return rows_.integer(0); }  ///< Of the next row. @pre has_more()
-  void take_instant();  ///< All rows of that time. @pre has_more()
+  std::int64_t at_ns() const {
+    return rows_.integer(0);
+  }                     ///< Time of the next row. @pre has_more()
+  void take_instant();  ///< Handles all rows with the time at_ns(). @pre has_more()
 
  private:
   record::Statement rows_;
@@ -34,14 +37,15 @@ class McapStream {
 
 using McapStreams = std::vector<std::unique_ptr<McapStream>>;
 
-/// What the streams read and write; outlives them.
+/// What the streams read from and write to; must outlive them.
 struct McapParts {
   record::RunReader& reader;
   const ExportedScene& scene;
   McapTopics& topics;
-  const std::map<std::int64_t, std::string>& names;  ///< Of agents, and "everyone", "neighbours".
+  /// Names of agents by address, and "everyone", "neighbours".
+  const std::map<std::int64_t, std::string>& names;
 
-  std::string name(std::int64_t agent) const;  ///< "" for none.
+  std::string name(std::int64_t agent) const;  ///< "": the address has no name.
 };
 
 void add_pose_streams(const McapParts& parts, McapStreams& streams);
@@ -50,7 +54,7 @@ void add_route_stream(const McapParts& parts, McapStreams& streams);
 void add_controller_streams(const McapParts& parts, McapStreams& streams);
 void add_reading_streams(const McapParts& parts, McapStreams& streams);
 
-/// What never changes, at 0.
+/// Publishes the parts of the scene that never change, with the time 0.
 void publish_static_transforms(const McapParts& parts);
 void publish_walls(const McapParts& parts);
 

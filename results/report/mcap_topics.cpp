@@ -11,8 +11,9 @@ namespace {
 
 constexpr std::size_t kMostTopics = 65'534;
 
-/// As rosbag2 writes it, which plays such a file: reliable, the last ten kept for late readers or
-/// not (rmw/types.h of ROS 2: keep last 1, reliable 1, transient local 1, volatile 2, automatic 1).
+/// QoS in the form that rosbag2 writes and reads when it plays the file: reliable, keep last ten,
+/// transient local if latched, otherwise volatile (rmw/types.h of ROS 2: keep last 1, reliable 1,
+/// transient local 1, volatile 2, automatic 1).
 std::string offered_qos(McapTopics::Latched latched) {
   const bool kept = latched == McapTopics::Latched::kYes;
   const std::string never = "    sec: 9223372036\n    nsec: 854775807\n";

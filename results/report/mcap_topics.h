@@ -10,16 +10,16 @@
 
 namespace results::report {
 
-/// The topics of an MCAP file of ROS 2 messages; each is there from its first message on.
+/// The topics of an MCAP file of ROS 2 messages. A topic is added with its first message.
 class McapTopics {
  public:
   explicit McapTopics(McapWriter& file) : file_(file) {}
 
-  /// Whether a player hands the last message to readers that come later.
+  /// Whether a player delivers the last message to readers that join later.
   enum class Latched : bool { kNo, kYes };
 
   /// @param message  of a type in idl/ros/cdr.h
-  /// @throws std::runtime_error  more topics than such a file can have
+  /// @throws std::runtime_error  there are more topics than an MCAP file can have
   template <class Message>
   void publish(std::int64_t at_ns, const std::string& topic, const Message& message,
                Latched latched = Latched::kNo) {
@@ -32,7 +32,7 @@ class McapTopics {
   std::uint16_t channel(const std::string& topic, std::string_view type, Latched latched);
 
   McapWriter& file_;
-  std::string bytes_;  ///< Of the last message.
+  std::string bytes_;  ///< The last message, serialised.
   std::map<std::string, std::uint16_t> channels_;
   std::map<std::string, std::uint16_t, std::less<>> schemas_;
 };

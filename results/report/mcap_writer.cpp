@@ -34,7 +34,7 @@ void put_number(std::string& bytes, Number value) {
   append_little_endian(bytes, value);
 }
 
-/// A text, a map or an array: its bytes behind their number.
+/// A text, a map or an array: the number of its bytes, then the bytes.
 void put_counted(std::string& bytes, std::string_view content) {
   put_number(bytes, static_cast<std::uint32_t>(content.size()));
   bytes += content;

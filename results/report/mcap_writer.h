@@ -26,22 +26,23 @@ class McapWriter {
   using Write = std::function<void(std::string_view)>;
   using Texts = std::map<std::string, std::string>;
 
-  /// @param write  gets the file piece by piece.
-  /// @param chunk_size  bytes of records after which a chunk ends.
+  /// @param write  receives the file piece by piece.
+  /// @param chunk_size  number of bytes of records after which a chunk ends.
   McapWriter(std::string_view profile, std::string_view library, Write write,
              std::size_t chunk_size = kChunkSize);
 
-  /// @return their number; the first is 1.
+  /// @return number of the schema or channel, from 1.
   std::uint16_t add_schema(std::string_view name, std::string_view encoding, std::string_view data);
   std::uint16_t add_channel(std::uint16_t schema, std::string_view topic, std::string_view encoding,
                             const Texts& metadata);
 
-  /// @param channel  of add_channel().   @param at_ns  not negative; need not grow.
+  /// @param channel  result of add_channel().
+  /// @param at_ns  not negative; need not increase from message to message.
   void add_message(std::uint16_t channel, std::int64_t at_ns, std::string_view data);
 
   void add_metadata(std::string_view name, const Texts& texts);
 
-  /// The file is complete. Nothing may be added after this.
+  /// Completes the file. Nothing may be added after this.
   void finish();
 
   std::uint64_t messages() const { return total_.messages; }
@@ -64,16 +65,17 @@ class McapWriter {
 
   void emit(std::string_view bytes);
   void end_chunk();
-  /// @return the places of the index of each channel. @param length  of all of them
+  /// @return the offsets of the index of each channel. @param length  receives the length of all
+  /// indexes in bytes.
   std::string write_message_indexes(std::uint64_t& length);
   std::string statistics() const;
   void write_summary();
 
   Write write_;
   std::size_t chunk_size_;
-  std::uint64_t offset_ = 0;  ///< Bytes written.
-  boost::crc_32_type crc_;    ///< Of them.
-  std::string chunk_;         ///< Records of the chunk that is being made.
+  std::uint64_t offset_ = 0;  ///< Number of bytes written.
+  boost::crc_32_type crc_;    ///< Checksum of the bytes written.
+  std::string chunk_;         ///< Records of the chunk under construction.
   Span chunk_span_, total_;
   std::map<std::uint16_t, Channel> channels_;
   std::uint16_t schemas_ = 0;

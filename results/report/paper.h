@@ -6,12 +6,12 @@
 
 namespace results::report::paper {
 
-/// What a comparison with one of its figures is worth.
+/// How much a comparison with a figure of the paper proves.
 enum class Basis : std::uint8_t {
   kNone,        ///< The paper has no such figure.
-  kStated,      ///< The paper's number; nothing of ours was chosen by it.
-  kInferred,    ///< The paper's number, from which we inferred what it does not say of its radio.
-  kCalibrated,  ///< Our settings were chosen so that this very figure comes near it.
+  kStated,      ///< The paper's number; none of our settings was chosen to match it.
+  kInferred,    ///< The paper's number, from which we inferred radio settings it does not state.
+  kCalibrated,  ///< Our settings were chosen so that this very figure comes near the paper's.
 };
 
 /// "", "stated", "inferred", "calibrated".
@@ -29,7 +29,7 @@ constexpr const char* name_of(Basis basis) {
   return "";
 }
 
-/// What the three words mean, for the foot of a table.
+/// Explanation of the three words, printed below tables.
 inline constexpr const char* kBasisMeaning =
     "stated: the paper's number, and nothing of ours was chosen by it. inferred: the paper's "
     "number; bit rate, RTS/CTS and packets without length are what, of eight settings of the MAC "
@@ -37,7 +37,7 @@ inline constexpr const char* kBasisMeaning =
     "ants, keep-alive and its rule, grid, range and the mote that calls were chosen so that this "
     "very figure comes near the paper's: agreement there is no evidence.";
 
-/// Why our maxima lie below the paper's.
+/// Explanation why our maxima lie below the paper's, printed below tables.
 inline constexpr const char* kNoTail =
     "The paper's longest times are seconds, its route discoveries up to 10 s: two periods of the "
     "retry. In the case study as it ships a search hardly ever loses all its ants: the jitter "
@@ -57,7 +57,7 @@ inline constexpr Quantiles kDiscovery{
 /// End-to-end delay, s.
 inline constexpr Quantiles kDelay{
     .min = 0.7e-3, .q1 = 0.7e-3, .median = 2.52e-3, .q3 = 8.7e-3, .max = 5.66};
-/// Packets received over ten runs by the nodes that received most and least.
+/// Packets received over ten runs by the node that received most and the one that received least.
 inline constexpr double kMostPackets = 4272;
 inline constexpr double kLeastPackets = 1848;
 inline constexpr int kRuns = 10;

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kDefaultPlots = 6;
 constexpr std::size_t kEnoughForBootstrap = 50;
 
-/// Of the run, in the order in which they are preferred where nothing was asked for.
+/// Quantities of the run that are plotted if no plot was requested, most preferred first.
 constexpr const char* kPreferred[] = {"messages.delivery_ratio", "messages.delay.median",
                                       "messages.delay.p95",      "messages.goodput",
                                       "run.simulated",           "paths.mean",
@@ -33,7 +33,8 @@ std::optional<std::size_t> optional_factor(const Experiment& experiment, const s
   return key.empty() ? std::nullopt : std::optional(factor_or_throw(experiment, key));
 }
 
-/// The first that does not change together with the one that has the curves, if there is any.
+/// The factor of the x axis: the first that does not change together with `by`, whose levels are
+/// the curves.
 std::optional<std::size_t> default_factor(const Experiment& experiment,
                                           const std::optional<std::size_t>& by) {
   if (experiment.factors.empty()) return std::nullopt;
@@ -65,7 +66,7 @@ sim::scenario::PlotKind kind_of(const Experiment& experiment,
                                 const sim::scenario::PlotRequest& request) {
   if (request.as != sim::scenario::PlotKind::kAutomatic) return request.as;
   const bool is_value = select(experiment, request.plot, request.agent).has_value();
-  // Of a series alone an axis or curves cannot be had: add_points_of() says so.
+  // A series alone has no single value to plot versus a setting: add_points_of() reports that.
   if (!request.versus.empty() || !request.by.empty()) return sim::scenario::PlotKind::kPoints;
   if (is_value && !experiment.factors.empty()) return sim::scenario::PlotKind::kPoints;
   return series_of(experiment, request).empty() ? sim::scenario::PlotKind::kHistogram
@@ -91,7 +92,7 @@ void note_few_runs(Plot& plot, const Experiment& experiment) {
                                fewest, statistics::kFewestRuns));
 }
 
-/// How much of the variation is between the points: between 0 and 1.
+/// The share of the variance that lies between the points, 0 .. 1.
 double share_between(const Experiment& experiment, const std::map<std::size_t, double>& values) {
   std::vector<double> all;
   all.reserve(values.size());
@@ -110,7 +111,7 @@ double share_between(const Experiment& experiment, const std::map<std::size_t, d
   return 1 - within / (total->sd * total->sd * static_cast<double>(total->count - 1));
 }
 
-/// With the factors that were asked for, or the first ones.
+/// Adds points versus the requested factors, or the first factors if none is requested.
 void add_points_of(Plot& plot, const Experiment& experiment,
                    const sim::scenario::PlotRequest& request, const std::optional<Selected>& of) {
   if (!of) {

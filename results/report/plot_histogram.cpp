@@ -38,7 +38,7 @@ void add_samples(const std::vector<Experiment::TimeSeries>& all, std::vector<dou
   }
 }
 
-/// The value of each of the point's runs.
+/// The value of each run of a point.
 std::vector<double> values_of(const Experiment& experiment,
                               const sim::scenario::PlotRequest& request,
                               const Experiment::Point& point) {
@@ -53,7 +53,7 @@ std::vector<double> values_of(const Experiment& experiment,
   return values;
 }
 
-/// All samples of the point's runs; of quantities without samples the value of each run.
+/// All samples of a point's runs, or the value of each run if the quantity has no samples.
 std::vector<double> samples_of(const Experiment& experiment,
                                const sim::scenario::PlotRequest& request,
                                const Experiment::Point& point) {
@@ -67,8 +67,8 @@ std::vector<double> samples_of(const Experiment& experiment,
   return samples;
 }
 
-/// Equal bins over all samples, as many as H. A. Sturges says ("The Choice of a Class Interval",
-/// 1926) for the point that has most, but not under 10.
+/// Bins of equal width over all samples. Their number follows from the point with most samples by
+/// the rule of H. A. Sturges ("The Choice of a Class Interval", 1926), but is at least 10.
 std::vector<BinCounts> binned(const std::vector<std::vector<double>>& samples) {
   double low = std::numeric_limits<double>::infinity();
   double high = -low;

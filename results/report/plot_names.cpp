@@ -1,4 +1,4 @@
-// Names of quantities: as the view and docs/observables.md show them, and what a scenario observed.
+// Names of quantities as the view and docs/observables.md show them, and plots of observables.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -13,7 +13,7 @@
 namespace results::report {
 namespace {
 
-constexpr std::size_t kMostObserved = 30;  ///< Plots of what patterns like agents.*.* ask for.
+constexpr std::size_t kMostObserved = 30;  ///< Most plots for patterns such as agents.*.*.
 
 std::string after_domain(const std::string& name) {
   const std::size_t dot = name.find('.');
@@ -32,7 +32,7 @@ bool has_of(const Experiment& experiment, const std::string& name, const std::st
          experiment.bins.contains(whose);
 }
 
-/// The name itself, or of what was kept as sums only its mean; none: there is no such quantity.
+/// The name itself, or the name of its mean if only sums were kept; none: no such quantity.
 std::optional<std::string> kept_as(const Experiment& experiment, const std::string& name) {
   for (const std::string& one : {name, name + ".mean"}) {
     if (experiment.units.contains(one)) return one;
@@ -40,7 +40,7 @@ std::optional<std::string> kept_as(const Experiment& experiment, const std::stri
   return std::nullopt;
 }
 
-/// "controllers.r0.known": a quantity of one agent.
+/// Resolves the name of a quantity of one agent, such as "controllers.r0.known".
 std::optional<sim::scenario::PlotRequest> with_agent(const Experiment& experiment,
                                                      sim::scenario::PlotRequest request) {
   const auto parts = sim::scenario::ObservablePattern::of(request.plot);
@@ -53,7 +53,7 @@ std::optional<sim::scenario::PlotRequest> with_agent(const Experiment& experimen
   return request;
 }
 
-/// Quantities whose name without the domain is `part`, also those of which only the mean was kept.
+/// Quantities whose name without the domain is `part`, including those with only a mean.
 std::set<std::string> of_any_domain(const Experiment& experiment, const std::string& part) {
   std::set<std::string> found;
   for (const auto& [one, unit] : experiment.units) {
@@ -65,7 +65,8 @@ std::set<std::string> of_any_domain(const Experiment& experiment, const std::str
   return found;
 }
 
-/// "known" for "controllers.known". @throws std::runtime_error  several domains have it
+/// Resolves a name without its domain: "known" for "controllers.known".
+/// @throws std::runtime_error  several domains have it
 std::optional<std::string> without_domain(const Experiment& experiment, const std::string& name) {
   std::set<std::string> found = of_any_domain(experiment, name);
   found.merge(of_any_domain(experiment, record::name_part(name)));
@@ -74,7 +75,7 @@ std::optional<std::string> without_domain(const Experiment& experiment, const st
   throw std::runtime_error(fmt::format("{}: which of {}?", name, fmt::join(found, ", ")));
 }
 
-/// Quantities that a pattern of `record: {observables: …}` asked for, without endings like ".mean".
+/// Quantities that match a pattern of `record: {observables: …}`, without endings such as ".mean".
 std::set<std::string> observed(const Experiment& experiment,
                                const sim::scenario::ObservablePattern& pattern) {
   std::set<std::string> names;
@@ -87,7 +88,8 @@ std::set<std::string> observed(const Experiment& experiment,
   return names;
 }
 
-/// Versus the settings that are varied, and over time or as a histogram if that was kept.
+/// Requests plots of an observable: versus the varied settings, and over time or as a histogram if
+/// it was kept in that form.
 void request_observed(std::vector<sim::scenario::PlotRequest>& requests,
                       const Experiment& experiment, const std::string& name,
                       const std::string& agent) {
@@ -138,7 +140,7 @@ std::string nearest_names(const Experiment& experiment, const std::string& name)
     return fmt::format("; did you mean '{}'?", names[i]);
   }
   constexpr std::size_t kMost = 5;
-  constexpr std::size_t kShortest = 4;  // letters of a word that is looked for
+  constexpr std::size_t kShortest = 4;  // characters of the shortest word to look for
   const std::string stem = name.substr(0, name.rfind('_'));
   std::string found;
   std::size_t count = 0;

@@ -9,34 +9,36 @@
 
 namespace results::report {
 
-/// The parts that make_plot() is made of: each fills the curves of its kind.
+/// Parts of make_plot(): one function for each kind of plot, which fills in the curves.
 
-/// Mean and interval at each point, versus a factor. @param versus  none: nothing is varied.
+/// Mean and interval at each point versus a factor.
+/// @param versus  factor of the x axis; none: nothing is varied.
+/// @param by  factor that the curves' labels start with; none: no preference.
 void add_points(Plot& plot, const Experiment& experiment, const Selected& of,
                 const std::optional<std::size_t>& versus, const std::optional<std::size_t>& by);
 
-/// How often which values, of each point: of the bins that were recorded, else of the samples, else
-/// of the runs' values.
+/// A histogram for each point: from recorded bins, otherwise from samples, otherwise from the runs'
+/// values.
 void add_histogram(Plot& plot, const Experiment& experiment,
                    const sim::scenario::PlotRequest& request);
 
-/// The series over time, mean over the runs of each point.
+/// The mean over the runs of each point as a function of time.
 void add_time(Plot& plot, const Experiment& experiment, const sim::scenario::PlotRequest& request);
 
-/// Resamples of a bootstrapped interval.
+/// Number of resamples for a bootstrap interval.
 inline constexpr std::size_t kResamples = 2000;
 
-/// Those for so many values.
+/// The resamples for `count` values.
 statistics::Resamples resamples_of(std::size_t count);
 
-/// Mean, spread and interval of the values of one setting's runs.
-/// @return  with count 0 for no values.
+/// Mean, standard deviation and interval of the values of one setting's runs.
+/// @return a mark with count 0 if there are no values.
 Plot::Mark mark_of(const Sample& sample, sim::scenario::IntervalKind interval);
 
-/// "delay / s"; "delay" without a unit.
+/// "delay / s", or "delay" if there is no unit.
 std::string axis_label(const std::string& name, const std::string& unit);
 
-/// The series that are asked for, run by run: of the run, of the agent, or of all agents.
+/// The requested series by run: of the run itself, of the requested agent, or of all agents.
 std::map<std::size_t, std::vector<Experiment::TimeSeries>> series_of(
     const Experiment& experiment, const sim::scenario::PlotRequest& request);
 

@@ -8,10 +8,10 @@
 namespace results::report {
 namespace {
 
-/// More curves than this are no lines that an eye can follow: one cloud of marks then.
+/// More curves than this cannot be told apart and are drawn as one cloud of marks without lines.
 constexpr std::size_t kMostCurves = 12;
 
-/// Texts in order of first appearance, and where each is.
+/// Texts in order of first appearance; place() gives a text's index.
 struct Categories {
   std::vector<std::string> texts;
   double place(const std::string& text) {
@@ -28,7 +28,7 @@ bool is_numeric(const Experiment& experiment, std::size_t factor) {
   });
 }
 
-/// The factors in which the curves differ, the one asked for first.
+/// The factors in which the curves differ, the requested one first.
 std::vector<std::size_t> others(const Experiment& experiment, std::size_t versus,
                                 const std::optional<std::size_t>& by) {
   std::vector<std::size_t> factors;
@@ -51,7 +51,7 @@ std::string label_of(const Experiment& experiment, const Experiment::Point& poin
   return text;
 }
 
-/// Smaller numbers first, where they are numbers.
+/// Sorts curves by their levels, as far as these are numbers.
 void sort_curves(std::vector<std::pair<std::vector<Experiment::Level>, Plot::Curve>>& curves) {
   const auto before = [](const Experiment::Level& a, const Experiment::Level& b) {
     return a.number && b.number ? *a.number < *b.number : false;
@@ -114,7 +114,7 @@ void add_points(Plot& plot, const Experiment& experiment, const Selected& of,
   const std::vector<std::size_t> curve_factors = others(experiment, *versus, by);
   plot.curves_are = short_keys(experiment, curve_factors);
   const bool has_numbers = is_numeric(experiment, *versus);
-  // Texts have their units themselves.
+  // Levels shown as text contain their units.
   plot.x_label =
       has_numbers ? experiment.axis_label(*versus) : short_key(experiment.factors[*versus].key);
   Categories categories;

@@ -13,9 +13,9 @@ namespace {
 
 using TimeSeries = Experiment::TimeSeries;
 
-/// Times at which series are read that were not sampled at the same ones.
+/// Number of times at which series are read that were sampled at different times.
 constexpr std::size_t kTimes = 200;
-/// Series shorter than this say nothing about a warm-up: fewer than ten batches of five.
+/// Series with fewer values than this (ten batches of five) say nothing about a warm-up.
 constexpr std::size_t kEnoughForWarmUp = 50;
 
 std::vector<double> times_of(const TimeSeries& series) {
@@ -32,7 +32,7 @@ std::vector<double> equidistant(double from, double to) {
   return times;
 }
 
-/// Whether these are samples of one period. A single time has none.
+/// Whether the times are equidistant. A single time is not.
 bool is_periodic(const std::vector<double>& times) {
   if (times.size() < 2) return false;
   const double period = times[1] - times[0];
@@ -42,9 +42,10 @@ bool is_periodic(const std::vector<double>& times) {
   return true;
 }
 
-/// Of all series if they are equal, and the end if the last value held until then; else
-/// equidistant ones over the time that all of them cover.
-/// @param end  s, of the run that ended first; 0: not known.
+/// Times at which to read all series. If all were sampled at the same times, these, and the end if
+/// the last value was held until then; otherwise equidistant times over the interval that all
+/// cover.
+/// @param end  s, end of the run that ended first; 0: not known.
 std::vector<double> common_times(const std::vector<const TimeSeries*>& all, double end) {
   std::vector<double> times = times_of(*all.front());
   double from = times.front();
@@ -61,7 +62,7 @@ std::vector<double> common_times(const std::vector<const TimeSeries*>& all, doub
   return times;
 }
 
-/// When the first of these runs ended [s]; 0: it is not known of all.
+/// Earliest end of these runs [s]; 0: the end of at least one is not known.
 double end_of(const Experiment& experiment, const std::vector<std::size_t>& runs) {
   const auto ends = experiment.values.find({"run.simulated", ""});
   if (ends == experiment.values.end()) return 0;
@@ -74,7 +75,7 @@ double end_of(const Experiment& experiment, const std::vector<std::size_t>& runs
   return std::isfinite(end) ? end : 0;
 }
 
-/// The latest sample until then: a value holds until the next. @pre there is one.
+/// The latest sample at or before `time`: a value holds until the next. @pre There is one.
 double value_at(const TimeSeries& series, double time) {
   const auto after = std::ranges::upper_bound(series, time, {}, &TimeSeries::value_type::first);
   return std::prev(after)->second;
@@ -100,8 +101,8 @@ Plot::Curve curve_of(const std::string& label, const std::vector<double>& times,
   return curve;
 }
 
-/// MSER-5 takes values of equal weight: of a series that was recorded on change, those that held
-/// at equidistant times.
+/// Notes the warm-up by MSER-5. That needs values of equal weight, so a series that was recorded on
+/// change is read at equidistant times.
 void note_warm_up(Plot& plot, const Plot::Curve& curve) {
   TimeSeries series;
   for (const Plot::Mark& mark : curve.marks) series.emplace_back(mark.x, mark.y);

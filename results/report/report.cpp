@@ -28,7 +28,7 @@ bool has_frames(const RunResult& run) {
                              [](const RunResult::FrameVerdict& one) { return one.count > 0; });
 }
 
-/// Whether its routers had anything to do.
+/// Whether the routing protocol of any agent did something.
 bool has_routed(const RunResult& run) {
   return std::ranges::any_of(run.routing_events, [](const auto& one) { return one.second > 0; });
 }
@@ -42,8 +42,8 @@ std::string head_text(const std::vector<RunResult>& runs) {
   return fmt::format("Scenario{}: {}\n\n", names.size() == 1 ? "" : "s", fmt::join(names, ", "));
 }
 
-/// The sections about messages and the radio that a group has something for; of the paper's case
-/// study all of them.
+/// The sections about messages and the radio for which a group has data; all of them for the
+/// paper's case study.
 std::vector<std::string> network_sections(const Group& group) {
   const bool all = group.is_the_papers();
   std::vector<std::string> parts;
@@ -62,7 +62,7 @@ std::vector<std::string> network_sections(const Group& group) {
   return parts;
 }
 
-/// One run, of which the other tables say it all.
+/// Whether an experiment consists of one run that the other tables describe completely.
 bool says_nothing_new(const Experiment& experiment, const Sources& sources) {
   return sources.runs.size() == 1 && experiment.runs.size() == 1 && experiment.left_out.empty() &&
          experiment.scenario.empty() && experiment.requests.empty();
@@ -72,7 +72,7 @@ std::string runs_text(const std::vector<RunResult>& runs,
                       const std::optional<Settings>& case_study) {
   const std::vector<Group> groups = group_runs(runs, case_study);
   std::string text = head_text(runs) + runs_section(runs);
-  // One's own numbers first; in the case study the comparison with the paper.
+  // The user's own observables come first, but in the case study the comparison with the paper.
   std::vector<std::string> parts;
   parts.reserve(groups.size() + 1);
   for (const Group& group : groups) parts.push_back(recorded_section(group));

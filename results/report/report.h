@@ -10,22 +10,22 @@
 
 namespace results::report {
 
-/// What a report is made from.
+/// The runs and experiments of a report.
 struct Sources {
-  std::vector<RunResult> runs;          ///< Of folders with results.
-  std::vector<Experiment> experiments;  ///< Those runs as one, then each campaign.
+  std::vector<RunResult> runs;          ///< From folders with results.
+  std::vector<Experiment> experiments;  ///< Those runs as one experiment, then each campaign.
 };
 
-/// @param folders  of results, or holding some, or of campaigns.
+/// @param folders  of results, of several results, or of campaigns.
 /// @throws std::runtime_error if one cannot be read.
 Sources read_sources(const std::vector<std::filesystem::path>& folders);
 
-/// The tables of one or many results in plain text: each run; the figures of the runs of the same
-/// settings, beside the paper's if they ask for that and are of its case study; the settings in
-/// which they differ; the links of the network, the packets of each node, the delays by hops; and
-/// the experiment that they make up.
+/// The report in plain text: each run; the figures of runs with the same settings, beside those of
+/// the paper if the runs belong to its case study and ask for them; the settings in which groups
+/// differ; the links of the network, the packets of each node, the delays by hops; and the
+/// experiment that the runs form.
 /// @param case_study  settings of the paper's case study; none: not known.
-/// @throws std::runtime_error if a report is asked for that cannot be given.
+/// @throws std::runtime_error if a requested plot cannot be made.
 std::string report(const Sources& sources, const std::optional<Settings>& case_study);
 
 }  // namespace results::report

@@ -12,15 +12,15 @@
 namespace results::report {
 namespace {
 
-/// One line of the comparison: what it is, the paper's figure, ours.
+/// One line of the comparison: its name, the paper's figure and ours.
 struct Figure {
   std::string name;
   std::string paper;
   std::function<std::string(const Group&)> ours;
   paper::Basis basis = paper::Basis::kNone;
-  double theirs = 0;  ///< As a number, of the unit of `value`; 0: not to be compared.
+  double theirs = 0;  ///< The paper's figure in the unit of `value`; 0: not to be compared.
   std::function<std::optional<double>(const Group&)> value{};
-  bool is_of_the_paper = false;  ///< Nobody else needs it.
+  bool is_of_the_paper = false;  ///< Shown only beside the paper's figures.
 };
 
 std::optional<double> mean(const std::vector<double>& values) {
@@ -52,7 +52,7 @@ double sum(const std::vector<double>& values) {
   return total;
 }
 
-/// Of the runs that count such a thing; none: no run does.
+/// Sum over the runs that count such a thing; none: no run does.
 template <class Counts, class Read>
 std::optional<double> counted(const Group& group, Counts counts, Read read) {
   std::optional<double> total;
@@ -64,7 +64,7 @@ std::optional<double> counted(const Group& group, Counts counts, Read read) {
   return total;
 }
 
-/// Likewise, as it stands in a table.
+/// The same as a table cell.
 template <class Counts, class Read>
 std::function<std::string(const Group&)> count_of(Counts counts, Read read) {
   return [counts, read](const Group& group) { return number(counted(group, counts, read), 0); };
@@ -92,7 +92,7 @@ std::optional<double> delivery_ratio(const Group& group) {
   return sent > 0 ? std::optional(100 * arrived / sent) : std::nullopt;
 }
 
-/// Agents that got one of such messages, mean.
+/// Mean number of agents that received such a message.
 std::function<std::string(const Group&)> reach_of(std::uint64_t RunResult::*sent,
                                                   std::uint64_t RunResult::*received) {
   return [sent, received](const Group& group) {
@@ -103,7 +103,7 @@ std::function<std::string(const Group&)> reach_of(std::uint64_t RunResult::*sent
   };
 }
 
-/// A figure per simulated second: of a value in the table run.
+/// A value of the table `run` per simulated second.
 std::string per_second(const Group& group, const char* key) {
   const double counted =
       sum(of_runs(group, [key](const RunResult& run) { return run.number(key); }));
@@ -167,7 +167,7 @@ std::vector<Figure> drive_figures() {
   };
 }
 
-/// A message to everyone without routing is one frame, so there it counts as a broadcast.
+/// Without routing, a message to everyone is a single frame and counts as a broadcast.
 bool may_flood(const RunResult& run) { return run.counts_messages() && run.has_routing(); }
 
 std::vector<Figure> message_figures() {
@@ -187,7 +187,7 @@ std::vector<Figure> message_figures() {
   };
 }
 
-/// Of a sample of a group.
+/// Reads a quantile of a sample of a group.
 std::function<std::optional<double>(const Group&)> value_of(std::vector<double> (Group::*sample)()
                                                                 const,
                                                             double Quantiles::*member) {
@@ -197,7 +197,7 @@ std::function<std::optional<double>(const Group&)> value_of(std::vector<double> 
   };
 }
 
-/// Six lines for minimum, quartiles and maximum.
+/// Six lines: minimum (in ns and in ms), quartiles and maximum.
 std::vector<Figure> quantile_figures(const std::string& name, const Quantiles& theirs,
                                      std::vector<double> (Group::*sample)() const) {
   using paper::Basis;
@@ -227,7 +227,7 @@ std::vector<Figure> quantile_figures(const std::string& name, const Quantiles& t
           line("maximum", &Quantiles::max, Basis::kStated)};
 }
 
-/// Of the motes, mean per run, fewest first.
+/// Mean number of packets per run of each mote, in ascending order.
 std::vector<double> packets_of_motes(const Group& group) {
   std::vector<double> values;
   if (group.runs.empty()) return values;
@@ -256,7 +256,8 @@ std::optional<double> packets_ratio(const Group& group) {
   return values.back() / values.front();
 }
 
-/// Per run, so that groups of any number of runs stand beside the paper's ten.
+/// Packets per run, so that groups with any number of runs are comparable with the paper's ten
+/// runs.
 std::vector<Figure> packet_figures() {
   const auto line = [](const char* name, double theirs, int decimals,
                        std::optional<double> (*value)(const Group&)) -> Figure {
@@ -300,7 +301,7 @@ std::optional<double> times_paper(const Figure& figure, const Group& group) {
   return ours ? std::optional(*ours / figure.theirs) : std::nullopt;
 }
 
-/// Which columns the paper's does not belong beside.
+/// Lists the groups that must not be compared with the paper's figures, and why.
 std::string why_no_paper(const std::vector<Group>& groups) {
   std::string text;
   for (const Group& group : groups) {
@@ -310,7 +311,7 @@ std::string why_no_paper(const std::vector<Group>& groups) {
   return text;
 }
 
-/// What the shortened names stand for.
+/// Lists the full names of groups with shortened names.
 std::string legend(const std::vector<Group>& groups) {
   std::string text;
   for (const Group& group : groups) {
@@ -322,7 +323,7 @@ std::string legend(const std::vector<Group>& groups) {
 std::string far_off_text(const std::vector<ComparisonRow>& rows, const std::vector<Group>& groups) {
   std::string text;
   for (const ComparisonRow& row : rows) {
-    if (row.figure.ends_with(" ns")) continue;  // its line in ms says the same
+    if (row.figure.ends_with(" ns")) continue;  // the line in ms has the same value
     for (std::size_t i = 0; i < groups.size(); ++i) {
       if (!is_far_off(row.times_paper[i])) continue;
       text += fmt::format("  {}, {}: {}, {:.2g} times the paper's\n", groups[i].name, row.figure,
@@ -344,7 +345,7 @@ bool is_far_off(const std::optional<double>& times_paper) {
   return times_paper && (*times_paper > 2 || *times_paper < 0.5);
 }
 
-/// Nothing but "-": no group has such a thing. A count of 0 is a value.
+/// Whether no group has a value ("-"). A count of 0 is a value.
 static bool is_missing(const ComparisonRow& row) {
   return std::ranges::all_of(row.ours, [](const std::string& cell) { return cell == "-"; });
 }

@@ -7,13 +7,13 @@
 
 namespace results::report {
 
-/// How figures are written in a report.
+/// Writes numbers as they appear in a report.
 
 inline std::string number(double value, int decimals) {
   return fmt::format("{:.{}f}", value, decimals);
 }
 
-/// "-" for none.
+/// As above; none is written "-".
 template <class T>
 std::string number(const std::optional<T>& value, int decimals) {
   return value ? number(static_cast<double>(*value), decimals) : "-";

@@ -11,13 +11,13 @@
 namespace results::report {
 namespace {
 
-/// What the paper's MAC needs at least (profile mobility_framework as it ships: 11 Mb/s, RTS/CTS,
-/// frames of 272 bits, packets of none). First hop: DIFS, RTS, SIFS, CTS, SIFS, DATA; every further
-/// one waits for SIFS and ACK of the one before as well.
+/// Shortest delays that the paper's MAC allows (profile mobility_framework with its defaults: 11
+/// Mb/s, RTS/CTS, frames of 272 bits, packets without length). First hop: DIFS, RTS, SIFS, CTS,
+/// SIFS, DATA. Each further hop also waits for SIFS and the ACK of the previous hop.
 constexpr double kFirstHopNs =
     50e3 + (192e3 + 160e3 / 11) + 10e3 + (192e3 + 112e3 / 11) + 10e3 + (192e3 + 272e3 / 11);
 constexpr double kNextHopNs = 10e3 + (192e3 + 112e3 / 11) + kFirstHopNs;
-/// Each hop's times are rounded to whole nanoseconds, frame by frame.
+/// Tolerance per hop: the times of its frames are rounded to whole nanoseconds.
 constexpr double kRoundingNs = 10;
 
 double edge(int hops) { return kFirstHopNs + (hops - 1) * kNextHopNs; }
@@ -25,7 +25,7 @@ double edge(int hops) { return kFirstHopNs + (hops - 1) * kNextHopNs; }
 struct OfHops {
   std::uint64_t count = 0;
   std::optional<std::int64_t> least_ns;
-  std::uint64_t too_early = 0;  ///< Of those that are listed.
+  std::uint64_t too_early = 0;  ///< Listed deliveries that were faster than the MAC allows.
 };
 
 void add_sums(const RunResult& run, std::map<int, OfHops>& table) {

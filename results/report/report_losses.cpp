@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t kWorstLinks = 10;
 constexpr std::uint64_t kEnoughFrames = 20;
 
-/// As in hal::Verdict, then what has none.
+/// The verdicts in the order of hal::Verdict, then frames without one.
 std::vector<std::string> all_verdicts() {
   std::vector<std::string> names;
   names.reserve(hal::kVerdictCount + 1);
@@ -50,7 +50,7 @@ double share_delivered(const LinkSums& link) {
   return static_cast<double>(link.delivered()) / static_cast<double>(link.sent());
 }
 
-/// What was lost, most first: "collision 12, noise 3".
+/// Losses by verdict, most frequent first: "collision 12, noise 3".
 std::string losses_of(const LinkSums& link) {
   std::vector<std::pair<std::uint64_t, std::string>> losses;
   for (const auto& [verdict, count] : link.verdicts) {

@@ -21,8 +21,8 @@ std::vector<Agent> motes_of(const Group& group) {
   return motes;
 }
 
-/// The motes by rows from the top (greatest y), each from the left; one row each if they do not
-/// stand on a full grid.
+/// The motes in rows from the top (largest y), each row from the left. If they do not form a
+/// complete grid, each mote has its own row.
 std::vector<std::vector<Agent>> layout(std::vector<Agent> motes) {
   std::set<double> columns;
   std::set<double> rows;
@@ -44,7 +44,7 @@ std::vector<std::vector<Agent>> layout(std::vector<Agent> motes) {
   return grid;
 }
 
-/// A figure per mote, laid out as they stand.
+/// A table with one figure per mote, arranged like the motes.
 template <class Figure>
 std::string grid_text(const std::vector<Agent>& motes, Figure figure) {
   TextTable table;

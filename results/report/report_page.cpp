@@ -19,10 +19,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Time between the marks along a trajectory, s: as in Fig. 11 of the paper.
+/// Time between the marks along a trajectory, s, as in Fig. 11 of the paper.
 constexpr double kTickPeriod = 30;
-/// More of them nobody can tell apart: of a run above 83 h their period is twice as long, and so
-/// on.
+/// Most marks along a trajectory. Their period is doubled until there are no more, for the first
+/// time in a run longer than 83 h.
 constexpr double kMostTicks = 10'000;
 
 Json to_json(const std::optional<Quantiles>& q) {
@@ -32,8 +32,8 @@ Json to_json(const std::optional<Quantiles>& q) {
 
 Json to_json(const RunResult::Place& place) { return {place.at, place.x, place.y}; }
 
-/// Where the robot was every 30 s, or a long time, until the run ended. Rows of a track are written
-/// only when the robot has moved, so the latest one before counts.
+/// The robot's places at the marks until the run ended. A track has a row only when the robot has
+/// moved, so the latest earlier row counts.
 Json ticks_of(const std::vector<RunResult::Place>& track, double end) {
   Json ticks = Json::array();
   std::size_t row = 0;
@@ -65,7 +65,7 @@ Json to_json(const RunResult& run) {
   return json;
 }
 
-/// @param times_ns  of each run.
+/// @param times_ns  times by run.
 Json times_json(const std::vector<std::vector<std::int64_t>>& times_ns) {
   std::vector<double> pooled;
   for (const auto& run : times_ns) {
@@ -110,7 +110,7 @@ Json nodes_json(const Group& group) {
   return nodes;
 }
 
-/// Pairs of places in the list of nodes.
+/// Links as pairs of indices into the list of nodes.
 Json links_json(const RunResult& run) {
   std::map<int, std::size_t> place;
   for (std::size_t i = 0; i < run.agents.size(); ++i) place[run.agents[i].agent] = i;
@@ -148,7 +148,7 @@ Json verdicts_json(const Group& group) {
   return rows;
 }
 
-/// From and to are places in the list of nodes.
+/// Verdicts by link; both ends are indices into the list of nodes.
 Json link_verdicts_json(const Group& group) {
   std::map<int, std::size_t> place;
   const auto& agents = group.runs.front()->agents;
@@ -156,7 +156,7 @@ Json link_verdicts_json(const Group& group) {
   Json links = Json::array();
   for (const LinkSums& link : group.link_verdicts()) {
     const auto from = place.find(link.from), to = place.find(link.to);
-    if (from == place.end() || to == place.end()) continue;  // of another run of the group
+    if (from == place.end() || to == place.end()) continue;  // an agent of another run only
     links.push_back({from->second, to->second, link.verdicts});
   }
   return links;
@@ -177,7 +177,7 @@ Json topics_json(const Group& group) {
   return topics;
 }
 
-/// Of each run; air time by second and use.
+/// Air time of a run by second and use.
 Json air_seconds_json(const RunResult& run) {
   std::map<std::pair<std::int64_t, std::string>, std::int64_t> sums;
   for (const RunResult::AirSecond& one : run.air_seconds)
@@ -311,7 +311,7 @@ std::string report_json(const std::vector<Group>& groups,
   for (const Group& group : groups) json["groups"].push_back(to_json(group));
   json["experiments"] = Json::array();
   for (const Experiment& one : experiments) json["experiments"].push_back(to_json(one));
-  // Folders may be named in any encoding.
+  // Names of folders may be in any encoding.
   return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
@@ -321,7 +321,7 @@ std::string report_page(const Sources& sources, const std::optional<Settings>& c
   const std::size_t place = page.find(kPlace);
   if (place == std::string::npos) throw std::runtime_error("the page has no place for figures");
   std::string json = report_json(group_runs(sources.runs, case_study), sources.experiments);
-  // No name may end the script element that holds the JSON: "<" is "\u003c" there.
+  // "<" is written "\u003c", so that no name can end the script element that holds the JSON.
   for (std::size_t at = 0; (at = json.find('<', at)) != std::string::npos;) {
     json.replace(at, 1, "\\u003c");
   }

@@ -11,9 +11,9 @@
 namespace results::report {
 namespace {
 
-constexpr std::size_t kMostRows = 40;  ///< Of one table.
+constexpr std::size_t kMostRows = 40;  ///< Rows of a table before it is cut off.
 
-/// Values of all runs of a group.
+/// Sums of values over all runs of a group.
 class ValueSums {
  public:
   void add(const RunResult::Values& one) {
@@ -50,7 +50,7 @@ RecordedTable values_table(const Group& group, std::string title, const char* fi
                            std::vector<RunResult::Values> RunResult::*member) {
   RecordedTable table{std::move(title), file, {}};
   std::map<std::pair<std::string, std::string>, ValueSums> sums;
-  std::vector<std::pair<std::string, std::string>> order;  // of the agents
+  std::vector<std::pair<std::string, std::string>> order;  // names and agents as they appear
   for (const RunResult* run : group.runs) {
     for (const RunResult::Values& one : run->*member) {
       const std::pair key(one.name, one.agent);
@@ -73,7 +73,7 @@ RecordedTable states_table(const Group& group) {
   struct Sums {
     std::size_t runs = 0;
     std::uint64_t entries = 0;
-    double first = 0;  ///< s, the earliest.
+    double first = 0;  ///< Earliest time, s.
   };
   std::map<std::pair<std::string, std::string>, Sums> sums;
   std::vector<std::pair<std::string, std::string>> order;

@@ -14,19 +14,20 @@ namespace results::report {
 /// One line per run and robot.
 std::string runs_section(const std::vector<RunResult>& runs);
 
-/// What the runs of a group recorded: the head first.
+/// A table of values that the runs of a group recorded.
 struct RecordedTable {
   std::string title;
-  std::string file;  ///< Table of the result that has all of it.
-  std::vector<std::vector<std::string>> rows;
+  std::string file;                            ///< Table of the result with the complete data.
+  std::vector<std::vector<std::string>> rows;  ///< The head, then the rows.
 };
-/// Values that controllers recorded, states that they named, observables; those that have rows.
+/// Tables of values that controllers recorded, of their states, and of observables; without empty
+/// ones.
 std::vector<RecordedTable> recorded_tables(const Group& group);
-/// The same as text, each table cut off after some rows; "" if nothing was recorded.
+/// The same as text; long tables are cut off. "" if nothing was recorded.
 std::string recorded_section(const Group& group);
 
-/// One line of the comparison: what it is, the paper's figure ("" if it has none) and what it is
-/// worth, each group's, and how many times the paper's that is where it can be said.
+/// One line of the comparison: name of the figure, the paper's value ("": none) and its basis, the
+/// value of each group, and the ratio of that to the paper's value where it is defined.
 struct ComparisonRow {
   std::string figure, paper;
   paper::Basis basis = paper::Basis::kNone;
@@ -34,41 +35,41 @@ struct ComparisonRow {
   std::vector<std::optional<double>> times_paper;
 };
 
-/// Whether it is more than a factor of two off.
+/// Whether a ratio is above 2 or below 0.5.
 bool is_far_off(const std::optional<double>& times_paper);
 std::vector<ComparisonRow> comparison_rows(const std::vector<Group>& groups);
 
-/// One line per figure, a column for each group, and one for the paper if one of them is of its
-/// case study; else why there is none.
+/// One line per figure with a column for each group. If a group belongs to the paper's case study
+/// there is a column for the paper; otherwise the text says why there is none.
 std::string comparison_section(const std::vector<Group>& groups);
 
-/// One line per setting that is not the same in all groups, a column for each.
+/// One line per setting that differs between groups, with a column for each group.
 std::string differences_section(const std::vector<Group>& groups);
 
-/// Links between motes and how many each has, at the start: Fig. 2 of the paper.
+/// Links between motes at the start, and the number of neighbours of each: Fig. 2 of the paper.
 std::string links_section(const Group& group);
 
-/// Packets received by each node: Fig. 12.
+/// Packets received by each node: Fig. 12 of the paper.
 std::string packets_section(const Group& group);
 
-/// What became of each frame at each other radio, and the links that lost most: why frames were
-/// lost. In sum, what was sent.
+/// Verdicts of all frames at all other radios, and the links that lost most. The verdicts sum to
+/// frames sent times radios.
 std::string losses_section(const Group& group);
 
-/// What the air was used for: a table of the topics of programs, and one of all that was sent; ""
-/// if no agent has a network.
+/// Use of the air: a table of the DDS topics of programs and one of all frames by kind; "" if no
+/// agent has a network.
 std::string air_section(const Group& group);
 
-/// What access points did with what they had to pass on, by destination; "" if there was nothing.
+/// Frames that access points relayed or could not relay, by destination; "" if there were none.
 std::string relays_section(const Group& group);
 
-/// Why samples of programs did not come, and where that was; "" if all came.
+/// Why and where samples of programs were lost; "" if all arrived.
 std::string sample_losses_section(const Group& group);
 
-/// How often the routing protocols did what they do; "" if nothing was counted.
+/// Numbers of events of the routing protocols; "" if none was counted.
 std::string routing_section(const Group& group);
 
-/// Least end-to-end delay by number of transmissions, beside what the MAC allows.
+/// Shortest end-to-end delay by number of transmissions, beside the shortest that the MAC allows.
 std::string hops_section(const Group& group);
 
 }  // namespace results::report

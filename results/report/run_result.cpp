@@ -75,7 +75,7 @@ void read_tracks(RunReader& reader, RunResult& run) {
       " WHERE a.kind = 'robot' ORDER BY p.agent, p.at_ns");
   while (query.next()) {
     run.tracks[static_cast<int>(query.integer(0))].push_back(
-        {.at = static_cast<double>(query.integer(1)) / 1e9,  // whole seconds stay whole
+        {.at = static_cast<double>(query.integer(1)) / 1e9,  // exact for whole seconds
          .x = query.real(2),
          .y = query.real(3)});
   }
@@ -116,14 +116,14 @@ void read_frame_verdicts(RunReader& reader, RunResult& run) {
   }
 }
 
-/// Where messages to several agents are counted.
+/// The members that count messages to several agents.
 struct Broadcast {
   std::uint64_t RunResult::*sent;
   std::uint64_t RunResult::*received;
 };
 
-/// What routing relays is a flood; what is for neighbours is sent once, and so is every message
-/// without routing. None: the message is to one agent.
+/// A message to everyone that routing relays is a flood. A message to neighbours, or any message
+/// without routing, is sent once and is a broadcast. None: the message is to one agent.
 std::optional<Broadcast> broadcast_of(const RunResult& run, std::int64_t destination) {
   const hal::AgentId to{static_cast<std::uint16_t>(destination)};
   if (!hal::is_broadcast(to)) return std::nullopt;
@@ -332,8 +332,8 @@ void read_goal(RunReader& reader, RunResult& run) {
   if (query.next()) run.goal = static_cast<int>(query.integer(0));
 }
 
-/// Whether it is an earlier result beside its successor ("name.2" beside "name"), or an attempt
-/// that did not start.
+/// Whether a folder holds an earlier result beside its successor ("name.2" beside "name"), or an
+/// attempt that did not start.
 bool is_put_aside(const fs::path& folder) {
   const std::string end = folder.extension().string();
   if (end == ".not-started") return true;
@@ -352,7 +352,7 @@ std::vector<fs::path> results_inside(const fs::path& folder) {
   std::sort(inside.begin(), inside.end(), [](const fs::path& a, const fs::path& b) {
     const std::string x = a.string();
     const std::string y = b.string();
-    return x.size() != y.size() ? x.size() < y.size() : x < y;  // seed_2 before seed_10
+    return x.size() != y.size() ? x.size() < y.size() : x < y;  // puts seed_2 before seed_10
   });
   return inside;
 }

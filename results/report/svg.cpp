@@ -16,7 +16,7 @@ namespace {
 constexpr std::array kColours = {"#0072B2", "#D55E00", "#009E73", "#CC79A7",
                                  "#E69F00", "#56B4E9", "#000000", "#8A6D00"};
 constexpr std::array kDashes = {"none", "6 3", "2 2", "8 3 2 3"};
-constexpr double kWidth = 440, kHeight = 280;  // px of the area of the curves
+constexpr double kWidth = 440, kHeight = 280;  // px, size of the plot area
 constexpr double kLeft = 76, kTop = 40, kBottom = 56;
 constexpr double kPerLetter = 6.6;  // px, of the 12 px letters of common sans-serif fonts
 constexpr double kLegendRow = 18;
@@ -52,7 +52,7 @@ struct Extent {
     low = std::min(low, value);
     high = std::max(high, value);
   }
-  /// With some room; never empty.
+  /// The range extended by a margin of this share; never empty.
   Extent padded(double share) const {
     if (!(low <= high)) return {0, 1};
     const double span = high > low ? high - low : std::max(1e-12, std::abs(high) * 0.2);
@@ -203,7 +203,7 @@ class Drawing {
         dashes, path_of(curve));
   }
 
-  /// Between the ends of the intervals.
+  /// Fills the area between the ends of the intervals.
   void draw_band(const Plot::Curve& curve) {
     std::string there;
     std::string back;
@@ -226,7 +226,7 @@ class Drawing {
         y_.at(y_.low) - top, plot_.curves.size() > 1 ? 0.25 : 0.6, title_of(curve, mark));
   }
 
-  /// Curves that share places stand a little beside each other, so that intervals do not hide.
+  /// Sideways offset of curve i, px, so that intervals at the same x do not hide each other.
   double shift(std::size_t i) const {
     if (plot_.curves.size() < 2) return 0;
     const double middle = static_cast<double>(plot_.curves.size() - 1) / 2;
@@ -295,7 +295,7 @@ std::vector<double> ticks(double low, double high, int count) {
   const double power = hal::math::pow(10, std::floor(hal::math::log10(rough)));
   const double share = rough / power;
   const double step = power * (share < 1.5 ? 1 : share < 3.5 ? 2 : share < 7.5 ? 5 : 10);
-  if (!std::isfinite(step) || !(step > 0)) return {low, high};  // beyond what binary64 tells apart
+  if (!std::isfinite(step) || !(step > 0)) return {low, high};  // below the resolution of binary64
   std::vector<double> values;
   const double first = std::ceil(low / step - 1e-9);
   const double room = std::floor(high / step + 1e-9) - first;

@@ -11,10 +11,10 @@ class TextTable {
   explicit TextTable(std::vector<std::string> head) { add_row(std::move(head)); }
   TextTable() = default;
 
-  /// Cells become printable: their text may be a controller's.
+  /// Cells are made printable, because their text may come from a controller.
   void add_row(std::vector<std::string> cells);
 
-  /// One line per row, each ending with a line feed and without blanks before it.
+  /// One line per row; each ends with a line feed and has no trailing blanks.
   std::string text() const;
 
  private:

@@ -11,7 +11,8 @@
 namespace results::statistics {
 namespace {
 
-/// The acceleration: skewness of the jackknife over six (Efron and Tibshirani, equation 14.15).
+/// The acceleration: a sixth of the skewness of the jackknife values (Efron and Tibshirani,
+/// equation 14.15).
 double acceleration(std::span<const double> values, const Statistic& statistic) {
   std::vector<double> without;
   std::vector<double> left(values.begin() + 1, values.end());

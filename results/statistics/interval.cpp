@@ -13,7 +13,7 @@ std::optional<Moments> moments(std::span<const double> values) {
   double sum = 0;
   for (const double value : values) sum += value;
   double mean = sum / count;
-  double rest = 0;  // what rounding took from the first pass
+  double rest = 0;  // rounding error of the first pass
   for (const double value : values) rest += value - mean;
   mean += rest / count;
   double squares = 0;
@@ -33,8 +33,9 @@ std::optional<Interval> mean_interval(std::span<const double> values, double lev
 
 namespace {
 
-/// The lower end of the mu with (mean - mu)^2 <= k mu (1 - quadratic mu), `quadratic` being 0 or 1:
-/// by the product of the two, where their difference would lose digits or fall below 0.
+/// The lower end of the interval of mu with (mean - mu)^2 <= k mu (1 - quadratic mu), `quadratic`
+/// being 0 or 1. Computed from the product of the two ends: a difference would lose digits or fall
+/// below 0.
 double lower_end(double mean, double k, double quadratic) {
   const double middle = mean + k / 2;
   const double root = std::sqrt(k * mean * (1 - quadratic * mean) + k * k / 4);

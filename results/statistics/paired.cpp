@@ -15,7 +15,7 @@ std::vector<double> differences_of(std::span<const double> first, std::span<cons
   return differences;
 }
 
-/// Share of the values below which a spread is rounding.
+/// A spread below this fraction of the largest value is taken for rounding error.
 constexpr double kRounding = 1e-12;
 
 double largest_of(std::span<const double> values) {
@@ -24,7 +24,7 @@ double largest_of(std::span<const double> values) {
   return largest;
 }
 
-/// Whether squares of deviations, summed, are more than rounding leaves of equal values.
+/// Whether a sum of squared deviations exceeds what rounding alone gives for equal values.
 bool varies(double squares, std::span<const double> values) {
   const double rounding = kRounding * largest_of(values);
   return squares > rounding * rounding * static_cast<double>(values.size());
@@ -51,7 +51,7 @@ std::optional<double> correlation_of(std::span<const double> first,
 std::optional<Interval> interval_of(const std::vector<double>& differences, Support::Kind support,
                                     double level) {
   if (support != Support::Kind::kShare) return mean_interval(differences, level);
-  std::vector<double> shares;  // -1 .. 1 as 0 .. 1
+  std::vector<double> shares;  // differences, scaled from -1 .. 1 to 0 .. 1
   shares.reserve(differences.size());
   for (const double difference : differences) shares.push_back((1 + difference) / 2);
   const auto interval = mean_interval(shares, {support, {}}, level);

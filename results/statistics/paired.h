@@ -8,29 +8,30 @@
 
 namespace results::statistics {
 
-/// Two settings, each run with the same seeds (common random numbers): what the second changes,
-/// from the differences of its runs to their partners. What both have in common cancels out.
+/// Comparison of two settings that were run with the same seeds (common random numbers), from the
+/// differences between runs of equal seed. Variation that both runs of a pair share cancels out.
 struct PairedComparison {
   Moments difference;       ///< Second minus first.
   Interval interval;        ///< Of the mean difference.
   std::optional<double> t;  ///< Of the paired t test; none if all differences are equal.
-  std::optional<double> p;  ///< Two-sided: of a |t| as large or larger if nothing was changed.
-  /// Between partners; the nearer to 1, the more the common random numbers gained. None if one
-  /// side does not vary.
+  std::optional<double> p;  ///< Two-sided p-value of that test.
+  /// Correlation between the two runs of a pair. The nearer to 1, the more the common random
+  /// numbers reduced the variance. None if the values of one side are all equal.
   std::optional<double> correlation;
 };
 
-/// The interval is Student's; of shares it is that of a share of the differences, which are -1 ..
-/// 1, and so stays within that. None for fewer than two pairs. @pre both are equally long, partners
-/// at equal places.
+/// The interval is Student's. For shares, whose differences are -1 .. 1, the differences are scaled
+/// to 0 .. 1 and get the interval of a share, so that it stays within -1 .. 1. None for fewer than
+/// two pairs.
+/// @pre Both are equally long; runs of a pair have the same index.
 /// @param support  of the values.
 std::optional<PairedComparison> compare_pairs(std::span<const double> first,
                                               std::span<const double> second,
                                               Support::Kind support = Support::Kind::kReal,
                                               double level = kLevel);
 
-/// The bootstrap interval (BCa; percentile where that has none) of the mean difference. None for
-/// fewer than two pairs. @pre as above; resamples.count() == first.size().
+/// The bootstrap interval of the mean difference: BCa, or the percentile interval where there is no
+/// BCa interval. None for fewer than two pairs. @pre As above; resamples.count() == first.size().
 std::optional<Interval> bootstrap_pairs(std::span<const double> first,
                                         std::span<const double> second, const Resamples& resamples,
                                         double level = kLevel);

@@ -14,18 +14,18 @@ namespace results::statistics {
 /// @param sorted  ascending, not empty. @param p  in [0, 1].
 double quantile_of_sorted(std::span<const double> sorted, double p);
 
-/// The same of values in any order; none if there are none.
+/// The same for values in any order; none if there are no values.
 std::optional<double> quantile(std::vector<double> values, double p);
 
-/// A confidence interval of the p-quantile from two order statistics, whatever the distribution:
-/// so many of n values lie below it as a binomial variable (n, p) says (W. J. Conover, "Practical
+/// A distribution-free confidence interval of the p-quantile between two order statistics: the
+/// number of the n values below the quantile is binomial (n, p) (W. J. Conover, "Practical
 /// Nonparametric Statistics", 3rd ed., section 3.2). Each tail has at most (1 - level) / 2.
 struct QuantileInterval {
   Interval interval;
-  double coverage = 0;  ///< At least the level that was asked for.
+  double coverage = 0;  ///< Actual confidence: at least the requested level.
 };
 
-/// None if there are too few values for an end of it: for the median at 95 %, fewer than six.
+/// None if there are too few values for one of its ends: for the median at 95 %, fewer than six.
 std::optional<QuantileInterval> quantile_interval(std::vector<double> values, double p,
                                                   double level = kLevel);
 

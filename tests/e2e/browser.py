@@ -7,6 +7,7 @@ import shutil
 import struct
 import subprocess
 import tempfile
+import time
 import zlib
 
 CHROMIUM = shutil.which("chromium")
@@ -95,6 +96,25 @@ class Browser:
               : Date.now() > end ? reject(new Error("nothing was drawn: " + document.body?.innerText)) : setTimeout(look, 20));
             look();
           })""")
+
+    def visit(self, address):
+        """Any page, until it is loaded."""
+        self.call("Page.navigate", url=address)
+        self.wait(f"location.href === {json.dumps(address)} && document.readyState === 'complete'")
+
+    def wait(self, script, seconds=30):
+        """Until an expression in the page is true; also while the page is replaced by another."""
+        end = time.monotonic() + seconds
+        while not self.run(f"!!({script})"):
+            if time.monotonic() > end:
+                raise AssertionError(f"not true within {seconds} s: {script}")
+            time.sleep(0.02)
+
+    def type(self, text):
+        """Keys pressed in the element that has the focus."""
+        for character in text:
+            self.call("Input.dispatchKeyEvent", type="keyDown", key=character, text=character)
+            self.call("Input.dispatchKeyEvent", type="keyUp", key=character)
 
     def go(self, **state):
         """Sets the state of the view and waits until all of it is drawn."""

@@ -1,14 +1,20 @@
 #!/usr/bin/env python3
-"""The site that `./setup docs` builds: every link leads somewhere, nothing is fetched from the network, and what readers look for
-is near its front page. Skipped (status 77) where the site was not built."""
+"""The site that `./setup docs` builds: every link leads somewhere, nothing is fetched from the network, what readers look for is near
+its start page, and the search finds it in Chromium. Skipped (status 77) where the site was not built; the search where there is no
+Chromium."""
 import collections
+import functools
 import html.parser
+import http.server
 import os
 import pathlib
 import re
 import sys
+import threading
 import unittest
 import urllib.parse
+
+from browser import CHROMIUM, Browser
 
 SITE = pathlib.Path(os.environ["BARAKA_BIN"]).parent / "site"
 # Attributes by which a page fetches something itself; a link is followed by the reader only.
@@ -16,13 +22,13 @@ FETCHED = {("script", "src"), ("img", "src"), ("iframe", "src"), ("object", "dat
 
 
 class Page(html.parser.HTMLParser):
-    """Links, anchors and the text below each heading with an anchor."""
+    """Links with their texts, anchors, and the text below each heading with an anchor."""
 
     def __init__(self, path):
         super().__init__()
-        self.links, self.fetched, self.anchors = [], [], set()
+        self.links, self.fetched, self.anchors = {}, [], set()
         self.sections = collections.defaultdict(str)
-        self.section = ""
+        self.section, self.link = "", None
         self.feed(path.read_text(encoding="utf-8"))
 
     def handle_starttag(self, tag, attributes):
@@ -31,13 +37,21 @@ class Page(html.parser.HTMLParser):
         if re.fullmatch("h[1-6]", tag) and "id" in given:
             self.section = given["id"]
         if tag == "a" and "href" in given:
-            self.links.append(given["href"])
+            # Of several links to one place the first that has a text.
+            self.link = None if self.links.get(given["href"], "").strip() else given["href"]
+            self.links.setdefault(given["href"], "")
         if tag == "link" and given.get("rel") not in ("canonical", "prev", "next"):
             self.fetched.append(given.get("href", ""))
         self.fetched += [given[name] for name in given if (tag, name) in FETCHED]
 
+    def handle_endtag(self, tag):
+        if tag == "a":
+            self.link = None
+
     def handle_data(self, text):
         self.sections[self.section] += text
+        if self.link is not None:
+            self.links[self.link] += text
 
 
 class Site(unittest.TestCase):
@@ -58,7 +72,7 @@ class Site(unittest.TestCase):
     def test_every_link_leads_to_a_file_and_an_anchor(self):
         seen = 0
         for page, parsed in self.pages.items():
-            for link in parsed.links + parsed.fetched:
+            for link in [*parsed.links, *parsed.fetched]:
                 if not self.target(page, link):
                     continue
                 path, anchor = self.target(page, link)
@@ -85,14 +99,14 @@ class Site(unittest.TestCase):
             self.assertIsNone(far, sheet)
 
     def clicks(self, start, most):
-        """Every (file, anchor) in so many clicks, with the way there."""
+        """Every (file, anchor) in so many clicks, with the texts of the links on the way there."""
         ways = {(start, ""): []}
         for _ in range(most):
             for (page, anchor), way in list(ways.items()):
-                for link in self.pages[page].links if page in self.pages else ():
+                for link, text in self.pages[page].links.items() if page in self.pages else ():
                     found = self.target(page, link)
-                    if found and found not in ways:
-                        ways[found] = [*way, link]
+                    if found and found not in ways and text.strip():
+                        ways[found] = [*way, " ".join(text.split())]
         return ways
 
     def test_what_readers_look_for_is_two_clicks_away(self):
@@ -107,7 +121,7 @@ class Site(unittest.TestCase):
                 self.assertIn(place, ways)
                 sections = self.pages[place[0]].sections
                 self.assertIn(words, sections[anchor] if anchor else "".join(sections.values()))
-                print(f"{what}: index.html -> {' -> '.join(ways[place])}")
+                print(f"{what}: start page -> {' -> '.join(ways[place])}")
 
     def test_reference_of_the_headers_is_part_of_it(self):
         ways = self.clicks(SITE / "index.html", 2)
@@ -118,6 +132,50 @@ class Site(unittest.TestCase):
         index = (SITE / "search/search_index.json").read_text(encoding="utf-8")
         for page in ("extending.html", "keys.html", "scenarios/two_turtlebots.html"):
             self.assertIn(page, index)
+
+
+class Quiet(http.server.SimpleHTTPRequestHandler):
+    def log_message(self, *_):
+        pass
+
+
+@unittest.skipUnless(CHROMIUM, "there is no chromium")
+class Search(unittest.TestCase):
+    """As a reader types into the search box of the start page."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Quiet, directory=SITE))
+        cls.serving = threading.Thread(target=cls.server.serve_forever)
+        cls.serving.start()
+        cls.browser = Browser(1280, 720)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.close()
+        cls.server.shutdown()
+        cls.serving.join()
+        cls.server.server_close()
+
+    def test_a_hit_leads_to_the_page_that_explains_the_word(self):
+        browser, start = self.browser, f"http://127.0.0.1:{self.server.server_port}"
+        for typed, page, anchor, words in (("cca_time", "glossary.html", "", "the time of carrier sense and turnaround"),
+                                           ("cca_time", "keys.html", "#top-level-of-a-radio-file", "cca_time"),
+                                           ("sbatch", "campaigns.html", "#on-a-cluster", "sbatch")):
+            with self.subTest(f"{typed}: {page}"):
+                browser.visit(f"{start}/index.html")
+                browser.run("document.querySelector('.md-search__input').focus()")
+                # What is typed while the index is being loaded may be lost.
+                browser.wait("document.querySelector('.md-search-result__meta').textContent.includes('Type to start')")
+                browser.type(typed)
+                hit = f"{start}/{page}?h={typed}{anchor}"
+                found = f"[...document.querySelectorAll('.md-search-result__link')].find(link => link.href === '{hit}')"
+                browser.wait(found)
+                browser.run(f"{found}.click()")
+                browser.wait(f"location.href === '{hit}' && document.readyState === 'complete'")
+                self.assertIn(words, browser.run("document.querySelector('article').innerText"))
+                browser.wait(f"[...document.querySelectorAll('article mark')].some(mark => mark.innerText.includes('{typed}'))")
+        self.assertEqual(browser.said, [])
 
 
 if __name__ == "__main__":

@@ -40,7 +40,7 @@ void check_group(const sim::scenario::Scenario& scenario, const sim::scenario::G
   }
 }
 
-/// Whether each agent offers what the controller cannot do without.
+/// Checks that each agent offers the channels that the controller requires.
 void check_channels(const sim::scenario::Scenario& scenario, const sim::scenario::Group& group,
                     const hal::ControllerKind& kind, std::vector<std::string>& mistakes) {
   for (const hal::AgentId id : group.agents) {
@@ -51,7 +51,7 @@ void check_channels(const sim::scenario::Scenario& scenario, const sim::scenario
     if (session) continue;
     mistakes.push_back(fmt::format("{}: program: '{}' cannot do without a channel: {}",
                                    group.program_place, group.program, session.error().message));
-    return;  // the others have the same body
+    return;  // the other agents of the group have the same body
   }
 }
 
@@ -83,7 +83,7 @@ void check_teleop(const sim::scenario::Scenario& scenario, const sim::scenario::
   }
 }
 
-/// Whether the controller is there in the form that the run needs: its plug-in was found.
+/// Checks that a controller whose plug-in was found also exists in the form that the run needs.
 void check_form(const sim::scenario::Group& group, const RunMode& mode,
                 std::vector<std::string>& mistakes) {
   if (mode.controllers != controllers::ControllersFrom::kSpawn) return;
@@ -93,7 +93,7 @@ void check_form(const sim::scenario::Group& group, const RunMode& mode,
       group.program_place, group.program));
 }
 
-/// Whether the run can start it inside its agent's network, if it is to be there.
+/// Checks that the run can start the controller inside its agent's network, if it belongs there.
 void check_inside(const sim::scenario::Group& group, const RunMode& mode,
                   std::vector<std::string>& mistakes) {
   if (!group.inside || mode.is_repeated || mode.controllers == controllers::ControllersFrom::kSpawn)
@@ -105,7 +105,7 @@ void check_inside(const sim::scenario::Group& group, const RunMode& mode,
       mode.controllers == controllers::ControllersFrom::kExternal ? "external" : "in-process"));
 }
 
-/// Its plug-in was not found.
+/// Notes that the controller's plug-in was not found.
 void check_without_plugin(const sim::scenario::Group& group, const RunMode& mode,
                           const hal::Error& error, ControllerFindings& findings) {
   const auto add = [&](const std::string& what) {
@@ -132,7 +132,7 @@ ControllerFindings check_controllers(const sim::scenario::Scenario& scenario, co
   StatesOf states;
   NamesCheck names(scenario);
   for (const sim::scenario::Group& group : scenario.groups) {
-    if (group.program.empty()) continue;  // nobody drives them
+    if (group.program.empty()) continue;  // agents without a controller
     if (group.program == gateway::server::kTeleop) {
       check_teleop(scenario, group, mode, findings.mistakes);
       continue;

@@ -10,29 +10,29 @@
 
 namespace baraka::run::check {
 
-/// How a scenario is to be run, as far as that decides whether it can be.
+/// The parts of the command line that decide whether a scenario can be run.
 struct RunMode {
   controllers::ControllersFrom controllers = controllers::ControllersFrom::kSpawn;
-  bool has_domain = false;   ///< Also with controllers in this process.
-  bool is_repeated = false;  ///< From its record, without programs and commands from outside.
-  double factor = 1;         ///< Of the programs' time.
+  bool has_domain = false;   ///< A DDS domain is used, even with controllers in this process.
+  bool is_repeated = false;  ///< Repeats a record, without programs and commands from outside.
+  double factor = 1;         ///< Speed of the programs' time relative to wall time.
 };
 
-/// What the scenario says about its controllers, checked without running them.
+/// Result of checking a scenario's controllers without running them.
 struct ControllerFindings {
   std::vector<std::string> mistakes;     ///< "file:line:column: key: what is wrong".
   std::vector<std::string> warnings;     ///< "file:line:column: warning: key: what is doubtful".
-  std::vector<std::string> not_checked;  ///< What could not be checked, and why; a line each.
-  /// Units of what controllers record, by controller and name, as far as they declare it.
+  std::vector<std::string> not_checked;  ///< One line for each thing not checked, with the reason.
+  /// Declared units of the values that controllers record, by controller and name.
   std::map<std::pair<std::string, std::string>, std::string> recorded_units{};
-  /// States that controllers enter and names that they record, as far as they declare them.
+  /// States that controllers declare, and names of values that they declare to record.
   std::vector<sim::scenario::Countable> declared{};
 };
 
-/// Loads the plug-in of each program, and checks against it the agents' kinds and parameters, the
-/// channels they offer, the agents and topics that parameters name, the states that end conditions
-/// wait for, and what is observed of what they record. A program that is not there in the form that
-/// the run needs is a mistake.
+/// Loads the plug-in of each controller and checks against it: the agents' kinds and parameters,
+/// the channels that agents offer, the agents and topics that parameters name, the states that end
+/// conditions wait for, and the recorded values that the scenario observes. A controller that is
+/// missing in the form that the run needs is a mistake.
 ControllerFindings check_controllers(const sim::scenario::Scenario& scenario,
                                      const RunMode& mode = {});
 

@@ -12,7 +12,7 @@
 namespace baraka::run::check {
 namespace {
 
-/// The programs of some agents, in order; empty for those that nobody drives.
+/// The controllers of some agents, in order; empty for agents without a controller.
 std::vector<std::string> programs_of(const std::vector<hal::AgentId>& agents,
                                      const sim::scenario::Scenario& scenario) {
   std::vector<std::string> programs;
@@ -23,18 +23,18 @@ std::vector<std::string> programs_of(const std::vector<hal::AgentId>& agents,
   return programs;
 }
 
-/// What some programs may enter.
+/// The states that some controllers may enter.
 struct Enterable {
   std::vector<std::string> states;
-  std::vector<std::string> silent;  ///< Programs that declare none.
-  bool is_all = false;              ///< Of one of them it is not known.
+  std::vector<std::string> silent;  ///< Controllers that declare none.
+  bool is_all = false;              ///< The states of at least one controller are not known.
 };
 Enterable enterable(const std::vector<std::string>& programs, const StatesOf& states) {
   Enterable all;
   for (const std::string& program : programs) {
     const auto declared = states.find(program);
     if (declared == states.end()) {
-      all.is_all |= !program.empty();  // its plug-in is not there
+      all.is_all |= !program.empty();  // the plug-in was not found
       continue;
     }
     if (declared->second.empty()) all.silent.push_back(program);
@@ -51,14 +51,14 @@ std::vector<std::string> names_of(const std::vector<hal::RecordSpec>& records) {
   return names;
 }
 
-/// What is known of what the controllers of the agents of a pattern record.
+/// The values that the controllers of the agents matching a pattern declare to record.
 struct DeclaredRecords {
   std::vector<std::string> names{};
   bool has_match = false;
-  bool has_unknown = false;  ///< One of them does not declare what it records.
+  bool has_unknown = false;  ///< At least one controller does not declare what it records.
 };
 
-/// @param kinds  by controller; without those whose plug-in is not there.
+/// @param kinds  by controller, without those whose plug-in was not found.
 DeclaredRecords declared_records(const sim::scenario::Scenario& scenario,
                                  const sim::scenario::ObservablePattern& pattern,
                                  const std::map<std::string, const hal::ControllerKind*>& kinds) {

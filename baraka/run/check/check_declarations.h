@@ -10,20 +10,21 @@
 
 namespace baraka::run::check {
 
-/// The states of each program that declares some, and of programs that declare none.
+/// Declared states by controller; an empty list: the controller declares none.
 using StatesOf = std::map<std::string, std::vector<std::string>>;
 
-/// For the results: what there can be a count of, be it 0.
+/// Notes for the results what a controller can be counted for, so that a count of 0 is recorded
+/// too.
 void note_declared(const std::string& program, const hal::ControllerKind& kind,
                    ControllerFindings& findings);
 
-/// Whether somebody of whom a state is awaited enters it.
-/// @param states  of the programs whose plug-ins are there.
+/// Checks that a state that the scenario waits for can be entered by one of the agents concerned.
+/// @param states  of the controllers whose plug-ins were found.
 void check_states(const sim::scenario::Scenario& scenario, const StatesOf& states,
                   ControllerFindings& findings);
 
-/// Whether some controller records what the scenario observes.
-/// @param kinds  by controller; without those whose plug-in is not there.
+/// Checks that some controller records each value that the scenario observes.
+/// @param kinds  by controller, without those whose plug-in was not found.
 void check_records(const sim::scenario::Scenario& scenario,
                    const std::map<std::string, const hal::ControllerKind*>& kinds,
                    ControllerFindings& findings);

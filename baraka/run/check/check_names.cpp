@@ -19,7 +19,7 @@ using hal::ParameterSpec;
 using sim::agents::AgentConfig;
 using sim::scenario::Group;
 
-/// Where the parameter is given or, if it is not, where the controller is.
+/// The place where the parameter is given or, if it is not, the place of the controller.
 std::string place_of(const Group& group, const AgentConfig& agent, const std::string& name) {
   const auto given =
       std::ranges::find(agent.parameters, name, &hal::node::exchange::ParameterText::name);
@@ -108,7 +108,7 @@ void NamesCheck::note(std::vector<std::string>& lines, std::string line) {
 }
 
 void NamesCheck::finish(std::vector<std::string>& mistakes, std::vector<std::string>& warnings) {
-  // Without anybody who listens, messages are load on the air, and meant as that.
+  // If no agent receives any topic, the messages are meant as load on the channel.
   const bool is_load = heard_.empty() || hears_unknown_;
   for (const auto& [place, sent] : sent_) {
     const auto& [key, topic] = sent;

@@ -10,22 +10,23 @@
 
 namespace baraka::run::check {
 
-/// Checks what controllers' parameters name (agents and topics) and what they say together. Those
-/// with mistakes of their own are left out.
+/// Checks the agents and topics that controllers' parameters name, and combinations of parameters.
+/// Agents whose parameters have mistakes of their own are left out.
 class NamesCheck {
  public:
   explicit NamesCheck(const sim::scenario::Scenario& scenario);
 
   void add(const sim::scenario::Group& group, const hal::ControllerKind& kind);
-  void add_unknown() { hears_unknown_ = true; }  ///< A controller whose parameters are not known.
+  /// To be called for a controller whose parameters are not known.
+  void add_unknown() { hears_unknown_ = true; }
 
-  /// Once, after all groups: moves out what was found, each mistake once.
+  /// Appends the findings, each once. To be called once, after all groups were added.
   void finish(std::vector<std::string>& mistakes, std::vector<std::string>& warnings);
 
  private:
   void add(const sim::scenario::Group& group, const hal::ControllerKind& kind,
            const sim::agents::AgentConfig& agent);
-  /// One name that a parameter has. @param whose  name of the agent that has the parameter.
+  /// Handles one name in a parameter. @param whose  name of the agent that has the parameter.
   void take(const std::string& place, const hal::ParameterSpec& spec, const std::string& named,
             const std::string& whose);
   void check_agent(const std::string& place, const hal::ParameterSpec& spec,
@@ -33,11 +34,12 @@ class NamesCheck {
   void note(std::vector<std::string>& lines, std::string line);
 
   const sim::scenario::Scenario& scenario_;
-  std::vector<std::string> agents_;                                  ///< Names.
-  std::set<std::string> heard_;                                      ///< Topics.
-  std::map<std::string, std::pair<std::string, std::string>> sent_;  ///< By place: key and topic.
-  bool hears_unknown_ = false;  ///< Somebody may hear any topic.
-  std::set<std::string> said_;
+  std::vector<std::string> agents_;  ///< Names of the agents.
+  std::set<std::string> heard_;      ///< Topics that some agent receives.
+  /// Key and sent topic, by place in the file.
+  std::map<std::string, std::pair<std::string, std::string>> sent_;
+  bool hears_unknown_ = false;  ///< Some agent may receive any topic.
+  std::set<std::string> said_;  ///< Findings so far, to note each once.
   std::vector<std::string> mistakes_, warnings_;
 };
 

@@ -15,7 +15,7 @@
 namespace baraka::run::check {
 namespace {
 
-/// Where a program is looked for.
+/// The search path (PATH) for a program.
 std::string path_of(const sim::scenario::Program& program) {
   for (const auto& [name, value] : program.environment) {
     if (name == "PATH") return value;

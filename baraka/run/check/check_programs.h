@@ -7,10 +7,10 @@
 
 namespace baraka::run::check {
 
-/// The programs inside agents that cannot be found on this computer or whose time cannot be slowed,
-/// "file:line:column: command: …" each. What a run is to make itself ({results}) is not looked for.
-/// For before a run starts, as a program may be due only late in it.
-/// @param factor  of the programs' time.
+/// The programs inside agents that cannot be found on this computer or whose time cannot be slowed
+/// down, as "file:line:column: command: …". Files that the run itself creates ({results}) are not
+/// looked for. Called before a run starts, because a program may be due only late in it.
+/// @param factor  speed of the programs' time relative to wall time.
 std::vector<std::string> unusable_programs(const sim::scenario::Scenario& scenario, double factor);
 
 }  // namespace baraka::run::check

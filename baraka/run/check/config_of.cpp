@@ -7,7 +7,8 @@ namespace baraka::run::check {
 const sim::agents::AgentConfig& config_of(const sim::scenario::Scenario& scenario,
                                           hal::AgentId id) {
   const auto& agents = scenario.simulation.agents;
-  return *std::ranges::lower_bound(agents, id, {}, &sim::agents::AgentConfig::id);  // by address
+  // Agents are sorted by address.
+  return *std::ranges::lower_bound(agents, id, {}, &sim::agents::AgentConfig::id);
 }
 
 }  // namespace baraka::run::check

@@ -5,7 +5,7 @@
 
 namespace baraka::run::check {
 
-/// @pre the agent is of the scenario.
+/// The configuration of an agent. @pre The scenario has the agent.
 const sim::agents::AgentConfig& config_of(const sim::scenario::Scenario& scenario, hal::AgentId id);
 
 }  // namespace baraka::run::check

@@ -27,12 +27,12 @@ constexpr std::uint64_t kOnlyRun = 1;  // a server of `baraka run` serves one ru
 
 const hal::node::exchange::AgentOffer& offer_of(
     const std::vector<hal::node::exchange::AgentOffer>& offers, hal::AgentId agent) {
-  // They are in order of address.
+  // Agents are sorted by address.
   return *std::ranges::lower_bound(offers, agent, {},
                                    [](const auto& offer) { return offer.session.agent; });
 }
 
-/// A host without the agents whose controllers are not looked for.
+/// A host restricted to the agents whose controllers are expected.
 class ServedAgents final : public hal::node::exchange::AgentHost {
  public:
   ServedAgents(hal::node::exchange::AgentHost& host, InsideControllers& inside)
@@ -60,9 +60,10 @@ class ServedAgents final : public hal::node::exchange::AgentHost {
   InsideControllers& inside_;
 };
 
-/// Of the program of a controller process.
+/// Arguments of a controller process.
 std::vector<std::string> arguments_for(const ProcessPlan& plan, const Scenario& scenario) {
-  std::vector<std::string> arguments{"--name", plan.process, "--wait", "none"};  // it dies with us
+  // It may wait for the run without limit ("none"), because it ends with this process.
+  std::vector<std::string> arguments{"--name", plan.process, "--wait", "none"};
   for (const hal::AgentId agent : plan.agents) {
     const auto config = std::ranges::lower_bound(scenario.simulation.agents, agent, {},
                                                  &sim::agents::AgentConfig::id);  // by address
@@ -71,8 +72,9 @@ std::vector<std::string> arguments_for(const ProcessPlan& plan, const Scenario& 
   return arguments;
 }
 
-/// @throws UsageError  a controller is inside its agent's network, where only a process can be that
-///   the run starts.
+/// @throws UsageError  a controller belongs inside its agent's network, where only a process
+/// started
+///   by the run can be.
 void refuse_inside(const std::vector<ProcessPlan>& plans, ControllersFrom from) {
   const auto inside = std::ranges::find_if(plans, [](const ProcessPlan& p) { return p.inside; });
   if (inside == plans.end() || from == ControllersFrom::kSpawn) return;
@@ -82,7 +84,7 @@ void refuse_inside(const std::vector<ProcessPlan>& plans, ControllersFrom from) 
       option, inside->process));
 }
 
-/// None: the first free one.
+/// The DDS domain to use; none: the first free one.
 std::optional<int> domain_for(const ControllersOfRun::Settings& settings) {
   if (settings.domain || settings.from != ControllersFrom::kExternal) return settings.domain;
   return gateway::process::default_domain();

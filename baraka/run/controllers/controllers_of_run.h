@@ -19,17 +19,18 @@ namespace baraka::run::controllers {
 
 enum class ControllersFrom { kSpawn, kExternal, kInProcess };
 
-/// The controllers of one run: in this process, or in others that were started for it or by hand.
-/// They end with this object.
+/// The controllers of one run: in this process, in processes started for the run, or in processes
+/// started by hand. They end with this object.
 class ControllersOfRun {
  public:
   struct Settings {
     ControllersFrom from = ControllersFrom::kSpawn;
-    std::optional<int> domain = {};   ///< None: the first free one.
+    std::optional<int> domain = {};   ///< DDS domain; none: the first free one.
     std::filesystem::path logs = {};  ///< Folder for the logs of spawned controllers.
-    /// Starts those that run inside their agents' networks; outlives them. Null: there are none.
+    /// Starts controllers inside their agents' networks; must outlive them. Null: there are none.
     gateway::server::InsideStarter* inside = nullptr;
-    /// Of a repetition: what these answered, as take_replies(). Null: this is none.
+    /// In a repetition, the recorded answers of controllers inside networks, from take_replies().
+    /// Null: this is not a repetition.
     const std::vector<sim::OutsideArrival>* replies = nullptr;
   };
 
@@ -44,12 +45,13 @@ class ControllersOfRun {
   ControllersOfRun& operator=(const ControllersOfRun&) = delete;
 
   std::size_t processes() const { return processes_; }
-  /// DDS domain that the processes talk in; none: the controllers are in this process.
+  /// DDS domain of the exchange; none: the controllers are in this process.
   std::optional<int> domain() const;
 
-  /// Ends what was started. @param stopped  they have been told the run is over, and get time to
-  /// end by themselves. @param logs  folder in which their logs are by now. @return one line per
-  /// process that ended badly, and per thing that was dropped or refused.
+  /// Ends the processes that were started.
+  /// @param stopped  they have been told that the run is over and get time to end by themselves.
+  /// @param logs  folder that holds their logs now.
+  /// @return one line for each process that ended badly and for each thing dropped or refused.
   std::vector<std::string> finish(bool stopped, const std::filesystem::path& logs);
 
  private:
@@ -63,11 +65,12 @@ class ControllersOfRun {
   void start_inside(const sim::scenario::ProcessPlan& plan, std::vector<std::string> arguments,
                     const Settings& settings);
 
-  /// Whether all processes that were started run. Errors: as Spawner::check().
+  /// Whether all started processes are running. Errors: as Spawner::check().
   hal::Result<void> check_started(const Settings& settings) const;
 
   std::optional<InsideControllers> inside_;
-  std::unique_ptr<hal::node::exchange::AgentHost> served_;  ///< The simulation without the others.
+  /// The simulation with only the agents whose controllers are served.
+  std::unique_ptr<hal::node::exchange::AgentHost> served_;
   std::unique_ptr<gateway::server::AgentServer> server_;
   gateway::process::Spawner spawner_;
   std::size_t processes_ = 0;

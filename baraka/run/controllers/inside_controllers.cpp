@@ -20,7 +20,7 @@ using sim::OutsideArrival;
 
 constexpr std::string_view kRepliesOf = "controller of ";
 
-/// Those of one controller. @throws std::runtime_error
+/// The recorded answers of one controller. @throws std::runtime_error  one is damaged
 std::deque<hal::node::exchange::Reply> replies_in(const std::vector<OutsideArrival>& recorded,
                                                   const std::string& name) {
   std::deque<hal::node::exchange::Reply> replies;

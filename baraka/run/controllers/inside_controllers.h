@@ -13,18 +13,19 @@
 
 namespace baraka::run::controllers {
 
-/// Takes the answers of controllers inside their agents' networks out of what came from outside.
+/// Moves the answers of controllers inside their agents' networks out of the recorded arrivals.
 std::vector<sim::OutsideArrival> take_replies(std::vector<sim::OutsideArrival>& arrivals);
 
-/// The controllers of a run that are inside their agents' networks. They hear others there, so what
-/// they answer is recorded; a repetition has their answers from the record and starts none of them.
+/// The controllers of a run that are inside their agents' networks. They can communicate there with
+/// other programs, so their answers are recorded; a repetition replays these and starts none of the
+/// controllers.
 class InsideControllers {
  public:
-  /// @param plans  of the run; those of others are left out.   @param simulation  outlives this.
-  /// @param recorded  of a repetition: as take_replies(); null: this is none.
-  /// @throws std::runtime_error  the record is damaged, or a plug-in, which says what its
-  /// controller
-  ///   asks for, is not there.
+  /// @param plans  of all controller processes; those outside networks are ignored.
+  /// @param simulation  must outlive this object.
+  /// @param recorded  result of take_replies(); null: this is not a repetition.
+  /// @throws std::runtime_error  the record is damaged, or the plug-in that declares a controller's
+  ///   requirements is missing.
   InsideControllers(const std::vector<sim::scenario::ProcessPlan>& plans,
                     const sim::scenario::Scenario& scenario, sim::agents::Simulation& simulation,
                     const std::vector<sim::OutsideArrival>* recorded);
@@ -32,12 +33,13 @@ class InsideControllers {
   /// Whether the answers of an agent's controller come from a record.
   bool is_repeated(hal::AgentId agent) const { return repeated_.contains(agent); }
 
-  /// The port of such a controller, as the simulation is to have it; of another one as it is.
+  /// Wraps the port of a controller inside a network so that its answers are recorded. Returns the
+  /// port of any other controller unchanged.
   std::shared_ptr<hal::node::exchange::ControllerPort> recorded(
       std::shared_ptr<hal::node::exchange::ControllerPort> port, hal::AgentId agent) const;
 
-  /// Connects those of a repetition whose agents have lower addresses: all are connected in the
-  /// order of their agents.
+  /// In a repetition, connects the replayed controllers of agents with lower addresses, because all
+  /// controllers are connected in the order of their agents.
   void connect_before(hal::AgentId agent);
 
  private:
@@ -48,7 +50,7 @@ class InsideControllers {
   };
 
   sim::agents::Simulation& simulation_;
-  std::map<hal::AgentId, std::string> inside_;  ///< The name by which answers are recorded.
+  std::map<hal::AgentId, std::string> inside_;  ///< Name under which answers are recorded.
   std::map<hal::AgentId, Repeated> repeated_;
 };
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::chrono::seconds kSayEvery{5};
 
-/// The first letters that all of some names have in common. @pre not empty.
+/// The longest common prefix of some names. @pre There is at least one name.
 std::string common_beginning(const std::vector<std::string>& names) {
   std::string common = names.front();
   for (const std::string& name : names) {
@@ -66,7 +66,7 @@ std::vector<std::string> MissingControllersNotice::commands(
   return lines;
 }
 
-/// As a pattern, if there is one that fits these and no others.
+/// The agents as a pattern if one matches exactly these, otherwise as a list.
 std::string MissingControllersNotice::agents_option(const std::vector<std::string>& wanted) const {
   const std::string pattern = common_beginning(wanted) + "*";
   const auto fitting = std::ranges::count_if(

@@ -12,22 +12,25 @@
 
 namespace baraka::run::controllers {
 
-/// Tells who starts controllers by hand which ones a run waits for, and the commands to type.
+/// For users who start controllers by hand: which ones a run waits for, and the commands to type.
 class MissingControllersNotice {
  public:
-  /// @param plans   the processes that the scenario has in mind.  @param offers  of the run.
-  /// @param domain  of DDS.  @param wait  for the next controller, until the run gives up.
-  /// @param clock   outlives the notice.
+  /// @param plans  controller processes of the scenario.
+  /// @param offers  the agents that the run offers.
+  /// @param domain  DDS domain.
+  /// @param wait  time that the run waits for the next controller before it gives up.
+  /// @param clock  must outlive the notice.
   MissingControllersNotice(std::vector<sim::scenario::ProcessPlan> plans,
                            const std::vector<hal::node::exchange::AgentOffer>& offers, int domain,
                            hal::Duration wait,
                            const hal::Clock& clock = gateway::process::wall_clock());
 
-  /// On standard error, the first time and then every 5 s; nothing if nobody is missing.
+  /// Prints the notice on standard error, at the first call and then every 5 s; nothing if no
+  /// controller is missing.
   void say(const std::vector<hal::AgentId>& missing);
 
-  /// One command per process that has to be started for these agents: "/…/help_mote --domain 7
-  /// --agents 'm*'".
+  /// One command for each process to start for these agents: "/…/help_mote --domain 7 --agents
+  /// 'm*'".
   std::vector<std::string> commands(const std::vector<hal::AgentId>& missing) const;
 
  private:

@@ -17,11 +17,11 @@ using namespace std::chrono_literals;
 using view::server::Break;
 using view::server::Steps;
 
-/// A pause is noticed to be over, a death or Ctrl-C in it too, after so long.
+/// Within this time a paused run notices that it is resumed, that a process died, or Ctrl-C.
 constexpr hal::Duration kSlice = 20ms;
-/// Somebody who looks sees no older things than these.
+/// A viewer's data are at most this old.
 constexpr hal::Duration kRefresh = 500ms;
-/// Somebody who asked so long ago still looks.
+/// A viewer counts as present for this time after its last request.
 constexpr hal::Duration kLooking = 2s;
 constexpr std::size_t kMostBreaks = 100;
 
@@ -141,7 +141,7 @@ void LiveControl::pause(std::string why) {
   if (!why.empty()) now_.stopped_by = std::move(why);
 }
 
-/// What is said to be there is there: the record first, then the clock.
+/// Commits the record before advancing the clock, so that all data up to the clock's time exist.
 void LiveControl::refresh() {
   settings_.commit();
   committed_at_ = clock_.now();
@@ -151,7 +151,7 @@ void LiveControl::refresh() {
 
 void LiveControl::reach(hal::Time next) {
   next_ = next;
-  // All before `next` has happened.
+  // All events before `next` have happened.
   now_.now = std::max<std::int64_t>(hal::to_ns(next) - 1, 0);
   const auto is_over = [next](const auto& one) {
     return one.second.on == Break::On::kTime && hal::Time{hal::Duration{one.second.at}} <= next;
@@ -186,7 +186,7 @@ std::optional<hal::Duration> LiveControl::hold(hal::Time next) {
   {
     const std::lock_guard lock(mutex_);
     reach(next);
-    // What came before, such as controllers that start, is no part of its time.
+    // The time before the first instant, for example for starting controllers, does not count.
     if (!std::exchange(has_begun_, true)) restart_pace();
     is_stale = is_to_refresh(wall);
     wait = wait_left(wall);

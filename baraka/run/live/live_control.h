@@ -16,31 +16,31 @@
 
 namespace baraka::run::live {
 
-/// What the page may do with a run that goes on, and what it is told of it.
+/// Control of a running simulation from the view's page, and the state that the page is told.
 ///
-/// In lock-step the run waits between two instants: nothing happens in it meanwhile, no controller
-/// owes an answer, and it goes on as if it had not waited. In real time it can be looked at only.
+/// In lock-step the run pauses between two instants: nothing happens meanwhile, no controller owes
+/// an answer, and the run continues as if it had not paused. A run in real time can only be viewed.
 ///
 ///            step done, a break                Resume, Step
 ///   running ------------------> paused ----------------------> running
 ///            Pause                       Speed: running on, slower or faster
 ///
-/// act() and now() are of the server's threads; all else is of the run's.
+/// Threads: act(), now() and keep() on those of the server; everything else on that of the run.
 class LiveControl final : public view::server::RunControl,
                           public view::server::Clock,
                           public sim::agents::Observer {
  public:
   struct Settings {
     bool lockstep = true;
-    bool paused = false;   ///< From the start, until somebody says otherwise.
+    bool paused = false;   ///< Paused from the start until resumed.
     double max_speed = 0;  ///< Simulated seconds per second; 0: as fast as possible.
-    /// Makes what there is readable for the server.
+    /// Makes the record so far readable for the server.
     std::function<void()> commit;
-    /// For a robot that is driven by hand; @return false: it is not.
+    /// Drives a teleoperated robot. @return false: the robot is not teleoperated.
     std::function<bool(hal::AgentId, const hal::Twist2&)> drive;
   };
 
-  /// @param config, simulation, clock  outlive this object.
+  /// @param config, simulation, clock  must outlive this object.
   LiveControl(const sim::agents::SimulationConfig& config,
               const sim::agents::Simulation& simulation, hal::Clock& clock, Settings settings);
 
@@ -48,13 +48,14 @@ class LiveControl final : public view::server::RunControl,
   Now now() const override;
   void keep() const override;
 
-  /// Before the events of `next`. @return how long to wait before asking again; none: go on.
+  /// To be called before the events of `next`. @return time to wait before calling again; none: go
+  /// on.
   std::optional<hal::Duration> hold(hal::Time next);
 
-  /// Whether a page was open, or somebody asked for now(), within that time.
+  /// Whether keep() (a page is open) or now() was called within this time.
   bool watched_within(hal::Duration time) const;
 
-  /// The run has ended like this.
+  /// Notes that the run has ended.
   void end(hal::Time at, const std::string& result);
 
   void on_cycle(hal::Time at, hal::AgentId agent) override;
@@ -71,21 +72,22 @@ class LiveControl final : public view::server::RunControl,
  private:
   struct Stepping {
     view::server::Steps steps;
-    hal::Time last{-hal::Duration{1}};  ///< Cycles of several agents at one time are one step.
+    /// Time of the last counted cycle: cycles of several agents at the same time are one step.
+    hal::Time last{-hal::Duration{1}};
   };
 
   hal::Result<std::int64_t> start(const view::server::Steps& steps);
   hal::Result<std::int64_t> add(const view::server::Break& at);
   void refresh();
-  /// Of hold(), under the lock: the run has come to `next`; whether somebody waits for what is not
-  /// written yet; how long to wait.
+  /// Parts of hold(), called with the lock held: note that the run has come to `next`; whether a
+  /// viewer needs data that are not written yet; how long to wait.
   void reach(hal::Time next);
   bool is_to_refresh(hal::Time wall) const;
   std::optional<hal::Duration> wait_left(hal::Time wall) const;
   void restart_pace();
   void count(view::server::Steps::Of what, hal::Time at, hal::AgentId agent);
   bool is_watched(view::server::Break::On on) const;
-  /// Pauses if a break wants that. @param text  state or topic  @param why  for people
+  /// Pauses if a break applies. @param text  state or topic @param why  the reason, for display
   void pause_if(view::server::Break::On on, hal::AgentId agent, std::string_view text,
                 const std::function<std::string()>& why);
   void pause(std::string why);
@@ -96,18 +98,18 @@ class LiveControl final : public view::server::RunControl,
   hal::Clock& clock_;
   Settings settings_;
   std::map<hal::AgentId, sim::agents::ContactCounts> contacts_;  ///< At the last cycle.
-  hal::Time committed_at_{};                                     ///< By the wall clock.
+  hal::Time committed_at_{};                                     ///< Wall time of the last commit.
 
-  mutable std::mutex mutex_;  ///< Of all that follows.
+  mutable std::mutex mutex_;  ///< Guards all members below.
   Now now_;
   std::optional<Stepping> stepping_;
   std::map<std::int64_t, view::server::Break> breaks_;
   std::int64_t last_break_ = 0;
-  /// The pace counts from here: simulated and wall.
+  /// Time of the next instant, and simulated and wall time from which the speed is measured.
   hal::Time next_{}, paced_from_{}, paced_since_{};
   bool has_begun_ = false;
-  mutable std::optional<hal::Time> asked_at_;  ///< now(), the last time; by the wall clock.
-  mutable std::optional<hal::Time> kept_at_;   ///< keep(), likewise.
+  mutable std::optional<hal::Time> asked_at_;  ///< Wall time of the last now().
+  mutable std::optional<hal::Time> kept_at_;   ///< Wall time of the last keep().
 };
 
 }  // namespace baraka::run::live

@@ -13,15 +13,15 @@
 
 namespace baraka::run::live {
 
-/// How `baraka run --view` shows the run.
+/// Options of `baraka run --view`.
 struct LiveViewOptions {
   bool shown = false;
-  bool paused = false;  ///< From the start.
-  bool open = true;     ///< A browser, on a desktop.
-  int port = 0;         ///< 0: a free one.
+  bool paused = false;  ///< Start paused.
+  bool open = true;     ///< Open a browser, if there is a desktop.
+  int port = 0;         ///< 0: any free port.
 };
 
-/// A run in the browser while it goes on.
+/// Shows a run in the browser while it is running.
 ///
 ///   LiveView view(scenario, simulation, settings);
 ///   pace settings: .hold = [&](auto next) { return view.control().hold(next); }
@@ -33,23 +33,23 @@ class LiveView {
   struct Settings {
     LiveViewOptions options;
     bool lockstep = true;
-    double max_speed = 0;  ///< As LiveControl::Settings.
+    double max_speed = 0;  ///< This and the following: as in LiveControl::Settings.
     std::function<void()> commit;
     std::function<bool(hal::AgentId, const hal::Twist2&)> drive;
   };
 
-  /// Becomes an observer of the simulation; both arguments outlive this object.
+  /// Becomes an observer of the simulation. Scenario and simulation must outlive this object.
   LiveView(const sim::scenario::Scenario& scenario, sim::agents::Simulation& simulation,
            Settings settings);
 
   LiveControl& control() { return control_; }
 
-  /// Serves and says where, on standard error; opens a browser.
+  /// Starts the server, prints its address on standard error and opens a browser.
   /// @throws UsageError  the port is taken.
   void start(const std::filesystem::path& folder);
 
-  /// The run has ended and its record is written: waits until no page has been open for some
-  /// seconds, or somebody wants to go, then ends the server.
+  /// To be called when the run has ended and its record is written. Waits until no page has been
+  /// open for some seconds or the user interrupts, then ends the server.
   void end(const sim::agents::Outcome& outcome);
 
  private:

@@ -11,10 +11,10 @@
 
 namespace baraka::run::network {
 
-/// Starts controllers in the namespaces of a run. They end with these.
+/// Starts controllers in the network namespaces of a run. They end with the namespaces.
 class NamespaceStarter final : public gateway::server::InsideStarter {
  public:
-  /// @param network  outlives it.
+  /// @param network  must outlive this object.
   explicit NamespaceStarter(NetworkOfRun& network) : network_(network) {}
 
   void start(hal::AgentId agent, const gateway::server::InsideProgram& program) override;
@@ -22,7 +22,7 @@ class NamespaceStarter final : public gateway::server::InsideStarter {
 
  private:
   NetworkOfRun& network_;
-  /// By index of their agent and number among its programs: name and log.
+  /// Name and log file by index of the agent and number among its programs.
   std::map<std::pair<std::size_t, std::uint32_t>, std::pair<std::string, std::filesystem::path>>
       started_;
 };

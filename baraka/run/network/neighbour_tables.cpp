@@ -15,7 +15,7 @@ std::vector<std::string> words_of(const std::string& line) {
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
-/// Sum of the column over all processors; none: there is no such file, or column.
+/// Sum of the column over all processors; none: there is no such file or column.
 std::optional<std::uint64_t> sum_of(const char* file, const std::string& column) {
   constexpr int kHexadecimal = 16;
   std::ifstream table(file);

@@ -22,12 +22,12 @@ using namespace std::chrono_literals;
 /// While a program is between two steps of sending: see netns::RoomPage::publish().
 constexpr hal::Duration kWhileOneSends = 1ms;
 constexpr hal::Duration kOtherwise = 50ms;
-/// What waking takes here when nothing else is to be done.
+/// Typical wake-up latency of an otherwise idle computer.
 constexpr hal::Duration kSpin = 50us;
-/// The kernel may end waits later than asked for by this, to join them with others.
+/// The kernel may delay the end of a wait by this time to combine it with others.
 constexpr unsigned long kTimerSlack = 1;  // ns
 
-/// User and system time of this process, s.
+/// User plus system time of this process, s.
 double cpu_seconds() {
   rusage usage{};
   ::getrusage(RUSAGE_SELF, &usage);
@@ -37,8 +37,8 @@ double cpu_seconds() {
   return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-/// This thread runs as soon as it is woken, whatever else wants the processor, if the system lets
-/// it: it hardly needs it, and others' frames wait for it. Its children do as before.
+/// Gives this thread a real-time priority, if the system permits: frames wait for it, and it needs
+/// little processor time. Child processes keep the normal priority.
 void go_before_others(bool before) {
   sched_param parameters{};
   parameters.sched_priority = before ? ::sched_get_priority_min(SCHED_RR) : 0;

@@ -19,21 +19,22 @@
 
 namespace baraka::run::network {
 
-/// Whether an agent has a network.
+/// Whether any agent of the scenario has a network.
 bool has_network(const sim::scenario::Scenario& scenario);
 
-/// How the programs' side of a run was.
+/// Counts and loads of the programs and their networks in a run.
 struct NetworkSummary {
   using ByAgent = std::vector<std::pair<std::string, std::uint64_t>>;
-  std::uint64_t frames_dropped = 0;    ///< By the kernel, before the run could read them.
-  std::uint64_t frames_not_taken = 0;  ///< Off the air, by interfaces that were shut down.
-  /// Packets of programs of any run on this computer for which the kernel found no neighbour's
-  /// place while this one went on.
+  std::uint64_t frames_dropped = 0;  ///< Dropped by the kernel before the run could read them.
+  /// Received frames not accepted by an interface, because it was shut down.
+  std::uint64_t frames_not_taken = 0;
+  /// Packets lost during this run because the kernel's neighbour table was full; those of other
+  /// runs on this computer are included.
   std::uint64_t neighbours_without_room = 0;
-  /// Messages of ICMP, echo replies among them, that the kernel did not send, by agent; of those
-  /// with any.
+  /// Number of ICMP messages (including echo replies) that the kernel suppressed, by agent; only
+  /// agents with any.
   ByAgent icmp_not_sent;
-  double cpu_load = 0;  ///< Processor time of this process over wall time.
+  double cpu_load = 0;  ///< Processor time of this process / wall time.
   double cpu_load_programs = 0;
   std::vector<results::record::ProgramRow> programs;
 };
@@ -46,24 +47,25 @@ struct NetworkSummary {
 ///   network.finish();
 class NetworkOfRun final : private pace::BackgroundWork {
  public:
-  /// Makes the namespaces; says on standard error what programs will miss there.
-  /// @param file  of the scenario: its folder is shown to programs. @param factor  of the clock.
-  /// @param results  tells where the folder of the results is now.
+  /// Creates the namespaces; prints on standard error what programs will lack there.
+  /// @param file  of the scenario; programs can see its folder.
+  /// @param factor  speed of the programs' clock relative to wall time.
+  /// @param results  returns the current path of the folder of results.
   /// @throws std::runtime_error  as netns::Namespaces.
   NetworkOfRun(const sim::scenario::Scenario& scenario, const std::filesystem::path& file,
                double factor, std::function<std::filesystem::path()> results);
   ~NetworkOfRun() override;
 
-  /// The simulation uses the interfaces, and the clock attends to the programs. Both outlive the
-  /// calls of this object until finish().
+  /// Connects the simulation to the interfaces, and the clock to the programs. Both must exist
+  /// until finish() returns.
   void connect(sim::agents::Simulation& simulation, pace::RealTimeClock& clock);
 
-  /// To start something else inside. @pre not finished.
+  /// For starting other programs inside. @pre finish() has not been called.
   programs::netns::Namespaces& namespaces() { return *namespaces_; }
-  /// Index of an agent there; none: it has no network.
+  /// Index of an agent among the namespaces; none: the agent has no network.
   std::optional<std::size_t> index_of(hal::AgentId agent) const;
 
-  /// The run is over: ends what still runs inside. Once.
+  /// Ends all programs that still run inside. To be called once, when the run is over.
   NetworkSummary finish();
 
  private:
@@ -87,7 +89,7 @@ class NetworkOfRun final : private pace::BackgroundWork {
   sim::agents::Simulation* simulation_ = nullptr;
   hal::Clock* wall_ = nullptr;
   std::optional<TapBridge> bridge_;
-  hal::Time begun_at_{};  ///< Wall.
+  hal::Time begun_at_{};  ///< Wall time of the start.
   std::optional<std::uint64_t> overflows_before_;
   double cpu_before_ = 0, programs_cpu_before_ = 0;  ///< s
 };

@@ -13,8 +13,8 @@ namespace {
 using sim::agents::EdgeSummary;
 
 constexpr double kMostLate = 0.01;  ///< Share of frames.
-/// Of fewer it is only said when most are late: frames are late together, and the interval below
-/// takes each for a draw of its own.
+/// With fewer frames, a warning is given only if most are late: frames are late in groups, but the
+/// interval below assumes independent frames.
 constexpr std::uint64_t kEnoughFrames = 100;
 constexpr double kMostOfFew = 0.5;  ///< Share of frames.
 
@@ -23,8 +23,7 @@ double late_share(const EdgeSummary& edge) {
   return static_cast<double>(edge.beyond_limit) / static_cast<double>(edge.frames);
 }
 
-/// The least share of late frames that those of this run can be a sample of: the lower end of
-/// Wilson's interval, 95 %.
+/// Lower bound of the share of late frames: the lower end of Wilson's 95 % interval.
 double least_late_share(const EdgeSummary& edge) {
   using results::statistics::Support;
   const std::array shares{late_share(edge), late_share(edge)};

@@ -8,13 +8,14 @@
 
 namespace baraka::run::network {
 
-/// What speaks against the result of a run with networks, a line each.
-/// @param factor  simulated seconds per second.  @param limit  of lateness.
+/// Reasons to doubt the result of a run with networks, one line each.
+/// @param factor  simulated seconds per second.
+/// @param limit  of the lateness of frames.
 std::vector<std::string> network_warnings(const sim::agents::AirSummary& air,
                                           const NetworkSummary& network, double factor,
                                           hal::Duration limit);
 
-/// The numbers, as "key: value" lines on standard output.
+/// Prints the numbers as "key: value" lines on standard output.
 void print_network(const sim::agents::AirSummary& air, const NetworkSummary& network);
 
 }  // namespace baraka::run::network

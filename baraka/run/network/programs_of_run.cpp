@@ -15,7 +15,7 @@ namespace {
 using sim::scenario::OnExit;
 using sim::scenario::PlannedProgram;
 
-/// First octet of what goes through the door; the rest is text.
+/// First octet of an arrival at the door; the rest is text.
 constexpr std::uint8_t kEnds = 'e', kFails = 'f';
 
 std::vector<std::uint8_t> message(std::uint8_t kind, const std::string& text) {
@@ -24,7 +24,7 @@ std::vector<std::uint8_t> message(std::uint8_t kind, const std::string& text) {
   return bytes;
 }
 
-/// 0..255, as a shell says it.
+/// Exit status as a shell reports it: 0..255, 128 + signal if a signal ended the program.
 int shell_status(int status) {
   constexpr int kSignalled = 128;
   return WIFSIGNALED(status) ? kSignalled + WTERMSIG(status) : WEXITSTATUS(status);
@@ -79,7 +79,7 @@ void ProgramsOfRun::on_end(hal::Time now, hal::AgentId agent, std::uint32_t numb
   const auto ended = std::ranges::find_if(started_, [&](const Started& one) {
     return one.number == number && one.row.agent == agent && !one.row.ended;
   });
-  if (ended == started_.end()) return;  // of `baraka exec`
+  if (ended == started_.end()) return;  // started by `baraka exec`
   ended->row.ended = now;
   ended->row.status = shell_status(status);
   const PlannedProgram& planned = *ended->planned;

@@ -18,42 +18,42 @@
 
 namespace baraka::run::network {
 
-/// The door by which the end of a program ends the run.
+/// The input of the simulation through which the end of a program ends the run.
 inline constexpr const char* kProgramsDoor = "programs";
 
-/// Lets programs end the run, or a record of them in a repetition. Without programs it does
-/// nothing. @param simulation  outlives its run.
+/// Lets programs, or in a repetition their record, end the run. Does nothing without programs.
+/// @param simulation  must exist until the run is over.
 void open_programs_door(const sim::scenario::Scenario& scenario,
                         sim::agents::Simulation& simulation);
 
-/// The programs of a scenario: each is started when it is due, and its end is noted and does to the
-/// run what the scenario says. One thread.
+/// The programs of a scenario: starts each when it is due, notes its end, and ends the run if the
+/// scenario says so. One thread.
 class ProgramsOfRun {
  public:
-  /// A program that is due.
+  /// A program to start now.
   struct Start {
     const sim::scenario::PlannedProgram& program;
-    std::filesystem::path folder;  ///< Of the results, as it is called now.
+    std::filesystem::path folder;  ///< Current path of the folder of results.
   };
-  /// Starts one. @return its number among its agent's. @throws std::runtime_error
+  /// Starts a program. @return its number among the agent's programs. @throws std::runtime_error
   using Starter = std::function<std::uint32_t(const Start&)>;
-  /// Tells the run that it has to end: what goes through kProgramsDoor.
+  /// Tells the run to end. Its argument is the content of an arrival at kProgramsDoor.
   using Ender = std::function<void(std::vector<std::uint8_t>)>;
 
-  /// @param scenario  outlives it.
+  /// @param scenario  must outlive this object.
   ProgramsOfRun(const sim::scenario::Scenario& scenario, Starter start, Ender end);
 
-  /// When the next is due, simulated time.
+  /// Simulated time at which the next program is due; none: all were started.
   std::optional<hal::Time> next() const;
 
-  /// Starts one that is due: it takes a millisecond or so of wall time, in which no frame moves.
-  /// @throws std::runtime_error  one cannot be started: "file:line:column: programs: 'name' …".
+  /// Starts the next program. This takes about a millisecond of wall time, in which no frame moves.
+  /// @throws std::runtime_error  it cannot be started: "file:line:column: programs: 'name' …".
   void start_next(hal::Time now, const std::filesystem::path& results);
 
-  /// A program has ended. @param status  as of waitpid().
+  /// Notes that a program has ended. @param status  as returned by waitpid().
   void on_end(hal::Time now, hal::AgentId agent, std::uint32_t number, int status);
 
-  /// All that were started, with those that still run.
+  /// All programs that were started, including those still running.
   std::vector<results::record::ProgramRow> rows() const;
 
  private:
@@ -63,7 +63,7 @@ class ProgramsOfRun {
     results::record::ProgramRow row;
   };
 
-  std::vector<sim::scenario::PlannedProgram> planned_;  ///< By start.
+  std::vector<sim::scenario::PlannedProgram> planned_;  ///< Sorted by start.
   std::size_t next_ = 0;
   std::vector<Started> started_;
   Starter start_;

@@ -15,7 +15,7 @@
 namespace baraka::run::network {
 namespace {
 
-/// Ethernet header and the largest payload, and more, so that what is too long is seen to be.
+/// More than the Ethernet header and the largest payload, so that longer frames are recognised.
 constexpr std::size_t kBuffer = 64 + 2 * sim::radio::kMaxMsdu;
 
 std::uint32_t clamped(std::size_t frames) {
@@ -69,7 +69,7 @@ void TapBridge::on_room(hal::AgentId agent, const Room& room) {
   AgentTap& one = of(agent);
   if (one.tap.room == nullptr) return;
   const bool has_changed = !one.is_told || one.sent != one.told_sent || room.free != one.told_room;
-  // Also one that has only begun: it may have been killed since.
+  // Includes a program that has only begun to send: it may have been killed since.
   const bool is_one_sending = one.is_one_sending || one.tap.room->is_between(one.sent);
   if (!has_changed && !is_one_sending) return;
   one.is_one_sending = one.tap.room->publish(one.sent, clamped(room.free),
@@ -85,11 +85,11 @@ bool TapBridge::is_one_sending() const {
 
 void TapBridge::after_wait() {
   wake_up_.after_wait();
-  // Had something been there before, it would not have slept.
+  // If something had been there before, the thread would not have slept.
   if (const auto ago = wake_up_.at_most()) nothing_until_ = clock_.wall().now() - *ago;
 }
 
-/// In turns, so that one that sends without end does not keep the others from theirs.
+/// Reads the TAPs in turn, so that one that sends continuously cannot block the others.
 void TapBridge::read(std::size_t most, const std::function<void(sim::air::SentFrame)>& take) {
   constexpr std::size_t kMostOfOne = 64;
   look();
@@ -104,7 +104,7 @@ void TapBridge::read(std::size_t most, const std::function<void(sim::air::SentFr
   }
 }
 
-/// Sees which TAPs have something.
+/// Finds the TAPs with something to read.
 void TapBridge::look() {
   const hal::Time now = clock_.wall().now();
   for (AgentTap& one : taps_) {
@@ -119,7 +119,7 @@ void TapBridge::look() {
     taps_[event.data.u64].is_ready = true;
     ready_.push_back(event.data.u64);
   }
-  std::ranges::sort(ready_);  // by address
+  std::ranges::sort(ready_);  // by address, as taps_
   for (AgentTap& one : taps_) {
     if (one.is_ready) continue;
     one.empty_at = now;

@@ -27,7 +27,7 @@ std::string content(int descriptor) {
   return text;
 }
 
-/// Opens a lock, never through a link and never a file of somebody else's: it will be written to.
+/// Opens a lock file. Because it will be written to, links and files of other users are refused.
 int open_lock(const fs::path& file, const fs::path& folder) {
   const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC, 0644);
   if (descriptor < 0) {
@@ -47,7 +47,7 @@ int open_lock(const fs::path& file, const fs::path& folder) {
   return descriptor;
 }
 
-/// Whether the open file is still the one of that name: its last holder may have removed it.
+/// Whether the open file still has that name: its last holder may have removed it.
 bool is_still(const fs::path& file, int descriptor) {
   struct stat named {
   }, opened{};
@@ -86,7 +86,7 @@ void remove_lock_of_the_dead(const fs::path& folder) {
   try {
     const FolderLock lock(folder);
   } catch (const std::runtime_error&) {
-    return;  // somebody else was faster
+    return;  // another process was faster
   }
 }
 

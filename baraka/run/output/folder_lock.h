@@ -5,17 +5,19 @@
 
 namespace baraka::run::output {
 
-/// Another process holds the folder; what() names it.
+/// Another process has locked the folder; what() names the folder.
 struct FolderHeld : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// A folder that this process holds until destruction, or until it dies. The lock is a file beside
-/// the folder, so the folder may be renamed or not be there at all.
+/// A lock on a folder, held until destruction or until this process dies. The lock is a file beside
+/// the folder, so the folder may be renamed or may not exist.
 class FolderLock {
  public:
-  /// @pre the folder that it is in exists. @throws FolderHeld. @throws std::runtime_error  the lock
-  ///   is no file of this user's, or cannot be written.
+  /// @pre The parent folder exists.
+  /// @throws FolderHeld
+  /// @throws std::runtime_error  the lock file belongs to another user, is not a file, or cannot be
+  ///   written.
   explicit FolderLock(const std::filesystem::path& folder);
   ~FolderLock();
   FolderLock(const FolderLock&) = delete;
@@ -26,11 +28,11 @@ class FolderLock {
   int descriptor_ = -1;
 };
 
-/// Whether some process holds the folder, which need not exist.
+/// Whether some process has locked the folder, which need not exist.
 bool is_held(const std::filesystem::path& folder);
 
-/// Removes the file that a process left which died while it held the folder. Does nothing if there
-/// is none, or if a process holds it.
+/// Removes the lock file of a process that died. Does nothing if there is no such file, or if a
+/// process holds the lock.
 void remove_lock_of_the_dead(const std::filesystem::path& folder);
 
 }  // namespace baraka::run::output

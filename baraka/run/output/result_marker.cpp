@@ -20,7 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kRun = "run: ", kItem = "- ";
 
-/// Markers may come from anywhere: a name that leads out of the folder is none of ours.
+/// Markers may come from anywhere: a name that leads out of the folder is not one of a run's files.
 bool is_plain_name(std::string_view name) {
   return !name.empty() && name != "." && name != ".." && name.find('/') == std::string_view::npos;
 }

@@ -7,30 +7,29 @@
 
 namespace baraka::run::output {
 
-/// The marker of a folder that a run made for its result: which run, and every file that it may
-/// write there. By it a later run knows what it may move or remove: these files and the marker, and
-/// nothing else.
+/// The marker file of a run's result folder. It identifies the run and lists every file that the
+/// run may write there. A later run moves or removes only these files and the marker.
 struct ResultMarker {
   static constexpr const char* kFile = ".baraka-result";
 
   std::string run;                 ///< Id of the run, 32 hexadecimal digits.
-  std::vector<std::string> files;  ///< Plain names.
+  std::vector<std::string> files;  ///< File names without folders.
 };
 
-/// @return an id that no other run has.
+/// @return a random id, unique to a run.
 std::string new_run_id();
 
-/// @pre the folder has no marker. @throws std::runtime_error  it cannot be written.
+/// @pre The folder has no marker. @throws std::runtime_error  the marker cannot be written.
 void write_marker(const std::filesystem::path& folder, const ResultMarker& marker);
 
-/// @return none: the folder has no marker. One that was cut short names no files.
+/// @return none: the folder has no marker. A marker that was cut short lists no files.
 std::optional<ResultMarker> read_marker(const std::filesystem::path& folder);
 
-/// What is in a folder that no run wrote, by name. @throws std::filesystem::filesystem_error
+/// Names of files in a folder that no run wrote, sorted. @throws std::filesystem::filesystem_error
 std::vector<std::string> foreign_files(const std::filesystem::path& folder);
 
-/// Removes what a run wrote into a folder, and the folder if nothing else is in it; the marker
-/// last. Links are removed, never followed. @throws std::runtime_error
+/// Removes a run's files from a folder, the marker last, and then the folder if it is empty. Links
+/// are removed, never followed. @throws std::runtime_error  something cannot be removed.
 void remove_result(const std::filesystem::path& folder);
 
 }  // namespace baraka::run::output

@@ -33,7 +33,7 @@ void rename_folder(const fs::path& from, const fs::path& to) {
                                        to.string(), std::strerror(errno)));
 }
 
-/// One more than the highest number that a folder beside has: they stay in the order of their age.
+/// One more than the highest number of the folders beside it, so that they stay sorted by age.
 fs::path next_kept(const fs::path& folder) {
   const std::string prefix = folder.filename().string() + ".";
   int highest = 0;
@@ -50,7 +50,7 @@ fs::path next_kept(const fs::path& folder) {
   return beside(folder, fmt::format(".{}", highest + 1));
 }
 
-/// The rights of the folder that is there, for the one that takes its place.
+/// The permissions of a folder, for the folder that will replace it; none: there is no such folder.
 std::optional<mode_t> rights_of(const fs::path& folder) {
   struct stat status {};
   if (::stat(folder.c_str(), &status) != 0) return std::nullopt;
@@ -141,7 +141,7 @@ void finish_set_aside(const fs::path& folder) {
   if (read_marker(folder) || is_there(folder / kReplicationsFile)) {
     remove_result(replaced);
   } else if (!is_there(folder) || fs::is_empty(folder)) {
-    rename_folder(replaced, folder);  // the one that was to replace it never began
+    rename_folder(replaced, folder);  // the run that was to replace it never began
   }
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::chrono::milliseconds kBetweenTries{100};
 
-/// Null: another process has it.
+/// Null: another process holds the lock.
 std::unique_ptr<FolderLock> hold_now(const std::filesystem::path& folder, std::string& holder) {
   try {
     return std::make_unique<FolderLock>(folder);

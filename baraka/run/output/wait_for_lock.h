@@ -7,10 +7,11 @@
 
 namespace baraka::run::output {
 
-/// Holds the folder of a result as soon as nobody else does: waits for a run that is writing there,
-/// here or, on a file system of several computers, elsewhere. What was killed in the middle of
-/// setting an earlier result aside is ended.
-/// @throws Interrupted  by the user. @throws UsageError, std::runtime_error  as ResultsFolder.
+/// Locks the folder of a result as soon as no other process holds it: waits for a run that is
+/// writing there, on this computer or, with a shared file system, on another. Completes an
+/// interrupted set_aside().
+/// @throws Interrupted  by the user.
+/// @throws UsageError, std::runtime_error  as ResultsFolder.
 std::unique_ptr<FolderLock> wait_for_lock(const std::filesystem::path& folder);
 
 }  // namespace baraka::run::output

@@ -6,30 +6,30 @@
 
 namespace baraka::run::pace {
 
-/// What goes on in the background of a run in real time, and is attended to while the run waits:
-/// programs. On the run's thread.
+/// Work in the background of a real-time run (the programs), done on the run's thread while the run
+/// waits.
 class BackgroundWork {
  public:
   virtual ~BackgroundWork() = default;
 
-  /// Readable when there is something to attend to.
+  /// A descriptor that is readable when there is work.
   virtual int descriptor() const = 0;
 
-  /// Does what is due. @param now  simulated time. @throws std::runtime_error  the run cannot go
-  /// on.
+  /// Does the work that is due. @param now  simulated time.
+  /// @throws std::runtime_error  the run cannot go on.
   virtual void attend(hal::Time now) = 0;
 
-  /// When the next is due, simulated time, whatever happens; none: never.
+  /// Simulated time at which work is due even if the descriptor is not readable; none: never.
   virtual std::optional<hal::Time> next() const = 0;
 
-  /// No wait is longer, wall time.
+  /// Longest single wait, wall time.
   virtual hal::Duration longest_wait() const = 0;
 
-  /// A wait ends so much early, and the rest passes in looking again and again: a sleeper is woken
-  /// that late. Wall time.
+  /// A wait ends this much early, because a sleeping thread is woken late; the rest is spent
+  /// polling. Wall time.
   virtual hal::Duration spin() const = 0;
 
-  /// Right before and after each wait that may last.
+  /// Called directly before and after each wait that may sleep.
   virtual void before_wait() = 0;
   virtual void after_wait() = 0;
 };

@@ -2,8 +2,8 @@
 
 namespace baraka::run::pace {
 
-/// From now on SIGINT, SIGTERM and, unless it was ignored, SIGHUP only set a flag, once; the next
-/// one ends the process.
+/// From now on the first SIGINT, SIGTERM or (unless ignored) SIGHUP only sets a flag; the next one
+/// ends the process.
 void catch_interrupts();
 bool interrupted();
 

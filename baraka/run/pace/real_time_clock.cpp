@@ -5,7 +5,7 @@
 namespace baraka::run::pace {
 namespace {
 
-/// Ctrl-C is noticed, and the death of a process on another host, after at most this.
+/// Ctrl-C and the death of a process on another host are noticed within this time.
 constexpr hal::Duration kSlice = std::chrono::milliseconds{50};
 
 }  // namespace

@@ -10,19 +10,19 @@
 
 namespace baraka::run::pace {
 
-/// Simulated time at a factor of the wall clock, from the first call of now() on. Shows progress
-/// and breaks off when interrupted, as the WallPace does that it is given, and goes by its clock.
+/// Simulated time that follows the wall clock at a factor, from the first call of now() on. Uses a
+/// WallPace for the clock, for showing progress and for interrupts.
 class RealTimeClock final : public sim::agents::FollowedClock {
  public:
   /// @param factor  simulated seconds per second, above 0.
   RealTimeClock(double factor, WallPace& pace) : factor_(factor), pace_(pace) {}
 
-  /// From now on this is attended to as well. It outlives the clock.
+  /// Adds background work. @param work  must outlive the clock.
   void attend_to(BackgroundWork& work) { background_ = &work; }
 
   hal::Time now() override;
 
-  /// Simulated time that a time of the wall's clock stands for. @pre now() has been called.
+  /// Converts wall time to simulated time. @pre now() has been called.
   hal::Time simulated(hal::Time wall) const;
   hal::Clock& wall() const { return pace_.clock(); }
 
@@ -34,7 +34,7 @@ class RealTimeClock final : public sim::agents::FollowedClock {
   WallPace& pace_;
   std::optional<hal::Time> start_;
   BackgroundWork* background_ = nullptr;
-  std::vector<pollfd> polled_;  ///< Kept for its memory.
+  std::vector<pollfd> polled_;  ///< A member to avoid allocating it for each wait.
 };
 
 }  // namespace baraka::run::pace

@@ -40,8 +40,8 @@ std::optional<WakeUpLatency::SchedulerTimes> WakeUpLatency::read() const {
 
 void WakeUpLatency::before_wait() { before_ = read(); }
 
-/// What it was woken for came before it was ready. Since then it was ready or running: on its way
-/// out of the wait, or, counted in as well, on its way into it.
+/// The thread became ready when the event arrived. Since then it was either ready or running, so
+/// the sum of both is an upper bound; it also includes the time on the way into the wait.
 void WakeUpLatency::after_wait() {
   at_most_.reset();
   const std::optional<SchedulerTimes> now = read();

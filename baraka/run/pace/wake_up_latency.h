@@ -6,19 +6,18 @@
 
 namespace baraka::run::pace {
 
-/// Tells of a wait of this thread how long ago at most it was woken: for how old what woke it may
-/// be. After proc(5): /proc/thread-self/schedstat has the time that the thread was ready and did
-/// not run.
+/// Upper bound of the time since this thread was woken from a wait, and therefore of the age of the
+/// event that woke it. Source: /proc/thread-self/schedstat (proc(5)), the time that the thread was
+/// ready but not running.
 ///
 ///   WakeUpLatency latency;
 ///   latency.before_wait();
 ///   poll(…);
 ///   latency.after_wait();
-///   if (latency.at_most()) …   // it slept; *latency.at_most() before after_wait(), or later, it
-///                              // was woken
+///   if (latency.at_most()) …   // It slept, and was woken at most this long before after_wait().
 class WakeUpLatency {
  public:
-  /// Of the calling thread, which alone uses it.
+  /// Measures the calling thread; only that thread may use the object.
   WakeUpLatency();
   ~WakeUpLatency();
   WakeUpLatency(const WakeUpLatency&) = delete;
@@ -28,12 +27,12 @@ class WakeUpLatency {
   void after_wait();
 
   /// None: the thread did not sleep between before_wait() and after_wait(), or the system does not
-  /// tell.
+  /// provide the times.
   std::optional<hal::Duration> at_most() const { return at_most_; }
 
  private:
   struct SchedulerTimes {
-    hal::Duration ready{};  ///< Ready and not running, in all.
+    hal::Duration ready{};  ///< Total time ready but not running.
     hal::Duration ran{};
     long sleeps = 0;
   };

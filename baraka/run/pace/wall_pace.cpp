@@ -17,7 +17,7 @@ constexpr hal::Duration kShowOnTerminal = 500ms;
 constexpr hal::Duration kShowAsLines = 10s;
 constexpr double kLeastForEstimate = 5;  // s of wall time
 
-/// "12 s", "3 min", "2.5 h": no finer than it can be known. @param seconds  of wall time.
+/// "12 s", "3 min", "2.5 h": rounded, because it is an estimate. @param seconds  of wall time.
 std::string words(double seconds) {
   constexpr double kMinute = 60, kHour = 3600;
   if (seconds < 2 * kMinute) return fmt::format("{:.0f} s", seconds);
@@ -73,7 +73,7 @@ std::string WallPace::simulated(hal::Time now) const {
   std::string line =
       fmt::format("{:9.1f} of {}{:.1f} s simulated ({:.0f} %)", seconds,
                   settings_.may_end_earlier ? "at most " : "", end, 100 * seconds / end);
-  // As fast as it has been all along. Before that says much nothing is said.
+  // Extrapolates the mean speed so far; no estimate in the first seconds.
   const double wall = wall_seconds();
   if (wall < kLeastForEstimate || seconds <= 0) return line;
   return line + fmt::format(", {}{} left", settings_.may_end_earlier ? "at most " : "",

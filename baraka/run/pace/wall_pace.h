@@ -12,24 +12,27 @@
 
 namespace baraka::run::pace {
 
-/// Runs a simulation no faster than a factor times the wall clock, shows progress on standard
-/// error, and breaks off when interrupted.
+/// Limits the speed of a simulation relative to the wall clock, shows progress on standard error,
+/// and stops the run when it is interrupted.
 class WallPace final : public sim::agents::Pace {
  public:
   struct Settings {
-    double max_speed = std::numeric_limits<double>::infinity();  ///< Simulated per wall second.
-    bool terminal = false;      ///< Progress in place, twice a second; else a line every 10 s.
-    std::size_t processes = 0;  ///< Of controllers, to show.
-    /// When the run ends at the latest, to show what share of it is over; none: it is not known.
+    /// Simulated seconds per wall second.
+    double max_speed = std::numeric_limits<double>::infinity();
+    /// True: progress is rewritten in place twice a second; false: a line every 10 s.
+    bool terminal = false;
+    std::size_t processes = 0;  ///< Number of controller processes, shown with the progress.
+    /// Latest end of the run, to show progress in percent; none: not known.
     std::optional<hal::Time> end = {};
-    bool may_end_earlier = false;         ///< By a condition.
-    std::function<void()> once_a_second;  ///< Of wall time, e.g. to save what there is.
-    /// Asked before each instant how long to wait before it is asked again; none: go on. May be
-    /// empty.
+    bool may_end_earlier = false;  ///< A condition may end the run before `end`.
+    std::function<void()>
+        once_a_second;  ///< Called every second of wall time, for example to save.
+    /// Called before each instant. Returns the time to wait before it is called again; none: go on.
+    /// May be empty.
     std::function<std::optional<hal::Duration>(hal::Time next)> hold = {};
   };
 
-  /// @param clock  outlives the pace.
+  /// @param clock  must outlive this object.
   explicit WallPace(Settings settings, hal::Clock& clock = gateway::process::wall_clock())
       : settings_(std::move(settings)), clock_(clock) {}
 
@@ -37,10 +40,10 @@ class WallPace final : public sim::agents::Pace {
 
   Verdict may_go_on(hal::Time next, const sim::agents::Progress& progress) override;
 
-  /// Leaves the line of the progress.
+  /// Ends the progress line.
   void end();
 
-  /// Wall seconds from the first call to the last.
+  /// Wall time from the first call to the last, s.
   double wall_seconds() const { return hal::to_seconds(last_ - start_); }
 
  private:

@@ -16,7 +16,7 @@ namespace {
 using namespace std::chrono_literals;
 using hal::node::devices::RobotDescription;
 
-// Least simulated time between two samples.
+// Shortest simulated time between two samples.
 constexpr hal::Duration kClockPeriod = 10ms;
 constexpr hal::Duration kFramePeriod = 10ms;
 constexpr hal::Duration kLinkPeriod = 1s;  // of one link

@@ -16,8 +16,8 @@
 
 namespace baraka::run::topics {
 
-/// Shows a run while it goes on, to whoever reads the topics of gateway::inspection::Inspector and
-/// its like. It looks only: the run is the same with and without readers.
+/// Publishes a running simulation on the topics of gateway::inspection::Inspector, AirInspector and
+/// MarkerInspector. It only observes: the run is the same with and without readers.
 ///
 ///   InspectionObserver inspection(config);
 ///   Simulation simulation(config, {…, &inspection});
@@ -25,15 +25,15 @@ namespace baraka::run::topics {
 ///   …run…
 class InspectionObserver final : public sim::agents::Observer {
  public:
-  /// @param config  outlives this object.
+  /// @param config  must outlive this object.
   explicit InspectionObserver(const sim::agents::SimulationConfig& config);
 
-  /// Before this nothing is shown. @param participant  outlives this object.
+  /// Starts publishing. @param participant  must outlive this object.
   /// @throws std::runtime_error  if DDS makes no writer.
   void start(gateway::inspection::InspectionParticipant& participant);
 
-  /// What the air is used for, kept by somebody else; outlives the run. Null: nothing of it is
-  /// shown.
+  /// Sets the account of the use of the air to publish. @param ledger  must outlive the run; null:
+  /// nothing about the air is published.
   void set_ledger(const sim::air::Ledger* ledger) { ledger_ = ledger; }
 
   void on_body(hal::Time at, hal::AgentId agent, const sim::agents::BodyState& body) override;
@@ -56,9 +56,9 @@ class InspectionObserver final : public sim::agents::Observer {
 
   struct Agent {
     std::string name;
-    std::size_t robot = 0;       ///< Its index among the robots, if it is one.
-    hal::Pose2 shown;            ///< Last pose that was shown ...
-    hal::Time shown_at{kNever};  ///< ... and when.
+    std::size_t robot = 0;       ///< Index among the inspector's robots, if it is one.
+    hal::Pose2 shown;            ///< The last published pose.
+    hal::Time shown_at{kNever};  ///< Time of the last published pose.
   };
   struct Heard {
     std::uint32_t delivered = 0, lost = 0;

@@ -7,7 +7,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Of simulated time.
+// Periods of simulated time.
 constexpr hal::Duration kBodyPeriod = 100ms;
 constexpr hal::Duration kAllPeriod = 1s;
 

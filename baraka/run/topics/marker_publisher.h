@@ -12,9 +12,9 @@
 
 namespace baraka::run::topics {
 
-/// What of bodies and walls goes to rt/markers: what has moved, at most ten times a second of
-/// simulated time; and all of it when somebody begins to read, and once a second, so that nobody
-/// misses for long what was lost. Nothing while nobody reads.
+/// Publishes bodies and walls on rt/markers: bodies that have moved, at most ten times per second
+/// of simulated time; everything when a reader joins and once per second, so that lost samples do
+/// not matter for long. Publishes nothing while there is no reader.
 class MarkerPublisher {
  public:
   explicit MarkerPublisher(const sim::agents::SimulationConfig& config);
@@ -22,14 +22,15 @@ class MarkerPublisher {
   /// @throws std::runtime_error  if DDS makes no writer.
   void start(gateway::inspection::InspectionParticipant& participant);
 
-  /// Calls come by time; an instant is shown when the next one begins, so all of it is there.
+  /// @pre Calls are in the order of time. An instant is published when the next one begins, when
+  /// all its bodies are known.
   void on_body(hal::Time at, hal::AgentId agent, const hal::Pose2& pose);
 
  private:
   struct Body {
     hal::DrawnBody drawn;
     hal::Pose2 pose;
-    bool is_known = false;  ///< Since somebody reads.
+    bool is_known = false;  ///< The pose has been set since a reader joined.
     bool has_moved = false;
   };
   static constexpr hal::Duration kNever = -std::chrono::hours{1};

@@ -16,7 +16,7 @@ bool has_teleop(const sim::scenario::Scenario& scenario) {
                              [](const auto& g) { return g.program == gateway::server::kTeleop; });
 }
 
-/// Everything the agent has, so that it can be shown.
+/// Requests all channels of an agent, so that they can be published.
 hal::Wants all_channels(const hal::node::exchange::AgentOffer& offer) {
   hal::Wants wants;
   for (const hal::Channel& channel : offer.session.channels) wants.channels.push_back(channel.name);
@@ -41,7 +41,7 @@ void RunInspection::start(std::optional<int> domain_of_run, sim::agents::Simulat
     try {
       open(*domain);
     } catch (const std::runtime_error& e) {
-      // Nobody has asked for it.
+      // Not required, so only a warning.
       if (settings_.domain || hears) throw;
       hal::print_line(hal::Tone::kWarning,
                       fmt::format("warning: the run is not shown: {}", e.what()));

@@ -12,34 +12,34 @@
 
 namespace baraka::run::topics {
 
-/// What a run shows to standard tools, and what it hears from them: inspection and teleoperation.
+/// The link of a run with standard tools: inspection and teleoperation.
 class RunInspection {
  public:
   struct Settings {
-    bool shown = true;          ///< Else only teleoperation.
-    std::optional<int> domain;  ///< DDS domain; none: the run's.
-    bool repeated = false;      ///< Velocities come from the record, not from DDS.
+    bool shown = true;          ///< False: teleoperation only.
+    std::optional<int> domain;  ///< DDS domain; none: the domain of the run.
+    bool repeated = false;      ///< Velocities come from a record, not from DDS.
   };
 
-  /// @param scenario  outlives this object.
+  /// @param scenario  must outlive this object.
   RunInspection(const sim::scenario::Scenario& scenario, const Settings& settings);
 
-  /// Sees the run; to be handed to the simulation.
+  /// The observer to add to the simulation.
   sim::agents::Observer& observer() { return observer_; }
 
   /// As InspectionObserver::set_ledger().
   void set_ledger(const sim::air::Ledger* ledger) { observer_.set_ledger(ledger); }
 
-  /// Joins the domain and says so on standard error; connects the agents whose controller is
-  /// kTeleop. Without a domain, as in a run with its controllers in this process, nothing is shown;
-  /// neither, with a warning, if DDS cannot be opened and nobody asked for it.
-  /// @param domain_of_run  if it has one.
-  /// @throws std::runtime_error  if DDS cannot be opened and Settings::domain or an agent to
-  ///   teleoperate asks for it; agents to teleoperate and no domain, but in a repetition.
+  /// Joins the domain, prints it on standard error, and connects the agents whose controller is
+  /// kTeleop. Nothing is published without a domain, as in a run with controllers in this process,
+  /// nor (after a warning) if DDS cannot be opened and is not required.
+  /// @param domain_of_run  none: the run has no domain.
+  /// @throws std::runtime_error  DDS cannot be opened although Settings::domain or a teleoperated
+  ///   agent requires it; or there are teleoperated agents but no domain, except in a repetition.
   void start(std::optional<int> domain_of_run, sim::agents::Simulation& simulation);
 
-  /// Drives an agent whose controller is kTeleop, as a velocity on DDS does. From any thread, after
-  /// start(). @return false: it has another controller.
+  /// Drives an agent whose controller is kTeleop, like a velocity received by DDS. Any thread,
+  /// after start(). @return false: the agent has another controller.
   bool drive(hal::AgentId agent, const hal::Twist2& twist);
 
  private:
@@ -50,7 +50,8 @@ class RunInspection {
   Settings settings_;
   std::unique_ptr<gateway::inspection::InspectionParticipant> participant_;
   InspectionObserver observer_;
-  std::map<hal::AgentId, std::shared_ptr<TeleopVelocities>> driven_;  ///< Unchanged after start().
+  /// Teleoperated agents; not changed after start().
+  std::map<hal::AgentId, std::shared_ptr<TeleopVelocities>> driven_;
 };
 
 }  // namespace baraka::run::topics

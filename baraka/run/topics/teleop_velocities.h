@@ -12,28 +12,28 @@
 
 namespace baraka::run::topics {
 
-/// As they pass the door: m/s, m/s, rad/s as binary64, little-endian.
+/// The recorded form of a velocity: m/s, m/s, rad/s as binary64, little-endian.
 std::vector<std::uint8_t> to_bytes(const hal::Twist2& twist);
 /// @throws std::runtime_error  not 24 bytes, or a value that is not finite.
 hal::Twist2 twist_of(std::span<const std::uint8_t> bytes);
 
-/// Velocities by hand for one agent of a run. They enter it by its door "cmd_vel of <agent>", so
-/// that they are recorded and a repetition has them at the same times.
+/// Teleoperation velocities for one agent of a run. They enter the run as arrivals at the door
+/// "cmd_vel of <agent>", so that they are recorded and a repetition has them at the same times.
 class TeleopVelocities {
  public:
   using Command = gateway::inspection::TwistReader::Command;
 
-  /// Opens the door. @param input  outlives this object, and this object the run.
+  /// Opens the door. @param input  must outlive this object, and this object must outlive the run.
   TeleopVelocities(sim::OutsideInput& input, const std::string& agent);
 
-  /// Puts in what comes on `rt/<agent>/cmd_vel`. Not in a repetition.
+  /// Passes on velocities received on `rt/<agent>/cmd_vel`. Not to be called in a repetition.
   /// @throws std::runtime_error  if DDS makes no reader.
   void listen(gateway::inspection::InspectionParticipant& participant);
 
-  /// Puts in another one. From any thread.
+  /// Passes on a velocity from another source. Any thread.
   void put(const hal::Twist2& twist) { input_.put(door_, to_bytes(twist)); }
 
-  /// What the run has taken in last. The run's thread.
+  /// The velocity that the run has taken in last. On the run's thread.
   std::optional<Command> last() const { return last_; }
 
  private:

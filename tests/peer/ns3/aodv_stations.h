@@ -92,9 +92,9 @@ struct Counts {
   uint64_t given_up = 0;         // frames, at the retry limit
   uint64_t given_up_data = 0;    // those of data
   uint64_t given_up_beyond = 0;  // those of data to a station that was beyond `range`
-  uint64_t given_up_again = 0;   // those of data by a station that had given one up to the same
-                                 // other one in the kRecent before
-  double range = 0;              // m; 0: not counted
+  // those of data by a station that had given up one to the same station within kRecent before
+  uint64_t given_up_again = 0;
+  double range = 0;  // m; 0: not counted
 };
 
 constexpr double kRecent = 3;  // s; AODV's ACTIVE_ROUTE_TIMEOUT
