@@ -120,7 +120,7 @@ std::optional<double> Observables::value(Watch& watch, hal::Time at) {
   return (*now - from->second) / hal::to_seconds(at - from->first);
 }
 
-void Observables::look_at(Watch& watch, hal::Time at) {
+void Observables::take_sample(Watch& watch, hal::Time at) {
   const std::optional<double> now = value(watch, at);
   if (now && !(watch.on_change && watch.seen == now)) keep(watch, at, *now);
 }
@@ -140,7 +140,7 @@ hal::Time Observables::due() const {
 void Observables::look(hal::Time at) {
   for (Period& period : periods_) {
     if (period.due > at) continue;
-    for (const std::size_t watch : period.watches) look_at(*watches_[watch], at);
+    for (const std::size_t watch : period.watches) take_sample(*watches_[watch], at);
     period.due = at + period.every;
   }
 }
@@ -160,14 +160,14 @@ void Observables::on_reading(hal::Time at, hal::AgentId agent, const hal::Channe
     const std::size_t index = std::get<sim::scenario::ReadingValue>(watch.source).index;
     const bool is_there = index < values.size() && std::isfinite(values[index]);
     watch.held = is_there ? std::optional<double>{values[index]} : std::nullopt;
-    if (watch.on_change) look_at(watch, at);
+    if (watch.on_change) take_sample(watch, at);
   }
 }
 
 void Observables::on_cycle(hal::Time at, hal::AgentId agent) {
   const auto found = changing_.find(agent);
   if (found == changing_.end()) return;
-  for (const std::size_t watch : found->second) look_at(*watches_[watch], at);
+  for (const std::size_t watch : found->second) take_sample(*watches_[watch], at);
 }
 
 void Observables::on_frame_start(hal::Time, const sim::radio::Frame& frame) {

@@ -96,7 +96,7 @@ class Observables final : public TopicWriter, public sim::agents::Sampler {
   const Watches& recorded(hal::AgentId agent, std::string_view name);
   std::optional<double> current(const Watch& watch) const;
   std::optional<double> value(Watch& watch, hal::Time at);
-  void look_at(Watch& watch, hal::Time at);
+  void take_sample(Watch& watch, hal::Time at);
   void keep(Watch& watch, hal::Time at, double value);
 
   std::vector<sim::scenario::ObservableRequest> requests_;
