@@ -55,9 +55,10 @@ std::vector<radio::RadioNetwork::Station> stations(const SimulationConfig& confi
 
 }  // namespace
 
-Simulation::State::State(const SimulationConfig& the_config, std::vector<Observer*> the_observers)
+Simulation::State::State(const SimulationConfig& the_config,
+                         const std::vector<Observer*>& the_observers)
     : config(the_config),
-      observers(std::move(the_observers)),
+      observers(the_observers),
       world(populated_world(the_config)),
       paths(config),
       scene(*world, ids(config), &paths),
@@ -106,8 +107,8 @@ AgentView Simulation::State::view(hal::AgentId agent) {
           .now = events.now()};
 }
 
-Simulation::Simulation(const SimulationConfig& config, std::vector<Observer*> observers)
-    : state_(std::make_unique<State>(config, std::move(observers))) {}
+Simulation::Simulation(const SimulationConfig& config, const std::vector<Observer*>& observers)
+    : state_(std::make_unique<State>(config, observers)) {}
 
 Simulation::~Simulation() = default;
 

@@ -72,7 +72,7 @@ struct Outcome {
 class Simulation final : public hal::node::exchange::AgentHost {
  public:
   /// @param observers  see everything, in this order; outlive the simulation.
-  Simulation(const SimulationConfig& config, std::vector<Observer*> observers);
+  Simulation(const SimulationConfig& config, const std::vector<Observer*>& observers);
   ~Simulation() override;
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;

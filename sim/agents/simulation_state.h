@@ -27,7 +27,7 @@ class SimulatedRobot;
 /// worked off in rounds: its events run, what they have for controllers is handed over all at once,
 /// and the answers take effect; what they cause at the same instant starts the next round.
 struct Simulation::State final : hal::node::agent::AgentListener {
-  State(const SimulationConfig& config, std::vector<Observer*> observers);
+  State(const SimulationConfig& config, const std::vector<Observer*>& observers);
 
   void on_inbox(hal::AgentId agent) override { waiting.push_back(agent); }
   void on_state(hal::AgentId agent, const std::string& state) override;
