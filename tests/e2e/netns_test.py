@@ -266,7 +266,8 @@ class BackPressure(unittest.TestCase):
         begin = time.monotonic()
         said = run.run(0, PYTHON, "-c", self.SENDER, timeout=120)
         took = time.monotonic() - begin
-        self.assertGreater(int(re.search(r"full (\d+)", said)[1]), 500)
+        # How often depends on when the sender has a processor; without back pressure it is never.
+        self.assertGreater(int(re.search(r"full (\d+)", said)[1]), 0)
         self.assertEqual(receiver.output(), "listening\ngot 6000\n")
         # 6000 frames of 1042 B, but for the 64 that the queue holds, cannot have taken less.
         self.assertGreater(took, (6000 - 64) * 1042 * 8 / 5e6)
