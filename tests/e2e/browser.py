@@ -104,11 +104,15 @@ class Browser:
 
     def wait(self, script, seconds=30):
         """Until an expression in the page is true; also while the page is replaced by another."""
-        end = time.monotonic() + seconds
-        while not self.run(f"!!({script})"):
-            if time.monotonic() > end:
-                raise AssertionError(f"not true within {seconds} s: {script}")
+        end, said = time.monotonic() + seconds, ""
+        while time.monotonic() < end:
+            try:
+                if self.run(f"!!({script})"):
+                    return
+            except AssertionError as error:  # what it names is not there yet, or the page was left meanwhile
+                said = f"; {error}"
             time.sleep(0.02)
+        raise AssertionError(f"not true within {seconds} s: {script}{said}")
 
     def type(self, text):
         """Keys pressed in the element that has the focus."""
