@@ -7,6 +7,8 @@ import sys
 import tempfile
 import unittest
 
+import setup_packages
+
 HERE = pathlib.Path(__file__).parent
 ROOT = HERE.parent.parent
 FOLDERS = ["hal/types", "sim/core", "gateway/process", "controllers", "tests", "idl"]
@@ -184,6 +186,23 @@ printf 'Options:\n  --version\n\nSubcommands:\n  run    Run a scenario\n  topic 
         self.check("`ClockWork`", "nothing is called ClockWork")
         self.check("`Clock::tock()`", "nothing is called Clock::tock()")
         self.check("`sim/core/clock.h`, `tick()`", "sim/core/clock.h has no tick()")
+
+
+class SetupPackages(unittest.TestCase):
+    """A file of a package that nothing named in ./setup brings is missing on a fresh machine."""
+    SETUP = "packages=(\n  compiler maths-dev  # a comment\n)\n"
+    TABLE = "\n".join("\t".join(row) for row in (
+        ("compiler", ", libc-dev (>= 2), shell | other-shell", ""), ("glibc-dev", ", ", "libc-dev (= 2)"), ("other-shell", ", ", ""),
+        ("maths-dev", ", maths-data:any (= 1)", ""), ("maths-data", ", ", ""), ("mock-dev", ", maths-dev", ""))) + "\n"
+
+    def missing(self, *packages):
+        return list(setup_packages.missing(self.SETUP, self.TABLE, dict.fromkeys(packages, "/usr/include/x.h")))
+
+    def test_what_is_named_and_what_that_depends_on_is_there(self):
+        self.assertEqual(self.missing("compiler", "glibc-dev", "other-shell", "maths-dev", "maths-data"), [])
+
+    def test_what_merely_depends_on_it_is_not(self):
+        self.assertEqual(self.missing("maths-dev", "mock-dev", "comment"), ["mock-dev", "comment"])
 
 
 if __name__ == "__main__":
