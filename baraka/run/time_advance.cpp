@@ -107,6 +107,10 @@ std::vector<std::string> open_loop_of(const std::filesystem::path& folder,
                                       const sim::scenario::Scenario& scenario) {
   const auto file = folder / "scenario.resolved.yaml";
   std::ifstream resolved(file);
+  if (!resolved) {
+    throw gateway::process::UsageError(fmt::format("--repeat: '{}' holds no result: there is no {}",
+                                                   folder.string(), file.string()));
+  }
   const std::string text{std::istreambuf_iterator<char>(resolved), {}};
   if (text == sim::scenario::resolved_yaml(scenario)) return {};
   const auto listed = sim::scenario::resolved_values(scenario);

@@ -47,6 +47,8 @@ class Events(Case):
         repeated = self.run_baraka(SCENARIO, "--repeat", self.out, "--controllers", "in-process")
         self.assertEqual(live["fingerprint"], repeated["fingerprint"])
         self.assertEqual(rows, self.query("SELECT * FROM events"))
+        nothing = self.run_baraka(SCENARIO, "--repeat", self.folder / "nothing", status=2)
+        self.assertIn(f"--repeat: '{self.folder / 'nothing'}' holds no result", nothing.err)
 
     def test_they_are_part_of_the_identity_and_do_what_they_say(self):
         finished = self.play()
