@@ -12,9 +12,9 @@
 
 namespace results::record {
 
-/// The writers of a run, and when what they wrote is committed: every kCommitPeriod of simulated
-/// time, which the begin and the end of frames keep going if no rows come, and every kCommitRows
-/// rows.
+/// Owns the writers of a run and commits what they wrote: every kCommitPeriod of simulated time and
+/// every kCommitRows rows. The time is looked at when a row is written and when a frame begins or
+/// ends.
 class Commits final : public sim::agents::Observer {
  public:
   static constexpr hal::Duration kCommitPeriod = std::chrono::seconds{10};
@@ -26,14 +26,14 @@ class Commits final : public sim::agents::Observer {
   void add(std::unique_ptr<TopicWriter> writer) { writers_.push_back(std::move(writer)); }
   const std::vector<std::unique_ptr<TopicWriter>>& writers() const { return writers_; }
 
-  /// So many rows were written; may commit.
+  /// Called after rows were written; may commit. @param rows  their number.
   void on_rows(hal::Time at, int rows);
-  /// Something happened then that totals tell of.
+  /// Called when something was counted that totals include.
   void see(hal::Time at) { now_ = std::max(now_, at); }
   hal::Time now() const { return now_; }  ///< Of the latest row, or of the end.
 
   void write_totals();
-  /// Whether they are few, beside what was counted.
+  /// Whether the totals have few rows compared with what they count.
   bool has_few_totals() const;
   void commit();
 

@@ -9,14 +9,14 @@
 
 namespace results::record {
 
-/// Of messages what the network does not tell: the ends of broadcasts that reach nobody, and of
-/// what an access point could not pass on.
+/// What both writers of messages need: it derives the ends that the network does not report, of
+/// broadcasts that reach nobody and of messages that an access point could not relay.
 class MessageWriter : public TopicWriter {
  public:
   /// @param protocols  outlives it.
   explicit MessageWriter(const Protocols& protocols);
 
-  /// Views of what holds whether messages are listed or counted.
+  /// Views that are the same for listed and for counted messages.
   static std::vector<Table> end_views();
   static std::vector<Table> delivery_views();
 

@@ -15,10 +15,10 @@ struct RecorderOptions {
   hal::Duration pose_period = std::chrono::seconds{1};
   sim::scenario::Detail frames = sim::scenario::Detail::kCounts;
   sim::scenario::Detail messages = sim::scenario::Detail::kAll;
-  sim::scenario::Detail samples =
-      sim::scenario::Detail::kCounts;  ///< Of DDS, if an agent has a network.
-  sim::scenario::Detail routes =
-      sim::scenario::Detail::kNone;  ///< kAll: each change; and with it the lengths of queues.
+  /// Of DDS, if an agent has a network.
+  sim::scenario::Detail samples = sim::scenario::Detail::kCounts;
+  /// kAll: each change of a route, and the lengths of queues.
+  sim::scenario::Detail routes = sim::scenario::Detail::kNone;
   sim::scenario::Detail readings = sim::scenario::Detail::kNone;  ///< As LookLog::Settings.
 
   bool counts_frames() const { return frames != sim::scenario::Detail::kNone; }
@@ -29,7 +29,7 @@ struct Recording {
   Database& database;
   const RecorderOptions& options;
   const sim::agents::SimulationConfig& config;
-  const Protocols& protocols;  ///< Outlive the writers.
+  const Protocols& protocols;  ///< Outlives the writers.
   Commits& commits;
   sim::agents::ObserverList& listeners;
 

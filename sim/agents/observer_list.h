@@ -11,8 +11,9 @@
 
 namespace sim::agents {
 
-/// Hands every observation to several observers, in their order; to each only what it overrides, as
-/// far as its type tells: an `Observer&` may be anything.
+/// Passes observations to several observers, in the order in which they were added. One whose type
+/// is known is called only for the callbacks that it overrides; one that was added as `Observer&`
+/// is called for all.
 class ObserverList : public Observer {
  public:
   explicit ObserverList(const std::vector<Observer*>& observers = {}) {

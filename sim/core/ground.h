@@ -6,8 +6,8 @@
 
 namespace sim {
 
-/// The surface on which bodies, walls and antennas stand. Whoever needs its height asks here: z = 0
-/// is nothing but the origin of the world frame. Any thread; immutable.
+/// The surface on which bodies, walls and antennas stand. z = 0 is only the origin of the world
+/// frame: code that needs the height of the ground asks here. Immutable; any thread.
 class Ground {
  public:
   virtual ~Ground() = default;
@@ -24,7 +24,7 @@ class FlatGround final : public Ground {
   hal::Vec3 normal(hal::Vec2 /*at*/) const override { return {0, 0, 1}; }
 };
 
-/// For who is not told of another one.
+/// The default.
 inline const std::shared_ptr<const Ground> kFlatGround = std::make_shared<FlatGround>();
 
 /// The point of the ground below or above a place.
