@@ -14,11 +14,11 @@ commit=$(git -C "$source" rev-parse HEAD)
 source "$source/tests/e2e/minimal_root.sh"
 minimal_root "${1:?usage: fresh_machine.sh FOLDER [page]}"
 
-git clone -q --no-checkout "$source" "$root/baraka"
-git -C "$root/baraka" checkout -q --detach "$commit"
-git -C "$root/baraka" log -1 --format='== commit %h %s'
+git clone -q --no-checkout "$source" "$root/clone"
+git -C "$root/clone" checkout -q --detach "$commit"
+git -C "$root/clone" log -1 --format='== commit %h %s'
 
-place=/baraka
+place=/clone
 inside ./run
 inside "build/release/bin/baraka report results/case_study"
 inside ./test
