@@ -29,20 +29,6 @@ void ask_rate(Rules& rules, Standard standard, std::string_view key, hal::BitsPe
   rules.ask(is_rate(standard, rate), key, fmt::format("must be {}", rates_of(standard)));
 }
 
-/// "friis, rician and rayleigh", of those of a kind.
-std::string models_of(PathLossKind kind) {
-  constexpr std::size_t kModels = std::variant_size_v<PathLossConfig> - 1;  // but foreign laws
-  std::vector<std::string_view> names;
-  const auto add = [&]<class Law>(const Law& law) {
-    if (Law::kKind == kind) names.push_back(law.kModel);
-  };
-  [&]<std::size_t... kIndex>(std::index_sequence<kIndex...> /*all*/) {
-    (add(std::variant_alternative_t<kIndex, PathLossConfig>{}), ...);
-  }
-  (std::make_index_sequence<kModels>{});
-  return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
-}
-
 void ask_chain(Rules& rules, const std::vector<PathLossConfig>& chain) {
   rules.ask(std::ranges::count_if(chain, is_law_of_distance) == 1, "propagation",
             "must have exactly one of " + models_of(PathLossKind::kLawOfDistance));
@@ -189,6 +175,20 @@ void ask_station(Rules& rules, const RadioConfig& config, const StationConfig& c
 }
 
 }  // namespace
+
+std::string models_of(PathLossKind kind) {
+  constexpr std::size_t kModels = std::variant_size_v<PathLossConfig> - 1;  // but foreign laws
+  std::vector<std::string_view> names;
+  const auto add = [&]<class Law>(const Law& law) {
+    if (Law::kKind == kind) names.push_back(law.kModel);
+  };
+  [&]<std::size_t... kIndex>(std::index_sequence<kIndex...> /*all*/) {
+    (add(std::variant_alternative_t<kIndex, PathLossConfig>{}), ...);
+  }
+  (std::make_index_sequence<kModels>{});
+  if (names.size() == 1) return std::string(names.front());
+  return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
+}
 
 std::vector<BrokenRule> broken_rules(const RadioConfig& config) {
   Rules rules;

@@ -10,6 +10,8 @@
 #include <variant>
 #include <vector>
 
+#include "sim/radio/radio_rules.h"
+
 namespace sim::scenario {
 namespace {
 
@@ -94,12 +96,13 @@ void chain_keys(Fields& io, std::vector<PathLossConfig>& chain) {
           std::string name(radio::model_of(law));
           return one.needed_text({"model", ""}, name);
         }
-        one.kinds({"model",
-                   "Laws of distance: power_law (with `path_loss_exponent`), friis, log_distance, "
-                   "two_ray_ground. Of each link: shadowing (log-normal), and in time nakagami, "
-                   "rician, rayleigh.",
-                   "two_ray_ground"},
-                  kModelKinds, law, [](Fields& keys, PathLossConfig& any) {
+        using Kind = radio::PathLossKind;
+        static const std::string meaning =
+            fmt::format("Laws of distance: {}. Differing between links: {}. Fading in time: {}.",
+                        radio::models_of(Kind::kLawOfDistance), radio::models_of(Kind::kOfLinks),
+                        radio::models_of(Kind::kFading));
+        one.kinds({"model", meaning, "two_ray_ground"}, kModelKinds, law,
+                  [](Fields& keys, PathLossConfig& any) {
                     std::visit([&keys](auto& c) { model_keys(keys, c); }, any);
                   });
       });
