@@ -8,7 +8,7 @@ namespace sim {
 
 CellGrid::Number CellGrid::number_at(double coordinate) const {
   if (!std::isfinite(size_)) return 0;
-  // Farther out than any body gets, and far within the numbers.
+  // Farther out than any body gets, and well within the range of Number.
   constexpr double kLast = 1e15;
   return static_cast<Number>(std::clamp(std::floor(coordinate / size_), -kLast, kLast));
 }
@@ -39,7 +39,7 @@ void CellGrid::take_out(Member member, const Cell& cell) {
   if (found->second.empty()) cells_.erase(found);
 }
 
-/// Those of a column, from one row to another.
+/// Appends the members of the cells of one column, from row `first` to row `last`.
 void CellGrid::append(Number column, Number first, Number last, std::vector<Member>& found) const {
   for (auto cell = cells_.lower_bound({column, first});
        cell != cells_.end() && cell->first.first == column && cell->first.second <= last; ++cell) {
@@ -51,7 +51,7 @@ void CellGrid::within(hal::Vec2 low, hal::Vec2 high, std::vector<Member>& found)
   const auto begin = static_cast<std::ptrdiff_t>(found.size());
   const Number first = number_at(low.y), last = number_at(high.y);
   const Number end = number_at(high.x);
-  // From one column that has members to the next: a box may be far larger than where they are.
+  // Skips columns without members: a box may be far larger than the area that they occupy.
   for (Number column = number_at(low.x); column <= end;) {
     const auto next = cells_.lower_bound({column, first});
     if (next == cells_.end() || next->first.first > end) break;
@@ -68,7 +68,7 @@ std::vector<CellGrid::Member> CellGrid::around(Member member, int cells) const {
   const auto [centre_column, centre_row] = where_[member];
   std::vector<Member> found;
   for (Number column = -cells - 1; column <= cells + 1; ++column) {
-    // Between two cells are as many edges as cells between them.
+    // A column at distance n is separated from the centre column by n - 1 cells.
     const Number gap = std::max<Number>(std::abs(column) - 1, 0);
     Number rows = cells + 1;
     while (rows > 1 && gap * gap + (rows - 1) * (rows - 1) > Number{cells} * cells) --rows;

@@ -22,19 +22,19 @@ class CellGrid {
   /// Adds a member, or moves it. @return whether it was not in that cell before.
   bool put(Member member, hal::Vec2 position);
 
-  /// Whether put() would. @pre the member is there.
+  /// Whether put() would move the member to another cell. @pre the member is there.
   bool would_move(Member member, hal::Vec2 position) const;
 
-  /// Appends the members of all cells that meet a box, in order. m
+  /// Appends the members of all cells that intersect a box, in order. @param low,high  corners [m].
   void within(hal::Vec2 low, hal::Vec2 high, std::vector<Member>& found) const;
 
   /// Members of all cells that have a point nearer than `cells` edges to some point of the cell of
-  /// `member`, itself not among them, in order.
+  /// `member`, in order, without `member` itself.
   std::vector<Member> around(Member member, int cells) const;
 
  private:
   using Number = std::int64_t;
-  using Cell = std::pair<Number, Number>;  ///< Column, row.
+  using Cell = std::pair<Number, Number>;  ///< Column and row.
   Number number_at(double coordinate) const;
   Cell cell_at(hal::Vec2 at) const { return {number_at(at.x), number_at(at.y)}; }
   void take_out(Member member, const Cell& cell);
@@ -42,8 +42,8 @@ class CellGrid {
 
   double size_;
   std::map<Cell, std::vector<Member>> cells_;
-  std::vector<Cell> where_;     ///< By member.
-  std::vector<bool> is_there_;  ///< By member.
+  std::vector<Cell> where_;     ///< Cell of each member.
+  std::vector<bool> is_there_;  ///< Whether each member was put.
 };
 
 }  // namespace sim

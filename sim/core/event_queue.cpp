@@ -13,7 +13,7 @@ constexpr int kAgentBits = 16;
 EventQueue::Place EventQueue::reserve(Rank rank, AgentId agent) {
   if (agent.value >= counters_.size()) counters_.resize(agent.value + 1u, 0);
   const std::uint64_t counter = counters_[agent.value]++;
-  // Rank, agent, counter from high bits to low.
+  // From the highest bits to the lowest: rank, agent, counter.
   return {(static_cast<std::uint64_t>(rank) << (kAgentBits + kCounterBits)) |
           (static_cast<std::uint64_t>(agent.value) << kCounterBits) | counter};
 }
@@ -45,7 +45,7 @@ bool EventQueue::cancel(EventId& id) {
   const EventId event = std::exchange(id, {});
   if (!is_pending(event)) return false;
   slots_.end_generation(event.slot);
-  __builtin_prefetch(&slots_[event.slot], 1);  // for the next event, whose slot it will be
+  __builtin_prefetch(&slots_[event.slot], 1);  // the next event will use this slot
   if (EventSlots::must_destroy(event.generation)) {
     EventSlot& slot = slots_[event.slot];
     const auto act = std::exchange(slot.act, nullptr);
@@ -70,7 +70,7 @@ void EventQueue::run_next(Time last) {
   const std::uint32_t index = entry->slot;
   events_.pop();
   ++executed_;
-  slots_.end_generation(index);  // not pending any more while it runs
+  slots_.end_generation(index);  // a running event is no longer pending
   EventSlot& slot = slots_[index];
   const auto act = std::exchange(slot.act, nullptr);
   act(slot.storage, EventSlot::Act::kRunAndDestroy);

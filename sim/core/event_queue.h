@@ -34,7 +34,7 @@ inline constexpr AgentId kWorld{0};
 ///   queue.cancel(id);
 class EventQueue {
  public:
-  /// Names one scheduled event. Default: names none.
+  /// Identifies one scheduled event. A default-constructed one identifies none.
   struct EventId {
     std::uint32_t slot = 0;
     std::uint32_t generation = 0;  ///< 0: no event.
@@ -53,28 +53,29 @@ class EventQueue {
   template <class F>
   EventId schedule(Time at, Rank rank, AgentId agent, F&& handler);
 
-  /// A place among the events of one time, for an event that is scheduled later.
+  /// Position in the order of events of one time, reserved for an event that is scheduled later.
   struct Place {
     std::uint64_t order = 0;
     bool operator==(const Place&) const = default;
   };
 
-  /// The place that an event scheduled now would have.
+  /// Reserves the place that an event scheduled now would get.
   Place reserve(Rank rank, AgentId agent);
 
-  /// @param place  of this queue, each for one event.
+  /// Schedules an event in a reserved place. @param place  from reserve() of this queue; each
+  /// serves for one event.
   template <class F>
   EventId schedule(Time at, Place place, F&& handler);
 
-  /// For a handler that processes a series of events: makes (at, place) the event that runs now, as
-  /// if it had been scheduled, if no other event precedes it and run_next() permits handlers to
-  /// continue that far. @return false: schedule it.
+  /// For a handler that processes a series of events: makes (at, place) the running event, as if it
+  /// had been scheduled, provided that no other event precedes it and that run_next() lets handlers
+  /// continue that far. @return false if not: schedule the event instead.
   bool go_on(Time at, Place place);
 
   /// @return false if the event has run, was cancelled, or `id` names none. Clears `id`.
   bool cancel(EventId& id);
 
-  /// Whether the event is still to come.
+  /// Whether the event has neither run nor been cancelled.
   bool is_pending(EventId id) const;
 
   /// Time of the next event; none if the queue is empty.
@@ -95,9 +96,9 @@ class EventQueue {
 
   EventSlots slots_;
   FutureEvents events_{slots_};
-  std::vector<std::uint64_t> counters_;  ///< Per agent.
+  std::vector<std::uint64_t> counters_;  ///< Of each agent.
   Time now_{};
-  Time last_ = Time::min();  ///< How far the running handler may go on.
+  Time last_ = Time::min();  ///< Up to this time, the running handler may go on.
   std::uint64_t executed_ = 0;
 };
 

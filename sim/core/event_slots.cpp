@@ -31,7 +31,8 @@ std::uint32_t EventSlots::claim(bool must_destroy) {
 }
 
 void EventSlots::release(std::uint32_t index) {
-  // A slot that has had all generations is not used again: 64 bytes in two thousand million events.
+  // A slot whose generations are used up is not reused: that costs 64 bytes in two thousand million
+  // events.
   if (generations_[index] != kLastGeneration) free_.push_back(index);
 }
 

@@ -12,7 +12,7 @@ struct alignas(64) EventSlot {
   static constexpr std::size_t kHandlerSize = 48;
   enum class Act : std::uint8_t { kRunAndDestroy, kDestroy };
 
-  void (*act)(void*, Act) = nullptr;  ///< Of the last handler. Null: it was destroyed.
+  void (*act)(void*, Act) = nullptr;  ///< Runs or destroys the handler; null once destroyed.
   alignas(alignof(void*)) std::byte storage[kHandlerSize];
 };
 
@@ -23,7 +23,7 @@ struct alignas(64) EventSlot {
 class EventSlots {
  public:
   EventSlots() = default;
-  ~EventSlots();  ///< Destroys the handlers left.
+  ~EventSlots();  ///< Destroys the handlers that remain.
   EventSlots(const EventSlots&) = delete;
   EventSlots& operator=(const EventSlots&) = delete;
 
@@ -32,15 +32,15 @@ class EventSlots {
     return blocks_[index / kBlock][index % kBlock];
   }
 
-  /// Differs from one event of a slot to the next, and is never 0. Odd if the event's handler must
-  /// be destroyed: for others it is enough to forget them.
+  /// Differs between successive events of a slot, and is never 0. Odd if the event's handler must
+  /// be destroyed; handlers of other events can simply be forgotten.
   std::uint32_t generation(std::uint32_t index) const { return generations_[index]; }
   static bool must_destroy(std::uint32_t generation) { return generation % 2 != 0; }
 
-  /// Index of a slot that is free no longer.
+  /// Takes a free slot. @return its index.
   std::uint32_t claim(bool must_destroy);
 
-  /// From now on the generation is another. The slot is not free before release().
+  /// Gives the slot another generation. It does not become free before release().
   void end_generation(std::uint32_t index) { generations_[index] = (generations_[index] | 1) + 1; }
 
   /// Makes a slot free. @pre its generation was ended.
@@ -51,7 +51,8 @@ class EventSlots {
 
   std::vector<std::unique_ptr<EventSlot[]>> blocks_;
   std::vector<std::uint32_t> generations_;
-  std::vector<std::uint32_t> free_;  ///< The last one was used last, and is likely to be cached.
+  /// Used as a stack: the slot freed last is likely to be in the cache.
+  std::vector<std::uint32_t> free_;
 };
 
 }  // namespace sim

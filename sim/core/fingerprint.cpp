@@ -86,7 +86,7 @@ void Fingerprint::close_before(std::int64_t second) {
   first_open_ = second;
 }
 
-/// Nothing was observed from this second on.
+/// Writes that nothing is observed from this second on.
 void Fingerprint::end_rows(std::int64_t second) { hand_over(second, {}); }
 
 void Fingerprint::hand_over(std::int64_t number, const Second& second) {

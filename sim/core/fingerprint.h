@@ -18,7 +18,7 @@ namespace sim {
 /// Part of a run that a hash covers.
 enum class Part : std::uint8_t {
   kAir,       ///< Frame starts and bytes, verdict and power of every reception.
-  kBodies,    ///< Pose of every agent at its control instants.
+  kBodies,    ///< Pose of each agent at its control instants.
   kExchange,  ///< Events and actions.
   kRouting,   ///< Route changes.
 };
@@ -72,8 +72,8 @@ class Fingerprint {
     bool is_used_ = false;
   };
 
-  /// From this second on, until the next row of the part and agent, each second has this hash.
-  /// None: nothing was observed.
+  /// From this second on, until the next row of the same part and agent, each second has this hash.
+  /// Without a hash, nothing was observed.
   struct Row {
     std::int64_t second = 0;
     Part part{};
@@ -90,13 +90,13 @@ class Fingerprint {
   explicit Fingerprint(std::function<void(const Row&)> sink = [](const Row&) {})
       : sink_(std::move(sink)) {}
 
-  /// Where the values of one observation at `time` go; the time itself is already in.
+  /// Cell to which the values of one observation at `time` are to be added; the time is added here.
   Cell& at(Part part, hal::AgentId agent, hal::Time time);
 
   /// Ends the run: passes on the seconds that are still open.
   void finish();
 
-  /// Of each part over the whole run so far, of one of them, and of all four.
+  /// Hashes of the run so far: of each part, of one part, and of all four.
   std::array<std::uint64_t, kPartCount> parts() const;
   std::uint64_t part(Part part) const { return parts()[static_cast<std::size_t>(part)]; }
   std::uint64_t total() const;
@@ -116,11 +116,12 @@ class Fingerprint {
   void end_rows(std::int64_t second);
 
   std::function<void(const Row&)> sink_;
-  std::deque<Second> open_;      ///< One after the other; an empty one: nothing was observed.
-  std::int64_t first_open_ = 0;  ///< Number of the first; those before are handed over.
-  std::size_t largest_ = 0;      ///< Cells that a part of a second had.
-  Sums sums_;                    ///< Of what is handed over.
-  Table<std::optional<std::uint64_t>> last_;  ///< Hash of each one's last second.
+  std::deque<Second> open_;      ///< Consecutive seconds; empty if nothing was observed.
+  std::int64_t first_open_ = 0;  ///< Number of the first open second.
+  std::size_t largest_ = 0;      ///< Most cells that a part of one second had.
+  Sums sums_;                    ///< Hashes of the seconds passed on.
+  /// Hash of the last second of each part and agent.
+  Table<std::optional<std::uint64_t>> last_;
 };
 
 /// 16 hexadecimal digits.

@@ -11,16 +11,18 @@ namespace {
 using Entry = FutureEvents::Entry;
 
 constexpr std::size_t kArity = 4;
-constexpr std::size_t kPerBucket = 48;  // a heap of three levels; fewer buckets are found in cache
-constexpr std::size_t kLargeHeap = 1024;  // 24 KiB: what the first cache can hold
-constexpr std::size_t kLeastSample = 12;  // of 64: so an entry is spread about five times at most
+// A heap of three levels, and few enough buckets to stay in the cache.
+constexpr std::size_t kPerBucket = 48;
+constexpr std::size_t kLargeHeap = 1024;  // 24 KiB, which fits into the level-1 cache
+constexpr std::size_t kLeastSample = 12;  // of 64: entries are moved about five times at most
 constexpr std::uint64_t kDenser = 8;
-constexpr std::size_t kMostSpare = 16;  // more would make large lists of all the small ones
+// Keeping more lists would in time make every small list large.
+constexpr std::size_t kMostSpare = 16;
 constexpr std::size_t kLeastSwept = 1024;
 
-/// A time that most entries are not after, from a sample: three quarters of them, so that a few in
-/// the far future do not make the buckets too wide, and most leave the list each time. Fewer if
-/// these are much denser: timeouts beside what they guard, for example.
+/// A time before which most entries lie, estimated from a sample. "Most" is three quarters, so that
+/// a few entries in the far future do not widen the buckets much and most entries leave the list
+/// each time; fewer if those are much denser, as with timeouts beside the events that they guard.
 std::uint64_t horizon(const std::vector<Entry>& entries) {
   std::array<std::uint64_t, 64> sample{};
   const std::size_t size = std::min(sample.size(), entries.size());
@@ -60,7 +62,8 @@ void FutureEvents::append(const Entry& entry) {
 
 void FutureEvents::note_cancelled() {
   ++cancelled_;
-  // Against all that a sweep looks at, so that each cancelled entry pays for a constant share.
+  // Compared with the number of entries that a sweep visits, so that its cost per cancelled entry
+  // is bounded by a constant.
   if (cancelled_ > kLeastSwept + size() + (bucket_count_ - next_bucket_)) sweep();
 }
 
@@ -75,7 +78,7 @@ void FutureEvents::sweep() {
 
 void FutureEvents::drop_cancelled(std::vector<Entry>& list) {
   std::size_t kept = 0;
-  for (const Entry& entry : list) {  // no branch: which are cancelled cannot be foretold
+  for (const Entry& entry : list) {  // no branch: which entries are cancelled cannot be predicted
     const bool live = is_live(entry);
     list[kept] = entry;
     kept += live ? 1 : 0;
@@ -97,7 +100,8 @@ const Entry* FutureEvents::front() {
   }
 }
 
-/// Takes the next bucket, or else makes some. @return false if there is nothing.
+/// Makes the next bucket the heap; if none is left, distributes the far list first. @return false
+/// if there are no entries.
 bool FutureEvents::refill() {
   if (next_bucket_ == bucket_count_) {
     if (cancelled_ > 0) drop_cancelled(far_);
@@ -116,8 +120,8 @@ void FutureEvents::take_near(std::vector<Entry>& list) {
     __builtin_prefetch(&slots_[entry.slot]);  // its handler runs soon
     push_near(entry);
   }
-  // Its memory is for the next bucket: so there is as much as there are entries, and not as much
-  // as every bucket once held.
+  // The memory of this list serves the next buckets, so memory grows with the number of entries and
+  // not with the largest size of every bucket.
   list.clear();
   std::vector<Entry> spare;
   spare.swap(list);
@@ -125,7 +129,7 @@ void FutureEvents::take_near(std::vector<Entry>& list) {
   spill_at_ = std::max(kLargeHeap, 2 * near_.size());
 }
 
-/// From the far list to new buckets.
+/// Distributes the far list to new buckets.
 void FutureEvents::spread() {
   buckets_begin_ = least_time(far_);
   const std::uint64_t span = horizon(far_) - buckets_begin_;
@@ -139,7 +143,8 @@ void FutureEvents::spread() {
   moving_.clear();
 }
 
-/// If what was near reaches too far into the future, it does so no longer.
+/// Shortens the span of the heap when it holds too many entries: moves the later ones to the far
+/// list.
 void FutureEvents::spill() {
   near_end_ = horizon(near_) + 1;
   bucket_count_ = next_bucket_ = 0;
@@ -181,7 +186,7 @@ void FutureEvents::pop_near() {
   near_[i] = last;
 }
 
-/// @pre there is one.
+/// Child with the earliest entry. @pre the parent has a child.
 std::size_t FutureEvents::least_child(std::size_t parent) const {
   const std::size_t first = parent * kArity + 1;
   const std::size_t end = std::min(first + kArity, near_.size());

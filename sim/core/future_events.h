@@ -22,9 +22,10 @@ class FutureEvents {
  public:
   struct Entry {
     std::uint64_t time;   ///< ns
-    std::uint64_t order;  ///< Among entries of one time.
+    std::uint64_t order;  ///< Order among the entries of one time.
     std::uint32_t slot;
-    std::uint32_t generation;  ///< Of the slot; cancelled if it has another by now.
+    /// Generation of the slot; differs from the slot's if the event was cancelled.
+    std::uint32_t generation;
     bool before(const Entry& other) const { return key() < other.key(); }
 
    private:
@@ -32,12 +33,12 @@ class FutureEvents {
     Key key() const { return (static_cast<Key>(time) << 64) | order; }
   };
 
-  /// @param slots  those that entries name.
+  /// @param slots  the slots to which entries refer.
   explicit FutureEvents(const EventSlots& slots) : slots_(slots) {}
 
   void push(const Entry& entry);
 
-  /// To be called when an entry's slot has got another generation before the entry was popped.
+  /// To be called when the generation of an entry's slot ends before the entry was popped.
   void note_cancelled();
 
   /// The first entry; null if there is none.
@@ -46,7 +47,7 @@ class FutureEvents {
   /// Takes out the first entry. @pre front() was not null.
   void pop();
 
-  /// How many are not cancelled.
+  /// Number of entries that are not cancelled.
   std::size_t size() const { return entries_ - cancelled_; }
 
  private:
@@ -65,13 +66,13 @@ class FutureEvents {
   void sweep();
 
   const EventSlots& slots_;
-  std::size_t entries_ = 0, cancelled_ = 0;  ///< Those cancelled are among the entries.
-  std::vector<Entry> near_;                  ///< 4-ary heap of those before near_end_.
+  std::size_t entries_ = 0, cancelled_ = 0;  ///< `entries_` includes the cancelled ones.
+  std::vector<Entry> near_;                  ///< 4-ary heap of the entries before near_end_.
   std::uint64_t near_end_ = 0;               ///< ns
-  std::size_t spill_at_ = 1024;              ///< Size of the heap.
+  std::size_t spill_at_ = 1024;              ///< Size above which the heap is spilled.
   std::vector<std::vector<Entry>> buckets_;
   std::vector<std::vector<Entry>> spare_;           ///< Empty lists with memory, for buckets.
-  std::size_t next_bucket_ = 0, bucket_count_ = 0;  ///< Of those in use.
+  std::size_t next_bucket_ = 0, bucket_count_ = 0;  ///< The next bucket and the number in use.
   std::uint64_t buckets_begin_ = 0;                 ///< ns
   int bucket_shift_ = 0;                            ///< Width: 2^shift ns.
   std::vector<Entry> far_;

@@ -11,9 +11,9 @@ namespace sim {
 class Ground {
  public:
   virtual ~Ground() = default;
-  /// m, world frame, z of the surface at a place seen from above.
+  /// Height of the surface (z, world frame) at a horizontal position [m].
   virtual double height(hal::Vec2 at) const = 0;
-  /// Unit vector out of the ground there, world frame; its z is above 0.
+  /// Unit normal out of the ground at that position, world frame; its z is above 0.
   virtual hal::Vec3 normal(hal::Vec2 at) const = 0;
 };
 
@@ -24,10 +24,10 @@ class FlatGround final : public Ground {
   hal::Vec3 normal(hal::Vec2 /*at*/) const override { return {0, 0, 1}; }
 };
 
-/// The default.
+/// The ground where none is given.
 inline const std::shared_ptr<const Ground> kFlatGround = std::make_shared<FlatGround>();
 
-/// The point of the ground below or above a place.
+/// Point of the ground at a horizontal position.
 inline hal::Vec3 on(const Ground& ground, hal::Vec2 at) { return {at.x, at.y, ground.height(at)}; }
 
 }  // namespace sim

@@ -13,9 +13,9 @@ struct ObstacleLoss {
   constexpr bool is_none() const { return per_crossing.value == 0 && per_metre == 0; }
 };
 
-/// Of the walls of buildings: C. Sommer, D. Eckhoff, R. German, F. Dressler, "A Computationally
-/// Inexpensive Empirical Model of IEEE 802.11p Radio Shadowing in Urban Environments", WONS 2011,
-/// table II.
+/// Loss of the walls of buildings: C. Sommer, D. Eckhoff, R. German, F. Dressler, "A
+/// Computationally Inexpensive Empirical Model of IEEE 802.11p Radio Shadowing in Urban
+/// Environments", WONS 2011, table II.
 inline constexpr ObstacleLoss kBrickWall{hal::Decibels{9.0}, 0.4};
 
 }  // namespace sim

@@ -24,7 +24,7 @@ OutsideInput::OutsideInput() : descriptor_(::eventfd(0, EFD_NONBLOCK | EFD_CLOEX
 OutsideInput::~OutsideInput() { ::close(descriptor_); }
 
 void OutsideInput::open(const std::string& door, Receiver receiver) {
-  const std::lock_guard lock(mutex_);  // Others that are open may already get something.
+  const std::lock_guard lock(mutex_);  // Doors that are already open may receive input.
   BARAKA_CHECK(doors_.emplace(door, std::move(receiver)).second);
 }
 

@@ -17,10 +17,10 @@
 
 namespace sim {
 
-/// An input to a run from outside.
+/// One input from outside the run.
 struct OutsideArrival {
-  /// When the run accepted it: in real time after all events up to and including this time, in
-  /// lock-step before the events at this time.
+  /// When the run accepted it. Real time: after all events up to and including this time.
+  /// Lock-step: before the events at this time.
   hal::Time at{};
   std::string door;  ///< Name of the receiver: "cmd_vel of r0".
   std::vector<std::uint8_t> bytes;
@@ -41,7 +41,8 @@ class OutsideInput {
   /// Called on the run's thread, between events.
   using Receiver = std::function<void(std::span<const std::uint8_t>)>;
 
-  /// Most inputs that wait. Beyond that the oldest is dropped, because the newest command counts.
+  /// Largest number of waiting inputs. Beyond it the oldest is dropped, because the newest command
+  /// counts.
   static constexpr std::size_t kMostWaiting = 4096;
 
   /// @throws std::runtime_error  the system cannot create an event descriptor.
@@ -50,23 +51,23 @@ class OutsideInput {
   OutsideInput(const OutsideInput&) = delete;
   OutsideInput& operator=(const OutsideInput&) = delete;
 
-  /// Before the run. @pre there is no such door yet.
+  /// Opens a door. Call before the run. @pre there is no such door yet.
   void open(const std::string& door, Receiver receiver);
 
-  /// Any thread. Ignored in a repetition. @pre the door is open.
+  /// Adds an input. Any thread. Ignored in a repetition. @pre the door is open.
   void put(std::string_view door, std::vector<std::uint8_t> bytes);
 
-  /// The same with a simulated time at which the run takes it. These are never dropped. On the
-  /// run's thread. @pre times do not decrease.
+  /// Adds an input that the run takes at a given simulated time. Such inputs are never dropped.
+  /// Call on the run's thread. @pre times do not decrease.
   void put_at(hal::Time at, std::string_view door, std::vector<std::uint8_t> bytes);
 
-  /// Of put_at(), not taken in yet.
+  /// Number of inputs of put_at() that the run has not taken yet.
   std::size_t held() const { return held_.size(); }
 
-  /// Readable while something waits.
+  /// File descriptor that is readable while an input waits.
   int descriptor() const { return descriptor_; }
 
-  /// Whether take() would hand something over.
+  /// Whether take() would pass on an input.
   bool has_due(hal::Time now) const;
 
   /// Passes on inputs with a time up to `now`, then those that wait, in order of arrival; in a
@@ -90,13 +91,13 @@ class OutsideInput {
   std::deque<OutsideArrival> due(hal::Time now);
 
   std::map<std::string, Receiver, std::less<>> doors_;
-  std::mutex mutex_;  ///< Of doors_ until the run begins, of waiting_ until replay().
+  std::mutex mutex_;  ///< Guards doors_ until the run begins, waiting_ until replay().
   std::deque<OutsideArrival> waiting_;
-  std::deque<OutsideArrival> held_;       ///< Of put_at().
+  std::deque<OutsideArrival> held_;       ///< Inputs of put_at().
   std::atomic<bool> has_waiting_{false};  ///< Saves the lock at each instant of lock-step.
   std::atomic<bool> is_replayed_{false};
   std::atomic<std::uint64_t> dropped_{0};
-  std::uint64_t told_ = 0;  ///< Of those dropped, in the log.
+  std::uint64_t told_ = 0;  ///< Number of dropped inputs that the log has reported.
   int descriptor_ = -1;
 };
 
