@@ -9,9 +9,9 @@ namespace sim::radio {
 /// Adaptive auto rate fallback (M. Lacage, M. H. Manshaei, T. Turletti, "IEEE 802.11 Rate
 /// Adaptation: A Practical Approach", MSWiM 2004). It begins with the lowest rate.
 ///
-///   threshold successes in a row, or timeout transmissions at this rate: a higher one is probed
-///   the probe fails: back at once, and the threshold doubles, up to its maximum
-///   two failures in a row otherwise: a lower rate, and the threshold has its initial value
+///   threshold successes in a row, or timeout transmissions at one rate: probe the next higher rate
+///   the probe fails: return at once to the lower rate and double the threshold, up to its maximum
+///   otherwise, two failures in a row: next lower rate, and the threshold gets its initial value
 ///
 /// The timeout grows with the threshold: otherwise a station at its best rate would continue to
 /// probe in vain at the old pace.
@@ -27,8 +27,8 @@ class Aarf final : public RateControl {
   struct Link {
     std::size_t rung = 0;
     std::uint32_t threshold = 0;
-    std::uint32_t sent = 0;                     ///< At this rate.
-    std::uint32_t successes = 0, failures = 0;  ///< In a row.
+    std::uint32_t sent = 0;                     ///< Transmissions at this rate.
+    std::uint32_t successes = 0, failures = 0;  ///< Numbers in a row.
     bool probing = false;                       ///< The rate has just been raised.
   };
 

@@ -17,11 +17,13 @@ namespace sim::radio {
 class AccessPoint final : public BssMac, private DistributionPort {
  public:
   struct Network {
-    const BssConfig& config;  ///< Outlives it, as the wire does.
+    const BssConfig& config;  ///< Outlives the access point, as does `distribution`.
     BssParameters bss;
     DistributionSystem& distribution;
-    hal::Duration first_beacon;  ///< The target transmission time.
-    double rssi_dbm, snr_db;     ///< Of what it sends itself and the wire takes to another one.
+    hal::Duration first_beacon;  ///< First target beacon transmission time.
+    /// RSSI and SNR reported for its own frames that the distribution system carries to another
+    /// access point.
+    double rssi_dbm, snr_db;
   };
 
   AccessPoint(const Context& context, const DcfConfig& config, std::unique_ptr<DcfMac> dcf,
@@ -46,7 +48,7 @@ class AccessPoint final : public BssMac, private DistributionPort {
   void on_data(const Frame& frame, hal::Dbm rssi, hal::Decibels snr);
   void dismiss(hal::AgentId station);
   void forget(hal::AgentId station);
-  /// Into its own BSS.
+  /// Sends a frame to a station of its own BSS.
   void relay(const MacRequest& request, hal::AgentId source);
   std::optional<std::uint16_t> free_association_id() const;
   void answer(FrameType type, hal::AgentId station, hal::Bytes body);
@@ -55,8 +57,9 @@ class AccessPoint final : public BssMac, private DistributionPort {
   Network network_;
   bool beacon_waits_ = false;
   std::set<hal::AgentId> authenticated_;
-  std::map<hal::AgentId, std::uint16_t> offered_;     ///< Association ids, not acknowledged yet.
-  std::map<hal::AgentId, std::uint16_t> associated_;  ///< Association ids.
+  /// Association identifiers in responses that are not acknowledged yet.
+  std::map<hal::AgentId, std::uint16_t> offered_;
+  std::map<hal::AgentId, std::uint16_t> associated_;  ///< Association identifiers.
 };
 
 }  // namespace sim::radio

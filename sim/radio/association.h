@@ -12,29 +12,32 @@
 
 namespace sim::radio {
 
-/// Association of a station (IEEE Std 802.11-2016, 11.3): it listens for beacons, selects the
-/// strongest access point, and changes when another one is stronger by more than the hysteresis.
+/// Association of a station (IEEE Std 802.11-2016, 11.3): it listens for beacons, associates with
+/// the strongest access point, and hands over when another one is stronger by more than the
+/// hysteresis.
 ///
-///   kOff --start()--> kScanning --scan time over, one was heard--> kAuthenticating
-///   kAuthenticating --answered--> kAssociating --answered--> kAssociated
-///   kAssociated --a better one--> kAuthenticating (with that one; then reassociation)
-///   kAuthenticating, kAssociating --no answer--> kAssociated, if it was before; else kScanning
-///   kAssociated --no beacons, or deauthenticated--> kAuthenticating if another one is heard, or
-///   kScanning
+///   kOff --start()--> kScanning --scan time over, beacons heard--> kAuthenticating
+///   kAuthenticating --response--> kAssociating --response--> kAssociated
+///   kAssociated --better access point--> kAuthenticating (with it; then reassociation)
+///   kAuthenticating, kAssociating --no response--> kAssociated during a handover, else kScanning
+///   kAssociated --beacons lost, or deauthenticated--> kAuthenticating if another access point is
+///   heard, else kScanning
 ///
-/// Stations that start together would all ask in the same slot, and those that were not answered
-/// would ask together again. So a scan that begins with a start, a loss or a failure is longer by a
-/// random part, whose range grows with each failure until the station is associated.
+/// Stations that start together would all send their requests in the same slot, and those without a
+/// response would repeat them together. A scan that begins with a start, a loss or a failure is
+/// therefore longer by a random part, whose range grows with each failure until the station is
+/// associated.
 ///
-/// During a handover it stays associated with the old one, also if the new one does not answer.
+/// During a handover the station stays associated with the old access point until the new one has
+/// accepted it.
 class Association {
  public:
-  /// What it does in the world.
+  /// What the association needs from its station.
   class Client {
    public:
     virtual ~Client() = default;
     virtual void send(FrameType type, hal::AgentId access_point, hal::Bytes body) = 0;
-    /// access_point() or is_settled() changed.
+    /// Called when access_point() or is_settled() has changed.
     virtual void on_association() = 0;
   };
 
@@ -44,23 +47,23 @@ class Association {
     hal::RandomStream random;  ///< "<agent>/scan"
   };
 
-  /// @param config, client  outlive it.
+  /// @param config,client  outlive the association.
   Association(EventQueue& events, Station station, const BssConfig& config, Client& client);
 
-  /// The radio was switched on or off.
+  /// Called when the radio is switched on or off.
   void start();
   void stop();
 
-  /// With which it is associated; none: with none.
+  /// Access point with which the station is associated; nullopt if there is none.
   std::optional<hal::AgentId> access_point() const { return access_point_; }
-  /// It is associated, and not about to change over.
+  /// Whether it is associated and no handover is in progress.
   bool is_settled() const { return state_ == State::kAssociated; }
 
-  /// A beacon of an access point that the station may use.
+  /// Called for a beacon of an access point that the station may use.
   void on_beacon(const Frame& frame, hal::Dbm rssi);
-  /// Any other management frame to this station.
+  /// Called for any other management frame to this station.
   void on_management(const Frame& frame);
-  /// A frame of its own was not acknowledged.
+  /// Called when a management frame of this station was not acknowledged.
   void on_unanswered(FrameType type, hal::AgentId access_point);
 
  private:
@@ -88,9 +91,9 @@ class Association {
   State state_ = State::kOff;
   hal::Duration spread_{};  ///< Range of the random part of the next scan.
   std::optional<hal::AgentId> access_point_;
-  hal::AgentId target_{};      ///< While kAuthenticating and kAssociating.
-  EventQueue::EventId timer_;  ///< The end of the scan, or of the wait for an answer.
-  EventQueue::EventId loss_;   ///< When the access point's beacons have stayed away.
+  hal::AgentId target_{};      ///< Candidate while kAuthenticating and kAssociating.
+  EventQueue::EventId timer_;  ///< End of the scan, or of the wait for a response.
+  EventQueue::EventId loss_;  ///< Time at which missing beacons mean that the access point is lost.
 };
 
 }  // namespace sim::radio

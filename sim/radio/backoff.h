@@ -10,7 +10,7 @@
 
 namespace sim::radio {
 
-/// Told when the medium is granted.
+/// Is called when the station may access the medium.
 class AccessListener {
  public:
   virtual ~AccessListener() = default;
@@ -46,24 +46,24 @@ class Backoff {
   Backoff(EventQueue& events, hal::AgentId agent, const DcfTiming& timing, hal::RandomStream random,
           AccessListener& listener);
 
-  /// Calls on_access() once, as soon as the rules allow, never from within. No effect if asked
-  /// already.
+  /// Asks for access: on_access() is called once, as soon as the rules allow, and never from within
+  /// this call. No effect if access has already been requested.
   void request(std::uint32_t contention_window);
 
-  /// Starts a new backoff of 0 .. contention_window slots, wanted or not.
+  /// Starts a new backoff of 0 .. contention_window slots, whether or not access is requested.
   void draw(std::uint32_t contention_window);
 
-  /// The medium, physically and virtually.
+  /// Report the state of the medium by physical and virtual carrier sense.
   void on_busy(std::uint32_t contention_window);
   void on_idle();
 
-  /// The station treats the time until now as busy: its own response timeout.
+  /// Treats the time until now as busy, after the station's own response timeout.
   void restart_idle();
 
-  /// No slot counts before this: EIFS.
+  /// No slot is counted before this time: the end of an EIFS.
   void hold_until(hal::Time until) { not_before_ = until; }
 
-  /// Forgets everything: the radio was switched off. @param busy  the medium.
+  /// Resets all state when the radio is switched off. @param busy  state of the medium.
   void reset(bool busy);
 
  private:
@@ -80,7 +80,7 @@ class Backoff {
   bool busy_ = false;
   bool wanted_ = false;
   bool backing_off_ = false;
-  std::int64_t slots_ = 0;  ///< Left to count.
+  std::int64_t slots_ = 0;  ///< Slots left to count.
   hal::Time idle_since_{};
   hal::Time not_before_{};
   EventQueue::EventId access_;

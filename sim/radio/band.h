@@ -26,8 +26,8 @@ class Band {
     RadioObserver& observer;
     const Ground& ground;
   };
-  /// @param config  of a station on this channel number.
-  /// @param antennas  of all of them, in ascending order of agents.
+  /// @param config  of any station on this channel number.
+  /// @param antennas  of all stations on it, in ascending order of agents.
   Band(const RadioConfig& config, Surroundings around,
        const std::vector<Neighbourhood::Antenna>& antennas)
       : propagation_(config, around.obstacles, around.ground),
@@ -38,7 +38,7 @@ class Band {
     }
   }
 
-  /// It begins now. @pre a profile with waves.
+  /// Starts a burst now. @pre the profile has a medium (WavesConfig).
   void interfere(const Burst& burst) {
     const Site from(burst.from);
     for (StationIndex to = 0; to < stations_.size(); ++to) {
@@ -50,9 +50,9 @@ class Band {
 
   const Propagation& propagation() const { return propagation_; }
   Neighbourhood& neighbourhood() { return neighbourhood_; }
-  /// @pre a profile with waves.
+  /// @pre the profile has a medium (WavesConfig).
   Channel& channel() { return *channel_; }
-  /// By StationIndex.
+  /// The stations, by StationIndex.
   const std::vector<hal::AgentId>& stations() const { return stations_; }
 
  private:

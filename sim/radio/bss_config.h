@@ -25,11 +25,13 @@ struct BssConfig {
   hal::Duration beacon_interval{102'400'000};  ///< Whole time units, 1 .. 65535.
   /// >= 0. Handover if the mean RSSI of another access point is greater by more than this.
   hal::Decibels hysteresis{4};
-  double beacon_weight = 0.25;     ///< Of the newest beacon in the mean of RSSI [dBm], 0 < .. <= 1.
-  std::uint32_t beacon_loss = 10;  ///< >= 1; missed beacons until an access point is lost.
-  hal::Duration scan_time{120'000'000};       ///< > 0; listening for beacons before association.
-  hal::Duration answer_timeout{200'000'000};  ///< > 0; for the answer to a management frame.
-  hal::Duration distribution_delay{};         ///< >= 0; from one access point to another.
+  /// Weight of the newest beacon in the mean RSSI [dBm], 0 < .. <= 1.
+  double beacon_weight = 0.25;
+  std::uint32_t beacon_loss = 10;  ///< Missed beacons after which an access point is lost, >= 1.
+  hal::Duration scan_time{120'000'000};  ///< Time to listen for beacons before association, > 0.
+  /// Time to wait for the response to a management frame, > 0.
+  hal::Duration answer_timeout{200'000'000};
+  hal::Duration distribution_delay{};  ///< Delay from one access point to another, >= 0.
 };
 
 }  // namespace sim::radio

@@ -9,7 +9,7 @@
 
 namespace sim::radio {
 
-/// The common part of an access point and the stations of its BSS: a queue above the DCF, which
+/// The common part of an access point and of the stations of its BSS: a queue above the DCF, which
 /// gets one frame at a time, so that waiting frames can take another path after a handover. Beacons
 /// precede other management frames, and those precede data.
 class BssMac : public MacBase, protected FrameListener {
@@ -24,37 +24,38 @@ class BssMac : public MacBase, protected FrameListener {
   void set_use_listener(RadioUseListener* listener) final { dcf_->set_use_listener(listener); }
 
  protected:
-  /// A request of a client, or of another station for which an access point passes it on.
+  /// A request of a client, or, in an access point, of another station whose frame it relays.
   struct Waiting {
-    MacRequest request;  ///< To its final destination.
+    MacRequest request;  ///< Addressed to the final destination.
     hal::AgentId source;
-    hal::Time since{};       ///< When it came; its lifetime counts from then.
-    bool over_wire = false;  ///< It left by the wire, for another access point.
+    hal::Time since{};       ///< Time of arrival; the lifetime counts from it.
+    bool over_wire = false;  ///< Sent to another access point over the distribution system.
   };
 
-  /// @param config  outlives it.
+  /// @param config  outlives the MAC.
   BssMac(const Context& context, const DcfConfig& config, std::unique_ptr<DcfMac> dcf);
 
-  /// The frame for a request whose turn it is; none: it goes another way, which this has seen to.
+  /// Makes the frame for the request whose turn it is. @return nullopt if the request takes another
+  /// path, which this call has started.
   virtual std::optional<MacRequest> frame_for(const Waiting& waiting) = 0;
   /// Whether data may be sent now.
   virtual bool is_open() const { return true; }
   virtual void on_management_sent(const MacRequest& request, hal::Verdict verdict) = 0;
   virtual void on_radio(bool on) = 0;
 
-  /// A data frame of the BSS, in the words of its third address (table 9-26).
+  /// Makes a data frame of the BSS; `receiver` and `ds` determine its addresses (table 9-26).
   static MacRequest data_frame(const Waiting& waiting, hal::AgentId receiver, Ds ds);
 
   /// Sends frames that may be sent now. Call it when is_open() may have become true.
   void serve();
-  /// @return false: the queue is full.
+  /// Queues a request. @return false if the queue is full.
   bool queue_data(Waiting waiting);
   void send_management(FrameType type, hal::AgentId to, hal::AgentId bssid, hal::Bytes body);
-  /// A data frame for this station has come in, and been acknowledged, that cannot be used here.
+  /// Reports a data frame that this station received and acknowledged but cannot use.
   void lose(const Frame& frame);
-  /// What `source` sent ends here, and was not in the queue.
+  /// Reports that a frame from `source` is lost here without having been queued.
   void lose_relay(hal::AgentId source, const MacRequest& request, hal::Verdict verdict);
-  /// The request ended, in an event of its own.
+  /// Reports the end of a request in a separate event.
   void end_later(Waiting waiting, hal::Verdict verdict);
 
  private:
@@ -69,7 +70,7 @@ class BssMac : public MacBase, protected FrameListener {
   std::deque<MacRequest> management_;
   std::deque<Waiting> data_;
   bool is_busy_ = false;            ///< The DCF has a frame.
-  std::optional<Waiting> serving_;  ///< Of which it is, if it is data.
+  std::optional<Waiting> serving_;  ///< The request in service, if it is data.
   hal::Time serving_since_{};
 };
 

@@ -8,15 +8,15 @@
 
 namespace sim::radio {
 
-/// A station of an infrastructure network. It sends all data To DS, to the access point that it is
-/// associated with, and queues it while there is none; it receives data From DS, from that access
-/// point. Its own group frames return from the access point and are dropped.
+/// A station of an infrastructure network. It sends all data To DS, to its access point, and queues
+/// them while it is not associated; it receives data From DS, from its access point. Its own group
+/// frames return from the access point and are dropped.
 class BssStation final : public BssMac, private Association::Client {
  public:
   struct Membership {
     const BssConfig& config;  ///< Outlives the station.
     BssParameters bss;
-    std::vector<hal::AgentId> access_points;  ///< That it may use.
+    std::vector<hal::AgentId> access_points;  ///< Those that it may use.
     hal::RandomStream scan;                   ///< "<agent>/scan"
   };
 
@@ -39,7 +39,7 @@ class BssStation final : public BssMac, private Association::Client {
 
   std::vector<hal::AgentId> access_points_;
   Association association_;
-  std::optional<hal::AgentId> told_;  ///< Access point that the observer knows of.
+  std::optional<hal::AgentId> told_;  ///< Access point last reported to the observer.
 };
 
 }  // namespace sim::radio

@@ -10,12 +10,12 @@
 
 namespace sim::radio {
 
-/// Energy that is not a frame, from a position without a station.
+/// Energy that is not a frame, radiated at a position without a station.
 struct Burst {
-  hal::Vec3 from;                        ///< m, of its antenna, world frame
-  hal::Milliwatts power;                 ///< Radiated, the same in all directions.
-  std::optional<std::uint32_t> channel;  ///< None: that of the network's config.
-  hal::Duration length{};                ///< > 0, at most kLongestBurst.
+  hal::Vec3 from;                        ///< Position of the antenna [m], world frame.
+  hal::Milliwatts power;                 ///< Radiated power, equal in all directions.
+  std::optional<std::uint32_t> channel;  ///< Channel number; nullopt: that of the network's config.
+  hal::Duration length{};                ///< > 0 and <= kLongestBurst.
 };
 inline constexpr hal::Duration kLongestBurst = std::chrono::seconds{4};
 

@@ -7,11 +7,11 @@
 
 namespace sim::radio {
 
-/// Capabilities of the stations that share one channel number. In the standard stations learn them
-/// from beacons and probes; here they know them from the start.
+/// Capabilities of the stations that share one channel number. In the standard, stations learn them
+/// from beacons and probes; here they are known from the start.
 class Cell {
  public:
-  /// @param knows_ofdm  else it is a NonERP station: DSSS and HR/DSSS only.
+  /// @param knows_ofdm  false: a NonERP station, which supports only DSSS and HR/DSSS.
   void add(hal::AgentId station, bool knows_ofdm) {
     if (knows_ofdm) {
       has_erp_ = true;
@@ -19,16 +19,17 @@ class Cell {
       non_erp_.insert(std::ranges::lower_bound(non_erp_, station), station);
     }
   }
-  /// Some know OFDM and some do not: frames in OFDM need protection (10.26.2).
+  /// Whether some stations support OFDM and others do not, so that OFDM frames need protection
+  /// (10.26.2).
   bool is_mixed() const { return has_erp_ && !non_erp_.empty(); }
-  /// True of addresses that nobody has.
+  /// Whether a station supports OFDM; also true for addresses without a station.
   bool knows_ofdm(hal::AgentId station) const {
     return !std::ranges::binary_search(non_erp_, station);
   }
 
  private:
   bool has_erp_ = false;
-  std::vector<hal::AgentId> non_erp_;  ///< Ascending.
+  std::vector<hal::AgentId> non_erp_;  ///< In ascending order.
 };
 
 }  // namespace sim::radio

@@ -15,31 +15,32 @@ namespace sim::radio {
 
 class Radio;
 
-/// The medium: delivers each frame to the radios that can sense it. Without propagation delay a
-/// frame costs one event at its end for any number of receivers, which are visited in order of
-/// their addresses. With propagation delay receivers are visited in the order of arrival, and in
-/// each phase the event of one receiver directly follows that of the previous one, without a wait
-/// in the queue, unless another event comes between. A frame costs no event where it is faint.
+/// The medium: delivers each frame to the radios that can sense it. Without propagation delay, a
+/// frame costs one event, at its end, for any number of receivers, which are visited in order of
+/// their addresses. With propagation delay, receivers are visited in order of arrival; in each
+/// phase the event of one receiver directly follows that of the previous one without passing
+/// through the event queue, unless another event comes between. Receivers at which a frame is faint
+/// cost no event.
 class Channel {
  public:
   Channel(EventQueue& events, Neighbourhood& neighbourhood, RadioObserver& observer,
           const WavesConfig& config);
   ~Channel();
 
-  /// @pre in order of StationIndex, before anything is sent.
+  /// Adds the next radio. @pre called in order of StationIndex, before anything is sent.
   void add(Radio& radio);
 
-  /// Power below which a radio is not told of a signal.
+  /// The signals that are too weak to be reported to this station's radio.
   FaintSignals& faint_at(StationIndex station) { return faint_[station]; }
 
-  /// The frame starts now.
+  /// Starts a frame now.
   void transmit(Radio& from, const FramePtr& frame);
 
-  /// Energy that is no frame begins now and arrives there after the delay.
+  /// Starts a burst of energy now; it reaches the station after the delay.
   /// @param length  at most kLongestBurst. @param power  mW
   void interfere(StationIndex at, hal::Duration delay, hal::Duration length, double power);
 
-  /// Cuts the transmission of this radio now.
+  /// Cuts the transmission of this radio off now.
   void cut(const Radio& from);
 
  private:
@@ -65,8 +66,8 @@ class Channel {
   hal::Duration preamble_window_;
   std::vector<Radio*> radios_;
   Transmissions transmissions_;
-  std::vector<FaintSignals> faint_;     ///< Per receiver.
-  std::vector<Transmission*> current_;  ///< Per transmitter; null: it is silent.
+  std::vector<FaintSignals> faint_;     ///< One per receiver.
+  std::vector<Transmission*> current_;  ///< One per transmitter; null while it is silent.
 };
 
 }  // namespace sim::radio

@@ -19,26 +19,26 @@
 
 namespace sim::radio {
 
-/// Distributed coordination function (IEEE Std 802.11-2016, 10.3): the sender's frame exchange, and
-/// the answers to the frames of others.
+/// Distributed coordination function (IEEE Std 802.11-2016, 10.3): the frame exchange of the
+/// transmitter, and the responses to frames of others.
 ///
-///              on_access(): RTS              CTS came: SIFS, DATA
+///              on_access(): RTS              CTS received: SIFS, DATA
 ///   kIdle ----------------------> kWaitCts ----------------------> kWaitAck
 ///     ^ |                             |                              ^  |
 ///     | +-- on_access(): short DATA --|------------------------------+  |
 ///     | +-- on_access(): broadcast ---|--> kBroadcasting                |
-///     | +-- on_access(): CTS to itself, SIFS, and as without it         |
-///     +-- frame sent, ACK came, or no answer: backoff, maybe again -----+
+///     | +-- on_access(): CTS-to-self, SIFS, then DATA or broadcast      |
+///     +-- frame sent, ACK, or timeout: backoff, perhaps a retry --------+
 ///
-/// Backoff decides when to start; radio and NAV tell it what the medium does. RTS and DATA of
-/// others are answered after SIFS whatever the state.
+/// Backoff decides when to start; it learns the state of the medium from the radio and the NAV. RTS
+/// and DATA frames of others are answered after SIFS in any state.
 class DcfMac final : public MacBase, public RadioListener, private AccessListener {
  public:
   struct Streams {
     hal::RandomStream backoff;
-    hal::RandomStream rates;  ///< Of the rate control.
+    hal::RandomStream rates;  ///< Random numbers of the rate control.
   };
-  /// @param config  outlives it.
+  /// @param config  outlives the MAC.
   DcfMac(const Context& context, const DcfConfig& config, Radio& radio, const Streams& streams);
 
   MacCapabilities capabilities() const override { return {.tx_status = true, .rssi = true}; }
@@ -63,13 +63,13 @@ class DcfMac final : public MacBase, public RadioListener, private AccessListene
   void on_transmit_end(const Frame& frame) override;
   void on_access() override;
 
-  // The medium.
+  // Carrier sense.
   void update_medium();
   void begin_eifs();
   void set_nav(const Frame& frame);
   void reset_nav_unless_used(hal::Time since);
 
-  // As sender.
+  // Transmitter.
   void ask_for_medium();
   void send(const FramePtr& frame);
   void on_no_answer();
@@ -87,7 +87,7 @@ class DcfMac final : public MacBase, public RadioListener, private AccessListene
   hal::Duration after_data();
   hal::Duration data_and_after();
 
-  // As receiver.
+  // Receiver.
   void on_unicast(const Frame& frame, hal::Dbm rssi, hal::Decibels snr);
   void on_data(const Frame& frame, hal::Dbm rssi, hal::Decibels snr);
   void answer(FramePtr frame);
@@ -107,11 +107,13 @@ class DcfMac final : public MacBase, public RadioListener, private AccessListene
   DuplicateFilter duplicates_;
 
   State state_ = State::kIdle;
-  const PhyMode* data_mode_ = nullptr;  ///< This and the next: of the exchange that is going on.
+  /// Mode of the data frame of the current exchange; opening_ also belongs to that exchange.
+  const PhyMode* data_mode_ = nullptr;
   Opening opening_ = Opening::kNone;
-  bool awaiting_ = false;        ///< Its RTS or DATA has gone out; what comes in now is the answer.
-  bool last_was_wrong_ = false;  ///< The last frame came in with an error: EIFS when idle.
-  FramePtr answer_;              ///< Goes out at the end of the SIFS.
+  /// The RTS or DATA frame has been sent; the next frame received is taken for the response.
+  bool awaiting_ = false;
+  bool last_was_wrong_ = false;  ///< The last reception failed: EIFS when the medium is idle.
+  FramePtr answer_;              ///< The response to be sent after SIFS.
   EventQueue::EventId sifs_;
   EventQueue::EventId no_answer_;
   EventQueue::EventId nav_end_;

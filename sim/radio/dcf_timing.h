@@ -17,11 +17,13 @@ struct DcfTiming {
         cca_time(config.cca_time),
         cts_bits(mpdu_bits(config.lengths, FrameType::kCts)) {}
 
-  /// From the end of RTS or DATA to the PHY-RXSTART of a CTS or ACK that is sent so (10.3.2.9).
+  /// Timeout for a CTS or ACK in the given mode: from the end of RTS or DATA to its PHY-RXSTART
+  /// (10.3.2.9).
   hal::Duration response_timeout(const PhyMode& response) const {
     return sifs + slot + response.preamble_and_header();
   }
-  /// No PHY-RXSTART so long after an RTS that a CTS in this mode answers: its NAV is void.
+  /// Time after an RTS within which a PHY-RXSTART must follow, or else the NAV set by the RTS may
+  /// be reset; `cts` is the mode of the CTS.
   hal::Duration nav_reset(const PhyMode& cts) const {
     return 2 * sifs + cts.airtime(cts_bits) + cts.preamble_and_header() + 2 * slot;
   }
@@ -29,8 +31,9 @@ struct DcfTiming {
   hal::Duration slot;
   hal::Duration sifs;
   hal::Duration difs;
-  hal::Duration eifs;      ///< After a frame that came in wrong.
-  hal::Duration cca_time;  ///< What begins within it before a slot boundary is not noticed there.
+  hal::Duration eifs;  ///< After an erroneous frame.
+  /// Frames that begin within this time before a slot boundary are not detected at the boundary.
+  hal::Duration cca_time;
   std::uint32_t cts_bits;
 };
 

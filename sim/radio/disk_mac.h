@@ -14,19 +14,20 @@ namespace sim::radio {
 
 class DiskMac;
 
-/// Medium of the profiles disk and ideal: all stations within the range receive every frame.
+/// Medium of the profiles disk and ideal: every station within the range receives every frame.
 struct DiskAir {
   Neighbourhood& neighbourhood;
   std::vector<DiskMac*> stations;  ///< By StationIndex.
 };
 
-/// Link without physics. `disk`: the frames of a station take length over bit rate each, go
-/// out one after the other, and never collide. `ideal`: the same with no time at all. A unicast
-/// frame whose destination is out of range or off when it ends, ends in kRetryLimit. Receivers are
-/// those within range when the frame starts, and on when it ends.
+/// MAC of the profiles without a physical layer. `disk`: the frames of a station take length over
+/// bit rate each, are sent one after the other, and never collide. `ideal`: the same, but frames
+/// take no time. A frame is received by the stations that are within range when it starts and
+/// switched on when it ends. A unicast frame whose destination is not among them ends with
+/// kRetryLimit.
 class DiskMac final : public MacBase {
  public:
-  /// Adds itself to `air`. @param queue_limit  frames; none: as many as there are.
+  /// Adds itself to `air`. @param queue_limit  frames; nullopt: unlimited.
   DiskMac(const Context& context, std::optional<std::uint32_t> queue_limit, DiskAir& air);
 
   MacCapabilities capabilities() const override { return {.tx_status = true, .rssi = false}; }
@@ -51,7 +52,7 @@ class DiskMac final : public MacBase {
   std::size_t queued() const override { return queue_.size(); }
   void start_head();
   void finish_head();
-  /// @return whether the frame was delivered to its destination.
+  /// @return whether the destination received the frame.
   bool end_at_receivers(bool cut);
   void receive(const Frame& frame);
 
@@ -62,7 +63,7 @@ class DiskMac final : public MacBase {
   TimedState<State, 3> state_;
   std::uint16_t next_sequence_ = 0;
   std::deque<MacRequest> queue_;
-  FramePtr sending_;  ///< The head's; null: nothing is on the air.
+  FramePtr sending_;  ///< Frame of the head of the queue; null if none is on the air.
   std::vector<StationIndex> receivers_;
   EventQueue::EventId end_;
 };

@@ -7,8 +7,8 @@ namespace sim::radio {
 
 /// DSSS and HR/DSSS: IEEE Std 802.11-2016, clauses 15 and 16.
 ///
-/// Preamble and PLCP header take 144 us and 48 us, with the short format 72 us and 24 us (16.2.2);
-/// at 1 Mb/s the format is always the long one. The header is at 1 Mb/s, the short one at 2 Mb/s.
+/// Preamble and PLCP header take 144 us and 48 us, or 72 us and 24 us in the short format (16.2.2);
+/// 1 Mb/s always uses the long format. The long header is sent at 1 Mb/s, the short one at 2 Mb/s.
 class DsssMode final : public PhyMode {
  public:
   struct Options {
@@ -30,10 +30,11 @@ class DsssMode final : public PhyMode {
   ErrorModel errors_;
 };
 
-/// A frame of the profiles without PHY: bits over rate to the nearest nanosecond, always received.
+/// A frame of the profiles without PHY: lasts bits over rate, to the nearest nanosecond, and is
+/// always received.
 class PlainMode final : public PhyMode {
  public:
-  /// @param is_instant  takes no time at all.
+  /// @param is_instant  true: frames take no time.
   PlainMode(hal::BitsPerSecond rate, bool is_instant);
 
   hal::Duration airtime(std::uint32_t mpdu_bits) const override;

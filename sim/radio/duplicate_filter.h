@@ -7,11 +7,11 @@
 
 namespace sim::radio {
 
-/// Recognises a data frame that came in before and was sent again because its acknowledgement got
-/// lost (IEEE Std 802.11-2016, 10.3.2.11): same transmitter, same sequence number, retry bit set.
+/// Recognises a data frame that was received before and was retransmitted because its ACK was lost
+/// (IEEE Std 802.11-2016, 10.3.2.11): same transmitter, same sequence number, retry bit set.
 class DuplicateFilter {
  public:
-  /// Remembers the frame.
+  /// Also stores the sequence number for the next call.
   bool is_duplicate(hal::AgentId transmitter, std::uint16_t sequence, bool retry) {
     const auto [known, is_new] = last_.try_emplace(transmitter, sequence);
     if (is_new) return false;

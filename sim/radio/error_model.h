@@ -5,7 +5,7 @@
 
 namespace sim::radio {
 
-/// Probability that `bits` bits sent at `rate` all arrive when the SINR (a ratio, not dB) is the
+/// Probability that all of `bits` bits sent at `rate` arrive when the SINR (a ratio, not dB) is the
 /// same for all of them.
 ///
 /// kMobilityFramework: independent bit errors as the Mobility Framework 1.0a5 computes them, 2 MHz

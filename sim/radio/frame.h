@@ -12,34 +12,35 @@
 
 namespace sim::radio {
 
-/// Contents of a frame and its transmission parameters. Made once by its transmitter and shared,
-/// unchanged, by all receivers; codec.h converts it to bytes where bytes are needed.
+/// Contents of a frame and its transmission parameters. Its transmitter makes it once; all
+/// receivers share it unchanged. codec.h converts it to bytes where bytes are needed.
 struct Frame {
-  /// Transmitter in the upper 16 bits, below it the number among the frames of that transmitter.
+  /// Transmitter in the upper 16 bits, number among the frames of that transmitter in the rest.
   std::uint64_t id = 0;
   FrameType type = FrameType::kData;
   hal::AgentId transmitter{};
-  hal::AgentId receiver{};        ///< kEveryone: broadcast.
-  hal::Duration duration{};       ///< Duration field: how long the exchange goes on after it.
-  std::uint16_t sequence = 0;     ///< Data and management: 0..4095.
-  bool retry = false;             ///< Likewise: sent before under this sequence number.
-  Ds ds = Ds::kNone;              ///< Data.
-  hal::AgentId address3{};        ///< Data and management, as in MacHeader.
-  hal::BitsPerSecond rate{};      ///< Of the MPDU.
-  const PhyMode* mode = nullptr;  ///< How it is sent; outlives the frame. Null: read from bytes.
-  std::uint32_t air_length = 0;   ///< MPDU with FCS, bits.
-  hal::Duration airtime{};        ///< Preamble, PLCP header and MPDU.
-  std::uint8_t priority = 0;      ///< Data.
-  Ethertype ethertype = 0;        ///< Data.
-  Payload payload{};              ///< Data; of a management frame the body (management.h).
-  std::uint64_t tag = 0;          ///< Data: the client's.
-  GroupAddress group = 0;         ///< Data to kEveryone: as in MacRequest.
+  hal::AgentId receiver{};   ///< kEveryone: broadcast.
+  hal::Duration duration{};  ///< Duration field: how long the exchange continues after this frame.
+  std::uint16_t sequence = 0;  ///< Data and management: 0..4095.
+  bool retry = false;          ///< Data and management: sent before with this sequence number.
+  Ds ds = Ds::kNone;           ///< Data.
+  hal::AgentId address3{};     ///< Data and management, as in MacHeader.
+  hal::BitsPerSecond rate{};   ///< Rate of the MPDU.
+  /// Mode of transmission; outlives the frame. Null if the frame was decoded from bytes.
+  const PhyMode* mode = nullptr;
+  std::uint32_t air_length = 0;  ///< Length of the MPDU with FCS, bits.
+  hal::Duration airtime{};       ///< Preamble, PLCP header and MPDU.
+  std::uint8_t priority = 0;     ///< Data.
+  Ethertype ethertype = 0;       ///< Data.
+  Payload payload{};             ///< Data: payload; management: frame body (management.h).
+  std::uint64_t tag = 0;         ///< Data: the tag of the client's request.
+  GroupAddress group = 0;        ///< Data to kEveryone: as in MacRequest.
 
   bool is_broadcast() const { return receiver == hal::kEveryone; }
-  /// Of data: who sent it first, and whom it is for, whatever access points lie between.
+  /// Data: original source and final destination, whatever access points lie between.
   hal::AgentId source() const { return ds == Ds::kFrom ? address3 : transmitter; }
   hal::AgentId destination() const { return ds == Ds::kTo ? address3 : receiver; }
-  /// Only stations of a BSS understand it.
+  /// Whether only stations of a BSS can interpret it.
   bool is_of_bss() const { return ds != Ds::kNone || is_management(type); }
 };
 

@@ -8,7 +8,7 @@
 
 namespace sim::radio {
 
-/// Class of a frame, as the tables have it.
+/// Class of a frame, as in the tables of records.
 enum class FrameClass : std::uint8_t {
   kRts,
   kCts,

@@ -10,7 +10,7 @@ namespace sim::radio {
 /// Makes the frames of one station, with the Duration fields of IEEE Std 802.11-2016, 9.2.5.
 class FrameFactory {
  public:
-  /// Lengths and modes outlive it and the frames.
+  /// @param lengths,modes  outlive the factory and the frames.
   FrameFactory(const LengthsConfig& lengths, const ModeSet& modes, hal::AgentId agent)
       : lengths_(lengths), modes_(modes), agent_(agent) {}
 
@@ -19,24 +19,25 @@ class FrameFactory {
     bool retry = false;
     hal::Duration duration{};
     const PhyMode* mode = nullptr;  ///< Null: data_mode().
-    hal::Time at{};                 ///< When it starts: beacons say so.
+    hal::Time at{};                 ///< Start of the frame, for the timestamp of beacons.
   };
-  /// Data and management.
+  /// Makes a data or management frame.
   FramePtr data(const MacRequest& request, const DataOptions& options);
 
-  /// @param duration  what follows the RTS.
+  /// @param duration  of the rest of the exchange after the RTS.
   FramePtr rts(hal::AgentId to, hal::Duration duration);
   FramePtr rts(hal::AgentId to, hal::Duration duration, const PhyMode& mode);
-  /// @param duration  what follows the CTS.
+  /// @param duration  of the rest of the exchange after the CTS.
   FramePtr cts_to_self(hal::Duration duration, const PhyMode& mode);
-  /// Answers to an RTS, and to a data frame. The duration is the RTS's without CTS and SIFS.
+  /// Make the responses to an RTS and to a data frame. The duration of the CTS is that of the RTS
+  /// without CTS and SIFS.
   FramePtr cts(const Frame& rts, hal::Duration sifs);
   FramePtr ack(const Frame& data);
 
   const PhyMode& data_mode(const MacRequest& request) const;
   hal::Duration data_airtime(const MacRequest& request) const;
   hal::Duration data_airtime(const MacRequest& request, const PhyMode& mode) const;
-  /// Of the CTS or ACK that answers a frame sent in this mode.
+  /// Airtime of the CTS or ACK that answers a frame sent in mode `to`.
   hal::Duration response_airtime(FrameType type, const PhyMode& to) const;
 
  private:

@@ -10,27 +10,29 @@
 
 namespace sim::radio {
 
-/// The beacons of access points that one station hears: of each the running mean of its RSSI in
+/// The access points whose beacons one station hears, each with the running mean of its RSSI in
 /// dBm, in which the newest beacon has the weight `beacon_weight`.
 class HeardAccessPoints {
  public:
-  /// @param config  outlives it.
+  /// @param config  outlives this object.
   explicit HeardAccessPoints(const BssConfig& config) : config_(config) {}
 
-  /// @param interval  that the beacon names.
+  /// @param interval  beacon interval that the beacon announces.
   void on_beacon(hal::AgentId access_point, hal::Dbm rssi, hal::Duration interval, hal::Time now);
-  /// Until it is heard again.
+  /// Removes an access point until it is heard again.
   void forget(hal::AgentId access_point) { heard_.erase(access_point); }
   void clear() { heard_.clear(); }
 
-  /// When it counts as lost: so many intervals after its last beacon. @pre it was heard.
+  /// Time at which it counts as lost: `beacon_loss` intervals after its last beacon. @pre it was
+  /// heard.
   hal::Time lost_at(hal::AgentId access_point) const;
 
-  /// Of those that are not lost the one with the strongest mean, of equals the lowest address;
-  /// none: there is none.
+  /// The access point with the strongest mean among those that are not lost; ties go to the lowest
+  /// address. @return nullopt if there is none.
   std::optional<hal::AgentId> strongest(hal::Time now) const;
 
-  /// The same if it is stronger than `current` by more than the hysteresis. @pre that was heard.
+  /// The strongest access point if it is stronger than `current` by more than the hysteresis, else
+  /// nullopt. @pre `current` was heard.
   std::optional<hal::AgentId> better_than(hal::AgentId current, hal::Time now) const;
 
  private:

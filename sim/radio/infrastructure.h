@@ -14,23 +14,24 @@ namespace sim::radio {
 
 class DcfMac;
 
-/// Infrastructure mode of one network: its access points, their stations, and the wire.
+/// Infrastructure mode of one network: its access points, their stations, and the distribution
+/// system.
 class Infrastructure {
  public:
-  /// A station and the values of its own.
+  /// A station and its own settings.
   struct Member {
     const MacBase::Context& context;
     const DcfConfig& config;  ///< Outlives the MAC.
-    Standard rates;           ///< That it knows.
+    Standard rates;           ///< Rates that it supports.
     hal::RandomStream scan;   ///< "<agent>/scan"
   };
 
-  /// @param config  outlives it.
-  /// @throws std::invalid_argument  an access point that is no station.
+  /// @param config  outlives this object.
+  /// @throws std::invalid_argument  an access point is not a station.
   Infrastructure(const BssConfig& config, const std::vector<RadioNetwork::Station>& stations,
                  EventQueue& events);
 
-  /// The MAC of a station: its DCF, and what it has above that if it is in a BSS.
+  /// Completes the MAC of a station: if it is in a BSS, adds the BSS layer above its DCF.
   std::unique_ptr<MacBase> completed(const Member& member, std::unique_ptr<DcfMac> dcf);
 
  private:
@@ -38,8 +39,9 @@ class Infrastructure {
 
   const BssConfig& config_;
   DistributionSystem distribution_;
-  std::vector<hal::AgentId> access_points_;  ///< By address.
-  /// Of the stations that are in a BSS and are no access points: those that they may use.
+  std::vector<hal::AgentId> access_points_;  ///< In ascending order.
+  /// For each station that is in a BSS and is not an access point: the access points that it may
+  /// use.
   std::map<hal::AgentId, std::vector<hal::AgentId>> usable_;
 };
 

@@ -13,13 +13,13 @@
 
 namespace sim::radio {
 
-/// Receives a MAC's frames and reports instead of its clients: the layer of a BSS.
+/// Receives the frames and reports of a MAC in place of its clients: the BSS layer.
 class FrameListener {
  public:
   virtual ~FrameListener() = default;
-  /// To this station or to everyone, without duplicates.
+  /// A frame to this station or to everyone; duplicates are removed.
   virtual void on_frame(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) = 0;
-  /// As MacClient::on_transmitted().
+  /// As in MacClient::on_transmitted().
   virtual void on_sent(const MacRequest& request, hal::Verdict verdict) = 0;
 };
 
@@ -39,39 +39,39 @@ class MacBase : public MacSap {
 
   explicit MacBase(const Context& context);
 
-  /// From now on there are no clients. @pre before the first frame; it outlives the MAC.
+  /// Replaces the clients. @pre called before the first frame; the listener outlives the MAC.
   void set_listener(FrameListener& listener) { listener_ = &listener; }
 
   void add_client(Ethertype ethertype, MacClient& client) final;
   hal::Duration expected_delay() const final;
   double transmit_energy(std::size_t bytes) const final;
-  /// Into the antenna, for transmit_energy() from now on.
+  /// Sets the power into the antenna from which transmit_energy() computes.
   void set_tx_power(hal::Milliwatts power) { tx_power_ = power; }
 
  protected:
   /// Checks the preconditions of transmit().
   void check(const MacRequest& request) const;
 
-  /// Gives the frame to the listener or the payload to the client of its type, if there is one.
+  /// Passes the frame to the listener or its payload to the client of its type, if there is one.
   void hand_up(const Frame& frame, hal::Dbm rssi, hal::Decibels snr);
 
-  /// Gives the payload to the client of its type, if there is one.
+  /// Passes the payload to the client of its type, if there is one.
   void deliver(const Frame& frame, hal::Dbm rssi, hal::Decibels snr);
   void deliver(Ethertype ethertype, const MacIndication& indication);
 
-  /// The request ended. Calls the client: state must be up to date. Never from within a client's
-  /// call; there, use report_later().
+  /// Reports the end of a request to its client: the caller's state must be up to date. Do not call
+  /// from within a client's call; use report_later() there.
   void report(const MacRequest& request, hal::Verdict verdict);
 
-  /// The same in an event of its own, at this time.
+  /// The same in a separate event at the current time.
   void report_later(MacRequest request, hal::Verdict verdict);
 
-  /// A unicast exchange took this long from the head of the queue to its end: running mean with
-  /// weight 0.7 on the past (G. Di Caro, F. Ducatelle, L. M. Gambardella, "AntHocNet", PPSN VIII,
-  /// 2004).
+  /// Learns how long a unicast exchange took from the head of the queue to its end: running mean
+  /// with weight 0.7 on the past (G. Di Caro, F. Ducatelle, L. M. Gambardella, "AntHocNet", PPSN
+  /// VIII, 2004).
   void learn_service_time(hal::Duration took);
 
-  /// Requests waiting or in service.
+  /// Number of requests waiting or in service.
   virtual std::size_t queued() const = 0;
 
   EventQueue& events() const { return events_; }
@@ -92,7 +92,8 @@ class MacBase : public MacSap {
   hal::Milliwatts tx_power_;
   hal::AgentId agent_;
   const Cell& cell_;
-  /// Of clients_: most stations have no other, and it is looked up with every frame.
+  /// Copy of the first of clients_: most stations have no other, and it is looked up for every
+  /// frame.
   std::pair<Ethertype, MacClient*> first_client_{0, nullptr};
   hal::Duration service_time_;
   std::vector<std::pair<Ethertype, MacClient*>> clients_;

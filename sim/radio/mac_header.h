@@ -16,7 +16,7 @@ enum class FrameType : std::uint8_t {
   kRts,
   kCts,
   kAck,
-  kBeacon,  ///< This and the following: management frames of a BSS (bss_mac.h).
+  kBeacon,  ///< This and the following are management frames of a BSS (bss_mac.h).
   kAuthentication,
   kDeauthentication,
   kAssociationRequest,
@@ -64,18 +64,18 @@ constexpr bool is_control(FrameType type) {
   return type == FrameType::kRts || type == FrameType::kCts || type == FrameType::kAck;
 }
 
-/// To DS and From DS of a data frame: no distribution system in an ad hoc network; into it, from a
-/// station to its access point; out of it, from an access point.
+/// To DS and From DS of a data frame. kNone: ad hoc network, no distribution system. kTo: from a
+/// station to its access point. kFrom: from an access point to a station.
 enum class Ds : std::uint8_t { kNone, kTo, kFrom };
 
-/// What the header of a data or management frame says beyond transmitter and receiver.
+/// Fields of the header of a data or management frame besides transmitter and receiver.
 struct MacHeader {
   FrameType type = FrameType::kData;
   Ds ds = Ds::kNone;
-  /// The third address (tables 9-26 and 9.3.3.2): the destination To DS, the source From DS, else
-  /// the BSSID, which in an ad hoc network is that of agent 0.
+  /// The third address (tables 9-26 and 9.3.3.2): the destination if To DS, the source if From DS,
+  /// else the BSSID, which in an ad hoc network is the address of agent 0.
   hal::AgentId address3{};
-  /// When a layer above the DCF took the request; none: the DCF has it from the client.
+  /// When a layer above the DCF accepted the request; nullopt: it comes straight from the client.
   std::optional<hal::Time> since{};
 };
 

@@ -8,11 +8,11 @@ namespace sim::radio {
 
 class Radio;
 
-/// What the MAC of a station of a ForeignProfileConfig is made of.
+/// The parts from which the MAC of a station of a ForeignProfileConfig is made.
 struct MacParts {
-  const MacBase::Context& context;     ///< As MacBase takes it.
-  const ForeignProfileConfig& config;  ///< As it is for this station; outlives the MAC …
-  Radio& radio;                        ///< … and so does this, which is the MAC's alone.
+  const MacBase::Context& context;     ///< As for the constructor of MacBase.
+  const ForeignProfileConfig& config;  ///< As it applies to this station; outlives the MAC.
+  Radio& radio;                        ///< Outlives the MAC; no other MAC uses it.
   hal::RandomStream backoff;           ///< "<agent>/backoff"
 };
 

@@ -11,9 +11,9 @@
 namespace sim::radio {
 
 /// MAC of the Mobility Framework 1.0a5, which the paper used: CSMA/CA with RTS/CTS that differs
-/// from the standard's DCF in ways that its figures show, e.g. no backoff for a packet that finds
-/// the station idle, and no post-backoff. Written from its description in docs/models.md, 4; source
-/// as imported into INET in 2005: MF80211/Mac80211.
+/// from the standard's DCF in ways that affect the paper's figures, e.g. no backoff for a packet
+/// that finds the station idle, and no post-backoff. Written from its description in
+/// docs/models.md, 4; source as imported into INET in 2005: MF80211/Mac80211.
 ///
 ///            packet, radio idle              RTS sent             CTS
 ///   kIdle --------------------> kContend -------------> kWaitCts -----> (SIFS, DATA)
@@ -31,7 +31,7 @@ namespace sim::radio {
 /// contention, which keeps its remaining time, and a pending SIFS answer.
 class MobilityFrameworkMac final : public MacBase, public RadioListener {
  public:
-  /// @param config  outlives it.
+  /// @param config  outlives the MAC.
   MobilityFrameworkMac(const Context& context, const MobilityFrameworkConfig& config, Radio& radio,
                        hal::RandomStream backoff);
 
@@ -47,7 +47,7 @@ class MobilityFrameworkMac final : public MacBase, public RadioListener {
  private:
   enum class State : std::uint8_t { kIdle, kContend, kWaitCts, kWaitData, kWaitAck, kBusy, kQuiet };
 
-  /// An event and when it is due.
+  /// An event and its time.
   struct Timer {
     EventQueue::EventId event;
     hal::Time due{};
@@ -90,7 +90,8 @@ class MobilityFrameworkMac final : public MacBase, public RadioListener {
   void start(Timer& timer, hal::Duration delay, F&& handler);
   void stop(Timer& timer) { events().cancel(timer.event); }
   bool is_running(const Timer& timer) const { return events().is_pending(timer.event); }
-  /// Running, and not due at this very instant, where nothing sensed now can stop it any more.
+  /// Whether it is running and not due now: a signal sensed now cannot stop a timer that is due
+  /// now.
   bool can_stop(const Timer& timer) const { return is_running(timer) && timer.due != now(); }
 
   const MobilityFrameworkConfig& config_;
@@ -107,9 +108,9 @@ class MobilityFrameworkMac final : public MacBase, public RadioListener {
 
   Timer contention_;
   hal::Time contending_since_{};
-  Timer sifs_;  ///< Until answer_ goes out.
+  Timer sifs_;  ///< Until answer_ is sent.
   FramePtr answer_;
-  hal::Duration data_due_{};  ///< How long to wait for data from the start of our CTS.
+  hal::Duration data_due_{};  ///< Timeout for the data frame, from the start of this station's CTS.
   Timer timeout_;
   Timer nav_;
   Timer busy_;

@@ -13,15 +13,15 @@
 
 namespace sim::radio {
 
-/// Power and delay of a station's frames at one other station, while neither of them moves.
+/// Received power and delay of one station's frames at another, valid while neither of them moves.
 struct AudibleLink {
   StationIndex receiver = 0;
-  std::uint32_t moves = 0;  ///< Of both together when this was computed.
+  std::uint32_t moves = 0;  ///< Sum of both stations' `moves` when this was computed.
   Propagation::Arrival arrival;
-  Propagation::Steady steady;  ///< Of which `arrival` is the value at the last look.
+  Propagation::Steady steady;  ///< Basis from which `arrival` was last evaluated.
 };
 
-/// The same where the frames are interference only.
+/// A link whose frames are only interference.
 struct FaintLink {
   double power = 0;  ///< mW
   StationIndex receiver = 0;
@@ -29,57 +29,61 @@ struct FaintLink {
   std::uint32_t delay = 0;  ///< ns
 };
 
-/// A pair that is out of reach, and near enough to come into it before cells change.
+/// A pair that is out of range, but close enough to come into range before a cell changes.
 struct DistantLink {
   StationIndex receiver = 0;
   std::uint32_t moves = 0;
-  hal::Time out_of_reach_until{};  ///< However fast the two move.
+  hal::Time out_of_reach_until{};  ///< Whatever the movement of the two.
 };
 
-/// From one station to all that it matters to, each list of links by receiver.
+/// Links from one station to all stations that its frames can affect, each list in order of
+/// receivers.
 struct Links {
   std::vector<AudibleLink> audible;
   std::vector<FaintLink> faint;
   std::vector<DistantLink> distant;
-  std::vector<std::uint32_t> by_arrival;  ///< Indices into `audible` by (delay, receiver).
-  bool is_fixed = true;  ///< The transmitter stands for ever, and so do all in reach.
+  std::vector<std::uint32_t> by_arrival;  ///< Indices into `audible`, ordered by (delay, receiver).
+  bool is_fixed = true;                   ///< The transmitter and all stations in range never move.
 };
 
-/// Links between stations: which can sense each other's frames, and with which power. Positions are
-/// read when a frame starts; links of stations that have not moved since are not computed again.
-/// Moving stations are assigned to their new cell by an event: a station is checked again before it
-/// can have left its cell by more than a margin, and links are kept to all stations whose cells are
-/// nearer than the range plus twice the margin. A station that changes its cell collects its links
-/// again, and is removed from the links of stations that it leaves and added to those that it
-/// approaches.
+/// Links between stations: which stations can sense each other's frames, and with which power.
+/// Positions are read when a frame starts; links of stations that have not moved since are not
+/// computed again. Moving stations are assigned to their new cell by an event: a station is checked
+/// again before it can have left its cell by more than a margin, and links are kept to all stations
+/// whose cells are nearer than the range plus twice the margin. A station that changes its cell
+/// collects its links again; it is removed from the links of stations that it leaves and added to
+/// those of stations that it approaches.
 class Neighbourhood {
  public:
   struct Antenna {
     hal::AgentId agent;
     hal::Milliwatts tx_power;
     double height = 0;             ///< m above the agent's position.
-    std::uint64_t name = 0;        ///< As Site::name.
-    double gain = 1;               ///< A ratio; when sending and when receiving.
-    hal::Milliwatts most_power{};  ///< That set_tx_power() may ask for, if more than `tx_power`.
+    std::uint64_t name = 0;        ///< As in Site::name.
+    double gain = 1;               ///< Ratio, for transmission and reception.
+    hal::Milliwatts most_power{};  ///< Largest power for set_tx_power(), if above `tx_power`.
   };
   /// @param antennas  in ascending order of agents; the index into it is the StationIndex.
   Neighbourhood(EventQueue& events, const Positions& positions, const Propagation& propagation,
                 const std::vector<Antenna>& antennas);
 
-  /// Up-to-date links from this station to all that notice it. Valid until the next call for it.
+  /// Up-to-date links from this station to all stations that its frames can affect. Valid until the
+  /// next call for this station.
   const Links& links_from(StationIndex transmitter);
 
-  /// The station is somewhere else now, without having moved there.
+  /// Reports that the station jumped to another position.
   void displace(StationIndex station);
 
-  /// What the station sends with from its next frame on. @param power  at most the greater one of
-  /// its antenna's `tx_power` and `most_power`.
+  /// Sets the transmit power of a station from its next frame on. @param power  at most the greater
+  /// of its antenna's `tx_power` and `most_power`.
   void set_tx_power(StationIndex station, hal::Milliwatts power);
 
-  /// What comes of a power that is sent at a place where no station is. Frames keep their mean.
+  /// Received power and delay of a signal sent from a place without a station. The means of frames
+  /// do not change.
   Propagation::Arrival arrival(hal::Milliwatts sent, const Site& from, StationIndex to);
 
-  /// Gives back the memory that links_from() took for a station, which may never transmit.
+  /// Frees the memory that links_from() took for a station; use it for stations that may never
+  /// transmit.
   void forget(StationIndex transmitter);
 
  private:
@@ -90,7 +94,7 @@ class Neighbourhood {
     double max_speed = 0;  ///< m/s
     hal::Time valid_until{};
     std::uint32_t moves = 1;
-    bool is_out_of_date = true;  ///< Its links: who is near has changed.
+    bool is_out_of_date = true;  ///< Its links are: its neighbourhood has changed.
   };
 
   void add(const Antenna& antenna);
@@ -113,12 +117,12 @@ class Neighbourhood {
   EventQueue& events_;
   const Positions& positions_;
   const Propagation& propagation_;
-  double reach_;   ///< Of the strongest transmitter, m.
+  double reach_;   ///< Range of the strongest transmitter [m].
   double margin_;  ///< m
   CellGrid grid_;
   std::vector<Station> stations_;
-  std::vector<Links> links_;  ///< By transmitter.
-  /// While links are followed: those that belong into another list.
+  std::vector<Links> links_;  ///< One per transmitter.
+  /// While links are updated: those that move to another list.
   std::vector<AudibleLink> changed_;
 };
 

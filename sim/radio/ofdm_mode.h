@@ -9,7 +9,7 @@ namespace sim::radio {
 ///
 /// Preamble 16 us and SIGNAL 4 us; symbols of 4 us for 16 service bits, the MPDU and 6 tail bits;
 /// then 6 us of signal extension (18.3.2.4), during which nothing is sent. With
-/// BitsAtRisk::kPayloadTime it does not count as silence.
+/// BitsAtRisk::kPayloadTime the bits at risk fill the signal extension, too.
 class OfdmMode final : public PhyMode {
  public:
   /// @pre rate is 6, 9, 12, 18, 24, 36, 48 or 54 Mb/s.

@@ -7,33 +7,37 @@
 
 namespace sim::radio {
 
-/// Frames are answered in their own class (IEEE Std 802.11-2016, 10.7.6.5.3).
+/// Modulation class. Frames are answered in their own class (IEEE Std 802.11-2016, 10.7.6.5.3).
 enum class ModulationClass : std::uint8_t { kNone, kDsss, kOfdm };
 
-/// One way to send an MPDU: its rate, and the preamble and PHY header that its frames begin with.
-/// How long such a frame is on the air, and how likely it comes in. Says nothing of a station.
+/// One way to send an MPDU: its rate, and the preamble and PHY header with which its frames begin.
+/// Computes how long such a frame is on the air and how probable its reception is. Independent of
+/// stations.
 class PhyMode {
  public:
   virtual ~PhyMode() = default;
 
-  hal::BitsPerSecond rate() const { return rate_; }  ///< Of the MPDU.
+  hal::BitsPerSecond rate() const { return rate_; }  ///< Rate of the MPDU.
   virtual ModulationClass modulation_class() const { return ModulationClass::kNone; }
-  /// Every station that has this class can receive and send this mode.
+  /// Whether every station that supports this class supports this mode.
   virtual bool is_mandatory() const { return true; }
-  /// What a receiver synchronises to; then the header, in another rate than the MPDU.
+  /// Duration of the preamble, to which a receiver synchronises; the PHY header follows, at another
+  /// rate than the MPDU.
   hal::Duration preamble() const { return preamble_; }
   hal::Duration preamble_and_header() const { return preamble_ + header_; }
 
-  /// Of the airtime, what passes in silence behind the last bit.
+  /// Part of the airtime after the last bit, during which nothing is sent.
   virtual hal::Duration signal_extension() const { return {}; }
-  /// Of an MPDU of so many bits, those that must come in between the header and that silence.
+  /// Of an MPDU of `mpdu_bits` bits: number of bits that must arrive between the header and the
+  /// signal extension.
   virtual double bits_at_risk(std::uint32_t mpdu_bits) const { return mpdu_bits; }
 
-  /// TXTIME: preamble, header and an MPDU of so many bits (with FCS), and the signal extension.
+  /// TXTIME: duration of preamble, header, MPDU of `mpdu_bits` bits (with FCS) and signal
+  /// extension.
   virtual hal::Duration airtime(std::uint32_t mpdu_bits) const = 0;
 
-  /// Probability that all of a share of the header, or so many bits of the MPDU, arrive when the
-  /// SINR is the same for all of them.
+  /// Probability that a share of the header, or a number of bits of the MPDU, arrives without error
+  /// when the SINR is the same for all of it.
   /// @param sinr  a ratio, not dB; >= 0, may be infinite.  @param share  0 .. 1.
   /// @param bits  >= 0; fractions count.
   virtual double header_success(double sinr, double share) const = 0;

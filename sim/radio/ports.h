@@ -7,8 +7,8 @@
 
 namespace sim::radio {
 
-/// Where the stations are. The radio pulls positions when it needs them; nobody tells it of every
-/// move. World frame, metres.
+/// Positions of the stations, in metres, world frame. The radio reads them when it needs them and
+/// is not informed of every move.
 class Positions {
  public:
   virtual ~Positions() = default;
@@ -16,23 +16,23 @@ class Positions {
   virtual hal::Vec3 velocity(hal::AgentId agent, hal::Time at) const = 0;  ///< m/s
   /// The position at `at` holds at least until this time (exclusive); Time::max(): it never moves.
   virtual hal::Time valid_until(hal::AgentId agent, hal::Time at) const = 0;
-  /// No agent is ever faster than this; 0: nothing moves. m/s
+  /// Upper bound of the agent's speed [m/s]; 0: it never moves.
   virtual double max_speed(hal::AgentId agent) const = 0;
 };
 
-/// What stands between antennas.
+/// Attenuation by obstacles between antennas.
 class Obstacles {
  public:
   virtual ~Obstacles() = default;
-  /// Loss of the walls that the segment crosses; 0 dB: free.
+  /// Loss by the walls that the segment crosses; 0 dB if there are none.
   virtual hal::Decibels loss(const hal::Vec3& from, const hal::Vec3& to) const = 0;
 
-  /// Antenna of an agent, whose own body is not in its way.
+  /// Antenna of an agent; the agent's own body does not attenuate.
   struct End {
     hal::AgentId agent;
     hal::Vec3 antenna;
   };
-  /// The same of what may move. Asked when a frame starts. @return 0 dB by default.
+  /// Loss by obstacles that may move, evaluated when a frame starts. The default is 0 dB.
   virtual hal::Decibels moving_loss(const End& /*from*/, const End& /*to*/) const { return {}; }
 };
 

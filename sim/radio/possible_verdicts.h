@@ -7,12 +7,13 @@
 
 namespace sim::radio {
 
-/// How frames can end at radios of a profile, whatever its keys say: a count of one of these that
-/// nobody made is 0, a count of another does not exist. kBelowSensitivity is told of by who sent.
+/// Verdicts that frames can have at radios of a profile, for any values of its keys: a count of one
+/// of these without events is 0; a count of any other does not exist. kBelowSensitivity is reported
+/// by the transmitter.
 std::vector<hal::Verdict> reception_verdicts(const RadioConfig& config);
 
-/// Likewise, of what the link is asked to send.
-/// @param has_access_points  some station is one.
+/// Verdicts that requests to the link can have.
+/// @param has_access_points  whether some station is an access point.
 std::vector<hal::Verdict> request_verdicts(const RadioConfig& config, bool has_access_points);
 
 }  // namespace sim::radio

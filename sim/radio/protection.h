@@ -9,25 +9,25 @@
 
 namespace sim::radio {
 
-/// What goes out before a data frame, so that others keep quiet for it.
+/// Frame that precedes a data frame and reserves the medium for it.
 enum class Opening : std::uint8_t {
   kNone,
-  kCtsToSelf,  ///< A CTS to its own sender (IEEE Std 802.11-2016, 10.3.2.12).
+  kCtsToSelf,  ///< A CTS addressed to its transmitter (IEEE Std 802.11-2016, 10.3.2.12).
   kRts,
 };
 
 /// How one station opens its exchanges: RTS/CTS above the threshold (10.3.2.7), and protection of
-/// frames in OFDM where there are stations that do not know it (10.26). What protects is in DSSS,
-/// which all receive, and its Duration covers the exchange.
+/// OFDM frames where there are stations that do not support OFDM (10.26). Protecting frames are
+/// sent in DSSS, which every station receives, and their Duration covers the exchange.
 class Protection {
  public:
-  /// All outlive it.
+  /// @param config,modes,cell  outlive this object.
   Protection(const DcfConfig& config, const ModeSet& modes, const Cell& cell);
 
-  /// @param bits  of the MPDU.
+  /// @param bits  of the MPDU, with FCS.
   Opening opening(bool is_group, const PhyMode& data, std::uint32_t bits) const;
 
-  /// Of that RTS or CTS.
+  /// Mode of that RTS or CTS.
   const PhyMode& mode(hal::AgentId to, const PhyMode& data) const;
 
  private:
@@ -36,7 +36,7 @@ class Protection {
   const DcfConfig& config_;
   const ModeSet& modes_;
   const Cell& cell_;
-  ProtectionKind kind_;  ///< Not kAuto.
+  ProtectionKind kind_;  ///< Resolved: never kAuto.
 };
 
 }  // namespace sim::radio

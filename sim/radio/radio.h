@@ -22,8 +22,8 @@ class Channel;
 class FaintSignals;
 class RandomLoss;
 
-/// What a radio tells its MAC. State and signals of the radio are up to date when it is called. A
-/// handler must not transmit at once, only schedule.
+/// Callbacks from a radio to its MAC. The state and the signals of the radio are up to date when
+/// they are called. A callback must not transmit at once, only schedule.
 class RadioListener {
  public:
   virtual ~RadioListener() = default;
@@ -32,10 +32,11 @@ class RadioListener {
   virtual void on_medium_idle() = 0;
   /// The receiver synchronised to a frame.
   virtual void on_receive_start() = 0;
-  /// A frame came in without error, addressed to this station or not. Before on_medium_idle().
+  /// A frame was received without error, whether addressed to this station or not. Called before
+  /// on_medium_idle().
   virtual void on_receive(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) = 0;
   virtual void on_receive_error(ReceiveError error) = 0;
-  /// The radio's own frame has left the antenna.
+  /// The radio has finished sending its own frame.
   virtual void on_transmit_end(const Frame& frame) = 0;
 };
 
@@ -49,10 +50,10 @@ class RadioListener {
 ///     +---------------- frame or energy sensed ------------+
 ///   kOff <---> any: set_on()
 ///
-/// Every frame that the radio is told of ends in exactly one verdict, at the frame's end. What ends
-/// now is over, whichever of several events at one time comes first. Frames that are faint here are
-/// interference that the radio looks at when it needs to (FaintSignals). A frame whose PHY header
-/// is wrong is given up at the header's end; that, too, is looked at when somebody needs to know.
+/// Every frame reported to the radio ends in exactly one verdict, at the frame's end. A signal that
+/// ends now is over, in whatever order the events of this time run. Frames that are faint here are
+/// interference that the radio evaluates when it needs to (FaintSignals). A frame with a wrong PHY
+/// header is given up at the header's end; that, too, is evaluated on demand.
 class Radio {
  public:
   enum class State : std::uint8_t { kOff, kIdle, kReceive, kTransmit };
@@ -76,13 +77,13 @@ class Radio {
     RadioObserver& observer;
     const ReceiverConfig& config;
     const ReceptionRules& rules;
-    bool knows_ofdm = true;            ///< Else frames in OFDM are energy to it, and nothing else.
-    const RandomLoss* loss = nullptr;  ///< None: only the physics decide.
+    bool knows_ofdm = true;            ///< false: OFDM frames are only energy to it.
+    const RandomLoss* loss = nullptr;  ///< Null: no random loss.
   };
 
   Radio(Air air, StationIndex index, hal::AgentId agent, hal::RandomStream errors);
 
-  /// @pre called once, before anything else. The listener outlives the radio.
+  /// Sets the listener, which outlives the radio. @pre called once, before any other call.
   void attach(RadioListener& listener) { listener_ = &listener; }
 
   hal::AgentId agent() const { return agent_; }
@@ -92,36 +93,37 @@ class Radio {
     return {state_.spent(State::kTransmit), state_.spent(State::kReceive),
             state_.spent(State::kIdle), state_.spent(State::kOff)};
   }
-  /// As MacSap::set_use_listener().
+  /// As in MacSap::set_use_listener().
   void set_use_listener(RadioUseListener* listener) { state_.tell(listener); }
-  /// The PHY header of a frame has come in, and the frame is still coming: between PHY-RXSTART and
-  /// PHY-RXEND. May tell the listener what has ended by now.
+  /// Whether the PHY header of a frame has been received and the frame has not ended: between
+  /// PHY-RXSTART and PHY-RXEND. May first report to the listener signals that have ended by now.
   bool is_receiving();
-  /// A PHY header has come in at this time or later: PHY-RXSTART.
+  /// Whether a PHY header was received at this time or later: PHY-RXSTART.
   bool has_received_since(hal::Time since);
 
-  /// @pre on, and not transmitting. A frame that is coming in is lost.
+  /// Starts a frame; one that is being received is lost. @pre on, and not transmitting.
   void transmit(FramePtr frame);
 
-  /// Off cuts the own frame. No callbacks.
+  /// Switches the radio; off cuts off its own frame. No callbacks.
   void set_on(bool on);
 
   double energy_detection() const { return energy_detection_; }  ///< mW
 
   // For the channel.
-  /// Ask the cache for what the next event here will need. The second: after the first has come.
+  /// Prefetch the memory that the next event here needs; call the second when the first has taken
+  /// effect.
   void prefetch() const;
   void prefetch_listener() const;
-  /// @param frame  outlives its signal here.
-  /// @return whether a preamble window opened, which must be closed after its time.
+  /// A frame begins to arrive. @param frame  outlives its signal here.
+  /// @return whether a preamble window was opened, which the caller must close after its time.
   bool begin_signal(const Frame& frame, const Propagation::Arrival& arrival);
   void close_preamble_window() { settle(); }
-  /// The faint frames may add up to energy that is sensed: looks at each of their starts and ends
-  /// from now on, until they do not.
+  /// The faint frames may add up to detectable energy: evaluates the sum at each of their starts
+  /// and ends from now on, until it can no longer reach the threshold.
   void watch_energy();
-  /// Does nothing if the signal is not there any more. @param cut  before its end.
+  /// Ends a signal. No effect if it is not present. @param cut  true: before its regular end.
   void end_signal(const Frame& frame, bool cut);
-  /// Does nothing if the radio is not transmitting this frame any more.
+  /// Ends a transmission. No effect if the radio is no longer transmitting this frame.
   void end_transmit(const Frame& frame);
 
  private:
@@ -130,15 +132,15 @@ class Radio {
     Propagation::Arrival arrival;
     hal::Time start{};
     hal::Time end{};
-    /// Fixed as soon as it cannot be received any more.
+    /// Set as soon as the frame can no longer be received.
     std::optional<hal::Verdict> verdict;
     bool is_forgotten = false;
   };
 
-  /// What carrier sense does not count any more: HeaderError::kForgotten.
+  /// Signals that carrier sense ignores: HeaderError::kForgotten.
   struct Forgotten {
     hal::Time since{};
-    hal::Time until{};  ///< So long the medium would be busy.
+    hal::Time until{};  ///< Until then the medium would be busy.
   };
 
   void settle();
@@ -188,13 +190,14 @@ class Radio {
   bool said_busy_ = false;  ///< What the listener was told last.
   FramePtr sending_;        ///< While transmitting.
   hal::Time sending_until_{};
-  std::vector<Signal> signals_;  ///< By arrival.
+  std::vector<Signal> signals_;  ///< In order of arrival.
   std::optional<Reception> held_;
   std::optional<hal::Time> window_;           ///< Start of the open preamble window.
-  hal::Time last_header_ = hal::Time::min();  ///< The end of the last one that came in.
+  hal::Time last_header_ = hal::Time::min();  ///< End of the last header that was received.
   std::optional<Forgotten> forgotten_;
-  EventQueue::EventId energy_look_;  ///< At the next change of faint signals.
-  EventQueue::EventId header_look_;  ///< At the end of a header that alone is sensed.
+  EventQueue::EventId energy_look_;  ///< At the next change of the faint signals.
+  /// At the end of the held frame's header, if carrier sense depends on it.
+  EventQueue::EventId header_look_;
 };
 
 }  // namespace sim::radio

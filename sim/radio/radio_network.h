@@ -17,8 +17,8 @@
 
 namespace sim::radio {
 
-/// All stations, on one air for each channel number. Built once; stations are then used through
-/// their MacSap.
+/// All stations, with one medium per channel number. Constructed once; stations are then used
+/// through their MacSap.
 class RadioNetwork {
  public:
   struct Surroundings {
@@ -31,12 +31,14 @@ class RadioNetwork {
   };
   struct Station {
     hal::AgentId agent;
-    std::string name;  ///< Of the agent; names its random streams.
+    std::string name;  ///< Agent's name, from which its random streams are named.
     StationConfig radio{};
-    hal::Milliwatts most_power{};  ///< That set_tx_power() will ask for; 0: it will not.
+    /// Largest power that set_tx_power() will request; 0 if it will not be called.
+    hal::Milliwatts most_power{};
   };
 
-  /// @throws std::invalid_argument  what check() refuses, and an access point that is no station.
+  /// @throws std::invalid_argument  check() rejects the config, or an access point is not a
+  /// station.
   RadioNetwork(const RadioConfig& config, const std::vector<Station>& stations,
                Surroundings surroundings);
   ~RadioNetwork();
@@ -45,15 +47,17 @@ class RadioNetwork {
 
   MacSap& sap(hal::AgentId agent);
 
-  /// The agent is somewhere else now, without having moved there.
+  /// Reports that the agent jumped to another position.
   void displace(hal::AgentId agent);
-  /// Into the antenna from its next frame on, > 0. @param power  at most Station::most_power.
+  /// Sets the power into the antenna from the next frame on. @param power  > 0, at most
+  /// Station::most_power.
   void set_tx_power(hal::AgentId agent, hal::Milliwatts power);
-  /// Begins now. On a channel number that nobody uses: no effect. @pre a profile with waves.
+  /// Starts a burst now. No effect on a channel number without stations. @pre the profile has a
+  /// medium (WavesConfig).
   void interfere(const Burst& burst);
 
-  /// Pairs that could receive each other's frames now, each once, lower address first: the arrows
-  /// of the paper's Fig. 2.
+  /// Pairs of agents that could receive each other's frames now, each once, lower address first:
+  /// the arrows in Fig. 2 of the paper.
   std::vector<std::pair<hal::AgentId, hal::AgentId>> links() const;
 
  private:

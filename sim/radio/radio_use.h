@@ -6,11 +6,11 @@
 
 namespace sim::radio {
 
-/// What a radio does.
+/// Activity of a radio.
 enum class RadioActivity : std::uint8_t { kTransmitting, kReceiving, kListening, kOff };
 
-/// Is told at once when a radio begins to do something else, while the radio is still at it: to
-/// take note, and to schedule, nothing else.
+/// Is called when the activity of a radio changes, while the radio is changing state: a callback
+/// may only record the change and schedule events.
 class RadioUseListener {
  public:
   virtual ~RadioUseListener() = default;
@@ -20,7 +20,7 @@ class RadioUseListener {
 /// How long a radio has been in each of its states since time 0.
 struct RadioUse {
   hal::Duration transmitting{};
-  hal::Duration receiving{};  ///< The medium was busy; profiles without a MAC never are.
+  hal::Duration receiving{};  ///< Medium busy; always 0 in profiles without medium access.
   hal::Duration listening{};
   hal::Duration off{};
 };

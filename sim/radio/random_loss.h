@@ -11,8 +11,8 @@
 
 namespace sim::radio {
 
-/// Draws for each frame at each receiver, independently, from the stream of the link from one to
-/// the other: other stations and other links change nothing.
+/// Draws independently for each frame at each receiver. Every directed link has its own random
+/// stream, so other stations and links do not affect the result.
 class RandomLoss {
  public:
   using Names = std::vector<std::pair<hal::AgentId, std::string>>;
@@ -20,16 +20,16 @@ class RandomLoss {
   /// @param names  of all stations, in ascending order of addresses.
   RandomLoss(const LossConfig& config, std::uint64_t seed, const Names& names);
 
-  /// Whether this frame is lost at this station. The same for the same frame.
+  /// Whether this frame is lost at this station. Repeated calls give the same result.
   bool strikes(const Frame& frame, hal::AgentId receiver) const;
 
  private:
   struct Station {
     hal::AgentId agent;
-    std::uint64_t name;  ///< With the run's seed.
+    std::uint64_t name;  ///< Hash of the name and the run's seed.
   };
   struct Link {
-    std::vector<bool> from, to;  ///< By place among the stations.
+    std::vector<bool> from, to;  ///< Whether each station is at that end.
     double probability;
   };
 

@@ -11,18 +11,19 @@
 
 namespace sim::radio {
 
-/// Chooses the mode of each attempt to send a unicast data frame, from what became of those before.
-/// A new kind is a class and a line in make_rate_control().
+/// Chooses the mode of each attempt to send a unicast data frame from the results of earlier
+/// attempts. To add a kind, add a class and a line in make_rate_control().
 class RateControl {
  public:
-  /// @param ladders  outlive it.
+  /// @param ladders  outlives this object.
   explicit RateControl(const RateLadders& ladders) : ladders_(ladders) {}
   virtual ~RateControl() = default;
 
-  /// Of the next attempt, whose result is told before the next call for this destination, or never.
-  /// @param attempt  from 0 on, of this frame.
+  /// Mode of the next attempt. Its result is reported before the next call for this destination, or
+  /// never.
+  /// @param attempt  number of earlier attempts to send this frame.
   virtual const PhyMode& mode(hal::AgentId to, std::uint32_t attempt, hal::Time now) = 0;
-  /// The ACK came, or did not.
+  /// Reports whether the ACK was received.
   virtual void on_result(hal::AgentId to, bool is_success) = 0;
 
  protected:
@@ -32,7 +33,7 @@ class RateControl {
   const RateLadders& ladders_;
 };
 
-/// Always the highest.
+/// Always uses the highest rate.
 class FixedRate final : public RateControl {
  public:
   using RateControl::RateControl;
@@ -42,7 +43,7 @@ class FixedRate final : public RateControl {
   void on_result(hal::AgentId, bool) override {}
 };
 
-/// @param random  of this station, for those that draw.
+/// @param random  this station's stream, for kinds that draw.
 std::unique_ptr<RateControl> make_rate_control(const RateControlConfig& config,
                                                const RateLadders& ladders,
                                                hal::RandomStream random);

@@ -12,13 +12,14 @@ enum class RateControlKind : std::uint8_t { kFixed, kAarf, kMinstrel };
 struct RateControlConfig {
   RateControlKind kind = RateControlKind::kFixed;
 
-  std::uint32_t aarf_threshold = 10;      ///< Successes in a row before a higher rate, >= 1.
+  std::uint32_t aarf_threshold = 10;      ///< Successive successes before a higher rate, >= 1.
   std::uint32_t aarf_max_threshold = 50;  ///< >= aarf_threshold.
-  /// Transmissions at one rate, successful or not, before a higher one is probed, >= 1; doubles
-  /// with the threshold.
+  /// Transmissions at one rate, successful or not, before a higher one is probed, >= 1; doubled
+  /// together with the threshold.
   std::uint32_t aarf_timeout = 15;
 
-  hal::Duration minstrel_interval = std::chrono::milliseconds{100};  ///< > 0, of the statistics.
+  /// Interval of the statistics, > 0.
+  hal::Duration minstrel_interval = std::chrono::milliseconds{100};
   double minstrel_past = 0.75;     ///< Weight of the statistics before an interval, 0 .. < 1.
   double minstrel_sampling = 0.1;  ///< Share of frames that sample another rate, 0 .. 1.
 };

@@ -11,23 +11,24 @@
 
 namespace sim::radio {
 
-/// A mode in which a data frame may go out, and what that takes of the medium.
+/// A mode for data frames, and how long frames in it occupy the medium.
 struct Rung {
   const PhyMode* mode = nullptr;
-  hal::Duration airtime{};  ///< Of a frame of average length.
-  std::uint32_t tries = 1;  ///< Exchanges of such a frame, backoffs included, that fit into 6 ms.
+  hal::Duration airtime{};  ///< For a frame of average length.
+  /// Number of exchanges of such a frame, with backoffs, that fit into 6 ms.
+  std::uint32_t tries = 1;
 };
-using Ladder = std::vector<Rung>;  ///< Ascending rates, not empty.
+using Ladder = std::vector<Rung>;  ///< In ascending order of rates, not empty.
 
-/// Of a station with this config: all its modes up to DcfConfig's data rate.
+/// The modes of a station with this config up to DcfConfig's data rate.
 Ladder make_ladder(const DcfConfig& config, const ModeSet& modes);
 
-/// The modes of one station's data frames, by who is to receive them: a NonERP station knows no
-/// OFDM.
+/// The modes of one station's data frames, depending on the receiver: a NonERP station does not
+/// support OFDM.
 class RateLadders {
  public:
-  /// @param all  those of the station up to its highest, ascending; the first is DSSS.
-  /// @param cell  outlives it.
+  /// @param all  modes of the station up to its highest, in ascending order; the first is DSSS.
+  /// @param cell  outlives this object.
   RateLadders(const Ladder& all, const Cell& cell) : erp_(all), cell_(cell) {
     for (const Rung& rung : all) {
       if (rung.mode->modulation_class() != ModulationClass::kOfdm) non_erp_.push_back(rung);

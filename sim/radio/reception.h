@@ -10,14 +10,14 @@
 
 namespace sim::radio {
 
-/// How the MAC sees a frame that its radio held and lost.
+/// Reception errors, as reported to the MAC, of frames to which the radio had synchronised.
 enum class ReceiveError : std::uint8_t {
   kCollision,  ///< SINR below the decoder's threshold (mobility_framework only).
-  kHeader,     ///< PHY header wrong: no PHY-RXSTART (kDsss only).
-  kBitError,   ///< FCS wrong; mobility_framework: or the PHY header.
+  kHeader,     ///< Wrong PHY header: no PHY-RXSTART (kDsss only).
+  kBitError,   ///< Wrong FCS; mobility_framework: or wrong PHY header.
 };
 
-/// What all receptions of one air have in common, in mW and ratios.
+/// Parameters common to all receptions; powers in mW, ratios not in dB.
 struct ReceptionRules {
   explicit ReceptionRules(const ReceiverConfig& config);
 
@@ -27,22 +27,23 @@ struct ReceptionRules {
   double sensitivity;  ///< mW
 };
 
-/// Sum and maximum of the other frames at a receiver.
+/// Sum and maximum of the powers of the other frames at a receiver.
 struct Interference {
   double sum = 0;        ///< mW
   double strongest = 0;  ///< mW
 };
 
-/// Why a frame with too low a SINR was lost: noise, another frame that could have been received by
+/// Why a frame was lost through low SINR: noise, another frame that could have been received by
 /// itself, or the sum of weaker ones.
 hal::Verdict cause_of_loss(const ReceptionRules& rules, const Interference& interference);
 
-/// One frame that a receiver is synchronised to, from then until its end. SINR is piecewise
-/// constant; intervals of no length do not count.
+/// Reception of one frame from the time when the receiver has synchronised to it until its end.
+/// SINR is piecewise constant; intervals of no length do not count.
 class Reception {
  public:
   /// @param power  mW
-  /// @param start  of the frame's preamble at this receiver; `locked` is when it synchronised.
+  /// @param start  of the frame's preamble at this receiver. @param locked  time of
+  /// synchronisation.
   Reception(const Frame& frame, double power, hal::Time start, hal::Time locked);
 
   const Frame& frame() const { return *frame_; }
@@ -50,16 +51,17 @@ class Reception {
   hal::Time start() const { return start_; }
   hal::Time locked() const { return locked_; }
   hal::Time header_end() const;
-  hal::Time heard_until() const { return heard_until_; }  ///< Of the last hear().
+  hal::Time heard_until() const { return heard_until_; }  ///< Time of the last hear().
 
-  /// The interference was this from the last call (or from synchronising) until now.
+  /// Applies an interference that was constant from the last call (or from synchronisation) until
+  /// now.
   void hear(const ReceptionRules& rules, const Interference& interference, hal::Time now);
 
-  /// Judges the PHY header once, with the first hear() from its end on (kDsss; draws once from
-  /// `errors`): a receiver does not stay with a frame whose header is wrong.
-  /// @pre heard_until() has not gone past header_end() before that.
+  /// Decides once whether the PHY header was received, after the first hear() that reaches its end
+  /// (kDsss; draws once from `errors`): a receiver drops a frame whose header is wrong.
+  /// @pre heard_until() has not passed header_end() before that.
   void judge_header(const ReceptionRules& rules, hal::RandomStream& errors);
-  /// The header came in: PHY-RXSTART (IEEE Std 802.11-2016, 8.3.5.11).
+  /// Whether the header was received: PHY-RXSTART (IEEE Std 802.11-2016, 8.3.5.11).
   bool has_header() const { return header_ == Header::kRight; }
   bool has_wrong_header() const { return header_ == Header::kWrong; }
 
@@ -67,8 +69,8 @@ class Reception {
     hal::Verdict verdict = hal::Verdict::kDelivered;
     ReceiveError error = ReceiveError::kBitError;  ///< If not delivered.
   };
-  /// At the end, after the last hear(). kDsss: draws once from `errors` unless the header was
-  /// wrong; kMobilityFramework: unless the SINR alone decides.
+  /// Decides the outcome at the frame's end, after the last hear(). kDsss: draws once from `errors`
+  /// unless the header was wrong. kMobilityFramework: draws unless the SINR alone decides.
   Outcome judge(const ReceptionRules& rules, hal::RandomStream& errors) const;
 
   double min_sinr() const { return min_sinr_; }  ///< Ratio, not dB.
@@ -85,7 +87,8 @@ class Reception {
   hal::Time locked_;
   hal::Time heard_until_;
   double min_sinr_;
-  double success_ = 1;  ///< kDsss: of all intervals so far of the header, then of the MPDU.
+  /// kDsss: product over all intervals so far of the header, then of the MPDU.
+  double success_ = 1;
   Header header_ = Header::kComing;
   Interference worst_;
 };

@@ -13,14 +13,14 @@ class RetryCounters {
 
   enum class Kind : std::uint8_t { kShort, kLong };
 
-  /// One more failure. @return whether the frame must be given up.
+  /// Counts a failure. @return whether the frame must be given up.
   bool fail(Kind kind) {
     std::uint32_t& count = kind == Kind::kShort ? short_ : long_;
     const std::uint32_t limit = kind == Kind::kShort ? short_limit_ : long_limit_;
     return ++count >= limit;
   }
   void succeed(Kind kind) { (kind == Kind::kShort ? short_ : long_) = 0; }
-  /// The next frame starts anew, whatever became of this one; so does who has sent to a group.
+  /// Resets both counters when the frame in service ends, however it ends, and after a group frame.
   void reset() { short_ = long_ = 0; }
 
  private:

@@ -11,18 +11,20 @@ namespace sim::radio {
 
 enum class Standard : std::uint8_t { kIeee80211b, kIeee80211g };
 
-/// Settings of one station's radio; unset ones are those of the network's RadioConfig.
+/// Settings of one station's radio; unset ones are taken from the network's RadioConfig.
 struct StationConfig {
-  std::optional<hal::Milliwatts> tx_power{};    ///< Into the antenna, > 0.
-  std::optional<hal::Metres> antenna_height{};  ///< Above its position, >= 0.
-  std::optional<hal::Decibels> antenna_gain{};  ///< The same in all directions.
+  std::optional<hal::Milliwatts> tx_power{};    ///< Power into the antenna, > 0.
+  std::optional<hal::Metres> antenna_height{};  ///< Above the station's position, >= 0.
+  std::optional<hal::Decibels> antenna_gain{};  ///< Equal in all directions.
   std::optional<std::uint32_t> channel{};       ///< 1 .. 14.
-  std::optional<Standard> standard{};           ///< Of a network of ieee80211g: 11b, without OFDM.
+  /// In a network of ieee80211g: kIeee80211b for a station without OFDM.
+  std::optional<Standard> standard{};
   std::optional<hal::BitsPerSecond> data_rate{};
   std::optional<hal::BitsPerSecond> control_rate{};
   std::optional<hal::BitsPerSecond> broadcast_rate{};
-  /// Names of the access points that it may use. Empty: none, it is in an ad hoc network. Not set:
-  /// those of the network (BssConfig). A station that any list names is an access point.
+  /// Names of the access points that the station may use. Empty: none; the station is in an ad hoc
+  /// network. Not set: those of the network (BssConfig). Any station named in such a list is an
+  /// access point.
   std::optional<std::vector<std::string>> access_points{};
 
   bool operator==(const StationConfig&) const = default;

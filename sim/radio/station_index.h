@@ -4,7 +4,7 @@
 
 namespace sim::radio {
 
-/// Number of a station in the order of addresses: 0, 1, 2, …
+/// Number of a station in ascending order of addresses: 0, 1, 2, …
 using StationIndex = CellGrid::Member;
 
 }  // namespace sim::radio

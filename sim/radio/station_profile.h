@@ -8,25 +8,25 @@
 
 namespace sim::radio {
 
-/// The network's config as it is for stations with these settings.
+/// Derives the config of stations with these settings from that of the network.
 ///
-/// A station of ieee80211b in a network of ieee80211g has the values of that profile wherever the
-/// network has those of ieee80211g: rates, windows, thresholds. In a mixed cell everybody has the
-/// slot of 20 us (IEEE Std 802.11-2016, 18.4.4), and group frames and basic rates are such as all
-/// know.
-/// @param network, own  checked.  @param is_mixed  Cell::is_mixed() of its channel number.
+/// A station of ieee80211b in a network of ieee80211g uses the values of profile ieee80211b
+/// wherever the network has the defaults of ieee80211g: rates, windows, thresholds. In a mixed cell
+/// all stations use the slot of 20 us (IEEE Std 802.11-2016, 18.4.4), and group frames and basic
+/// rates use modes that every station supports.
+/// @param network,own  checked.  @param is_mixed  Cell::is_mixed() of its channel number.
 RadioConfig config_for(const RadioConfig& network, const StationConfig& own, bool is_mixed);
 
-/// It can receive OFDM, and sends it.
+/// Whether a station can send and receive OFDM.
 bool knows_ofdm(const RadioConfig& network, const StationConfig& own);
 
-/// What stations with equal settings have in common.
+/// Parameters shared by stations with equal settings.
 struct StationProfile {
   explicit StationProfile(const RadioConfig& the_config);
 
   RadioConfig config;
   ModeSet modes;
-  std::optional<ReceptionRules> rules;  ///< Of profiles with waves.
+  std::optional<ReceptionRules> rules;  ///< For profiles with a medium.
 };
 
 }  // namespace sim::radio

@@ -9,8 +9,8 @@
 
 namespace sim::radio {
 
-/// A state that remembers how long it has had each of its values since time 0, and tells one
-/// listener of each change. It is read and assigned like the plain value.
+/// A state that counts how long it has had each of its values since time 0 and reports each change
+/// to one listener. It is read and assigned like the plain value.
 /// @tparam State  an enumeration of kStates values from 0 on, with
 /// `RadioActivity activity_of(State)`.
 template <class State, std::size_t kStates>
@@ -18,7 +18,7 @@ class TimedState {
  public:
   TimedState(const EventQueue& events, State first) : events_(events), state_(first) {}
 
-  /// Tells it of the state there is, too. @param listener  null: nobody.
+  /// Sets the listener and reports the current state to it. @param listener  null: none.
   void tell(RadioUseListener* listener) {
     listener_ = listener;
     if (listener_ != nullptr) listener_->on_activity(activity_of(state_));
@@ -35,7 +35,7 @@ class TimedState {
   }
   operator State() const { return state_; }  // NOLINT(google-explicit-constructor): as the value
 
-  /// Up to now.
+  /// Time spent in a state up to now.
   hal::Duration spent(State state) const {
     const hal::Duration before = spent_[static_cast<std::size_t>(state)];
     return state == state_ ? before + (events_.now() - since_) : before;

@@ -17,9 +17,9 @@ namespace sim::radio {
 
 class Radio;
 
-/// A frame on its way to the radios that notice it.
+/// A frame on its way to the radios that it affects.
 struct Transmission {
-  /// What happens to it at each of them, with propagation delay.
+  /// Events of the frame at each radio, with propagation delay.
   enum class Phase : std::uint8_t { kArrival, kWindow, kEnd };
   static constexpr std::size_t kPhases = 3;
 
@@ -27,12 +27,12 @@ struct Transmission {
     Radio* radio;
     StationIndex index;
     Propagation::Arrival arrival;
-    /// Among the events of its time, by phase. Order 0, which no event of a radio has: it does not
-    /// happen here, or not yet.
+    /// Reserved place of the event of each phase. Order 0, which no event of a radio has: the event
+    /// does not happen here, or has not been reserved yet.
     std::array<EventQueue::Place, kPhases> places{};
   };
 
-  /// A phase takes one event after another, not one for each receiver at a time, in the queue.
+  /// Each phase has one event in the queue, which serves one receiver after the other.
   struct Series {
     std::size_t next = 0;  ///< The receiver that its event is for.
     bool is_pending = false;
@@ -46,13 +46,14 @@ struct Transmission {
   Radio* from = nullptr;
   hal::Time start{};
   std::array<hal::Duration, kPhases> after_arrival{};
-  std::vector<Receiver> receivers;  ///< In the order in which it arrives.
+  std::vector<Receiver> receivers;  ///< In order of arrival.
   std::array<Series, kPhases> series;
   EventQueue::EventId end;
-  int uses = 0;  ///< By events that are pending. Without any it is over.
+  int uses = 0;  ///< Number of pending events; at 0 the transmission is over.
 };
 
-/// Transmissions, each for one frame after another, so that none costs memory of its own.
+/// Pool of transmissions, each reused for one frame after another, so that a frame allocates no
+/// memory.
 class Transmissions {
  public:
   Transmission& claim() {
@@ -67,7 +68,7 @@ class Transmissions {
 
   void add_use(Transmission& transmission) { ++transmission.uses; }
 
-  /// Gives it back with the last use.
+  /// Removes a use; the last one returns the transmission to the pool.
   void drop_use(Transmission& transmission) {
     if (--transmission.uses > 0) return;
     std::vector<Transmission::Receiver> receivers = std::move(transmission.receivers);

@@ -12,17 +12,17 @@
 
 namespace sim::radio {
 
-/// A request on its way out.
+/// A request to be transmitted.
 struct Outgoing {
   MacRequest request;
   std::uint16_t sequence = 0;  ///< 0..4095, IEEE Std 802.11-2016, 9.2.4.4.
-  hal::Time queued{};          ///< When it came to this station.
-  std::uint32_t attempts = 0;  ///< How often its data frame has been on the air.
+  hal::Time queued{};          ///< Time of arrival at this station.
+  std::uint32_t attempts = 0;  ///< Number of times that its data frame has been sent.
 
   bool is_broadcast() const { return request.destination == hal::kEveryone; }
 };
 
-/// Requests of one station, first in, first out; the head is the one in service.
+/// Queue of the requests of one station, first in, first out; the head is the one in service.
 class TxQueue {
  public:
   explicit TxQueue(std::size_t limit) : limit_(limit) {}
@@ -41,7 +41,7 @@ class TxQueue {
   }
 
   Outgoing& head() { return queue_.front(); }
-  /// When the head came to the front.
+  /// Time at which the head reached the front.
   hal::Time head_since() const { return head_since_; }
 
   /// @pre not empty.
