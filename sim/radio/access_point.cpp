@@ -12,7 +12,7 @@ AccessPoint::AccessPoint(const Context& context, const DcfConfig& config,
   schedule_beacon(now() + network_.first_beacon);
 }
 
-/// 11.1.3.2: the targets stay where they are whether beacons go out or not.
+/// 11.1.3.2: target times do not depend on whether beacons are actually sent.
 void AccessPoint::schedule_beacon(hal::Time target) {
   events().schedule(target, Rank::kRadio, agent(), [this, target] {
     if (radio_on() && !beacon_waits_) send_beacon();
@@ -42,7 +42,7 @@ void AccessPoint::on_frame(const Frame& frame, hal::Dbm rssi, hal::Decibels snr)
   if (is_management(frame.type)) return on_management(frame);
   if (frame.receiver != agent()) return;
   if (frame.ds == Ds::kTo) return on_data(frame, rssi, snr);
-  lose(frame);  // of an ad hoc network
+  lose(frame);  // from an ad hoc network
 }
 
 void AccessPoint::on_management(const Frame& frame) {
@@ -56,7 +56,7 @@ void AccessPoint::on_management(const Frame& frame) {
     case FrameType::kDeauthentication:
       return forget(frame.transmitter);
     default:
-      return;  // beacons of others; answers are for stations
+      return;  // beacons of other access points, and responses, which are for stations
   }
 }
 
@@ -64,7 +64,7 @@ void AccessPoint::answer(FrameType type, hal::AgentId station, hal::Bytes body) 
   send_management(type, station, agent(), std::move(body));
 }
 
-/// Open system: everybody (12.3.3.2).
+/// Open System authentication accepts every station (12.3.3.2).
 void AccessPoint::on_authentication(const Frame& frame) {
   const auto request = decode_authentication(*frame.payload);
   if (!request || request->transaction != 1) return;
@@ -102,7 +102,7 @@ void AccessPoint::on_association_request(const Frame& frame) {
          encode(response));
 }
 
-/// 11.3.5.3: a station is associated when it has acknowledged the answer.
+/// 11.3.5.3: a station is associated when it has acknowledged the response.
 void AccessPoint::on_management_sent(const MacRequest& request, hal::Verdict verdict) {
   if (request.header.type == FrameType::kBeacon) {
     beacon_waits_ = false;
@@ -125,7 +125,7 @@ void AccessPoint::forget(hal::AgentId station) {
   if (associated_.erase(station) > 0) network_.distribution.release(station, agent());
 }
 
-/// Data of a station that is not associated (11.3.4.1).
+/// Answers data of a station that is not associated (11.3.4.1).
 void AccessPoint::dismiss(hal::AgentId station) {
   const bool known = authenticated_.contains(station);
   answer(known ? FrameType::kDisassociation : FrameType::kDeauthentication, station,
@@ -180,7 +180,8 @@ void AccessPoint::on_distributed(const Distributed& distributed) {
   }
 }
 
-/// Its own frames go to the wire here, and what has waited for a station that has moved.
+/// Its own group frames also go to the distribution system; frames for stations that are not
+/// associated here go only there.
 std::optional<MacRequest> AccessPoint::frame_for(const Waiting& waiting) {
   const hal::AgentId destination = waiting.request.destination;
   const Distributed distributed{waiting.request, waiting.source, network_.rssi_dbm,

@@ -7,11 +7,11 @@
 namespace sim::radio {
 namespace {
 
-/// For so long, 1/33 s, mac80211 stays on a channel after a probe request: in steps of that
-/// stations that search come to the access point's channel.
+/// mac80211 stays on a channel for 1/33 s after a probe request, so stations that scan reach the
+/// access point's channel in steps of this length.
 constexpr hal::Duration kFirstSpread{30'000'000};
-/// Between attempts wpa_supplicant waits for 100 ms after the first failure, and for more after
-/// each further one, up to 10 s.
+/// wpa_supplicant waits for 100 ms after the first failed attempt, and longer after each further
+/// one, up to 10 s.
 constexpr hal::Duration kSpreadAfterFailure{100'000'000};
 constexpr hal::Duration kLongestSpread{10'000'000'000};
 
@@ -73,7 +73,7 @@ void Association::wait_for_answer() {
                             [this] { give_up(); });
 }
 
-/// It must be heard again before it is asked again.
+/// Forgets the candidate: it must be heard again before it is asked again.
 void Association::give_up() {
   events_.cancel(timer_);
   heard_.forget(target_);
@@ -103,7 +103,7 @@ void Association::on_management(const Frame& frame) {
     case FrameType::kDisassociation:
       return on_dismissal(frame.transmitter);
     default:
-      return;  // for access points
+      return;  // requests, which are for access points
   }
 }
 
@@ -145,12 +145,13 @@ void Association::on_unanswered(FrameType type, hal::AgentId access_point) {
 void Association::lose() {
   events_.cancel(loss_);
   heard_.forget(*std::exchange(access_point_, std::nullopt));
-  if (state_ != State::kAssociated) return client_.on_association();  // it is on its way elsewhere
+  if (state_ != State::kAssociated) return client_.on_association();  // a handover is in progress
   if (const auto other = heard_.strongest(events_.now())) return begin(*other);
   scan_anew();
 }
 
-/// There is one event, which looks for how long the beacons have stayed away.
+/// Schedules the check for lost beacons: one pending event, which is scheduled again as long as
+/// beacons arrive.
 void Association::watch() {
   events_.cancel(loss_);
   const hal::Time at = std::max(events_.now(), heard_.lost_at(*access_point_));

@@ -11,7 +11,7 @@ Backoff::Backoff(EventQueue& events, hal::AgentId agent, const DcfTiming& timing
       timing_(timing),
       random_(random),
       listener_(listener),
-      // Nobody has sent before the run began, so the medium counts as idle for long.
+      // Nothing was sent before the run began, so the medium has been idle for a DIFS.
       idle_since_(events.now() - timing.difs) {}
 
 void Backoff::request(std::uint32_t contention_window) {
@@ -33,7 +33,7 @@ void Backoff::draw(std::uint32_t contention_window) {
 
 void Backoff::on_busy(std::uint32_t contention_window) {
   if (busy_) return;
-  // Two stations whose backoffs end in one slot do not sense each other: their frames collide.
+  // Two stations whose backoffs end in the same slot do not sense each other: their frames collide.
   const hal::Time sensed = events_.now() + timing_.cca_time;
   const bool too_late = events_.is_pending(access_) && access_at_ <= sensed;
   if (!too_late) count_slots(sensed);
@@ -68,13 +68,14 @@ hal::Time Backoff::counting_from() const {
   return std::max(idle_since_ + timing_.difs, not_before_);
 }
 
-/// Only whole idle slots after the interframe space count; a slot cut short is counted again later.
+/// Only whole idle slots after the interframe space count; an interrupted slot is counted again
+/// later.
 void Backoff::count_slots(hal::Time until) {
   const hal::Duration counted = until - counting_from();
   if (!backing_off_ || counted < hal::Duration{}) return;
   const std::int64_t passed = counted / timing_.slot;
   if (passed >= slots_ && !wanted_) backing_off_ = false;
-  // Counting goes on from the slot boundary, so what has been counted is not counted twice.
+  // Counting continues from the slot boundary, so no slot is counted twice.
   slots_ -= std::min(slots_, passed);
   idle_since_ = until - counted % timing_.slot - timing_.difs;
 }

@@ -19,7 +19,7 @@ void BssMac::transmit(const MacRequest& request) {
 
 void BssMac::set_radio(bool on) {
   if (on == radio_on()) return;
-  dcf_->set_radio(on);  // ends what is being served
+  dcf_->set_radio(on);  // ends the request in service
   if (!on) {
     management_.clear();
     for (Waiting& waiting : std::exchange(data_, {})) {
@@ -52,7 +52,8 @@ void BssMac::send_management(FrameType type, hal::AgentId to, hal::AgentId bssid
                    .payload = std::make_shared<const hal::Bytes>(std::move(body)),
                    .tag = 0,
                    .header = {.type = type, .ds = Ds::kNone, .address3 = bssid}};
-  // Of what is said to a station again only the last still counts; it keeps its place.
+  // A new management frame replaces a waiting one of the same type to the same station, and keeps
+  // its place in the queue.
   const auto earlier = std::ranges::find_if(management_, [&frame](const MacRequest& other) {
     return other.destination == frame.destination && other.header.type == frame.header.type;
   });
@@ -91,7 +92,7 @@ MacRequest BssMac::data_frame(const Waiting& waiting, hal::AgentId receiver, Ds 
   return frame;
 }
 
-/// Those at the front are the oldest.
+/// The requests at the front are the oldest.
 void BssMac::discard_expired() {
   if (!config_.msdu_lifetime) return;
   while (!data_.empty() && now() - data_.front().since > *config_.msdu_lifetime) {

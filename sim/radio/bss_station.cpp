@@ -17,15 +17,16 @@ void BssStation::on_frame(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) 
   if (frame.type == FrameType::kBeacon) return on_beacon(frame, rssi);
   if (is_management(frame.type)) return association_.on_management(frame);
   if (frame.ds == Ds::kFrom && may_use(frame.transmitter)) return on_data(frame, rssi, snr);
-  if (!frame.is_broadcast()) lose(frame);  // of an ad hoc network, or another one's access point
+  // from an ad hoc network or an access point that it may not use
+  if (!frame.is_broadcast()) lose(frame);
 }
 
 bool BssStation::may_use(hal::AgentId access_point) const {
   return std::ranges::find(access_points_, access_point) != access_points_.end();
 }
 
-/// Of group frames the BSSID decides, of others the receiver's address alone (9.3.2.1.2): what the
-/// access point before still had under way comes in, too.
+/// Group frames are accepted by their BSSID, other frames by the receiver address alone
+/// (9.3.2.1.2), so frames that the previous access point still sends are received, too.
 void BssStation::on_data(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
   const std::optional<hal::AgentId> ours = association_.access_point();
   if (frame.is_broadcast()) {

@@ -63,7 +63,7 @@ void Channel::start_faint(const Frame& frame, StationIndex from,
   }
 }
 
-/// Of those that come next: first where they are, then what they hold.
+/// Prefetches for the links ahead: first the FaintSignals, later the memory to which they point.
 void Channel::prefetch_faint(const std::vector<FaintLink>& links, std::size_t now) const {
   constexpr std::size_t kFirst = 24, kSecond = 12;
   if (now + kFirst < links.size()) __builtin_prefetch(&faint_[links[now + kFirst].receiver], 1);
@@ -99,7 +99,8 @@ void Channel::start_one_by_one(Transmission& transmission) {
   schedule(transmission, Phase::kArrival);
 }
 
-/// This phase comes for this receiver, later than for those before it.
+/// Reserves the place of a receiver's event in this phase. @pre receivers are passed in order of
+/// time.
 void Channel::follow(Transmission& transmission, Phase phase, std::size_t index) {
   auto& receiver = transmission.receivers[index];
   receiver.places[static_cast<std::size_t>(phase)] = place_for(*receiver.radio);
@@ -138,7 +139,7 @@ void Channel::work_off(Transmission& transmission, Phase phase) {
   schedule(transmission, phase);
 }
 
-/// Of the receivers that come next: first the radio, then what it refers to.
+/// Prefetches for the receivers ahead: first the radio, then the memory to which it points.
 void Channel::prefetch(const std::vector<Transmission::Receiver>& receivers,
                        std::size_t now) const {
   if (now + 2 < receivers.size()) {

@@ -19,7 +19,7 @@ constexpr std::array<std::uint8_t, 6> kSnap{0xaa, 0xaa, 0x03, 0, 0, 0};
 constexpr std::size_t kFcs = 4;
 constexpr std::size_t kCtsOrAck = 10 + kFcs;
 constexpr std::size_t kRts = 16 + kFcs;
-constexpr std::size_t kLongHeader = 24;  // of data and management
+constexpr std::size_t kLongHeader = 24;  // data and management frames
 constexpr std::size_t kDataMinimum = kLongHeader + kSnap.size() + 2 + kFcs;
 
 using View = std::span<const std::uint8_t>;
@@ -70,24 +70,24 @@ std::optional<Ds> ds_of(std::uint8_t flags) {
     case kFromDsFlag:
       return Ds::kFrom;
     default:
-      return std::nullopt;  // of a mesh: four addresses
+      return std::nullopt;  // mesh: four addresses
   }
 }
 
-/// @param to  to whom the frame is addressed there.
+/// @param to  destination that the address field names.
 void put_destination(hal::Bytes& out, hal::AgentId to, const Frame& frame) {
   if (to == hal::kEveryone && frame.group != 0) return put_group(out, frame.group);
   put_address(out, to);
 }
 
-/// The agent or, with the frame's group, everyone; none: an address of another kind.
+/// The agent, or kEveryone after the group was stored in the frame; nullopt for any other address.
 std::optional<hal::AgentId> get_destination(View bytes, Frame& frame) {
   if (const auto agent = get_address(bytes); agent || !is_group(bytes)) return agent;
   frame.group = get_group(bytes);
   return hal::kEveryone;
 }
 
-/// Behind the second address.
+/// Appends the fields after the second address.
 void put_rest(hal::Bytes& out, const Frame& frame) {
   put_destination(out, frame.address3, frame);
   put_little_endian(out, static_cast<std::uint64_t>(frame.sequence) << 4, 2);  // fragment 0
@@ -118,7 +118,7 @@ tl::unexpected<hal::Error> wrong(std::string what) {
   return hal::fail(hal::Errc::kProtocol, "802.11 frame: " + std::move(what));
 }
 
-/// Behind the second address. @return what is wrong; empty: nothing.
+/// Reads the fields after the second address. @return what is wrong; empty if nothing is.
 std::string get_rest(View mpdu, Frame& frame) {
   const auto address3 = frame.ds == Ds::kTo ? get_destination(mpdu.subspan(16), frame)
                                             : get_address(mpdu.subspan(16));

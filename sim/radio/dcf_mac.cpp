@@ -58,7 +58,7 @@ void DcfMac::update_medium() {
 }
 
 void DcfMac::on_medium_idle() {
-  // EIFS counts from the physical end of the medium's use, whatever the NAV says (10.3.2.3.7).
+  // EIFS is counted from the end of physical carrier sense, whatever the NAV is (10.3.2.3.7).
   if (std::exchange(last_was_wrong_, false)) backoff_.hold_until(now() + timing_.eifs);
   update_medium();
 }
@@ -76,7 +76,7 @@ void DcfMac::set_nav(const Frame& frame) {
   }
 }
 
-/// 10.3.2.4: no PHY-RXSTART has come since the RTS.
+/// 10.3.2.4: resets the NAV if no PHY-RXSTART has followed the RTS.
 void DcfMac::reset_nav_unless_used(hal::Time since) {
   if (radio_.has_received_since(since)) return;
   events().cancel(nav_end_);
@@ -104,12 +104,12 @@ void DcfMac::on_access() {
   send(make_data());
 }
 
-/// Its data frame is what comes next.
+/// Enters the state in which the data frame is sent.
 void DcfMac::open_exchange() {
   state_ = queue_.head().is_broadcast() ? State::kBroadcasting : State::kWaitAck;
 }
 
-/// Of the head: data to one station.
+/// Whether rate control chooses the mode of the head: unicast data.
 bool DcfMac::has_rate_control() {
   return !queue_.head().is_broadcast() && !is_management(queue_.head().request.header.type);
 }
@@ -158,7 +158,7 @@ void DcfMac::on_transmit_end(const Frame& frame) {
       events().schedule(now() + timeout, Rank::kRadio, agent(), [this] { on_no_answer(); });
 }
 
-/// If PHY-RXSTART has come, the frame may be the answer, and its end decides (10.3.2.9).
+/// If there was a PHY-RXSTART, the frame may be the response, and its end decides (10.3.2.9).
 void DcfMac::on_no_answer() {
   const bool has_begun = radio_.is_receiving();
   if (awaiting_ && !has_begun) fail();
@@ -170,7 +170,7 @@ void DcfMac::fail() {
   const bool was_data = state_ == State::kWaitAck;
   const bool after_rts = was_data && opening_ == Opening::kRts;
   const auto kind = after_rts ? RetryCounters::Kind::kLong : RetryCounters::Kind::kShort;
-  // That an RTS got no answer says nothing of the rate of data.
+  // An RTS without a response says nothing about the rate of data.
   if (was_data && has_rate_control()) rates_->on_result(queue_.head().request.destination, false);
   state_ = State::kIdle;
   backoff_.restart_idle();
@@ -203,7 +203,7 @@ MacRequest DcfMac::end_service(bool count_time) {
   return done;
 }
 
-/// SIFS and ACK, if there is one.
+/// Duration of SIFS and ACK, if there is an ACK.
 hal::Duration DcfMac::after_data() {
   if (queue_.head().is_broadcast()) return {};
   return timing_.sifs + frames_.response_airtime(FrameType::kAck, *data_mode_);
@@ -256,7 +256,7 @@ void DcfMac::on_receive(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
 void DcfMac::on_receive_error(ReceiveError error) {
   const bool had_start = error != ReceiveError::kHeader;  // PHY-RXSTART
   if (had_start || config_.receiver.header_error == HeaderError::kEifs) begin_eifs();
-  // Without PHY-RXSTART the timeout goes on.
+  // Without PHY-RXSTART the timeout continues.
   if (had_start && awaiting_) fail();
 }
 
@@ -271,7 +271,7 @@ void DcfMac::begin_eifs() {
 void DcfMac::on_unicast(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) {
   switch (frame.type) {
     case FrameType::kRts:
-      // Somebody near us has reserved the medium: no answer (10.3.2.7).
+      // Another station near this one has reserved the medium: no CTS (10.3.2.7).
       if (nav_.is_set(now())) return;
       return answer(frames_.cts(frame, timing_.sifs));
     case FrameType::kCts:

@@ -8,7 +8,7 @@ namespace {
 constexpr double kHeaderBits = 48;
 constexpr std::int64_t kNsPerSecond = 1'000'000'000;
 
-/// bits / rate, rounded up or to the nearest multiple of 1 s / per_second.
+/// Bits / rate, rounded up or to the nearest multiple of 1 s / per_second, in such units.
 std::int64_t ticks(std::uint32_t bits, hal::BitsPerSecond rate, std::int64_t per_second, bool up) {
   const auto bits_per_second = static_cast<std::int64_t>(rate.value);
   const std::int64_t numerator = static_cast<std::int64_t>(bits) * per_second;
@@ -31,8 +31,8 @@ DsssMode::DsssMode(hal::BitsPerSecond rate, const Options& options)
       header_rate_(is_short(rate, options.preamble) ? 2e6 : 1e6),
       rounding_(options.rounding),
       errors_(options.errors) {
-  // CCK's table is made now: 11 ms of the processor, for which frames of programs would wait if it
-  // were made when the first is received.
+  // Computes the table for CCK now: it takes 11 ms of processor time, which would delay frames of
+  // programs if it were computed at the first reception.
   (void)success_probability(errors_, 1, rate, 1);
 }
 

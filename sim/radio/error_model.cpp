@@ -10,7 +10,7 @@ namespace sim::radio {
 namespace {
 
 constexpr double kMobilityFrameworkBandwidth = 2e6;  // Hz
-/// From here on one minus a bit error rate of at most exp(-x) / 2 is 1 as a double.
+/// Above this x, 1 - BER with BER <= exp(-x) / 2 is 1 as a double.
 constexpr double kIsCertain = 38;
 
 double mobility_framework_ber(double sinr, double rate) {
@@ -55,9 +55,9 @@ double biorthogonal_integral(double beta) {
   return std::clamp(sum * step / 3 / std::sqrt(2 * hal::math::kPi), 0.0, 1.0);
 }
 
-/// That integral at points 1/64 apart, and Lagrange's interpolation through the six around a place:
-/// agrees with the sum to 1e-12 at a hundredth of its cost, which each piece of a reception
-/// would have to pay.
+/// Values of that integral at points 1/64 apart, with Lagrange interpolation through the six
+/// nearest: agrees with the direct sum to 1e-12 at a hundredth of the cost, which every interval of
+/// a reception would have to pay.
 class BiorthogonalSuccess {
  public:
   BiorthogonalSuccess() {
@@ -66,10 +66,11 @@ class BiorthogonalSuccess {
     }
   }
 
-  /// @param energy  per symbol over noise density, up to kMostEnergy.
+  /// @param energy  symbol energy over noise density, up to kMostEnergy.
   double operator()(double energy) const {
     const double place = std::sqrt(2 * energy) * kPerUnit;
-    const auto first = static_cast<std::size_t>(place);  // of the points, kBefore before `place`
+    // index into values_; kBefore points lie before `place`
+    const auto first = static_cast<std::size_t>(place);
     const double t = place - static_cast<double>(first);
     const double a = t + 2, b = t + 1, c = t - 1, d = t - 2, e = t - 3;
     const double* const y = values_.data() + first;
@@ -79,13 +80,14 @@ class BiorthogonalSuccess {
            120;
   }
 
-  /// From here on an error is less likely than 1e-16: 14 Q(sqrt(80)) = 3e-18.
+  /// Above this, an error is less probable than 1e-16: 14 Q(sqrt(80)) = 3e-18.
   static constexpr double kMostEnergy = 80;
 
  private:
   static constexpr int kPerUnit = 64;
   static constexpr int kBefore = 2;
-  std::array<double, 817> values_{};  ///< sqrt(2 * 80) * 64 = 809.5, two before and three after.
+  /// sqrt(2 * 80) * 64 = 809.5; two points before and three after.
+  std::array<double, 817> values_{};
 };
 
 double biorthogonal_success(double energy) {
@@ -93,7 +95,7 @@ double biorthogonal_success(double energy) {
   return energy >= BiorthogonalSuccess::kMostEnergy ? 1 : std::clamp(success(energy), 0.0, 1.0);
 }
 
-/// 1.375 million symbols a second, so a symbol has 22 / 1.375 = 16 times the SINR; differential
+/// 1.375 million symbols per second, so a symbol has 22 / 1.375 = 16 times the SINR; differential
 /// detection costs half of it, and at 11 Mb/s two signals share the rest.
 double cck_success(double sinr, double rate, double bits) {
   const bool is_slower = rate <= 5.5e6;

@@ -27,7 +27,8 @@ bool FaintSignals::add(StationIndex from, hal::Time sent, hal::Duration delay,
   return bound_ >= alarm_;
 }
 
-/// What is over. Makes room for at least as many again, so that this costs little for each.
+/// Removes signals that are over. Reserves room for as many again as remain, so that the cost per
+/// signal is small.
 void FaintSignals::forget(hal::Time now) {
   const hal::Time needed = std::min(now, needed_from_);
   std::erase_if(signals_, [needed](const Signal& signal) { return signal.end() <= needed; });

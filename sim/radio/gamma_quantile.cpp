@@ -16,7 +16,7 @@ constexpr double kLeast = 1e-8;  ///< Argument from which the table starts.
 constexpr int kBisections = 60;
 constexpr double kPrecision = 1e-15;
 
-/// ln Gamma(x) by Stirling's series, where its fourth term is below 1e-12.
+/// ln Gamma(x) by Stirling's series, used where its fourth term is below 1e-12.
 double log_gamma(double x) {
   double shift = 0;
   for (; x < 15; ++x) shift += hal::math::log(x);
@@ -26,7 +26,7 @@ double log_gamma(double x) {
          shift;
 }
 
-/// Of x^m e^-x / Gamma(m).
+/// ln(x^m e^-x / Gamma(m)).
 double log_factor(double m, double x) { return m * hal::math::log(x) - x - log_gamma(m); }
 
 /// P(m, x) by its power series (M. Abramowitz, I. A. Stegun, "Handbook of Mathematical Functions",
@@ -40,8 +40,8 @@ double lower_gamma(double m, double x) {
   return hal::math::exp(log_factor(m, x)) * sum;
 }
 
-/// Q(m, x) over its factor, by the continued fraction (ibid., 6.5.31), evaluated forwards as the
-/// ratio of its convergents' numerators and denominators.
+/// Q(m, x) divided by exp(log_factor(m, x)): the continued fraction (ibid., 6.5.31), evaluated
+/// forwards as the ratio of its convergents' numerators and denominators.
 double upper_gamma_fraction(double m, double x) {
   double a = 1, b = x + 1 - m;  // numerator and denominator of the last convergent
   double a_before = 0, b_before = 1;
@@ -60,9 +60,10 @@ double upper_gamma_fraction(double m, double x) {
   return value;
 }
 
-/// ln -ln Q(m, x): of the exponential variate that is exceeded as often.
+/// ln(-ln Q(m, x)): logarithm of the exponential variate that is exceeded with the same
+/// probability.
 double log_exponential(double m, double x) {
-  if (x < 1e-3 * std::min(m, 1.0)) {  // -ln(1 - P) = P there, to half of P
+  if (x < 1e-3 * std::min(m, 1.0)) {  // here -ln(1 - P) = P + P^2 / 2
     const double p = lower_gamma(m, x);
     return hal::math::log(p * (1 + 0.5 * p));
   }
@@ -98,7 +99,7 @@ GammaQuantile::GammaQuantile(double m, double most)
 double GammaQuantile::operator()(double exponential) const {
   if (exponential <= 0) return 0;
   const double place = (hal::math::log(exponential) - first_) / step_;
-  // P(m, x) goes with the power m of x at its beginning.
+  // For small x, P(m, x) is proportional to x^m.
   if (place <= 0) return hal::math::exp(values_.front() + place * step_ / m_);
   const auto i = std::min(static_cast<std::size_t>(place), values_.size() - 2);
   const double share = std::min(place - static_cast<double>(i), 1.0);

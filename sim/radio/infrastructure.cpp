@@ -12,10 +12,10 @@
 namespace sim::radio {
 namespace {
 
-/// Of all modes (IEEE Std 802.11-2016, 16.1.2 and 18.1.2), Mb/s.
+/// Rates of all modes (IEEE Std 802.11-2016, 16.1.2 and 18.1.2), Mb/s.
 constexpr double kAllRates[] = {1, 2, 5.5, 6, 9, 11, 12, 18, 24, 36, 48, 54};
 constexpr double kRateUnit = 0.5;              // Mb/s, 9.4.2.3
-constexpr std::uint8_t kBasicRateFlag = 0x80;  // of the set of basic rates
+constexpr std::uint8_t kBasicRateFlag = 0x80;  // marks a rate of the basic rate set
 constexpr hal::Duration kShortSlotTime{9'000};
 
 std::vector<std::uint8_t> supported_rates(Standard standard, const DcfConfig& config) {
@@ -86,7 +86,7 @@ std::unique_ptr<MacBase> Infrastructure::completed(const Member& member,
                              member.scan});
 }
 
-/// The target transmission times of their beacons are spread evenly over the interval.
+/// Target beacon transmission times are spread evenly over the interval.
 std::unique_ptr<MacBase> Infrastructure::access_point(const Member& member,
                                                       std::unique_ptr<DcfMac> dcf) {
   const auto place =

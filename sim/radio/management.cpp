@@ -24,7 +24,7 @@ constexpr std::uint16_t kEssBit = 0x0001;
 constexpr std::uint16_t kShortPreambleBit = 0x0020;
 constexpr std::uint16_t kShortSlotBit = 0x0400;
 
-constexpr std::uint64_t kListenInterval = 1;       // beacons; nobody sleeps
+constexpr std::uint64_t kListenInterval = 1;  // in beacon intervals; no station uses power save
 constexpr std::uint16_t kTwoHighestBits = 0xc000;  // of an AID (9.4.1.8)
 constexpr std::size_t kTimestampSize = 8, kBeforeBody = 24;
 
@@ -55,7 +55,7 @@ void put_extended_rates(hal::Bytes& out, const BssParameters& bss) {
   }
 }
 
-/// Takes fields from the front.
+/// Reads fields one after the other.
 class BodyReader {
  public:
   explicit BodyReader(Body body) : rest_(body) {}
@@ -78,7 +78,7 @@ class BodyReader {
     bss.short_preamble = (bits & kShortPreambleBit) != 0;
     bss.short_slot = (bits & kShortSlotBit) != 0;
   }
-  /// To the end.
+  /// Reads all elements up to the end.
   void take_elements(BssParameters& bss) {
     while (good_ && !rest_.empty()) {
       const auto id = static_cast<std::uint8_t>(take(1));
@@ -126,7 +126,7 @@ hal::Bytes encode(const Beacon& beacon) {
   put_ssid(out, beacon.bss);
   put_rates(out, beacon.bss);
   if (beacon.bss.channel) put_element(out, kDsssParametersElement, Body(&*beacon.bss.channel, 1));
-  // DTIM count 0, DTIM period 1, nothing is buffered for anyone: nobody sleeps (9.4.2.6).
+  // DTIM count 0, DTIM period 1, no buffered frames, because no station uses power save (9.4.2.6).
   put_element(out, kTrafficIndicationElement, hal::Bytes{0, 1, 0, 0});
   if (beacon.bss.erp) {
     const std::uint8_t flags = beacon.bss.use_protection ? kNonErpPresentAndProtection : 0;
@@ -138,7 +138,7 @@ hal::Bytes encode(const Beacon& beacon) {
 
 hal::Bytes encode(const Authentication& authentication) {
   hal::Bytes out;
-  put_little_endian(out, 0, 2);  // open system
+  put_little_endian(out, 0, 2);  // Open System
   put_little_endian(out, authentication.transaction, 2);
   put_little_endian(out, authentication.status, 2);
   return out;

@@ -6,16 +6,16 @@
 namespace sim::radio {
 namespace {
 
-/// Rates that fail so often count for nothing, however fast they are.
+/// Rates with lower success count as throughput 0, however fast they are.
 constexpr double kHopeless = 0.1;
-/// Rates above differ in speed only.
+/// Above this success, rates differ only in speed.
 constexpr double kSure = 0.95;
 constexpr std::uint32_t kFewTries = 2;      ///< Of a rate that is hopeless or sure.
-constexpr std::uint32_t kFewLooks = 4;      ///< The same, frames in an interval.
-constexpr std::uint32_t kLongWithout = 20;  ///< Intervals.
+constexpr std::uint32_t kFewLooks = 4;      ///< Samples of such a rate in an interval.
+constexpr std::uint32_t kLongWithout = 20;  ///< In intervals.
 constexpr std::uint32_t kFramesCounted = 10'000;
 
-/// Frames in time, in units that do not matter.
+/// Frames per time, in arbitrary units.
 double throughput(double success, const Rung& rung) {
   return success < kHopeless ? 0 : success / hal::to_seconds(rung.airtime);
 }
@@ -60,7 +60,7 @@ void Minstrel::evaluate(Link& link, const Ladder& ladder) const {
 
 void Minstrel::rank(Link& link, const Ladder& ladder) {
   const auto value = [&](std::size_t i) { return throughput(link.rates[i].success, ladder[i]); };
-  // Without any that works: the lowest.
+  // If no rate works, the lowest is used.
   link.best = link.second = link.most_reliable = 0;
   for (std::size_t i = 0; i < link.rates.size(); ++i) {
     if (value(i) > value(link.best)) {
@@ -84,8 +84,8 @@ void Minstrel::start_frame(Link& link, const Ladder& ladder) {
   if (link.frames >= kFramesCounted) link.frames = link.looked = 0;
 }
 
-/// So often that the share of the frames that look around is kept. A backlog, as after rates that
-/// may not be looked at, is cut: it must not come in a burst.
+/// Samples as often as is needed for the configured share of frames. A larger backlog, as after
+/// rates that could not be sampled, is dropped, so that samples do not come in a burst.
 bool Minstrel::is_to_look(Link& link) const {
   const auto planned = static_cast<std::uint32_t>(link.frames * config_.minstrel_sampling);
   if (planned <= link.looked) return false;
@@ -109,7 +109,7 @@ void Minstrel::look_around(Link& link, const Ladder& ladder) {
   ++link.looked;
 }
 
-/// Each once, then all again in another order.
+/// Visits each rate once, then all again in a new random order.
 std::size_t Minstrel::next_in_order(Link& link) {
   if (link.order.empty()) {
     for (std::size_t i = 0; i < link.rates.size(); ++i) link.order.push_back(i);
@@ -124,7 +124,7 @@ std::size_t Minstrel::next_in_order(Link& link) {
 
 const PhyMode& Minstrel::mode(hal::AgentId to, std::uint32_t attempt, hal::Time now) {
   Link& one = link(to, now);
-  // An RTS without an answer does not make it another frame.
+  // A frame whose RTS got no response is still the same frame.
   if (attempt == 0 && !std::exchange(one.is_begun, true)) start_frame(one, ladder(to));
   std::size_t stage = 0;
   for (std::uint32_t before = 0; stage + 1 < one.stages.size(); ++stage) {

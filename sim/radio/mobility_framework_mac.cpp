@@ -8,11 +8,11 @@
 namespace sim::radio {
 namespace {
 
-/// The framework ends its timeouts and its own acknowledgements a little after the frame, so that
-/// events at the frame's end come first.
+/// The framework's timeouts and its own ACKs end slightly after the frame, so that events at the
+/// frame's end come first.
 constexpr hal::Duration kDelta{1};
 
-/// More would leave 64 bits; every contention window is at its limit long before.
+/// More would overflow 64 bits; every contention window reaches its limit long before.
 constexpr std::uint32_t kMostDoublings = 20;
 
 }  // namespace
@@ -75,13 +75,13 @@ void MobilityFrameworkMac::next_cycle() {
 
 void MobilityFrameworkMac::contend(bool without_backoff) {
   state_ = State::kContend;
-  if (radio_.state() != Radio::State::kIdle) return;  // on_medium_idle() goes on
+  if (radio_.state() != Radio::State::kIdle) return;  // on_medium_idle() continues
   contending_since_ = now();
   start(contention_, difs_ + (without_backoff ? hal::Duration{} : backoff()),
         [this] { on_contention_won(); });
 }
 
-/// What is left of an interrupted backoff, or a new one.
+/// The rest of an interrupted backoff, or a new one.
 hal::Duration MobilityFrameworkMac::backoff() {
   if (backoff_left_ > hal::Duration{}) return backoff_left_;
   const std::uint32_t doublings = std::min(attempt_ - 1, kMostDoublings);
@@ -107,7 +107,7 @@ void MobilityFrameworkMac::on_contention_won() {
   send_and_wait(frame, uses_rts(request) ? State::kWaitCts : State::kWaitAck, airtime_of(reply));
 }
 
-/// @param reply  airtime of the frame that must be in by the timeout.
+/// @param reply  airtime of the frame that must have been received by the timeout.
 void MobilityFrameworkMac::send_and_wait(const FramePtr& frame, State next, hal::Duration reply) {
   state_ = next;
   radio_.transmit(frame);
@@ -150,7 +150,7 @@ void MobilityFrameworkMac::on_receive(const Frame& frame, hal::Dbm rssi, hal::De
     case FrameType::kAck:
       return on_ack();
     default:
-      return;  // there is no management in this profile
+      return;  // this profile has no management frames
   }
 }
 

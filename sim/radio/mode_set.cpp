@@ -9,7 +9,7 @@
 namespace sim::radio {
 namespace {
 
-/// Written into instant frames.
+/// Nominal rate of instant frames.
 constexpr hal::BitsPerSecond kAnyRate{11e6};
 
 }  // namespace
@@ -73,7 +73,7 @@ const PhyMode& ModeSet::response_to(const PhyMode& mode) const {
   for (const auto& one : modes_) {
     if (fits(*one) && one->is_mandatory()) best = one.get();
   }
-  BARAKA_CHECK(best != nullptr);  // the lowest of each class is mandatory
+  BARAKA_CHECK(best != nullptr);  // the lowest mode of each class is mandatory
   return *best;
 }
 

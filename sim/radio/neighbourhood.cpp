@@ -12,11 +12,12 @@
 namespace sim::radio {
 namespace {
 
-/// Of the reach. Smaller: more looks at moving stations; larger: more pairs out of reach to skip.
+/// Share of the range. Smaller: moving stations are checked more often; larger: more pairs out of
+/// range to skip.
 constexpr double kMarginShare = 0.1;
 
-/// Along what links are kept over. More: fewer pairs out of reach are kept, cells change more
-/// often.
+/// Cells along the distance up to which links are kept. More: fewer pairs out of range are kept,
+/// but stations change cells more often.
 constexpr int kCellsInReach = 4;
 
 void take(AudibleLink& link, const AudibleLink& now) { link = now; }
@@ -26,14 +27,14 @@ void take(FaintLink& link, const AudibleLink& now) {
   link.delay = static_cast<std::uint32_t>(now.arrival.delay.count());
 }
 
-/// Whether nothing can have happened to a link.
+/// Whether the link is certain not to have changed.
 bool can_wait(const DistantLink& link, hal::Time now) { return now < link.out_of_reach_until; }
 template <class OneLink>
 bool can_wait(const OneLink&, hal::Time) {
   return false;
 }
 
-/// Of the strongest transmitter, m; above 0, so that there is a grid without stations, too.
+/// Range of the strongest transmitter [m]; above 0, so that there is a grid even without stations.
 double longest_reach(const Propagation& propagation,
                      const std::vector<Neighbourhood::Antenna>& antennas) {
   double reach = 1;
@@ -104,7 +105,7 @@ void Neighbourhood::change_cell(StationIndex index) {
   for (const StationIndex other : without(after, before)) meet(other, index);
 }
 
-/// The links of the first one are without the second one from now on.
+/// Removes `to` from the links of `from`.
 void Neighbourhood::part(StationIndex from, StationIndex to) {
   if (stations_[from].is_out_of_date) return;
   Links& links = links_[from];
@@ -114,7 +115,7 @@ void Neighbourhood::part(StationIndex from, StationIndex to) {
   if (std::erase_if(links.audible, is_it) > 0) sort_by_arrival(links);
 }
 
-/// The links of the first one are with the second one from now on.
+/// Adds `to` to the links of `from`.
 void Neighbourhood::meet(StationIndex from, StationIndex to) {
   if (stations_[from].is_out_of_date) return;
   Links& links = links_[from];
@@ -164,13 +165,14 @@ void Neighbourhood::collect(StationIndex transmitter) {
 void Neighbourhood::sort_by_arrival(Links& links) {
   links.by_arrival.resize(links.audible.size());
   std::iota(links.by_arrival.begin(), links.by_arrival.end(), 0u);
-  // By receiver already: what is stable leaves those of one delay so.
+  // Already ordered by receiver; the stable sort keeps that order among equal delays.
   std::ranges::stable_sort(links.by_arrival, {}, [&links](std::uint32_t one) {
     return links.audible[one].arrival.delay;
   });
 }
 
-/// @pre one of the two may move, and the link is out of reach.
+/// Time before which a link out of range cannot come into range. @pre one of the two stations can
+/// move.
 hal::Time Neighbourhood::out_of_reach_until(StationIndex transmitter,
                                             const AudibleLink& link) const {
   constexpr double kRounding = 1e-6;  // m
@@ -181,10 +183,10 @@ hal::Time Neighbourhood::out_of_reach_until(StationIndex transmitter,
   return events_.now() + hal::from_seconds(std::min(apart / speed, kLongest));
 }
 
-/// Into the list where it belongs, unless it is out of reach for ever.
+/// Inserts the link into the list where it belongs; drops it if it is out of range for ever.
 void Neighbourhood::put(StationIndex from, Links& links, const AudibleLink& link) {
   const auto into = [&link](auto& list, const auto& entry) {
-    // When links are collected they come by receiver: each is the last.
+    // collect() passes links in order of receivers, so each is appended at the end.
     const auto place = std::ranges::lower_bound(list, link.receiver, {},
                                                 [](const auto& other) { return other.receiver; });
     list.insert(place, entry);
@@ -213,7 +215,7 @@ const Links& Neighbourhood::links_from(StationIndex transmitter) {
   return links_[transmitter];
 }
 
-/// Those of which an end has moved.
+/// Updates the links of which an end has moved.
 void Neighbourhood::follow(StationIndex transmitter) {
   Links& links = links_[transmitter];
   changed_.clear();
@@ -234,7 +236,7 @@ bool Neighbourhood::follow(StationIndex from, std::vector<OneLink>& links,
     if (can_wait(known, instant)) return false;
     Station& to = stations_[known.receiver];
     refresh(to);
-    // Neither count ever falls: the same sum is the same two.
+    // Neither count ever decreases, so an equal sum means that both are equal.
     const std::uint32_t moves = stations_[from].moves + to.moves;
     if (known.moves == moves) return false;
     any = true;
@@ -254,7 +256,7 @@ bool Neighbourhood::follow(StationIndex from, std::vector<OneLink>& links,
   return any;
 }
 
-/// Those whose ends may stand still.
+/// Updates links for the current time, whether or not their ends have moved.
 void Neighbourhood::follow_time(StationIndex transmitter) {
   const Site& from = stations_[transmitter].site;
   for (AudibleLink& link : links_[transmitter].audible) {
@@ -268,7 +270,7 @@ void Neighbourhood::displace(StationIndex index) {
   station.valid_until = {};
   refresh(station);
   grid_.put(index, {station.site.position.x, station.site.position.y});
-  // Anybody may have had it in reach, or have it now.
+  // Any station may have had it in range, or may have it in range now.
   for (Station& other : stations_) other.is_out_of_date = true;
 }
 

@@ -12,8 +12,8 @@
 namespace sim::radio {
 namespace {
 
-/// A bit of the constellation is wrong with `weight` erfc(sqrt(sinr / divisor)): Gray-coded square
-/// constellations, nearest neighbours.
+/// Bit error rate of a constellation: weight * erfc(sqrt(sinr / divisor)), for Gray-coded square
+/// constellations and nearest neighbours.
 struct Constellation {
   double weight;
   double divisor;
@@ -21,11 +21,12 @@ struct Constellation {
 constexpr Constellation kBpsk{1.0 / 2, 1}, kQpsk{1.0 / 2, 2}, kQam16{3.0 / 8, 10},
     kQam64{7.0 / 24, 42};
 
-/// Wrong information bits of all wrong paths by Hamming distance: `first`, `first + step`, ...
+/// Numbers of wrong information bits, summed over all wrong paths of each Hamming distance `first`,
+/// `first + step`, ...
 struct Code {
   int first;
   int step;
-  double inputs;                  ///< Information bits of a puncturing period.
+  double inputs;                  ///< Information bits per puncturing period.
   std::array<double, 10> errors;  ///< Sum over the paths of each distance.
 };
 constexpr Code kHalf{
@@ -47,7 +48,7 @@ constexpr std::array kCodings{
     Coding{24e6, kQam16, kHalf},      Coding{36e6, kQam16, kThreeQuarters},
     Coding{48e6, kQam64, kTwoThirds}, Coding{54e6, kQam64, kThreeQuarters}};
 
-/// Union bound of the decoder's first error events, per information bit.
+/// Union bound of the probability of the decoder's first error event, per information bit.
 double decoded_error(const Code& code, double channel_error) {
   const double d = std::sqrt(4 * channel_error * (1 - channel_error));
   double path = 1;

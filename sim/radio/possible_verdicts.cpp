@@ -16,7 +16,7 @@ std::vector<Verdict> reception_verdicts(const RadioConfig& config) {
 
 std::vector<Verdict> request_verdicts(const RadioConfig& config, bool has_access_points) {
   std::vector<Verdict> verdicts = {Verdict::kDelivered, Verdict::kRetryLimit, Verdict::kRadioOff};
-  // Only the queue of the ideal radio takes whatever comes.
+  // Only the queue of the ideal radio is unlimited.
   if (!std::holds_alternative<IdealConfig>(config)) verdicts.push_back(Verdict::kQueueFull);
   if (dcf_of(config) != nullptr) verdicts.push_back(Verdict::kExpired);
   if (has_access_points) verdicts.push_back(Verdict::kNoRoute);

@@ -21,7 +21,7 @@ Opening Protection::opening(bool is_group, const PhyMode& data, std::uint32_t bi
   const bool is_long = bits > 8 * config_.contention.rts_threshold;
   if (!is_group && is_long) return Opening::kRts;
   if (!protects(data)) return Opening::kNone;
-  // Nobody would answer an RTS to a group.
+  // No station answers an RTS to a group.
   return kind_ == ProtectionKind::kRtsCts && !is_group ? Opening::kRts : Opening::kCtsToSelf;
 }
 
@@ -31,7 +31,7 @@ const PhyMode& Protection::mode(hal::AgentId to, const PhyMode& data) const {
   if (is_ofdm && (protects(data) || !cell_.knows_ofdm(to))) {
     return modes_.at(config_.protection_rate);
   }
-  // Rate control is at a rate below: an RTS above it would get lost.
+  // Rate control has chosen a lower rate: an RTS at a higher rate than the data would be lost.
   const bool is_automatic = config_.rate_control.kind != RateControlKind::kFixed;
   if (is_automatic && control.rate() > data.rate()) return modes_.response_to(data);
   return control;

@@ -11,7 +11,7 @@
 namespace sim::radio {
 namespace {
 
-/// From `from` on.
+/// Prefetches `size` bytes from `from` on.
 void prefetch_bytes(const void* from, std::size_t size) {
   constexpr std::size_t kCacheLine = 64;
   const auto* const bytes = static_cast<const char*>(from);
@@ -44,7 +44,7 @@ Radio::Radio(Air air, StationIndex index, hal::AgentId agent, hal::RandomStream 
 void Radio::prefetch() const { prefetch_bytes(this, sizeof *this); }
 
 void Radio::prefetch_listener() const {
-  constexpr std::size_t kMac = 512;  // about as much as a MAC holds
+  constexpr std::size_t kMac = 512;  // approximate size of a MAC
   prefetch_bytes(listener_, kMac);
   prefetch_bytes(signals_.data(), sizeof(Signal));
 }
@@ -54,7 +54,7 @@ void Radio::transmit(FramePtr frame) {
   BARAKA_CHECK(state_ == State::kIdle || state_ == State::kReceive);
   lose_all(hal::Verdict::kReceiverTransmitting);
   for (Signal& signal : signals_) {
-    // It makes no difference which of two that start at one instant is told first.
+    // Of two frames that start at the same time, neither is the first, whichever is reported first.
     if (signal.start == events_.now()) signal.verdict = hal::Verdict::kReceiverTransmitting;
   }
   state_ = State::kTransmit;
@@ -130,7 +130,7 @@ std::optional<hal::Verdict> Radio::refuse(const Signal& signal) const {
   return std::nullopt;
 }
 
-/// Neither its preamble nor its header means anything to this radio.
+/// Whether this radio can interpret neither the preamble nor the header of a frame.
 bool Radio::is_foreign(const Frame& frame) const {
   return !knows_ofdm_ && frame.mode->modulation_class() == ModulationClass::kOfdm;
 }
@@ -153,8 +153,8 @@ bool Radio::synchronise(Signal& signal) {
 }
 
 bool Radio::can_capture(const Signal& signal) const {
-  // Of frames that start at one instant neither is the first: the stronger one is taken, not the
-  // one whose transmitter has the lower address.
+  // Of frames that start at the same time neither is the first: the stronger one is received, not
+  // the one whose transmitter has the lower address.
   if (held_->start() == signal.start) {
     return signal.arrival.power.value > held_->power();
   }
@@ -193,7 +193,8 @@ Radio::Signal* Radio::strongest_in_window() {
 void Radio::hold(const Signal& signal) {
   held_.emplace(*signal.frame, signal.arrival.power.value, signal.start, events_.now());
   faint().keep_from(events_.now());
-  // Whoever is sensed by its power is so until its end; others only as long as they are held.
+  // A frame sensed by its power keeps the medium busy until its end; any other only while it is
+  // held.
   if (signal.arrival.power.value >= cca_threshold_ && !forgets_overlap_) return;
   header_look_ = events_.schedule(held_->header_end(), Rank::kRadio, agent_, [this] { hear(); });
 }
@@ -255,8 +256,8 @@ Interference Radio::interference(const Frame& wanted) const {
 
 FaintSignals& Radio::faint() { return channel_.faint_at(index_); }
 
-/// The interference of the signals with events is the same since the last call, that of the others
-/// is not.
+/// Since the last call, the interference of the signals with events has been constant, but not that
+/// of the faint signals.
 void Radio::hear() {
   if (!held_) return;
   const hal::Time now = events_.now();
@@ -280,7 +281,7 @@ void Radio::hear_until(hal::Time end) {
   faint().keep_from(end);
 }
 
-/// The receiver is free for other frames from here on.
+/// Frees the receiver for other frames, because the header of the held frame is wrong.
 void Radio::lose_header() {
   find(held_->frame())->verdict = held_->judge(rules_, errors_).verdict;
   if (forgets_overlap_) forget_overlap();

@@ -1,4 +1,4 @@
-// The part of Radio that senses the carrier: by the frames that can be received, and by energy.
+// The carrier sense of Radio: by frames that can be received, and by energy.
 #include <algorithm>
 #include <limits>
 #include <utility>
@@ -30,7 +30,7 @@ void Radio::sense() {
   }
 }
 
-/// @param sum  mW, of the signals with events.
+/// @param sum  total power of the signals with events [mW].
 void Radio::sense_energy(double sum) {
   events_.cancel(energy_look_);
   faint().set_alarm(forgotten_ ? 0 : energy_detection_ - sum);
@@ -68,9 +68,10 @@ void Radio::announce() {
   }
 }
 
-/// HeaderError::kForgotten, after the header of the held frame. ns-3.37 tells its MAC at the start
-/// of a header that the medium is busy until the header's end, whatever it has told before. After a
-/// wrong one it looks at the energy again only if the frame goes on beyond what it has told.
+/// HeaderError::kForgotten, after the header of the held frame. At the start of a header, ns-3.37
+/// reports the medium busy to its MAC until the header's end, whatever it has reported before.
+/// After a wrong header it evaluates the energy again only if the frame lasts longer than the
+/// reported time.
 void Radio::forget_overlap() {
   const hal::Time header = held_->start() + held_->frame().mode->preamble();
   const hal::Time end = held_->start() + held_->frame().airtime;
@@ -79,7 +80,7 @@ void Radio::forget_overlap() {
     if (signal.frame == &held_->frame()) continue;
     if (signal.start >= header && signal.end > told) return recall_all();
     if (signal.start < held_->start()) told = std::max(told, signal.end);
-    // It has told nothing before the preamble was detected.
+    // Nothing was reported before the preamble was detected.
     if (signal.start >= held_->locked()) told = std::max({told, signal.end, end});
   }
   if (told < end) return recall_all();
@@ -87,7 +88,8 @@ void Radio::forget_overlap() {
   for (Signal& signal : signals_) signal.is_forgotten = true;
 }
 
-/// A frame that goes on beyond what is forgotten, or beyond the own one, makes it look again.
+/// A frame that lasts longer than the forgotten ones, or than the radio's own frame, makes carrier
+/// sense evaluate the energy again.
 void Radio::recall_for(Signal& next) {
   if (!forgotten_) return;
   const bool is_sending = state_ == State::kTransmit;
@@ -95,7 +97,7 @@ void Radio::recall_for(Signal& next) {
   next.is_forgotten = true;
 }
 
-/// So does a faint one.
+/// The same for a faint frame.
 void Radio::recall_for_faint() {
   if (!forgotten_) return;
   const auto [start, end] = faint().newest();

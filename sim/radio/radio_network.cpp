@@ -27,12 +27,12 @@ RadioConfig checked(RadioConfig config) {
   return config;
 }
 
-/// Of a station that has none of its own.
+/// Transmit power of a station that does not set its own.
 hal::Milliwatts tx_power(const RadioConfig& config) {
   return std::visit(
       [](const auto& one) {
         if constexpr (requires { one.tx_power; }) return one.tx_power;
-        return hal::Milliwatts{1};  // only whether something arrives counts
+        return hal::Milliwatts{1};  // any value will do: a frame arrives or not
       },
       config);
 }
@@ -66,7 +66,7 @@ Neighbourhood::Antenna antenna(const RadioNetwork::Station& station, const Radio
           .most_power = station.most_power};
 }
 
-/// 0 of profiles without waves, which have no channel numbers.
+/// Channel number of a station; 0 in profiles without a medium, which have no channels.
 std::uint32_t channel_of(const RadioNetwork::Station& station, const RadioConfig& config) {
   const WavesConfig* const waves = waves_of(config);
   return waves ? station.radio.channel.value_or(waves->phy.channel) : 0;
@@ -83,7 +83,7 @@ std::vector<std::pair<hal::AgentId, hal::AgentId>> links_in(Band& band) {
   }
   std::vector<std::pair<hal::AgentId, hal::AgentId>> pairs;
   for (const auto& [from, to] : ways) {
-    // A stronger transmitter may not hear whom it reaches.
+    // A link may work in one direction only, if the transmit powers differ.
     if (to < from || !std::ranges::binary_search(ways, std::pair(to, from))) continue;
     pairs.emplace_back(band.stations()[from], band.stations()[to]);
   }
@@ -99,16 +99,16 @@ RandomLoss::Names names(const std::vector<RadioNetwork::Station>& stations) {
 }  // namespace
 
 struct RadioNetwork::State {
-  /// A band and who is on it.
+  /// A band and the stations on it.
   struct Air {
     std::uint32_t channel = 0;
     Cell cell{};
     std::vector<Neighbourhood::Antenna> antennas{};
     std::unique_ptr<Band> band{};
-    std::unique_ptr<DiskAir> disk{};  ///< Of profiles without waves.
+    std::unique_ptr<DiskAir> disk{};  ///< For profiles without a medium.
   };
   struct Shared {
-    StationConfig settings;  ///< Without what each station may have of its own.
+    StationConfig settings;  ///< Without the settings that may differ between stations.
     StationProfile profile;
   };
 
@@ -157,7 +157,7 @@ struct RadioNetwork::State {
     return static_cast<std::size_t>(found - stations.begin());
   }
 
-  /// The neighbourhood that the agent is in, and its number there.
+  /// The neighbourhood of an agent, and its station index there.
   std::pair<Neighbourhood*, StationIndex> place_of(hal::AgentId agent) {
     Air& air = air_of(channel_of(stations[number_of(agent)], config));
     const auto& all = air.band->stations();
@@ -234,7 +234,7 @@ struct RadioNetwork::State {
     radios.push_back(std::make_unique<Radio>(
         Radio::Air{surroundings.events, air.band->channel(), surroundings.observer,
                    waves_of(profile.config)->receiver, *profile.rules,
-                   // Where there is no OFDM nobody need ask.
+                   // In cells without OFDM the test is unnecessary.
                    !air.cell.is_mixed() || air.cell.knows_ofdm(station.agent),
                    loss ? &*loss : nullptr},
         index, station.agent, stream(station, "/errors")));
@@ -246,9 +246,9 @@ struct RadioNetwork::State {
   std::vector<Station> stations;  ///< In order of addresses.
   Surroundings surroundings;
   std::optional<RandomLoss> loss;
-  std::vector<std::unique_ptr<Air>> airs;  ///< By their first station.
+  std::vector<std::unique_ptr<Air>> airs;  ///< In order of their first station.
   std::vector<std::unique_ptr<Shared>> profiles;
-  std::unique_ptr<Infrastructure> infrastructure;  ///< Of profiles with a DCF.
+  std::unique_ptr<Infrastructure> infrastructure;  ///< For profiles with a DCF.
   std::vector<std::unique_ptr<Radio>> radios;
   std::vector<std::unique_ptr<MacBase>> macs;
 };

@@ -9,7 +9,7 @@
 namespace sim::radio {
 namespace {
 
-/// Of a frame's id: its number among those of its transmitter, whatever the address of that.
+/// Mask for the part of a frame's id that counts its transmitter's frames, without the address.
 constexpr std::uint64_t kNumber = (std::uint64_t{1} << 48) - 1;
 
 std::vector<bool> fitting(const std::string& pattern, const RandomLoss::Names& names) {
@@ -48,7 +48,7 @@ bool RandomLoss::strikes(const Frame& frame, hal::AgentId receiver) const {
   const std::size_t from = place_of(frame.transmitter), to = place_of(receiver);
   const double lost = probability(from, to);
   if (lost <= 0) return false;
-  // Odd factors: the way back is another link, and another frame another draw.
+  // Odd factors: the reverse direction is another link, and another frame is another draw.
   const std::uint64_t link = stations_[from].name * 0x9e3779b97f4a7c15u + stations_[to].name;
   const std::uint64_t number = (frame.id & kNumber) * 0xd1342543de82ef95u;
   return hal::RandomStream(link + number, "loss").uniform() < lost;

@@ -6,12 +6,12 @@
 namespace sim::radio {
 namespace {
 
-// As Linux's minstrel has them.
+// Values of Linux's minstrel.
 constexpr std::size_t kAverageMsdu = 1200;  // bytes
 constexpr hal::Duration kSegment = 6ms;
 constexpr std::uint32_t kMostTries = 7;
 
-/// With the mean backoff before each but the first.
+/// Number of exchanges that fit into kSegment, with a mean backoff before each but the first.
 std::uint32_t tries_of(hal::Duration exchange, const ContentionConfig& mac) {
   ContentionWindow window(mac.cw_min, mac.cw_max);
   hal::Duration spent = exchange;

@@ -9,7 +9,7 @@
 namespace sim::radio {
 namespace {
 
-/// How much of [from, to) lies in [low, high).
+/// Duration of the part of [from, to) that lies in [low, high).
 hal::Duration overlap(hal::Time from, hal::Time to, hal::Time low, hal::Time high) {
   return std::max(hal::Duration{}, std::min(to, high) - std::max(from, low));
 }
@@ -53,7 +53,7 @@ double Reception::success_of_interval(double sinr, hal::Time from, hal::Time to)
   const hal::Time header = start_ + mode.preamble();
   const hal::Time body = start_ + mode.preamble_and_header();
   const hal::Time end = start_ + frame_->airtime - mode.signal_extension();
-  // Most pieces are of the header or of the MPDU only.
+  // Most intervals belong only to the header or only to the MPDU.
   const auto share = [from, to](hal::Time low, hal::Time high) {
     const hal::Duration common = overlap(from, to, low, high);
     return common == hal::Duration{} ? 0.0 : hal::to_seconds(common) / hal::to_seconds(high - low);
@@ -75,8 +75,8 @@ hal::Time Reception::header_end() const { return start_ + frame_->mode->preamble
 
 void Reception::judge_header(const ReceptionRules& rules, hal::RandomStream& errors) {
   if (header_ != Header::kComing || heard_until_ < header_end()) return;
-  // Drawn even if it is certain: the order in which powers add up may move the last bit of 1, and
-  // must not move the stream.
+  // Drawn even if the outcome is certain: the order in which powers are added may change the last
+  // bit of a probability of 1, and must not shift the random stream.
   const bool is_right =
       rules.error_model == ErrorModel::kMobilityFramework || errors.uniform() < success_;
   header_ = is_right ? Header::kRight : Header::kWrong;
@@ -93,7 +93,7 @@ Reception::Outcome Reception::judge(const ReceptionRules& rules, hal::RandomStre
     if (success >= 1 || errors.uniform() < success) return {};
   } else if (header_ == Header::kWrong) {
     return {cause_of_loss(rules, worst_), ReceiveError::kHeader};
-  } else if (errors.uniform() < success_) {  // drawn even if it is certain, as above
+  } else if (errors.uniform() < success_) {  // drawn even if the outcome is certain, as above
     return {};
   }
   return {cause_of_loss(rules, worst_), ReceiveError::kBitError};

@@ -15,7 +15,7 @@ void replace(T& value, const T& from, const T& to) {
   if (value == from) value = to;
 }
 
-/// As replace(), and what is no rate of DSSS is replaced anyway.
+/// Like replace(), but also replaces any rate that is not a DSSS rate.
 void replace_rate(hal::BitsPerSecond& rate, hal::BitsPerSecond from, hal::BitsPerSecond to) {
   if (rate == from || !is_dsss_rate(rate)) rate = to;
 }
