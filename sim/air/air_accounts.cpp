@@ -5,7 +5,8 @@
 namespace sim::air {
 namespace {
 
-/// Beyond so many, of senders of garbage, all goes to one account per transmitter and purpose.
+/// Further accounts, which only invalid data can cause, are merged into one per transmitter and
+/// purpose.
 constexpr std::size_t kMostAccounts = 1U << 18U;
 
 }  // namespace
@@ -86,7 +87,8 @@ void AirAccounts::cut(const Content& content, hal::Duration airtime, Shares& sha
   }
 }
 
-/// In the order in which they come: an account takes room for receivers, not for addresses.
+/// Receivers are numbered in order of appearance, so the size of an account depends on their number
+/// and not on their addresses.
 std::size_t AirAccounts::number_of(hal::AgentId receiver) {
   if (receiver.value >= numbers_.size()) numbers_.resize(receiver.value + std::size_t{1});
   std::uint32_t& number = numbers_[receiver.value];

@@ -15,34 +15,35 @@
 
 namespace sim::air {
 
-/// How frames, or their contents, ended at one radio.
+/// Counts of results at one radio: of frames, and of their contents.
 struct AirEnds {
-  std::uint64_t frames = 0;  ///< Counted as this kind.
-  std::uint64_t parts = 0;   ///< That carried some of it.
+  std::uint64_t frames = 0;  ///< Frames counted as this kind.
+  std::uint64_t parts = 0;   ///< Frames that carried a part of this kind.
 };
 
 /// Transmissions of one kind by one transmitter.
 struct AirAccount {
   hal::AgentId transmitter;
   AirKind kind;
-  std::uint64_t frames = 0;       ///< Whose largest part is of this kind.
-  std::uint64_t retries = 0;      ///< So many of these were sent before.
-  std::uint64_t submessages = 0;  ///< That begin in frames sent for the first time …
-  std::uint64_t repeated = 0;     ///< … and in retries. Of what has no parts: frames.
-  std::uint64_t bits = 0;         ///< Of the MPDUs: the share of this kind.
-  hal::Duration airtime{};        ///< Likewise.
-  bool changed = false;           ///< Since they were last written.
+  std::uint64_t frames = 0;   ///< Frames whose largest part is of this kind.
+  std::uint64_t retries = 0;  ///< Those of `frames` that are retransmissions.
+  /// Submessages that begin in first transmissions; of kinds without submessages: frames.
+  std::uint64_t submessages = 0;
+  std::uint64_t repeated = 0;  ///< The same in retransmissions.
+  std::uint64_t bits = 0;      ///< The share of this kind in the bits of MPDUs.
+  hal::Duration airtime{};     ///< The share of this kind in the air time.
+  bool changed = false;        ///< Since the account was last written.
 
-  /// By receiver and verdict, [1]: those to it or to everyone.
+  /// Results at one receiver by verdict; [1]: frames addressed to it or to everyone.
   struct Ends {
     hal::AgentId receiver;
     std::array<std::array<AirEnds, hal::kVerdictCount>, 2> ends{};
     bool changed = false;
   };
-  std::vector<std::unique_ptr<Ends>> at{};  ///< By the receiver's number; null: nothing.
+  std::vector<std::unique_ptr<Ends>> at{};  ///< By the receiver's number; null: no results.
 };
 
-/// One writer's share, by kind of submessage and transmitter.
+/// The share of one writer, for one kind of submessage and one transmitter.
 struct WriterAccount {
   hal::AgentId transmitter;
   EndpointIndex writer = 0;
@@ -53,19 +54,19 @@ struct WriterAccount {
 };
 
 /// Accounts of air time. Each frame, with headers and preamble, is divided among its contents in
-/// proportion to their octets; the rest of a whole number of bits or nanoseconds goes to the
-/// largest remainders (Hamilton's method; the first of equal ones gets it). The frame itself is
-/// counted once, as its largest part. The sums over all accounts of a transmitter therefore equal
-/// the numbers of its radio exactly.
+/// proportion to their octets; the remainder of a whole number of bits or nanoseconds goes to the
+/// largest fractions (Hamilton's method; ties go to the first). The frame itself is counted once,
+/// as its largest part. The sums over all accounts of a transmitter therefore equal the values of
+/// its radio exactly.
 class AirAccounts {
  public:
-  /// Accounts of a frame's shares.
+  /// The accounts of a piece of a frame, and its share.
   struct Share {
-    std::uint32_t account = 0, writer = 0;  ///< Places in all() and writers().
+    std::uint32_t account = 0, writer = 0;  ///< Indices into all() and writers().
     std::int64_t bits = 0, airtime_ns = 0;
   };
   using Shares = std::vector<Share>;
-  /// What is shared out.
+  /// A transmission to be divided.
   struct Sent {
     hal::AgentId transmitter;
     bool is_retry = false;
@@ -73,16 +74,16 @@ class AirAccounts {
     hal::Duration airtime{};
   };
 
-  /// @param[in,out] shares  as open() made them for this content.
+  /// Adds a transmission. @param[in,out] shares  as made by open() for this content.
   void add(const Content& content, const Sent& sent, Shares& shares);
-  /// The accounts of a content's pieces.
+  /// Finds or adds the accounts of a content's pieces.
   void open(const Content& content, hal::AgentId transmitter, Shares& shares);
-  /// A frame of these shares was cut after this time on the air.
+  /// Reduces a transmission with these shares, which was cut off after `airtime` on the air.
   void cut(const Content& content, hal::Duration airtime, Shares& shares);
   void add_end(const Content& content, const Shares& shares, hal::AgentId receiver, bool addressed,
                hal::Verdict verdict);
 
-  /// How many accounts, writers and ends changed since the last reset.
+  /// Number of accounts, writers and results that changed since reset_changes().
   std::uint64_t changes() const { return changes_; }
   void reset_changes() { changes_ = 0; }
 
@@ -103,14 +104,14 @@ class AirAccounts {
   std::vector<AirAccount> all_;
   std::vector<WriterAccount> writers_;
   std::uint64_t changes_ = 0;
-  std::vector<std::uint32_t> numbers_;  ///< Of receivers, by address; 0: not heard of.
-  std::uint32_t receivers_ = 0;         ///< That have a number: from 1 on.
+  std::vector<std::uint32_t> numbers_;  ///< Numbers of receivers, by address; 0: none yet.
+  std::uint32_t receivers_ = 0;  ///< Number of receivers that have a number; numbers start at 1.
   std::map<Key, std::uint32_t> places_;
   std::map<std::pair<EndpointIndex, Key>, std::uint32_t> writer_places_;
 };
 
-/// Splits a whole number in proportion to the pieces' octets, by largest remainder.
-/// @param[out] parts  as many as there are pieces; their sum is `whole`.
+/// Divides a whole number in proportion to the pieces' octets, by largest remainder.
+/// @param[out] parts  one for each piece; their sum is `whole`.
 void share_out(std::int64_t whole, std::span<const Piece> pieces, std::vector<std::int64_t>& parts);
 
 }  // namespace sim::air

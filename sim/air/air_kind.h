@@ -15,8 +15,8 @@ enum class Purpose : std::uint8_t {
   kSpdp,        ///< RTPS: discovery of participants.
   kSedp,        ///< RTPS: discovery of endpoints.
   kLiveliness,  ///< RTPS: participant messages.
-  kBuiltin,     ///< RTPS: other endpoints of the middleware: security, type lookup, a vendor's.
-  kRtps,        ///< RTPS without endpoints: nothing else is in the datagram.
+  kBuiltin,     ///< RTPS: other built-in endpoints: security, type lookup, a vendor's own.
+  kRtps,        ///< RTPS datagrams whose submessages all have no endpoint.
   kNetwork,     ///< IP and ARP other than RTPS.
   kRouting,     ///< Frames of hal/node/routing.
   kMac,         ///< Control and management of IEEE 802.11.
@@ -53,25 +53,26 @@ static_assert(hal::names_exactly<Purpose, kPurposes>([](Purpose p) { return name
 
 constexpr bool is_rtps(Purpose purpose) { return purpose <= Purpose::kRtps; }
 
-/// Account of a part of a frame.
+/// Kind of a part of a frame, for which an account is kept.
 struct AirKind {
   Purpose purpose = Purpose::kOther;
-  /// Of RTPS the kind of submessage; of kNetwork the number of the protocol, of ARP kArp; of kMac a
-  /// radio::FrameType; else the Ethertype.
+  /// RTPS: kind of submessage. kNetwork: IP protocol number, or kArp. kMac: radio::FrameType. Else
+  /// the Ethertype.
   std::uint16_t what = 0;
-  std::uint16_t port = 0;   ///< Of TCP and UDP that is no RTPS, see service_port(); 0: none.
-  std::uint32_t topic = 0;  ///< Of kUser: number among Endpoints::topics(); 0: not known.
+  std::uint16_t port = 0;   ///< Of TCP, and of UDP other than RTPS: service_port(); 0: none.
+  std::uint32_t topic = 0;  ///< kUser: index into Endpoints::topics(); 0: unknown.
   auto operator<=>(const AirKind&) const = default;
 };
 
 inline constexpr std::uint16_t kArp = 0x100;
-/// Fragments of IP of which nobody saw the first, so that nobody knows what they are of.
+/// IP fragments of a datagram whose first fragment was not observed, so its protocol data is
+/// unknown.
 inline constexpr std::uint16_t kFragments = 0x101;
-/// What cannot be walked over as RTPS, or as IP.
+/// Data that cannot be parsed as RTPS or as IP.
 inline constexpr std::uint16_t kMalformed = 0x102;
 
-/// The port that identifies the service: the lower one. 0 if both are ephemeral ports (from 32768
-/// on, as in Linux), which are too many to be distinguished.
+/// Port that identifies the service: the lower one. 0 if both are ephemeral ports (from 32768 on,
+/// as in Linux), of which there are too many to distinguish.
 constexpr std::uint16_t service_port(std::uint16_t one, std::uint16_t other) {
   const std::uint16_t lower = one < other ? one : other;
   return lower < 32768 ? lower : 0;

@@ -6,7 +6,7 @@
 namespace sim::air {
 namespace {
 
-/// So many are kept in any case.
+/// This many are always kept.
 constexpr std::size_t kAlwaysKept = 64;
 
 Contents::Read only(Purpose purpose, std::uint16_t what, std::uint16_t port = 0) {
@@ -14,14 +14,14 @@ Contents::Read only(Purpose purpose, std::uint16_t what, std::uint16_t port = 0)
   return {std::make_shared<const Content>(Content{{piece}}), 0, true};
 }
 
-/// The ports of a packet that has them in its first four octets.
+/// Service port of a packet with its two ports in the first four octets.
 std::uint16_t port_of(const IpPacket& packet) {
   hal::rtps::Cursor cursor(packet.payload, hal::rtps::Endianness::kBig);
   const std::uint16_t from = cursor.u16(), to = cursor.u16();
   return cursor.is_short() ? std::uint16_t{0} : service_port(from, to);
 }
 
-/// The submessages of a datagram that lie in these octets of it, whole or in part.
+/// The submessages of a datagram that lie at least partly in these octets.
 std::vector<Piece> pieces_of(const DatagramPlace& place) {
   std::vector<Piece> pieces;
   for (const DatagramPart& part : place.datagram->parts) {
@@ -52,8 +52,8 @@ Contents::Read Contents::read(hal::Time at, hal::AgentId source, radio::Ethertyp
 }
 
 void Contents::forget() {
-  // What is held for long goes to the back, and holds up nobody. With two looks for each that
-  // comes, there are at most as many that nobody holds as there are held.
+  // Payloads that are still held go to the back, so that they do not block others. With two steps
+  // for each new payload, the number of unheld ones does not exceed that of held ones.
   for (int looks = 0; looks < 2 && order_.size() > kAlwaysKept; ++looks) {
     const Map::iterator oldest = order_.front();
     order_.pop_front();

@@ -13,11 +13,11 @@
 
 namespace sim::air {
 
-/// A contiguous part of a frame's contents of one kind.
+/// A contiguous part of a frame's contents, of one kind.
 struct Piece {
   AirKind kind;
   EndpointIndex writer = 0;
-  std::uint32_t octets = 1;  ///< By which the frame is shared out; headers go with them.
+  std::uint32_t octets = 1;  ///< Weight of this piece; headers are divided in the same ratio.
   bool begins = true;        ///< Its first octet is in this frame.
 };
 
@@ -26,25 +26,25 @@ struct Content {
   std::vector<Piece> pieces;  ///< At least one.
   DatagramPlace place{};
 
-  /// The part of the frame that it is counted as: the largest, of equals the first.
+  /// Index of the piece as which the frame is counted: the largest; ties go to the first.
   std::size_t main() const;
 };
 
 using ContentPtr = std::shared_ptr<const Content>;
 
-/// Reads each payload once, however often and by whom it is then transmitted: what was read is kept
-/// as long as somebody holds the payload.
+/// Reads each payload once, however often and by whichever station it is transmitted. Results are
+/// kept as long as the payload is held elsewhere.
 class Contents {
  public:
   explicit Contents(Endpoints& endpoints) : reader_(endpoints) {}
 
-  /// What is new in a payload that was not read before.
+  /// Content of a payload, and what a first reading found.
   struct Read {
     ContentPtr content;
-    std::size_t first_new_part = 0;  ///< Of its datagram.
+    std::size_t first_new_part = 0;  ///< Index of the first new part in the datagram.
     bool is_new = false;
   };
-  /// @param source  who sends it first.
+  /// @param source  original source of the payload.
   Read read(hal::Time at, hal::AgentId source, radio::Ethertype type,
             const radio::Payload& payload);
 

@@ -17,7 +17,7 @@ DatagramPlace Datagrams::begin(const IpPacket& packet, hal::AgentId source) {
   hal::rtps::Cursor cursor(packet.payload, hal::rtps::Endianness::kBig);
   const std::uint16_t from = cursor.u16(), to = cursor.u16();
   const std::uint32_t length = cursor.u16();
-  cursor.take(2);  // checksum: the sender may have left it to its card
+  cursor.take(2);  // checksum: may be left to offloading
   const bool fits = length >= kUdpHeader && (packet.more || length <= packet.payload.size());
   if (cursor.is_short() || !fits) return {};
   auto datagram = std::make_shared<Datagram>();
@@ -30,7 +30,7 @@ DatagramPlace Datagrams::begin(const IpPacket& packet, hal::AgentId source) {
   datagram->octets.resize(datagram->size);
   std::ranges::copy(payload.first(datagram->known), datagram->octets.begin());
   if (packet.more) {
-    unfinished_[packet.key] = datagram;  // an earlier one with this identification is over
+    unfinished_[packet.key] = datagram;  // an earlier datagram with this identification is over
     order_.push_back(packet.key);
     if (order_.size() > kMost) {
       unfinished_.erase(order_.front());

@@ -97,7 +97,7 @@ EndpointIndex Endpoints::learn(hal::Time at, const DiscoveredEndpoint& told) {
   const bool is_new = endpoint.topic == 0;
   endpoint.topic = topic_called(told.topic);
   endpoint.type = told.type.substr(0, kLongestName);
-  // Not told: a writer is reliable, a reader is not (OMG DDS 1.4, 2.2.3).
+  // Defaults: a writer is reliable, a reader is not (OMG DDS 1.4, 2.2.3).
   endpoint.is_reliable =
       told.reliability == kReliable || (told.reliability == 0 && told.guid.entity.is_writer());
   endpoint.durability = told.durability;
@@ -124,7 +124,7 @@ std::vector<hal::AgentId> Endpoints::readers_of(EndpointIndex writer) const {
     const Endpoint& reader = all_[index];
     const bool is_elsewhere = reader.agent && *reader.agent != *from.agent;
     if (!is_elsewhere || !match(from, reader)) continue;
-    // What a reliable reader does not know of yet is repaired once it does.
+    // Samples from before a reliable reader knew the writer are repaired once it does.
     const bool is_patient = from.is_reliable && reader.is_reliable;
     if (!reader.known_at.contains(*from.agent)) continue;
     if (!is_patient && !from.known_at.contains(*reader.agent)) continue;

@@ -4,7 +4,7 @@
 
 namespace sim::air {
 
-/// What goes through the interfaces of agents (IANA, "IEEE 802 Numbers").
+/// Ethertypes that agents' interfaces carry (IANA, "IEEE 802 Numbers").
 inline constexpr radio::Ethertype kEthertypeIpv4 = 0x0800;
 inline constexpr radio::Ethertype kEthertypeArp = 0x0806;
 inline constexpr radio::Ethertype kEthertypeIpv6 = 0x86dd;

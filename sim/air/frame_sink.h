@@ -9,22 +9,22 @@
 
 namespace sim::air {
 
-/// Receiver of frames for the agents' interfaces.
+/// Receives the frames for agents' interfaces.
 class FrameSink {
  public:
   virtual ~FrameSink() = default;
 
-  /// An Ethernet II frame, destination address first, without preamble and check sequence, whose
-  /// reception by this agent ended at `at`, now. On the run's thread.
+  /// Called with an Ethernet II frame, destination address first, without preamble and check
+  /// sequence, whose reception by this agent ended at `at`, which is now. On the run's thread.
   virtual void on_frame(hal::AgentId agent, hal::Time at,
                         std::span<const std::uint8_t> ethernet) = 0;
 
-  /// Room in the queue of the agent's station, frames: reported whenever frames of its programs
-  /// have arrived or ended, and at other times. Frames that FrameSource::read() has returned until
-  /// now count as queued. On the run's thread.
+  /// Free places in the queue of the agent's station, in frames. Reported whenever frames of its
+  /// programs have arrived or ended, and at other times. Frames that FrameSource::read() has
+  /// returned so far count as queued. On the run's thread.
   struct Room {
     std::size_t free = 0;
-    std::size_t capacity = 0;  ///< When the queue is empty.
+    std::size_t capacity = 0;  ///< Of the empty queue.
   };
   virtual void on_room(hal::AgentId agent, const Room& room) = 0;
 };

@@ -9,22 +9,23 @@
 
 namespace sim::air {
 
-/// A frame that a program sent by its agent's interface.
+/// A frame that a program sent through its agent's interface.
 struct SentFrame {
   hal::AgentId agent;
-  hal::Time since{};  ///< Simulated time before which it was not there: what is known of it.
+  hal::Time since{};  ///< Lower bound of the simulated time at which it was sent.
   std::vector<std::uint8_t> ethernet;
 };
 
-/// The interfaces of a run in real time, as the programs write to them. On the run's thread.
+/// The source of frames that programs write to their interfaces, in a real-time run. On the run's
+/// thread.
 class FrameSource {
  public:
   virtual ~FrameSource() = default;
 
-  /// Readable while frames are there.
+  /// File descriptor that is readable while frames are available.
   virtual int descriptor() const = 0;
 
-  /// Takes frames that are available, up to the given number, without waiting.
+  /// Takes available frames, at most `most`, without waiting.
   /// @throws std::runtime_error  an interface was removed.
   virtual void read(std::size_t most, const std::function<void(SentFrame)>& take) = 0;
 };

@@ -24,7 +24,7 @@ radio::Ethertype ethertype_of(Bytes ethernet) {
 
 bool is_station(hal::AgentId agent) { return agent.value >= 1 && agent.value <= hal::kLastAddress; }
 
-/// Why it cannot be sent by `self`.
+/// Why `self` cannot send this frame; nullopt if it can.
 std::optional<Refusal> refusal_of(Bytes ethernet, hal::AgentId self) {
   if (ethernet.size() < kHeader) return Refusal::kTooShort;
   if (std::ranges::find(kEthertypes, ethertype_of(ethernet)) == kEthertypes.end())
@@ -71,7 +71,8 @@ void Interface::send(Bytes ethernet) {
   mac_.transmit(request);
 }
 
-/// In the first header: behind extension headers of IPv6, which TCP hardly has, it is not seen.
+/// Looks only at the first header: TCP after IPv6 extension headers, which is rare, is not
+/// detected.
 void Interface::look_for_tcp(radio::Ethertype ethertype, Bytes packet) {
   constexpr std::size_t kProtocolOfIpv4 = 9, kNextHeaderOfIpv6 = 6;  // RFC 791, RFC 8200
   if (ethertype == kEthertypeArp) return;

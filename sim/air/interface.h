@@ -11,13 +11,14 @@
 
 namespace sim::air {
 
-/// Told of the frames of an interface; on the run's thread.
+/// Callbacks about the frames of an interface, on the run's thread.
 class InterfaceListener {
  public:
   virtual ~InterfaceListener() = default;
-  /// A frame became this request, whose tag no other of this agent's interface has.
+  /// A frame was accepted as this request, whose tag is unique among the requests of this agent's
+  /// interface.
   virtual void on_entered(hal::AgentId agent, const radio::MacRequest& request) = 0;
-  /// What was received, and the Ethernet frame of it, which is valid during the call.
+  /// A frame was received. @param ethernet  its Ethernet II frame, valid during the call.
   virtual void on_left(hal::AgentId agent, const radio::MacIndication& indication,
                        std::span<const std::uint8_t> ethernet) = 0;
   virtual void on_refused(hal::AgentId agent, Refusal refusal, std::size_t bytes) = 0;
@@ -27,19 +28,19 @@ class InterfaceListener {
 
 /// The agent's `wlan0`: converts between Ethernet II frames, without preamble and check sequence,
 /// and the station's MacSap, for IPv4, ARP and IPv6. Addresses, type and payload of the Ethernet
-/// header are kept; a multicast frame is sent as a broadcast, and keeps its group.
+/// header are kept; a multicast frame is sent as a broadcast that keeps its group.
 class Interface final : public radio::MacClient {
  public:
-  /// @param mac, listener  outlive it.
+  /// @param mac,listener  outlive the interface.
   Interface(hal::AgentId agent, radio::MacSap& mac, InterfaceListener& listener);
 
-  /// Sends it, or refuses it. Between two events.
+  /// Sends a frame or refuses it. Call between two events.
   void send(std::span<const std::uint8_t> ethernet);
 
-  /// Free places in the station's queue now, frames.
+  /// Free places in the station's queue, in frames.
   std::size_t room() const { return mac_.room(); }
 
-  /// Whether TCP has passed here: its timers do not follow simulated time.
+  /// Whether TCP segments have passed, whose timers do not follow simulated time.
   bool has_seen_tcp() const { return has_seen_tcp_; }
 
   void on_receive(const radio::MacIndication& indication) override;
@@ -53,7 +54,7 @@ class Interface final : public radio::MacClient {
   InterfaceListener& listener_;
   std::uint64_t last_tag_ = 0;
   bool has_seen_tcp_ = false;
-  std::vector<std::uint8_t> ethernet_;  ///< The one that leaves; kept for its memory.
+  std::vector<std::uint8_t> ethernet_;  ///< The outgoing frame; a member to reuse its memory.
 };
 
 }  // namespace sim::air

@@ -16,7 +16,7 @@ void read_address(Octets octets, IpAddress& address) {
                          [](std::byte octet) { return std::to_integer<std::uint8_t>(octet); });
 }
 
-/// RFC 791, 3.1.
+/// Parses an IPv4 packet: RFC 791, 3.1.
 std::optional<IpPacket> read_ipv4(Octets packet) {
   Cursor cursor(packet, Endianness::kBig);
   const std::uint8_t first = cursor.u8();
@@ -30,7 +30,7 @@ std::optional<IpPacket> read_ipv4(Octets packet) {
   ip.more = (fragment & kMoreFragments) != 0;
   cursor.take(1);  // time to live
   ip.key.protocol = cursor.u8();
-  cursor.take(2);  // checksum: the sender may have left it to its card
+  cursor.take(2);  // checksum: may be left to offloading
   read_address(cursor.take(4), ip.key.source);
   read_address(cursor.take(4), ip.key.destination);
   if (cursor.is_short() || first >> 4U != 4 || header < cursor.position()) return std::nullopt;
@@ -39,7 +39,7 @@ std::optional<IpPacket> read_ipv4(Octets packet) {
   return ip;
 }
 
-/// One extension header of IPv6 (RFC 8200, 4). @return its length; 0: what is there is none.
+/// Parses one IPv6 extension header (RFC 8200, 4). @return its length; 0 if there is none.
 std::size_t read_extension(Octets rest, IpPacket& ip) {
   Cursor cursor(rest, Endianness::kBig);
   const std::uint8_t next = cursor.u8();
@@ -74,7 +74,7 @@ std::optional<IpPacket> read_ipv6(Octets packet) {
   read_address(cursor.take(16), ip.key.destination);
   if (cursor.is_short() || !is_six || length > packet.size() - kIpv6Header) return std::nullopt;
   Octets rest = packet.subspan(kIpv6Header, length);
-  // What follows the header of a fragment that is not the first is no extension header.
+  // In fragments after the first, no extension headers follow the fragment header.
   while (ip.offset == 0) {
     const std::size_t extension = read_extension(rest, ip);
     if (extension == 0) break;

@@ -12,7 +12,7 @@ namespace sim::air {
 
 using Octets = hal::rtps::Octets;
 
-/// Numbers of protocols (IANA, "Assigned Internet Protocol Numbers") that are looked at.
+/// Protocol numbers that are interpreted (IANA, "Assigned Internet Protocol Numbers").
 namespace protocol {
 inline constexpr std::uint8_t kHopByHop = 0, kIcmp = 1, kIgmp = 2, kTcp = 6, kUdp = 17,
                               kRouting = 43, kFragment = 44, kIcmpv6 = 58, kDestination = 60;
@@ -25,22 +25,22 @@ using IpAddress = std::array<std::uint8_t, 16>;
 struct FragmentKey {
   IpAddress source{}, destination{};
   std::uint32_t identification = 0;
-  std::uint8_t protocol = 0;  ///< Of the payload, extension headers of IPv6 passed over.
+  std::uint8_t protocol = 0;  ///< Of the payload, after any IPv6 extension headers.
   auto operator<=>(const FragmentKey&) const = default;
 };
 
-/// One packet of IPv4 or IPv6, as it lies behind the Ethernet header.
+/// One IPv4 or IPv6 packet without its Ethernet header.
 struct IpPacket {
   FragmentKey key;
-  std::uint32_t offset = 0;  ///< Octets, of the payload within that of the whole datagram.
+  std::uint32_t offset = 0;  ///< Offset of the payload in that of the whole datagram, octets.
   bool more = false;         ///< Fragments follow.
-  Octets payload;            ///< Behind the headers of IP.
+  Octets payload;            ///< Without IP headers.
 
   bool is_fragment() const { return more || offset > 0; }
 };
 
-/// @param packet  behind the Ethernet header; what follows the packet's own length is padding.
-/// @return none: it is neither of the two, or truncated.
+/// @param packet  after the Ethernet header; octets beyond the packet's own length are padding.
+/// @return nullopt if it is neither IPv4 nor IPv6, or truncated.
 std::optional<IpPacket> read_ip(radio::Ethertype type, Octets packet);
 
 }  // namespace sim::air

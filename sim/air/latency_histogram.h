@@ -8,8 +8,9 @@
 
 namespace sim::air {
 
-/// Counts of times in bins whose width is at most 1/32 of their lower edge, as of G. Tene's
-/// HdrHistogram: a power of two, and the five bits below the leading one. Below 32 ns exact.
+/// Counts of times in bins whose width is at most 1/32 of their lower edge, like G. Tene's
+/// HdrHistogram: a bin is a power of two and the five bits below the leading one. Exact below 32
+/// ns.
 class LatencyHistogram {
  public:
   using Bin = std::uint32_t;
@@ -21,7 +22,7 @@ class LatencyHistogram {
     return static_cast<Bin>((static_cast<std::uint64_t>(shift) + 1) * kSteps + (ns >> shift) -
                             kSteps);
   }
-  /// The least time of a bin.
+  /// Lower edge of a bin.
   static constexpr hal::Duration edge(Bin bin) {
     if (bin < kSteps) return hal::Duration{bin};
     const auto shift = bin / kSteps - 1;

@@ -7,10 +7,10 @@
 namespace sim::air {
 namespace {
 
-/// Datagrams that stay incomplete at a receiver: the last so many are remembered.
+/// Number of incomplete datagrams remembered for each receiver.
 constexpr std::size_t kMostArriving = 256;
 constexpr std::int64_t kSecond = 1'000'000'000;
-/// Longer than any wave is on its way.
+/// Longer than any propagation delay.
 constexpr hal::Duration kPropagation = std::chrono::milliseconds{1};
 
 ContentPtr of_kind(Purpose purpose, std::uint16_t what) {
@@ -22,7 +22,7 @@ bool is_of_interface(radio::Ethertype type) {
   return type == kEthertypeIpv4 || type == kEthertypeArp || type == kEthertypeIpv6;
 }
 
-/// Whom a frame to everyone is for: an access point's is for who is with it.
+/// The agents that a group frame is for: in a BSS, stations associated with its access point.
 Samples::Whom whom_of(const radio::Frame& frame) {
   Samples::Whom whom{.destination = hal::kEveryone};
   if (frame.ds == radio::Ds::kFrom) whom.access_point = frame.transmitter;
@@ -34,7 +34,7 @@ SampleLoss loss_of(hal::Verdict verdict, hal::AgentId at, std::uint64_t frame) {
           .frame = frame};
 }
 
-/// Samples that lie in a frame, whole or in part.
+/// Visits the samples that lie at least partly in a frame.
 template <class Act>
 void for_samples(const DatagramPlace& place, const Act& act) {
   if (!place.datagram) return;
@@ -176,8 +176,8 @@ void Ledger::on_group_frame_end(const radio::Frame& frame, const Sent& sent, hal
   });
 }
 
-/// What was sent of it, which is then forgotten: a MAC serves one at a time. Nothing of what ended
-/// while another was being served.
+/// Takes the transmissions of an MSDU that has ended; a MAC serves one at a time. Empty if the MSDU
+/// ended while another one was being served.
 Ledger::Attempts Ledger::take_attempts(const radio::Msdu& msdu, const radio::MsduEnd& end) {
   if (msdu.station.value >= stations_.size() || !end.has_waited || end.went_over_wire) return {};
   Attempts& attempts = stations_[msdu.station.value].attempts;
@@ -194,11 +194,12 @@ void Ledger::on_msdu_end(hal::Time at, const radio::Msdu& msdu, const radio::Msd
   hal::Verdict verdict = end.verdict;
   if (verdict == hal::Verdict::kRetryLimit && attempts.last != 0) {
     const hal::Verdict last = attempts.at_receiver.value_or(hal::Verdict::kBelowSensitivity);
-    if (last != hal::Verdict::kDelivered) verdict = last;  // else it was the answer to an RTS
+    // else the RTS was received, but not its CTS
+    if (last != hal::Verdict::kDelivered) verdict = last;
   }
   const SampleLoss loss = loss_of(verdict, msdu.station, attempts.last);
   Samples::Whom whom{.destination = msdu.request.destination};
-  // What no route is known for ends before it is passed on to anybody.
+  // An MSDU without a route ends before it is relayed.
   const bool is_passed_on = msdu.station != msdu.source && verdict != hal::Verdict::kNoRoute;
   if (is_passed_on) whom.access_point = msdu.station;
   const ContentPtr content =

@@ -19,18 +19,21 @@ namespace sim::air {
 /// Air time of one simulated second by purpose; frames count in the second in which they begin.
 struct AirSecond {
   std::int64_t second = 0;
-  std::map<std::pair<Purpose, std::uint16_t>, hal::Duration> airtime{};  ///< AirKind::what.
+  /// Keys: AirKind::purpose, AirKind::what.
+  std::map<std::pair<Purpose, std::uint16_t>, hal::Duration> airtime{};
 };
 
-/// Accounts of air time by submessages, protocols and frames with their results; and of the samples
-/// of DDS, which arrive at the first try, repaired, or not at all. It only observes.
+/// Accounts of air time by submessages, protocols and frames with their results, and of DDS
+/// samples: whether they are delivered at first try, delivered after repair, or lost. It only
+/// observes.
 ///
 ///   Ledger ledger;
 ///   RadioNetwork network(config, stations, {…, ledger, …});   // or beside other observers
-///   …on_entered() and on_left() for what goes through programs' interfaces…
+///    …on_entered() and on_left() for frames that pass programs' interfaces…
 ///   ledger.finish(now);
 ///
-/// Payloads are read once, when they enter or, if that is not reported, when they are first sent.
+/// Payloads are read once: when they enter or, if that is not reported, at their first
+/// transmission.
 class Ledger final : public radio::RadioObserver {
  public:
   Ledger();
@@ -45,12 +48,12 @@ class Ledger final : public radio::RadioObserver {
     if (access_point) samples_.on_association(station, *access_point);
   }
 
-  /// A frame from the agent's interface became this request.
+  /// A frame from the agent's interface was accepted as this request.
   void on_entered(hal::Time at, hal::AgentId agent, const radio::MacRequest& request);
-  /// What the agent received went into its interface.
+  /// A frame that the agent received was passed to its interface.
   void on_left(hal::Time at, hal::AgentId agent, const radio::MacIndication& indication);
 
-  /// The run ended: frames in the air count up to then, open samples are settled.
+  /// Ends the run: frames on the air count up to `now`, open samples are settled.
   void finish(hal::Time now);
 
   /// Settles samples that are old enough; call it before reading the counts.
@@ -63,14 +66,14 @@ class Ledger final : public radio::RadioObserver {
   Samples& samples() { return samples_; }
   const Samples& samples() const { return samples_; }
 
-  /// Gets each second that is over, and at the end the last one.
+  /// @param sink  called with each second when it is over, and with the last one in finish().
   void set_second_sink(std::function<void(const AirSecond&)> sink) { on_second_ = std::move(sink); }
-  /// The second that is not over yet.
+  /// The current second.
   const AirSecond& this_second() const { return second_; }
 
  private:
-  /// A frame that is not complete yet. A station begins its next frame a SIFS later at the
-  /// earliest, when this one may still be propagating.
+  /// A frame that may still be on the air. A station can begin its next frame a SIFS later, when
+  /// this one may still be propagating.
   struct Sent {
     std::uint64_t frame = 0;
     hal::Time start{};
@@ -79,22 +82,23 @@ class Ledger final : public radio::RadioObserver {
     AirAccounts::Shares shares;
   };
   static constexpr std::size_t kRemembered = 8;
-  /// Of a data frame to one receiver, what was sent of it so far.
+  /// The transmissions so far of a unicast data frame.
   struct Attempts {
-    const hal::Bytes* payload = nullptr;        ///< Null: no more than RTS.
-    std::uint64_t last = 0;                     ///< RTS or data frame; 0: none.
-    std::optional<hal::Verdict> at_receiver{};  ///< Of that; none: its radio did not notice it.
-    bool has_arrived = false;                   ///< In one of them.
+    const hal::Bytes* payload = nullptr;  ///< Null: only RTS so far.
+    std::uint64_t last = 0;               ///< Last RTS or data frame; 0: none.
+    /// Verdict of `last` at its receiver; nullopt: its radio did not detect it.
+    std::optional<hal::Verdict> at_receiver{};
+    bool has_arrived = false;  ///< A transmission was received.
   };
   struct Station {
     std::array<Sent, kRemembered> sent;
     std::size_t last = 0;
     Attempts attempts;
   };
-  /// Of a datagram in fragments, at one receiver.
+  /// A fragmented datagram at one receiver.
   struct Arriving {
     std::shared_ptr<const Datagram> datagram;
-    std::vector<std::uint32_t> begins;  ///< Of the fragments that are there.
+    std::vector<std::uint32_t> begins;  ///< Offsets of the fragments received.
     std::uint32_t octets = 0;
   };
 
@@ -116,8 +120,9 @@ class Ledger final : public radio::RadioObserver {
   Contents contents_{endpoints_};
   AirAccounts accounts_;
   Samples samples_{endpoints_};
-  std::vector<Station> stations_;     ///< By address.
-  std::vector<ContentPtr> of_types_;  ///< By radio::FrameType; of data, that of routing.
+  std::vector<Station> stations_;  ///< By address.
+  /// By radio::FrameType; the entry of data is for routing frames.
+  std::vector<ContentPtr> of_types_;
   std::map<hal::AgentId, std::vector<Arriving>> arriving_;
   AirSecond second_;
   std::function<void(const AirSecond&)> on_second_;

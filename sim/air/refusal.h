@@ -13,7 +13,7 @@ enum class Refusal : std::uint8_t {
   kTooLong,      ///< Its payload exceeds an MSDU.
   kEthertype,    ///< Neither IPv4, ARP nor IPv6.
   kSource,       ///< Its source is not this agent's address.
-  kDestination,  ///< Neither a station's address nor a group's; or this agent's own.
+  kDestination,  ///< Neither a station's address nor a group address, or this agent's own.
 };
 inline constexpr int kRefusals = 5;
 

@@ -11,11 +11,11 @@ namespace {
 using hal::rtps::Submessage;
 using hal::rtps::SubmessageKind;
 
-/// What has to be there of a submessage before it is looked at: header, further flags and all that
-/// a DATA_FRAG says before its inline QoS.
+/// Octets of a submessage that must be known before it is interpreted: its header, extra flags and
+/// the fields of a DATA_FRAG before its inline QoS.
 constexpr std::uint32_t kFixedPart = 48;
 
-/// The SEDP writers of publications and of subscriptions, secured or not.
+/// Whether it is a SEDP writer of publications or of subscriptions, secured or not.
 bool tells_of_endpoints(hal::rtps::EntityId writer) {
   return writer == hal::rtps::kSedpPublicationWriter ||
          writer == hal::rtps::kSedpSubscriptionWriter || writer.value == 0xff0003c2 ||
@@ -33,8 +33,8 @@ hal::rtps::GuidPrefix prefix_in(Octets body, std::size_t offset) {
   return prefix;
 }
 
-/// Which sample a DATA or DATA_FRAG holds, or which part of it. What is in fragments of IP that are
-/// still to come is 0 here, which nothing of this depends on.
+/// Reads which sample, or part of a sample, a DATA or DATA_FRAG contains. Octets in IP fragments
+/// that have not been observed are 0; no field read here depends on them.
 void read_sample(const Submessage& one, DatagramPart& part) {
   if (one.kind != SubmessageKind::kData && one.kind != SubmessageKind::kDataFrag) return;
   hal::rtps::Data data;
@@ -48,7 +48,7 @@ void read_sample(const Submessage& one, DatagramPart& part) {
   part.all_fragments = (data.sample_size + data.fragment_size - 1) / data.fragment_size;
 }
 
-/// INFO_TS, INFO_DST and the like belong to what follows.
+/// Assigns preceding INFO_TS, INFO_DST etc. to the submessage that follows them.
 void name_those_before(Datagram& datagram, const DatagramPart& part) {
   for (std::size_t i = datagram.parts.size(); i > 0; --i) {
     AirKind& before = datagram.parts[i - 1].kind;
@@ -60,7 +60,7 @@ void name_those_before(Datagram& datagram, const DatagramPart& part) {
 
 }  // namespace
 
-/// By the octets that do not depend on which end it is, reader or writer (9.3.1.3).
+/// Decides by the octets that are equal for the reader and the writer of a pair (9.3.1.3).
 Purpose purpose_of(hal::rtps::EntityId reader, hal::rtps::EntityId writer) {
   const hal::rtps::EntityId entity = writer == hal::rtps::kUnknownEntity ? reader : writer;
   if (!entity.is_builtin()) return Purpose::kUser;
@@ -113,7 +113,7 @@ std::size_t RtpsReader::read(hal::Time at, Datagram& datagram) {
   return before;
 }
 
-/// What discovery says is read when all of it is there.
+/// Reads discovery data once all of the datagram is known.
 void RtpsReader::learn(hal::Time at, Datagram& datagram) {
   hal::rtps::Walk walk(datagram.octets);
   for (DatagramPart& part : datagram.parts) {

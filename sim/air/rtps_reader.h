@@ -7,14 +7,15 @@
 
 namespace sim::air {
 
-/// Classifies the submessages of RTPS datagrams as their fragments arrive, and collects the
-/// announcements of SEDP in them: OMG DDSI-RTPS 2.5, 8.3 and 9.4. The contents are not trusted: any
-/// program may have sent them.
+/// Classifies the submessages of RTPS datagrams as their fragments arrive, and collects SEDP
+/// announcements from them: OMG DDSI-RTPS 2.5, 8.3 and 9.4. The contents are not trusted, because
+/// any program may have sent them.
 class RtpsReader {
  public:
   explicit RtpsReader(Endpoints& endpoints) : endpoints_(endpoints) {}
 
-  /// Goes on with what is known of a datagram. @return the number of parts that were known before.
+  /// Continues with the octets of a datagram that have become known. @return the number of parts
+  /// that were known before.
   std::size_t read(hal::Time at, Datagram& datagram);
 
  private:
@@ -24,7 +25,7 @@ class RtpsReader {
   Endpoints& endpoints_;
 };
 
-/// Which of the endpoints that come with every participant it is, or kUser.
+/// Purpose of a submessage between these entities: that of a built-in endpoint, or kUser.
 Purpose purpose_of(hal::rtps::EntityId reader, hal::rtps::EntityId writer);
 
 }  // namespace sim::air

@@ -13,13 +13,13 @@ namespace sim::air {
 struct LossCause {
   enum class Kind : std::uint8_t {
     kUnknown,     ///< No loss of a frame that carried it was observed.
-    kNotMatched,  ///< It arrived before the announcement of its writer, and was dropped.
+    kNotMatched,  ///< It was received before its writer's announcement, and therefore dropped.
     kVerdict,     ///< The frame or message that carried it ended with `verdict`.
   };
   Kind kind = Kind::kUnknown;
-  hal::Verdict verdict = hal::Verdict::kDelivered;  ///< Of kVerdict.
-  /// Whose frame or queue it was: the writer's agent or an access point; the receiver of
-  /// kNotMatched, and of "no route" if it was with no access point; of kUnknown 0.
+  hal::Verdict verdict = hal::Verdict::kDelivered;  ///< For kVerdict.
+  /// Agent whose frame or queue it was: the writer's agent or an access point. The receiver for
+  /// kNotMatched, and for "no route" if it was not associated with an access point. 0 for kUnknown.
   hal::AgentId at{};
   auto operator<=>(const LossCause&) const = default;
 };
@@ -32,7 +32,7 @@ inline std::string_view name(const LossCause& cause) {
   return cause.kind == LossCause::Kind::kVerdict ? hal::name(cause.verdict) : name(cause.kind);
 }
 
-/// That, and the frame that it was; 0: it was in none.
+/// A cause and the id of the lost frame; 0 if no frame was sent.
 struct SampleLoss {
   LossCause cause;
   std::uint64_t frame = 0;

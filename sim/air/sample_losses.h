@@ -11,26 +11,26 @@
 
 namespace sim::air {
 
-/// What was lost of one sample on its way to one agent: the last loss of each range of its
-/// fragments, latest last. What was lost and came in another carrier counts no more.
+/// Losses of one sample on its way to one agent: the last loss of each range of its fragments,
+/// latest last. A loss of fragments that arrived in another carrier does not count.
 class SampleLosses {
  public:
-  /// Fragments of RTPS from the first on, the second is behind the last; both from 0.
+  /// RTPS fragments [first, second), numbered from 0.
   using Range = std::pair<std::uint32_t, std::uint32_t>;
-  /// Of more ranges the last so many are remembered.
+  /// Number of ranges kept; older ones are dropped.
   static constexpr std::size_t kMost = 8;
 
   void add(const SampleLoss& loss, Range range);
 
-  /// A frame to everyone carries it: lost unless the agent's radio says otherwise.
-  /// @param over  when that must have been said.
+  /// A group frame carries the range: it is lost unless on_heard() is called.
+  /// @param over  time by which the agent's radio will have reported the frame.
   void expect(const SampleLoss& loss, Range range, hal::Time over);
-  /// The radio said how that frame ended: it is lost by another cause, or came in.
+  /// The radio reported how that frame ended: it was received, or lost for another cause.
   void on_heard(std::uint64_t frame);
-  /// What is expected and over by now is lost.
+  /// Records the expected loss if its time is over.
   void settle(hal::Time now);
 
-  /// The last loss of a fragment that did not arrive. @param got  by fragment.
+  /// The last loss of a fragment that did not arrive. @param got  whether each fragment arrived.
   std::optional<SampleLoss> last(const std::vector<bool>& got) const;
   void clear();
 

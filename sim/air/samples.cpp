@@ -5,7 +5,7 @@
 namespace sim::air {
 namespace {
 
-/// Fragments of a part that lie within what the sample says it has: from first to last, from 0 on.
+/// Fragments [first, end) of a part, numbered from 0, limited to the number that the sample has.
 std::pair<std::uint32_t, std::uint32_t> range_of(const DatagramPart& part, std::size_t all) {
   const auto end =
       std::min<std::size_t>(std::size_t{part.first_fragment} - 1 + part.fragments, all);
@@ -25,14 +25,14 @@ bool Samples::is_old(const DatagramPart& part) const {
   return settled != settled_.end() && part.sequence_number <= settled->second;
 }
 
-/// Null: it is one of long ago, there are nobody's readers, or it is larger than is followed.
+/// @return null if the sample is too old, has no matched readers, or exceeds the limits.
 Samples::Sample* Samples::begin(hal::Time at, const DatagramPart& part) {
   if (is_old(part) || part.writer == 0 || part.all_fragments > kMostFragments) return nullptr;
   const std::vector<hal::AgentId> readers = endpoints_.readers_of(part.writer);
   const std::size_t fragments = readers.size() * part.all_fragments;
   if (readers.empty() || fragments > kMostOpenFragments) return nullptr;
   while (open_fragments_ + fragments > kMostOpenFragments) settle_front(false);
-  if (is_old(part)) return nullptr;  // by now
+  if (is_old(part)) return nullptr;  // settled by the line above
   open_fragments_ += fragments;
   const SampleKey key{part.writer, part.sequence_number};
   Sample& sample = open_[key];
@@ -92,7 +92,8 @@ bool Samples::is_for(const Whom& whom, hal::AgentId receiver) const {
   return with != with_.end() && with->second == *whom.access_point;
 }
 
-/// What is under way to those that a carrier is for: act(losses, its range of fragments).
+/// Calls act(losses, range of fragments) for each delivery in progress to agents that a carrier is
+/// for.
 template <class Act>
 void Samples::for_lost(const DatagramPart& part, const Whom& whom, const Act& act) {
   Sample* const sample = find(part);
@@ -137,7 +138,7 @@ void Samples::on_received(hal::Time at, const Datagram& datagram, const Datagram
                           hal::AgentId receiver) {
   Sample* const sample = find(part);
   if (sample == nullptr) return;
-  // A reader drops what is from a writer that it does not know yet.
+  // A reader drops samples of a writer that it does not know yet.
   if (!endpoints_.all()[part.writer].known_at.contains(receiver)) {
     const LossCause cause{.kind = LossCause::Kind::kNotMatched, .at = receiver};
     return on_lost(part, {.destination = receiver}, {.cause = cause});
@@ -189,7 +190,7 @@ void Samples::settle(Sample& sample, bool is_end) {
     if (!delivery.left) {
       progress.losses.settle(now_);
       delivery.loss = progress.losses.last(progress.got).value_or(SampleLoss{});
-      // What came too early is sent again to who asks for it.
+      // A sample that came too early will be retransmitted on request.
       delivery.is_under_way = is_end && delivery.loss->cause.kind != LossCause::Kind::kVerdict;
       if (delivery.is_under_way) delivery.loss.reset();
     }

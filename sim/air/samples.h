@@ -17,89 +17,92 @@
 
 namespace sim::air {
 
-/// Delivery of a sample of a program's writer to one agent with a reader that was matched when it
-/// was first sent.
+/// Delivery of one sample of a program's writer to one agent that had a matched reader when the
+/// sample was first sent.
 struct SampleDelivery {
   EndpointIndex writer = 0;
   std::int64_t sequence_number = 0;
   hal::AgentId receiver;
-  hal::Time entered{};               ///< When its first packet came out of the sender's interface.
-  std::optional<hal::Time> left{};   ///< When the last that it needed went into the receiver's.
-  std::uint32_t bytes = 0;           ///< Serialised.
-  std::uint32_t fragments = 1;       ///< Of RTPS.
-  std::uint32_t repairs = 0;         ///< Fragments, or whole samples, sent there again.
-  bool is_repaired = false;          ///< Delivered, and not all of it by what was sent first.
+  hal::Time entered{};  ///< When its first packet left the sender's interface.
+  /// When the last packet needed entered the receiver's interface; nullopt: never.
+  std::optional<hal::Time> left{};
+  std::uint32_t bytes = 0;      ///< Serialised size.
+  std::uint32_t fragments = 1;  ///< Number of RTPS fragments.
+  /// Number of fragments, or whole samples, retransmitted to this agent.
+  std::uint32_t repairs = 0;
+  bool is_repaired = false;          ///< Delivered, but not entirely by its first transmission.
   std::optional<SampleLoss> loss{};  ///< If not delivered: the loss of its last carrier.
-  bool is_under_way = false;         ///< The run ended first.
+  bool is_under_way = false;         ///< Neither delivered nor lost when the run ended.
 };
 
-/// Counts of the samples of one writer at one agent.
+/// Counts for the samples from one writer to one agent.
 struct SampleSums {
-  std::uint64_t samples = 0;    ///< Sent there while a reader was matched, and settled.
-  std::uint64_t delivered = 0;  ///< Whole.
-  std::uint64_t first_try = 0;  ///< Of these, without any repair.
+  std::uint64_t samples = 0;  ///< Settled samples that were sent there while a reader was matched.
+  std::uint64_t delivered = 0;  ///< Completely delivered.
+  std::uint64_t first_try = 0;  ///< Delivered without any repair.
   std::uint64_t under_way = 0;  ///< Neither delivered nor lost when the run ended.
   std::uint64_t repairs = 0;    ///< See SampleDelivery.
   std::uint64_t fragments = 0, bytes = 0;
   hal::Duration latency_sum{};
   std::map<LossCause, std::uint64_t> lost{};
   LatencyHistogram latencies{};
-  bool changed = false;  ///< Since they were last written.
+  bool changed = false;  ///< Since the counts were last written.
 };
 
 /// Follows the samples of programs' writers by GUID and sequence number from the sender's interface
-/// to the interfaces of the agents whose readers are matched: nothing is asked of the programs. A
-/// sample is settled kSettled after it was last sent; what is repeated later changes nothing.
+/// to the interfaces of the agents with matched readers, without any help from the programs. A
+/// sample is settled kSettled after it was last sent; later repetitions are ignored.
 ///
 /// The cause of a loss is the result of the sample's last carrier: of the data frames that carried
 /// its missing part, hop by hop, the last one that ended without reaching its next hop.
 class Samples {
  public:
   static constexpr hal::Duration kSettled = std::chrono::seconds{10};
-  /// Beyond so many the oldest are settled early.
+  /// Number of open samples beyond which the oldest are settled early.
   static constexpr std::size_t kMostOpen = 20'000;
-  /// A sample of more is not followed: whoever sends garbage can name any number.
+  /// A sample with more fragments is not followed, because invalid data may claim any number.
   static constexpr std::uint32_t kMostFragments = 1U << 16U;
-  /// Likewise of all samples that are open, each counted for each agent that it has not reached:
-  /// beyond so many the oldest samples are settled early.
+  /// Limit for the fragments of all open samples, counted once for each agent that a sample has not
+  /// reached: beyond it the oldest samples are settled early.
   static constexpr std::size_t kMostOpenFragments = 1U << 22U;
   using Sink = std::function<void(const SampleDelivery&)>;
 
   explicit Samples(const Endpoints& endpoints) : endpoints_(endpoints) {}
 
-  /// Gets each delivery, or loss, when it is settled.
+  /// @param sink  called with each delivery or loss when it is settled.
   void set_sink(Sink sink) { sink_ = std::move(sink); }
 
-  /// A part of a datagram came out of the sender's interface.
-  /// @param destination  kEveryone: of a group.
+  /// A part of a datagram left the sender's interface.
+  /// @param destination  kEveryone: sent to a group.
   void on_sent(hal::Time at, const Datagram& datagram, const DatagramPart& part,
                hal::AgentId destination);
-  /// Whom a carrier is for.
+  /// The agents that a carrier is for.
   struct Whom {
-    hal::AgentId destination;  ///< kEveryone: of a group.
-    /// Of a group: only those that are with this access point.
+    hal::AgentId destination;  ///< kEveryone: a group.
+    /// For a group: only stations associated with this access point.
     std::optional<hal::AgentId> access_point{};
   };
   bool is_for(const Whom& whom, hal::AgentId receiver) const;
-  /// A carrier of some of it ended without having got to its next hop.
+  /// A carrier of a part of the sample ended without reaching its next hop.
   void on_lost(const DatagramPart& part, const Whom& whom, const SampleLoss& loss);
-  /// A frame to everyone that carries some of it went on the air.
-  /// @param over  when radios that notice it must have said how it ended.
+  /// A group frame that carries a part of the sample was sent.
+  /// @param unnoticed  loss at radios that do not report the frame. @param over  time by which
+  /// radios that detect it will have reported it.
   void on_group_frame(const DatagramPart& part, const Whom& whom, const SampleLoss& unnoticed,
                       hal::Time over);
-  /// … and ended so at one radio. @param loss  none: it came in.
+  /// That frame ended at one radio. @param loss  nullopt: received.
   void on_group_frame_end(const DatagramPart& part, const Whom& whom, std::uint64_t frame,
                           const std::optional<SampleLoss>& loss);
-  /// The station is with this access point from now on, or was with it last.
+  /// The station is now associated with this access point, or was last associated with it.
   void on_association(hal::AgentId station, hal::AgentId access_point) {
     with_[station] = access_point;
   }
-  /// All of the datagram went into the receiver's interface.
+  /// A whole datagram entered the receiver's interface.
   void on_received(hal::Time at, const Datagram& datagram, const DatagramPart& part,
                    hal::AgentId receiver);
-  /// Settles what is old enough.
+  /// Settles samples that are old enough.
   void settle(hal::Time now);
-  /// Settles all that is left.
+  /// Settles all open samples.
   void finish(hal::Time now);
 
   using Key = std::pair<EndpointIndex, hal::AgentId>;  ///< Writer and receiver.
@@ -110,15 +113,15 @@ class Samples {
  private:
   struct Progress {
     SampleDelivery delivery;
-    /// By fragment: serial number of the datagram that brings it first; 0: none yet. Empty once all
-    /// of them arrived.
+    /// For each fragment: serial number of the datagram that sends it first; 0: none yet. Emptied
+    /// when all have arrived.
     std::vector<std::uint64_t> first;
     std::vector<bool> got;
     std::uint32_t missing = 0;
-    bool was_sent = false;  ///< Otherwise the writer knows better than we that it is not for it.
+    bool was_sent = false;  ///< false: the writer has not addressed this agent with it.
     SampleLosses losses{};
 
-    /// Fragments came by the datagram with that serial number.
+    /// Records the fragments of a part, which arrived in the datagram with that serial number.
     void take(const DatagramPart& part, std::uint64_t serial);
   };
   struct Sample {
@@ -144,8 +147,8 @@ class Samples {
   std::map<SampleKey, Sample> open_;
   std::deque<SampleKey> order_;
   std::size_t open_fragments_ = 0;                 ///< See kMostOpenFragments.
-  std::map<EndpointIndex, std::int64_t> settled_;  ///< By writer: the highest number.
-  std::map<hal::AgentId, hal::AgentId> with_;      ///< Access points, by station.
+  std::map<EndpointIndex, std::int64_t> settled_;  ///< By writer: highest settled sequence number.
+  std::map<hal::AgentId, hal::AgentId> with_;      ///< Access point of each station.
   hal::Time now_{};
   std::map<Key, SampleSums> sums_;
 };
