@@ -8,11 +8,11 @@
 
 namespace sim::agents {
 
-/// What an agent of that description offers to a controller, before there is a world.
-/// @param agent  one of `config`. @throws std::invalid_argument  wheels that do not make a drive.
+/// What an agent with this description offers to a controller, before a world exists.
+/// @param agent  one of `config`. @throws std::invalid_argument  its wheels do not make a drive.
 hal::node::exchange::AgentOffer offer_of(const AgentConfig& agent, const SimulationConfig& config);
 
-/// Its channels: all that it can read.
+/// Its sensor channels: everything that it can read.
 std::vector<hal::Channel> channels_of(const AgentConfig& agent);
 
 }  // namespace sim::agents

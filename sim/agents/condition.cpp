@@ -41,7 +41,7 @@ std::string limits_text(double above, double below, std::string_view unit) {
   return text;
 }
 
-/// Writes one kind of condition each.
+/// Converts each kind of condition to text.
 struct ToText {
   const AgentNames& names;
 

@@ -13,26 +13,27 @@
 
 namespace sim::agents {
 
-/// Of whom a condition speaks: of one agent, of any or of all of some.
+/// The agents that a condition is about: one agent, or any or all of several.
 struct Subjects {
   enum class Quantifier : std::uint8_t { kOne, kAny, kAll };
   Quantifier quantifier = Quantifier::kOne;
-  std::string whose;                 ///< Name, or pattern of names, for people.
-  std::vector<hal::AgentId> agents;  ///< Those that it names, at least one.
+  std::string whose;                 ///< Name, or pattern of names, for messages.
+  std::vector<hal::AgentId> agents;  ///< The agents named, at least one.
 };
 
-/// From this time on.
+/// Holds from this time on.
 struct TimeReached {
   hal::Duration at{};
 };
 
-/// Their controllers are in this state. Seen at once, also if it lasts no time.
+/// The controllers of the agents are in this state. Evaluated at each change of state, even if the
+/// state lasts no time.
 struct InState {
   Subjects who;
   std::string state;
 };
 
-/// True distance between two agents, m.
+/// The true distance between two agents is within these limits [m].
 struct ApartBy {
   hal::AgentId a, b;
   double above = -std::numeric_limits<double>::infinity();
@@ -47,7 +48,7 @@ struct BoxArea {
   hal::Vec2 low{}, high{};
 };
 
-/// Part of the plane, m, world frame: a circle, or from one corner to the other.
+/// Part of the plane in the world frame: a circle, or a box given by two corners [m].
 struct Area {
   using Circle = CircularArea;
   using Box = BoxArea;
@@ -56,49 +57,49 @@ struct Area {
   bool contains(hal::Vec2 point) const;
 };
 
-/// They are inside the area, its edge included.
+/// The agents are inside the area or on its edge.
 struct InArea {
   Subjects who;
   Area area;
 };
 
-/// State of charge of their batteries, 0 .. 1; the first battery of each. Seen at their control
-/// instants.
+/// The state of charge (0 .. 1) of the first battery of the agents is within these limits.
+/// Evaluated at their control instants.
 struct BatteryLevel {
   Subjects who;
   double above = -std::numeric_limits<double>::infinity();
   double below = std::numeric_limits<double>::infinity();
 };
 
-/// How many of the agents are in a state, or how many messages of a class all of them together have
-/// got.
+/// Number of agents in a state, or number of messages of a class that all the agents together have
+/// received.
 struct CountOf {
   Subjects who;
-  std::string state;  ///< Empty: messages are counted …
-  std::string topic;  ///< … of this class.
+  std::string state;  ///< Empty: messages are counted.
+  std::string topic;  ///< Class of messages, if `state` is empty.
   std::int64_t at_least = 0;
   std::int64_t at_most = std::numeric_limits<std::int64_t>::max();
 };
 
 struct Condition;
 
-/// Of other conditions.
+/// Logical combination of conditions.
 struct Combination {
   enum class Kind : std::uint8_t { kAll, kAny, kNone };
   Kind kind = Kind::kAll;
   std::vector<Condition> parts;  ///< At least one.
 };
 
-/// Something that holds or does not at each time of a run, by the true state of the world. It
-/// depends on no random stream, and nothing depends on whether it is watched.
+/// A condition on the true state of the world, which holds or does not hold at each time of a run.
+/// It draws no random numbers, and watching it does not change the run.
 struct Condition {
   std::variant<TimeReached, InState, ApartBy, InArea, BatteryLevel, CountOf, Combination> what;
-  hal::Duration hold{};  ///< It must have held for so long without a break; 0: it holds.
+  hal::Duration hold{};  ///< Time for which it must have held without interruption; 0: none.
   std::string place;     ///< "file:line:column".
 };
 
-/// For people: "any of 'r*' in state ARRIVED for 5 s".
-/// @param name  of an agent.
+/// Text for messages: "any of 'r*' in state ARRIVED for 5 s".
+/// @param names  names of the agents.
 std::string to_text(const Condition& condition,
                     const std::vector<std::pair<hal::AgentId, std::string>>& names);
 

@@ -5,7 +5,7 @@
 
 namespace sim::agents {
 
-/// What a condition says now, apart from its `hold`.
+/// Value of a condition now, without its `hold`.
 struct ConditionWatch::Value {
   ConditionWatch& watch;
   Node& node;
@@ -58,7 +58,7 @@ struct ConditionWatch::Value {
     }
     return count >= c.at_least && count <= c.at_most;
   }
-  /// Every part is looked at: each may have to be followed for a while.
+  /// Evaluates every part, because each may have a `hold` to be followed.
   bool operator()(const Combination& c) const {
     std::size_t holding = 0;
     for (Node& part : node.parts) holding += watch.evaluate(part, number) ? 1 : 0;

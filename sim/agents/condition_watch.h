@@ -16,12 +16,12 @@
 
 namespace sim::agents {
 
-/// Follows conditions through a run, and tells when they begin to hold.
+/// Evaluates conditions during a run and reports when they begin to hold.
 ///
-/// Looked at are: states and messages at once; times, and the end of a `hold`, in the event of
-/// their time before all else; distances and areas after each physics step, or as often if there
-/// are no bodies; batteries at the control instants of their agents. What no condition speaks of
-/// costs nothing. One thread.
+/// States and messages are evaluated at once; times, and the end of a `hold`, in an event at their
+/// time that precedes all others; distances and areas after each physics step, or as often if there
+/// are no bodies; batteries at the control instants of their agents. Quantities that no condition
+/// uses cost nothing. One thread.
 ///
 ///   ConditionWatch watch({events, position, charge, step});
 ///   const auto number = watch.add(condition, [] { … });   // may only schedule
@@ -31,30 +31,33 @@ class ConditionWatch final : public Observer {
  public:
   struct Sight {
     EventQueue& events;
-    /// m, world frame, now; none: it is not present.
+    /// Position now [m], world frame; nullopt: the agent is not present.
     std::function<std::optional<hal::Vec2>(hal::AgentId)> position;
-    /// Of the agent's first battery now, 0 .. 1; none: it has none, or is not present.
+    /// State of charge of the agent's first battery now, 0 .. 1; nullopt: the agent has no battery
+    /// or is not present.
     std::function<std::optional<double>(hal::AgentId)> charge;
-    hal::Duration look_every{};  ///< At distances and areas, > 0.
+    hal::Duration look_every{};  ///< Period for distances and areas, > 0.
   };
 
   explicit ConditionWatch(Sight sight) : sight_(std::move(sight)) {}
 
-  /// Asks nothing of `sight` yet. @param begins  called at each instant at which the condition
-  /// begins to hold, in the middle of whatever made it so: to be noted, and done in an event.
-  /// @return its number.
+  /// Adds a condition; does not use `sight` yet. @param begins  called each time that the condition
+  /// begins to hold, from within the call that caused it: it may only record this and schedule an
+  /// event.
+  /// @return the condition's number.
   std::size_t add(const Condition& condition, std::function<void()> begins = {});
 
   bool empty() const { return watched_.empty(); }
-  /// Before the first event of the run.
+  /// Call before the first event of the run.
   void start();
 
-  /// Its controller is gone: the state that it was in counts no more.
+  /// The agent's controller has ended: the agent is in no state until a new one names a state.
   void forget_state(hal::AgentId agent);
-  /// It takes no part any more: nothing but `not` holds of it. Its messages have been counted.
+  /// The agent has left the run: only negated conditions hold for it. Messages that it received
+  /// still count.
   void on_removed(hal::AgentId agent);
-  /// At the end of the run: looks at all of them once more, so that what begins to hold with the
-  /// last instant counts. Schedules nothing, tells nobody.
+  /// Call at the end of the run: evaluates all conditions once more, so that a condition that
+  /// begins to hold at the last instant counts. Schedules nothing and calls no callbacks.
   void look_at_the_end();
 
   bool holds(std::size_t number) const { return watched_[number].holds; }
@@ -66,14 +69,14 @@ class ConditionWatch final : public Observer {
   void on_cycle(hal::Time at, hal::AgentId agent) override;
 
  private:
-  /// A condition and those that it is made of.
+  /// A condition and the conditions that it combines.
   struct Node {
     const Condition* condition = nullptr;
     std::vector<Node> parts;
-    bool held = false;  ///< Apart from `hold`, when it was looked at last …
-    hal::Time since{};  ///< … and since when.
+    bool held = false;  ///< Without `hold`, at the last evaluation.
+    hal::Time since{};  ///< Time since which `held` has had its value.
   };
-  /// What makes it worth while to look at one again.
+  /// The changes after which a condition must be evaluated again.
   struct Needs {
     bool states = false, messages = false, places = false, charges = false;
   };
@@ -96,10 +99,10 @@ class ConditionWatch final : public Observer {
   void look_at_all(Needed needed);
 
   Sight sight_;
-  std::deque<Watched> watched_;  ///< Addresses stay: nodes point into it.
+  std::deque<Watched> watched_;  ///< A deque, because nodes point to its elements.
   std::map<hal::AgentId, std::string> states_;
-  std::map<std::pair<hal::AgentId, std::string>, std::int64_t> received_;  ///< By agent, class.
-  /// Of those that are asked about; none: it is not present.
+  std::map<std::pair<hal::AgentId, std::string>, std::int64_t> received_;  ///< By agent and class.
+  /// Of agents with a condition on their battery; nullopt: not present.
   std::map<hal::AgentId, std::optional<double>> charges_;
   bool needs_messages_ = false, needs_places_ = false, is_over_ = false;
 };

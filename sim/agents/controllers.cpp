@@ -69,7 +69,7 @@ Controllers::Round Controllers::exchange(std::vector<hal::node::exchange::Event>
 void Controllers::distribute(std::vector<hal::node::exchange::Event>& events) {
   const bool is_one = ports_.size() == 1 && !ports_.front().dropped;
   if (is_one) {
-    ports_.front().step.events.swap(events);  // and gives the empty one's memory back
+    ports_.front().step.events.swap(events);  // and keeps the memory of the empty vector
     return;
   }
   for (hal::node::exchange::Event& event : events) {
@@ -91,7 +91,7 @@ void Controllers::log_exchange(const Connection& connection,
 void Controllers::sort_out(Connection& connection, hal::node::exchange::Reply reply, Round& round) {
   const auto& events = connection.step.events;
   for (hal::node::exchange::Action& action : reply.actions) {
-    BARAKA_CHECK(action.event < events.size());  // for the port to see to
+    BARAKA_CHECK(action.event < events.size());  // guaranteed by the port
     const hal::Time event_time = events[action.event].time;
     round.answers.push_back({std::move(action), event_time});
   }

@@ -11,23 +11,23 @@
 
 namespace sim::agents {
 
-/// The controller processes of a run, and the exchange with them.
+/// The controller processes of a run, and the exchange of events and actions with them.
 class Controllers {
  public:
   struct Answer {
     hal::node::exchange::Action action;
-    hal::Time event_time{};  ///< Of the event that the action answers.
+    hal::Time event_time{};  ///< Time of the event that the action answers.
   };
   struct Failure {
     std::size_t port = 0;
     hal::Error error;
   };
   struct Round {
-    std::vector<Answer> answers;    ///< By agent; an agent's in the order of its calls.
-    std::vector<Failure> failures;  ///< Ports that gave no answer.
+    std::vector<Answer> answers;    ///< By agent; for each agent in the order of its calls.
+    std::vector<Failure> failures;  ///< Ports that gave no reply.
   };
 
-  /// @pre none of the agents is connected yet.
+  /// Adds a controller process. @pre none of the agents is connected yet.
   void connect(std::shared_ptr<hal::node::exchange::ControllerPort> port,
                const std::vector<hal::AgentId>& agents);
 
@@ -42,27 +42,28 @@ class Controllers {
   }
   std::size_t port_of(hal::AgentId agent) const { return port_of_[agent.value]; }
 
-  /// Hands the events to the ports of their agents, to all at once, and waits for all answers.
-  /// @param events  by (time, agent, cause, arrival); empty afterwards.  @param until  no later
-  /// event is before this.
+  /// Passes the events to the ports of their agents, all at the same time, and waits for all
+  /// replies.
+  /// @param events  ordered by (time, agent, cause, arrival); emptied. @param until  no later event
+  /// will be before this time.
   Round exchange(std::vector<hal::node::exchange::Event>& events, hal::Time until);
   Round exchange(std::vector<hal::node::exchange::Event>&& events, hal::Time until) {
     return exchange(events, until);
   }
 
-  /// Takes a port out: its agents get no more events.
+  /// Removes a port: its agents receive no more events.
   void drop(std::size_t port);
 
-  /// Ports whose processes are gone, without waiting.
+  /// Ports whose processes have ended; does not wait.
   std::vector<Failure> find_dead();
 
-  std::uint64_t exchanges() const { return exchanges_; }  ///< Steps answered.
+  std::uint64_t exchanges() const { return exchanges_; }  ///< Number of steps answered.
 
  private:
   struct Connection {
     std::shared_ptr<hal::node::exchange::ControllerPort> port;
     std::vector<hal::AgentId> agents;
-    hal::node::exchange::Step step;  ///< Under way, or empty.
+    hal::node::exchange::Step step;  ///< In progress, or empty.
     std::uint64_t sequence = 0;
     bool dropped = false;
   };

@@ -23,7 +23,7 @@ Solid solid_of(const hal::node::devices::BodyBox& part) {
   return {.size = part.size, .centre = part.centre, .yaw = part.yaw};
 }
 
-/// From the middle of the body forward, above all of it.
+/// An arrow from the middle of the body forward, above all its shapes.
 Solid arrow_of(const RobotDescription& robot) {
   double top = 0, reach = 0;
   for (const auto& part : robot.cylinders) {

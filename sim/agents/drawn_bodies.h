@@ -5,11 +5,11 @@
 
 namespace sim::agents {
 
-/// What viewers draw of an agent, in the frame of its body: the shapes of its file; an arrow of a
-/// robot, which shows where forward is; a ball of a station, which has no body.
+/// What viewers draw for an agent, in its body frame: the shapes of its file; for a robot also an
+/// arrow that points forward; for a station, which has no body, a ball.
 hal::DrawnBody drawn_body(const AgentConfig& agent);
 
-/// The same of a wall, in the world.
+/// The same for a wall, in the world frame.
 hal::DrawnBody drawn_body(const physics::StaticBox& wall);
 
 }  // namespace sim::agents

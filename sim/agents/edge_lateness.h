@@ -9,7 +9,8 @@
 
 namespace sim::agents {
 
-/// How late frames are at one edge between the programs and the air, in simulated time.
+/// Statistics of the lateness of frames at one edge between programs and the air, in simulated
+/// time.
 class EdgeLateness {
  public:
   explicit EdgeLateness(hal::Duration limit) : limit_(limit) {}

@@ -56,8 +56,8 @@ void add_network(Fingerprint::Cell& hash, const hal::node::exchange::Event& even
   for (const hal::AgentId lost : event.lost_neighbours) hash.add(std::uint64_t{lost.value});
 }
 
-/// Of an action, in their order. What its kind has not is as here, so that the fingerprint is the
-/// one it has always been.
+/// Hashed values of an action, in this order. Fields that a kind of action does not have keep these
+/// defaults, so that fingerprints do not change.
 struct Ingredients {
   hal::Twist2 twist{};
   std::span<const double> wheel_speeds{};
@@ -163,7 +163,7 @@ void FingerprintFeed::on_event(const hal::node::exchange::Event& event) {
   }
   if (const auto* arrived = std::get_if<exchange::MessageArrived>(&event.what))
     add(hash, arrived->message);
-  // Each event has these, so that the fingerprint is the one it has always been.
+  // Hashed for every kind of event, so that fingerprints do not change.
   const auto* const due = std::get_if<exchange::TimerDue>(&event.what);
   const auto* const told = std::get_if<exchange::Notice>(&event.what);
   const exchange::Notice notice = told != nullptr ? *told : exchange::Notice{};

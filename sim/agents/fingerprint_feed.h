@@ -9,12 +9,12 @@
 
 namespace sim::agents {
 
-/// Feeds what is observed to a fingerprint: all of it, bit by bit, and nothing that depends on how
-/// the run was computed (wall time, processes, sequence numbers).
+/// Adds everything that is observed to a fingerprint, bit by bit, except what depends on how the
+/// run was computed (wall time, processes, sequence numbers).
 class FingerprintFeed final : public Observer {
  public:
   FingerprintFeed() = default;
-  /// @param sink  as of the fingerprint.
+  /// @param sink  as in the constructor of Fingerprint.
   explicit FingerprintFeed(std::function<void(const Fingerprint::Row&)> sink)
       : fingerprint_(std::move(sink)) {}
 

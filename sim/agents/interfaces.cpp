@@ -9,10 +9,10 @@
 namespace sim::agents {
 namespace {
 
-/// Frames that may have been read before the run takes them in. More stay where they are, in the
-/// interfaces' own queues.
+/// Largest number of frames read before the run takes them. Further frames stay in the queues of
+/// the interfaces.
 constexpr std::size_t kMostHeld = 16'384;
-/// Taken at a time: then the run goes on.
+/// Frames taken at a time before the run continues.
 constexpr std::size_t kMostAtOnce = 1024;
 
 }  // namespace
@@ -30,7 +30,7 @@ Interfaces::Interfaces(const SimulationConfig& config, radio::RadioNetwork& radi
     interfaces_[i].capacity = interfaces_[i].interface->room();
     home_.outside.open(interfaces_[i].door, [this, i](std::span<const std::uint8_t> ethernet) {
       AgentInterface& one = interfaces_[i];
-      one.held -= std::min<std::size_t>(one.held, 1);  // none in a repetition
+      one.held -= std::min<std::size_t>(one.held, 1);  // in a repetition there are none
       one.interface->send(ethernet);
     });
   }
@@ -64,7 +64,7 @@ void Interfaces::take_frames(hal::Time last) {
   });
 }
 
-/// Before the clock started nothing could be late.
+/// Nothing counts as late from before the clock started.
 void Interfaces::enter(hal::Time at, air::SentFrame&& frame) {
   entering_.add(at - std::max(frame.since, hal::Time{}));
   AgentInterface& one = of(frame.agent);

@@ -21,14 +21,14 @@
 
 namespace sim::agents {
 
-/// The door by which the frames of an agent's programs come in.
+/// Name of the door through which frames of an agent's programs enter the run.
 inline std::string air_door(std::string_view agent) { return "air of " + std::string(agent); }
 
-/// The interfaces of all agents that have a network. What comes in passes through OutsideInput, so
-/// that it is recorded; what goes out goes to the sink, if there is one.
+/// The interfaces of all agents that have a network. Frames from programs pass through
+/// OutsideInput, so that they are recorded; received frames go to the sink, if there is one.
 class Interfaces final : public air::InterfaceListener {
  public:
-  /// What they belong to; outlives them.
+  /// The parts of the simulation that are used here; they outlive the interfaces.
   struct Home {
     EventQueue& events;
     OutsideInput& outside;
@@ -38,23 +38,25 @@ class Interfaces final : public air::InterfaceListener {
 
   bool empty() const { return interfaces_.empty(); }
 
-  /// Before the run.
+  /// Connects the programs. Call before the run.
   void connect(air::FrameSink& sink, air::FrameSource& source);
-  /// Whether programs are there, and so frames from them.
+  /// Whether programs are connected, so that frames may come from them.
   bool is_connected() const { return source_ != nullptr; }
 
-  /// Readable while frames are there. @pre connected.
+  /// File descriptor that is readable while frames are available. @pre connected.
   int descriptor() const { return source_->descriptor(); }
 
-  /// From now on the run follows this clock, which outlives it. If connected, that starts now: what
-  /// the agents' kernels sent before, while their interfaces came up, enters then, and is not late.
+  /// Makes the run follow this clock, which outlives the interfaces. If connected, the clock starts
+  /// now: frames that the agents' kernels sent earlier, while their interfaces came up, enter now
+  /// and do not count as late.
   void follow(FollowedClock& clock);
 
-  /// Takes what the programs have sent, each frame at the time that the clock shows.
-  /// @param last  of the run: no frame comes in before. @pre connected, following a clock.
+  /// Takes the frames that programs have sent, each at the time that the clock shows.
+  /// @param last  end of the part of the run already simulated: all frames enter after it. @pre
+  /// connected, and following a clock.
   void take_frames(hal::Time last);
 
-  /// Tells the sink how many frames more each station's queue takes. @pre connected.
+  /// Reports to the sink how many more frames each station's queue accepts. @pre connected.
   void tell_room();
 
   AirSummary summary() const;
@@ -64,8 +66,8 @@ class Interfaces final : public air::InterfaceListener {
     hal::AgentId agent;
     std::string door;
     std::unique_ptr<air::Interface> interface;
-    std::size_t capacity = 0;  ///< Of the station's queue, frames.
-    std::size_t held = 0;      ///< Frames that the run has not taken in yet.
+    std::size_t capacity = 0;  ///< Of the station's queue, in frames.
+    std::size_t held = 0;      ///< Frames read that have not entered the run yet.
   };
 
   void on_entered(hal::AgentId agent, const radio::MacRequest& request) override;

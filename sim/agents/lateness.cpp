@@ -5,13 +5,13 @@
 
 namespace sim::agents {
 
-/// Below kStepsPerDoubling each number has an interval; above, the highest bits choose it.
+/// Below kStepsPerDoubling each number has its own interval; above, the highest bits select it.
 std::size_t Lateness::interval_of(std::uint64_t ns) {
   const int shift = std::max(static_cast<int>(std::bit_width(ns)) - kStepBits - 1, 0);
   return static_cast<std::size_t>(shift) * kStepsPerDoubling + (ns >> shift);
 }
 
-/// The greatest number in it.
+/// Largest number in the interval.
 std::uint64_t Lateness::end_of(std::size_t interval) {
   if (interval < 2 * kStepsPerDoubling) return interval;
   const std::size_t shift = interval / kStepsPerDoubling - 1;

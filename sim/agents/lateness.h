@@ -8,19 +8,19 @@
 
 namespace sim::agents {
 
-/// Distribution of how late something was, in constant memory however often it is asked for. Counts
-/// per interval: 64 to each doubling, so a quantile is at most 1.6 % too large (as HdrHistogram,
-/// G. Tene, 2012).
+/// Distribution of delays in constant memory, with quantiles at any time. Counts per interval, 64
+/// intervals to each doubling, so a quantile is at most 1.6 % too large (as in HdrHistogram, G.
+/// Tene, 2012).
 class Lateness {
  public:
-  /// @param late  0 or more.
+  /// @param late  >= 0.
   void add(hal::Duration late);
 
-  /// The upper end of the interval that holds the value of this rank, but no more than greatest();
-  /// 0 if there is none. @param q  0 .. 1
+  /// Upper end of the interval that contains the q-quantile, limited to greatest(); 0 if nothing
+  /// was added. @param q  0 .. 1
   hal::Duration quantile(double q) const;
 
-  hal::Duration greatest() const { return greatest_; }  ///< Exactly.
+  hal::Duration greatest() const { return greatest_; }  ///< Exact.
 
  private:
   static constexpr int kStepBits = 6;

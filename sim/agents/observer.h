@@ -16,57 +16,58 @@
 
 namespace sim::agents {
 
-/// Where a body is at one instant; world frame.
+/// State of a body at one instant, world frame.
 struct BodyState {
-  double x = 0, y = 0;   ///< m, of the body's reference point on the ground.
-  double theta = 0;      ///< rad, heading.
-  double tilt = 0;       ///< rad, between the body's z axis and the vertical.
-  double clearance = 0;  ///< m, from (x, y) to the nearest wall's surface; infinite: no walls.
+  double x = 0, y = 0;  ///< Reference point of the body on the ground [m].
+  double theta = 0;     ///< Heading [rad].
+  double tilt = 0;      ///< Angle between the body's z axis and the vertical [rad].
+  /// Distance from (x, y) to the nearest wall's surface [m]; infinite without walls.
+  double clearance = 0;
 };
 
-/// Touches of one body since the start of the run.
+/// Contacts of one body since the start of the run.
 struct ContactCounts {
   std::uint64_t wall_steps = 0;    ///< Physics steps in which the body touched a wall.
-  std::uint64_t object_steps = 0;  ///< … or another body.
+  std::uint64_t object_steps = 0;  ///< Physics steps in which it touched another body.
 };
 
 using hal::node::agent::Discovery;
 
-/// What there is to see of a run, for records and fingerprints. Calls come in event order, all on
-/// the simulation's thread. The parts of the radio and of the agents are inherited.
+/// Observer of a run, for records and fingerprints. Calls come in event order, all on the
+/// simulation's thread. The callbacks of the radio and of the agents are inherited.
 class Observer : public radio::RadioObserver, public hal::node::agent::AgentObserver {
  public:
-  /// Once, before the first event.
+  /// Called once, before the first event.
   virtual void on_start(const std::vector<std::pair<hal::AgentId, hal::AgentId>>& links) {
     (void)links;
   }
-  /// At each control instant of an agent.
+  /// Called at each control instant of an agent.
   virtual void on_body(hal::Time at, hal::AgentId agent, const BodyState& body) {
     (void)at, (void)agent, (void)body;
   }
-  /// The physics step that ended now put its body somewhere else, as the scenario says.
+  /// The physics step that ended now placed its body elsewhere, as the scenario demands.
   virtual void on_displaced(hal::Time at, hal::AgentId agent) { (void)at, (void)agent; }
-  /// A body tipped over or got lost; once per body, after the physics step.
+  /// A body tipped over or was lost; called once per body, after the physics step.
   virtual void on_body_lost(const physics::LostBody& lost) { (void)lost; }
-  /// Something happened to an agent, or to the air, because the scenario says so.
+  /// A scripted action was done to an agent or to the medium.
   virtual void on_scripted(const ScriptedDone& done) { (void)done; }
-  /// In real time: a controller process had an influence on the run.
+  /// Real time: a controller process influenced the run.
   virtual void on_turn(const Turn& turn) { (void)turn; }
-  /// A frame from the agent's interface became this request, with a tag of its own.
+  /// A frame from the agent's interface was accepted as this request, which has a unique tag.
   virtual void on_air_entered(hal::Time at, hal::AgentId agent, const radio::MacRequest& request) {
     (void)at, (void)agent, (void)request;
   }
-  /// What the agent received went to its interface.
+  /// A frame that the agent received was passed to its interface.
   virtual void on_air_left(hal::Time at, hal::AgentId agent,
                            const radio::MacIndication& indication) {
     (void)at, (void)agent, (void)indication;
   }
-  /// A frame from the agent's interface that no radio can send: why, and so many bytes.
+  /// A frame of this many bytes from the agent's interface cannot be sent, for this reason.
   virtual void on_air_refused(hal::Time at, hal::AgentId agent, air::Refusal refusal,
                               std::size_t bytes) {
     (void)at, (void)agent, (void)refusal, (void)bytes;
   }
-  /// Something from outside was taken in.
+  /// An input from outside entered the run.
   virtual void on_arrival(const OutsideArrival& arrival) { (void)arrival; }
 };
 

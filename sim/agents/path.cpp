@@ -49,10 +49,10 @@ class RoundPath final : public Path {
  private:
   const double radius_, speed_, turn_;
   Vec2 centre_;
-  double first_ = 0;  ///< rad, seen from the centre
+  double first_ = 0;  ///< First angle [rad], seen from the centre.
 };
 
-/// A straight way at one speed, or a stay.
+/// A straight segment at constant speed, or a stop.
 struct Leg {
   Time begin{}, end{};
   Vec2 from, to;
@@ -60,7 +60,7 @@ struct Leg {
   double heading = 0;
 };
 
-/// Draws or lists where to go.
+/// Supplies the goals of a tour, listed or drawn.
 class Goals {
  public:
   virtual ~Goals() = default;
@@ -68,7 +68,8 @@ class Goals {
     Vec2 point;
     double speed = 0;  ///< m/s
   };
-  /// None: it stays for ever. @param number  from 0 upwards, 0 again to begin anew.
+  /// The next goal; nullopt: the agent stays for ever. @param number  increases from 0; 0 again
+  /// restarts the sequence.
   virtual std::optional<Goal> goal(std::uint64_t number) = 0;
   virtual Duration pause() const = 0;
   virtual double max_speed() const = 0;
@@ -109,7 +110,7 @@ class DrawnGoals final : public Goals {
   hal::RandomStream random_;
 };
 
-/// From goal to goal. Knows the leg it was asked for last.
+/// Moves from goal to goal. Caches the leg that was used last.
 class Tour final : public Path {
  public:
   Tour(const hal::Pose2& start, std::unique_ptr<Goals> goals)
@@ -159,12 +160,12 @@ class Tour final : public Path {
 
   const hal::Pose2 start_;
   const std::unique_ptr<Goals> goals_;
-  mutable std::uint64_t number_ = 0;  ///< Of the next goal.
+  mutable std::uint64_t number_ = 0;  ///< Number of the next goal.
   mutable bool is_due_to_pause_ = false;
   mutable Leg leg_;
 };
 
-/// There and back, or on for ever: so far that nobody arrives.
+/// There and back. An infinite line is cut at a length that takes kNever.
 WaypointPath waypoints(const LinePath& line, const hal::Pose2& start) {
   constexpr double kNever = 1e8;  // s, some three years
   const Vec2 here{start.x, start.y};

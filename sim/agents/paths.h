@@ -15,7 +15,7 @@ class Paths {
  public:
   explicit Paths(const SimulationConfig& config);
 
-  /// Null: the agent has a body.
+  /// Path of an agent; null if the agent has a body.
   const Path* find(hal::AgentId agent) const {
     return agent.value < paths_.size() ? paths_[agent.value].get() : nullptr;
   }

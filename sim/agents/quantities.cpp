@@ -42,7 +42,7 @@ Value clearance(View view, std::size_t) {
   return std::isfinite(clearance) ? Value{clearance} : std::nullopt;
 }
 
-/// Where the robot would be by its odometry, world frame, less where it is.
+/// Difference between the robot's pose by odometry, in the world frame, and its true pose.
 hal::Pose2 odometry_error(View view) {
   const AgentConfig& config = view.agent.config();
   const hal::Pose2 own = static_cast<const SimulatedRobot&>(view.agent).reckoned(view.now);
@@ -67,7 +67,7 @@ Value wheel_angle(View view, std::size_t number) {
   return view.scene.world().wheel_angles(view.agent.config().id)[number];
 }
 
-/// Of a body that takes part.
+/// Reads a value of a body that is present, else nullopt.
 template <auto kRead>
 Value of_present(View view, std::size_t number) {
   return view.agent.is_present() ? Value{kRead(view, number)} : std::nullopt;

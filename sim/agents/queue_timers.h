@@ -5,10 +5,10 @@
 
 namespace sim::agents {
 
-/// A node's timers on the event queue.
+/// A node's timers, on the event queue.
 class QueueTimers final : public hal::node::routing::Timers {
  public:
-  /// @param owner  the node; its events are ordered by this address.
+  /// @param owner  address of the node, by which its events are ordered.
   QueueTimers(EventQueue& events, hal::AgentId owner) : events_(events), owner_(owner) {}
 
   hal::Time now() const override { return events_.now(); }

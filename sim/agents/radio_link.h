@@ -7,13 +7,13 @@
 
 namespace sim::agents {
 
-/// Routing's link over a simulated MAC.
+/// The router's link over a simulated MAC.
 class RadioLink final : public hal::node::agent::Link, public radio::MacClient {
  public:
-  /// Becomes the MAC's client for routing frames. The MAC outlives the link.
+  /// Registers as the MAC's client for routing frames. The MAC outlives the link.
   RadioLink(radio::MacSap& mac, LinkKind kind);
 
-  /// @pre before the first frame arrives.
+  /// Sets the receiver of frames. @pre called before the first frame arrives.
   void attach(hal::node::routing::Router& router) { router_ = &router; }
 
   hal::node::routing::LinkCapabilities capabilities() const override;
@@ -21,9 +21,9 @@ class RadioLink final : public hal::node::agent::Link, public radio::MacClient {
   hal::Duration expected_delay() const override { return mac_.expected_delay(); }
   double transmit_energy(std::size_t bytes) const override { return mac_.transmit_energy(bytes); }
   void set_radio(bool on) override;
-  /// Off for good.
+  /// Switches the radio off permanently.
   void cut_power();
-  /// Off until it has power again; then as its controller wants it.
+  /// Off: the radio is off until power returns, and then as its controller wants it.
   void set_power(bool on);
 
   void on_receive(const radio::MacIndication& indication) override;

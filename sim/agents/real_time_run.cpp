@@ -17,9 +17,9 @@ using hal::node::exchange::ControllerFailed;
 using hal::node::exchange::Courier;
 using hal::node::exchange::Event;
 
-/// Controllers are attended to at least this often while the run catches up with the clock.
+/// Controllers are served at least this often while the run catches up with the clock.
 constexpr hal::Duration kLongestTurn = std::chrono::milliseconds{20};
-/// … and programs, whose frames wait meanwhile.
+/// The same with programs, whose frames wait meanwhile.
 constexpr hal::Duration kLongestTurnWithPrograms = std::chrono::microseconds{500};
 
 std::string_view plural(Cause cause) {
@@ -62,7 +62,7 @@ void Simulation::RealTimeRun::follow(FollowedClock& clock) {
       return;
     }
     if (s_.interfaces.is_connected()) s_.interfaces.take_frames(last);
-    // Turns have times of their own: that is what makes them repeatable.
+    // Turns have distinct times, which makes them repeatable.
     last =
         std::max(std::min(clock.now(), *next + longest_turn()), last + std::chrono::nanoseconds{1});
     if (s_.until) last = std::min(last, *s_.until);
@@ -74,8 +74,9 @@ void Simulation::RealTimeRun::follow(FollowedClock& clock) {
   }
 }
 
-/// Those that have no time of their own come at the turn's, together with those of that time: as in
-/// a repetition, after its events, and before the turn what they caused at that time.
+/// Inputs without a time enter at the time of the turn, together with inputs that have that time:
+/// as in a repetition, after the events of that time, and before the turn the events that they
+/// caused at that time.
 void Simulation::RealTimeRun::take_last_arrivals(hal::Time turn, FollowedClock& clock) {
   work_off_until(turn, &clock);
   if (s_.result || !s_.outside.has_due(turn)) return;
@@ -83,8 +84,8 @@ void Simulation::RealTimeRun::take_last_arrivals(hal::Time turn, FollowedClock& 
   work_off_until(turn, &clock);
 }
 
-/// What to wait for: the next event, or something that came in and has a time; none: the run is at
-/// its end. As long as programs are there, they may send until then.
+/// The next time to wait for: the next event or input that has a time; nullopt at the end of the
+/// run. While programs are connected, they may send until `until`.
 std::optional<hal::Time> Simulation::RealTimeRun::next_stop(hal::Time last) {
   std::optional<hal::Time> next = s_.events.next_time();
   if (s_.until && (!next || *next > *s_.until)) {
@@ -112,7 +113,7 @@ void Simulation::RealTimeRun::repeat(std::span<const Turn> turns, Pace& pace) {
   repeat_rest(pace);
 }
 
-/// After the last turn.
+/// Continues after the last turn.
 void Simulation::RealTimeRun::repeat_rest(Pace& pace) {
   while (!s_.result) {
     std::optional<hal::Time> next = s_.events.next_time();
@@ -124,7 +125,7 @@ void Simulation::RealTimeRun::repeat_rest(Pace& pace) {
   }
 }
 
-/// Each after the events up to its time, and before a turn of that time.
+/// Takes each input after the events up to its time, and before a turn at that time.
 void Simulation::RealTimeRun::take_arrivals_until(hal::Time target, FollowedClock* clock) {
   while (!s_.result) {
     const auto at = s_.outside.next_due();
@@ -134,7 +135,7 @@ void Simulation::RealTimeRun::take_arrivals_until(hal::Time target, FollowedCloc
   }
 }
 
-/// @pre the events up to then have run.
+/// @pre the events up to `at` have run.
 void Simulation::RealTimeRun::take_arrivals_at(hal::Time at) {
   s_.look_before(at);
   s_.events.advance_to(at);
@@ -198,7 +199,7 @@ void Simulation::RealTimeRun::attend(hal::Time now) {
     } else if (brought->replied || brought->began) {
       take_in({now, i, brought->replied, brought->began}, *brought);
     }
-    // As before each turn when it is repeated.
+    // As before each turn in a repetition.
     work_off_until(now, nullptr);
   }
 }
@@ -231,7 +232,7 @@ void Simulation::RealTimeRun::take_effect(const Courier::Answer& answer, bool st
   s_.apply(action);
 }
 
-/// Recorded as a turn that brought nothing.
+/// Recorded as a turn without a reply and without a Step.
 void Simulation::RealTimeRun::on_death(const Turn& turn, const hal::Error& error) {
   s_.look_before(turn.at);
   s_.events.advance_to(turn.at);
@@ -240,7 +241,7 @@ void Simulation::RealTimeRun::on_death(const Turn& turn, const hal::Error& error
   s_.on_failures({{turn.port, error}});
 }
 
-/// An answer is a sign of life, whatever is in it: a controller need not repeat its command.
+/// Any reply is a sign of life: a controller need not repeat its command.
 void Simulation::RealTimeRun::restart_watchdog(hal::AgentId agent) {
   if (!s_.agents.at(agent)->core().has_wheels()) return;
   EventQueue::EventId& watchdog = watchdogs_[agent];

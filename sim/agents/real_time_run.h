@@ -12,22 +12,23 @@
 namespace sim::agents {
 
 /// The loop of a run whose simulated time follows a clock. Events run when the clock shows their
-/// time; what they have for controllers is carried by a Courier per process, and an answer takes
-/// effect when it arrives. The controller latency of the scenario is not used: it is what it is.
+/// time; a Courier per process carries events to controllers, and a reply takes effect when it
+/// arrives. The controller latency of the scenario is not used: the real latency applies.
 class Simulation::RealTimeRun {
  public:
   explicit RealTimeRun(State& state);
 
-  /// Until an end condition, state.until or a break-off. Every turn is told to the observers.
+  /// Runs until an end condition holds, state.until is reached or the run is interrupted. Every
+  /// turn is reported to the observers.
   void follow(FollowedClock& clock);
 
-  /// The same with the turns of a recorded run in place of the clock, as fast as `pace` allows.
+  /// The same with the turns of a recorded run instead of a clock, as fast as `pace` permits.
   void repeat(std::span<const Turn> turns, Pace& pace);
 
-  /// As of Simulation::repeat().
+  /// As in Simulation::repeat().
   void set_open_loop(bool open_loop) { open_loop_ = open_loop; }
 
-  /// Waits for answers under way, tells every controller to stop, and waits again.
+  /// Waits for pending replies, tells every controller to stop, and waits again.
   void stop();
 
   std::uint64_t steps() const;
@@ -60,7 +61,7 @@ class Simulation::RealTimeRun {
 
   State& s_;
   std::vector<Carried> carried_;                           ///< By port.
-  std::map<hal::AgentId, EventQueue::EventId> watchdogs_;  ///< Of robots.
+  std::map<hal::AgentId, EventQueue::EventId> watchdogs_;  ///< One per robot.
   Lateness lateness_;                                      ///< Of control instants.
   RealTimeSummary counts_;
   bool open_loop_ = false;

@@ -19,8 +19,8 @@ using hal::node::exchange::Event;
 
 namespace {
 
-/// Moves them into order of time; those of one time stay as they are. Events are large: each is
-/// moved once.
+/// Moves events into the order of time; those of equal time keep their order. Each is moved only
+/// once, because events are large.
 void move_by_time(std::vector<Event>& from, std::vector<Event>& to) {
   std::vector<std::pair<hal::Time, std::size_t>> order;
   order.reserve(from.size());
@@ -136,7 +136,7 @@ std::vector<Event>& Simulation::State::take_events() {
   }
   waiting.clear();
   std::ranges::move(std::exchange(farewells, {}), std::back_inserter(taken));
-  // By agent already, and by cause within; with a window of time, time comes first.
+  // Already ordered by agent, and by cause for each agent; in a window of time, time comes first.
   const auto earlier = [](const Event& a, const Event& b) { return a.time < b.time; };
   if (std::is_sorted(taken.begin(), taken.end(), earlier)) return taken;
   move_by_time(taken, taken_by_time);
@@ -183,11 +183,11 @@ void Simulation::State::on_error(hal::AgentId agent, const std::string& text,
 }
 
 void Simulation::State::apply(const Action& action) {
-  // The core counts and logs what it refuses.
+  // The core counts and logs actions that it refuses.
   (void)agents.at(action.agent)->core().apply(action, events.now());
 }
 
-/// After the end only words count.
+/// After the end, only actions without effect on the world count (is_word()).
 void Simulation::State::apply_last(const Action& action) {
   const bool is_heard = std::ranges::find(dead, action.agent) == dead.end();
   if (is_heard && is_word(action)) apply(action);
@@ -214,8 +214,8 @@ void Simulation::State::on_failures(const std::vector<Controllers::Failure>& fai
   }
 }
 
-/// Those that the script killed are told, too, so that their processes know the run is over: what
-/// they say to it is not heard.
+/// Controllers that the script killed are also told, so that their processes know that the run is
+/// over; their replies are ignored.
 void Simulation::State::stop_agents() {
   for (const auto& [id, agent] : agents) agent->core().stop();
   for (const hal::AgentId agent : dead) {
@@ -254,7 +254,7 @@ Outcome Simulation::State::outcome() const {
           .bodies_lost = bodies_lost};
 }
 
-/// Works off what is due next, when it is time.
+/// Takes the inputs from outside that are due. @return whether there were any.
 bool Simulation::State::take_outside(hal::Time now) {
   return outside.take(now,
                       [this](const OutsideArrival& arrival) { observers.on_arrival(arrival); });

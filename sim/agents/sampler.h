@@ -4,14 +4,15 @@
 
 namespace sim::agents {
 
-/// Looks at a run at times of its own choosing, between events, and changes nothing in it: a run
-/// with a sampler is the same as one without. On the run's thread.
+/// Reads the state of a run between events, at times that it chooses, without changing the run:
+/// results are the same with and without a sampler. On the run's thread.
 class Sampler {
  public:
   virtual ~Sampler() = default;
-  /// When it wants to look next; Time::max(): not again.
+  /// Time of its next sample; Time::max(): none.
   virtual hal::Time due() const = 0;
-  /// All that happens at `at` or before has happened, and nothing after. Then due() is later.
+  /// Takes a sample: all events up to and including `at` have run, and none after. Afterwards due()
+  /// is later than `at`.
   virtual void look(hal::Time at) = 0;
 };
 

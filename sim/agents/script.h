@@ -10,22 +10,21 @@
 
 namespace sim::agents {
 
-/// Lets the events of a scenario happen when they are due: each in an event of its own, before all
-/// else of its instant. Those of one instant happen in their order in the scenario, or as their
-/// conditions came to hold.
+/// Runs the scripted events of a scenario when they are due, each in an event of the queue that
+/// precedes all others of its time. Scripted events of the same time run in the order of the
+/// scenario, or in the order in which their conditions began to hold.
 class Script {
  public:
-  /// @param act  does one action now. @param event  index of the event that it is of.
+  /// @param act  performs one action now. @param event  index of the scripted event.
   using Act = std::function<void(const ScriptedAction& action, std::size_t event)>;
 
-  /// Adds the conditions of the events to the watch. @param events  outlive the script, as does
-  /// what is in `queue`.
+  /// Adds the conditions of the events to the watch. @param events,queue,watch  outlive the script.
   Script(const std::vector<ScriptedEvent>& events, EventQueue& queue, ConditionWatch& watch,
          Act act);
   Script(const Script&) = delete;
   Script& operator=(const Script&) = delete;
 
-  /// Before the first event of the run.
+  /// Call before the first event of the run.
   void start();
 
  private:
@@ -36,7 +35,8 @@ class Script {
   const std::vector<ScriptedEvent>& events_;
   EventQueue& queue_;
   Act act_;
-  std::vector<std::int64_t> times_;  ///< How often each has happened, or is about to.
+  /// Number of times that each has happened, including a pending one.
+  std::vector<std::int64_t> times_;
 };
 
 }  // namespace sim::agents

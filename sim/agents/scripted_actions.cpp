@@ -1,4 +1,4 @@
-// The part of a run that does what the events of its scenario say.
+// The part of a run that performs scripted actions.
 #include <algorithm>
 #include <variant>
 
@@ -118,7 +118,7 @@ void Simulation::State::drain(hal::AgentId id, const Drain& drain) {
   supply->take(drain.energy ? *drain.energy : std::max(0.0, to_level));
 }
 
-/// One burst, and so on until then.
+/// Sends one burst, and schedules the next until `last`.
 void Simulation::State::jam(const Jam& interferer, hal::Time last) {
   const auto length = hal::from_seconds(interferer.duty_cycle * hal::to_seconds(interferer.period));
   const auto& [x, y, height] = interferer.position;

@@ -16,7 +16,7 @@ namespace {
 using hal::node::devices::RobotDescription;
 using hal::node::devices::Sensor;
 
-/// The agents around this one; needs the Scene, which sim/sensing does not know.
+/// Sensor of the surrounding agents; it needs the Scene, which sim/sensing cannot include.
 class Localisation final : public Sensor {
  public:
   Localisation(hal::AgentId agent, Scene& scene, double range)

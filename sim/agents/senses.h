@@ -12,21 +12,22 @@
 
 namespace sim::agents {
 
-/// What a simulated agent senses: one part per channel of agent_offer.h, in its order.
+/// The sensors of a simulated agent: one part per channel of agent_offer.h, in that order.
 class Senses {
  public:
-  /// @param range  m, of the localisation. @param site  what it refers to outlives this.
+  /// @param range  of the localisation [m]. @param site  the objects that it refers to outlive this
+  /// one.
   Senses(const AgentConfig& agent, Scene& scene, double range, const sensing::SensorSite& site);
 
-  /// A control instant has come.
+  /// Call at each control instant.
   void advance(hal::Time at) {
     if (odometry_ != nullptr) odometry_->advance(at);
   }
 
-  /// The values of a channel; those of the last time if there are no newer ones.
+  /// The values of a channel; those of the last call if there are no newer ones.
   const std::vector<double>& read(std::size_t channel, hal::Time at);
 
-  /// Null: the agent has no wheels.
+  /// Null if the agent has no wheels.
   const sensing::Odometry* odometry() const { return odometry_; }
 
  private:
@@ -40,7 +41,7 @@ class Senses {
                  const sensing::SensorSite& site);
 
   std::vector<Part> parts_;
-  sensing::Odometry* odometry_ = nullptr;  ///< Of parts_.
+  sensing::Odometry* odometry_ = nullptr;  ///< Points into parts_.
 };
 
 }  // namespace sim::agents

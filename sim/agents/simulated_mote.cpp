@@ -93,7 +93,7 @@ void SimulatedMote::silence(hal::Time stop_at) {
 
 void SimulatedMote::begin_anew(const hal::Wants& wants) {
   surroundings_.events.cancel(stop_);
-  core_.halt();  // what the dead one had commanded
+  core_.halt();  // cancels the commands of the previous controller
   link_.set_radio(true);
   core_.connect(wants);
   core_.start();

@@ -25,8 +25,8 @@ struct Surroundings {
   const SimulationConfig& config;
 };
 
-/// An agent in the simulator: its core, whose ports end in the event queue, the simulated MAC and
-/// the scene. Its body, if it has one, is in the world already.
+/// An agent in the simulator: its core, connected to the event queue, the simulated MAC and the
+/// scene. Its body, if it has one, is already in the world.
 class SimulatedMote : public hal::node::agent::Sensors {
  public:
   SimulatedMote(const AgentConfig& config, radio::MacSap& mac, Surroundings surroundings,
@@ -41,24 +41,27 @@ class SimulatedMote : public hal::node::agent::Sensors {
   const hal::node::agent::AgentCore& core() const { return core_; }
   const std::string& name() const { return config_.name; }
 
-  /// Schedules the start event and the control cycle: both at the agent's phase. What is there for
-  /// the controller before that (radio and routing are up from time 0) is handed over with it.
+  /// Schedules the start event and the control cycle, both at the agent's phase. Events for the
+  /// controller from before that time (radio and routing are up from time 0) are passed on together
+  /// with the start event.
   void start();
 
-  /// Its controller is gone: no more events; wheels stop at `at`; radio and routing live on.
+  /// The controller has ended: no more events; wheels stop at `stop_at`; radio and routing
+  /// continue.
   void silence(hal::Time stop_at);
-  /// A controller that knows nothing begins now, with wheels that stand and the radio on, as far as
-  /// it has power. @param wants  of its kind.
+  /// A new controller begins now, with wheels at rest and the radio on, as far as there is power.
+  /// @param wants  of this kind of controller.
   void begin_anew(const hal::Wants& wants);
 
-  /// Radio and motors have power, or have not.
+  /// Switches the power of radio and motors.
   void set_power(bool on);
-  /// Whether the agent takes part: else it has no power, is not seen, and its battery does not run
-  /// down. It comes switched on. Its body and its controller are for the caller to see to.
+  /// Sets whether the agent takes part. One that is not present has no power, is not sensed, and
+  /// does not use its battery. It returns switched on. The caller handles its body and its
+  /// controller.
   void set_present(bool present);
   bool is_present() const { return is_present_; }
 
-  /// Its battery; null: it has none, and never runs out of energy.
+  /// Its battery; null if it has none and therefore never runs out of energy.
   Supply* supply() { return supply_.get(); }
   const Supply* supply() const { return supply_.get(); }
 
@@ -66,7 +69,7 @@ class SimulatedMote : public hal::node::agent::Sensors {
   bool sample(std::size_t channel, hal::Time at, std::vector<double>& values) override;
 
  protected:
-  /// @param drive  of the derived agent; null: none.
+  /// @param drive  of the derived agent; null if it has none.
   SimulatedMote(const AgentConfig& config, radio::MacSap& mac, Surroundings surroundings,
                 hal::node::agent::AgentListener& listener, hal::node::agent::Drive* drive);
 
@@ -78,8 +81,8 @@ class SimulatedMote : public hal::node::agent::Sensors {
  private:
   void add_supply();
   sensing::SensorSite site();
-  /// Whether there is power to measure with: nothing but the gauge of an empty battery tells
-  /// anything if that has switched the agent off.
+  /// Whether there is power to measure with: after an empty battery has switched the agent off,
+  /// only the gauge of that battery still delivers values.
   bool is_fed(const hal::Channel& channel) const;
   void on_control();
   void on_empty();
@@ -96,7 +99,7 @@ class SimulatedMote : public hal::node::agent::Sensors {
   radio::MacSap& mac_;
   std::unique_ptr<Supply> supply_;
   bool is_on_ = true, is_present_ = true;
-  EventQueue::EventId stop_;  ///< Of the wheels, after the end of a controller.
+  EventQueue::EventId stop_;  ///< Stops the wheels after the end of a controller.
 };
 
 }  // namespace sim::agents

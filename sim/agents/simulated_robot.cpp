@@ -17,7 +17,7 @@ double fastest_of(std::span<const double> speeds) {
 
 }  // namespace
 
-/// Of a command whose fastest wheel turns with this. rad/s
+/// Factor for a command whose fastest wheel turns at `fastest` [rad/s].
 double SimulatedRobot::share_of(double fastest) const {
   return fastest > wheel_limit_ ? wheel_limit_ / fastest : 1;
 }
@@ -45,14 +45,14 @@ hal::Result<void> SimulatedRobot::drive_wheels(std::span<const double> speeds, h
 }
 
 void SimulatedRobot::halt() {
-  // Zero is within every limit.
+  // Zero is within all limits.
   BARAKA_CHECK(surroundings().world.set_body_velocity(id(), {}).has_value());
 }
 
 void SimulatedRobot::feed_motors() {
   const double input = surroundings().world.motor_input(id());
   const double joules = input - std::exchange(motor_input_, input);
-  // Of a body that blew up nothing can be told.
+  // The input may not be finite if the body's state has diverged.
   const double watts = joules / hal::to_seconds(surroundings().config.world.step);
   supply()->set_motors(std::isfinite(watts) ? watts : 0);
 }

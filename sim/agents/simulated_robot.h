@@ -18,21 +18,21 @@ class SimulatedRobot final : public SimulatedMote, public hal::node::agent::Driv
   hal::Result<void> drive_wheels(std::span<const double> speeds, hal::Time as_of) override;
   void halt() override;
 
-  /// After each step of the physics, if it has a battery: until the next one the motors take from
-  /// it what they took in this one.
+  /// Call after each physics step if the robot has a battery: until the next step, the motors draw
+  /// from the battery the power that they used in this one.
   void feed_motors();
 
-  /// Where it would be by its odometry if that were read now, in the frame at the start.
+  /// Pose by odometry if it were read now, in the frame of the start pose.
   hal::Pose2 reckoned(hal::Time now) const { return senses().odometry()->reckoned(now); }
-  /// No wheel turns faster than this any more: commands beyond it are scaled down, direction kept.
-  /// @param limit  rad/s, > 0
+  /// Limits the speed of every wheel: faster commands are scaled down, keeping the direction.
+  /// @param limit  [rad/s], > 0
   void limit_wheels(double limit) { wheel_limit_ = limit; }
 
  private:
   double share_of(double fastest) const;
   void set_motors(bool on) override;
 
-  double motor_input_ = 0;  ///< J until the last step of the physics.
+  double motor_input_ = 0;  ///< Energy used by the motors up to the last physics step [J].
   double wheel_limit_ = std::numeric_limits<double>::infinity();  ///< rad/s
 };
 

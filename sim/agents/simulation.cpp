@@ -13,8 +13,8 @@
 namespace sim::agents {
 namespace {
 
-/// Bound on the speed of every body, m/s: twice the fastest robot's, for what a robot pushes; 0 if
-/// there is no robot.
+/// Upper bound of the speed of every body [m/s]: twice that of the fastest robot, to include pushed
+/// bodies; 0 without robots.
 double speed_bound(const physics::World& world, const SimulationConfig& config) {
   double bound = 0;
   for (const AgentConfig& agent : config.agents) {
@@ -31,7 +31,7 @@ std::vector<hal::AgentId> ids(const SimulationConfig& config) {
   return ids;
 }
 
-/// That the script ever gives an agent's radio; 0: it leaves it alone.
+/// Largest power that the script sets for an agent's radio; 0 if it sets none.
 hal::Milliwatts most_power(hal::AgentId agent, const SimulationConfig& config) {
   hal::Milliwatts most{};
   for (const ScriptedEvent& event : config.script) {
@@ -216,7 +216,7 @@ BodyState Simulation::body(hal::AgentId agent) const {
 }
 
 ContactCounts Simulation::contacts(hal::AgentId agent) const {
-  if (!state_->world->has(agent)) return {};  // a station: nothing touches it
+  if (!state_->world->has(agent)) return {};  // a station: it has no contacts
   const physics::Contacts& contacts = state_->world->contacts(agent);
   return {.wall_steps = contacts.walls.steps, .object_steps = contacts.bodies.steps};
 }

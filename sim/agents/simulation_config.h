@@ -23,54 +23,53 @@
 namespace sim::agents {
 
 enum class ControlPhase : std::uint8_t {
-  kAligned,  ///< All agents start at 0, and so do all control cycles.
+  kAligned,  ///< All agents and all control cycles start at time 0.
   /// Each agent and its control cycle start at a phase of less than one control period, drawn from
   /// its stream "<name>/control".
   kUniform,
 };
 
-/// What a controller process that died, or does not answer, does to the run.
+/// Effect on the run of a controller process that died or does not answer.
 enum class OnDeath : std::uint8_t {
-  kFail,     ///< The run ends, failed.
-  kSilence,  ///< Its agents stop driving after the command timeout; their radios live on.
+  kFail,     ///< The run ends as failed.
+  kSilence,  ///< Its agents stop driving after the command timeout; their radios continue.
 };
 
 /// What routing learns from the radio about its frames.
 enum class LinkKind : std::uint8_t {
-  kMac,      ///< All that the MAC knows: what became of each frame, received power, SNR.
-  kUdpLike,  ///< As much as a UDP socket tells: nothing. The air is the same.
+  kMac,      ///< Everything: result of each frame, received power, SNR.
+  kUdpLike,  ///< Nothing, like a UDP socket. Transmission is the same.
 };
 
-/// The network interface of an agent that has a network, as its programs see it.
+/// Name of the network interface of an agent that has a network, as seen by its programs.
 inline constexpr const char* kAirInterface = "wlan0";
 
-/// An agent without a body: a radio that stands or moves on its path. Nothing collides with it, no
-/// sensor of a robot sees it.
+/// An agent without a body: a radio that stays in place or moves on its path. It does not collide,
+/// and sensors of robots do not detect it.
 struct Station {
   PathDescription path;
-  std::vector<hal::node::devices::SensorDescription>
-      sensors{};  ///< None: it has nothing to sense with.
+  std::vector<hal::node::devices::SensorDescription> sensors{};  ///< Empty: it has no sensors.
   bool operator==(const Station&) const = default;
 };
 
 struct AgentConfig {
-  hal::AgentId id;  ///< 1 … kLastAddress
+  hal::AgentId id;  ///< 1 .. kLastAddress
   std::string name;
   hal::Pose2 pose;  ///< At time 0, world frame.
   std::variant<hal::node::devices::MoteDescription, hal::node::devices::RobotDescription, Station>
       body;
-  std::string program;  ///< Controller; empty: nobody drives it, which has a network.
+  std::string program;  ///< Controller; empty: none, possible for agents with a network.
   std::vector<hal::node::exchange::ParameterText> parameters;
-  radio::StationConfig radio{};  ///< What its radio has that SimulationConfig::radio has not.
-  /// None: as SimulationConfig::routing.
+  radio::StationConfig radio{};  ///< Settings that differ from SimulationConfig::radio.
+  /// nullopt: as in SimulationConfig::routing.
   std::optional<hal::node::routing::Algorithm> routing{};
-  /// None: no program can use its radio by sockets.
+  /// nullopt: programs cannot use its radio through sockets.
   std::optional<air::NetworkConfig> network{};
-  bool inside = false;     ///< Its controller runs in the agent's own network.
-  bool is_present = true;  ///< At the start; else an event adds it, or nothing ever does.
+  bool inside = false;     ///< Its controller runs in the agent's own network namespace.
+  bool is_present = true;  ///< At the start; an absent agent may be added by an event.
 };
 
-/// To its controller it is a robot; all others are motes.
+/// Whether its controller treats it as a robot; all others are motes.
 inline bool is_robot(const AgentConfig& agent) {
   return std::holds_alternative<hal::node::devices::RobotDescription>(agent.body);
 }
@@ -84,7 +83,8 @@ inline const std::vector<hal::node::devices::SensorDescription>& sensors_of(
       [](const auto& body) -> const auto& { return body.sensors; }, agent.body);
 }
 
-/// Reading of where the others are, by a method that is not modelled (camera, triangulation).
+/// Sensor of the positions of other agents, by a method that is not modelled (camera,
+/// triangulation).
 struct LocalisationConfig {
   hal::Metres range{300};
 };
@@ -92,21 +92,21 @@ struct LocalisationConfig {
 /// The run ends `after` an agent's controller enters a state, `after` a condition begins to hold,
 /// or at a time.
 struct EndCondition {
-  std::optional<hal::AgentId> agent;  ///< None, and no `when`: at time `after`.
+  std::optional<hal::AgentId> agent;  ///< nullopt, and no `when`: the run ends at time `after`.
   std::string state;
   hal::Duration after{};
-  std::string result;  ///< What the run is then called, e.g. "arrived".
+  std::string result;  ///< Name of the result, e.g. "arrived".
   std::optional<Condition> when{};
 };
 
-/// Everything a run depends on. Equal values and seed give equal runs.
+/// Everything on which a run depends. Equal values and seed give equal runs.
 struct SimulationConfig {
   std::uint64_t seed = 1;
   hal::Duration controller_latency{};
   ControlPhase control_phase = ControlPhase::kUniform;
   hal::Duration control_period{100'000'000};
   hal::Duration command_timeout{500'000'000};
-  hal::Duration lateness_limit{1'000'000};  ///< Of frames between programs and the air.
+  hal::Duration lateness_limit{1'000'000};  ///< For frames between programs and the air.
   OnDeath on_death = OnDeath::kFail;
   physics::WorldConfig world;
   std::vector<physics::StaticBox> walls;
@@ -116,8 +116,8 @@ struct SimulationConfig {
   LocalisationConfig localisation;
   std::vector<AgentConfig> agents;  ///< By address.
   std::vector<EndCondition> ends;
-  std::vector<ScriptedEvent> script;  ///< Things that happen to agents.
-  /// Of which Simulation::holds() and has_held() tell in the end. Nothing depends on them.
+  std::vector<ScriptedEvent> script;  ///< Scripted events.
+  /// Conditions for Simulation::holds() and has_held(). They do not affect the run.
   std::vector<Condition> asked;
 };
 

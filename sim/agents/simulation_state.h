@@ -24,8 +24,8 @@ namespace sim::agents {
 class SimulatedRobot;
 
 /// The parts of a run and its loop. An instant (or, with a controller latency, a window of time) is
-/// worked off in rounds: its events run, what they have for controllers is handed over all at once,
-/// and the answers take effect; what they cause at the same instant starts the next round.
+/// processed in rounds: its events run, all events for controllers are passed on together, and the
+/// replies take effect; what they cause at the same instant starts the next round.
 struct Simulation::State final : hal::node::agent::AgentListener {
   State(const SimulationConfig& config, const std::vector<Observer*>& observers);
 
@@ -37,7 +37,7 @@ struct Simulation::State final : hal::node::agent::AgentListener {
   void end(std::string result);
   void fail(std::string error);
 
-  /// The last instant of the window that begins there.
+  /// Last instant of the window that begins at `begin`.
   hal::Time last_instant(hal::Time begin) const {
     const auto window = config.controller_latency;
     if (window == hal::Duration::zero()) return begin;
@@ -45,28 +45,28 @@ struct Simulation::State final : hal::node::agent::AgentListener {
   }
   bool take_outside(hal::Time now);
   void work_off(hal::Time begin);
-  /// What there is to be handed over now, by (time, agent, cause, arrival). Valid until the next
-  /// call.
+  /// The events to be passed to controllers now, ordered by (time, agent, cause, arrival). Valid
+  /// until the next call.
   std::vector<hal::node::exchange::Event>& take_events();
   void exchange(hal::Time window_end);
   void take_effect(Controllers::Answer answer);
   void on_error(hal::AgentId agent, const std::string& text, hal::Time event_time);
   void apply(const hal::node::exchange::Action& action);
   void apply_last(const hal::node::exchange::Action& action);
-  /// An answer of a controller that has died since it was asked.
+  /// Whether an action comes from a controller that has died since its event.
   bool is_of_dead(hal::AgentId agent, hal::Time event_time) const;
   void on_end(const EndCondition& condition);
   void watch_conditions();
 
-  // What the script says.
+  // Scripted actions.
   void act(const ScriptedAction& action, std::size_t event);
-  /// Nothing but an `add` has an effect on one that is not present.
+  /// Actions other than `add` have no effect on an agent that is not present.
   void act_on(hal::AgentId agent, const ScriptedAction& action, std::size_t event);
   void befall(Fortune fortune, hal::AgentId agent);
-  /// It takes part from now on, with a new controller.
+  /// Lets the agent take part from now on, with a new controller.
   void join(hal::AgentId agent);
   void begin_anew(hal::AgentId agent);
-  /// Those whose bodies the physics step has put down.
+  /// Lets the agents take part whose bodies the physics step has placed.
   void let_arrive();
   void kill(hal::AgentId agent);
   void place(hal::AgentId agent, const hal::Pose2& pose);
@@ -75,14 +75,13 @@ struct Simulation::State final : hal::node::agent::AgentListener {
   void jam(const Jam& interferer, hal::Time last);
   void on_failures(const std::vector<Controllers::Failure>& failures);
   void go_on(hal::Time next, Pace& pace);
-  /// What the sampler is to see before anything happens at `next`. @pre nothing is to happen
-  /// before.
+  /// Lets the sampler take the samples due before `next`. @pre no event is pending before `next`.
   void look_before(hal::Time next) {
     if (look_due < next) look_until(next);
   }
   void look_until(hal::Time next);
-  /// Advances to `until` if the run was not ended before, and has the sampler look so far, and the
-  /// conditions at the last instant.
+  /// Advances to `until` if the run has not ended before, lets the sampler sample up to that time,
+  /// and evaluates the conditions at the last instant.
   void look_at_the_end(std::optional<hal::Time> until);
   void stop_agents();
   void stop_controllers();
@@ -91,7 +90,7 @@ struct Simulation::State final : hal::node::agent::AgentListener {
 
   const SimulationConfig config;
   ObserverList observers;
-  OutsideInput outside;  ///< Before the controllers, which may put something in from threads.
+  OutsideInput outside;  ///< Destroyed after the controllers, whose threads may put something in.
   EventQueue events;
   std::unique_ptr<physics::World> world;
   Paths paths;
@@ -103,8 +102,9 @@ struct Simulation::State final : hal::node::agent::AgentListener {
   hal::node::exchange::AgentTable<std::unique_ptr<SimulatedMote>> agents;
   std::vector<SimulatedRobot*> fed_robots;  ///< Those with batteries, by address.
   Controllers controllers;
-  std::vector<hal::AgentId> waiting;  ///< Agents with something in the inbox; repeats allowed.
-  /// Of take_events(), kept for their memory: of thousands of events a round, it is megabytes.
+  std::vector<hal::AgentId> waiting;  ///< Agents with events in their inbox; may repeat.
+  /// Results of take_events(), kept for their memory: with thousands of events per round,
+  /// megabytes.
   std::vector<hal::node::exchange::Event> taken, taken_by_time;
   std::optional<hal::Time> until;
   std::optional<std::string> result;  ///< Set when the run has ended.
@@ -112,16 +112,17 @@ struct Simulation::State final : hal::node::agent::AgentListener {
   bool broken_off = false;
   Sampler* sampler = nullptr;
   hal::Time look_due = hal::Time::max();  ///< Of the sampler.
-  std::vector<std::string> bodies_lost;   ///< One line for each of the world's lost bodies.
+  std::vector<std::string> bodies_lost;   ///< One line for each lost body.
   ConditionWatch watch;
   std::vector<std::size_t> asked;  ///< Numbers of SimulationConfig::asked in the watch.
   Script script;
-  std::map<hal::AgentId, hal::Wants> wants;   ///< Of their controllers.
-  std::map<hal::AgentId, hal::Time> died_at;  ///< When controllers died by the script, last.
-  std::vector<hal::AgentId> dead;             ///< Whose controllers are dead by the script.
-  std::vector<hal::node::exchange::Event> farewells;  ///< The last events, of those.
+  std::map<hal::AgentId, hal::Wants> wants;  ///< Of the agents' controllers.
+  /// Time of the last scripted death of each controller.
+  std::map<hal::AgentId, hal::Time> died_at;
+  std::vector<hal::AgentId> dead;  ///< Agents whose controllers the script killed.
+  std::vector<hal::node::exchange::Event> farewells;  ///< Their last events.
   std::vector<hal::AgentId> displaced;                ///< Since the last physics step.
-  /// Of those that come with the next physics step: what is to happen to them then.
+  /// For agents that appear with the next physics step: actions to be done to them then.
   std::map<hal::AgentId, std::vector<std::pair<const ScriptedAction*, std::size_t>>> arriving;
 };
 

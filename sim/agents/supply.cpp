@@ -10,11 +10,11 @@ namespace {
 using hal::node::devices::RadioPower;
 using radio::RadioActivity;
 
-/// s. If it may be empty within this time, each change of the load is followed.
+/// If the battery may be empty within this time [s], the event follows each change of the load.
 constexpr double kNear = 0.1;
-/// s of a load that count as nothing: rounding makes a time of hours wrong by so much.
+/// Times below this are ignored [s]: rounding causes such an error in a time of hours.
 constexpr double kRounding = 1e-11;
-/// s. As far as an event is scheduled.
+/// Events are scheduled at most this far ahead [s].
 constexpr double kFar = 1e9;
 
 double most(const RadioPower& power) {
@@ -91,7 +91,7 @@ double Supply::radio_power() const {
   return battery_.radio.off;
 }
 
-/// Follows the battery until now.
+/// Computes the battery up to now.
 void Supply::settle() {
   const hal::Time now = events_.now();
   if (now == since_) return;
@@ -100,7 +100,7 @@ void Supply::settle() {
   since_ = now;
 }
 
-/// The load may be another one from now on.
+/// Updates the load.
 void Supply::change() {
   power_ = power();
   if (power_ > most_power_) {
@@ -111,7 +111,7 @@ void Supply::change() {
   }
 }
 
-/// Looks again when it may be empty.
+/// Schedules the next check at the earliest time at which the battery can be empty.
 void Supply::watch() {
   events_.cancel(look_);
   if (battery_.when_empty != hal::node::devices::WhenEmpty::kOff || is_spent_ || !is_present_)
@@ -123,7 +123,7 @@ void Supply::watch() {
   if (const std::optional<double> lasts = discharge_.lasts(power_)) look_in(*lasts);
 }
 
-/// @param seconds  from now on, rounded up to a nanosecond.
+/// @param seconds  from now, rounded up to a nanosecond.
 void Supply::look_in(double seconds) {
   const double ns = std::ceil(1e9 * (std::min(seconds, kFar) - kRounding));
   const hal::Duration wait{static_cast<hal::Duration::rep>(std::max(0.0, ns))};

@@ -10,18 +10,18 @@
 
 namespace sim::agents {
 
-/// The battery of a simulated agent, and what it feeds: computer, radio and motors. All loads are
-/// constant between the instants at which they change, so that the battery is followed in closed
-/// form (hal::node::devices::Discharge). With `when_empty: off` it tells at the very instant at
-/// which it is empty, rounded up to a nanosecond: by an event of the rank kNodeTimer, so that what
-/// the radio does and ends at that instant is done and has ended.
+/// The battery of a simulated agent, and its loads: computer, radio and motors. All loads are
+/// constant between the instants at which they change, so the battery is computed in closed form
+/// (hal::node::devices::Discharge). With `when_empty: off` it calls back exactly when it is empty,
+/// rounded up to a nanosecond, in an event of rank kNodeTimer: what the radio does and ends at that
+/// time comes before.
 ///
 ///   Supply supply(battery, events, agent, [this] { switch_off(); });
 ///   mac.set_use_listener(&supply);
 ///   … after each step of the physics: supply.set_motors(watts); …
 ///
-/// The event stands where the battery could be empty at the earliest, under the largest load that
-/// it may get or has had. Only when that is near it follows each change of the load.
+/// The event is scheduled for the earliest time at which the battery could be empty, at the largest
+/// load so far or expected. Only when that time is near, the event follows each change of the load.
 class Supply final : public radio::RadioUseListener {
  public:
   Supply(const hal::node::devices::Battery& battery, EventQueue& events, hal::AgentId agent,
@@ -31,18 +31,19 @@ class Supply final : public radio::RadioUseListener {
   Supply& operator=(const Supply&) = delete;
 
   void on_activity(radio::RadioActivity activity) override;
-  /// What the motors take from now on. @param watts  >= 0
+  /// Sets the power of the motors from now on [W]. @param watts  >= 0
   void set_motors(double watts);
-  /// Whether the agent takes part: else nothing is fed.
+  /// Sets whether the agent takes part; otherwise nothing is supplied.
   void set_present(bool present);
-  /// Charge is gone, or has come, by no load. @param joules  may be negative.
+  /// Removes or adds charge independently of the loads. @param joules  may be negative.
   void take(double joules);
 
-  /// The battery as of now.
+  /// State of the battery now.
   hal::node::devices::Discharge battery() const;
-  /// J that all loads took since time 0, also from a battery that was empty and let them stay up.
+  /// Energy requested by all loads since time 0 [J], including that from an empty battery that does
+  /// not switch its agent off.
   double load() const;
-  /// It was empty and switched its agent off: it feeds nothing any more.
+  /// Whether it has become empty and switched its agent off: it supplies nothing any more.
   bool is_spent() const { return is_spent_; }
 
  private:
@@ -60,12 +61,12 @@ class Supply final : public radio::RadioUseListener {
   const std::function<void()> on_empty_;
   hal::node::devices::Discharge discharge_;
   hal::node::devices::ExactSum load_;  ///< J
-  hal::Time since_{};                  ///< Until when it has been followed.
-  double power_ = 0;                   ///< W, since then.
+  hal::Time since_{};                  ///< Time up to which the battery has been computed.
+  double power_ = 0;                   ///< Load since then [W].
   radio::RadioActivity activity_ = radio::RadioActivity::kListening;
   double motors_ = 0;      ///< W
-  double most_power_ = 0;  ///< W, that look_ allows for.
-  bool is_near_ = false;   ///< It may be empty soon: look_ is for the load there is.
+  double most_power_ = 0;  ///< Largest load for which look_ is valid [W].
+  bool is_near_ = false;   ///< It may be empty soon: look_ is scheduled for the present load.
   bool is_present_ = true, is_spent_ = false;
   EventQueue::EventId look_;
 };

@@ -7,10 +7,10 @@
 namespace sim::agents {
 namespace {
 
-/// Of the range of localisation: edge of the cells in which agents are looked for.
+/// Edge of a grid cell as a share of the localisation range.
 constexpr double kCellShare = 0.5;
 
-/// Distance from a point to a fixed upright box, seen from above; 0 inside. m
+/// Horizontal distance from a point to a fixed upright box [m]; 0 inside.
 double distance(hal::Vec2 point, const physics::Shape& box) {
   const hal::Vec2 d = point - box.centre;
   const double along = std::abs(hal::dot(d, box.axis)) - box.half.x;
@@ -52,7 +52,7 @@ std::span<const sensing::AgentPosition> Scene::near(hal::Vec2 point, double rang
   return near_;
 }
 
-/// Brings the positions and their grid up to date: after one step, those that it moved.
+/// Updates the positions and their grid: if one step has passed, only bodies that it moved.
 void Scene::follow(double range) {
   const auto put = [this](std::uint32_t i) {
     const hal::AgentId agent = positions_[i].agent;
@@ -103,7 +103,7 @@ const BodyState& Scene::body(hal::AgentId agent, hal::Time now) {
   if (known.since == moved_at) return known.state;
   const physics::BodyPose pose = world_.pose(agent);
   const hal::Vec2 place{pose.position.x, pose.position.y};
-  // One that turns on the spot, or is about to fall asleep, is where it was.
+  // A body that turns on the spot, or is about to be disabled, keeps its position.
   const bool is_elsewhere =
       known.since == kNever || place != hal::Vec2{known.state.x, known.state.y};
   known.since = moved_at;

@@ -17,31 +17,31 @@
 
 namespace sim::agents {
 
-/// The world as sensors see it: brought up to date once per physics step, and only when a sensor
-/// looks.
+/// The world as sensors see it: updated once per physics step, and only when a sensor reads it.
 class Scene {
  public:
-  /// @param world  outlives this; everything was added to it.
-  /// @param paths  of the agents without bodies; outlives this. Null: all have bodies.
+  /// @param world  outlives this object; all walls and bodies have been added to it.
+  /// @param paths  of the agents without bodies; outlives this object. Null: all agents have
+  /// bodies.
   Scene(const physics::World& world, const std::vector<hal::AgentId>& agents,
         const Paths* paths = nullptr);
 
   const physics::World& world() const { return world_; }
   const sensing::Proximity& proximity();
 
-  /// Agents that may be within `range` of a point, in the order of the configuration, and some
-  /// more. Good until the next call. @param range  m, the same in all calls.
+  /// Agents that may be within `range` of a point, and some more, in the order of the
+  /// configuration. Valid until the next call. @param range  [m], the same in all calls.
   std::span<const sensing::AgentPosition> near(hal::Vec2 point, double range, hal::Time now);
 
-  /// State of a body, with the distance to the nearest wall's surface (0 inside a wall). Costs
-  /// something only if the body may have moved since it was asked for. @param now  not before
-  /// that of earlier calls; counts for agents without bodies.
+  /// State of a body, with the distance to the nearest wall's surface (0 inside a wall). Computed
+  /// only if the body may have moved since the last call. @param now  not before that of earlier
+  /// calls; matters for agents without bodies.
   const BodyState& body(hal::AgentId agent, hal::Time now);
 
  private:
   struct Known {
     BodyState state;
-    std::uint64_t since = kNever;  ///< Step that had last moved the body then.
+    std::uint64_t since = kNever;  ///< Last physics step that had moved the body at that time.
   };
   static constexpr std::uint64_t kNever = ~std::uint64_t{0};
 
@@ -56,20 +56,21 @@ class Scene {
   sensing::Proximity proximity_;
   std::vector<sensing::AgentPosition> positions_;
   const Paths* paths_;
-  std::vector<std::uint32_t> index_;   ///< In positions_, by address.
-  std::vector<std::uint32_t> moving_;  ///< In positions_: on paths.
+  std::vector<std::uint32_t> index_;   ///< Index in positions_, by address.
+  std::vector<std::uint32_t> moving_;  ///< Indices in positions_ of agents on paths.
   std::optional<CellGrid> grid_;       ///< Of positions_.
   std::vector<std::uint32_t> found_;
   std::vector<sensing::AgentPosition> near_;
-  std::optional<std::uint64_t> proximity_at_, positions_at_;  ///< Physics steps.
+  /// Physics steps of the last updates.
+  std::optional<std::uint64_t> proximity_at_, positions_at_;
   hal::Time paths_at_{};
 };
 
-/// Where agents are: the origin of every body as of the last physics step; of agents without bodies
-/// where their paths are, on the ground. Antennas are above it.
+/// Positions of agents: the origin of every body after the last physics step; for agents without
+/// bodies, the position on their path, on the ground. Antennas are above these positions.
 class AgentPositions final : public radio::Positions {
  public:
-  /// @param max_speed  of bodies, m/s.
+  /// @param max_speed  of bodies [m/s].
   AgentPositions(const physics::World& world, const Paths& paths, double max_speed)
       : world_(world), ground_(*world.config().ground), paths_(paths), max_speed_(max_speed) {}
 
@@ -82,7 +83,7 @@ class AgentPositions final : public radio::Positions {
   const physics::World& world_;
   const Ground& ground_;
   const Paths& paths_;
-  double max_speed_;  ///< m/s; bounds every body, pushed ones included.
+  double max_speed_;  ///< [m/s]; also for bodies that are pushed.
 };
 
 }  // namespace sim::agents

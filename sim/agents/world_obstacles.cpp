@@ -6,20 +6,20 @@
 namespace sim::agents {
 namespace {
 
-constexpr double kCell = 2;  // m: bodies are smaller, links are longer.
+constexpr double kCell = 2;  // m; bodies are smaller and links longer
 
 double decibels(const ObstacleLoss& loss, double metres) {
   return metres > 0 ? loss.per_crossing.value + loss.per_metre * metres : 0;
 }
 
-/// Distance from a point to the farthest of a shape, seen from above, m.
+/// Horizontal distance from a point to the farthest point of a shape [m].
 double farthest(const hal::Vec3& from, const physics::Shape& shape) {
   const hal::Vec2 way = shape.centre - hal::Vec2{from.x, from.y};
   return std::sqrt(hal::dot(way, way)) +
          std::max(shape.radius, std::sqrt(hal::dot(shape.half, shape.half)));
 }
 
-/// Of a body, whose shapes may overlap or stand one above the other: the way through them.
+/// Length of the path inside a body; shapes of a body may overlap or stand one above the other.
 double length_inside(const physics::World& world, hal::AgentId agent, const hal::Vec3& from,
                      const hal::Vec3& to) {
   double metres = 0;
@@ -64,7 +64,7 @@ hal::Decibels WorldObstacles::moving_loss(const End& from, const End& to) const 
   return hal::Decibels{sum};
 }
 
-/// Brings the grid up to date: after one step, those that it moved.
+/// Updates the grid: if one step has passed, only bodies that it moved.
 void WorldObstacles::follow() const {
   const auto put = [this](std::uint32_t i) {
     const hal::Vec3 p = world_.position(agents_[i]);
@@ -78,7 +78,8 @@ void WorldObstacles::follow() const {
   followed_ = world_.steps();
 }
 
-/// Bodies that may be in the way, each once: those near one of the pieces into which it is cut.
+/// Bodies that may be on the path, each once: those near one of the segments into which it is
+/// divided.
 void WorldObstacles::collect(const hal::Vec3& from, const hal::Vec3& to) const {
   near_.clear();
   const hal::Vec3 way = to - from;

@@ -12,11 +12,12 @@
 
 namespace sim::agents {
 
-/// The world's own shapes between antennas: each wall and each body costs a loss for its crossing
-/// and one for each metre inside.
+/// Attenuation by the walls and bodies of the world: a loss per crossing and a loss per metre
+/// inside.
 class WorldObstacles final : public radio::Obstacles {
  public:
-  /// @param world  outlives this; everything was added to it, walls in the order of `config`.
+  /// @param world  outlives this object; everything was added to it, walls in the order of
+  /// `config`.
   WorldObstacles(const physics::World& world, const SimulationConfig& config);
 
   hal::Decibels loss(const hal::Vec3& from, const hal::Vec3& to) const override;
@@ -31,10 +32,11 @@ class WorldObstacles final : public radio::Obstacles {
   std::vector<ObstacleLoss> walls_;  ///< By wall.
   ObstacleLoss body_;
   std::vector<hal::AgentId> agents_;
-  std::vector<std::uint32_t> index_;  ///< In agents_, by address.
-  double largest_ = 0;                ///< Radius of a body round its origin, seen from above, m.
+  std::vector<std::uint32_t> index_;  ///< Index in agents_, by address.
+  double largest_ = 0;                ///< Largest horizontal radius of a body about its origin [m].
   mutable CellGrid grid_;             ///< Of agents_, by origin.
-  mutable std::optional<std::uint64_t> followed_;  ///< Physics step up to which the grid is right.
+  /// Physics step for which the grid is up to date.
+  mutable std::optional<std::uint64_t> followed_;
   mutable std::vector<std::uint32_t> near_;
 };
 
