@@ -7,14 +7,14 @@
 
 namespace sim::physics {
 
-/// The objects that may be awake, so that a step costs as much as moves and not as much as there
-/// is. Who wakes an object adds it; who finds one of the list asleep lets go of it. Objects are
-/// numbers from 0.
+/// The objects that may be awake, so that the cost of a step depends on the number of moving
+/// objects and not of all. Code that wakes an object adds it; code that finds a listed object
+/// asleep removes it. Objects are numbers from 0.
 class AwakeList {
  public:
   using Member = std::uint32_t;
 
-  /// Constant time. One that is there already: no effect.
+  /// Adds an object in constant time. No effect if it is listed already.
   void add(std::size_t object) {
     if (object >= is_there_.size()) is_there_.resize(object + 1, 0);
     if (is_there_[object] != 0) return;
@@ -22,8 +22,8 @@ class AwakeList {
     added_.push_back(static_cast<Member>(object));
   }
 
-  /// Ascending: contacts are made in the order of objects, and the solver works in the order of
-  /// contacts. Good until something is added or let go of.
+  /// The listed objects in ascending order: contacts are made in the order of objects, and the
+  /// solver works in the order of contacts. Valid until the list changes.
   std::span<const Member> members() {
     if (added_.empty()) return members_;
     std::ranges::sort(added_);
@@ -34,7 +34,7 @@ class AwakeList {
     return members_;
   }
 
-  /// Keeps those for which keep(object) is true, asked in ascending order.
+  /// Removes the objects for which keep(object) is false; calls it in ascending order.
   template <class Keep>
   void keep_if(Keep keep) {
     members();
@@ -46,8 +46,8 @@ class AwakeList {
   }
 
  private:
-  std::vector<Member> members_;  ///< Ascending.
-  std::vector<Member> added_;    ///< Not among them yet.
+  std::vector<Member> members_;  ///< In ascending order.
+  std::vector<Member> added_;    ///< Not in members_ yet.
   std::vector<std::uint8_t> is_there_;
 };
 

@@ -7,7 +7,7 @@
 namespace sim::physics {
 namespace {
 
-constexpr double kDeepest = 0.2;   // m; the deepest dents that jams made were a few millimetres
+constexpr double kDeepest = 0.2;   // m; dents made by jams were a few millimetres deep
 constexpr double kFarthest = 1e5;  // m
 constexpr double kFastest = 1e5;   // m/s
 
@@ -32,7 +32,7 @@ std::optional<BodyLoss> loss_of(const RigidBody& body, const hal::Vec3& origin,
   static const double upright = hal::math::cos(1.0);
   const dReal* p = dBodyGetPosition(body.body);
   const dReal* r = dBodyGetRotation(body.body);
-  // Written so that NaN fails: later ODE would abort on such a body.
+  // Written so that NaN fails: later, ODE would abort on such a body.
   const dReal* v = dBodyGetLinearVel(body.body);
   const bool sane = std::abs(v[0]) < kFastest && std::abs(v[1]) < kFastest &&
                     std::abs(v[2]) < kFastest && std::isfinite(p[0] + p[1] + p[2] + r[10]);

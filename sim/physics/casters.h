@@ -9,11 +9,11 @@
 namespace sim::physics {
 
 /// The ball casters of one robot, at both levels of wheels: spheres that are part of the chassis
-/// and slide on the ground with the friction of their balls, `mu` along their x and `mu2` across
-/// it.
+/// and slide on the ground with the friction of their balls, `mu` along their x axis and `mu2`
+/// across it.
 class Casters {
  public:
-  /// @param wheels  all of the robot; those that are driven are left out.
+  /// @param wheels  all wheels of the robot; driven ones are ignored.
   Casters(const RigidBody& chassis, const std::vector<hal::node::devices::Wheel>& wheels);
 
   /// Adds contact joints with the ground.
@@ -21,8 +21,9 @@ class Casters {
 
  private:
   struct Ball {
-    hal::Vec3 offset;  ///< m, of the centre from the chassis's centre of mass, its frame
-    hal::Vec3 slip;    ///< Body frame of the chassis, unit length.
+    /// Centre relative to the chassis's centre of mass, in the chassis frame [m].
+    hal::Vec3 offset;
+    hal::Vec3 slip;  ///< Unit vector, body frame of the chassis.
     double radius;
     double mu;
     double mu2;

@@ -9,7 +9,7 @@ namespace {
 
 using hal::Vec3;
 
-/// m; far above what rounding can do, far below a contact's depth.
+/// m; far above rounding errors, far below a contact's depth.
 constexpr double kDoubt = 1e-6;
 
 Vec3 centre_of(dBodyID body) {
@@ -34,7 +34,7 @@ double radius_of(dGeomID geometry) {
   return size + std::sqrt(hal::dot(offset, offset));
 }
 
-/// From a point to a wall, 0 inside. m
+/// Distance from a point to a wall, 0 inside. m
 double distance(const Vec3& point, const Shape& wall) {
   const hal::Vec2 to{point.x - wall.centre.x, point.y - wall.centre.y};
   const double x = std::max(std::abs(hal::dot(to, wall.axis)) - wall.half.x, 0.0);
@@ -62,7 +62,7 @@ bool Clearance::has_strayed(const Objects& objects) const {
   for (std::size_t i = 0; i < balls_.size(); ++i) {
     if (!objects[i]->awake()) continue;
     const Vec3 moved = centre_of(objects[i]->rigid.body) - balls_[i].centre;
-    // Written so that NaN has strayed.
+    // Written so that NaN counts as strayed.
     if (!balls_[i].can_move || !(hal::dot(moved, moved) < balls_[i].free * balls_[i].free))
       return true;
   }

@@ -16,25 +16,25 @@ class ContactIslands {
     int robots = 0;
   };
 
-  /// One more object: its number is how many there were before. No contacts are known.
+  /// Adds an object; its number is the number of objects before. Its contacts are empty.
   void add_object(bool is_robot);
 
-  /// Forgets all contacts. Costs as much as there were.
+  /// Removes all contacts, at a cost proportional to their number.
   void reset();
 
-  /// Contacts of an object with something that does not move.
+  /// Adds contacts of an object with something that does not move.
   void add(std::size_t object, int contacts);
 
-  /// Contacts between two objects.
+  /// Adds contacts between two objects.
   void join(std::size_t a, std::size_t b, int contacts);
 
-  /// Whether nothing has touched anything since reset().
+  /// Whether there have been no contacts since reset().
   bool empty() const { return touching_.empty(); }
 
-  /// Those that have touched something since reset(), in no order.
+  /// The objects with contacts since reset(), in no particular order.
   std::span<const std::size_t> touching() const { return touching_; }
 
-  /// Of the group that an object belongs to.
+  /// Totals of the group to which an object belongs.
   Total total(std::size_t object);
 
  private:

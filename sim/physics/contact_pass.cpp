@@ -10,7 +10,7 @@ constexpr int kContactsPerPair = 4;
 
 struct Joined {
   int contacts = 0;
-  double depth = 0;  ///< m, of the deepest.
+  double depth = 0;  ///< m, of the deepest contact
 };
 
 /// Up to four contacts between two geometries, with friction, as joints.
@@ -64,8 +64,8 @@ void ContactPass::forget() {
   std::erase_if(touching_, [this](std::size_t object) { return !count_rest(object); });
 }
 
-/// A body falls asleep where it is: what it touched in that step it touches until something that is
-/// awake touches it, which wakes it. @return whether it touches something.
+/// A body that falls asleep does not move: its contacts in that step last until an awake object
+/// touches it and wakes it. @return whether it has contacts.
 bool ContactPass::count_rest(std::size_t object) {
   std::array<bool, 3>& touched = touched_[object];
   Object& sleeper = *objects_[object];
@@ -78,7 +78,7 @@ bool ContactPass::count_rest(std::size_t object) {
   return wall || robot || mote;
 }
 
-/// Sleepers that touch each other wake each other in one and the same step: these stay in sight.
+/// Sleeping objects in contact wake each other in the same step, so these stay in the search.
 void ContactPass::rest(std::size_t object) {
   const auto [wall, robot, mote] = touched_[object];
   if (!Clearance::measures(objects_) && !robot && !mote) zones_.rest(object);

@@ -9,10 +9,10 @@
 
 namespace sim::physics {
 
-/// Finds what touches what before a step, makes the contact joints and keeps the records.
+/// Finds the contacts before a step, makes the contact joints and keeps the contact records.
 class ContactPass {
  public:
-  /// @param awake  the objects that may be awake; those that are woken by a touch are added.
+  /// @param awake  the objects that may be awake; objects woken by a contact are added.
   ContactPass(const OdeWorld& world, Objects& objects, AwakeList& awake, double ground_friction)
       : world_(world),
         objects_(objects),
@@ -20,20 +20,20 @@ class ContactPass {
         zones_(objects),
         ground_friction_(ground_friction) {}
 
-  /// @param now  start of the step. Objects first, then the ground: whoever is woken by a push must
-  /// stand on the ground in this very step.
+  /// @param now  start of the step. Contacts between objects come before those with the ground,
+  /// because an object that is woken by a push must stand on the ground in the same step.
   void run(hal::Time now);
 
-  /// An object has fallen asleep in the step after the last run().
+  /// Reports that an object has fallen asleep in the step after the last run().
   void rest(std::size_t object);
 
-  /// A wall that was added to the world.
+  /// Adds a wall of the world.
   void add_wall(const Shape& wall) { clearance_.add_wall(wall); }
 
-  /// Who touches whom, from the last run().
+  /// Groups of objects in contact, from the last run().
   ContactIslands& islands() { return islands_; }
 
-  /// m, over all contacts except those with the ground, from the last run().
+  /// Largest depth of a contact other than with the ground, from the last run(). m
   double deepest_overlap() const { return deepest_; }
 
  private:
@@ -54,8 +54,9 @@ class ContactPass {
   Clearance clearance_;
   hal::Time now_{};
   double deepest_ = 0;
-  std::vector<std::array<bool, 3>> touched_;  ///< Per object and kind: recorded in this step.
-  std::vector<std::size_t> touching_;         ///< Those of which something is.
+  /// Per object and kind: contact recorded in this step.
+  std::vector<std::array<bool, 3>> touched_;
+  std::vector<std::size_t> touching_;  ///< The objects with any of these set.
 };
 
 }  // namespace sim::physics

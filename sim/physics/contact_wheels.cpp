@@ -7,19 +7,19 @@ namespace {
 
 using hal::Vec3;
 
-/// A sphere that is part of the chassis; its surface runs past the contact with the ground.
+/// A sphere that is part of the chassis; its surface moves relative to the contact with the ground.
 struct ContactWheel {
-  Vec3 offset;  ///< m, of the centre from the chassis's centre of mass, its frame
-  Vec3 slip;    ///< Body frame of the chassis, unit length.
+  Vec3 offset;  ///< m, centre relative to the chassis's centre of mass, in the chassis frame
+  Vec3 slip;    ///< Unit vector, body frame of the chassis.
   double radius;
   double lever;  ///< m
   double mu;
   double mu2;
   double max_torque;
   double unit_loss;     ///< W in the winding at 1 N m.
-  double load;          ///< N on the ground in the last step that it touched.
+  double load;          ///< N on the ground in the last step with contact
   double speed = 0;     ///< rad/s of the surface.
-  bool yields = false;  ///< The torque, not the grip, is what limits the force.
+  bool yields = false;  ///< The torque, not the grip, limits the force.
   GroundContact ground;
 };
 
@@ -53,7 +53,8 @@ ContactWheels::ContactWheels(const RigidBody& chassis,
                              const std::vector<hal::node::devices::Wheel>& wheels,
                              double weight_on_each, bool measure_energy)
     : chassis_(chassis), measures_(measure_energy) {
-  wheels_.reserve(wheels.size());  // the solver writes feedback to them: they stay in place
+  // the solver writes feedback to them, so their addresses must not change
+  wheels_.reserve(wheels.size());
   for (const hal::node::devices::Wheel& wheel : wheels) {
     const Vec3 place{wheel.position.x, wheel.position.y, wheel.radius};
     wheels_.push_back({place - chassis.centre_of_mass,
@@ -71,8 +72,8 @@ ContactWheels::ContactWheels(const RigidBody& chassis,
   }
 }
 
-/// Coefficient along the grip: what the tyre grips, or what the motor's torque gives
-/// under the load of the step before.
+/// Coefficient of friction along the grip: that of the tyre or, if lower, the one that corresponds
+/// to the motor's torque at the load of the step before.
 double ContactWheels::grip(ContactWheel& wheel) const {
   wheel.yields = !power_ || wheel.max_torque < wheel.mu * wheel.lever * wheel.load;
   if (!power_) return 0;
@@ -102,8 +103,8 @@ void ContactWheels::follow(double seconds, std::span<double> angles) {
   for (std::size_t i = 0; i < wheels_.size(); ++i) angles[i] += turned(wheels_[i], seconds);
 }
 
-/// rad in the step. A motor that is too weak for the load, or off, lets its wheel roll as the
-/// ground passes by; any other wheel turns as it was told, whether it grips or spins.
+/// Rotation in the step [rad]. A wheel whose motor is too weak for the load, or off, rolls with the
+/// ground; any other wheel turns at the commanded speed, whether it grips or spins.
 double ContactWheels::turned(ContactWheel& wheel, double seconds) {
   const GroundContact& ground = wheel.ground;
   if (!ground.touches) return (power_ ? wheel.speed : 0) * seconds;
@@ -115,7 +116,8 @@ double ContactWheels::turned(ContactWheel& wheel, double seconds) {
   return (wheel.yields ? passing : wheel.speed) * seconds;
 }
 
-/// @param after  velocity of the chassis's material at the contact, after the step.
+/// Records energies. @param after  velocity of the chassis's material at the contact, after the
+/// step.
 void ContactWheels::book(const ContactWheel& wheel, const Vec3& after, double seconds) {
   const GroundContact& ground = wheel.ground;
   const Vec3 force = ground.force();

@@ -5,7 +5,7 @@
 namespace sim::physics {
 namespace {
 
-/// Position and rotation of a body in the frame of another one.
+/// Position and rotation of one body in the frame of another.
 struct Relative {
   dVector3 position;
   dMatrix3 rotation;

@@ -6,8 +6,8 @@
 
 namespace sim::physics {
 
-/// Puts an object's bodies somewhere else, awake and at rest: as they are to each other, and with
-/// the main one upright on the ground. A robot keeps its command.
+/// Places an object at a pose, awake and at rest, with the main body upright on the ground and the
+/// other bodies in the same relative poses. The command of a robot is kept.
 /// @param pose  m, rad, world frame, of the origin
 void displace(Object& object, const hal::Pose2& pose, const Ground& ground);
 

@@ -45,7 +45,7 @@ std::unique_ptr<Wheels> make_wheels(const OdeWorld& world, const RigidBody& chas
                              config.measure_energy);
 }
 
-/// A battery has to know what the motors draw.
+/// A robot with a battery needs the energy of its motors.
 WorldConfig measuring_for(const hal::node::devices::RobotDescription& robot, WorldConfig config) {
   config.measure_energy |= hal::node::devices::battery_of(robot.sensors) != nullptr;
   return config;
@@ -71,7 +71,7 @@ void Drivetrain::set_power(bool on) {
   target_ = {};
   profile_.reset({});
   wheels_->set_power(on);
-  // A sleeping body would not notice that nothing holds it any more.
+  // A sleeping body would not notice that the motors no longer hold it.
   for (const dBodyID body : bodies_) dBodyEnable(body);
 }
 
@@ -80,8 +80,8 @@ void Drivetrain::actuate(hal::Duration step) {
   keep_awake(wanted != hal::Twist2{} || target_ != hal::Twist2{});
   if (wanted == asked_for_) return;
   asked_for_ = wanted;
-  // Turning and translating follow separate ramps, so that on the way from one reachable velocity
-  // to another a wheel could still be asked for too much.
+  // Rotation and translation follow separate ramps, so between two feasible velocities a wheel
+  // might still exceed its limit.
   drive_.wheel_speeds(drive_.saturate(wanted).twist, speeds_);
   wheels_->turn(speeds_);
 }
@@ -91,7 +91,7 @@ void Drivetrain::keep_awake(bool moving) {
   moving_ = moving;
   for (const dBodyID body : bodies_) {
     dBodySetAutoDisableFlag(body, moving ? 0 : 1);
-    // A sleeping body does not notice a new motor speed.
+    // A sleeping body would not notice a new motor speed.
     if (moving) dBodyEnable(body);
   }
 }

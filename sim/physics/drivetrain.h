@@ -17,29 +17,29 @@
 
 namespace sim::physics {
 
-/// Drives one robot: commands pass the motor profile on their way to the wheels.
+/// Drives one robot: commands pass through the motor profile to the wheels.
 class Drivetrain {
  public:
-  /// @throws std::invalid_argument  wheels that do not make a drive.
+  /// @throws std::invalid_argument  the wheels do not make a drive.
   Drivetrain(const OdeWorld& world, const RigidBody& chassis,
              const hal::node::devices::RobotDescription& robot, const WorldConfig& config);
 
   const hal::node::devices::WheelDrive& drive() const { return drive_; }
 
-  /// Velocity to approach from now on, within the motors' limit.
+  /// Sets the velocity to approach from now on, within the motors' limit.
   void command(const hal::Twist2& target) { target_ = target; }
 
-  /// Motors off: the wheels roll freely. Either way the command becomes zero.
+  /// Off: the wheels roll freely. Both set the command to zero.
   void set_power(bool on);
 
-  /// Before a step: sets the motors to the next velocity of the profile. A robot that is asked to
-  /// move is kept awake; one that is not may fall asleep.
+  /// Call before a step: sets the motors to the next velocity of the profile. A robot that is
+  /// commanded to move is kept awake; any other may fall asleep.
   void actuate(hal::Duration step);
 
   /// Adds contact joints of the wheels with the ground.
   void touch_ground(const OdeWorld& world);
 
-  /// After a step: follows the wheels' angles.
+  /// Call after a step: updates the wheels' angles.
   void follow(hal::Duration step);
 
   const Wheels& wheels() const { return *wheels_; }
@@ -56,8 +56,9 @@ class Drivetrain {
   std::vector<dBodyID> bodies_;
   Casters casters_;
   std::vector<double> angles_;
-  std::vector<double> speeds_;            ///< rad/s, as the motors were told last.
-  std::optional<hal::Twist2> asked_for_;  ///< What these speeds are for; none: not told yet.
+  std::vector<double> speeds_;  ///< rad/s, last set on the motors.
+  /// Velocity for which these speeds were set; nullopt: not set yet.
+  std::optional<hal::Twist2> asked_for_;
   hal::Twist2 target_;
   bool moving_ = false;
 };

@@ -15,24 +15,24 @@ std::uint32_t solver_seed(const Solve& how) {
   return static_cast<std::uint32_t>(stream.next());
 }
 
-/// Bodies that are awake, apart by whether their island is a jam.
+/// Awake bodies, separated by whether their island is a jam.
 struct Parts {
   std::vector<dBodyID> free;
   std::vector<dBodyID> jammed;
-  int most_contacts = 0;  ///< Of an island that is free.
+  int most_contacts = 0;  ///< Largest number in an island that is free.
 };
 
 bool is_jam(const ContactIslands::Total& total, const Solve& how) {
   return total.contacts > how.jam_contacts || total.robots > how.jam_robots;
 }
 
-/// An island of one that touches nothing never is one.
+/// An island of a single object without contacts is never a jam.
 bool holds_jam(ContactIslands& islands, const Solve& how) {
   return std::ranges::any_of(
       islands.touching(), [&](std::size_t object) { return is_jam(islands.total(object), how); });
 }
 
-/// Of an island.
+/// Largest number of contacts of an island.
 int most_contacts(ContactIslands& islands) {
   int most = 0;
   for (const std::size_t object : islands.touching())
@@ -68,7 +68,7 @@ Solved solve(OdeWorld& world, const Objects& objects, ContactIslands& islands, c
   for (const dBodyID body : parts.jammed) dBodyDisable(body);
   world.solve_exactly(how.seconds);
   // Enabling restarts a body's countdown to sleep: while a jam lasts, no mote elsewhere falls
-  // asleep. That costs time, not correctness.
+  // asleep. This costs time, not correctness.
   std::vector<dBodyID> still_awake;
   for (const dBodyID body : parts.free) {
     if (dBodyIsEnabled(body) == 0) continue;

@@ -5,18 +5,18 @@ namespace {
 
 using hal::Vec3;
 
-/// A sphere with a body of its own on a motorised hinge.
+/// A sphere with its own body on a motorised hinge.
 struct JointedWheel {
   dJointID hinge;
   dBodyID body;
   double radius;
-  Vec3 slip;  ///< Body frame of the chassis, unit length.
+  Vec3 slip;  ///< Unit vector, body frame of the chassis.
   double mu;
   double mu2;
   double max_torque;
   bool has_oblique_rollers;
   double unit_loss;  ///< W in the winding at 1 N m.
-  double rate = 0;   ///< rad/s of the hinge before the step.
+  double rate = 0;   ///< rad/s, of the hinge before the step
   GroundContact ground;
   dJointFeedback motor;
 };
@@ -28,7 +28,8 @@ class JointedWheels final : public Wheels {
       : chassis_(chassis),
         measures_(config.measure_energy),
         half_step_(0.5 * hal::to_seconds(config.step)) {
-    wheels_.reserve(wheels.size());  // the solver writes feedback to them: they stay in place
+    // the solver writes feedback to them, so their addresses must not change
+    wheels_.reserve(wheels.size());
     for (const hal::node::devices::Wheel& wheel : wheels) mount(world, wheel);
   }
   JointedWheels(const JointedWheels&) = delete;
@@ -96,10 +97,10 @@ void JointedWheels::set_power(bool on) {
     dJointSetHingeParam(wheel.hinge, dParamFMax, on ? wheel.max_torque : 0);
 }
 
-/// Where a wheel gives way in the coming step, world frame. On a turning chassis a wheel with a
-/// body of its own moves along the chord of its arc, which is turned by half of what the chassis
-/// turns in the step. Rollers along the radius do not notice; rollers at an angle would be 0.5
-/// omega * step too fast or too slow.
+/// Slip direction of a wheel in the coming step, world frame. On a turning chassis, a wheel with
+/// its own body moves along the chord of its arc, which is rotated by half of the chassis's
+/// rotation in the step. This does not matter to rollers along the radius; oblique rollers would be
+/// 0.5 omega * step too fast or too slow.
 Vec3 JointedWheels::slip_of(const JointedWheel& wheel) const {
   const Vec3 slip = rotate(chassis_.body, wheel.slip);
   if (!wheel.has_oblique_rollers) return slip;
@@ -111,7 +112,7 @@ void JointedWheels::touch_ground(const OdeWorld& world) {
   dContact contact{};
   for (JointedWheel& wheel : wheels_) {
     if (measures_) wheel.rate = dJointGetHingeAngleRate(wheel.hinge);
-    // The directions follow the chassis; the wheel's own frame turns with the wheel.
+    // The directions are those of the chassis; the wheel's own frame turns with the wheel.
     const Vec3 slip = slip_of(wheel);
     const dReal* p = dBodyGetPosition(wheel.body);
     if (!meet_ground(world.ground(), {wheel.body, {p[0], p[1], p[2]}, slip, wheel.radius}, contact,
@@ -135,7 +136,7 @@ void JointedWheels::follow(double seconds, std::span<double> angles) {
 }
 
 /// Work of a force over a step is its product with the mean velocity: exact for the integrator, in
-/// which force and arm are constant and the velocity changes linearly with them.
+/// which force and arm are constant and the velocity changes linearly.
 void JointedWheels::book(const JointedWheel& wheel, double seconds) {
   dVector3 axis;
   dJointGetHingeAxis(wheel.hinge, axis);

@@ -15,16 +15,17 @@ namespace sim::physics {
 struct Object {
   AgentId agent;
   RigidBody rigid;
-  std::unique_ptr<Drivetrain> drivetrain;  ///< Null: a mote.
+  std::unique_ptr<Drivetrain> drivetrain;  ///< Null for a mote.
   std::vector<dBodyID> bodies;             ///< Main body first, then wheels.
-  std::vector<dGeomID> geometries;         ///< Of the main body.
-  std::size_t first_shape = 0;             ///< Their shapes follow one another.
+  std::vector<dGeomID> geometries;         ///< Geometries of the main body.
+  std::size_t first_shape = 0;             ///< Its shapes have consecutive indices.
   double friction = 0;
   Contacts contacts;
-  hal::Vec3 centre;                      ///< m, of the main body's mass, when it was last seen sane
-  mutable std::optional<BodyPose> pose;  ///< Kept while the body rests: its angles cost.
-  bool lost = false;                     ///< Tipped over or lost: it has been noted.
-  bool frozen = false;                   ///< Out of the dynamics for good.
+  hal::Vec3 centre;  ///< m, of the main body's mass, when last found valid
+  /// Cached while the body rests, because its angles are costly.
+  mutable std::optional<BodyPose> pose;
+  bool lost = false;    ///< Tipped over or lost, and reported.
+  bool frozen = false;  ///< Removed from the dynamics permanently.
 
   bool awake() const { return dBodyIsEnabled(rigid.body) != 0; }
   void wake() const {
@@ -32,7 +33,7 @@ struct Object {
   }
 };
 
-/// Of a ball around the centre of mass that holds all geometries. m
+/// Radius of a ball around the centre of mass that encloses all geometries. m
 double radius_of(const Object& object);
 
 using Objects = std::vector<std::unique_ptr<Object>>;

@@ -8,8 +8,8 @@
 namespace sim::physics {
 namespace {
 
-/// Where messages of the step under way are counted. ODE knows one handler per process; each thread
-/// steps one world at a time.
+/// Counter of messages of the step in progress. ODE has one handler per process; each thread steps
+/// one world at a time.
 thread_local std::uint64_t* message_count = nullptr;
 
 void count_message(int /*number*/, const char* /*text*/, va_list /*arguments*/) {
@@ -22,7 +22,7 @@ bool start_ode() {
   return true;
 }
 
-/// ODE is initialised once per process and lives as long as it.
+/// Initialises ODE once per process; it is never closed.
 void initialise_ode() {
   static const bool started = start_ode();
   BARAKA_CHECK(started);
@@ -37,8 +37,8 @@ void configure(dWorldID world, const WorldConfig& config) {
   dWorldSetContactSurfaceLayer(world, config.surface_layer);
   dWorldSetContactMaxCorrectingVel(world, config.max_correcting_velocity);
   dWorldSetQuickStepNumIterations(world, 20);
-  // Thresholds at which motes at rest sleep within 0.6 s and none falls asleep while it is pushed
-  // (docs/models.md, 1).
+  // With these thresholds, motes at rest sleep within 0.6 s and none falls asleep while it is
+  // pushed (docs/models.md, 1).
   dWorldSetAutoDisableFlag(world, 1);
   dWorldSetAutoDisableLinearThreshold(world, 0.005);
   dWorldSetAutoDisableAngularThreshold(world, 0.02);
@@ -79,8 +79,8 @@ dGeomID OdeWorld::ground_plane(hal::Vec2 at) const {
 }
 
 void OdeWorld::drop_contacts(std::size_t awake) {
-  // An emptied group keeps its memory: that of the first steps, in which every mote is awake, for
-  // the whole run.
+  // An emptied group keeps its memory: without this, that of the first steps, in which every mote
+  // is awake, would be kept for the whole run.
   most_awake_ = std::max(most_awake_, awake);
   if (2 * awake >= most_awake_) return dJointGroupEmpty(contacts_);
   most_awake_ = awake;

@@ -9,8 +9,8 @@
 
 namespace sim::physics {
 
-/// Which geometries are tested against each other. Wheels and the ground stay out of the space:
-/// wheels touch nothing but the ground, and the ground would pair with all.
+/// Categories of geometries that are tested against each other. Wheels and the ground are not in
+/// the space: wheels touch only the ground, and the ground would form a pair with everything.
 enum Category : unsigned { kWallBit = 2, kBodyBit = 4, kMoteBit = 16 };
 
 /// Owns ODE's objects of one world: dynamics, broad phase, contact joints, a plane as ground.
@@ -26,15 +26,16 @@ class OdeWorld {
   dJointGroupID contacts() const { return contacts_; }
   const Ground& ground() const { return *ground_; }
 
-  /// The ground as it is around a place, for geometries to be tested against: the plane that
-  /// touches it there. Good until the next call.
+  /// The ground near a place, for contact tests: its tangent plane there. Valid until the next
+  /// call.
   dGeomID ground_plane(hal::Vec2 at) const;
 
-  /// Removes all contact joints: at the end of a step. @param awake  objects that have some; when
-  /// there are far fewer than there were, what memory their joints took is given back.
+  /// Removes all contact joints at the end of a step. @param awake  number of objects with
+  /// contacts; when it is far smaller than before, the memory of the joints is freed.
   void drop_contacts(std::size_t awake);
 
-  /// One step by the exact solver, or by the iterative one seeded with `seed`. Counts messages.
+  /// Take one step by the exact solver, or by the iterative one seeded with `seed`. Both count
+  /// ODE's messages.
   void solve_exactly(double seconds);
   void solve_iteratively(double seconds, std::uint32_t seed);
 
@@ -48,7 +49,7 @@ class OdeWorld {
   std::shared_ptr<const Ground> ground_;
   dGeomID ground_plane_;
   std::uint64_t messages_ = 0;
-  std::size_t most_awake_ = 0;  ///< Since the memory of contacts was given back.
+  std::size_t most_awake_ = 0;  ///< Since the memory of contacts was last freed.
 };
 
 }  // namespace sim::physics

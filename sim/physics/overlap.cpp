@@ -26,14 +26,14 @@ double between_box_and_cylinder(const Shape& box, const Shape& cylinder) {
   return cylinder.radius - std::sqrt(hal::dot(outside, outside));
 }
 
-/// Half the length of a box's shadow in a direction.
+/// Half the length of a box's projection on a direction.
 double shadow(const Shape& box, Vec2 direction) {
   return std::abs(hal::dot(box.axis, direction)) * box.half.x +
          std::abs(hal::dot(turned(box.axis), direction)) * box.half.y;
 }
 
-/// Convex bodies are apart if their shadows are, in the direction of one of their sides' normals
-/// (S. Gottschalk, M. C. Lin, D. Manocha, "OBBTree", SIGGRAPH 1996).
+/// Convex shapes are apart if their projections on the normal of one of their sides are (S.
+/// Gottschalk, M. C. Lin, D. Manocha, "OBBTree", SIGGRAPH 1996).
 double between_boxes(const Shape& a, const Shape& b) {
   const Vec2 apart = b.centre - a.centre;
   double least = std::numeric_limits<double>::infinity();

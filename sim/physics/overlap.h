@@ -4,12 +4,12 @@
 
 namespace sim::physics {
 
-/// How deep two upright shapes are in each other. m; where one is 0 or less they are apart.
+/// Depth of the overlap of two upright shapes. m; if either is <= 0, the shapes do not overlap.
 struct Overlap {
-  /// The shortest way that takes them apart on the ground. Below 0: they are apart by as much or,
-  /// two boxes corner to corner, by more.
+  /// Shortest horizontal displacement that separates them. Below 0: they are apart by this distance
+  /// or, for two boxes corner to corner, by more.
   double level = 0;
-  double upright = 0;  ///< Of their heights.
+  double upright = 0;  ///< Overlap of their heights.
 
   bool is_deeper_than(double depth) const { return level > depth && upright > depth; }
 };

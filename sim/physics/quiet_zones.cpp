@@ -6,12 +6,12 @@
 namespace sim::physics {
 namespace {
 
-constexpr double kSmallestCell = 1;  // m: so that few cells are crossed
+constexpr double kSmallestCell = 1;  // m; so that objects change cells rarely
 constexpr double kLastCell = 1e9;    // farther out than any body gets
 
 std::int32_t number_of(double coordinate, double size) {
   const double number = std::floor(coordinate / size);
-  // Written so that NaN is in some cell, too.
+  // Written so that NaN gets a cell, too.
   return number > -kLastCell && number < kLastCell ? static_cast<std::int32_t>(number) : 0;
 }
 
@@ -25,7 +25,7 @@ void for_each_around(const Cell& middle, Act act) {
 
 }  // namespace
 
-/// Objects that are new. @pre none is added after the first step.
+/// Adds the objects that are not members yet. @pre none is added after the first step.
 void QuietZones::adopt() {
   for (std::size_t i = members_.size(); i < objects_.size(); ++i)
     size_ = std::max({size_, kSmallestCell, 2 * radius_of(*objects_[i])});
@@ -43,7 +43,7 @@ void QuietZones::place(std::size_t object) {
   const Cell cell = cell_of(object);
   if (member.is_placed && member.cell == cell) return;
   if (member.sleeps) wake(object);
-  // First where it is, then where it was: what is near both stays in.
+  // Enters the new cell before leaving the old one, so that objects near both stay in the search.
   enter(cell);
   if (member.is_placed) leave(member.cell);
   member = {cell, true, false};
@@ -99,7 +99,7 @@ void QuietZones::drop_if_empty(Zones::iterator zone) {
 }
 
 void QuietZones::take_part(std::size_t object, bool does) const {
-  if (objects_[object]->frozen) return;  // out for good
+  if (objects_[object]->frozen) return;  // permanently out of the search
   for (const dGeomID geometry : objects_[object]->geometries)
     does ? dGeomEnable(geometry) : dGeomDisable(geometry);
 }

@@ -9,22 +9,23 @@
 
 namespace sim::physics {
 
-/// Takes the geometries of objects that sleep far from all that is awake out of the search for
-/// contacts, whose cost else grows with everything there is. What sleeps is woken by a touch, so it
-/// must be found by whatever comes near: in square cells as wide as the two largest objects, what
-/// sleeps takes part if anything is awake in its cell or in one of the eight around.
+/// Removes the geometries of objects that sleep far from all awake objects from the search for
+/// contacts, whose cost otherwise grows with the number of all objects. A contact wakes a sleeping
+/// object, so it must be in the search when an awake object comes near. In square cells as wide as
+/// the two largest objects, a sleeping object is in the search if anything is awake in its cell or
+/// in one of the eight cells around it.
 ///
 ///   QuietZones zones(objects);
-///   … in each step: zones.place(i) of each i that is awake; search; solve; zones.rest(i) of each i
-///   that has fallen asleep …
+///   … in each step: zones.place(i) for each awake object i; search; solve; zones.rest(i) for each
+///   object i that has fallen asleep …
 class QuietZones {
  public:
   explicit QuietZones(Objects& objects) : objects_(objects) {}
 
-  /// An object is awake: where it is now, before the search.
+  /// Updates the position of an awake object, before the search.
   void place(std::size_t object);
 
-  /// It sleeps from now on.
+  /// Records that an object has fallen asleep.
   void rest(std::size_t object);
 
  private:
@@ -36,8 +37,8 @@ class QuietZones {
   using Zones = std::map<Cell, Zone>;
   struct Member {
     Cell cell;
-    bool is_placed = false;  ///< Counted as awake in its cell …
-    bool sleeps = false;     ///< … or among the sleepers there.
+    bool is_placed = false;  ///< Counted as awake in its cell.
+    bool sleeps = false;     ///< Among the sleepers of its cell.
   };
 
   void adopt();
@@ -52,7 +53,7 @@ class QuietZones {
   Objects& objects_;
   double size_ = 0;  ///< m, edge of a cell.
   std::vector<Member> members_;
-  Zones zones_;  ///< None is empty.
+  Zones zones_;  ///< Zones without objects are removed.
 };
 
 }  // namespace sim::physics

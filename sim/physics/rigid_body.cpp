@@ -16,7 +16,7 @@ namespace devices = hal::node::devices;
 
 constexpr int kAlongZ = 3;
 
-/// Geometry of one part of a chassis, with its place in the body frame.
+/// Geometry of one part of a chassis, with its pose in the body frame.
 struct Part {
   dGeomID geometry;
   Vec3 centre;
@@ -67,7 +67,7 @@ void add_mass(dMass& total, dMass mass, const Vec3& centre) {
   dMassAdd(&total, &mass);
 }
 
-/// Those that have no body of their own.
+/// Adds the masses of wheels without a body of their own.
 void add_wheels(dMass& total, const devices::RobotDescription& robot) {
   for (const devices::Wheel& wheel : robot.wheels) {
     if (wheel.is_driven() && robot.wheel_level == devices::WheelLevel::kJointed) continue;
@@ -79,7 +79,7 @@ void add_wheels(dMass& total, const devices::RobotDescription& robot) {
   }
 }
 
-/// Body with its origin at `pose` on the ground and its centre of mass where `mass` has it.
+/// Makes a body with its origin at `pose` on the ground and the centre of mass of `mass`.
 RigidBody make_body(const OdeWorld& world, dMass mass, const hal::Pose2& pose) {
   RigidBody made{dBodyCreate(world.dynamics()), {mass.c[0], mass.c[1], mass.c[2]}};
   dMassTranslate(&mass, -made.centre_of_mass.x, -made.centre_of_mass.y, -made.centre_of_mass.z);
@@ -100,7 +100,8 @@ void attach(const Part& part, const RigidBody& body) {
 
 Vec3 as_vector(const dReal* v) { return {v[0], v[1], v[2]}; }
 
-/// The box lies on the face whose axis is nearest to vertical; the other two axes span its outline.
+/// The box stands on the face whose axis is nearest to vertical; the other two axes span its
+/// outline.
 void refresh_box(Shape& shape, dGeomID geometry) {
   const dReal* r = dGeomGetRotation(geometry);
   dVector3 size;

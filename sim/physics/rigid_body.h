@@ -9,28 +9,28 @@
 
 namespace sim::physics {
 
-/// What a geometry belongs to, as contacts need to know it; hangs on the geometry.
+/// What contacts need to know of the owner of a geometry; attached to the geometry.
 struct Solid {
   enum class Kind : std::uint8_t { kWall, kRobot, kMote };
   Kind kind = Kind::kWall;
-  std::size_t object = 0;  ///< Index among the world's moving objects; meaningless for walls.
+  std::size_t object = 0;  ///< Index among the world's moving objects; unused for walls.
   double friction = 0;
 };
 
-/// A body of ODE whose centre of mass is not its origin.
+/// An ODE body whose centre of mass is not its origin.
 struct RigidBody {
   dBodyID body = nullptr;
   hal::Vec3 centre_of_mass;  ///< m, in the frame of the origin
 };
 
-/// Rotation about the vertical as ODE stores it, without libm's sine.
+/// Sets a rotation about the vertical in ODE's format, without libm's sine.
 void set_yaw(dMatrix3 rotation, double yaw);
 
 inline hal::Vec3 cross(const hal::Vec3& a, const hal::Vec3& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
-/// Takes a vector from the body frame to the world frame.
+/// Transforms a vector from the body frame to the world frame.
 inline hal::Vec3 rotate(dBodyID body, const hal::Vec3& vector) {
   const dReal* r = dBodyGetRotation(body);
   return {r[0] * vector.x + r[1] * vector.y + r[2] * vector.z,
@@ -38,33 +38,35 @@ inline hal::Vec3 rotate(dBodyID body, const hal::Vec3& vector) {
           r[8] * vector.x + r[9] * vector.y + r[10] * vector.z};
 }
 
-/// Puts a body upright on the ground, its origin at `pose`: turned there by its heading, then by
-/// the least turn that takes the vertical to the ground's normal.
+/// Places a body upright on the ground with its origin at `pose`: rotated by its heading, then by
+/// the smallest rotation that takes the vertical to the ground's normal.
 void stand(const RigidBody& body, const hal::Pose2& pose, const Ground& ground);
 
-/// Moves a body straight up. m
+/// Raises a body vertically. m
 void lift(const RigidBody& body, double height);
 
 BodyPose pose_of(const RigidBody& body);
 hal::Vec3 position_of(const RigidBody& body);
 BodyVelocity velocity_of(const RigidBody& body);
 
-/// J; the potential one is 0 for a centre of mass in the world's origin.
+/// Energies of a body, J. The potential energy is 0 for a centre of mass at the world's origin.
 double kinetic_energy(dBodyID body);
 double potential_energy(dBodyID body);
 
-/// Each makes ODE's body or geometry at a pose and names its geometries in creation order.
-/// Sizes and masses are checked. @throws std::invalid_argument
+/// Geometries of one body, in order of creation.
 struct Geometries {
   std::vector<dGeomID> all;
 };
+/// Each of these makes ODE's body or geometry at a pose, and `geometries` lists what was made.
+/// Sizes and masses are checked. @throws std::invalid_argument
 dGeomID make_wall(const OdeWorld& world, const StaticBox& wall);
 RigidBody make_mote(const OdeWorld& world, const hal::node::devices::MoteDescription& mote,
                     const hal::Pose2& pose, Geometries& geometries);
 RigidBody make_chassis(const OdeWorld& world, const hal::node::devices::RobotDescription& robot,
                        const hal::Pose2& pose, Geometries& geometries);
 
-/// The upright shape nearest to a cylinder or box geometry. @param shape  kind and owner are kept.
+/// Sets `shape` to the upright shape nearest to a cylinder or box geometry. @param shape  kind and
+/// owner are kept.
 void refresh(Shape& shape, dGeomID geometry);
 
 }  // namespace sim::physics

@@ -13,39 +13,40 @@
 
 namespace sim::physics {
 
-/// The wheels of one robot at one level of detail: how they are driven, how they meet the ground
-/// and how far they have turned. Every contact with the ground grips across a wheel's slip heading,
-/// which for an omni or a fixed wheel is its rolling direction, and gives way along it: easily, as
-/// rollers do, or hardly, as the tyre of a fixed wheel does.
+/// The wheels of one robot at one level of detail: how they are driven, how they touch the ground
+/// and how far they have turned. Every contact with the ground has high friction perpendicular to
+/// the wheel's slip heading, which for an omni or a fixed wheel is its rolling direction, and
+/// yields along it: easily, like rollers, or hardly, like the tyre of a fixed wheel.
 ///
 /// A step is: turn(), touch_ground(), the solver, follow().
 class Wheels {
  public:
   virtual ~Wheels() = default;
 
-  /// rad/s, one per driven wheel, counted as hal::node::devices::Wheel does.
+  /// Sets the speeds of the driven wheels [rad/s], with the sign convention of
+  /// hal::node::devices::Wheel.
   virtual void turn(std::span<const double> speeds) = 0;
 
-  /// Without power the motors neither drive nor brake.
+  /// Switches the power; without power the motors neither drive nor brake.
   virtual void set_power(bool on) = 0;
 
   /// Adds contact joints of the wheels with the ground.
   virtual void touch_ground(const OdeWorld& world) = 0;
 
-  /// Adds what the wheels turned in the step to `angles`, rad, and books energies if the world
-  /// measures them.
+  /// Adds the rotation of the wheels in the step to `angles` [rad], and records energies if the
+  /// world measures them.
   virtual void follow(double seconds, std::span<double> angles) = 0;
 
-  /// Bodies of the wheels themselves; none where they are part of the chassis.
+  /// Bodies of the wheels; empty if they are part of the chassis.
   virtual std::span<const dBodyID> bodies() const = 0;
 
   double motor_work() const { return motor_work_; }        ///< J since the start.
-  double friction_loss() const { return friction_loss_; }  ///< J since the start, at the ground.
-  double motor_input() const { return motor_input_; }      ///< J since the start: see Energy.
+  double friction_loss() const { return friction_loss_; }  ///< J since the start, at the ground
+  double motor_input() const { return motor_input_; }      ///< J since the start, as in Energy
 
  protected:
-  /// What a motor did in a step. @param work  J, < 0 while it brakes. @param heat  J, in its
-  /// winding.
+  /// Records a motor's energies in a step. @param work  J, < 0 while it brakes. @param heat  J, in
+  /// its winding.
   void book_motor(double work, double heat) {
     motor_work_ += work;
     motor_input_ += std::max(0.0, work + heat);
@@ -58,41 +59,43 @@ class Wheels {
   double motor_input_ = 0;
 };
 
-/// What the two levels share: a wheel's contact with the ground and what it did in a step.
+/// A wheel's contact with the ground, and its effect in a step, at both levels of detail.
 struct GroundContact {
   bool touches = false;
-  hal::Vec3 arm;          ///< m, from the body's centre of mass, at the start of the step
-  hal::Vec3 normal;       ///< Unit vector, world frame: out of the ground.
-  hal::Vec3 grip;         ///< Unit vector, world frame: where a positive speed drives the body.
-  hal::Vec3 velocity;     ///< m/s of the body's material there, before the step; for energies only
-  dJointFeedback forces;  ///< Of the step; valid if asked for.
+  hal::Vec3 arm;     ///< m, from the body's centre of mass, at the start of the step
+  hal::Vec3 normal;  ///< Unit vector out of the ground, world frame.
+  /// Unit vector, world frame: direction in which a positive speed drives the body.
+  hal::Vec3 grip;
+  /// m/s, of the body's material at the contact, before the step; for energies only
+  hal::Vec3 velocity;
+  dJointFeedback forces;  ///< Of the step; valid if requested.
 
   hal::Vec3 force() const { return {forces.f1[0], forces.f1[1], forces.f1[2]}; }  ///< N
 };
 
-/// A wheel's sphere on its way through the world. It has no geometry of ODE's: nothing but the
-/// ground meets it, as the plane that touches it below the centre.
+/// The sphere of a wheel in the world. It is not an ODE geometry: it touches only the ground,
+/// represented by its tangent plane below the centre.
 struct WheelSphere {
-  dBodyID body;      ///< That it belongs to.
+  dBodyID body;      ///< The body to which it belongs.
   hal::Vec3 centre;  ///< m, world frame
   hal::Vec3 slip;    ///< Unit vector, world frame: Wheel::slip_heading().
   double radius;     ///< m
 };
 
-/// Unit vector at an angle from the x axis of the body, seen from above. rad
+/// Unit vector in the horizontal plane at an angle from the body's x axis. rad
 hal::Vec3 horizontal(double heading);
 
-/// Metres that the ground passes along the grip per radian of a wheel that does not slip; N m of
-/// the motor per N of grip.
+/// Lever of a wheel [m]: distance that the ground moves along the grip per radian of a wheel
+/// without slip, and torque of the motor per newton of grip.
 double lever(const hal::node::devices::Wheel& wheel);
 
-/// Fills in where and along which directions a wheel meets the ground: friction `mu` along the
-/// grip, `mu2` across it. @param contact  zeroed, or from another wheel.
+/// Computes where and in which directions a wheel touches the ground: friction `mu` along the grip,
+/// `mu2` across it. @param contact  zeroed, or from another wheel.
 /// @return whether they touch.
 bool meet_ground(const Ground& ground, const WheelSphere& wheel, dContact& contact,
                  GroundContact& met);
 
-/// m/s of a body's material at a distance from its centre of mass; all in the world frame.
+/// Velocity of a body's material at `arm` from its centre of mass; world frame. m/s
 inline hal::Vec3 material_velocity(dBodyID body, const hal::Vec3& arm) {
   const dReal* v = dBodyGetLinearVel(body);
   const dReal* w = dBodyGetAngularVel(body);
@@ -100,12 +103,12 @@ inline hal::Vec3 material_velocity(dBodyID body, const hal::Vec3& arm) {
           v[2] + w[0] * arm.y - w[1] * arm.x};
 }
 
-/// One body and one hinge motor per wheel. @param wheels  driven ones, here and below.
+/// Makes one body and one hinge motor per wheel. @param wheels  driven ones, here and below.
 std::unique_ptr<Wheels> make_jointed_wheels(const OdeWorld& world, const RigidBody& chassis,
                                             const std::vector<hal::node::devices::Wheel>& wheels,
                                             const WorldConfig& config);
 
-/// Spheres on the chassis whose surface moves at the wheel's speed. @param weight_on_each  N
+/// Makes spheres on the chassis whose surface moves at the wheel's speed. @param weight_on_each  N
 std::unique_ptr<Wheels> make_contact_wheels(const RigidBody& chassis,
                                             const std::vector<hal::node::devices::Wheel>& wheels,
                                             double weight_on_each, bool measure_energy);

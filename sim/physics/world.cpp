@@ -91,22 +91,23 @@ class World::Implementation {
   const WorldConfig config;
   OdeWorld ode;
   Objects objects;
-  std::vector<std::size_t> index;  ///< Of an agent's object, by address; kNone: no such agent.
-  std::deque<Solid> solids;        ///< Addresses stay: geometries point here.
+  std::vector<std::size_t> index;  ///< Of each agent's object, by address; kNone: no such agent.
+  std::deque<Solid> solids;        ///< A deque, because geometries point to its elements.
   std::vector<Shape> shapes;
-  std::vector<std::uint8_t> is_outdated;  ///< By object: its shapes are as of an earlier step.
+  std::vector<std::uint8_t> is_outdated;  ///< By object: its shapes are from an earlier step.
   std::vector<std::size_t> outdated;      ///< Those objects.
-  std::vector<hal::Vec3> origins;         ///< m, of the objects, in their order.
-  std::vector<std::uint64_t> moved_at;    ///< Last steps that may have moved them, likewise.
+  std::vector<hal::Vec3> origins;         ///< m; of the objects, in their order
+  std::vector<std::uint64_t> moved_at;    ///< For each object: last step that may have moved it.
   AwakeList awake;
-  std::vector<std::size_t> robots;  ///< The objects with wheels, ascending.
-  std::vector<AgentId> moved;       ///< Those that were awake after the last step.
+  std::vector<std::size_t> robots;  ///< Objects with wheels, in ascending order.
+  std::vector<AgentId> moved;       ///< Agents that were awake after the last step.
   ContactPass pass;
   std::uint64_t steps = 0;
   std::uint64_t jams = 0;
   int largest_exact = 0;
   std::vector<LostBody> lost;
-  std::vector<std::pair<std::size_t, hal::Pose2>> placed;  ///< Objects, before the next step.
+  /// Objects and poses, for the next step.
+  std::vector<std::pair<std::size_t, hal::Pose2>> placed;
 };
 
 Object& World::Implementation::insert(AgentId agent) {
@@ -143,7 +144,7 @@ void World::Implementation::furnish(Object& object, Solid::Kind kind,
   if (object.drivetrain != nullptr) robots.push_back(place);
 }
 
-/// A robot is woken by its command, too.
+/// Sets the motors; a command also wakes a robot.
 void World::Implementation::actuate() {
   for (const std::size_t robot : robots) {
     Object& object = *objects[robot];
@@ -153,7 +154,7 @@ void World::Implementation::actuate() {
   }
 }
 
-/// What was placed since the last step.
+/// Moves the objects that were placed since the last step.
 void World::Implementation::put_down() {
   for (const auto& [number, pose] : placed) {
     Object& object = *objects[number];
@@ -179,9 +180,9 @@ void World::Implementation::step() {
   awake.keep_if([this](std::size_t object) { return follow(object); });
 }
 
-/// What the step has done to an object. All at once: there may be thousands, and what is looked at
-/// of each is not in the cache for long. One that sleeps is where it was. @return whether it is
-/// awake.
+/// Updates everything about an object after a step, in one go: there may be thousands of objects,
+/// and their data does not stay in the cache for long. A sleeping object has not moved. @return
+/// whether it is awake.
 bool World::Implementation::follow(std::size_t index_of_object) {
   Object& object = *objects[index_of_object];
   if (!object.awake()) {
@@ -203,7 +204,7 @@ void World::Implementation::outdate(std::size_t object) {
   outdated.push_back(object);
 }
 
-/// Brought up to date for who looks: nobody may for many steps.
+/// Updates shapes on request, because they may not be read for many steps.
 std::span<const Shape> World::Implementation::refreshed_shapes() {
   for (const std::size_t index_of_object : outdated) {
     const Object& object = *objects[index_of_object];
@@ -215,7 +216,7 @@ std::span<const Shape> World::Implementation::refreshed_shapes() {
   return shapes;
 }
 
-/// @param origin  is brought up to date.
+/// Checks whether a body was lost. @param origin  is updated.
 void World::Implementation::look_for_loss(Object& object, hal::Vec3& origin) {
   origin = position_of(object.rigid);
   const auto loss = loss_of(object.rigid, origin, ode.ground());

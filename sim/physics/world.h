@@ -22,22 +22,22 @@ namespace sim::physics {
 
 using hal::AgentId;
 
-/// Defaults are the measured ones of docs/models.md, 1 and 2.
+/// The defaults were determined by measurement: docs/models.md, 1 and 2.
 struct WorldConfig {
   hal::Duration step = std::chrono::milliseconds(10);  ///< > 0, at most 20 ms.
   double gravity = 9.81;                               ///< m/s^2, along `down`.
-  hal::Vec3 down{0, 0, -1};              ///< Unit vector; tilted, flat ground is a slope.
+  hal::Vec3 down{0, 0, -1};              ///< Unit vector; if tilted, flat ground is a slope.
   double erp = 0.4;                      ///< Share of a joint error corrected per step, 0 .. 1.
   double cfm = 1e-8;                     ///< Softness of constraints.
   double surface_layer = 1e-4;           ///< m; contacts may sink in this far.
   double max_correcting_velocity = 0.1;  ///< m/s at which contacts push bodies apart.
-  double ground_friction = 0.6;          ///< For motes; wheels bring their own. >= 0
-  int jam_contacts = 8;                  ///< Heaps with more contacts get the iterative solver.
-  /// Heaps with more robots get the iterative solver, too: seven robots in a ring have only seven
+  double ground_friction = 0.6;          ///< >= 0; for motes. Wheels have their own friction.
+  int jam_contacts = 8;                  ///< Islands with more contacts use the iterative solver.
+  /// Islands with more robots use the iterative solver, too: seven robots in a ring have only seven
   /// contacts, for which the exact solver takes 2.5 ms a step.
   int jam_robots = 4;
-  std::uint64_t seed = 1;                              ///< Of the iterative solver's row order.
-  bool measure_energy = false;                         ///< Books all wheels' work, some 5 % slower.
+  std::uint64_t seed = 1;       ///< For the iterative solver's row order.
+  bool measure_energy = false;  ///< Records the work of all wheels; steps take about 5 % longer.
   std::shared_ptr<const Ground> ground = kFlatGround;  ///< Never null.
 };
 
@@ -48,10 +48,10 @@ struct StaticBox {
   hal::Vec3 size;    ///< m along its own axes, each > 0
   double yaw = 0;    ///< rad
   double friction = 0.6;
-  ObstacleLoss radio_loss = kBrickWall;  ///< The world itself makes nothing of it.
+  ObstacleLoss radio_loss = kBrickWall;  ///< Not used by the world itself.
 };
 
-/// Where a body is. Its origin is the middle of a robot's footprint, of the face on which a mote
+/// Pose of a body. The origin is the centre of a robot's footprint, or of the face on which a mote
 /// stood at the start.
 struct BodyPose {
   hal::Vec3 position;                            ///< m, of the origin, world frame
@@ -65,7 +65,7 @@ struct BodyVelocity {
   hal::Vec3 angular;  ///< rad/s, world frame
 };
 
-/// How often a body touched one kind of thing.
+/// Number of contacts of a body with one kind of object.
 struct ContactRecord {
   std::uint64_t steps = 0;         ///< Physics steps in contact, asleep or not.
   std::optional<hal::Time> first;  ///< Since the start of the world.
@@ -79,14 +79,14 @@ struct Contacts {
   ContactRecord bodies;  ///< Motes or robots: a step in contact with both counts once.
 };
 
-/// What became of a body that no robot or mote should get into.
+/// How a body was lost, that is, reached a state that no robot or mote should reach.
 enum class BodyLoss : std::uint8_t {
   kTipped,       ///< Tilted by more than 1 rad against the ground.
-  kBlownUp,      ///< Not a number, or faster than 100 km/s; it is frozen where it was before.
+  kBlownUp,      ///< NaN, or faster than 100 km/s; it is frozen at its last valid position.
   kBelowGround,  ///< Its origin is more than 0.2 m below the ground.
   kFarAway,      ///< More than 100 km from the world's origin.
 };
-std::string_view name(BodyLoss loss);  ///< For people: "tipped over".
+std::string_view name(BodyLoss loss);  ///< For messages: "tipped over".
 
 struct LostBody {
   AgentId agent;
@@ -94,25 +94,26 @@ struct LostBody {
   hal::Time at{};  ///< End of the step.
 };
 
-/// Energies of an agent's body and wheels, J. The last three count from the start; they stay 0
-/// unless the world measures energies or the robot has a battery.
+/// Energies of an agent's body and wheels, J. The last three are totals since the start; they stay
+/// 0 unless the world measures energies or the robot has a battery.
 struct Energy {
-  double kinetic = 0;    ///< Of body and wheels.
-  double potential = 0;  ///< 0 with the centre of mass in the world's origin.
-  /// Work of the motors at the hinges or, at the contact level, where the wheels touch the ground.
+  double kinetic = 0;    ///< Of the body and its wheels.
+  double potential = 0;  ///< 0 with the centre of mass at the world's origin.
+  /// Work of the motors at the hinges or, at the contact level, at the wheels' contacts with the
+  /// ground.
   double motor_work = 0;
-  double friction_loss = 0;  ///< Where the wheels touch the ground.
-  /// Input of the motors: their work and the heat in their windings. Energy that they take up while
-  /// they brake is lost.
+  double friction_loss = 0;  ///< At the wheels' contacts with the ground.
+  /// Input of the motors: their work and the heat in their windings. Energy that they receive while
+  /// braking is lost.
   double motor_input = 0;
 
   double mechanical() const { return kinetic + potential; }
 };
 
-/// Rigid bodies on the ground: robots on driven wheels, motes that can be pushed, walls.
-/// Same calls, same bits: bodies are made and stepped in the order of the calls. A world is used by
-/// one thread at a time; worlds in other threads do not disturb it unless both hold a jam, because
-/// the iterative solver draws from a generator that the process shares.
+/// Rigid bodies on the ground: robots on driven wheels, motes that can be pushed, and walls. Equal
+/// calls give bit-identical results: bodies are made and stepped in the order of the calls. A world
+/// is used by one thread at a time; worlds in other threads do not affect it unless both have a
+/// jam, because the iterative solver uses a random generator that the process shares.
 ///
 ///   World world(WorldConfig{});
 ///   world.add_robot(r0, description, {8, 8, 0});
@@ -127,52 +128,52 @@ class World {
   World(const World&) = delete;
   World& operator=(const World&) = delete;
 
-  /// Before the first step. @throws std::invalid_argument  a size, mass or wheel that is not
-  /// possible, or an agent that is there already or is 0.
+  /// Add objects; call before the first step. @throws std::invalid_argument  a size, mass or wheel
+  /// is not possible, or the agent already exists or is 0.
   void add_wall(const StaticBox& wall);
-  /// @param height  m, of the mote's lower face above the ground at the start; above 0 it stands on
-  /// a box or falls.
+  /// @param height  m, initial height of the mote's lower face above the ground; above 0 it stands
+  /// on a box or falls.
   void add_mote(AgentId agent, const hal::node::devices::MoteDescription& mote,
                 const hal::Pose2& pose, double height = 0);
   void add_robot(AgentId agent, const hal::node::devices::RobotDescription& robot,
                  const hal::Pose2& pose);
 
-  /// Drives with a velocity of the body until the next command: what the wheels can do of it,
-  /// scaled to the motors' limit, then approached within the acceleration limits. Errors:
+  /// Sets the velocity of a robot's body until the next command. The part that the wheels can
+  /// realise, scaled to the motors' limit, is approached within the acceleration limits. Errors:
   /// kInvalidArgument (NaN or infinite), kNotAvailable (not a robot).
   hal::Result<hal::node::devices::WheelDrive::Limited> set_body_velocity(AgentId agent,
                                                                          const hal::Twist2& twist);
 
-  /// rad/s, one per driven wheel; approached within the acceleration limits. Speeds that no
-  /// feasible motion of the body fits are fitted by least squares. Errors: kInvalidArgument (count,
-  /// NaN, beyond the limit), kNotAvailable (not a robot).
+  /// Sets the speeds of the driven wheels [rad/s], which are approached within the acceleration
+  /// limits. Speeds that match no possible motion of the body are fitted by least squares. Errors:
+  /// kInvalidArgument (count, NaN, beyond the limit), kNotAvailable (not a robot).
   hal::Result<void> set_wheel_speeds(AgentId agent, std::span<const double> speeds);
 
-  /// Switches a robot's motors. Without power its wheels roll freely. Either way its command
-  /// becomes zero. Errors: kNotAvailable (not a robot).
+  /// Switches a robot's motors. Without power its wheels roll freely. Both on and off set its
+  /// command to zero. Errors: kNotAvailable (not a robot).
   hal::Result<void> set_motors(AgentId agent, bool on);
 
-  /// Puts a body somewhere else with the next step: at rest and upright on the ground. A robot
-  /// keeps its command. What stands there is pushed apart.
+  /// Places a body at a pose with the next step: at rest and upright on the ground. A robot keeps
+  /// its command. Overlapping bodies are pushed apart.
   /// @pre the agent was added; the pose is finite.
   void place(AgentId agent, const hal::Pose2& pose);
 
-  /// Moves everything on by config().step.
+  /// Advances the world by config().step.
   void step();
 
   const WorldConfig& config() const;
   std::uint64_t steps() const;  ///< Taken so far.
   hal::Time now() const;        ///< steps() times the step.
 
-  /// All of these: @pre the agent was added.
+  /// For all of these: @pre the agent was added.
   BodyPose pose(AgentId agent) const;
   hal::Vec3 position(AgentId agent) const;  ///< That of pose(), without its angles.
-  /// The last of steps() that may have moved the body; 0: none. Who knows its pose of that step, or
-  /// of a later one, knows it still.
+  /// Number of the last step that may have moved the body; 0: none. A pose read after that step is
+  /// still valid.
   std::uint64_t moved_at(AgentId agent) const;
   BodyVelocity velocity(AgentId agent) const;
   const Contacts& contacts(AgentId agent) const;
-  bool asleep(AgentId agent) const;  ///< At rest and not computed until something touches it.
+  bool asleep(AgentId agent) const;  ///< At rest, and not simulated until something touches it.
 
   /// @pre the agent is a robot.
   const hal::node::devices::WheelDrive& drive(AgentId agent) const;
@@ -181,38 +182,39 @@ class World {
   /// motor is off or too weak for its load rolls as the ground passes by.
   std::span<const double> wheel_angles(AgentId agent) const;
 
-  /// Of body and wheels. Work, loss and input are 0 without `measure_energy` or a battery.
+  /// Energies of body and wheels. Work, loss and input are 0 without `measure_energy` or a battery.
   Energy energy(AgentId agent) const;
 
-  double motor_input(AgentId agent) const;  ///< That of energy(). @pre the agent is a robot.
+  double motor_input(AgentId agent) const;  ///< As in energy(). @pre the agent is a robot.
 
   bool has(AgentId agent) const;
 
-  /// Bodies that tipped over or got lost, in the order in which it happened; each once.
+  /// Bodies that tipped over or were lost, in order of time, each once.
   std::span<const LostBody> lost_bodies() const;
 
-  /// Walls and bodies in the order they were added; poses as of the last step. Each add_… appends;
-  /// indices stay.
+  /// Walls and bodies in the order in which they were added; poses as of the last step. Each add_…
+  /// appends; indices do not change.
   std::span<const Shape> shapes() const;
 
-  /// Those of shapes() that are an agent's: they follow one another.
+  /// The shapes of an agent; they have consecutive indices in shapes().
   std::span<const Shape> shapes_of(AgentId agent) const;
 
-  /// Agents whose bodies the last step may have moved, in the order they were added. All others are
-  /// where they were before it.
+  /// Agents whose bodies the last step may have moved, in the order in which they were added. All
+  /// others are where they were.
   std::span<const AgentId> moved() const;
 
-  /// Complaints of the solver so far (a singular system, a failed collision test): 0 when healthy.
+  /// Number of messages of the solver so far (a singular system, a failed collision test): normally
+  /// 0.
   std::uint64_t solver_messages() const;
 
-  /// Steps in which a jam went to the iterative solver.
+  /// Number of steps in which a jam was solved by the iterative solver.
   std::uint64_t jammed_steps() const;
 
-  /// Most contacts, those of wheels and motes with the ground left out, that one heap had when the
-  /// exact solver worked on it.
+  /// Largest number of contacts of an island solved by the exact solver, not counting those of
+  /// wheels and motes with the ground.
   int largest_exact_heap() const;
 
-  /// How far bodies and walls overlapped most at the start of the last step, m.
+  /// Largest depth of overlap between bodies and walls at the start of the last step, m.
   double deepest_overlap() const;
 
  private:
