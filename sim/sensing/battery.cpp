@@ -24,8 +24,8 @@ class Gauge final : public hal::node::devices::Sensor {
  private:
   hal::node::devices::Battery battery_;
   SensorSite site_;
-  double current_ = 0;   ///< A, mean before it was read last.
-  double coulombs_ = 0;  ///< A s until then.
+  double current_ = 0;   ///< A; mean before the last reading
+  double coulombs_ = 0;  ///< A s, up to the last reading
   hal::Time read_at_{};
 };
 

@@ -8,7 +8,7 @@
 
 namespace sim::sensing {
 
-/// The gauge of the agent's battery, which SensorSite::battery shows. Reading it changes nothing.
+/// The gauge of the agent's battery, SensorSite::battery. Reading it changes nothing.
 std::unique_ptr<hal::node::devices::Sensor> simulated(const hal::node::devices::Battery& battery,
                                                       const SensorSite& site);
 

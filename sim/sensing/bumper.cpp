@@ -21,7 +21,7 @@ class SimulatedBumper final : public hal::node::devices::Sensor {
  private:
   hal::node::devices::Bumper bumper_;
   SensorSite site_;
-  std::uint64_t touched_ = 0;  ///< Physics steps with a touch, when it was read last.
+  std::uint64_t touched_ = 0;  ///< Physics steps with contact, at the last reading.
 };
 
 }  // namespace

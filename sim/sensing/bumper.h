@@ -8,7 +8,7 @@
 
 namespace sim::sensing {
 
-/// Whether the body touched anything in the physics steps since the reading before.
+/// Whether the body has had a contact in the physics steps since the previous reading.
 std::unique_ptr<hal::node::devices::Sensor> simulated(const hal::node::devices::Bumper& bumper,
                                                       const SensorSite& site);
 

@@ -11,10 +11,10 @@ namespace {
 using hal::Vec2;
 using physics::Shape;
 
-constexpr int kHalvings = 80;  // more than a double has bits
+constexpr int kHalvings = 80;  // more than the bits of a double
 
-/// A shape's outline and the cone's section at the height where they are nearest. Its frame: the
-/// apex is the origin, x along the axis.
+/// A shape's outline and the cone's section at the height where they are nearest. In this frame the
+/// apex is the origin and x is along the axis.
 class ConeSection {
  public:
   ConeSection(const Cone& cone, const Shape& shape)
@@ -24,7 +24,7 @@ class ConeSection {
         slope_(cone.half_angle.y / cone.half_angle.x),
         height_(std::clamp(cone.apex.z, shape.z_low, shape.z_high) - cone.apex.z) {}
 
-  double distance() const;  ///< m; infinity: no overlap.
+  double distance() const;  ///< m; infinity if they do not overlap
 
  private:
   double slack(double x) const;
@@ -39,7 +39,7 @@ class ConeSection {
   double height_;  ///< m, of the section above the axis
 };
 
-/// By how much the cone is wider, at that x, than the outline is away from the axis; concave in x.
+/// Half width of the cone at x minus the outline's distance from the axis there; concave in x.
 double ConeSection::slack(double x) const {
   const auto chord = inside(shape_, apex() + x * cone_.axis, side_);
   if (!chord) return -std::numeric_limits<double>::infinity();
@@ -47,7 +47,7 @@ double ConeSection::slack(double x) const {
   return half_width - std::max({0.0, chord->from, -chord->to});
 }
 
-/// Where slack is largest, or the first place where there is any. Golden section.
+/// Where slack is largest, or any x at which it is >= 0. Golden section search.
 double ConeSection::roomiest(double from, double to) const {
   constexpr double kShare = 0.61803398874989485;
   double low = to - kShare * (to - from), high = from + kShare * (to - from);

@@ -19,13 +19,13 @@ Vector3d in_eigen(const Vec3& v) { return {v.x, v.y, v.z}; }
 Vec3 from_eigen(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 Quaterniond in_eigen(const std::array<double, 4>& q) { return {q[0], q[1], q[2], q[3]}; }
 
-/// About the z axis, by a heading. Like the next one without Eigen's AngleAxis, which would ask the
-/// C library for sine and cosine.
+/// Rotation about the z axis by a heading. This and the next function avoid Eigen's AngleAxis,
+/// which would use the C library's sine and cosine.
 Quaterniond turned_by(double heading) {
   return {hal::math::cos(heading / 2), 0, 0, hal::math::sin(heading / 2)};
 }
 
-/// About a vector by its length, rad.
+/// Rotation about a vector by its length. rad
 Quaterniond turned_about(const Vector3d& turn) {
   const double angle = turn.norm();
   if (angle == 0) return Quaterniond::Identity();
@@ -47,8 +47,8 @@ class SimulatedImu final : public hal::node::devices::Sensor {
   hal::node::devices::ImuSensor imu_;
   SensorSite site_;
   hal::RandomStream random_;
-  std::optional<Vec3> velocity_;  ///< Of its place at the reading before; none: not read yet.
-  hal::Time read_at_{};           ///< As of which physics step.
+  std::optional<Vec3> velocity_;  ///< Of the sensor at the previous reading; nullopt: not read yet.
+  hal::Time read_at_{};           ///< Physics step of that reading.
 };
 
 std::optional<std::vector<double>> SimulatedImu::sample(hal::Time) {

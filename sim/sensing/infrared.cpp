@@ -18,17 +18,17 @@ using hal::node::devices::InfraredSensor;
 
 namespace {
 
-/// The smallest region that holds two.
+/// Smallest region that contains two regions.
 Region around(const Region& a, const Region& b) {
   return {
       {std::min(a.low.x, b.low.x), std::min(a.low.y, b.low.y), std::min(a.low.z, b.low.z)},
       {std::max(a.high.x, b.high.x), std::max(a.high.y, b.high.y), std::max(a.high.z, b.high.z)}};
 }
 
-/// One value of each sensor of an array.
+/// One value per sensor of an array.
 class InfraredChannel final : public hal::node::devices::Sensor {
  public:
-  /// @param channel  of infrared_channels(). @param value  of a measurement.
+  /// @param channel  index in infrared_channels(). @param value  member of a measurement.
   InfraredChannel(std::shared_ptr<InfraredArray> array, SensorSite site, std::size_t channel,
                   double InfraredMeasurement::*value)
       : array_(std::move(array)), site_(std::move(site)), channel_(channel), value_(value) {}
@@ -75,7 +75,7 @@ void InfraredArray::sample(Time now, const physics::World& world, const Proximit
   for (const Due& due : due_) readings_[due.sensor] = measure(due, proximity, candidates);
 }
 
-/// The sensors with a new measurement since the last sample, and where they looked.
+/// Lists the sensors with a new measurement since the last sample, and their views at that time.
 void InfraredArray::find_due(Time now, const physics::World& world) {
   const bool first = readings_.empty();
   readings_.resize(sensors_.size());
@@ -98,7 +98,7 @@ Time InfraredArray::last_instant(std::size_t sensor, Time now) const {
   return now - Duration{(since % period + period) % period};
 }
 
-/// Where a sensor looked `age` ago.
+/// View of a sensor `age` ago.
 SectorQuery InfraredArray::view_of(std::size_t sensor, const physics::BodyPose& pose,
                                    const physics::BodyVelocity& velocity, Duration age) const {
   const double seconds = hal::to_seconds(age);

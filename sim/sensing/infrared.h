@@ -18,28 +18,28 @@
 
 namespace sim::sensing {
 
-/// What one infrared sensor shows.
+/// Measurement of one infrared sensor.
 struct InfraredMeasurement {
-  double volts = 0;   ///< As the converter saw it.
-  double metres = 0;  ///< From the inverse curve; NaN: nothing within reach.
+  double volts = 0;   ///< Output of the converter.
+  double metres = 0;  ///< By the inverse curve; NaN: nothing within range.
 };
 
-/// The infrared sensors of one robot: exact distance, curve, noise, hold, converter.
+/// The infrared sensors of one robot: exact distance, characteristic curve, noise, hold, converter.
 ///
 /// Each sensor measures at its own instants phase + k * hold_period and holds the value in between.
-/// A reading at t is the measurement of the last instant u <= t; the robot's pose at u is its pose
-/// at t moved back with its velocity, other bodies are where they are at t (they move at most
-/// hold_period times their speed, 4 cm for a GP2D12 and 1 m/s).
+/// A reading at t is the measurement of the last instant u <= t. The robot's pose at u is its pose
+/// at t moved back with its velocity; other bodies are taken at t (in hold_period they move 4 cm at
+/// 1 m/s with a GP2D12).
 class InfraredArray {
  public:
-  /// @param agent_name, run_seed  name the random stream "<agent>/infrared": phases and noise.
+  /// @param agent_name,run_seed  name the random stream "<agent>/infrared" for phases and noise.
   InfraredArray(hal::AgentId agent, std::vector<hal::node::devices::InfraredSensor> sensors,
                 std::uint64_t run_seed, std::string_view agent_name);
 
-  /// Brings the readings up to `now`. @pre proximity was updated at `now`; `now` never decreases.
+  /// Updates the readings to `now`. @pre proximity was updated at `now`; `now` never decreases.
   void sample(hal::Time now, const physics::World& world, const Proximity& proximity);
 
-  /// One per sensor, in the order of the robot's file; empty before the first sample.
+  /// One per sensor, in the order of the robot's file; empty before the first sample().
   std::span<const InfraredMeasurement> readings() const { return readings_; }
 
   const std::vector<hal::node::devices::InfraredSensor>& sensors() const { return sensors_; }
@@ -54,7 +54,7 @@ class InfraredArray {
   InfraredMeasurement measure(const Due& due, const Proximity& proximity,
                               std::span<const std::size_t> candidates);
 
-  /// What of a sensor's view never changes.
+  /// The part of a sensor's view that never changes.
   struct View {
     hal::Vec2 direction;   ///< Unit vector, body frame.
     hal::Vec2 half_angle;  ///< Its cosine and sine.
@@ -70,11 +70,11 @@ class InfraredArray {
   std::vector<hal::Duration> phases_;
   std::vector<hal::Time> measured_at_;
   std::vector<InfraredMeasurement> readings_;
-  std::vector<Due> due_;  ///< Of the sample under way.
+  std::vector<Due> due_;  ///< Of the sample in progress.
 };
 
-/// The two channels of one array, which measures once for both: distances and volts.
-/// @param sensors  not empty. @param site  what it refers to outlives them.
+/// The two channels of one array, which measures once for both: distances and voltages.
+/// @param sensors  not empty. @param site  the objects that it refers to outlive the sensors.
 std::array<std::unique_ptr<hal::node::devices::Sensor>, 2> simulated(
     const std::vector<hal::node::devices::InfraredSensor>& sensors, const SensorSite& site);
 

@@ -27,7 +27,7 @@ std::vector<std::size_t> all_of(const std::vector<Shape>& walls) {
   return indices;
 }
 
-/// Narrows an interval to where the line is between two heights.
+/// Narrows an interval to the part of the line between the lower and the upper face.
 bool clip_height(Interval& part, double start, double slope, const Shape& shape) {
   if (slope == 0) return start > shape.z_low && start < shape.z_high;
   const double a = (shape.z_low - start) / slope;

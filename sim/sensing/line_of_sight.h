@@ -9,33 +9,33 @@
 
 namespace sim::sensing {
 
-/// What a straight line meets.
+/// Walls on a straight line.
 struct Crossing {
-  int walls = 0;         ///< Walls that the line passes through.
-  double thickness = 0;  ///< m inside walls, together.
+  int walls = 0;         ///< Number of walls that the line passes through.
+  double thickness = 0;  ///< Total length inside walls, m.
 };
 
-/// m of the way from one point to another inside a shape. World frame, m.
+/// Length of the segment between two points that is inside a shape. World frame, m.
 double length_inside(const physics::Shape& shape, const hal::Vec3& from, const hal::Vec3& to);
 
-/// Counts the fixed things between two points, for radio obstacles. Bodies of agents do not count.
+/// Finds the walls between two points, for radio obstacles. Bodies of agents are ignored.
 class LineOfSight {
  public:
-  /// @param world  all walls were added to it; not needed afterwards.
+  /// @param world  all walls have been added to it; not needed after construction.
   explicit LineOfSight(const physics::World& world);
   ~LineOfSight();
   LineOfSight(const LineOfSight&) = delete;
   LineOfSight& operator=(const LineOfSight&) = delete;
 
-  /// @param from, to  m, world frame. Touching a surface without entering it is no crossing.
+  /// @param from,to  m, world frame. Touching a surface without entering it is not a crossing.
   Crossing between(const hal::Vec3& from, const hal::Vec3& to) const;
 
-  /// One wall that the line passes through.
+  /// A wall that the line passes through.
   struct Wall {
     std::size_t index;  ///< Among the walls, in the order in which they were added to the world.
-    double thickness;   ///< m inside it.
+    double thickness;   ///< Length inside it, m.
   };
-  /// The same one by one. Good until the next call.
+  /// The walls one by one. Valid until the next call.
   std::span<const Wall> walls_between(const hal::Vec3& from, const hal::Vec3& to) const;
 
  private:

@@ -7,19 +7,19 @@
 
 namespace sim::sensing {
 
-/// Dead reckoning of a simulated robot: adds up the angles of its wheels, and is a channel.
+/// Dead reckoning of a simulated robot from the angles of its wheels, as a sensor channel.
 class Odometry final : public hal::node::devices::Sensor {
  public:
-  /// @param encoder_steps  per turn of a wheel; 0: continuous angles.
+  /// @param encoder_steps  per revolution of a wheel; 0: continuous angles.
   Odometry(const SensorSite& site, int encoder_steps)
       : site_(site), odometry_(site.world.drive(site.agent), encoder_steps) {}
 
-  /// At each control instant, whether or not anybody asks.
+  /// Call at each control instant, whether or not the channel is read.
   void advance(hal::Time at) {
     if (at > updated_at_) update(odometry_, at);
     updated_at_ = at;
   }
-  /// Where the robot would be if its wheels were read now, in the frame at the start.
+  /// Pose estimate if the wheels were read now, in the frame of the start pose.
   hal::Pose2 reckoned(hal::Time now) const {
     hal::node::devices::WheelOdometry then = odometry_;
     if (now > updated_at_) update(then, now);

@@ -8,7 +8,7 @@
 
 namespace sim::sensing {
 
-/// The body's pose with its noise. Between two fixes the last one holds.
+/// The body's pose with noise. Between two fixes, the last one is held.
 std::unique_ptr<hal::node::devices::Sensor> simulated(const hal::node::devices::PoseSensor& sensor,
                                                       const SensorSite& site);
 

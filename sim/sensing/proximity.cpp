@@ -13,7 +13,7 @@ namespace {
 
 using physics::Shape;
 
-/// m, edge of the cells for moving shapes: about what a sensor sees and what a robot measures.
+/// m; edge of the cells for moving shapes: similar to a sensor's range and a robot's size.
 constexpr double kCell = 1;
 
 std::vector<std::size_t> fixed_among(std::span<const Shape> shapes) {
@@ -23,14 +23,14 @@ std::vector<std::size_t> fixed_among(std::span<const Shape> shapes) {
   return chosen;
 }
 
-/// The shapes of a body follow one another.
+/// End of the shapes of one body, whose indices are consecutive.
 std::size_t end_of_body(std::span<const Shape> shapes, std::size_t first) {
   std::size_t end = first + 1;
   while (end < shapes.size() && shapes[end].owner == shapes[first].owner) ++end;
   return end;
 }
 
-/// m, of a circle around the centre that holds the shape, seen from above.
+/// Radius of a circle around the centre that encloses the shape, seen from above. m
 double radius_of(const Shape& shape) {
   if (shape.kind == Shape::Kind::kCylinder) return shape.radius;
   return std::sqrt(hal::dot(shape.half, shape.half));
@@ -45,7 +45,7 @@ class Proximity::Implementation {
     follow_all();
   }
 
-  /// One entry per body: where its first shape is. @return the end of its shapes.
+  /// Updates the entry of a body: the place of its first shape. @return the end of its shapes.
   std::size_t follow(std::span<const Shape> shapes, std::size_t first) {
     const hal::Vec2 place = shapes[first].centre;
     const std::size_t end = end_of_body(shapes, first);
@@ -72,8 +72,8 @@ class Proximity::Implementation {
   const physics::World& world;
   ShapeTree fixed;  ///< Built once.
   CellGrid moving{kCell};
-  double largest = 0;          ///< m, from a body's place in `moving` to where it ends.
-  std::uint64_t followed = 0;  ///< Step of the world that `moving` is of.
+  double largest = 0;          ///< m; largest distance from a body's place in `moving` to its edge
+  std::uint64_t followed = 0;  ///< Step of the world for which `moving` is valid.
   std::vector<std::size_t> candidates;
   std::vector<CellGrid::Member> found;
 };

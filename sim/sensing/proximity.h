@@ -14,18 +14,19 @@ namespace sim::sensing {
 /// Finds the nearest surface of a world's shapes in a sector: exact, without sampled rays.
 class Proximity {
  public:
-  /// @param world  outlives this; everything was added to it.
+  /// @param world  outlives this object; everything has been added to it.
   explicit Proximity(const physics::World& world);
   ~Proximity();
   Proximity(const Proximity&) = delete;
   Proximity& operator=(const Proximity&) = delete;
 
-  /// Follows the bodies. Call before the queries, whenever the world has moved on. Costs as much as
-  /// moved, if it is called after every step.
+  /// Updates the positions of bodies. Call before queries, whenever the world has advanced. Called
+  /// after every step, its cost is proportional to the number of moved bodies.
   void update();
 
-  /// Distance [m] from the sector's origin to the nearest point of a shape in the sector, 0 inside
-  /// a shape; none if the sector is empty. Shapes that the plane misses are not seen.
+  /// Distance [m] from the sector's origin to the nearest point of a shape in the sector; 0 inside
+  /// a shape; nullopt if the sector is empty. Shapes that do not intersect the sector's plane are
+  /// not detected.
   /// @param own  shapes of this agent are transparent. One thread at a time.
   std::optional<double> nearest(const SectorQuery& sector, hal::AgentId own) const {
     return nearest(sector, own, within(sector.bounds()));
@@ -34,11 +35,12 @@ class Proximity {
     return nearest(SectorQuery(sector), own);
   }
 
-  /// Shapes of the world that may reach into a region, ascending: one search for several sectors.
-  /// Good until the next search.
+  /// Shapes of the world that may reach into a region, in ascending order: one search for several
+  /// sectors. Valid until the next search.
   std::span<const std::size_t> within(const Region& region) const;
 
-  /// The same as above. @param candidates  of within() for a region that holds the sector.
+  /// The same with the shapes already searched. @param candidates  from within() for a region that
+  /// contains the sector.
   std::optional<double> nearest(const SectorQuery& sector, hal::AgentId own,
                                 std::span<const std::size_t> candidates) const;
 

@@ -8,7 +8,7 @@
 
 namespace sim::sensing {
 
-/// Where an agent is.
+/// Position of an agent.
 struct AgentPosition {
   hal::AgentId agent;
   hal::Vec2 position;  ///< m
@@ -16,7 +16,7 @@ struct AgentPosition {
 
 /// Positions of the other agents within range, in the frame of `self`; order as in `agents`.
 /// No occlusion, no noise. Any thread.
-/// @param agents  world frame. @param own  left out of the answer. @param range  m, inclusive.
+/// @param agents  world frame. @param own  excluded from the result. @param range  m, inclusive.
 std::vector<AgentPosition> localise(const hal::Pose2& self, hal::AgentId own,
                                     std::span<const AgentPosition> agents, double range);
 

@@ -36,7 +36,7 @@ class SimulatedScan final : public hal::node::devices::Sensor {
   hal::RandomStream random_;
   MeasuringInstants instants_;
   std::vector<hal::Vec2> rays_;        ///< Unit vectors, body frame.
-  std::vector<hal::Vec2> directions_;  ///< The same in the world, of the last scan.
+  std::vector<hal::Vec2> directions_;  ///< The same in the world frame, for the last scan.
   std::optional<hal::Time> measured_at_;
 };
 
@@ -59,7 +59,7 @@ std::optional<std::vector<double>> SimulatedScan::sample(hal::Time at) {
   return ranges;
 }
 
-/// What the scanner tells of a distance. m
+/// Reading of the scanner for a distance. m
 double SimulatedScan::reading(double metres) {
   if (metres > scan_.max_range) return std::numeric_limits<double>::quiet_NaN();
   if (metres < scan_.min_range) return -std::numeric_limits<double>::infinity();

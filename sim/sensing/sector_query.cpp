@@ -16,7 +16,7 @@ using physics::Shape;
 double cross(Vec2 a, Vec2 b) { return a.x * b.y - a.y * b.x; }
 double length(Vec2 a) { return std::sqrt(hal::dot(a, a)); }
 
-/// A vector in the frame of a box's own axes, and back.
+/// Convert a vector to and from the frame of a box's own axes.
 Vec2 to_box(const Shape& box, Vec2 v) { return {hal::dot(v, box.axis), cross(box.axis, v)}; }
 Vec2 from_box(const Shape& box, Vec2 v) {
   return {v.x * box.axis.x - v.y * box.axis.y, v.x * box.axis.y + v.y * box.axis.x};
@@ -32,7 +32,7 @@ std::optional<Interval> inside_circle(const Shape& shape, Vec2 origin, Vec2 dire
   return Interval{(middle - half_chord) / size, (middle + half_chord) / size};
 }
 
-/// Narrows an interval to where |start + t * slope| <= half. @return false if nothing is left.
+/// Narrows an interval to where |start + t * slope| <= half. @return false if it becomes empty.
 bool clip(Interval& interval, double start, double slope, double half) {
   if (slope == 0) return std::abs(start) <= half;
   const double a = (-half - start) / slope;

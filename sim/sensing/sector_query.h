@@ -15,7 +15,7 @@ struct Sector {
   double range = 0;       ///< m, > 0
 };
 
-/// Axis-parallel box. m
+/// Axis-aligned box. m
 struct Region {
   hal::Vec3 low, high;
 };
@@ -35,10 +35,11 @@ class SectorQuery {
   /// and its sine, >= 0. @param range  m, > 0.
   SectorQuery(const hal::Vec3& origin, hal::Vec2 middle, hal::Vec2 half_angle, double range);
 
-  /// Distance to the shape within the sector, 0 if the origin is inside; none if out of reach.
+  /// Distance to the shape within the sector; 0 if the origin is inside; nullopt if the shape does
+  /// not reach into the sector.
   std::optional<double> nearest(const physics::Shape& shape) const;
 
-  /// Smallest box around the sector: flat.
+  /// Smallest box around the sector; its height is 0.
   const Region& bounds() const { return bounds_; }
 
  private:
@@ -46,32 +47,33 @@ class SectorQuery {
 
   hal::Vec3 origin_;
   double range_;
-  hal::Vec2 half_;                   ///< Cosine and sine of half the opening.
+  hal::Vec2 half_;                   ///< Cosine and sine of the half angle.
   hal::Vec2 middle_, left_, right_;  ///< Unit vectors.
   Region bounds_;
 };
 
-/// Unit vector at an angle from x, rad.
+/// Unit vector at an angle from x. rad
 hal::Vec2 unit(double heading);
 
-/// `vector` turned by the angle of which `turn` holds cosine and sine.
+/// Rotates `vector` by the angle whose cosine and sine are `turn`.
 inline hal::Vec2 turned(hal::Vec2 vector, hal::Vec2 turn) {
   return {vector.x * turn.x - vector.y * turn.y, vector.x * turn.y + vector.y * turn.x};
 }
 
-/// Where a line is inside a shape, in multiples of its direction.
+/// Interval of a line inside a shape, in multiples of the line's direction.
 struct Interval {
   double from = 0, to = 0;
 };
 
-/// The part of origin + t * direction, t real, inside a shape's outline seen from above; none if
-/// the line passes by. @param direction  any length > 0.
+/// The part of origin + t * direction, t real, inside a shape's outline seen from above; nullopt if
+/// the line misses it. @param direction  any length > 0.
 std::optional<Interval> inside(const physics::Shape& shape, hal::Vec2 origin, hal::Vec2 direction);
 
-/// From `origin` to the nearest point of a shape, seen from above; zero if origin is inside.
+/// Vector from `origin` to the nearest point of a shape, seen from above; zero if `origin` is
+/// inside.
 hal::Vec2 to_nearest(const physics::Shape& shape, hal::Vec2 origin);
 
-/// Where a shape begins and ends along a direction from an origin. m @param direction  unit vector.
+/// Range of a shape along a direction from an origin. m @param direction  unit vector.
 Interval extent_along(const physics::Shape& shape, hal::Vec2 origin, hal::Vec2 direction);
 
 }  // namespace sim::sensing

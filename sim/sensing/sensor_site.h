@@ -12,25 +12,26 @@
 
 namespace sim::sensing {
 
-/// Where a simulated sensor is: on which agent, in which world.
+/// What a simulated sensor is attached to: its agent and world.
 struct SensorSite {
   hal::AgentId agent;
   std::string_view agent_name;
   std::uint64_t run_seed = 0;
   const physics::World& world;
-  std::function<const Proximity&()> proximity;               ///< As of the last physics step.
-  std::function<hal::node::devices::Discharge()> battery{};  ///< As of now, if the agent has one.
+  std::function<const Proximity&()> proximity;  ///< As of the last physics step.
+  /// As of now; empty if the agent has no battery.
+  std::function<hal::node::devices::Discharge()> battery{};
 };
 
-/// The instants phase + k * period at which a sensor measures; the phase is its own.
+/// The instants phase + k * period at which a sensor measures; each sensor has its own phase.
 class MeasuringInstants {
  public:
-  /// @param period  0: at every instant. @param phase  0 .. 1 of the period.
+  /// @param period  0: measures at every instant. @param phase  as a share of the period, 0 .. 1.
   MeasuringInstants(hal::Duration period, double phase)
       : period_(period.count()),
         phase_(static_cast<std::int64_t>(phase * static_cast<double>(period.count()))) {}
 
-  /// The last one that is not after `now`.
+  /// The last measuring instant that is not after `now`.
   hal::Time last(hal::Time now) const {
     if (period_ == 0) return now;
     const std::int64_t since = hal::to_ns(now) - phase_;
@@ -41,7 +42,7 @@ class MeasuringInstants {
   std::int64_t period_, phase_;  ///< ns
 };
 
-/// Where a body was `age` ago: its pose now, moved back with its velocity now.
+/// Pose of a body `age` ago: its pose now, moved back with its velocity now.
 hal::Pose2 pose_before(const SensorSite& site, hal::Duration age);
 
 }  // namespace sim::sensing

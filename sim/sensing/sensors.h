@@ -8,7 +8,8 @@
 
 namespace sim::sensing {
 
-/// A sensor of a simulated agent. @param site  what it refers to outlives the sensor.
+/// Makes a sensor of a simulated agent. @param site  the objects that it refers to outlive the
+/// sensor.
 std::unique_ptr<hal::node::devices::Sensor> make_sensor(
     const hal::node::devices::SensorDescription& sensor, const SensorSite& site);
 

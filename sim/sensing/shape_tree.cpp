@@ -9,7 +9,7 @@
 
 namespace sim::sensing {
 
-/// One member: a box that stands for the shape's bounds.
+/// One member: a box with the shape's bounds.
 struct Member {
   std::size_t shape;
   std::shared_ptr<fcl::Boxd> box;
@@ -58,7 +58,7 @@ bool meets(const fcl::AABBd& bounds, const Vec3& start, const Vec3& slope) {
          clip(from, to, {start.z, slope.z, bounds.min_[2], bounds.max_[2]});
 }
 
-/// FCL's own queries go through its shape tests; walking the tree needs only the bounds.
+/// Walks the tree by bounds only; FCL's own queries would also run its shape tests.
 template <class Test>
 void walk(const Node* node, const Test& test, std::vector<std::size_t>& found) {
   if (!test(node->bv)) return;
@@ -84,7 +84,7 @@ class ShapeTree::Implementation {
     manager.setup();
   }
 
-  /// The tree's shape depends on its history, the answer must not: ascending.
+  /// The tree's structure depends on its history, but the result must not: ascending order.
   template <class Test>
   void query(const Test& test, std::vector<std::size_t>& found) const {
     if (members.empty()) return;

@@ -11,20 +11,20 @@
 
 namespace sim::sensing {
 
-/// Bounding volume tree over some of a world's shapes that do not move; answers with candidates,
-/// which the caller tests exactly. FCL's dynamic AABB tree underneath; no other file sees FCL.
+/// Bounding volume tree over some of a world's shapes that do not move; it returns candidates,
+/// which the caller tests exactly. Wraps FCL's dynamic AABB tree; no other file uses FCL.
 class ShapeTree {
  public:
-  /// @param members  indices into `shapes` of those that the tree holds.
+  /// @param members  indices into `shapes` of the tree's shapes.
   ShapeTree(std::span<const physics::Shape> shapes, const std::vector<std::size_t>& members);
   ~ShapeTree();
   ShapeTree(ShapeTree&&) noexcept;
   ShapeTree& operator=(ShapeTree&&) noexcept;
 
-  /// Appends the members whose bounds meet a box, ascending.
+  /// Appends the members whose bounds intersect a box, in ascending order.
   void overlapping(const Region& region, std::vector<std::size_t>& found) const;
 
-  /// Appends the members whose bounds meet a segment, ascending.
+  /// Appends the members whose bounds intersect a segment, in ascending order.
   void along(const hal::Vec3& from, const hal::Vec3& to, std::vector<std::size_t>& found) const;
 
  private:

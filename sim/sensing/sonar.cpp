@@ -57,7 +57,7 @@ Cone SimulatedSonar::cone_at(const hal::Pose2& body) const {
       .range = sonar_.max_range};
 }
 
-/// m; infinity: nothing within reach.
+/// Distance in the cone, m; infinity if nothing is within range.
 double SimulatedSonar::range_in(const Cone& cone) const {
   double range = std::numeric_limits<double>::infinity();
   const auto shapes = site_.world.shapes();

@@ -8,8 +8,8 @@
 
 namespace sim::sensing {
 
-/// An ultrasonic ranger: the nearest surface of walls, motes and other robots in its cone, exact
-/// but for noise and resolution. Every surface answers, at any angle, but the ground.
+/// An ultrasonic range sensor: the nearest surface of walls, motes and other robots in its cone,
+/// exact except for noise and resolution. Every surface except the ground reflects, at any angle.
 std::unique_ptr<hal::node::devices::Sensor> simulated(const hal::node::devices::Sonar& sonar,
                                                       const SensorSite& site);
 
