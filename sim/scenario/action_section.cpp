@@ -45,7 +45,7 @@ constexpr std::array<FortuneKey, 6> kFortunes{
       "These agents, which are not there, come to their places with new controllers."},
      {Fortune::kRemove, "These agents are gone: bodies, radios, controllers."}}};
 
-/// Why it cannot befall the agent; empty: it can.
+/// Why the action is impossible for the agent; empty if it is possible.
 std::string objection(Fortune fortune, const AgentConfig& agent) {
   const bool is_power = fortune == Fortune::kSwitchOff || fortune == Fortune::kSwitchOn;
   if (is_power) return {};
@@ -57,7 +57,7 @@ std::string objection(Fortune fortune, const AgentConfig& agent) {
   return {};
 }
 
-/// Notes why it cannot be done, of the first agent of which it cannot.
+/// Notes why the action is impossible, for the first agent for which it is.
 template <class Objection>
 void object(Fields& io, const std::string& key, const ScriptedAction& action,
             const Scenario& scenario, Objection objection_to) {
@@ -70,7 +70,7 @@ void object(Fields& io, const std::string& key, const ScriptedAction& action,
   }
 }
 
-/// Whom it happens to, under the key that says what happens.
+/// The agents concerned, as the value of the key that names the action.
 void whose_key(Fields& io, const Key& key, ScriptedAction& action, const Scenario& scenario) {
   io.needed_text(key, action.whose);
   if (Mapping* const in = io.reading(); in != nullptr && !action.whose.empty())

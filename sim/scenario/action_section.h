@@ -6,7 +6,7 @@
 
 namespace sim::scenario {
 
-/// One thing that an event does; what cannot be done to those agents is a mistake.
+/// The keys of one action of an event; an action that is impossible for its agents is a mistake.
 /// @param scenario  with its agents and its radio.
 void keys_of(Fields& io, agents::ScriptedAction& action, const Scenario& scenario);
 

@@ -34,7 +34,7 @@ using hal::node::devices::WheelLevel;
 using Algorithm = hal::node::routing::Algorithm;
 using hal::kLastAddress;
 
-/// Addresses and names given away so far.
+/// Addresses and names already in use.
 struct Taken {
   std::int64_t next = 1;
   std::set<AgentId> addresses;
@@ -46,7 +46,7 @@ constexpr std::array<Option<WheelLevel>, 2> kWheelLevels{
 
 using Body = decltype(AgentConfig::body);
 
-/// Of a robot or a mote.
+/// The keys of a robot or a mote.
 template <class Kind>
 void kind_keys(Fields& io, Kind& c) {
   keys_of(io, c);
@@ -65,7 +65,7 @@ const std::array kBodies{
          "The group's agents are radios without bodies, which stand or move on a path; to their "
          "controllers they are motes."})};
 
-/// An included group may have another one.
+/// An included group may have a body of another kind.
 bool has_two_bodies(Mapping& in) {
   const std::vector<std::string> keys = in.keys();
   const auto is_there = [&](const auto& one) { return std::ranges::count(keys, one.key.name) > 0; };
@@ -74,7 +74,7 @@ bool has_two_bodies(Mapping& in) {
   return true;
 }
 
-/// A robot file says what a robot is; how much of its wheels is simulated, the scenario says.
+/// A robot file describes the robot; the scenario says in how much detail wheels are simulated.
 void body_keys(Fields& io, Body& body) {
   const bool are_two = io.reading() != nullptr && has_two_bodies(*io.reading());
   const auto keys = [](Fields& one, Body& any) {
@@ -97,7 +97,7 @@ void body_keys(Fields& io, Body& body) {
 }
 
 void take_names(Mapping& in, const std::vector<std::string>& names, Taken& taken) {
-  // That a group calls all its agents the same has been said.
+  // Equal names within a group have been reported already.
   for (const std::string& name : std::set<std::string>(names.begin(), names.end())) {
     if (taken.names.insert(name).second) continue;
     in.mistake("name", fmt::format("the name '{}' is taken by another group", name));
@@ -105,7 +105,7 @@ void take_names(Mapping& in, const std::vector<std::string>& names, Taken& taken
   }
 }
 
-/// Addresses for `count` agents, from the first on.
+/// Assigns addresses to `count` agents, from `first` on.
 std::vector<AgentId> take_addresses(Fields& io, std::int64_t first, std::size_t count,
                                     Taken& taken) {
   taken.next = first + static_cast<std::int64_t>(count);
@@ -127,7 +127,7 @@ std::vector<AgentId> take_addresses(Fields& io, std::int64_t first, std::size_t 
   return addresses;
 }
 
-/// "m{}" if the names are "m0", "m1", …
+/// Returns "m{}" if the names are "m0", "m1", …
 std::string name_pattern(std::span<const AgentConfig> agents) {
   const std::string& first = agents.front().name;
   if (agents.size() == 1) return first;
@@ -142,10 +142,10 @@ std::string name_pattern(std::span<const AgentConfig> agents) {
   return first;
 }
 
-/// What a group says of which agents there are.
+/// What determines the agents of a group.
 struct Population {
   std::string names;
-  std::int64_t address = 1;  ///< Of the first.
+  std::int64_t address = 1;  ///< Of the first agent.
   Body body = MoteDescription{};
   Placement placement;
 };
@@ -166,7 +166,7 @@ void keys_of(Fields& io, Population& c, Group& group) {
   placement_keys(io, c.placement, group.places);
 }
 
-/// The agents of a group that is read.
+/// Makes the agents of a group that is read.
 std::vector<AgentConfig> populate(Fields& io, const Population& c, Group& group,
                                   const agents::SimulationConfig& config, Taken& taken) {
   Mapping& in = *io.reading();
@@ -186,7 +186,7 @@ std::vector<AgentConfig> populate(Fields& io, const Population& c, Group& group,
   return agents;
 }
 
-/// Robots and motes without a network must be driven by somebody; stations hear and relay alone.
+/// Robots and motes without a network need a controller; stations receive and relay without one.
 void driver_keys(Fields& io, Group& group, std::span<AgentConfig> agents, const Body& body) {
   const bool is_networked = !agents.empty() && agents.front().network.has_value();
   const bool has_network = io.inside_given(
@@ -208,7 +208,7 @@ void driver_keys(Fields& io, Group& group, std::span<AgentConfig> agents, const 
   }
 }
 
-/// What is said of a group's agents after all else.
+/// The remaining keys for a group's agents.
 void other_keys(Fields& io, std::span<AgentConfig> agents) {
   bool is_present = agents.empty() || agents.front().is_present;
   std::optional<Algorithm> routing;
@@ -224,7 +224,7 @@ void other_keys(Fields& io, std::span<AgentConfig> agents) {
                 "How the group's messages find their way: by this algorithm, with the keys of the "
                 "scenario's `routing`, or `none`: straight to the MAC, one hop.",
                 "none", "that of the scenario"};
-  if (io.is_writing()) {  // also algorithms that files cannot name
+  if (io.is_writing()) {  // includes algorithms that files cannot name
     std::string name(routing ? routing->name() : "");
     io.given_text(key, name);
   } else {
@@ -236,7 +236,7 @@ void other_keys(Fields& io, std::span<AgentConfig> agents) {
   }
 }
 
-/// @param agents  of the group; those that are read.
+/// @param agents  of the group; filled in when reading.
 void keys_of(Fields& io, Group& group, std::vector<AgentConfig>& agents,
              const agents::SimulationConfig& config, Taken& taken) {
   Population population{.names = group.name + "{}", .address = taken.next, .placement = {}};
@@ -248,7 +248,8 @@ void keys_of(Fields& io, Group& group, std::vector<AgentConfig>& agents,
   other_keys(io, agents);
 }
 
-/// A group that only the command line names: it meant to change one of the file's.
+/// Whether only the command line names the group: it was probably meant to change one of the file's
+/// groups.
 bool is_reached_for(Mapping& in) {
   return in.place().starts_with("--set") && !in.has("robot") && !in.has("mote") &&
          !in.has("station");

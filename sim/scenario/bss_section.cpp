@@ -62,7 +62,7 @@ void bss_keys_of(Fields& io, radio::BssConfig& c) {
               {0, 10}, c.distribution_delay);
 }
 
-/// One name, or a list of names.
+/// Reads one name, or a list of names.
 std::vector<std::string> names_in(Mapping& in, const Key& key) {
   if (in.has_scalar(key.name)) return {in.text(key)};
   std::vector<std::string> names;
@@ -130,7 +130,7 @@ void own_access_points_key(Fields& io, std::optional<std::vector<std::string>>& 
 
 namespace {
 
-/// The access points of each agent, and on which channel everybody is.
+/// The access points that each agent may use, and the channel of each agent.
 class Reach {
  public:
   Reach(const Scenario& scenario, const radio::DcfConfig& network) : network_(network) {
@@ -142,7 +142,7 @@ class Reach {
 
   bool has_access_points() const { return !access_points_.empty(); }
 
-  /// It waits for an access point for ever.
+  /// Whether the agent would wait for an access point for ever.
   bool is_lost(const agents::AgentConfig& agent) const {
     const std::vector<std::string>& usable = access_points_of(agent);
     if (usable.empty() || access_points_.contains(agent.name)) return false;
@@ -151,8 +151,9 @@ class Reach {
       return there == channels_.end() || there->second == channel_of(agent);
     });
   }
-  /// Stations that may use it are there, and some have a channel with an access point; none is on
-  /// this one's channel. If all are lost, that is said of them.
+  /// Whether stations may use this access point, and some of them have an access point on their
+  /// channel, but none is on the channel of this one. If all stations lack an access point, they
+  /// are reported instead.
   bool is_alone(const agents::AgentConfig& access_point, const Scenario& scenario) const {
     if (!access_points_.contains(access_point.name)) return false;
     bool has_served = false;

@@ -27,7 +27,7 @@ using agents::TimeReached;
 constexpr Range kConditionTime{0, hal::files::config::kLongestDuration};  // s
 constexpr Range kApart{0, 1e9};                                           // m
 constexpr std::int64_t kMostCounted = 1'000'000'000'000;
-/// Whom names mean, and where it is noted of which states there is talk.
+/// The agents that names refer to, and the list of states in use.
 struct Context {
   const Scenario& scenario;
   decltype(Scenario::awaited)& awaited;
@@ -46,7 +46,7 @@ Condition read(Mapping in, const Context& context) {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr auto kNoLimit = std::numeric_limits<std::int64_t>::max();
 
-/// Who is meant, by a key with a name or a pattern.
+/// The agents of a condition, as the value of a key: a name or a pattern.
 void subject_key(Fields& io, const Key& key, Subjects::Quantifier quantifier, Subjects& who,
                  const Context& context) {
   io.needed_text(key, who.whose);
@@ -89,7 +89,8 @@ void limit_keys(Fields& io, std::string_view unit, Range range, Limited& limited
   limited.below = below.value_or(kInfinity);
 }
 
-/// Notes that the agents are asked for a state, for a check against what controllers declare.
+/// Notes that these agents are asked for a state, for a check against the states that controllers
+/// declare.
 void state_key(Fields& io, std::string& state, const std::vector<hal::AgentId>& of,
                const Context& context) {
   io.needed_text({"state", "Their controllers are in this state, as they call it.", "FULFILLED"},
@@ -161,7 +162,7 @@ void keys_of(Fields& io, ApartBy& c, const Context& context) {
   limit_keys(io, "m", kApart, c);
 }
 
-/// At least one of the limits is there.
+/// At least one of the limits must be given.
 void count_keys(Fields& io, CountOf& c) {
   std::optional<std::int64_t> least, most;
   if (c.at_least > 0) least = c.at_least;
@@ -203,7 +204,7 @@ void read_list(Mapping& in, const Key& key, std::vector<Condition>& parts, const
 
 void read_not(Mapping& in, const Key& key, std::vector<Condition>& parts, const Context& context) {
   (void)in.mapping(key);
-  if (in.has_scalar(key.name)) return;  // which has been said
+  if (in.has_scalar(key.name)) return;  // reported already
   parts.push_back(read(in.within(key.name), context));
 }
 
@@ -219,7 +220,7 @@ void write_list(Writer& out, const Key& key, std::vector<Condition>& parts,
   out.close();
 }
 
-/// Conditions in a condition: their keys have been described.
+/// The conditions of a combination, whose keys have been described.
 void part_keys(Fields& io, const Key& key, Combination::Kind kind, Combination& c,
                const Context& context) {
   const bool is_not = kind == Combination::Kind::kNone;

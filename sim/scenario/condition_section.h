@@ -6,18 +6,18 @@
 
 namespace sim::scenario {
 
-/// What the value of a key that takes a condition looks like, for its description.
+/// Example of a condition, for the descriptions of keys that take one.
 inline constexpr std::string_view kConditionExample = "{any: 'NAME*', state: FULFILLED}";
 
-/// A condition; reading notes the states that it asks about in `scenario.awaited`.
+/// The keys of a condition; reading adds the states that it uses to `scenario.awaited`.
 /// @param scenario  with its agents.
 void keys_of(Fields& io, agents::Condition& condition, Scenario& scenario);
 
-/// Reads a condition; notes the states that it asks about in `scenario.awaited`.
+/// Reads a condition and adds the states that it uses to `scenario.awaited`.
 /// @param scenario  with its agents.
 agents::Condition read_condition(Mapping in, Scenario& scenario);
 
-/// Into a mapping that is open.
+/// Writes a condition into an open mapping.
 void write_condition(Writer& out, agents::Condition condition, const Scenario& scenario);
 
 }  // namespace sim::scenario

@@ -43,7 +43,7 @@ std::vector<ParameterText> common_to(std::span<const AgentConfig> agents) {
 
 void write_values(Writer& out, const std::vector<ParameterText>& parameters);
 
-/// The parameters whose names begin with `prefix`, which ends in a dot, as a mapping.
+/// Writes the parameters whose names begin with `prefix`, which ends in a dot, as a mapping.
 void write_mapping(Writer& out, const std::vector<ParameterText>& parameters,
                    const std::string& prefix) {
   std::vector<ParameterText> inner;
@@ -88,7 +88,7 @@ void parameters_key(Fields& io, const Key& key, std::vector<ParameterText>& para
       });
 }
 
-/// @param is_given  whether the file says how many.
+/// @param is_given  whether the file gives the number of processes.
 void check_processes(Fields& io, Group& group, std::size_t agents, bool is_given) {
   const int most = std::max(1, static_cast<int>(agents));
   if (group.processes > most) {
@@ -122,7 +122,7 @@ void process_keys(Fields& io, Group& group, std::span<const AgentConfig> agents)
   check_processes(io, group, agents.size(), io.reading()->has("processes"));
 }
 
-/// Parameters of some of the agents.
+/// Parameters for some of the agents.
 struct Override {
   std::string agents;
   std::vector<ParameterText> parameters;

@@ -14,7 +14,7 @@ namespace {
 
 using hal::Verdict;
 
-/// How messages to one agent can end, whatever carries them.
+/// Results that messages to one agent can have, whatever carries them.
 constexpr std::array kMessageVerdicts{Verdict::kDelivered, Verdict::kRetryLimit,
                                       Verdict::kQueueFull, Verdict::kRadioOff,
                                       Verdict::kNoRoute,   Verdict::kExpired};

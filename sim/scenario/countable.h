@@ -7,16 +7,17 @@
 
 namespace sim::scenario {
 
-/// A word of which a run can have a count, be it 0: "collision" of receptions.
+/// A word for which a run can have a count, possibly 0: "collision" of receptions.
 struct Countable {
-  std::string family;   ///< As scalars begin: "receptions", "messages.ends", "states", …
-  std::string program;  ///< Whose controllers; "": of the run.
-  std::string word;     ///< As the other tables have it: "retry limit".
+  std::string family;   ///< Prefix of the scalars: "receptions", "messages.ends", "states", …
+  std::string program;  ///< Controller that declares it; "": the run itself.
+  std::string word;     ///< As in the other tables: "retry limit".
 };
 
-/// All but what controllers declare, by what the run is: its radio's profile and its routing, not
-/// the values of their keys, so that runs are compared in which one of these makes the count 0.
-/// @param frames, messages  whether they are counted.
+/// All countable words except those that controllers declare. They depend on the profile of the
+/// radio and on the routing of a run, not on the values of their keys, so that runs can be compared
+/// in some of which a count is 0.
+/// @param frames,messages  whether frames and messages are counted.
 std::vector<Countable> countable_of(const agents::SimulationConfig& config, bool frames,
                                     bool messages);
 

@@ -4,7 +4,7 @@
 
 #include "sim/scenario/radio_keys.h"
 
-/// The keys of the profiles with the DCF of IEEE Std 802.11, as radio_keys.h has those of others.
+/// The keys of the profiles with the DCF of IEEE Std 802.11; radio_keys.h has those of the others.
 namespace sim::scenario {
 
 inline constexpr std::array kRateControls = {

@@ -4,12 +4,13 @@
 
 namespace sim::scenario {
 
-/// What is written of something that there may be much of.
+/// How much is recorded of something that may be frequent.
 enum class Detail : std::uint8_t {
   kNone,    ///< Nothing.
   kCounts,  ///< Counts per agent, peer, class and verdict.
-  kSample,  ///< Of frames: counts, and rows for the first ones of each simulated second.
-  kAll,  ///< A row for each, about 1 us: of frames beside the counts, of messages in their place.
+  kSample,  ///< Frames: counts, and rows for the first ones of each simulated second.
+  /// A row for each (about 1 us of run time): for frames besides the counts, for messages instead.
+  kAll,
 };
 
 }  // namespace sim::scenario

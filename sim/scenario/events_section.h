@@ -5,7 +5,7 @@
 
 namespace sim::scenario {
 
-/// `events:`; not written if there are none. @param scenario  with its agents and its radio.
+/// `events:`; not written if empty. @param scenario  with its agents and its radio.
 void event_keys(Fields& io, Scenario& scenario);
 
 }  // namespace sim::scenario

@@ -15,12 +15,12 @@ namespace sim::scenario {
 /// True position of an agent at the end of the run [m, world frame].
 using TruePosition = std::function<hal::Vec2(hal::AgentId)>;
 
-/// Whether a condition of SimulationConfig::asked holds at the end of the run, or has held at some
-/// time of it.
+/// Whether a condition of SimulationConfig::asked holds at the end of the run, or has held at any
+/// time of the run.
 using TrueCondition = std::function<bool(std::size_t asked, bool at_some_time)>;
 
-/// Judges a run by the expectations of its scenario. An observer, because a run's end does not show
-/// which agents went through which states.
+/// Judges a run by the expectations of its scenario. It is an observer because the end of a run
+/// does not show which states the agents' controllers have entered.
 ///
 ///   Judge judge(scenario);
 ///   Simulation simulation(scenario.simulation, {&judge, …});
@@ -33,9 +33,9 @@ class Judge final : public agents::Observer {
 
   void on_state(hal::Time at, hal::AgentId agent, std::string_view state) override;
 
-  /// The expectations that do not hold, one line each: "place: expect: what was seen and what was
-  /// expected". Empty: all hold.
-  /// @param condition  may be empty if no expectation has one.
+  /// The expectations that are not met, one line each: "place: expect: what was seen and what was
+  /// expected". Empty: all are met.
+  /// @param condition  may be empty if no expectation has a condition.
   std::vector<std::string> unmet(std::string_view result, const TruePosition& position,
                                  const TrueCondition& condition = {}) const;
 
@@ -49,7 +49,8 @@ class Judge final : public agents::Observer {
                                    const TrueCondition& condition) const;
 
   const Scenario& scenario_;
-  /// By expectation: whom it is about. With `entered`, nobody until somebody enters that state.
+  /// For each expectation the agent that it is about. With `entered`, nullopt until an agent has
+  /// entered that state.
   std::vector<std::optional<hal::AgentId>> who_;
 };
 

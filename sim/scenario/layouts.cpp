@@ -72,15 +72,16 @@ const std::array kLayouts{
         {"uniform",
          "Places them at random in a rectangle, by the run's seed and the group's name."})};
 
-/// Poses have no mapping of their own.
+/// Poses are not a mapping.
 void keys_of(Fields& /*io*/, std::vector<hal::Pose2>& /*poses*/) {}
 
-/// Points of a plane that keep a distance. Cells of that size: only the cells around are looked at.
+/// Points of a plane that keep a minimum distance. Cells have that size, so only the surrounding
+/// cells need to be checked.
 class SpacedPoints {
  public:
   explicit SpacedPoints(double spacing) : spacing_(spacing) {}
 
-  /// @return false: there is one too near.
+  /// @return false if another point is too near.
   bool add(hal::Vec2 point) {
     if (spacing_ <= 0) return true;
     const auto [column, row] = cell_of(point);

@@ -6,10 +6,10 @@
 
 namespace sim::scenario {
 
-/// `loss` of a radio: frames that get lost beyond what the physics say.
+/// `loss` of a radio: random loss of frames that would otherwise be received.
 void keys_of(Fields& io, radio::LossConfig& loss);
 
-/// After the agents have been read: `links` must name some of them.
+/// Checks that `links` names agents; call after the agents have been read.
 /// @param radio  the mapping whose `loss` was read.
 void check_loss_names(Mapping radio, const Scenario& scenario);
 

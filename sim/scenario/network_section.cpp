@@ -20,12 +20,12 @@ namespace {
 using agents::AgentConfig;
 using air::NetworkConfig;
 
-/// 10.77.hi.lo of the 16 bits of an agent's address in the scenario.
+/// Default address: 10.77.hi.lo, from the 16 bits of an agent's address in the scenario.
 constexpr std::uint32_t kDefaultNetwork = 10u << 24 | 77u << 16;
 
 constexpr std::uint32_t host_bits(int prefix) { return 0xffffffffu >> prefix; }
 
-/// "10.77.0.3/16"; none: it is something else.
+/// Parses "10.77.0.3/16"; nullopt if the text is anything else.
 std::optional<NetworkConfig> parsed(const std::string& text) {
   const std::size_t slash = text.find('/');
   if (slash == std::string::npos) return std::nullopt;
@@ -38,7 +38,7 @@ std::optional<NetworkConfig> parsed(const std::string& text) {
   return result;
 }
 
-/// What is wrong with it as the address of a host; empty: nothing.
+/// What is wrong with it as the address of a host; empty if nothing is.
 std::string complaint(const NetworkConfig& a) {
   if (a.prefix < air::kLeastPrefix || a.prefix > air::kMostPrefix) {
     return fmt::format("the prefix must be from {} to {}", air::kLeastPrefix, air::kMostPrefix);
@@ -56,7 +56,7 @@ std::string text_of(const NetworkConfig& network) {
   return fmt::format("{}/{}", dotted(network.address), network.prefix);
 }
 
-/// Of the network itself, in host order.
+/// Address of the network itself, in host order.
 std::uint32_t network_of(const NetworkConfig& network) {
   return network.address & ~host_bits(network.prefix);
 }
@@ -71,7 +71,7 @@ void take_address(Fields& io, const std::string& text, NetworkConfig& c) {
   c.prefix = address->prefix;
 }
 
-/// Of the first agent.
+/// The keys of the interface of the first agent.
 void interface_keys(Fields& io, NetworkConfig& c) {
   io.spelled({"address",
               "IPv4 address of the first agent's interface and the bits of it that name the "
@@ -92,7 +92,7 @@ bool reaches(const NetworkConfig& from, const NetworkConfig& to) {
   return network_of(from) == (to.address & ~host_bits(from.prefix));
 }
 
-/// Names that /etc/hosts has for other addresses.
+/// Names that /etc/hosts maps to other addresses.
 constexpr std::array<std::string_view, 4> kNamesOfHosts{"localhost", "ip6-localhost",
                                                         "ip6-loopback", "ip6-allnodes"};
 
@@ -105,10 +105,10 @@ void check_names(Fields& io, std::span<const AgentConfig> agents) {
   }
 }
 
-/// The networks so far.
+/// The addresses and networks so far.
 class NetworkCheck {
  public:
-  /// @param in  the mapping of the agent's network. @return false: something was said of it.
+  /// @param in  the mapping of the agent's network. @return false if a mistake was noted.
   bool add(const AgentConfig& agent, Mapping& in) {
     const NetworkConfig& network = *agent.network;
     const auto [other, is_new] = taken_.try_emplace(network.address, &agent);
@@ -163,7 +163,7 @@ void check_networks(Mapping& in, const Scenario& scenario) {
       const auto agent = std::ranges::find(all, id, &AgentConfig::id);
       if (agent == all.end() || !agent->network) continue;
       Mapping network = agents.within(group.name).within("network");
-      if (!check.add(*agent, network)) break;  // of the others the same would be said
+      if (!check.add(*agent, network)) break;  // the others would have the same mistake
     }
   }
 }

@@ -10,7 +10,7 @@ namespace sim::scenario {
 /// `network:` of a group: the interfaces of its agents.
 void network_keys(Fields& io, std::span<agents::AgentConfig> agents);
 
-/// Notes addresses that two agents have, and those of which some cannot reach others.
+/// Notes addresses that two agents share, and addresses with which agents cannot reach each other.
 void check_networks(Mapping& in, const Scenario& scenario);
 
 }  // namespace sim::scenario

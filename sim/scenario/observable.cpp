@@ -16,7 +16,7 @@ constexpr std::string_view kBatteryKind = "battery";
 
 using Names = std::vector<std::pair<std::string, std::string>>;
 
-/// By the kind of a channel: see hal/types/channel.h.
+/// Names of values by kind of channel: see hal/types/channel.h.
 const std::map<std::string, Names, std::less<>>& names_by_kind() {
   static const std::map<std::string, Names, std::less<>> names = {
       {"odometry",

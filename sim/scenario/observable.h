@@ -20,7 +20,7 @@
 
 namespace sim::scenario {
 
-/// What of an observable goes into the results, besides its sums.
+/// What is kept of an observable in the results, in addition to its sums.
 enum class Keeps : std::uint8_t { kSamples, kHistogram, kQuantiles, kCounter };
 inline constexpr std::array<hal::files::config::Option<Keeps>, 4> kKeeps{
     {{"samples", Keeps::kSamples},
@@ -33,24 +33,25 @@ std::string_view name(Keeps keeps);
 struct ObservableRequest {
   /// DOMAIN.AGENT.VALUE, with `*` and `?` in the last two: "agents.r*.x".
   std::string name;
-  std::optional<hal::Duration> every{std::chrono::seconds{1}};  ///< None: on change.
+  std::optional<hal::Duration> every{std::chrono::seconds{1}};  ///< nullopt: at each change.
   Keeps keeps = Keeps::kSamples;
-  std::size_t bins = 50;                             ///< Of a histogram.
-  std::optional<std::pair<double, double>> range{};  ///< Of a histogram; none: automatic.
-  std::uint64_t most = 100'000;  ///< Samples kept of one value of one agent; more are in the sums.
+  std::size_t bins = 50;                             ///< For histograms.
+  std::optional<std::pair<double, double>> range{};  ///< For histograms; nullopt: automatic.
+  /// Samples kept per value and agent; further ones count only in the sums.
+  std::uint64_t most = 100'000;
 };
 
 /// The parts of a request's name.
 struct ObservablePattern {
   std::string domain, agents, value;
 
-  /// None: it has not got three parts.
+  /// Splits a name. @return nullopt if it does not have three parts.
   static std::optional<ObservablePattern> of(std::string_view name);
   bool has_agent(std::string_view agent) const;
   bool has_value(std::string_view value_name) const;
 };
 
-/// One value of a reading.
+/// One value of a sensor reading.
 struct ReadingValue {
   std::string channel;
   std::size_t index = 0;
@@ -60,7 +61,7 @@ struct QuantityValue {
   const agents::Quantity* quantity = nullptr;
   std::size_t number = 0;
 };
-/// What its controller records.
+/// A value that the controller records.
 struct RecordedValue {
   std::string name;
 };
@@ -69,16 +70,16 @@ struct RecordedValue {
 struct Observable {
   std::string domain;  ///< "agents"
   std::string value;   ///< "x"
-  std::string unit;    ///< "m"; "" if only the controller knows.
+  std::string unit;    ///< "m"; "" if only the controller knows it.
   std::variant<QuantityValue, Tally, ReadingValue, RecordedValue> source;
 };
 
-/// All that can be observed of an agent but what its controller records, which only the controller
-/// knows.
+/// Everything that can be observed of an agent, except what its controller records, which only the
+/// controller knows.
 std::vector<Observable> observables_of(const agents::AgentConfig& agent,
                                        const agents::SimulationConfig& config);
 
-/// A kind of them, for people.
+/// Description of a kind of observable, for lists.
 struct ObservableKind {
   std::string name;  ///< "agents.AGENT.x", "sensors.AGENT.CHANNEL.VALUE"
   std::string unit;
@@ -90,8 +91,8 @@ std::vector<ObservableKind> observable_kinds();
 std::vector<std::string> observable_domains();
 inline constexpr std::string_view kControllersDomain = "controllers";
 
-/// Names of the values of a reading, in their order, with units: {"x", "m"}; of a channel without
-/// names of its own the numbers from 0; none if their number varies.
+/// Names and units of the values of a reading, in order: {"x", "m"}. For a channel without named
+/// values, the names are numbers from 0; empty if the number of values varies.
 std::vector<std::pair<std::string, std::string>> values_of(const hal::Channel& channel);
 
 }  // namespace sim::scenario

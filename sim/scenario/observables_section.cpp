@@ -16,12 +16,13 @@
 namespace sim::scenario {
 namespace {
 
-/// `on` has one value: what is looked at when something happens.
+/// `on` has one value: sampled at each change.
 constexpr std::array kOn = {Option<bool>{"change", true}};
 constexpr Range kEvery{1e-3, hal::files::config::kLongestDuration};  // s
 constexpr Range kAny{-1e150, 1e150};
 
-/// What observes a value of an agent in a certain way, so that it is asked for once only.
+/// Values already requested, by agent, value and kind of observation; a second request is a
+/// mistake.
 using AskedFor = std::map<std::string, std::string>;
 
 void when_keys(Fields& io, ObservableRequest& c) {
@@ -79,7 +80,7 @@ void observable_keys(Fields& io, ObservableRequest& c) {
       });
 }
 
-/// Values of a domain that some agent of the pattern has; empty: no agent matches.
+/// The values in a domain that agents of the pattern have; `matching` receives the agents.
 std::set<std::string> values_of(const ObservablePattern& pattern, const Scenario& scenario,
                                 std::vector<std::string>& matching) {
   std::set<std::string> values;
@@ -106,7 +107,7 @@ std::vector<std::string> agent_names(const Scenario& scenario) {
   return names;
 }
 
-/// What is wrong with the name; empty: nothing.
+/// What is wrong with the name; empty if nothing is.
 std::string mistake_in(const ObservablePattern& pattern, const std::set<std::string>& values,
                        const std::vector<std::string>& matching, const Scenario& scenario) {
   using hal::files::config::suggestion;
@@ -129,7 +130,7 @@ void judge_name(Mapping& in, const ObservableRequest& request, const Scenario& s
                 AskedFor& taken) {
   const auto pattern = ObservablePattern::of(request.name);
   if (!pattern) {
-    if (request.name.empty()) return;  // missing, which was said
+    if (request.name.empty()) return;  // a missing name was reported already
     in.mistake("name", fmt::format("'{}' must have three parts, DOMAIN.AGENT.VALUE, e.g. "
                                    "agents.*.x; `baraka describe observables` lists them",
                                    request.name));

@@ -5,7 +5,7 @@
 
 namespace sim::scenario {
 
-/// `observables` of the mapping `record`. @pre the agents are read.
+/// `observables` of the mapping `record`. @pre the agents have been read.
 void observables_keys(Fields& io, Scenario& scenario);
 
 }  // namespace sim::scenario

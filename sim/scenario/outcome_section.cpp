@@ -48,7 +48,7 @@ void state_keys(Fields& io, EndCondition& c, Scenario& scenario) {
     scenario.awaited.push_back({io.reading()->place("state"), "end.state", {*c.agent}, c.state});
 }
 
-/// What it waits for: a state, a condition or, without both, a time.
+/// What the end waits for: a state, a condition or, without both, a time.
 void end_keys(Fields& io, EndCondition& c, Scenario& scenario) {
   state_keys(io, c, scenario);
   io.only(!c.agent, {"agent", {"absent"}}, "cannot stand beside agent", [&](Fields& other) {
@@ -67,7 +67,7 @@ void end_keys(Fields& io, EndCondition& c, Scenario& scenario) {
   io.needed_text({"result", "What the run is then called.", "done"}, c.result);
 }
 
-/// No other result that the run can end with is ever judged.
+/// Warns of an expected result that the run cannot end with.
 void check_result(Mapping& in, const ExpectedResult& expected, const Scenario& scenario) {
   std::vector<std::string> results;
   for (const EndCondition& end : scenario.simulation.ends) results.push_back(end.result);
@@ -90,7 +90,7 @@ void result_key(Fields& io, Expectation& c, const Scenario& scenario) {
   check_result(*io.reading(), expected, scenario);
 }
 
-/// The first of the two: a name or, with `entered`, a pattern.
+/// The first of the two agents: a name or, with `entered`, a pattern.
 void find_whose(Mapping& in, const Scenario& scenario, ExpectedDistance& expected) {
   const std::string& whose = expected.whose;
   expected.which = agents_like(whose, scenario);
@@ -107,7 +107,7 @@ void find_whose(Mapping& in, const Scenario& scenario, ExpectedDistance& expecte
   }
 }
 
-/// Whom it is about, after the keys have been read.
+/// Finds the agents of an expectation after its keys have been read.
 void find_agents(Mapping& in, const std::vector<std::string>& names, ExpectedDistance& expected,
                  Scenario& scenario) {
   if (names.size() != 2)
@@ -162,7 +162,7 @@ void asked_key(Fields& io, bool at_some_time, Expectation& c, Scenario& scenario
   asked.push_back(std::move(*condition));
 }
 
-/// It is about one thing.
+/// An expectation has exactly one subject.
 void check_subject(Mapping& in) {
   constexpr std::array<const char*, 4> kSubjects{"result", "distance", "holds", "held"};
   const std::vector<std::string> keys = in.keys();

@@ -5,8 +5,8 @@
 
 namespace sim::scenario {
 
-/// `end:` and `expect:`, lists in the scenario's top level: when a run ends, what it is then
-/// called, and what must hold at that moment. @pre the agents have been read.
+/// `end:` and `expect:`, lists at the scenario's top level: when a run ends, the name of its
+/// result, and what must hold at that time. @pre the agents have been read.
 void outcome_keys(Fields& io, Scenario& scenario);
 
 }  // namespace sim::scenario

@@ -16,7 +16,7 @@ namespace {
 
 using physics::Shape;
 
-/// m; what rounding makes of bodies that touch.
+/// m; depth that rounding may give to bodies that only touch.
 constexpr double kRounding = 1e-6;
 
 /// One wall, or all shapes of one agent.
@@ -39,7 +39,7 @@ void enclose(Body& body, const Shape& shape) {
                std::max(body.high.y, shape.centre.y + y)};
 }
 
-/// Walls first, then agents, in the order in which they are declared: that of the shapes.
+/// Walls first, then agents, in order of declaration, which is the order of the shapes.
 std::vector<Body> bodies_of(std::span<const Shape> shapes) {
   std::vector<Body> bodies;
   for (std::size_t i = 0; i < shapes.size(); ++i) {
@@ -52,8 +52,8 @@ std::vector<Body> bodies_of(std::span<const Shape> shapes) {
   return bodies;
 }
 
-/// m, on the ground; 0: they touch at most.
-/// @param touching  m, as deep as bodies may be in each other.
+/// Depth of the deepest horizontal overlap, m; 0 if they only touch.
+/// @param touching  m, permitted depth.
 double deepest(const Body& a, const Body& b, double touching) {
   double depth = 0;
   for (const Shape& of_a : a.shapes) {
@@ -66,12 +66,12 @@ double deepest(const Body& a, const Body& b, double touching) {
 }
 
 struct Meeting {
-  std::size_t body, other;  ///< The later and the earlier declared one.
+  std::size_t body, other;  ///< The body declared later, and the one declared earlier.
   double depth;             ///< m
 };
 
-/// For each body the first overlap that is found with an earlier one. Sweeps along x, so that only
-/// neighbours are compared (M. C. Lin, D. Manocha, M. Ponamgi and J. D. Cohen, "I-COLLIDE", 1995).
+/// For each body, finds one overlap with an earlier one. Sweeps along x, so that only neighbours
+/// are compared (M. C. Lin, D. Manocha, M. Ponamgi and J. D. Cohen, "I-COLLIDE", 1995).
 class Sweep {
  public:
   Sweep(const std::vector<Body>& bodies, double touching)
@@ -83,7 +83,7 @@ class Sweep {
     std::stable_sort(order.begin(), order.end(), [this](std::size_t a, std::size_t b) {
       return bodies_[a].low.x < bodies_[b].low.x;
     });
-    std::vector<std::size_t> reached;  // bodies that the sweep has not left yet
+    std::vector<std::size_t> reached;  // bodies whose extent the sweep is in
     for (const std::size_t next : order) {
       std::erase_if(reached,
                     [&](std::size_t b) { return bodies_[b].high.x < bodies_[next].low.x; });

@@ -7,11 +7,11 @@
 
 namespace sim::scenario {
 
-/// Finds bodies that are in each other at the start: robots and motes, with one another and with
-/// walls and boxes, by their exact shapes. Bodies may touch, as deep as contacts rest
+/// Finds bodies that overlap at the start: robots and motes with one another and with walls and
+/// boxes, by their exact shapes. Bodies may overlap as deep as resting contacts do
 /// (`surface_layer`); walls and boxes may overlap one another.
 /// @return one line for each agent that overlaps something declared before it, "file:line:column:
-///   agents.group: r1 overlaps r0 by …", at most kMostLines and then one that counts the rest.
+///   agents.group: r1 overlaps r0 by …": at most kMostLines, then one with the number of the rest.
 std::vector<std::string> overlaps(const Scenario& scenario);
 
 inline constexpr std::size_t kMostLines = 20;

@@ -10,13 +10,15 @@
 
 namespace sim::scenario {
 
-/// Whom the entries of a group's `overrides` are for: each has a pattern, and no agent may fit two.
+/// The agents of the entries of a group's `overrides`: each entry has a pattern, and no agent may
+/// match two.
 class OverrideAgents {
  public:
   explicit OverrideAgents(std::span<agents::AgentConfig> group) : group_(group) {}
 
-  /// `agents` of the next entry. A pattern that fits nobody, or somebody again, is a mistake.
-  /// @return those whom it fits, of what is read.
+  /// `agents` of the next entry. A pattern that matches no agent, or one already matched, is a
+  /// mistake.
+  /// @return when reading, the agents that match.
   std::vector<agents::AgentConfig*> agents_key(Fields& io, std::string& pattern);
 
  private:

@@ -55,7 +55,7 @@ std::vector<PlannedProgram> plan_programs(const Scenario& scenario) {
     for (const Program& program : group.programs) {
       for (const hal::AgentId agent : group.agents) {
         const agents::AgentConfig* const config = config_of(agent, scenario);
-        if (config == nullptr) continue;  // its address is another one's, which has been said
+        if (config == nullptr) continue;  // its address is in use, which was reported
         PlannedProgram one{&group, &program, agent, config->name, {}};
         one.log = filled_in(program.log, words_of(one, scenario, {}));
         planned.push_back(std::move(one));

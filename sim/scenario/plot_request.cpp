@@ -11,7 +11,7 @@
 namespace sim::scenario {
 namespace {
 
-/// @throws std::runtime_error  none is called so
+/// @throws std::runtime_error  no option has this name
 template <class E, std::size_t kSize>
 E named(const std::array<hal::files::config::Option<E>, kSize>& options, const std::string& name) {
   for (const auto& option : options) {
@@ -56,7 +56,7 @@ std::vector<std::string> observables_in(const std::map<std::string, std::string>
 
 namespace {
 
-/// A line "key: value" of a resolved scenario, which may begin an item of a list.
+/// A line "key: value" of a resolved scenario, which may begin a list item.
 struct KeyLine {
   std::size_t indent = 0;
   bool is_item = false;
@@ -102,7 +102,7 @@ std::string without_report_only(const std::string& resolved) {
   std::string kept, line;
   bool is_left_out = false;
   while (std::getline(lines, line)) {
-    // What belongs to a key of the top level is indented, or an item of its list.
+    // Lines that belong to a key of the top level are indented, or are items of its list.
     const bool begins = !line.empty() && line.find_first_of(" -#") != 0;
     if (begins) {
       const std::string key = line.substr(0, line.find(':'));

@@ -11,42 +11,44 @@
 
 namespace sim::scenario {
 
-/// What the end of a program does to the run.
+/// Effect on the run when a program ends.
 enum class OnExit : std::uint8_t {
   kIgnore,
-  kFail,  ///< The run fails, unless the program ended with status 0.
-  kEnd,   ///< The run ends with the program's name as its result; fails as with kFail.
+  kFail,  ///< The run fails, unless the program's exit status is 0.
+  kEnd,   ///< The run ends with the program's name as its result; otherwise as kFail.
 };
 
-/// A program that runs inside each agent of a group, and uses its network.
+/// A program that runs inside each agent of a group and uses its network.
 struct Program {
   std::string name;
-  /// The program and its arguments; kAgentWord and so on stand for what differs.
+  /// The program and its arguments, which may contain placeholders such as kAgentWord.
   std::vector<std::string> command;
-  hal::Duration start{};                                           ///< Simulated time.
-  std::vector<std::pair<std::string, std::string>> environment{};  ///< The same words.
-  std::vector<std::string> shown{};  ///< Of the host's /tmp, /run and /dev/shm; the same words.
-  std::string log{};  ///< File in the results' folder; kAgentWord stands for the agent.
+  hal::Duration start{};  ///< Simulated time.
+  /// May contain the same placeholders.
+  std::vector<std::pair<std::string, std::string>> environment{};
+  /// Paths in the host's /tmp, /run and /dev/shm that it can see; may contain placeholders.
+  std::vector<std::string> shown{};
+  std::string log{};  ///< File in the folder of results; may contain kAgentWord.
   OnExit on_exit = OnExit::kIgnore;
   std::string place{};  ///< "file:line:column".
 };
 
-/// In a program's command, environment and log.
+/// Placeholders in a program's command, environment and log.
 inline constexpr std::string_view kAgentWord = "{agent}", kAddressWord = "{address}",
                                   kNumberWord = "{number}", kResultsWord = "{results}";
 
-/// What the words stand for.
+/// Values of the placeholders.
 struct ProgramWords {
   std::string agent;    ///< Name.
-  std::string address;  ///< IPv4: "10.77.0.3".
-  std::string number;   ///< In its group, from 0.
-  std::string results;  ///< Folder, absolute.
+  std::string address;  ///< IPv4 address: "10.77.0.3".
+  std::string number;   ///< Number in its group, from 0.
+  std::string results;  ///< Folder of results, an absolute path.
 };
 
-/// The text with what they stand for in their places; other braces stay.
+/// The text with placeholders replaced by their values; other braces stay.
 std::string filled_in(std::string text, const ProgramWords& words);
 
-/// "10.77.0.3" of an address in host order.
+/// An address in host order as text: "10.77.0.3".
 std::string dotted(std::uint32_t address);
 
 }  // namespace sim::scenario

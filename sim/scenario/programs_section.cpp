@@ -63,7 +63,7 @@ void log_key(Fields& io, Program& c, const Group& group) {
            "the group has several agents.",
            "'{agent}.talker.log'", "'{agent}.NAME.log'"},
           c.log);
-  // Of the words only those that say whose it is may be in it.
+  // Only the placeholders that identify the agent are allowed in a log's name.
   check_result_file(io, "log", c.log, filled_in(c.log, {"x", "{}", "x", "{}"}), kLogEnding);
   const bool differs =
       c.log.find(kAgentWord) != std::string::npos || c.log.find(kNumberWord) != std::string::npos;

@@ -6,8 +6,8 @@
 #include "sim/radio/radio_config.h"
 #include "sim/scenario/fields.h"
 
-/// The keys of a radio, each part of a profile in a function that reads or writes it: Io is a
-/// FieldReader or a FieldWriter.
+/// The keys of a radio. Each part of a profile has a function that reads or writes its keys through
+/// Fields.
 namespace sim::scenario {
 
 inline constexpr std::array kPreambles = {

@@ -26,14 +26,14 @@ using radio::RadioConfig;
 
 using radio::Standard;
 
-/// Of those that files can name: all but the last.
+/// Number of profiles that files can name: all but the last.
 constexpr std::size_t kProfiles = std::variant_size_v<RadioConfig> - 1;
 static_assert(std::is_same_v<std::variant_alternative_t<kProfiles, RadioConfig>,
                              radio::ForeignProfileConfig>);
 const auto kProfileKinds =
     kinds_of<RadioConfig, kProfiles>([](const auto& profile) { return profile.kProfile; });
 
-/// What is allowed and hardly meant.
+/// Warns of values that are allowed but probably mistakes.
 void warn_of_levels(Mapping& in, const radio::WavesConfig& c) {
   const hal::Dbm noise = c.receiver.noise_floor, sensitivity = c.receiver.sensitivity;
   if (c.propagation.obstacles && c.propagation.antenna_height.value == 0) {
@@ -64,7 +64,7 @@ void read_basic_rates(Mapping& in, const Key& key, Standard standard, radio::Dcf
   c.basic_rates = std::move(rates);
 }
 
-/// Those of a control response (IEEE Std 802.11-2016, 10.7.6.5).
+/// Rates of control responses (IEEE Std 802.11-2016, 10.7.6.5).
 void basic_rates_key(Fields& io, Standard standard, radio::DcfConfig& c) {
   const Key key{"basic_rates",
                 "CTS and ACK are sent at the highest of these that is not above the rate of the "
@@ -93,7 +93,7 @@ void check_rules(Mapping& in, const RadioConfig& config) {
   }
 }
 
-/// Without a wavelength of its own the carrier follows the number of the channel.
+/// If no wavelength is given, it follows from the channel.
 void follow_channel(Mapping& in, radio::WavesConfig& waves) {
   if (in.has("wavelength")) return;
   hal::Metres& wavelength = waves.propagation.wavelength;
@@ -120,7 +120,7 @@ void profile_keys(Fields& io, RadioConfig& config) {
   if (io.reading() != nullptr) check_rules(*io.reading(), config);
 }
 
-/// The keys of other profiles mean nothing in this one.
+/// Refuses the keys that only other profiles use.
 void refuse_others(Mapping& in, RadioConfig config) {
   const std::string_view profile = profile_name(config);
   FieldNames mine, all;

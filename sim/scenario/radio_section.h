@@ -8,14 +8,14 @@
 
 namespace sim::scenario {
 
-/// `radio:` of a scenario, or a radio file: `profile` and those keys that the profile uses. A key
-/// of another profile is a mistake that names the profile.
+/// `radio:` of a scenario, or a radio file: `profile` and the keys that the profile uses. A key of
+/// another profile is a mistake; the message names the profiles that use it.
 void keys_of(Fields& io, radio::RadioConfig& config);
 
-/// The profiles that have something, by name.
+/// Names of the profiles for which `has` is true.
 std::vector<std::string> profiles_with(bool (*has)(const radio::RadioConfig& config));
 
-/// A radio file.
+/// Reads a radio file.
 radio::RadioConfig read_radio(Mapping in);
 
 }  // namespace sim::scenario

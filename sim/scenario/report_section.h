@@ -8,10 +8,10 @@
 
 namespace sim::scenario {
 
-/// `report:` of a scenario or of a campaign: what its report shows. Changes nothing about a run.
+/// `report:` of a scenario or of a campaign: the plots of its report. Does not affect runs.
 void report_keys(Fields& io, std::vector<PlotRequest>& requests);
 
-/// `compare:`: whose published figures the report shows beside the runs'.
+/// `compare:`: the published results that the report shows beside those of the runs.
 void compare_key(Fields& io, Published& published);
 
 }  // namespace sim::scenario

@@ -8,11 +8,11 @@
 
 namespace sim::scenario {
 
-/// The scenario as one YAML file without includes, every key written out: what is stored with the
-/// results. load_scenario() reads it back to the same values; only the places differ.
+/// The scenario as one YAML file without includes, with every key written out, as stored with the
+/// results. load_scenario() reads it back to equal values; only the places differ.
 std::string resolved_yaml(const Scenario& scenario);
 
-/// The same, value by value: dotted path (items of lists by number) and value as written there.
+/// The same as pairs: dotted path (list items by number) and value as written there.
 std::vector<std::pair<std::string, std::string>> resolved_values(const Scenario& scenario);
 
 }  // namespace sim::scenario

@@ -27,10 +27,10 @@ constexpr std::array kDetails = {Option<Detail>{"none", Detail::kNone},
                                  Option<Detail>{"counts", Detail::kCounts},
                                  Option<Detail>{"all", Detail::kAll}};
 
-/// What a file that says nothing gets: a controller 10 ms away.
+/// Default controller latency.
 constexpr hal::Duration kDefaultLatency = 10ms;
 
-/// The name becomes that of the results' folder.
+/// The name is also that of the folder of results.
 void head_keys(Fields& io, Scenario& scenario) {
   hal::files::description::needed_version_key(io);
   io.text(

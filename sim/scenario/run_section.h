@@ -5,9 +5,9 @@
 
 namespace sim::scenario {
 
-/// The keys of a scenario's top level that are single values.
+/// The keys at a scenario's top level that are single values.
 void run_keys(Fields& io, Scenario& scenario);
-/// `record`. @pre the agents are read: the defaults depend on their number.
+/// `record`. @pre the agents have been read, because the defaults depend on their number.
 void record_keys(Fields& io, Scenario& scenario);
 
 }  // namespace sim::scenario

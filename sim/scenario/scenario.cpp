@@ -23,7 +23,7 @@ namespace sim::scenario {
 
 namespace {
 
-/// What hangs on several sections.
+/// Checks that involve several sections.
 void check_sections(Mapping& in, const Scenario& scenario) {
   check_access_points(in, scenario);
   check_waves(in, scenario);

@@ -25,16 +25,17 @@ namespace sim::scenario {
 
 using namespace std::chrono_literals;
 
-/// Agents that were declared together: one key under `agents:`.
+/// Agents that are declared together, by one key under `agents:`.
 struct Group {
   std::string name;
-  std::vector<hal::AgentId> agents;   ///< In order of declaration, at least one.
-  std::vector<std::string> places{};  ///< "file:line:column" of each one's pose, or of their grid.
-  std::string program;                ///< Controller; empty: none.
-  std::string program_place;          ///< "file:line:column" of `program`, for error messages.
-  int processes = 1;                  ///< Controller processes that share the agents.
-  std::vector<Program> programs{};    ///< Inside each of the agents.
-  bool inside = false;                ///< Each of them inside its agent's network.
+  std::vector<hal::AgentId> agents;  ///< In order of declaration, at least one.
+  /// "file:line:column" of the pose of each agent, or of their layout.
+  std::vector<std::string> places{};
+  std::string program;              ///< Controller; empty: none.
+  std::string program_place;        ///< "file:line:column" of `program`, for error messages.
+  int processes = 1;                ///< Controller processes that share the agents.
+  std::vector<Program> programs{};  ///< Programs inside each agent.
+  bool inside = false;              ///< Each controller runs inside its agent's network namespace.
 };
 
 /// The run must end with this result.
@@ -44,22 +45,22 @@ struct ExpectedResult {
 
 /// The true distance between two agents at the end of the run must be below a limit.
 struct ExpectedDistance {
-  std::string whose;                ///< Name of the first one or, with `entered`, a pattern.
-  std::vector<hal::AgentId> which;  ///< The agents it names: one, or with `entered` at least one.
+  std::string whose;                ///< Name of the first agent or, with `entered`, a pattern.
+  std::vector<hal::AgentId> which;  ///< The agents named: one, or with `entered` at least one.
   hal::AgentId to;
   hal::Metres below;
-  /// Not empty: of these agents the one whose controller was the last to enter this state, e.g.
-  /// whichever robot the task fell to.
+  /// If not empty: of these agents, the one whose controller was the last to enter this state, e.g.
+  /// the robot that took over the task.
   std::string entered = {};
 };
 
-/// A condition must hold at the end, or must have held at some time of the run.
+/// A condition must hold at the end of the run, or must have held at some time.
 struct ExpectedCondition {
   std::size_t asked = 0;  ///< Index in SimulationConfig::asked.
   bool at_some_time = false;
 };
 
-/// A state of agents' controllers that the scenario waits for or asks about.
+/// A state of agents' controllers that the scenario uses in a condition, an end or an expectation.
 struct AwaitedState {
   std::string place;  ///< "file:line:column".
   std::string key;    ///< "end.state"
@@ -73,7 +74,7 @@ struct Expectation {
   std::string place;  ///< "file:line:column".
 };
 
-/// What goes into the results.
+/// What is recorded in the results.
 struct RecordOptions {
   Detail frames = Detail::kCounts;
   Detail messages = Detail::kAll;
@@ -81,51 +82,53 @@ struct RecordOptions {
   Detail routes = Detail::kNone;
   Detail readings = Detail::kNone;
   hal::Duration pose_period = 1s;
-  std::string air{};                           ///< File of the captured frames; empty: none.
-  std::optional<hal::AgentId> air_heard_by{};  ///< None: by an ear that hears all.
+  std::string air{};  ///< Capture file for frames; empty: none.
+  /// Agent whose sent and received frames are captured; nullopt: all frames.
+  std::optional<hal::AgentId> air_heard_by{};
   std::vector<ObservableRequest> observables{};
   std::vector<std::string> observable_places{};  ///< "file:line:column" of each one's name.
-  /// Units of what controllers record, by controller and name, as far as they declare it.
+  /// Units of values that controllers record, by controller and name, where declared.
   std::map<std::pair<std::string, std::string>, std::string> recorded_units{};
   std::vector<Countable> declared{};  ///< States and records that controllers declare.
 };
 
-/// Whose figures a report shows beside those of the runs.
+/// Published results that a report shows beside those of the runs.
 enum class Published : std::uint8_t { kNothing, kLabella2009 };
 
-/// Above so many agents messages are counted and not listed, and what only a view needs is not
-/// recorded, unless the file asks for it.
+/// With more agents, messages are counted and not listed, and data that only a view needs is not
+/// recorded, unless the file requests it.
 inline constexpr std::size_t kAgentsOfListedMessages = 100;
 
-/// A scenario file with everything that it includes and the overrides of the command line: checked,
-/// in SI units, defaults filled in.
+/// A scenario file with all its includes and the overrides of the command line: checked, in SI
+/// units, with defaults filled in.
 struct Scenario {
-  std::string name;  ///< `name:`, or the file's without extension.
+  std::string name;  ///< `name:`, or the file's name without extension.
   agents::SimulationConfig simulation;
   std::vector<Group> groups;  ///< In order of declaration.
   std::vector<Expectation> expectations;
-  std::optional<hal::Duration> reply_timeout = 10s;  ///< None: wait for ever.
-  hal::Duration wait = 30s;                          ///< For the next controller, before the start.
+  std::optional<hal::Duration> reply_timeout = 10s;  ///< nullopt: no limit.
+  hal::Duration wait = 30s;  ///< For the next controller to connect, before the start.
   RecordOptions record;
-  std::vector<PlotRequest> report;  ///< What the report shows.
+  std::vector<PlotRequest> report;  ///< Plots of the report.
   Published compare = Published::kNothing;
-  std::vector<AwaitedState> awaited;  ///< For who knows which states controllers enter.
-  std::vector<std::string> warnings;  ///< What is allowed and hardly meant, a line each.
+  std::vector<AwaitedState> awaited;  ///< For a check against the states that controllers declare.
+  /// One line for each value that is allowed but probably a mistake.
+  std::vector<std::string> warnings;
 };
 
-/// The keys of a scenario file. A scenario that is read needs a name already, for a file without.
+/// The keys of a scenario file. When reading, the scenario must already have a name, for files
+/// without `name`.
 void keys_of(hal::files::description::Fields& io, Scenario& scenario);
 
-/// Reads a scenario from the top level of its file; notes mistakes there.
+/// Reads a scenario from the top level of its file; notes mistakes in `in`.
 Scenario read_scenario(hal::files::config::Mapping in, const std::filesystem::path& file);
 
 /// Reads a scenario.
-/// @param overrides  "dotted.path=value" in the file's value syntax; they win over the file, later
-///   ones over earlier ones. A mapping on the right replaces the file's. `include` paths are
-///   relative to the scenario's folder or, failing that, to the working directory.
-/// @throws hal::files::config::ConfigErrors with every mistake in all files or, if there is none,
-/// with the
-///   bodies that overlap at the start.
+/// @param overrides  "dotted.path=value" in the file's value syntax; they take precedence over the
+///   file, and later ones over earlier ones. A mapping as value replaces the file's. `include`
+///   paths are relative to the scenario's folder or, if not found there, to the working directory.
+/// @throws hal::files::config::ConfigErrors  with every mistake in all files or, if there are none,
+///   with the bodies that overlap at the start.
 Scenario load_scenario(const std::filesystem::path& file,
                        const std::vector<std::string>& overrides = {});
 

@@ -40,7 +40,7 @@ bool knows_ofdm(const RadioConfig& config) {
   return std::holds_alternative<radio::Ieee80211gConfig>(config);
 }
 
-/// Keys that a profile uses or not.
+/// Keys that exist only in some profiles.
 void used_keys(Fields& io, bool (*is_used)(const RadioConfig&), const RadioConfig& config,
                const std::function<void(Fields&)>& body) {
   io.only(is_used(config), {".radio.profile", profiles_with(is_used)},
@@ -86,8 +86,9 @@ void rate_keys(Fields& io, StationConfig& c, const RadioConfig& config) {
        c.broadcast_rate);
 }
 
-/// Of a group, or of one entry of its `overrides`. What is not there keeps its value.
-/// @param config  which keys there are.
+/// The keys for a group, or for one entry of its `overrides`. Keys that are absent leave their
+/// value unchanged.
+/// @param config  determines which keys exist.
 void keys_of(Fields& io, StationConfig& c, const RadioConfig& config) {
   used_keys(io, has_power, config, [&](Fields& used) {
     used.given({"tx_power", "Of the transmitters of these agents.", "10 mW", kOfRadio}, "mW",
@@ -100,7 +101,7 @@ void keys_of(Fields& io, StationConfig& c, const RadioConfig& config) {
             [&](Fields& used) { own_access_points_key(used, c.access_points); });
 }
 
-/// What the radios of some of the agents have of their own.
+/// Settings for the radios of some of the agents.
 struct RadioOverride {
   std::string agents;
   StationConfig radio;

@@ -7,7 +7,8 @@
 
 namespace sim::scenario {
 
-/// `radio:` of a group of agents: what their radios have of their own, and `overrides` for some.
+/// `radio:` of a group of agents: settings of their radios that differ from the network's, and
+/// `overrides` for some agents.
 void station_radio_key(Fields& io, std::span<agents::AgentConfig> agents,
                        const radio::RadioConfig& config);
 

@@ -89,7 +89,7 @@ void keys_of(Fields& io, RandomWaypointPath& path) {
   if (path.from == path.to) io.mistake("to", "is the same corner as from");
 }
 
-/// Who stands has no path.
+/// A station without a path stays where it is.
 void keys_of(Fields& /*io*/, std::monostate& /*path*/) {}
 
 const std::array kPaths{

@@ -5,7 +5,7 @@
 
 namespace sim::scenario {
 
-/// `station:` of a group of agents: no body, and a `path` or none.
+/// `station:` of a group of agents: no body, and an optional `path`.
 void station_keys(Fields& io, agents::Station& station);
 
 }  // namespace sim::scenario

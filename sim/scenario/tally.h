@@ -7,7 +7,7 @@
 
 namespace sim::scenario {
 
-/// What is added up, or remembered, of each agent from what happens in a run. A new one goes in
+/// Quantities that are summed up, or kept, for each agent from the events of a run. Add a new one
 /// before kCount, with its row in tally.cpp.
 enum class Tally : std::uint8_t {
   kFramesSent,
@@ -32,12 +32,12 @@ inline constexpr std::size_t kTallies = static_cast<std::size_t>(Tally::kCount);
 struct TallyKind {
   Tally tally;
   std::string_view domain, name, unit, meaning;
-  /// It has no value until something happens, and each time is one to look at; else it counts from
+  /// true: it has no value until the first event, and each event is a sample. false: it counts from
   /// 0.
   bool is_of_events = false;
 };
 
-/// In the order of the enumeration.
+/// All kinds, in the order of the enumeration.
 const std::array<TallyKind, kTallies>& tally_kinds();
 
 }  // namespace sim::scenario

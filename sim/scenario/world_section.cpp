@@ -18,7 +18,7 @@ constexpr Range kRadioLoss{0, 1000};  // dB, dB/m
 
 void physics_keys(Fields& io, WorldConfig& c) {
   io.duration({"step", "Of the physics engine.", "10 ms"}, {1e-4, 0.02}, c.step);
-  // Without gravity no wheel grips: it has to be asked for by name.
+  // Without gravity wheels have no grip, so it must be requested by name.
   bool weightless = c.gravity == 0;
   io.flag({"weightless", "No gravity at all; then no wheel grips.", "false"}, weightless);
   if (weightless) c.gravity = 0;
@@ -45,7 +45,7 @@ void physics_keys(Fields& io, WorldConfig& c) {
            1000, c.jam_robots);
 }
 
-/// By default those of Sommer et al. 2011 (kBrickWall); docs/models.md, 9, lists others.
+/// Defaults from Sommer et al. 2011 (kBrickWall); docs/models.md, 9, lists others.
 void loss_keys(Fields& io, ObstacleLoss& c) {
   io.quantity({"per_crossing", "For having to pass at all.", "15 dB"}, "dB", kRadioLoss,
               c.per_crossing);
@@ -60,7 +60,7 @@ void keys_of(Fields& io, StaticBox& box, const Ground& ground) {
             kBoxSize, box.size);
   hal::Vec2 at{box.centre.x, box.centre.y};
   io.needed({"position", "Of its middle, world frame.", "[0 m, 3 m]"}, "m", kCoordinate, at);
-  box.centre = {at.x, at.y, ground.height(at) + box.size.z / 2};  // It stands on the ground.
+  box.centre = {at.x, at.y, ground.height(at) + box.size.z / 2};  // the box stands on the ground
   io.number({"yaw", "By which it is turned, seen from above.", "45 deg"}, "rad", kAngle, box.yaw);
   io.number({"friction", "Coefficient of its surface.", "0.6"}, "1", kFriction, box.friction);
   io.inside(
@@ -68,7 +68,7 @@ void keys_of(Fields& io, StaticBox& box, const Ground& ground) {
       [&](Fields& loss) { loss_keys(loss, box.radio_loss); });
 }
 
-/// @param kind  what those without a name are called, with their numbers.
+/// @param kind  prefix of the names of boxes without a name; a number follows.
 void boxes(Fields& io, const Key& key, std::string_view kind, agents::SimulationConfig& config) {
   std::vector<StaticBox>& all = config.walls;
   const std::size_t first = all.size();
@@ -90,7 +90,7 @@ void world_keys(Fields& io, agents::SimulationConfig& config) {
   boxes(io,
         {"walls", "Boxes that never move.", "[{size: [6 m, 20 cm, 50 cm], position: [0 m, 3 m]}]"},
         "wall", config);
-  if (io.is_writing()) return;  // among the walls
+  if (io.is_writing()) return;  // they are written as walls
   boxes(io,
         {"boxes", "The same under another name.",
          "[{size: [1 m, 1 m, 50 cm], position: [2 m, 2 m]}]"},

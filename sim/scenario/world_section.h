@@ -6,10 +6,10 @@
 
 namespace sim::scenario {
 
-/// `world:` of a scenario: `physics`, and `walls` and `boxes`, which differ in name only.
+/// `world:` of a scenario: `physics`, and `walls` and `boxes`, which differ only in their names.
 void world_keys(Fields& io, agents::SimulationConfig& config);
 
-/// What the agents' links tell their routers.
+/// What the agents' links report to their routers.
 inline hal::node::routing::LinkCapabilities link_capabilities(
     const agents::SimulationConfig& config) {
   if (config.link != agents::LinkKind::kMac) return {};
