@@ -102,7 +102,7 @@ class ConditionWatch final : public Observer {
   std::deque<Watched> watched_;  ///< A deque, because nodes point to its elements.
   std::map<hal::AgentId, std::string> states_;
   std::map<std::pair<hal::AgentId, std::string>, std::int64_t> received_;  ///< By agent and class.
-  /// Of agents with a condition on their battery; nullopt: not present.
+  /// Charges of agents with a condition on their battery; nullopt: not present.
   std::map<hal::AgentId, std::optional<double>> charges_;
   bool needs_messages_ = false, needs_places_ = false, is_over_ = false;
 };

@@ -66,7 +66,7 @@ class Interfaces final : public air::InterfaceListener {
     hal::AgentId agent;
     std::string door;
     std::unique_ptr<air::Interface> interface;
-    std::size_t capacity = 0;  ///< Of the station's queue, in frames.
+    std::size_t capacity = 0;  ///< Size of the station's queue, in frames.
     std::size_t held = 0;      ///< Frames read that have not entered the run yet.
   };
 

@@ -12,7 +12,7 @@
 
 namespace sim::agents {
 
-/// From the agent's pose straight ahead, back again, and so on.
+/// A straight line from the agent's pose ahead, then back, and so on.
 struct LinePath {
   double speed = 0;                                         ///< m/s, > 0
   double length = std::numeric_limits<double>::infinity();  ///< m, > 0; infinite: never turns back.
@@ -20,7 +20,7 @@ struct LinePath {
   bool operator==(const LinePath&) const = default;
 };
 
-/// On a circle whose centre is on the left of the agent's pose, or, clockwise, on its right.
+/// A circle whose centre is on the left of the agent's pose, or, clockwise, on its right.
 struct CirclePath {
   double radius = 0;  ///< m, > 0
   double speed = 0;   ///< m/s, > 0
@@ -28,7 +28,7 @@ struct CirclePath {
   bool operator==(const CirclePath&) const = default;
 };
 
-/// From the agent's pose to the points, one after the other.
+/// Straight lines from the agent's pose to the points, one after the other.
 struct WaypointPath {
   std::vector<hal::Vec2> points;  ///< m, world frame; at least one, neighbours differ.
   double speed = 0;               ///< m/s, > 0
@@ -37,10 +37,10 @@ struct WaypointPath {
   bool operator==(const WaypointPath&) const = default;
 };
 
-/// To points drawn uniformly from a rectangle, one after the other, each at a speed drawn uniformly
-/// (D. B. Johnson and D. A. Maltz, "Dynamic Source Routing in Ad Hoc Wireless Networks", 1996). The
-/// lowest speed is above 0, because otherwise the mean speed would decrease for ever (J. Yoon, M.
-/// Liu and B. Noble, "Random Waypoint Considered Harmful", INFOCOM 2003).
+/// Straight lines to points drawn uniformly from a rectangle, one after the other, each at a speed
+/// drawn uniformly (D. B. Johnson and D. A. Maltz, "Dynamic Source Routing in Ad Hoc Wireless
+/// Networks", 1996). The lowest speed is above 0, because otherwise the mean speed would decrease
+/// for ever (J. Yoon, M. Liu and B. Noble, "Random Waypoint Considered Harmful", INFOCOM 2003).
 struct RandomWaypointPath {
   hal::Vec2 from, to;     ///< m, corners, world frame
   double speed_low = 0;   ///< m/s, > 0

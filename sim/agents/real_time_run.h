@@ -62,7 +62,7 @@ class Simulation::RealTimeRun {
   State& s_;
   std::vector<Carried> carried_;                           ///< By port.
   std::map<hal::AgentId, EventQueue::EventId> watchdogs_;  ///< One per robot.
-  Lateness lateness_;                                      ///< Of control instants.
+  Lateness lateness_;                                      ///< Lateness of control instants.
   RealTimeSummary counts_;
   bool open_loop_ = false;
 };

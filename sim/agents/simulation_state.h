@@ -111,12 +111,12 @@ struct Simulation::State final : hal::node::agent::AgentListener {
   std::string error;
   bool broken_off = false;
   Sampler* sampler = nullptr;
-  hal::Time look_due = hal::Time::max();  ///< Of the sampler.
+  hal::Time look_due = hal::Time::max();  ///< Time of the sampler's next sample.
   std::vector<std::string> bodies_lost;   ///< One line for each lost body.
   ConditionWatch watch;
   std::vector<std::size_t> asked;  ///< Numbers of SimulationConfig::asked in the watch.
   Script script;
-  std::map<hal::AgentId, hal::Wants> wants;  ///< Of the agents' controllers.
+  std::map<hal::AgentId, hal::Wants> wants;  ///< What the agents' controllers want.
   /// Time of the last scripted death of each controller.
   std::map<hal::AgentId, hal::Time> died_at;
   std::vector<hal::AgentId> dead;  ///< Agents whose controllers the script killed.

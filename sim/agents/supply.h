@@ -66,7 +66,8 @@ class Supply final : public radio::RadioUseListener {
   radio::RadioActivity activity_ = radio::RadioActivity::kListening;
   double motors_ = 0;      ///< W
   double most_power_ = 0;  ///< Largest load for which look_ is valid [W].
-  bool is_near_ = false;   ///< It may be empty soon: look_ is scheduled for the present load.
+  /// The battery may be empty soon: look_ is scheduled for the present load.
+  bool is_near_ = false;
   bool is_present_ = true, is_spent_ = false;
   EventQueue::EventId look_;
 };

@@ -103,7 +103,7 @@ const BodyState& Scene::body(hal::AgentId agent, hal::Time now) {
   if (known.since == moved_at) return known.state;
   const physics::BodyPose pose = world_.pose(agent);
   const hal::Vec2 place{pose.position.x, pose.position.y};
-  // A body that turns on the spot, or is about to be disabled, keeps its position.
+  // A body that turns on the spot, or is about to fall asleep, keeps its position.
   const bool is_elsewhere =
       known.since == kNever || place != hal::Vec2{known.state.x, known.state.y};
   known.since = moved_at;

@@ -58,7 +58,7 @@ class Scene {
   const Paths* paths_;
   std::vector<std::uint32_t> index_;   ///< Index in positions_, by address.
   std::vector<std::uint32_t> moving_;  ///< Indices in positions_ of agents on paths.
-  std::optional<CellGrid> grid_;       ///< Of positions_.
+  std::optional<CellGrid> grid_;       ///< Grid of positions_.
   std::vector<std::uint32_t> found_;
   std::vector<sensing::AgentPosition> near_;
   /// Physics steps of the last updates.

@@ -34,7 +34,7 @@ class WorldObstacles final : public radio::Obstacles {
   std::vector<hal::AgentId> agents_;
   std::vector<std::uint32_t> index_;  ///< Index in agents_, by address.
   double largest_ = 0;                ///< Largest horizontal radius of a body about its origin [m].
-  mutable CellGrid grid_;             ///< Of agents_, by origin.
+  mutable CellGrid grid_;             ///< Grid of agents_, by origin.
   /// Physics step for which the grid is up to date.
   mutable std::optional<std::uint64_t> followed_;
   mutable std::vector<std::uint32_t> near_;

@@ -78,7 +78,7 @@ class AirAccounts {
   void add(const Content& content, const Sent& sent, Shares& shares);
   /// Finds or adds the accounts of a content's pieces.
   void open(const Content& content, hal::AgentId transmitter, Shares& shares);
-  /// Reduces a transmission with these shares, which was cut off after `airtime` on the air.
+  /// Reduces the air time of a transmission with these shares, which was cut off after `airtime`.
   void cut(const Content& content, hal::Duration airtime, Shares& shares);
   void add_end(const Content& content, const Shares& shares, hal::AgentId receiver, bool addressed,
                hal::Verdict verdict);

@@ -59,7 +59,7 @@ struct AirKind {
   /// RTPS: kind of submessage. kNetwork: IP protocol number, or kArp. kMac: radio::FrameType. Else
   /// the Ethertype.
   std::uint16_t what = 0;
-  std::uint16_t port = 0;   ///< Of TCP, and of UDP other than RTPS: service_port(); 0: none.
+  std::uint16_t port = 0;   ///< TCP, and UDP other than RTPS: service_port(); 0: none.
   std::uint32_t topic = 0;  ///< kUser: index into Endpoints::topics(); 0: unknown.
   auto operator<=>(const AirKind&) const = default;
 };

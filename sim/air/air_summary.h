@@ -16,7 +16,7 @@ struct TopicUse {
   std::uint64_t samples = 0, delivered = 0, first_try = 0;
   hal::Duration latency_median{}, latency_p99{};  ///< Lower edges of their bins.
   hal::Duration airtime{};
-  double share = 0;  ///< Of the total air time.
+  double share = 0;  ///< Share of the total air time.
 };
 
 /// The topics, by number.

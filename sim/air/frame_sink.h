@@ -24,7 +24,7 @@ class FrameSink {
   /// returned so far count as queued. On the run's thread.
   struct Room {
     std::size_t free = 0;
-    std::size_t capacity = 0;  ///< Of the empty queue.
+    std::size_t capacity = 0;  ///< Places in the empty queue.
   };
   virtual void on_room(hal::AgentId agent, const Room& room) = 0;
 };

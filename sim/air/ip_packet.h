@@ -25,7 +25,7 @@ using IpAddress = std::array<std::uint8_t, 16>;
 struct FragmentKey {
   IpAddress source{}, destination{};
   std::uint32_t identification = 0;
-  std::uint8_t protocol = 0;  ///< Of the payload, after any IPv6 extension headers.
+  std::uint8_t protocol = 0;  ///< Protocol of the payload, after any IPv6 extension headers.
   auto operator<=>(const FragmentKey&) const = default;
 };
 

@@ -194,7 +194,7 @@ void Ledger::on_msdu_end(hal::Time at, const radio::Msdu& msdu, const radio::Msd
   hal::Verdict verdict = end.verdict;
   if (verdict == hal::Verdict::kRetryLimit && attempts.last != 0) {
     const hal::Verdict last = attempts.at_receiver.value_or(hal::Verdict::kBelowSensitivity);
-    // else the RTS was received, but not its CTS
+    // Otherwise the RTS was received, but not its CTS.
     if (last != hal::Verdict::kDelivered) verdict = last;
   }
   const SampleLoss loss = loss_of(verdict, msdu.station, attempts.last);

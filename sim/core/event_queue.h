@@ -96,7 +96,7 @@ class EventQueue {
 
   EventSlots slots_;
   FutureEvents events_{slots_};
-  std::vector<std::uint64_t> counters_;  ///< Of each agent.
+  std::vector<std::uint64_t> counters_;  ///< Counters of the agents.
   Time now_{};
   Time last_ = Time::min();  ///< Up to this time, the running handler may go on.
   std::uint64_t executed_ = 0;

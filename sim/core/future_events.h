@@ -38,7 +38,7 @@ class FutureEvents {
 
   void push(const Entry& entry);
 
-  /// To be called when the generation of an entry's slot ends before the entry was popped.
+  /// Call when the generation of an entry's slot has ended before the entry was popped.
   void note_cancelled();
 
   /// The first entry; null if there is none.

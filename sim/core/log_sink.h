@@ -14,7 +14,7 @@ namespace sim {
 /// Not thread-safe: call at start-up.
 void log_to_file(const std::string& path, hal::log::Level lowest = hal::log::Level::kInfo);
 
-/// Writes out what is buffered.
+/// Writes the buffered lines.
 void flush_log();
 
 }  // namespace sim

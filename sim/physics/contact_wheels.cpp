@@ -53,7 +53,7 @@ ContactWheels::ContactWheels(const RigidBody& chassis,
                              const std::vector<hal::node::devices::Wheel>& wheels,
                              double weight_on_each, bool measure_energy)
     : chassis_(chassis), measures_(measure_energy) {
-  // the solver writes feedback to them, so their addresses must not change
+  // The solver writes feedback to them, so their addresses must not change.
   wheels_.reserve(wheels.size());
   for (const hal::node::devices::Wheel& wheel : wheels) {
     const Vec3 place{wheel.position.x, wheel.position.y, wheel.radius};

@@ -28,7 +28,7 @@ class JointedWheels final : public Wheels {
       : chassis_(chassis),
         measures_(config.measure_energy),
         half_step_(0.5 * hal::to_seconds(config.step)) {
-    // the solver writes feedback to them, so their addresses must not change
+    // The solver writes feedback to them, so their addresses must not change.
     wheels_.reserve(wheels.size());
     for (const hal::node::devices::Wheel& wheel : wheels) mount(world, wheel);
   }

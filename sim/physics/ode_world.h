@@ -30,8 +30,8 @@ class OdeWorld {
   /// call.
   dGeomID ground_plane(hal::Vec2 at) const;
 
-  /// Removes all contact joints at the end of a step. @param awake  number of objects with
-  /// contacts; when it is far smaller than before, the memory of the joints is freed.
+  /// Removes all contact joints at the end of a step. @param awake  number of awake objects; when
+  /// it has fallen below half of its maximum, the memory of the joints is freed.
   void drop_contacts(std::size_t awake);
 
   /// Take one step by the exact solver, or by the iterative one seeded with `seed`. Both count

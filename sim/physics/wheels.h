@@ -68,7 +68,7 @@ struct GroundContact {
   hal::Vec3 grip;
   /// m/s, of the body's material at the contact, before the step; for energies only
   hal::Vec3 velocity;
-  dJointFeedback forces;  ///< Of the step; valid if requested.
+  dJointFeedback forces;  ///< Forces of the step; valid if requested.
 
   hal::Vec3 force() const { return {forces.f1[0], forces.f1[1], forces.f1[2]}; }  ///< N
 };

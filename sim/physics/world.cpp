@@ -91,11 +91,12 @@ class World::Implementation {
   const WorldConfig config;
   OdeWorld ode;
   Objects objects;
-  std::vector<std::size_t> index;  ///< Of each agent's object, by address; kNone: no such agent.
-  std::deque<Solid> solids;        ///< A deque, because geometries point to its elements.
+  /// Index of each agent's object, by address; kNone: no such agent.
+  std::vector<std::size_t> index;
+  std::deque<Solid> solids;  ///< A deque, because geometries point to its elements.
   std::vector<Shape> shapes;
   std::vector<std::uint8_t> is_outdated;  ///< By object: its shapes are from an earlier step.
-  std::vector<std::size_t> outdated;      ///< Those objects.
+  std::vector<std::size_t> outdated;      ///< Objects whose shapes are outdated.
   std::vector<hal::Vec3> origins;         ///< m; of the objects, in their order
   std::vector<std::uint64_t> moved_at;    ///< For each object: last step that may have moved it.
   AwakeList awake;

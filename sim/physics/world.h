@@ -167,7 +167,7 @@ class World {
 
   /// For all of these: @pre the agent was added.
   BodyPose pose(AgentId agent) const;
-  hal::Vec3 position(AgentId agent) const;  ///< That of pose(), without its angles.
+  hal::Vec3 position(AgentId agent) const;  ///< Position of pose(), without its angles.
   /// Number of the last step that may have moved the body; 0: none. A pose read after that step is
   /// still valid.
   std::uint64_t moved_at(AgentId agent) const;

@@ -17,7 +17,7 @@ void BssStation::on_frame(const Frame& frame, hal::Dbm rssi, hal::Decibels snr) 
   if (frame.type == FrameType::kBeacon) return on_beacon(frame, rssi);
   if (is_management(frame.type)) return association_.on_management(frame);
   if (frame.ds == Ds::kFrom && may_use(frame.transmitter)) return on_data(frame, rssi, snr);
-  // from an ad hoc network or an access point that it may not use
+  // From an ad hoc network, or from an access point that it may not use.
   if (!frame.is_broadcast()) lose(frame);
 }
 

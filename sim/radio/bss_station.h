@@ -9,8 +9,8 @@
 namespace sim::radio {
 
 /// A station of an infrastructure network. It sends all data To DS, to its access point, and queues
-/// them while it is not associated; it receives data From DS, from its access point. Its own group
-/// frames return from the access point and are dropped.
+/// them while it is not associated or a handover is in progress; it receives data From DS, from its
+/// access point. Its own group frames return from the access point and are dropped.
 class BssStation final : public BssMac, private Association::Client {
  public:
   struct Membership {

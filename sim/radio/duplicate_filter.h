@@ -11,7 +11,7 @@ namespace sim::radio {
 /// (IEEE Std 802.11-2016, 10.3.2.11): same transmitter, same sequence number, retry bit set.
 class DuplicateFilter {
  public:
-  /// Also stores the sequence number for the next call.
+  /// Whether the frame is a duplicate. Stores the sequence number for the next call.
   bool is_duplicate(hal::AgentId transmitter, std::uint16_t sequence, bool retry) {
     const auto [known, is_new] = last_.try_emplace(transmitter, sequence);
     if (is_new) return false;

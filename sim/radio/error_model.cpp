@@ -69,7 +69,7 @@ class BiorthogonalSuccess {
   /// @param energy  symbol energy over noise density, up to kMostEnergy.
   double operator()(double energy) const {
     const double place = std::sqrt(2 * energy) * kPerUnit;
-    // index into values_; kBefore points lie before `place`
+    // Index into values_; kBefore points lie before `place`.
     const auto first = static_cast<std::size_t>(place);
     const double t = place - static_cast<double>(first);
     const double a = t + 2, b = t + 1, c = t - 1, d = t - 2, e = t - 3;

@@ -17,7 +17,7 @@ class GammaQuantile {
 
  private:
   double m_;
-  double first_, step_;         ///< Of the natural logarithms of the table's arguments.
+  double first_, step_;         ///< First natural logarithm of the table's arguments, and step.
   std::vector<double> values_;  ///< Natural logarithms of the results.
 };
 

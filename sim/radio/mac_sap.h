@@ -33,7 +33,7 @@ struct MacRequest {
   Payload payload;
   std::uint64_t tag = 0;   ///< Returned in on_transmitted().
   MacHeader header{};      ///< For layers below the MacSap; clients leave it unset.
-  GroupAddress group = 0;  ///< Of a frame to kEveryone: the group addressed.
+  GroupAddress group = 0;  ///< Group addressed by a frame to kEveryone.
 };
 
 struct MacIndication {

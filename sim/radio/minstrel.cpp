@@ -10,7 +10,7 @@ namespace {
 constexpr double kHopeless = 0.1;
 /// Above this success, rates differ only in speed.
 constexpr double kSure = 0.95;
-constexpr std::uint32_t kFewTries = 2;      ///< Of a rate that is hopeless or sure.
+constexpr std::uint32_t kFewTries = 2;      ///< Attempts at a rate that is hopeless or sure.
 constexpr std::uint32_t kFewLooks = 4;      ///< Samples of such a rate in an interval.
 constexpr std::uint32_t kLongWithout = 20;  ///< In intervals.
 constexpr std::uint32_t kFramesCounted = 10'000;

@@ -24,7 +24,7 @@ struct Msdu {
 /// How an MSDU ended at that station.
 struct MsduEnd {
   hal::Verdict verdict = hal::Verdict::kDelivered;  ///< As in MacClient::on_transmitted().
-  bool has_waited = true;                           ///< It was in the queue.
+  bool has_waited = true;                           ///< The MSDU was in the queue.
   bool went_over_wire = false;  ///< Delivered over the distribution system to another access point.
 };
 

@@ -8,8 +8,8 @@
 namespace sim::radio {
 
 /// Verdicts that frames can have at radios of a profile, for any values of its keys: a count of one
-/// of these without events is 0; a count of any other does not exist. kBelowSensitivity is reported
-/// by the transmitter.
+/// of these without events is 0; a count of any other does not exist. kBelowSensitivity is always
+/// among them, because records derive its count from the frames sent.
 std::vector<hal::Verdict> reception_verdicts(const RadioConfig& config);
 
 /// Verdicts that requests to the link can have.

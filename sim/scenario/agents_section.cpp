@@ -145,7 +145,7 @@ std::string name_pattern(std::span<const AgentConfig> agents) {
 /// What determines the agents of a group.
 struct Population {
   std::string names;
-  std::int64_t address = 1;  ///< Of the first agent.
+  std::int64_t address = 1;  ///< Address of the first agent.
   Body body = MoteDescription{};
   Placement placement;
 };

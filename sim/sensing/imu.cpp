@@ -47,8 +47,9 @@ class SimulatedImu final : public hal::node::devices::Sensor {
   hal::node::devices::ImuSensor imu_;
   SensorSite site_;
   hal::RandomStream random_;
-  std::optional<Vec3> velocity_;  ///< Of the sensor at the previous reading; nullopt: not read yet.
-  hal::Time read_at_{};           ///< Physics step of that reading.
+  /// Velocity of the sensor at the previous reading; nullopt: not read yet.
+  std::optional<Vec3> velocity_;
+  hal::Time read_at_{};  ///< Physics step of that reading.
 };
 
 std::optional<std::vector<double>> SimulatedImu::sample(hal::Time) {

@@ -11,8 +11,8 @@ namespace sim::sensing {
 
 /// Motion of an inertial sensor between two readings. World frame, SI.
 struct InertialMotion {
-  hal::Vec3 velocity_before;  ///< Of the sensor, at the previous reading.
-  hal::Vec3 velocity;         ///< The same now.
+  hal::Vec3 velocity_before;  ///< Velocity of the sensor at the previous reading.
+  hal::Vec3 velocity;         ///< Velocity of the sensor now.
   hal::Vec3 angular;          ///< Angular velocity now.
   hal::Vec3 gravity;          ///< m/s^2
   double seconds = 0;         ///< > 0

@@ -70,7 +70,7 @@ class InfraredArray {
   std::vector<hal::Duration> phases_;
   std::vector<hal::Time> measured_at_;
   std::vector<InfraredMeasurement> readings_;
-  std::vector<Due> due_;  ///< Of the sample in progress.
+  std::vector<Due> due_;  ///< Measurements due in the sample in progress.
 };
 
 /// The two channels of one array, which measures once for both: distances and voltages.
